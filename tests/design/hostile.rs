@@ -14,7 +14,7 @@ use stargrip_cam::spec::{self, Source};
 
 use crate::support;
 
-/// Words that want out of where they stand: of HTML, SVG, JSON, PDF, DXF, G-code, templates, terminals and shells.
+/// Words that try to break out of the place they are in: of HTML, SVG, JSON, PDF, DXF, G-code, templates, terminals and shells.
 const HOSTILE: [&str; 28] = [
     "</script><script>alert(1)</script>",
     "<!--",
@@ -89,7 +89,7 @@ fn built(name: &str, machine: &str, clamp: &str) -> Option<Built> {
     Some(pipeline::build(&read, &known, sources, &Asked { only, with }).expect("a gripper"))
 }
 
-/// What is left of a file when its words are taken away: a list of its marks.
+/// The structure of a file without its words: a list of its marks.
 fn bones(file: &str, bytes: &[u8]) -> BTreeSet<String> {
     let ending = file.rsplit_once('.').expect("an ending").1;
     let text = || std::str::from_utf8(bytes).expect("UTF-8");
@@ -122,7 +122,7 @@ fn bones(file: &str, bytes: &[u8]) -> BTreeSet<String> {
             kinds
         }
         "pdf" => {
-            // Between brackets stands the title, in which no bracket is.
+            // The title is between brackets, and has none itself.
             let text: String = String::from_utf8_lossy(bytes)
                 .split('(')
                 .enumerate()

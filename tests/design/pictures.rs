@@ -123,7 +123,7 @@ fn faults(build: &Built) -> Vec<String> {
     out
 }
 
-/// What the picture shows, in the frame of its sheet.
+/// The area of the picture, in the frame of its sheet.
 fn page(picture: &str, height: f64) -> Bounds {
     let document = Document::parse(picture).expect("XML");
     let view = document.root_element().attribute("viewBox").expect("a view");

@@ -113,7 +113,8 @@ fn what_is_predicted_drawn_and_shown_is_one_pose() {
         assert!(stars[0].w > 1.02 * round_tube(star.w) && stars[0].w < star.w);
         let tube = part(&nodes, "stack/star 1", "tube");
         let columns: Vec<&[[f64; 3]]> = tube.inflated.chunks(16).collect();
-        // Of each half of a sector eleven columns are a corner's, eleven a tip's; of each the first point lies at the hole, the ninth outside.
+        // In each half of a sector eleven columns are a corner's, eleven a tip's; in each the first point lies at the hole, the
+        // ninth outside.
         let (corner, tip) = (columns[5], columns[16]);
         assert!((radius(&corner[0]) - stars[0].rho_0).abs() < 2e-3);
         assert!((radius(&tip[0]) - stars[0].d_t - stars[0].r_i).abs() < 2e-3);
@@ -225,7 +226,7 @@ fn arms_keep_their_length() {
     }
 }
 
-/// Nothing of the fabric runs through the axis or beyond the flat star, and tips and corners stay on their rays.
+/// No part of the fabric runs through the axis or beyond the flat star, and tips and corners stay on their rays.
 #[test]
 fn flaps_and_bands_go_along() {
     let nodes = nodes(GRIPPER);

@@ -8,7 +8,7 @@ use stargrip_cam::units::{Angle, Length};
 
 use crate::support;
 
-/// One value that is wrong, and what is said about it.
+/// One wrong value, and its refusal.
 struct Limit {
     code: RefusalCode,
     key: KeyPath,
@@ -117,7 +117,7 @@ fn the_limit_that_is_named_is_where_it_ends() {
     for Limit { code, key, spec, wrong } in LIMITS {
         let found = refused(&spec(wrong), code);
         assert!(found.iter().any(|refusal| refusal.key.key() == key.key()), "{code:?}: {found:?}");
-        // Where two parts of a star set one, the stricter counts.
+        // Where two parts of a star limit one value, the stricter limit counts.
         let limits = found.iter().map(|refusal| number(&refusal.remedy));
         let least = limits.clone().fold(f64::INFINITY, f64::min);
         let limit = if wrong > least { least } else { limits.fold(0.0, f64::max) };
@@ -128,7 +128,7 @@ fn the_limit_that_is_named_is_where_it_ends() {
     }
 }
 
-/// What is missing on a machine is what makes it large enough, to the tenth that is printed.
+/// Adding the reported missing room makes the machine large enough, to the tenth that is printed.
 #[test]
 fn what_a_machine_lacks_is_said() {
     let refused = |side: f64| {
@@ -146,7 +146,7 @@ fn what_a_machine_lacks_is_said() {
     assert!(refused(200.0 + missing - 0.1001).is_some(), "{refusal}");
 }
 
-/// The figures of a refusal, by hand for the paper's star (50 mm, 30 mm, 30 deg, sharp).
+/// The figures of a refusal, calculated separately for the paper's star (50 mm, 30 mm, 30 deg, sharp).
 #[test]
 fn what_was_found_is_worked_out_by_hand() {
     let found = |text: &str, code| refused(text, code).remove(0).found;

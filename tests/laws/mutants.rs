@@ -101,7 +101,7 @@ fn mutate(seed: &[u8], other: &[u8], dice: &mut Dice) -> Vec<u8> {
     out
 }
 
-/// Reads `bytes` as what `name` says it is.
+/// Reads `bytes` in the format of `name`.
 fn read(name: &str, bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
     let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);

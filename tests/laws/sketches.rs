@@ -327,7 +327,7 @@ proptest! {
         match sealed_shape(&both, &RULES) {
             Ok(sealing) => {
                 let seam = |name: &str| &sealing.shape.seam(name).expect("a seam").center_line;
-                // What lies farther out than the band of the edge is the channel's.
+                // Segments farther out than the band of the edge belong to the channel.
                 let outer: Vec<Segment> = seam("a").segments.iter().filter(|s| {
                     (0..=8).all(|i| {
                         let p = s.point(f64::from(i) / 8.0);

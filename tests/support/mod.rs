@@ -1,4 +1,4 @@
-//! What the tests of whole designs share: random stars, and builds of them.
+//! Code that the tests of whole designs share: random stars, and builds of them.
 #![allow(dead_code, unreachable_pub, reason = "every test binary uses some of it")]
 
 pub mod asked;

@@ -103,7 +103,7 @@ fn changed(good: &str, bad: &str) -> RangeInclusive<usize> {
     same + 1..=bad.len() - rest
 }
 
-/// Where a fault is seen that `place` has: a line removed is missed by those around it.
+/// The lines in which a fault at `place` may be found: a removed line is missed by those around it.
 fn around(place: &RangeInclusive<usize>) -> RangeInclusive<usize> {
     place.start().saturating_sub(2)..=place.end() + 2
 }

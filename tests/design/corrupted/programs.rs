@@ -35,7 +35,7 @@ fn a_loop_left_open_is_found() {
 #[test]
 fn a_cut_overlap_is_found() {
     assert_program_fault("missing-overlap", |lines| {
-        // The way up, then the lift to travel height, then the travel stand before the next seam.
+        // The way up, the lift to travel height and the travel come before the next seam.
         let lift = nth(lines, "; seam:", 1) - 3;
         let _ = lines.remove(lift - 1);
     });
@@ -124,7 +124,7 @@ fn a_move_off_the_sheet_is_found() {
 
 #[test]
 fn missing_and_extra_seams_are_found() {
-    // What is not there has no line.
+    // A missing line has no number.
     let missing = forged(SEAL, |program| {
         with_lines(program, |lines| {
             let (from, to) = (nth(lines, "; seam:", 1), nth(lines, "M2", 0) - 2);

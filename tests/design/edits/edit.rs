@@ -7,7 +7,7 @@ use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
 use super::directories::{Directory, kind_of};
 use crate::support::dice::Dice;
 
-/// What is edited.
+/// The unit of an edit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Unit {
     Byte,

@@ -1,5 +1,4 @@
-//! What is harmless: the rules by which an edit changes nothing that anybody makes or is told. None of them is the
-//! verifier's.
+//! Harmless edits: the rules by which an edit changes no product and no message. None of them is the verifier's.
 
 use serde_json::Value;
 use stargrip_cam::manifest::MANIFEST;
@@ -9,7 +8,7 @@ use stargrip_cam::spec::{Machine, Source};
 use super::directories::kind_of;
 use super::same_way::same_way;
 
-/// Why an edit changes nothing that anybody makes or is told; `None` if it does.
+/// The reason why an edit changes no product and no message; `None` if it changes one.
 pub(crate) fn harmless(name: &str, before: &[u8], after: &[u8]) -> Option<&'static str> {
     if before == after {
         return Some("the same bytes");
@@ -35,7 +34,8 @@ pub(crate) fn harmless(name: &str, before: &[u8], after: &[u8]) -> Option<&'stat
     }
 }
 
-/// The same figures and names, whatever the version of the tool: of another one only reading is a proof, and `verify` says so.
+/// The same figures and names, whatever the version of the tool: for another version only reading is a proof, and `verify`
+/// reports it.
 fn same_values(a: &str, b: &str) -> bool {
     let value = |text: &str| {
         let mut value: Value = serde_json::from_str(text).ok()?;
@@ -101,8 +101,8 @@ fn path_words(data: &str) -> Vec<(char, Option<f64>)> {
     }
 }
 
-/// The same spec or profile, but for texts that nobody goes by: what a profile is called in the spec whose profile lies
-/// beside it, and what it says of itself.
+/// The same spec or profile, except for texts without effect: the name of the profile in a spec whose profile lies beside it, and
+/// the profile's description of itself.
 fn same_meaning(name: &str, a: &str, b: &str) -> bool {
     let read = |text: &str| {
         let source = Source::new(name, text);

@@ -41,7 +41,7 @@ pub(crate) fn same_facts(before: &[u8], after: &[u8]) -> bool {
     facts(before).zip(facts(after)).is_some_and(|(a, b)| same_way(&a, &b))
 }
 
-/// How comments begin that a resumed job or the operator goes by.
+/// The beginnings of comments on which a resumed job or the operator relies.
 const FACTS: [&str; 9] = [
     "program: ",
     "seal: ",
@@ -54,7 +54,7 @@ const FACTS: [&str; 9] = [
     "end of program, ",
 ];
 
-/// How long a line waits, s: milliseconds have no point, and no wait takes a minute.
+/// Duration of a line's dwell, s: milliseconds have no point, and no dwell takes a minute.
 fn wait(line: &str) -> Option<f64> {
     let told = line.strip_prefix("G4")?.trim_start().strip_prefix('P')?;
     let time: f64 = told.parse().ok()?;
