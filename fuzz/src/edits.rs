@@ -40,7 +40,7 @@ impl<'a> Choices<'a> {
         self.0
     }
 
-    /// Whether nothing is left.
+    /// Whether it is empty.
     pub(super) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

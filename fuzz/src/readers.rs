@@ -42,7 +42,7 @@ pub(super) fn stl(bytes: &[u8]) {
     }
 }
 
-/// What was read is finite, no more than the file has room for, and no finding shows what it should not.
+/// Every path is finite, there are no more than the file has room for, and no finding shows a control character.
 fn drawing(length: usize, drawing: &Drawing) {
     let paths = || drawing.layers.values().flatten();
     assert!(paths().map(Path::length).sum::<f64>().is_finite());
