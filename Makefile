@@ -1,16 +1,16 @@
-# Everything a person or CI does here. Only cargo is needed, except for `strangers` and `strangers-more`, which install their own readers, and
-# `wheel` and `python`, which want Python 3 and fetch from PyPI what python/requirements.txt names, and
-# for `deny`, `audit`, `mutants` and `fuzz`, which say what to install.
+# All tasks of a person or CI. Only cargo is needed, except for `strangers` and `strangers-more`, which install their own readers, for
+# `wheel` and `python`, which need Python 3 and fetch the packages in python/requirements.txt from PyPI, and
+# for `deny`, `audit`, `mutants` and `fuzz`, which print how to install their tools.
 
 CARGO ?= cargo
 # Lints and pages of the Python package are made without Python.
 NO_PYTHON = PYO3_NO_PYTHON=1 PYO3_BUILD_EXTENSION_MODULE=1
-# The program for CI. With the features that the Python package asks of shared dependencies, so that the wheel compiles none of them again.
+# The program for CI. With the features that the Python package needs of shared dependencies, so that the wheel compiles none of them again.
 RELEASE = $(CARGO) build --release --locked -p stargrip-cam -p stargrip-cam-python --bin stargrip-cam
 
 .PHONY: demo install dist portable web site wheel python test check docs deny audit strangers strangers-more mutants fuzz faults bench
 
-# Build the paper's star and say what was written, and where.
+# Build the paper's star and print the files and their place.
 demo:
 	$(CARGO) run --release --locked -- build designs/paper-five-points.toml
 
@@ -25,7 +25,7 @@ TARGET ?=
 dist:
 	packaging/dist $(TARGET)
 
-# The program as a page (docs/web.md): index.html for a server and stargrip-cam.html for a disk, in target/web. Wants the target and Python 3.
+# The program as a page (docs/web.md): index.html for a server and stargrip-cam.html for a disk, in target/web. Needs the target and Python 3.
 WASM = wasm32-unknown-unknown
 web:
 	@test -d "$$(rustc --print sysroot)/lib/rustlib/$(WASM)" || { echo "a target is missing: run \`rustup target add $(WASM)\`" >&2; exit 1; }
@@ -46,14 +46,14 @@ python:
 portable:
 	packaging/portable $(TARGETS)
 
-# What is tested: the Python package has tests of its own (`make python`).
+# The packages tested here; the Python package has tests of its own (`make python`).
 TESTED = -p stargrip-cam -p inflatable -p drawings -p research
 # Examples are compiled by the lints of `check`; a test that needs one has it as a module.
 test:
 	$(CARGO) test --locked --tests $(TESTED)
 	$(CARGO) test --locked --doc $(TESTED)
 
-# What CI runs first: format, dependencies, lints, the tests in debug, the fuzz targets' lock file, the release program's files against
+# The first checks of CI: format, dependencies, lints, the tests in debug, the fuzz targets' lock file, the release program's files against
 # those of the tests, the documentation.
 check:
 	$(CARGO) fmt --all --check
@@ -72,17 +72,17 @@ docs:
 	$(MDBOOK) build
 	@echo "open target/book/index.html"
 
-# Licences, doubled versions and sources of all dependencies, by deny.toml. It asks no one and takes a second.
+# Licences, doubled versions and sources of all dependencies, by deny.toml. It uses no network and takes a second.
 deny:
 	@$(call needs,deny,cargo-deny)
 	$(CARGO) deny --workspace --locked check licenses bans sources
 
-# Known faults of the dependencies. Not in `check`: it asks a list that others change, so it can fail on any day.
+# Known faults of the dependencies. Not in `check`: it reads a public list that changes, so it can fail on any day.
 audit:
 	@$(call needs,deny,cargo-deny)
 	$(CARGO) deny --workspace --locked check advisories
 
-# Mutants of some files, and which of them no test notices (docs/testing.md): `make mutants FILES='src/plan/*.rs' SHARD=0/8`.
+# Mutants of some files, and those that no test notices (docs/testing.md): `make mutants FILES='src/plan/*.rs' SHARD=0/8`.
 FILES ?= src/plan/*.rs
 SHARD ?= 0/1
 mutants:
@@ -90,7 +90,7 @@ mutants:
 	mkdir -p target
 	PROPTEST_RNG_SEED=20 INSTA_UPDATE=no $(CARGO) mutants -f '$(FILES)' --shard $(SHARD) -o target/mutants -- --locked --tests
 
-# Every fuzz target for TIME seconds in turn, and what was run in all (docs/reliability.md): `make fuzz TIME=600 TARGETS='resume gcode'`.
+# Every fuzz target for TIME seconds in turn, and the totals of all runs (docs/reliability.md): `make fuzz TIME=600 TARGETS='resume gcode'`.
 TIME ?= 60
 TARGETS ?=
 fuzz:
@@ -102,10 +102,10 @@ faults:
 	$(RELEASE)
 	tests/faults/run target/release/stargrip-cam
 
-# Says how to get a cargo subcommand that is not there.
+# Prints how to install a missing cargo subcommand.
 needs = $(CARGO) $(1) --version >/dev/null 2>&1 || { echo "$(2) is missing: run \`cargo install --locked $(2)\`" >&2; exit 1; }
 
-# Readers that no one here wrote, on every output of every shipped design. Needs root for apt-get.
+# Readers of other authors, on every output of every shipped design. Needs root for apt-get.
 strangers:
 	$(RELEASE)
 	tests/strangers/run

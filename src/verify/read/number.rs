@@ -57,7 +57,7 @@ pub(in crate::verify) fn read(text: &str, exponent: bool) -> Option<Number<'_>> 
     Some(Number { value: value.filter(|x| x.abs() <= LARGEST), text: number, rest })
 }
 
-/// The number of digits at the front of `bytes`, and the number that they form behind the digits of `before`.
+/// The number of digits at the front of `bytes`, and the value of the digits `before` continued by them.
 fn digits(bytes: &[u8], before: u64) -> (usize, u64) {
     let (mut count, mut all) = (0, before);
     for byte in bytes {
