@@ -1,4 +1,4 @@
-//! Stars, and what keeps them together: what only a gripper of stars has.
+//! Stars with their stack and frame: the design of a gripper of stars.
 
 use crate::design::object::tight;
 use crate::design::placement::{SheetLayout, place};

@@ -48,7 +48,7 @@ pub enum Part {
 /// A closed contour, counterclockwise from the beginning of arm 1 (or of tip 1 where no arm is left).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contour {
-    /// Its segments with what they belong to. Hinges that shrank to a vertex have none.
+    /// Its segments with their parts of the star. Hinges that shrank to a vertex have none.
     pub parts: Vec<(Part, Segment)>,
     /// Remaining length of each arm; 0 if the contour has no straight parts.
     pub arm: f64,
@@ -65,7 +65,7 @@ pub(super) struct ContourHinge {
     pub(super) half: f64,
 }
 
-/// A contour by what repeats in it n times.
+/// A contour by the part that repeats n times.
 #[derive(Clone, Copy)]
 pub(super) enum Trimmed {
     /// Hinges with arms between them.
@@ -116,7 +116,7 @@ impl Star {
         concave.radius += grown;
         concave.center += away * grown / libm::sin(phi / 2.0);
         let arm = self.l - grown / libm::tan(phi / 2.0);
-        // An arm of rounding error's length is no arm: the smallest real ones are 1e6 times longer.
+        // An arm as short as a rounding error does not count: the smallest real ones are 1e6 times longer.
         if arm > 1e-9 * self.l {
             return Some(Trimmed::Arms { corner, tip, arm });
         }

@@ -70,14 +70,14 @@ pub(super) fn tool_inside(path: &Path, kerf: f64, what: &str) -> Result<Path, Re
 /// The line of a tool with this kerf that cuts around `path`.
 ///
 /// # Errors
-/// If there is none.
+/// If the cut is too wide for it.
 pub(super) fn tool_around(path: &Path, kerf: f64, what: &str) -> Result<Path, Refusal> {
     offset(path, 0.5 * kerf).ok_or_else(|| too_wide(kerf, path, 0.5, what))
 }
 
 /// The refusal of a kerf that leaves nothing of `path`, which `share` of it moves outwards, with the widest that does.
 fn too_wide(kerf: f64, path: &Path, share: f64, what: &str) -> Refusal {
-    // To a thousandth of a millimetre; what fits stays below what does not.
+    // To a thousandth of a millimetre; rounding down keeps a cut that fits.
     let (mut fits, mut fails) = (0.0, kerf);
     while fails - fits > 1e-3 {
         let middle = f64::midpoint(fits, fails);

@@ -1,4 +1,5 @@
-//! Drawings: what lies on one sheet, or what one plate is cut to, layer by layer. Writers write them, the verifier compares files with them.
+//! Drawings: the content of one sheet, or the cut of one plate, layer by layer. Writers write them, the verifier compares files
+//! with them.
 
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -33,7 +34,7 @@ pub enum Origin {
 /// The purpose of a shape. Names are part of every file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
-    /// Centre lines of all seams of a piece that is no star.
+    /// Centre lines of all seams of a piece other than a star.
     Seal,
     /// Centre line of the seam around the hole.
     SealInner,
@@ -102,7 +103,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The paths as one mark; nothing if there is none.
+    /// The paths as one mark; empty without paths.
     pub fn figure(paths: Vec<Path>) -> Option<Self> {
         (!paths.is_empty()).then_some(Self::Figure(paths))
     }
@@ -118,7 +119,7 @@ impl Shape {
         }
     }
 
-    /// The shape without the paths of a figure that lie outside `window`; nothing if all of it does.
+    /// The shape without the paths of a figure that lie outside `window`; `None` if the whole shape does.
     pub fn shown(self, window: &Bounds) -> Option<Self> {
         match self {
             Self::Figure(mut paths) => {
@@ -239,7 +240,7 @@ impl Drawing {
         ])
     }
 
-    /// A drawing around the axis, as large as what is on it.
+    /// A drawing around the axis, as large as its content.
     pub(super) fn around_axis(layers: Vec<(Layer, Vec<Shape>)>) -> Self {
         let shapes = layers.iter().flat_map(|(_, shapes)| shapes);
         let bounds = shapes.map(Shape::bounds).fold(Bounds::EMPTY, Bounds::union);

@@ -26,7 +26,7 @@ use crate::spec::{DrawingSpec, LayerRole, Machine, MaskKind, Spec, key};
 use drawings::{Drawing, Figure, Options, Unit};
 use inflatable::geom::{Bounds, Path};
 
-/// A passage narrower than this is warned of, mm: the least that makers report to inflate well.
+/// A passage narrower than this is a warning, mm: the least width that makers report to inflate well.
 const LEAST_PASSAGE: f64 = 15.0;
 
 /// A drawn piece, and its copies on sheets.

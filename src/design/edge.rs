@@ -3,7 +3,7 @@
 /// The lines of a drawing of a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CutEdge {
-    /// The part's own edges: for what is printed.
+    /// The part's own edges: for printed parts.
     Part,
     /// The middle of the tool that cuts them, half a kerf beside.
     Tool,

@@ -90,7 +90,7 @@ impl<'a> FlatPiece<'a> {
         fabric.areal_density.map(|density| density.0 * 1e-3 * self.fabric())
     }
 
-    /// The point by which pieces are put in order.
+    /// The point by which pieces are sorted.
     pub fn middle(self) -> Point {
         match self {
             Self::Star(_) => Point::ORIGIN,
@@ -98,7 +98,7 @@ impl<'a> FlatPiece<'a> {
         }
     }
 
-    /// Width of the tube, mm: what marks and labels are sized by.
+    /// Width of the tube, mm: the measure for sizes of marks and labels.
     pub fn tube_width(self) -> f64 {
         match self {
             Self::Star(star) => star.star.w,

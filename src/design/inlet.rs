@@ -195,7 +195,7 @@ impl Channel {
     }
 }
 
-/// The two sides of the channel along `ray` with their fillets and what is left of `arc`: inwards and outwards.
+/// The two sides of the channel along `ray` with their fillets and the remainder of `arc`: inwards and outwards.
 fn sides(ray: f64, arc: &Arc, junction: &Junction, end: f64) -> (Vec<Segment>, Vec<Segment>) {
     let (along, across) = (Vec2::unit(ray), Vec2::unit(ray).perp());
     let at = |x: f64, y: f64| -> Point { arc.center + along * x + across * y };

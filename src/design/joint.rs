@@ -1,4 +1,4 @@
-//! Joints: where a tip is cut off a mask, and the knobs by which it finds its place again.
+//! Joints: the cuts between a mask and its tips, and the knobs that position a tip.
 //!
 //! In the frame of the tip's ray, along +X, the joint is the line x = `at` from one edge of the plate to the other. A
 //! **knob** of the middle is a circle whose centre lies half its radius beyond that line: its neck is 0.87 of its diameter, so it
@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use crate::design::{MaskPlate, Outline, Star};
 use inflatable::geom::{Arc, Bounds, Isometry, Line, Path, Point, Segment, Vec2, intersections};
 
-/// Least plate between a joint and a window, mm: what is left between windows, too.
+/// Least plate between a joint and a window, mm: the same as between windows.
 const BRIDGE: f64 = 4.0;
 
 /// Least plate around knobs, holes and texts, mm.
@@ -85,7 +85,7 @@ impl JointCut {
         None
     }
 
-    /// The tip's edge and that of what is left of `edge`; `None` if they do not meet as they should.
+    /// The tip's edge and that of the remainder of `edge`; `None` if they do not meet as they should.
     pub(super) fn split(&self, edge: &Path) -> Option<(Path, Path)> {
         let there = Isometry::rotation(-self.ray).path(edge);
         let chord = chord(&there, self.at)?;

@@ -66,7 +66,7 @@ pub(super) struct GlyphPlace {
     pub(super) height: f64,
 }
 
-/// The strokes of `c` as points of the grid; none for what is drawn as a blank.
+/// The strokes of `c` as points of the grid; empty for characters drawn as a blank.
 pub(super) fn strokes(c: char) -> Vec<Vec<[u8; 2]>> {
     let Some((_, strokes)) = GLYPHS.iter().find(|(known, _)| *known == c) else { return Vec::new() };
     let point = |xy: &[u8]| [xy[0] - b'0', xy[1] - b'0'];

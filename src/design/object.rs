@@ -11,7 +11,7 @@ use crate::units::{Least, Length, Most, Readable};
 const ROOM: f64 = 0.05;
 /// See [`ROOM`], mm.
 const LEAST_ROOM: f64 = 2.0;
-/// A gap below this part of [`room`] is warned of: hand and gripper must be that exactly aligned.
+/// A gap below this part of [`room`] is a warning: hand and gripper must be aligned that exactly.
 const TIGHT: f64 = 0.5;
 
 /// The room around an object of `radius`, mm, with which it enters without exact alignment.
@@ -32,7 +32,7 @@ pub struct Object {
 pub struct Meeting {
     /// Radius of the object at the star's height; 0 where the star passes above or below it.
     pub radius: f64,
-    /// Radius of what must pass the star's hole until the object is in its place.
+    /// Radius of the part that must pass the star's hole until the object is in its place.
     pub entering: f64,
 }
 

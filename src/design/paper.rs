@@ -24,7 +24,7 @@ const LEAST_WIDTH: f64 = 215.0;
 /// Most tiles that are written: more than a hundred pages are not taped together.
 const MOST_TILES: f64 = 100.0;
 
-/// Largest page, mm: beyond it a PDF's single precision no longer tells 0.001 mm apart, and no plotter has such paper.
+/// Largest page, mm: beyond it a PDF's single precision cannot express 0.001 mm, and no plotter has such paper.
 const LARGEST: f64 = 10_000.0;
 
 /// A size of paper.
@@ -238,7 +238,7 @@ impl TileGrid<'_> {
     }
 }
 
-/// A point of the foot, from the lower left corner of what every printer prints.
+/// A point of the foot, from the lower left corner of the area that every printer prints.
 pub(super) fn at(x: f64, y: f64) -> Point {
     Point::new(WHITE + x, WHITE + y)
 }

@@ -26,7 +26,7 @@ pub struct StarDesign {
     pub mask: MaskPlate,
     /// The paths of the tool that cuts both.
     pub cut: CutLines,
-    /// In which pieces the mask is printed.
+    /// The pieces in which the mask is printed.
     pub pieces: Pieces,
 }
 
@@ -35,7 +35,7 @@ pub struct StarDesign {
 pub struct Realised {
     /// max(R, w/2).
     pub radius: f64,
-    /// From the hinge's edge as drawn to the band's edge, along the hinge's ray: what stays unsealed.
+    /// From the hinge's edge as drawn to the band's edge, along the hinge's ray: the part that stays unsealed.
     pub cusp: f64,
 }
 
@@ -114,7 +114,7 @@ impl StarDesign {
         self.star.realised_corner(self.shape.band)
     }
 
-    /// Fabric of the star, both sheets, mm^2: what lies inside the cut, registration holes included.
+    /// Fabric of the star, both sheets, mm^2: the area inside the cut, registration holes included.
     pub fn fabric(&self) -> f64 {
         SHEETS * self.outline.area()
     }

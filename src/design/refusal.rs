@@ -52,7 +52,7 @@ impl std::error::Error for Refusal {}
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Warning {
-    /// The key that is best changed, or written to accept what is warned of.
+    /// The key that is best changed, or written to accept the warning.
     pub key: KeyPath,
     /// Its code for scripts: "short-window".
     pub code: RefusalCode,

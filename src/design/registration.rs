@@ -48,7 +48,7 @@ impl Site {
         Root { beta, foot: Vec2::new(rim * libm::cos(beta) - c, rim * libm::sin(beta)).angle() }
     }
 
-    /// Area that the site's ear, if it has one, adds to what the arc of radius `rim` encloses.
+    /// Area that the site's ear, if it has one, adds to the region inside the arc of radius `rim`.
     pub(super) fn ear_area(&self, rim: f64) -> f64 {
         let Some(ear) = self.ear else { return 0.0 };
         let Root { beta, foot } = self.root(ear, rim);

@@ -9,7 +9,7 @@ use inflatable::geom::Point;
 /// Everything that is made, exactly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
-    /// The pieces, and what only their product has.
+    /// The pieces, and the data that only their product has.
     pub product: Product,
     /// The sheets.
     pub sheets: Vec<SheetLayout>,

@@ -1,7 +1,8 @@
-//! Solids: plates as a 3-D printer makes them, with what is sunk into their faces, and the picture that shows how the pieces of
-//! a mask belong together.
+//! Solids: plates for a 3-D printer, with the texts sunk into their faces, and the picture that shows how the pieces of a mask
+//! belong together.
 //!
-//! On the layer of labels lie closed outlines here: what is within them is sunk, [`engraved_depth`](crate::design::engraved_depth) deep.
+//! The layer of labels has closed outlines here: the region inside is sunk, [`engraved_depth`](crate::design::engraved_depth)
+//! deep.
 
 use crate::design::engraving::{Spot, engraved};
 use crate::design::joint::WALL;

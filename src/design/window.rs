@@ -21,7 +21,7 @@ use crate::units::Readable;
 use inflatable::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
 
 /// Width of plate left between neighbouring windows, mm, where there is room for it: a strip of a 2 mm
-/// plate that is narrower breaks when it is peeled off. At worst half of what lies between two apices stays.
+/// plate that is narrower breaks when it is peeled off. At worst half of the plate between two apices stays.
 const BRIDGE: f64 = 4.0;
 
 /// Reach of one star's windows, mm along the gripping edge from a corner's apex.

@@ -86,7 +86,7 @@ impl DxfWriter {
         self.out.push('\n');
     }
 
-    /// Begins an object with a handle of its own; `owner` is the skeleton's handle of what holds it.
+    /// Begins an object with a handle of its own; `owner` is the skeleton's handle of its container.
     fn begin(&mut self, kind: &str, owner: &str) {
         self.tag("  0", kind);
         let handle = format!("{:X}", self.handle);

@@ -50,7 +50,7 @@ impl Decimals {
             let count = if rest < 10 { 1 } else { 2 };
             digits.take(&mut rest, count);
         }
-        // One by one: to tell a few bytes for text, and to copy them, takes longer.
+        // One by one: checking a few bytes for UTF-8, and copying them, takes longer.
         for byte in &digits.text[digits.at..] {
             out.push(char::from(*byte));
         }

@@ -16,7 +16,7 @@ use inflatable::geom::{Arc, Path, Point, Segment};
 const POINTS: f64 = 72.0 / 25.4;
 /// Largest page without a larger unit, points: PDF 1.7, annex C.
 const LARGEST: f64 = 14_400.0;
-/// Decimals of a coordinate: a page is below 10 m, where single precision still tells 0.001 mm apart.
+/// Decimals of a coordinate: a page is below 10 m, where single precision still resolves 0.001 mm.
 const DECIMALS: u32 = 4;
 
 /// The pages as a PDF document.
@@ -82,7 +82,7 @@ fn stream(page: &PaperPage, scale: f64) -> Vec<u8> {
     content.finish().to_vec()
 }
 
-/// Width, mm, and grey of the strokes of a layer: what is cut is black and thin.
+/// Width, mm, and grey of the strokes of a layer: cut lines are black and thin.
 fn pen(layer: Layer) -> (f32, f32) {
     match layer {
         Layer::PaperMark => (0.15, 0.0),

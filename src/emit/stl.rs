@@ -18,7 +18,7 @@ use inflatable::geom::{Path, Point};
 /// Largest distance of a chord from its arc, mm: a fifth of the resolution of a fine printer.
 const CHORD: f64 = 0.02;
 
-/// Decimals of a coordinate; single precision tells them apart up to several metres.
+/// Decimals of a coordinate; single precision resolves them up to several metres.
 const DECIMALS: u32 = 3;
 
 /// Length of the head, which names the solid.

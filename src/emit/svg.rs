@@ -151,7 +151,7 @@ impl SvgPage {
                         self.decimals.write(out, arc.radius);
                         out.push(' ');
                         self.decimals.write(out, arc.radius);
-                        // Y points down: what turned counterclockwise turns clockwise.
+                        // Y points down: counterclockwise turns become clockwise.
                         self.point(out, if arc.is_ccw() { " 0 0 0 " } else { " 0 0 1 " }, end);
                     }
                 }

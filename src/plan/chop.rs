@@ -26,7 +26,7 @@ pub struct Chop {
     pub acceleration: f64,
     /// Dwells are multiples of this, s.
     pub step: f64,
-    /// Longest dwell, s: what the iron takes to pass a tenth of the band. Longer, it leaves a scar. Where steps are coarse it is
+    /// Longest dwell, s: the time of the iron for a tenth of the band. A longer one leaves a scar. Where steps are coarse it is
     /// that of two shortest strokes.
     pub rest: f64,
     /// Wait of a move that meets an empty queue, s.
@@ -99,7 +99,7 @@ impl Chop {
         self.stepper.is_none_or(|stepper| most >= stepper.least_steps)
     }
 
-    /// Time from rest to rest, s, of so many steps along a way of `length` mm.
+    /// Time from rest to rest, s, of these steps along a way of `length` mm.
     pub(super) fn moving(&self, steps: [f64; 3], length: f64) -> f64 {
         let Self { speed, acceleration, .. } = *self;
         let moving = match &self.stepper {

@@ -1,4 +1,4 @@
-//! The lowest feed that a controller holds, and what follows where the seal is slower.
+//! The lowest feed that a controller holds, and the refusals where the seal is slower.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -132,7 +132,7 @@ fn slow_ramps(spec: &Spec, machine: &Machine, lowest: f64) -> Refusal {
     )
 }
 
-/// Why there is no time for dwells: in strokes of half a band at most, each has to have one, of a step or two.
+/// The refusal where there is no time for dwells: in strokes of half a band at most, each needs one, of a step or two.
 fn too_fast_to_chop(spec: &Spec, chop: &Chop) -> Option<Refusal> {
     let (speed, stroke) = (spec.seal.speed, spec.seal.band.0 / 2.0);
     if 2.0 * chop.least > stroke {
@@ -157,8 +157,8 @@ fn too_fast_to_chop(spec: &Spec, chop: &Chop) -> Option<Refusal> {
     ))
 }
 
-/// The iron would have to rest for too long in one place: around a corner, where the controller joins moves of few steps, or
-/// after every stroke, where strokes are long because the axes speed up slowly.
+/// The refusal of a rest that is too long in one place: around a corner, where the controller joins moves of few steps, or after
+/// every stroke, where strokes are long because the axes speed up slowly.
 fn long_rest(chop: &Chop, program: &Program) -> Option<Refusal> {
     if program.overdue <= 0.0 {
         return None;

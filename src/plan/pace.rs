@@ -14,7 +14,7 @@ use crate::plan::written::Written;
 use crate::spec::{FeedFloor, Machine, Spec};
 use inflatable::geom::Segment;
 
-/// By how much the iron may be early after a stop beside half of a dwell's step, s: what rounding leaves.
+/// Largest time by which the iron may be early after a stop, beside half of a dwell's step, s: rounding.
 const OVERDUE: f64 = 0.01;
 
 /// The way in which the seal's speed is reached.

@@ -41,7 +41,7 @@ impl Cuts {
 
     /// The cuts of a trace. A trace has no dwells, so moves are as long as the segments; arcs are cut at 90 degrees all the same.
     pub(super) fn of_trace(spec: &Spec, machine: &Machine) -> Self {
-        // A little less than what is written as a straight move where there are arcs.
+        // A little shorter than a piece that is written as a straight move where there are arcs.
         let path = spec.accuracy.path.0;
         let sagitta = (!machine.controller.arcs).then_some([0.996 * STRAIGHT * path, COARSE * path]);
         Self { longest: f64::INFINITY, sagitta, stroke: None }

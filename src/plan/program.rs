@@ -29,9 +29,9 @@ pub struct Program {
     pub seams: Vec<SeamReport>,
     /// The way in which the seal's speed is reached.
     pub pace: Pace,
-    /// Time for all of it without heating and pauses, s.
+    /// Time of all steps without heating and pauses, s.
     pub time: f64,
-    /// By how much the iron is early, at most, after the longest rest that leaves no scar, s; 0 where it is on time.
+    /// Largest time by which the iron is early after the longest rest that leaves no scar, s; 0 where it is on time.
     pub overdue: f64,
 }
 

@@ -8,7 +8,7 @@ use crate::shape::{LaidSeam, PlacedPiece, laid_seams};
 use crate::spec::{Machine, ProgramScope, Spec};
 use inflatable::geom::{Path, Point, Segment};
 
-/// A sheet, and pieces on it in the order of sealing: what one program covers.
+/// A sheet, and pieces on it in the order of sealing: the content of one program.
 pub(super) type Batch<'a> = (usize, Vec<PlacedPiece<'a>>);
 
 /// The pieces of every program, by the spec's choice of one a star or one a sheet.

@@ -26,7 +26,7 @@ pub struct Stepper {
     pub least_steps: f64,
 }
 
-/// Steps that a segment makes at least, but for the last.
+/// Least steps of a segment, except the last.
 const LEAST: f64 = 1.25;
 /// A stroke that takes longer than this, s, takes its nominal time: its two ramps do not count.
 const LONG: f64 = 10.0;
@@ -40,7 +40,7 @@ struct Trapezoid {
     top: f64,
     /// Time of each ramp, s.
     ramp: f64,
-    /// Time of all of it, s.
+    /// Time of the whole stroke, s.
     total: f64,
 }
 
@@ -72,7 +72,7 @@ impl Stepper {
         std::array::from_fn(|i| (position[i] * self.steps_per_mm[i]).round())
     }
 
-    /// Time for so many steps of the three axes, s, from rest to rest, at `speed` mm/s with an acceleration of `acceleration`
+    /// Time for these steps of the three axes, s, from rest to rest, at `speed` mm/s with an acceleration of `acceleration`
     /// mm/s^2: of each axis, or along the way where every step has a rate of its own (Marlin, M204).
     pub fn seconds(&self, steps: [f64; 3], speed: f64, acceleration: f64) -> f64 {
         let way: [f64; 3] = std::array::from_fn(|i| (steps[i] / self.steps_per_mm[i]).abs());
@@ -182,7 +182,7 @@ mod tests {
     /// 1.2 times its lowest speed, mm/s.
     const SPEED: f64 = 0.64741;
 
-    /// Reckoned with the firmware's rules in 32-bit floats, as it does itself, by `tests/machines/clock`.
+    /// Calculated with the firmware's rules in 32-bit floats, as it does itself, by `tests/machines/clock`.
     #[test]
     fn strokes_take_as_long_as_on_the_controller() {
         for (acceleration, steps, seconds) in [
@@ -206,7 +206,7 @@ mod tests {
         let ideal = 0.2 / SPEED + SPEED / 500.0;
         assert!((fine.seconds([160.0, 0.0, 0.0], SPEED, 500.0) - ideal).abs() < 1e-3);
         assert_eq!(fine.seconds([0.0; 3], SPEED, 500.0), 0.0);
-        // Slow enough to be no matter of ramps, and quick to tell.
+        // Slow enough for ramps not to matter, and quick to calculate.
         assert!((fine.seconds([8e6, 0.0, 0.0], 1e-3, 10.0) - 1e7).abs() < 1.0);
     }
 }

@@ -106,7 +106,7 @@ impl Program {
     }
 }
 
-/// When each of `steps` is done, s, without heating and pauses; and by how much the iron is early, at most, after a stop.
+/// The end of each of `steps`, s, without heating and pauses; and the largest time by which the iron is early after a stop.
 fn times_of(steps: &[Step], pace: Pace, machine: &Machine, spec: &Spec) -> (Vec<f64>, f64) {
     let (speed, level) = (spec.seal.speed.0, machine.process.heights.travel.0);
     let file = Precision { path: spec.accuracy.path, arcs: machine.controller.arcs };

@@ -53,7 +53,7 @@ impl WholeRates {
         }
     }
 
-    /// Time for so many steps, s.
+    /// Time for these steps, s.
     pub(super) fn seconds(&self, steps: f64) -> f64 {
         if steps > MANY {
             steps / self.even

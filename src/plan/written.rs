@@ -12,7 +12,7 @@ pub(super) const STRAIGHT: f64 = 0.25;
 pub fn is_straight(piece: &Segment, path: Length) -> bool {
     let Segment::Arc(arc) = piece else { return true };
     let within = STRAIGHT * path.0;
-    // `1 - cos x <= x^2 / 2` tells most without a cosine.
+    // `1 - cos x <= x^2 / 2` decides most cases without a cosine.
     let at_most = arc.radius * arc.sweep * arc.sweep / 8.0;
     at_most <= within || arc.radius * (1.0 - libm::cos(arc.sweep / 2.0)) <= within
 }

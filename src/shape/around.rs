@@ -37,8 +37,8 @@ pub(super) enum LineUse {
     Outer,
 }
 
-/// Centre lines, the closed ones before ports open them, the closed edges that the cut follows (with their distance from it), mouths, and
-/// what the lines enclose.
+/// Centre lines, the closed ones before ports open them, the closed edges that the cut follows (with their distance from it),
+/// mouths, and the region that the lines enclose.
 #[derive(Default)]
 pub(super) struct Layout {
     pub lines: Vec<Line>,
@@ -355,7 +355,7 @@ fn lengthened(wall: Wall, by: f64) -> Wall {
     Wall { path, ..wall }
 }
 
-/// The closed centre line `path` without what lies past the mouths that it has, `half` mm outside the air's edges.
+/// The closed centre line `path` without the parts past its mouths, `half` mm outside the air's edges.
 pub(super) fn opened(path: Path, mouths: &[Mouth], rules: &Rules, half: f64) -> Vec<Path> {
     let around = path.bounds().grown(1e-6);
     let mut parts = vec![path];

@@ -37,7 +37,7 @@ impl Bottleneck {
     }
 }
 
-/// A curve, and whether its start and end are joined to others, so that they are no ends.
+/// A curve, and whether its start and end are joined to others, so that they do not count as ends.
 pub(super) struct GapCurve<'a> {
     pub path: &'a Path,
     pub joined: [bool; 2],
@@ -273,7 +273,7 @@ fn line_arc(line: &Line, arc: &Arc, see: &mut impl FnMut(Point, Point)) {
 fn arc_arc(a: &Arc, b: &Arc, see: &mut impl FnMut(Point, Point)) {
     let way = b.center - a.center;
     if way.length() <= ONE {
-        // Along circles around one centre all widths are alike: the middle of what faces.
+        // Along circles around one centre all widths are alike: the middle of the facing part.
         let ends = [b.start(), b.at_angle(b.start_angle + b.sweep / 2.0), b.end()];
         if let Some(p) = ends.iter().find_map(|end| on_arc(a, *end - a.center))
             && let Some(q) = on_arc(b, p - b.center)

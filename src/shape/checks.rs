@@ -77,7 +77,7 @@ fn is_mouth(lines: &Layout, neck: &Bottleneck, tube: f64) -> bool {
     })
 }
 
-/// Faults where centre lines cross, but for where one ends on the other.
+/// Faults where centre lines cross, except where one ends on the other.
 fn crossing_bands(lines: &[Line], band: f64, notes: &mut SealingNotes) {
     let segments: Vec<(usize, Segment)> = lines
         .iter()
@@ -141,7 +141,7 @@ pub(super) fn sharp_corners(lines: &Layout, rules: &Rules, notes: &mut SealingNo
     }
 }
 
-/// The corners of a centre line at which it turns right, away from the air, and by how much, rad.
+/// The corners of a centre line at which it turns right, away from the air, with the angle, rad.
 fn right_turns(path: &Path) -> Vec<(Point, f64)> {
     let (segments, count) = (&path.segments, path.segments.len());
     let last = if path.closed { count } else { count.saturating_sub(1) };

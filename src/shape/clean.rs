@@ -72,7 +72,7 @@ fn without_crumbs(path: Path) -> Path {
             kept.push(if near { with_end(&segment.reversed(), at).reversed() } else { *segment });
         }
     }
-    // The first, and the last of what is closed, may be crumbs still.
+    // The first one, and the last one of a closed path, may still be crumbs.
     let first = kept.len() > 1 && kept[0].length() <= CRUMB;
     if first {
         let crumb = kept.remove(0);
@@ -130,7 +130,7 @@ struct QuarterPart {
 /// A curve drawn twice: the curve that was kept, the one that was removed, and a place.
 pub(super) type Doubled = ([usize; 2], Point);
 
-/// The pieces without what runs within `join` of an earlier piece, or of an earlier part of its own.
+/// The pieces without the stretches within `join` of an earlier piece, or of an earlier part of their own.
 pub(super) fn without_doubles(pieces: Vec<Piece>, join: f64) -> (Vec<Piece>, Vec<Doubled>) {
     let parts: Vec<QuarterPart> = pieces
         .iter()

@@ -11,7 +11,7 @@ pub struct Repair {
     pub names: Vec<String>,
     /// The place.
     pub place: Point,
-    /// The error, and what was done.
+    /// The error and its repair.
     pub what: String,
 }
 
@@ -52,7 +52,7 @@ pub enum ShapeCode {
     Outlines,
     /// A cut or a hole in a band, or in the air.
     CutInBand,
-    /// A way for air that is no port.
+    /// A way for air other than a port.
     Leak,
     /// The drawing is empty.
     Empty,
@@ -67,9 +67,9 @@ pub struct ShapeFault {
     pub names: Vec<String>,
     /// The place.
     pub place: Point,
-    /// The value found, mm or a count; NaN where there is none.
+    /// The value found, mm or a count; NaN where the fault has no value.
     pub found: f64,
-    /// The value allowed, in the same unit; NaN where there is none.
+    /// The value allowed, in the same unit; NaN where the fault has no value.
     pub allowed: f64,
     /// The finding.
     pub what: String,

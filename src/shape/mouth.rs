@@ -35,7 +35,8 @@ impl Mouth {
         self.at + self.out * along + self.out.perp() * across
     }
 
-    /// The closed `path` without what lies farther out than `along` mm past the mouth, on sides `across` mm from its middle: an open path
+    /// The closed `path` without the part farther out than `along` mm past the mouth, on sides `across` mm from its middle: an
+    /// open path
     /// with its ends there. `None` if it does not pass there.
     pub(super) fn open(&self, path: &Path, along: f64, across: f64) -> Option<Path> {
         let sides = [across, -across].map(|across| self.point(along, across));

@@ -55,7 +55,7 @@ impl AirSide {
         &self.edges
     }
 
-    /// The same without the channels of ports: what inflates.
+    /// The same without the channels of ports: the region that inflates.
     pub fn closed(&self) -> &[Path] {
         &self.closed
     }
@@ -180,7 +180,7 @@ fn past(mouth: &Mouth, cut: &Path) -> f64 {
     (furthest + mouth.depth).max(0.0)
 }
 
-/// Lines around what an operation leaves, and lines cut out of it.
+/// Lines around the result of an operation, and lines cut out of it.
 type LinesAndHoles = (Vec<Polyline<f64>>, Vec<Polyline<f64>>);
 
 /// The results of an operation on two closed lines.

@@ -1,7 +1,7 @@
-//! Codes: the stable kebab-case words by which scripts tell one fault, refusal or finding from another.
+//! Codes: the stable kebab-case words by which scripts distinguish faults, refusals and findings.
 //!
-//! Each room declares its own in one table: name, word, and the sentence that docs/codes.md shows. Whoever reports
-//! something names a code of the table, so that none can be misspelt or be missing from the page.
+//! Each room declares its own in one table: name, word, and the sentence that docs/codes.md shows. A report names a code of the
+//! table, so that none can be misspelt or be missing from the page.
 
 /// A code of some room.
 pub trait Code: Copy {

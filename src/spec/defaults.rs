@@ -8,7 +8,7 @@ use crate::spec::raw::RawSpec;
 use crate::spec::reading::{read_choice, read_fabric, read_sheet, read_with};
 use crate::spec::source::Source;
 
-/// The sections of which there are defaults of one's own.
+/// The sections that may have personal defaults.
 const SECTIONS: [&str; 3] = ["fabric", "sheet", "machine"];
 
 /// Adds the values of fabric, sheet and machine in `config` to `spec`, a valid spec text, for keys that it does not set.

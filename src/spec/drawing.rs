@@ -129,7 +129,7 @@ impl DrawingSpec {
     }
 }
 
-/// Sections that describe stars, and what a drawing has instead.
+/// Sections that describe stars, and their replacements for a drawing.
 const OF_STARS: [(&str, &str); 3] = [
     ("star", "the drawing is the shape"),
     ("stack", "drawn pieces are not stacked; `copies` in [sheet] makes several"),

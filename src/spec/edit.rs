@@ -122,7 +122,7 @@ pub fn with_changes(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Resu
 /// back: the values may not go together.
 ///
 /// # Errors
-/// If a value is no TOML, or the section of a key cannot be edited.
+/// If a value is not TOML, or the section of a key cannot be edited.
 pub fn with_values(source: &Source, values: &[(KeyPath, String)]) -> Result<String, Faults> {
     edited(source, values.iter().map(|(key, value)| (*key, Some(value.as_str()))), |_| 0..0)
 }
@@ -361,7 +361,7 @@ mod tests {
     }
 
     proptest! {
-        /// The layouts times the values: what is written is what is read.
+        /// The layouts times the values: the values read are those written.
         #[test]
         fn what_is_set_is_what_is_read(
             layout in 0..LAYOUTS.len(),

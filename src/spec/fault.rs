@@ -1,4 +1,4 @@
-//! A fault: what is wrong with a text, where, and what would be right.
+//! A fault of a text: the finding, its place, and the right content.
 //!
 //! A **fault** is one thing found at one place. Reading goes on after a fault, so that a person sees all
 //! of them at once; a fault of level [`Severity::Error`] refuses the text, one of level [`Severity::Warning`] does not.
@@ -63,7 +63,7 @@ impl Fault {
         Self { level: Severity::Warning, ..Self::error(code, span, message) }
     }
 
-    /// The same fault with `label`, what is allowed, at its caret.
+    /// The same fault with `label`, the allowed values, at its caret.
     pub fn label(self, label: impl Into<String>) -> Self {
         Self { label: label.into(), ..self }
     }
@@ -73,7 +73,7 @@ impl Fault {
         Self { drawn, ..self }
     }
 
-    /// The same fault with `help`, what to do about it.
+    /// The same fault with the remedy `help`.
     pub fn help(self, help: impl Into<String>) -> Self {
         Self { help: Some(help.into()), ..self }
     }

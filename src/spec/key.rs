@@ -119,7 +119,7 @@ keys! {
 /// The key called `name`, "star.points".
 ///
 /// # Errors
-/// If there is none: the name of the nearest one, if one is near.
+/// If there is no such key: the name of the nearest one, if one is near.
 pub fn named(name: &str) -> Result<KeyPath, Option<String>> {
     ALL.iter().find(|key| key.to_string() == name).copied().ok_or_else(|| {
         let names: Vec<String> = ALL.iter().map(ToString::to_string).collect();

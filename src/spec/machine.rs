@@ -89,12 +89,12 @@ pub struct Limits {
     pub top_speed: Option<Speed>,
     /// Axes speed up by this.
     pub acceleration: Option<Acceleration>,
-    /// The heater is switched off after so long without a move.
+    /// The heater is switched off after this time without a move.
     pub idle_timeout: Option<Duration>,
 }
 
 impl Limits {
-    /// These, and what a `later` line sets.
+    /// These limits, replaced by those that a `later` line sets.
     pub(in crate::spec) fn then(self, later: Self) -> Self {
         Self {
             lowest_speed: later.lowest_speed.or(self.lowest_speed),

@@ -55,7 +55,7 @@ const CHOP_RATIO: f64 = 2.5;
 /// The part of the first step's rate that chopped moves have in the worst direction. Along an axis they step 1.41 times as
 /// often, so rates lie around that of the first step, and it makes little difference whether a version has one.
 const FIRST_SHARE: f64 = 0.81;
-/// By which part a steady move may be too fast where rates are rounded up to whole steps a second.
+/// The fraction by which a steady move may be too fast where rates are rounded up to whole steps a second.
 const ROUNDED_UP: f64 = 0.002;
 
 impl Motion {

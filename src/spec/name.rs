@@ -5,7 +5,7 @@ use std::fmt;
 /// Longest name, in characters.
 pub const NAME_LENGTH: usize = 80;
 
-/// Why a text is no name.
+/// The reason why a text cannot be a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NameFault {
     /// It is empty or blank.
@@ -16,7 +16,7 @@ pub enum NameFault {
     Control(char),
     /// It holds a mark that turns the direction of text, so that it reads as another one.
     Direction(char),
-    /// It holds a code point that is no character, which no XML or HTML file may hold.
+    /// It holds a code point that is not a character, which no XML or HTML file may hold.
     NoCharacter(char),
 }
 
@@ -54,8 +54,8 @@ impl fmt::Display for NameFault {
 
 impl std::error::Error for NameFault {}
 
-/// Checks that `text` can be a name: 1 to [`NAME_LENGTH`] characters, no control character, no line break,
-/// nothing that is no character, and no mark that turns the direction of text (letters that are written from right to left need none).
+/// Checks that `text` can be a name: 1 to [`NAME_LENGTH`] characters, no control character, no line break, no code point that is
+/// not a character, and no mark that turns the direction of text (letters that are written from right to left need none).
 ///
 /// # Errors
 /// If it cannot.

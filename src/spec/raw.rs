@@ -1,4 +1,4 @@
-//! The raw spec: what was written, with the place of each key and value.
+//! The raw spec: the text as parsed, with the place of each key and value.
 
 use std::ops::Range;
 

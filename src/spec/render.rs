@@ -1,4 +1,4 @@
-//! Faults as a person reads them: file, line, caret, what was found, what is allowed, a hint.
+//! Faults as a person reads them: file, line, caret, the finding, the allowed values, a hint.
 
 use annotate_snippets::{AnnotationKind, Level as Tone, Origin, Renderer, Snippet};
 
@@ -133,8 +133,8 @@ fn summary(source: &Source, faults: &[Fault]) -> String {
     format!("{}: {parts}{cut}", shown_name(source))
 }
 
-/// `text` with a mark in place of what would command a terminal or turn the text around and is not ASCII; the renderer has
-/// pictures for what is, but lets the other control characters through.
+/// `text` with a mark in place of characters outside ASCII that command a terminal or turn the text around; the renderer has
+/// pictures for those in ASCII, but lets the other control characters through.
 fn visible(text: &str) -> String {
     let mark = |c: char| if misleads(c) && !c.is_ascii() { char::REPLACEMENT_CHARACTER } else { c };
     text.chars().map(mark).collect()
@@ -146,7 +146,7 @@ fn told(text: &str) -> String {
     text.chars().map(mark).collect()
 }
 
-/// The source's name without what would command a terminal.
+/// The source's name without characters that command a terminal.
 fn shown_name(source: &Source) -> String {
     source.name.chars().map(|c| if misleads(c) { '?' } else { c }).collect()
 }

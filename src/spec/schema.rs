@@ -18,7 +18,7 @@ use crate::spec::section::Reader;
 use crate::spec::shape::{ValueShape, capital};
 use crate::spec::starter::TEMPLATE;
 
-/// The file's name beside a spec: what the first line of the starter names.
+/// The file's name beside a spec, as in the first line of the starter.
 pub const SCHEMA_FILE: &str = "stargrip-cam.schema.json";
 
 /// The section whose keys are those of a list of sections.

@@ -225,7 +225,7 @@ impl<'r> Section<'_, 'r> {
                 Err(reason) => malformed::<Q>(key, text, &reason, value.span.clone()),
             },
             RawKind::Number(number) => {
-                // Whoever wrote `nan` is shown a number.
+                // The example for a value of `nan` is a number.
                 let example = if number.value.is_finite() { number.shown() } else { "5".to_owned() };
                 let number = number.shown();
                 Fault::error(
@@ -339,7 +339,7 @@ impl<'r> Section<'_, 'r> {
     }
 }
 
-/// The number that a text means: 0.5 of "0.5" and of "50 %".
+/// The number that a text expresses: 0.5 of "0.5" and of "50 %".
 fn plain(value: &RawValue) -> Option<f64> {
     let RawKind::Text(text) = &value.kind else { return None };
     text.trim().parse().ok().or_else(|| Percent::parse(text).ok().map(Percent::ratio))

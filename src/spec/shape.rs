@@ -7,7 +7,7 @@ use crate::spec::allowed::Allowed;
 use crate::spec::message::article;
 use crate::units::{Length, Quantity};
 
-/// A decimal number, as a JSON Schema's pattern: what `units` reads before a unit.
+/// A decimal number, as a JSON Schema's pattern: the number that `units` reads before a unit.
 const NUMBER: &str = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?";
 
 /// The values that a key takes.

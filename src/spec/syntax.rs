@@ -6,7 +6,7 @@ use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::value::{RawKind, RawTable, RawValue};
 
-/// Syntax errors from which a text is no spec with slips, but something else.
+/// Number of syntax errors from which a text is taken for another kind of file, not for a spec with slips.
 pub(super) const FLOOD: usize = 13;
 
 /// Errors that are reported of a flood: the first names the cause.

@@ -6,7 +6,7 @@ use crate::spec::message::header;
 use crate::spec::value::{RawKind, RawTable, RawValue};
 use crate::units::{Length, Quantity};
 
-/// A section that was read: its keys and what was written in it.
+/// A section that was read: its keys and its content in the text.
 pub(super) struct Known<'r> {
     /// Its name; "" for the keys before the first section.
     pub(super) section: &'static str,

@@ -30,7 +30,7 @@ pub(super) enum RawKind {
 /// A number without quotes.
 #[derive(Clone, Debug)]
 pub(super) struct RawNumber {
-    /// As it was written, but for underscores.
+    /// The text of the number, without underscores.
     pub(super) text: String,
     /// Its value; NaN if it is too large.
     pub(super) value: f64,

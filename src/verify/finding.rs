@@ -13,10 +13,10 @@ const LIMIT: usize = 100;
 /// Longest quotation from a file, in characters.
 const QUOTATION: usize = 60;
 
-/// Longest text of what was found or is allowed, in characters: whatever a file calls its elements, the message stays readable.
+/// Longest text of a found or an allowed value, in characters: whatever a file calls its elements, the message stays readable.
 const LONGEST: usize = 1000;
 
-/// One fault of one file: what was found and what is allowed.
+/// One fault of one file: the value found and the value allowed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Finding {
     /// Path of the file in the output directory; empty until [`Finding::in_file`] fills it in.

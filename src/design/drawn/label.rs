@@ -17,7 +17,7 @@ const STATIONS: [f64; 16] = [
 ];
 /// Largest sine of the turn from one glyph to the next: at corners they would lie on each other.
 const TURN: f64 = 0.2;
-/// Seams that get a label: what is more is no longer found by reading.
+/// Seams that get a label: in a longer list a label is no longer found by reading.
 const MOST: usize = 64;
 /// Longest text, in characters.
 const LONGEST: usize = 24;

@@ -7,9 +7,9 @@ use crate::spec::key;
 use crate::units::Length;
 use inflatable::geom::{Path, Point};
 
-/// Places on the flap that are looked at.
+/// Places on the flap that are tried.
 const PLACES: f64 = 200.0;
-/// By how many diameters the sides of the holes' triangle differ at least: less is not seen.
+/// Least difference of the sides of the holes' triangle, in diameters: smaller ones are not visible.
 const DIFFERENCE: f64 = 2.0;
 
 /// The registration holes of a piece of this `shape`, cut along `cut`: three of this `diameter`, or none where the flap has no room or

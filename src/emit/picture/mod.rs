@@ -106,7 +106,7 @@ impl Text {
         typeface::width(&self.content) * self.size
     }
 
-    /// The box that it takes, in a face that is no wider than the one that pictures are measured with.
+    /// Its box, in a face no wider than the one that pictures are measured with.
     pub(super) fn bounds(&self) -> Bounds {
         let width = self.width();
         let start = self.start(width);
@@ -133,7 +133,7 @@ impl Group {
         Self { name: name.into(), marks: Vec::new() }
     }
 
-    /// Fills what lies inside of an odd number of `paths`.
+    /// Fills the region inside an odd number of `paths`.
     pub(super) fn area(&mut self, paths: Vec<Path>, ink: Colour) {
         self.marks.push(Mark::Area { paths, ink });
     }

@@ -24,7 +24,7 @@ fn advance(face: &Face<'_>, glyph: Option<GlyphId>) -> f64 {
 
 /// Width of `text`, by the type's size.
 pub(super) fn width(text: &str) -> f64 {
-    // Places for labels are looked for by the thousand.
+    // Widths are requested thousands of times while labels are placed.
     static ADVANCES: OnceLock<[f64; 128]> = OnceLock::new();
     let advances = ADVANCES.get_or_init(|| {
         let letters = std::array::from_fn(|i| char::from(u8::try_from(i).unwrap_or(0)));

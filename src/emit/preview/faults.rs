@@ -1,4 +1,4 @@
-//! A drawing with its faults, numbered, and what each of them is.
+//! A drawing with its faults, numbered, and the list of them.
 
 use crate::emit::picture::{Group, Picture, Text};
 use crate::emit::preview::block::{Block, flow};

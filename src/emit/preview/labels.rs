@@ -10,7 +10,7 @@ use crate::emit::preview::travel::Start;
 use crate::emit::text::inert;
 use inflatable::geom::{Bounds, Point, Vec2};
 
-/// Sizes that are tried in turn, by the first of them; what is smaller is not read.
+/// Sizes that are tried in turn, relative to the first; smaller text is not readable.
 const SIZES: [f64; 8] = [1.0, 0.85, 0.72, 0.61, 0.52, 0.44, 0.37, 0.3];
 /// Size from which words are read with ease, by that of the picture's type.
 const LEGIBLE: f64 = 0.62;

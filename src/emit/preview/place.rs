@@ -27,7 +27,7 @@ enum LabelBlock {
     Box(usize),
 }
 
-/// So many recent obstacles are tried before the search: more cost as much as it does.
+/// Number of recent obstacles tried before the search: more take as long as it does.
 const RECENT: usize = 8;
 
 impl Places {

@@ -80,7 +80,7 @@ fn hash(text: &str) -> String {
     format!("sha256-{}", STANDARD.encode(Sha256::digest(text.as_bytes())))
 }
 
-/// Text for an element or an attribute: every character that could mean something there, or begin an address, by its number.
+/// Text for an element or an attribute: every character with a meaning there, or at the start of an address, by its number.
 fn text(words: &str) -> String {
     let mut out = String::with_capacity(words.len());
     for c in words.chars() {

@@ -38,7 +38,7 @@ pub fn drawn_scene(
     let groups = [("pieces", 1), ("sheets", sheets.len())];
     let used = DRAWN.map(|surface| material(&SURFACES[surface as usize]));
     let nodes: Vec<Node> = std::iter::once(node).chain(sheets).collect();
-    // A material that nothing has is what validators remark on.
+    // Validators remark on a material without use.
     let materials = if inflated.is_empty() || !design.sheets.is_empty() { &used[..] } else { &used[..=TUBE] };
     Some(glb.finish(&spec.name, &nodes, &groups, materials))
 }

@@ -179,7 +179,7 @@ struct SheetSurfaces<'a> {
     bands: &'a [(usize, Layer)],
 }
 
-/// The sheets as they lie on the machine beside what reaches so far from the origin: holes, cut lines, and bands of this width.
+/// The sheets as they lie on the machine, beside everything within `reach` mm of the origin: holes, cut lines, and bands `band` mm wide.
 fn sheets(
     glb: &mut Glb,
     design: &Design,

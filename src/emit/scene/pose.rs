@@ -94,7 +94,7 @@ impl ScenePose {
         Point::new(q.x, q.y.max(0.0))
     }
 
-    /// Distance outside the outer edge of what is a share of the width inside of it, or a length beyond an edge.
+    /// Distance outside the outer edge of a place given as a share of the width inside of it, or as a length beyond an edge.
     fn beyond(&self, out: Out) -> f64 {
         match out {
             Out::Outside(length) => length,

@@ -1,4 +1,4 @@
-//! A line of the profile that programs carry as it is: which ones they may carry, and what they change.
+//! A line of the profile that programs carry as it is: the lines that are allowed, and their effects.
 //!
 //! This is a list of allowed lines: the modes in which programs are written, the settings whose values can be compared with the
 //! seal, a heater that is switched off, the pause and the end. Every other line is refused.

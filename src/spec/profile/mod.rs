@@ -42,7 +42,7 @@ pub fn read_machine(source: &Source) -> Result<Machine, Faults> {
     read_with(source, Document::Profile, read_profile).map(|(machine, _, _)| machine)
 }
 
-/// Takes a profile's keys out of what `reader` was given.
+/// Takes a profile's keys out of the document of `reader`.
 pub(in crate::spec) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let mut root = reader.root();
     root.require(&[("schema", "1"), ("name", "\"my machine\""), ("dialect", "\"generic\"")]);

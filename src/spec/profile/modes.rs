@@ -1,4 +1,4 @@
-//! Modes that a profile must set in `start`, and what its dialect cannot do: programs state every position and arc in these modes.
+//! Modes that a profile must set in `start`, and the limits of its dialect: programs state every position and arc in these modes.
 
 use crate::spec::machine::{Controller, Dialect};
 use crate::spec::section::Section;

@@ -19,7 +19,7 @@ pub(super) fn read_tip(root: &mut Section<'_, '_>) -> (Option<bool>, Length) {
     (root.truth("spring_loaded"), root.quantity("ramp", SIZE).unwrap_or(Length(3.0)))
 }
 
-/// Reads `[heights]` and `[speeds]`, with what [`read_tip`] found.
+/// Reads `[heights]` and `[speeds]`, with the result of [`read_tip`].
 pub(super) fn read_process(
     reader: &mut Reader<'_>,
     (spring_loaded, ramp): (Option<bool>, Length),

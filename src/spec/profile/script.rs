@@ -1,4 +1,4 @@
-//! The profile's own lines: start, pause, end, and what the operator has to see to.
+//! The profile's own lines: start, pause, end, and the tasks of the operator.
 
 use std::ops::Range;
 
@@ -11,7 +11,7 @@ use crate::spec::profile::modes::check_modes;
 use crate::spec::section::{Reader, Section};
 use crate::spec::vocabulary::{Command, Vocabulary};
 
-/// Slack of speeds that are equal but for the conversion of mm/min, as a fraction.
+/// Slack of speeds that are equal except for the conversion of mm/min, as a fraction.
 const SLACK: f64 = 1e-9;
 
 /// Other settings of the profile, with which its lines must agree.
@@ -24,7 +24,7 @@ pub(super) struct Stated<'a> {
     pub(super) motion: &'a Motion,
 }
 
-/// Reads `[program]`, whose lines must agree with what is `stated` elsewhere in the profile.
+/// Reads `[program]`, whose lines must agree with `stated`, the other settings of the profile.
 pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Stated<'_>) -> Script {
     let length = stated.controller.line_length;
     let mut program = reader.section("program");
@@ -45,7 +45,7 @@ pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Stated<'_>) -> Scrip
     Script { start, pause: pause.unwrap_or_default(), end, requires, limits }
 }
 
-/// Reads a list of lines; what they set goes into `limits`.
+/// Reads a list of lines; the limits that they set go into `limits`.
 fn read_commands(
     s: &mut Section<'_, '_>,
     (key, part): (&'static str, LinePart),

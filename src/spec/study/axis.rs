@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::spec::study::draw::Draw;
 use crate::spec::study::field::{Field, KeyValue};
 
-/// Most values that are written down or counted out in one axis.
+/// Most values that are listed or counted out in one axis.
 pub const MOST_VALUES: u32 = 1_000_000;
 
 /// A field with its values.
@@ -62,7 +62,7 @@ impl Axis {
         }
     }
 
-    /// Whether there are none; a study refuses such an axis.
+    /// Whether it is empty; a study refuses such an axis.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

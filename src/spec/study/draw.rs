@@ -1,4 +1,4 @@
-//! Values drawn at random, each by its number alone: whoever draws number i draws the same, in any order, on any machine.
+//! Values drawn at random, each by its number alone: value i is the same in any order and on any machine.
 
 /// Values drawn between two ends.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,7 +62,8 @@ fn unit(bits: u64) -> f64 {
     (bits >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// The numbers as one: each is added to what the finaliser of `SplitMix64` (Steele, Lea, Flood 2014) made of those before it.
+/// The numbers as one: each is added to the result of the finaliser of `SplitMix64` (Steele, Lea, Flood 2014) for those before
+/// it.
 fn mixed(numbers: &[u64]) -> u64 {
     numbers.iter().fold(0, |state: u64, number| {
         let mut z = state.wrapping_add(*number).wrapping_add(0x9e37_79b9_7f4a_7c15);

@@ -8,7 +8,7 @@ use crate::spec::fault::{Fault, quoted};
 use crate::spec::study::field::Field;
 use crate::spec::value::{RawEntry, RawTable, RawValue};
 
-/// A key that was written, with what was written for it.
+/// A key of the study, with its value.
 pub(super) struct Leaf<'r> {
     /// The key of the spec.
     pub(super) field: Field,

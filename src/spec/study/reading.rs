@@ -198,7 +198,7 @@ fn read_list(field: Field, list: &[RawValue], faults: &mut Vec<Fault>) -> Option
         match field.read(value) {
             Ok(value) => values.push(value),
             Err(fault) => {
-                // One fault is enough: who errs in the first of a thousand values errs in all.
+                // One fault is enough: an error in the first of a thousand values is in all of them.
                 faults.push(fault);
                 return None;
             }

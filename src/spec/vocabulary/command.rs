@@ -1,4 +1,4 @@
-//! Commands: what the words of a controller do, whatever they are called.
+//! Commands: the effects of a controller's words, whatever their names.
 
 /// The effect of a G or M code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +87,7 @@ impl Command {
         )
     }
 
-    /// Letters that mean something with this command only.
+    /// Letters that have a meaning with this command only.
     pub const fn own_letters(self) -> &'static [u8] {
         match self {
             Self::Dwell => b"P",

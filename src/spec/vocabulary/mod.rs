@@ -10,7 +10,7 @@ use crate::spec::machine::{Controller, Dialect};
 pub use command::Command;
 use command::Command as C;
 
-/// Letter, ten times the number, and what the code does.
+/// Letter, ten times the number, and the command.
 type CodeRow = (u8, u16, C);
 
 /// Codes that all controllers share.

@@ -13,7 +13,7 @@ use crate::verify::read::gcode::{Dialect, Event, Line, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::{Bounds, Isometry, Path, Point};
 
-/// By how much a line may take too long or too short, as a fraction: the wait after its last stroke is rounded.
+/// Largest error of a line's time, as a fraction: the wait after its last stroke is rounded.
 const TIME: f64 = 0.01;
 
 /// The task of a feed check.

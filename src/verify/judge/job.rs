@@ -1,4 +1,4 @@
-//! A G-code program against the design: what the iron does, where, how hot, how fast.
+//! A G-code program against the design: place, temperature and speed of the iron.
 
 use crate::spec::Heating;
 use crate::verify::finding::quote;

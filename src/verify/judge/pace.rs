@@ -151,7 +151,7 @@ impl Paced<'_> {
         schedule.counted = seconds;
     }
 
-    /// The longest stroke, mm: a tenth of the band, or what leaves time for the shortest dwell.
+    /// The longest stroke, mm: a tenth of the band, or the length that leaves time for the shortest dwell.
     fn longest(&self, feed: f64) -> f64 {
         let IronRules { seal, dwell_step, .. } = self.rules;
         let least = self.start_and_stop(feed) + dwell_step;

@@ -59,8 +59,8 @@ impl<'a> IronRules<'a> {
         }
     }
 
-    /// The longest time at rest, s: what a tenth of the band takes, for longer leaves a scar; or two of the shortest moves that
-    /// the controller makes.
+    /// The longest time at rest, s: the time for a tenth of the band, as a longer rest leaves a scar; or that of two of the
+    /// shortest moves that the controller makes.
     pub(in crate::verify) fn longest_rest(&self) -> f64 {
         let way = (self.seal.band.0 / 10.0).max(2.0 * shortest_move(self.motion));
         way / self.seal.speed.0 + 1e-9

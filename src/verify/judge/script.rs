@@ -125,7 +125,7 @@ impl<'a> WantedLine<'a> {
 /// Between the first motion and the last, no mode and no setting changes; and a hotend is heated there, once, and off
 /// before and after. Without one, nothing heats.
 pub(in crate::verify) struct Body {
-    /// To what a hotend is heated.
+    /// The temperature of a hotend.
     heat: Option<Temperature>,
     heated: bool,
     moved: bool,

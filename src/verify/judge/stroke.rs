@@ -231,7 +231,7 @@ mod tests {
     use super::*;
     use crate::units::{Acceleration, Duration};
 
-    /// A stretch may end where less is left than rounding tells from nothing: there is no further one.
+    /// A stretch may end where the remainder is within rounding: there is no further one.
     #[test]
     fn every_stroke_ends() {
         for i in 1..20_000_u32 {
@@ -244,7 +244,7 @@ mod tests {
         }
     }
 
-    /// Figures reckoned with the firmware's rules in 32-bit floats, by `tests/machines/clock`.
+    /// Figures calculated with the firmware's rules in 32-bit floats, by `tests/machines/clock`.
     #[test]
     fn a_stroke_takes_as_long_as_on_grbl() {
         for (acceleration, to, seconds) in [

@@ -85,7 +85,7 @@ impl TravelOrder {
             return;
         }
         let allowed = self.waypoints.get(self.passed).map_or("the end".to_owned(), told);
-        // If it comes later, what is between is missing; else it is one too many. Of many findings the first do.
+        // If it comes later, the waypoints between are missing; else it is one too many. Of many findings the first are enough.
         let later = if self.findings.is_full() { None } else { self.later(found) };
         if let Some(later) = later {
             self.passed = later + 1;
@@ -172,7 +172,7 @@ mod tests {
         "G0 X0 Y0",
     ];
 
-    /// Code and line (of the way, from 0) of what is found in it.
+    /// Code and line (of the way, from 0) of each finding in it.
     fn found(way: &[&str]) -> Vec<(&'static str, Option<usize>)> {
         let heights = Heights { contact: Length(0.0), travel: Length(5.0), park: Length(30.0) };
         let mut judge = TravelOrder::new(&heights, [Point::new(10.0, 20.0)], true, 1e-3);

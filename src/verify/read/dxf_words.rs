@@ -7,7 +7,7 @@ use crate::verify::finding::quote;
 use crate::verify::read::number;
 use crate::verify::{Finding, FindingCode};
 
-/// A record a line: its name, then `; code value`. `{...}` is what the drawing decides.
+/// A record a line: its name, then `; code value`. `{...}` is a value that the drawing decides.
 const FRAME: &str = include_str!("dxf_frame.txt");
 
 /// Handle of the first layer; from here on they are counted up, layers first.

@@ -3,7 +3,7 @@
 /// Largest magnitude a coordinate in a file may have: a kilometre in mm, so that squares stay exact enough.
 pub(in crate::verify) const LARGEST: f64 = 1e6;
 
-/// So many digits make a whole number that `f64` holds exactly, and so is the power of ten that they are divided by.
+/// Most digits of a whole number that `f64` always holds exactly, as it does the power of ten that they are divided by.
 const EXACT: usize = 15;
 
 /// The powers of ten.

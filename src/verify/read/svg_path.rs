@@ -9,7 +9,7 @@ use inflatable::geom::{Arc, Line, Path, Point, Segment};
 /// A fault: code, found, allowed.
 pub(in crate::verify) type PathFault = (FindingCode, String, String);
 
-/// The subpaths of `d`; a fault gives up what follows it.
+/// The subpaths of `d`; a fault drops the rest.
 pub(in crate::verify) fn parse(d: &str) -> (Vec<Path>, Option<PathFault>) {
     let mut pen = SvgPen::default();
     let mut scan = PathScan { rest: d };
@@ -99,7 +99,7 @@ impl PathScan<'_> {
         Ok(value)
     }
 
-    /// A flag is one digit, and need not be set off from what follows.
+    /// A flag is one digit, and need not be set off from the next word.
     fn flag(&mut self) -> Result<bool, PathFault> {
         let flag = match self.rest.as_bytes().first() {
             Some(b'0') => false,

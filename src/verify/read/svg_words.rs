@@ -12,7 +12,7 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 /// The namespace of Inkscape's attributes of layers.
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 
-/// Faults after which the rest of a file is not worth a look.
+/// Number of faults after which the rest of a file is not read.
 const ENOUGH: usize = 20;
 
 /// The values that an attribute may have.

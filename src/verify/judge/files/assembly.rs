@@ -12,7 +12,7 @@ use crate::verify::judge::path::measure::Prepared;
 use crate::verify::{Finding, FindingCode, StlFacet};
 use inflatable::geom::{Isometry, Line, Point};
 
-/// Largest gap between two pieces, mm: what lets them go together.
+/// Largest gap between two pieces, mm: the play that lets them go together.
 const GAP: f64 = 0.15;
 
 /// Largest missing share of the plate's area; the area of the gaps between its pieces, if that is more.

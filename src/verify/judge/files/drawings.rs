@@ -100,7 +100,7 @@ pub(in crate::verify) fn read_plan(
     drawing
 }
 
-/// Compares what was read with what should be there; the largest deviation either way.
+/// Compares the drawing read with the expected one; the largest deviation either way.
 pub(in crate::verify) fn compare(
     found: &Drawing,
     exact: &Exact,
@@ -280,7 +280,7 @@ pub(in crate::verify) struct Seals {
 }
 
 impl Seals {
-    /// Notes what a file holds.
+    /// Notes the content of a file.
     pub(in crate::verify) fn add(&mut self, sheet: usize, file: &str, drawing: &Drawing) {
         let layers = drawing.layers.iter().filter(|(_, paths)| !paths.is_empty());
         let layers = layers.map(|(name, paths)| (name.clone(), paths.len(), total(paths))).collect();

@@ -53,7 +53,7 @@ pub struct FileProof {
     pub by: Method,
     /// SHA-256 of its content, lower-case hexadecimal.
     pub sha256: String,
-    /// Its largest deviation from the exact geometry either way, mm; `None` for what has no geometry that was measured.
+    /// Its largest deviation from the exact geometry either way, mm; `None` for a file without measured geometry.
     pub deviation: Option<f64>,
 }
 
@@ -61,7 +61,7 @@ pub struct FileProof {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Method {
-    /// Equal to what this version makes of the spec, and read back.
+    /// Equal to the file that this version makes of the spec, and read back.
     Bytes,
     /// Read back and compared with the design.
     Reading,
@@ -69,7 +69,7 @@ pub enum Method {
     Hash,
 }
 
-/// Reads every file back and compares it with what is expected.
+/// Reads every file back and compares it with the expected content.
 pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = Proof::default();
     let manifest = names::read(files).map_err(|finding| proof.findings.push(finding)).ok();
@@ -113,7 +113,7 @@ fn check_hash(entry: &ManifestFile, bytes: &[u8], sha256: &str, findings: &mut F
     }
 }
 
-/// Reads one file and compares it; how it was looked at, and its deviation if it has geometry.
+/// Reads one file and compares it; returns the method, and its deviation if it has geometry.
 fn file(
     expected: &Expected<'_>,
     output: &Output,
@@ -121,7 +121,7 @@ fn file(
     cross: &mut CrossChecks,
     findings: &mut Findings,
 ) -> (Method, Option<f64>) {
-    // The directory's own drawing is what all else is compared with.
+    // All other files are compared with the directory's own drawing.
     if output.kind.subject() == Subject::Drawing {
         return (Method::Hash, None);
     }

@@ -28,7 +28,7 @@ const NORMAL: f64 = 0.002;
 pub(in crate::verify) struct Solid<'a> {
     /// The text of its head.
     pub(in crate::verify) name: String,
-    /// Its edges, holes, and the outlines of what is sunk.
+    /// Its edges, holes, and the outlines of sunk regions.
     pub(in crate::verify) drawing: &'a Drawing,
     /// Its height, mm.
     pub(in crate::verify) thickness: f64,

@@ -7,7 +7,7 @@ use inflatable::geom::{Bounds, BoxIndex, Path, Point};
 /// So few targets are measured all at once.
 const FEW: usize = 6;
 
-/// Most halvings of one segment: pieces of 2 m become 2 mm long, far shorter than what is drawn.
+/// Most halvings of one segment: pieces of 2 m become 2 mm long, far shorter than drawn ones.
 const HALVINGS: u32 = 10;
 
 /// The difference of a file's paths from the exact ones. Distances alone do not show a path drawn twice: the lengths do.

@@ -46,7 +46,7 @@ impl Following {
 
 /// Follows `run`, the segments of one contact in order, along the open path `exact`.
 ///
-/// The run's first point is looked for at the path's start, then on the whole path; from there on
+/// The run's first point is searched for at the path's start, then on the whole path; from there on
 /// only the window counts. Cost: linear in the number of segments of both.
 pub fn follow(run: &[Segment], exact: &Path) -> Following {
     let mut follower = Follower::new(exact);
@@ -60,7 +60,7 @@ pub(in crate::verify) struct Follower {
     /// The step before the one that is measured, and the one that is: it waits for the one after it.
     before: Option<Prepared>,
     here: Option<Prepared>,
-    /// The number by which that is called.
+    /// The number of that step.
     number: usize,
     /// The passage of the exact path by the end of the last step that was measured.
     at: Passing,
@@ -100,7 +100,7 @@ impl Follower {
         }
     }
 
-    /// The next step, by what number it is called in the end.
+    /// Takes the next step; `number` identifies it in the result.
     pub(in crate::verify) fn step(&mut self, step: &Segment, number: usize) {
         let next = Prepared::new(*step);
         self.result.length += next.length;
@@ -186,7 +186,7 @@ impl Follower {
     }
 
     /// The largest distance from the part of the exact path between `low` and `high` to the step that waits and its two
-    /// neighbours; what is less than `enough` need not be exact.
+    /// neighbours; a distance below `enough` need not be exact.
     fn way_back(&mut self, (low, high): (f64, f64), after: Option<&Prepared>, enough: f64) -> Farthest {
         let mut home = Farthest::NONE;
         let Some(here) = &self.here else { return home };

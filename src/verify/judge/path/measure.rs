@@ -184,7 +184,7 @@ pub(in crate::verify) fn furthest<T: Borrow<Prepared>>(
         let p = probe.point(t);
         let (mut best, mut index) = (f64::INFINITY, 0);
         for (i, target) in targets.iter().map(Borrow::borrow).enumerate() {
-            // The box is worth its price only where there is a choice.
+            // The box pays only where there are several targets.
             if targets.len() > 2 && target.bounds.distance(p) > best {
                 continue;
             }

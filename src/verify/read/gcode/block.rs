@@ -14,7 +14,7 @@ pub(super) struct Block {
     values: [f64; 26],
 }
 
-/// The bit of a letter; none for what is no capital.
+/// The bit of a letter; 0 for other characters than capitals.
 const fn bit(letter: u8) -> u32 {
     if letter.is_ascii_uppercase() { 1 << (letter - b'A') } else { 0 }
 }

@@ -20,7 +20,7 @@ pub enum CommentMark {
     Parentheses,
 }
 
-/// By how much the distances from an arc's centre to its two ends may differ, mm.
+/// Largest difference of the distances from an arc's centre to its two ends, mm.
 ///
 /// Accepted: a difference up to `free`, or one up to both `relative` times the radius and `limit`.
 #[derive(Clone, Copy, Debug, PartialEq)]

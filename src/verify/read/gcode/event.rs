@@ -1,4 +1,4 @@
-//! Events: what a line of a program does.
+//! Events: the effects of a program's line.
 
 use crate::verify::Finding;
 use crate::verify::read::gcode::comment::Comment;

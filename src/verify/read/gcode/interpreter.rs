@@ -90,7 +90,7 @@ impl Interpreter {
         }
     }
 
-    /// After the last line: reports what is missing.
+    /// After the last line: reports a missing end.
     pub fn finish(&mut self, events: &mut Vec<Event>) {
         if self.ended.is_none() {
             report(events, FindingCode::Truncated, self.line, "no end of the program", "M2 or M30");

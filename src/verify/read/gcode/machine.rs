@@ -112,7 +112,7 @@ impl Machine {
                 here.report(FindingCode::UnknownPosition, found, "rapids first: Z, then X and Y");
             }
             let named = [b'X', b'Y', b'Z'].map(|letter| block.value(letter).is_some());
-            // Without a length, a feed by time is no speed.
+            // Without a length, a feed by time does not define a speed.
             let feed = self.modes.feed.filter(|_| at_feed && !self.modes.is_inverse_time());
             here.out.push(Event::Blind(BlindMove { line, kind, named, to: self.position, feed }));
             return;
@@ -148,7 +148,7 @@ impl Machine {
         Some(to)
     }
 
-    /// The path of an arc; after a fault the chord, so that what follows can still be read.
+    /// The path of an arc; after a fault the chord, so that the rest can still be read.
     fn arc(&mut self, from: Point, to: Point, here: &mut Here<'_>) -> Option<Segment> {
         self.require(self.modes.plane.is_some(), "plane (G17)", here);
         self.require(self.modes.centers.is_some(), "arc centre mode (G90.1, G91.1)", here);

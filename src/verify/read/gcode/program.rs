@@ -1,4 +1,4 @@
-//! A program, line by line with what each does, or as the list of all events of a file.
+//! A program, line by line with the effects of each, or as the list of all events of a file.
 
 use crate::verify::read::gcode::{BlindMove, Comment, Dialect, Dwell, Event, Heat, Interpreter, Move, Pause};
 use crate::verify::{Finding, Findings};

@@ -33,7 +33,7 @@ const KEYS: [(&str, &[&str]); 6] = [
 /// Per cent signs of a file without comments: `%PDF`, the line of bytes beyond ASCII, `%%EOF`.
 const SIGNS: usize = 4;
 
-/// Reads the pages of a PDF file; what is wrong with it goes to `findings`.
+/// Reads the pages of a PDF file; its faults go to `findings`.
 pub fn read_pdf(bytes: &[u8], findings: &mut Findings) -> Vec<PdfPage> {
     read_document(bytes, findings).0
 }
@@ -94,7 +94,7 @@ impl<'a, 'b> PageWalk<'a, 'b> {
         self.findings.add(FindingCode::BadPdf, None, found, "objects as this tool writes them");
     }
 
-    /// The object that `reference` means, which must be of this kind, and not have been met before.
+    /// The object of `reference`, which must be of this kind, and not have been met before.
     fn follow(&mut self, reference: &PdfObject<'_>, kind: &str) -> Option<&'b Indirect<'a>> {
         let number = reference.target()?;
         let object = self.objects.get(&number)?;

@@ -72,7 +72,7 @@ impl<'a> PdfObject<'a> {
 #[derive(Clone)]
 pub(in crate::verify) struct PdfScan<'a> {
     bytes: &'a [u8],
-    /// The same, if all of it is text, as a content is: then no word has to be looked at again.
+    /// The same, if all of it is text, as a content is: words then need no further check.
     text: &'a str,
     at: usize,
 }
@@ -87,7 +87,7 @@ impl<'a> PdfScan<'a> {
         self.at
     }
 
-    /// The next word, whatever it means, and where it begins.
+    /// The next word, and its offset.
     pub(in crate::verify) fn word(&mut self) -> (usize, &'a str) {
         self.skip_blanks();
         (self.at, self.regular())
@@ -149,7 +149,7 @@ impl<'a> PdfScan<'a> {
                 }
             }
             (b'(', _) => self.literal(),
-            // Strings in hexadecimal are none of this tool's.
+            // This tool writes no strings in hexadecimal.
             (b'<' | b')' | b']' | b'>' | b'{' | b'}', _) => None,
             _ => {
                 let word = self.regular();

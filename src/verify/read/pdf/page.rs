@@ -12,7 +12,7 @@ pub struct PdfPage {
     pub drawing: Drawing,
     /// Layer, width in user units and grey of every stroke.
     pub strokes: Vec<(String, Option<f64>, Option<f64>)>,
-    /// The operators that are no parts of paths, in order.
+    /// The operators that do not build paths, in order.
     pub operators: Vec<String>,
     /// The visible regions of every clipped layer.
     pub clips: Vec<(String, Bounds)>,
