@@ -1,4 +1,4 @@
-//! A drawing that was read: elements, and notes on what was resolved or left out.
+//! A drawing that was read: elements, and notes on details that were resolved or left out.
 
 use inflatable::geom::{Path, Point};
 

@@ -152,7 +152,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         self.out.note(Weight::Lost, place.clone(), text);
     }
 
-    /// Notes what does not lie at z = 0.
+    /// Notes an entity that does not lie at z = 0.
     fn heights(&mut self, geometry: &Geometry, place: &Place) {
         let [low, high] = geometry.heights;
         if high - low > 1e-6 {

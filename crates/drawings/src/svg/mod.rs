@@ -21,8 +21,8 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 /// Reads an SVG file.
 ///
 /// # Errors
-/// All faults of the file, each with its place: what is no XML or no SVG, a page without physical size, faulty path data, numbers,
-/// transforms and lengths, references that lead to themselves, and limits that are exceeded.
+/// All faults of the file, each with its place: content other than XML or SVG, a page without physical size, faulty path data,
+/// numbers, transforms and lengths, references that lead to themselves, and exceeded limits.
 pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
     crate::admit::admit(bytes, crate::Format::Svg, options)?;
     let text = utf8(bytes)?;
