@@ -10,8 +10,8 @@ use stargrip_cam::verify::{Method, Proof};
 use super::builds::{Directory, directories, output_files};
 use super::edits::{Choices, counted, edited};
 
-/// Edits of up to three files of a directory that was just built, their sizes and hashes put right: found, or nothing that
-/// counts. Compared by bytes, only what was built is accepted; by reading alone, only what leads the iron alike.
+/// Edits of up to three files of a directory that was just built, their sizes and hashes put right: each is found, or has no
+/// effect. With its bytes compared, only a true build is accepted; by reading alone, only one that leads the iron alike.
 pub(super) fn directory(bytes: &[u8]) {
     let mut choices = Choices::new(bytes);
     let which = usize::from(choices.byte()) % directories().len();

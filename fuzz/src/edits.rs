@@ -1,4 +1,4 @@
-//! Edits of a file that is right: what a hand, a transfer or another program might do to it.
+//! Edits of a right file: changes that a person, a transfer or another program might make.
 
 /// Choices that the fuzzer makes, a byte at a time; 0 once there are none left.
 pub(super) struct Choices<'a>(&'a [u8]);

@@ -14,7 +14,7 @@ mod readers;
 mod shown;
 mod texts;
 
-/// A name, as in `corpus/`, and what is done with the bytes.
+/// A name, as in `corpus/`, and the function for the bytes.
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All targets: `fuzz_targets/` has a file for each.

@@ -12,7 +12,7 @@ use super::builds::{CHOPPED, PROFILES, SMALL, built};
 use super::edits::{Choices, counted, edited};
 use super::shown;
 
-/// An edited job or, from 128 on, any text as a program, in the dialect that the first byte tells; its line ends are no matter.
+/// An edited job or, from 128 on, any text as a program, in the dialect of the first byte; its line ends do not matter.
 pub(super) fn gcode(bytes: &[u8]) {
     let mut choices = Choices::new(bytes);
     let kind = usize::from(choices.byte());

@@ -13,7 +13,7 @@ pub(super) fn svg(bytes: &[u8]) {
     }
 }
 
-/// Any text as a DXF drawing; its line ends are no matter.
+/// Any text as a DXF drawing; its line ends do not matter.
 pub(super) fn dxf(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     let read = read_dxf(text);

@@ -9,7 +9,7 @@ use stargrip_cam::spec::edit::{StarEdit, with_star};
 
 use super::shown;
 
-/// Any bytes as a spec: what is accepted means the same with its own star written into it again.
+/// Any bytes as a spec: an accepted one is the same with its own star written into it again.
 pub(super) fn spec(bytes: &[u8]) {
     let Some(source) = source("spec.toml", bytes) else { return };
     let reading = match spec::read(&source) {

@@ -153,7 +153,7 @@ fn read_back(path: &Path) -> Vec<Segment> {
     segments
 }
 
-/// Found by chance: on a page of 70 m a PDF's numbers are too coarse. There is none then.
+/// Found by chance: on a page of 70 m a PDF's numbers are too coarse. None is written then.
 #[test]
 fn no_paper_is_written_that_numbers_are_too_coarse_for() {
     let fast = format!("{}\n[seal]\nspeed = \"2 mm/s\"\n", support::PAPER);

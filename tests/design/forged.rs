@@ -150,7 +150,7 @@ fn solids_with_another_mark_are_found() {
 
 const BED: &str = "[mask]\nbed = \"220 mm x 220 mm\"\n[star]";
 
-/// Pieces as the design has them, one of which is not where it belongs: what each file alone cannot tell.
+/// Pieces as the design has them, one of which is out of place: no file alone shows it.
 #[test]
 fn pieces_that_do_not_go_together_are_found() {
     let build = || support::build(&support::PAPER.replace("[star]", BED)).expect("a design");

@@ -1,5 +1,5 @@
-//! Words of a spec and of a profile mean nothing where they are written: whatever a design, a machine and its clamps are called, every
-//! kind of file has the bones that it has with plain names, and is proven.
+//! Words of a spec and of a profile have no effect where they are written: whatever the names of a design, a machine and its
+//! clamps, every kind of file has the same structure as with plain names, and is proven.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -165,7 +165,7 @@ fn keys(value: &Value) -> BTreeSet<String> {
     }
 }
 
-/// The files that the program writes itself: spec and profile are copies of what was read.
+/// The files that the program writes itself: spec and profile are copies of the inputs.
 fn written(built: &Built) -> Vec<(String, Vec<u8>)> {
     let files =
         built.files().filter(|(name, _)| Path::new(name).extension().is_none_or(|ending| ending != "toml"));
@@ -203,7 +203,7 @@ proptest! {
     }
 }
 
-/// The property can fail: what is not plain has other bones.
+/// The property can fail: other than plain words give another structure.
 #[test]
 fn bones_tell_what_does_not_belong() {
     let other =

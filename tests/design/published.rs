@@ -101,7 +101,7 @@ fn areas(svg: &str, layer: &str) -> Vec<f64> {
 /// Fabric, mass, seams and masks of the bill are those that the drawings hold.
 #[test]
 fn the_bill_is_that_of_the_drawings() {
-    // The knife's kerf moves what is cut, so not with one.
+    // The knife's kerf moves cut lines, so not with one.
     let conical = CONICAL.replace("[frame]\nkerf = \"0.2 mm\"\n", "");
     assert_ne!(conical, CONICAL);
     for text_of in [GRIPPER, &conical] {

@@ -197,7 +197,7 @@ fn the_player_draws_every_seam_where_it_is() {
     assert_eq!(drawn, 2 * design.assembly().expect("stars").stars.len());
 }
 
-/// The reader, which the tests above rely on, refuses what could run or fetch something.
+/// The reader, which the tests above rely on, refuses content that could run or fetch something.
 #[test]
 fn a_page_that_could_run_or_fetch_something_else_is_refused() {
     let right = page(&built(GRIPPER));

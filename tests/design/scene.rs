@@ -61,7 +61,7 @@ fn the_stack_stands_as_designed_and_closes_on_its_object() {
         let least = |points: &[[f64; 3]]| points.iter().map(radius).fold(f64::INFINITY, f64::min);
         assert!((least(&tube.points) - 50.0).abs() < 1e-3);
         assert!((least(&tube.inflated) - predicted).abs() < 1e-3, "{predicted}");
-        // Around each of the columns of corners the fabric is as long as before, less what chords cut off.
+        // Around each of the columns of corners the fabric is as long as before, minus the shortening by chords.
         for (flat, round) in tube.points.chunks(16).zip(tube.inflated.chunks(16)) {
             assert!((around(flat) - 60.0).abs() < 1e-2, "{}", around(flat));
             assert!((around(round) - 60.0).abs() < 0.01 * 60.0, "{}", around(round));
@@ -186,7 +186,7 @@ fn the_object_stands_in_the_middle_of_the_stack() {
     }
 }
 
-/// Viewers built on three.js find what an animation moves by the name of its mesh.
+/// Viewers built on three.js find the target of an animation by the name of its mesh.
 #[test]
 fn every_star_has_a_mesh_of_its_own_by_a_name_of_its_own() {
     let made = built(GRIPPER);

@@ -168,7 +168,7 @@ fn what_was_found_is_worked_out_by_hand() {
         ),
         "the channel with the strips along it would be 78.9049 mm wide and meet an arm, where tip 1 leaves 77.2741 mm"
     );
-    // The mouth's length and what is missing make the limit.
+    // The limit is the mouth's length plus the missing length.
     let short = refused(&paper("[inlet]\nlength = \"2 mm\"\n"), RefusalCode::ShortInlet);
     for refusal in short {
         let inside: Vec<f64> = refusal.found.split(' ').filter_map(|word| word.parse().ok()).collect();
@@ -177,7 +177,7 @@ fn what_was_found_is_worked_out_by_hand() {
 }
 
 /// With h half the angle of the corner's arc, c the length of arm in the window, H and q the radii of its two sides: sectors,
-/// strips, and where q < 0 without what lies beyond the vertex.
+/// strips, and where q < 0 without the part beyond the vertex.
 #[test]
 fn a_window_has_the_area_of_its_parts() {
     for (radius, band, creep) in [(12.0, 2.0, 0.0), (12.0, 2.0, 0.5), (0.0, 2.0, 0.0), (1.0, 4.0, 0.25)] {

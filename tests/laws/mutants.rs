@@ -15,7 +15,7 @@ use stargrip_cam::spec::Source;
 use stargrip_cam::verify::gcode::{Dialect, read_program};
 use stargrip_cam::verify::{Findings, SvgOrigin, read_dxf, read_pdf, read_svg};
 
-/// Words that mean something to one of the readers.
+/// Words with a meaning for one of the readers.
 const WORDS: [&[u8]; 24] = [
     b"1e308",
     b"-0",

@@ -110,7 +110,7 @@ fn what_bands_and_flaps_make_impossible_is_refused() {
     assert!(sheet.remedy.contains("33.0394 mm are missing"), "{sheet}");
 }
 
-/// Whoever writes the limit that a refusal names is not refused for it again.
+/// A spec with the limit that a refusal names is not refused for it again.
 #[test]
 fn the_limit_that_is_named_will_do() {
     let number =

@@ -10,7 +10,7 @@ use stargrip_cam::shape::{DrawnPort, PortPlace, Sealing, Separator, Sketch, seal
 use crate::shapes::blob;
 use crate::sketches::{RULES, circle, drawn, open, p, port, rectangle, samples, scaled, sketch};
 
-/// The separator of what was sealed.
+/// The separator of a sealed shape.
 fn separator(sealing: &Sealing, creep: f64) -> Option<Separator> {
     sealing.air.separator(&sealing.shape, creep)
 }

@@ -378,7 +378,7 @@ proptest! {
             }
             (Err(a), Err(b)) => prop_assert!(a.iter().any(|f| b.iter().any(|g| g.code == f.code)), "{:?} {:?}", a, b),
             (a, b) => {
-                // On the edge of what is allowed a hundredth decides.
+                // At the limit a hundredth decides.
                 let faults = a.err().or(b.err()).unwrap_or_default();
                 prop_assert!(faults.iter().all(|f| (f.found - f.allowed).abs() < 0.1), "{:?}", faults);
             }

@@ -84,7 +84,7 @@ fn test_files(name: &str, text: &str) -> Vec<String> {
     declared.filter(|(child, _)| !child.contains(char::is_whitespace)).map(|(child, _)| file(child)).collect()
 }
 
-/// The text without its tests: what is only imported or declared for them, and the module at its end.
+/// The text without its tests: imports and declarations for them alone, and the module at its end.
 fn production(text: &str) -> String {
     let mut parts = text.split(OF_TESTS);
     let mut kept = parts.next().unwrap_or_default().to_owned();

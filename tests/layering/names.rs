@@ -24,7 +24,7 @@ const REPEATED: &[(&str, &str)] = &[
     ("Line", "a line of a program, and a straight segment"),
     ("Machine", "the machine of a profile, and the reader's model of it"),
     ("Program", "what is planned, and what is read back"),
-    // The physics has words of its own for what a spec describes in other units.
+    // The physics has words of its own for the things that a spec describes in other units.
     ("Actuator", "what is asked, and its shell"),
     ("Fabric", "as a spec describes it, and in SI units"),
     ("Sheet", "of the machine, and of the shell"),

@@ -8,7 +8,7 @@ const OF_SOME: [&str; 3] = ["std::os::", "rustix::", "libc::"];
 /// Most lines between a call and the condition above it.
 const NEAR: usize = 3;
 
-/// The lines of `text` that call what only some systems have, under no condition.
+/// The lines of `text` that call a feature of some systems only, under no condition.
 fn unconditional(text: &str) -> Vec<usize> {
     let lines: Vec<&str> = text.lines().collect();
     let is_call = |line: &str| {

@@ -38,7 +38,7 @@ fn refused(text: &str, profile: &str) -> Vec<String> {
     refusals.iter().map(|refusal| refusal.code.to_string()).collect()
 }
 
-/// Chords whose number is no multiple of four missed the top and the bottom of a plate.
+/// A number of chords that was not a multiple of four missed the top and the bottom of a plate.
 #[test]
 fn a_plate_in_a_scene_is_as_high_as_wide() {
     for radius in [70.0, 200.0] {

@@ -30,7 +30,7 @@ fn a_changed_byte_is_found_by_its_hash_in_every_file() {
         replace(&mut files, file, bytes);
         let findings = prove_files(&files).findings;
         assert!(!findings.is_empty(), "{file}");
-        // A profile that means nothing any more is not even compared.
+        // A profile that cannot be read any more is not even compared.
         let is_unread = findings.iter().any(|finding| finding.code == "unreadable" && finding.file == *file);
         if file != MANIFEST && !is_unread {
             assert_found(&findings, "hash", file);

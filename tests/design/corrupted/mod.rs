@@ -114,7 +114,7 @@ fn assert_program_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
     assert_blamed(code, change, around);
 }
 
-/// The same for what only shows further on in the program.
+/// The same for a fault that only shows further on in the program.
 #[track_caller]
 fn assert_later_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
     assert_blamed(code, change, |place| *place.start()..=usize::MAX);

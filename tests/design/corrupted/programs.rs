@@ -1,4 +1,4 @@
-//! Programs: where the iron goes, how fast, how hot, and what is no G-code.
+//! Programs: path, speed and temperature of the iron, and malformed G-code.
 
 use super::{
     SEAL, TRACE, assert_found, assert_later_fault, assert_program_fault, contact, forged, forged_in, nth,
@@ -49,7 +49,8 @@ fn a_late_start_and_a_cut_corner_are_found() {
         let first = lines.remove(i);
         lines[i - 1] = format!("{first} Z-0.3 F6");
     });
-    // Told is the worst place, and it lies further on: past a sharp corner that is cut the way back is taken for the way there.
+    // The worst place is reported, and it lies further on: past a sharp corner that is cut the way back is taken for the way
+    // there.
     assert_later_fault("deviation", |lines| {
         // The move that ends at a vertex of the path.
         let i = nth(lines, "G1 X271.7383 Y239.0098", 0);

@@ -48,7 +48,7 @@ fn same_values(a: &str, b: &str) -> bool {
     near(&a, &b)
 }
 
-/// The same values; numbers to one in 10^9, as another processor may reckon them.
+/// The same values; numbers to one in 10^9, as another processor may calculate them.
 fn near(a: &Value, b: &Value) -> bool {
     match (a, b) {
         (Value::Number(a), Value::Number(b)) => {
@@ -63,7 +63,7 @@ fn near(a: &Value, b: &Value) -> bool {
     }
 }
 
-/// The same but for blanks, and for blanks and zeros between the numbers of a path as SVG's grammar reads them.
+/// The same except for blanks, and for blanks and zeros between the numbers of a path as SVG's grammar reads them.
 fn same_but_blanks(a: &str, b: &str) -> bool {
     let parts = |text: &str| -> Vec<String> {
         let quoted = text.split('"').zip([false, true].into_iter().cycle());
@@ -119,7 +119,7 @@ fn same_meaning(name: &str, a: &str, b: &str) -> bool {
     a.is_some() && a == b
 }
 
-/// The same words but for numbers that are off by no more than `most`, mm.
+/// The same words except for numbers that differ by no more than `most`, mm.
 fn same_numbers(kind: &str, a: &str, b: &str, most: f64) -> bool {
     let split = |text: &str| -> Vec<String> {
         text.split(|c: char| c.is_ascii_whitespace() || "\"'<>=,".contains(c))

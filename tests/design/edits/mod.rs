@@ -32,7 +32,7 @@ fn number(name: &str, default: u64) -> u64 {
     env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(default)
 }
 
-/// Makes `count` edits, all kinds of files and units in turn; the table, and what was missed.
+/// Makes `count` edits, all kinds of files and units in turn; the table, and the edits that were missed.
 fn judged(count: u64, seed: u64) -> (BTreeMap<(String, Unit), Row>, Vec<String>) {
     let directories = directories();
     let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);

@@ -1,4 +1,4 @@
-//! Reads GLB, glTF 2.0 in one binary file: what a viewer would show, in mm with +Z up.
+//! Reads GLB, glTF 2.0 in one binary file: the content of a viewer, in mm with +Z up.
 //!
 //! Meshes of indexed triangles with one morph target at most, on nodes that are moved and turned, in groups that are not.
 
@@ -24,7 +24,7 @@ pub(crate) struct GlbPart {
     pub(crate) material: String,
     /// Corners, mm.
     pub(crate) points: Vec<[f64; 3]>,
-    /// The same corners with the morph target in full; empty if there is none.
+    /// The same corners with the morph target in full; empty without one.
     pub(crate) inflated: Vec<[f64; 3]>,
     /// Three corners each.
     pub(crate) triangles: Vec<[usize; 3]>,

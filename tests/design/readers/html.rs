@@ -156,7 +156,7 @@ struct Raw<'a> {
     text: &'a str,
 }
 
-/// The text without what styles and scripts hold, and these, in order.
+/// The text without the content of styles and scripts, and these, in order.
 fn without_raw(text: &str) -> Result<(String, Vec<Raw<'_>>), String> {
     let (mut frame, mut raw, mut rest) = (String::new(), Vec::new(), text);
     loop {

@@ -28,7 +28,7 @@ refused! {
     /// Slips of the keyboard, keys in the wrong section, sections that do not exist.
     slips: "schema = 1\nname = \"slips\"\ntube_width = \"30 mm\"\n[stars]\npoints = 5\n[star]\npoints = 5\ninner_radius = \"50 mm\"\n\
         tube_widht = \"30 mm\"\ntip_angel = \"30 deg\"\nband = \"2 mm\"\ncolour = \"red\"\n[seal]\noverlapp = \"5 mm\"\n";
-    /// Quantities that are none, or of another kind.
+    /// Malformed quantities, or quantities of another kind.
     quantities: format!("{SHORTEST}corner_radius = 3\n[fabric]\nthickness = \"nan mm\"\nyoung_modulus = \"128 mpa\"\n\
         [seal]\ntemperature = \"473 K\"\nspeed = \"1e999 mm/s\"\nband = \"\"\noverlap = \"5\"\nallowance = true\n\
         [accuracy]\nresponse = \"10\"\n");
@@ -48,7 +48,7 @@ refused! {
     /// Sections that contradict each other.
     stack: format!("{SHORTEST}[stack]\ncount = 2\n[[stack.star]]\nindex = 3\n[[stack.star]]\nindex = 2\ninlet_tip = 6\n\
         [[stack.star]]\nindex = 2\nidnex = 1\n[[stack.star]]\nrotation = \"5 deg\"\n[inlet]\nnone = true\ntip = 1\n");
-    /// Words that are none of those to choose from.
+    /// Words that are not among the choices.
     choices: format!("{SHORTEST}[machine]\nprofile = \"\"\nprogram = \"sheets\"\nfeed_floor = \"slow\"\n[accuracy]\nmodel = \"fem\"\n");
     /// An error with a warning beside it.
     hot: format!("{SHORTEST}tip_radius = \"-1 mm\"\n[seal]\ntemperature = \"280 C\"\n");

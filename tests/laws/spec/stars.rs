@@ -1,4 +1,4 @@
-//! The stack: what single stars have different, and where the inlets are.
+//! The stack: values of single stars that differ, and the tips of the inlets.
 
 use stargrip_cam::spec::{RawSpec, key};
 use stargrip_cam::units::{Angle, Length};
