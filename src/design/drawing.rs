@@ -103,7 +103,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The paths as one mark; empty without paths.
+    /// The paths as one mark; `None` without paths.
     pub fn figure(paths: Vec<Path>) -> Option<Self> {
         (!paths.is_empty()).then_some(Self::Figure(paths))
     }
