@@ -227,7 +227,7 @@ fn cannot_chop(machine: &Machine, speed: f64) -> Refusal {
     Refusal::new(
         key::machine::FEED_FLOOR,
         RefusalCode::NoChop,
-        format!("the profile {} does not know {}", machine.name, missing.join(" and ")),
+        format!("the profile {} does not have {}", machine.name, missing.join(" and ")),
         "write them, or `chop_feed` and `acceleration`, in [motion] of your own profile".to_owned(),
     )
 }

@@ -55,7 +55,7 @@ pub(super) fn fault(text: &str) -> Option<Fault> {
         return Some(fault.help("save the file with line ends of LF or CRLF"));
     }
     let kind = kind(text)?;
-    let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {kind}, no TOML"))
+    let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {kind}, not TOML"))
         .label("it begins as such");
     Some(fault.help("name a TOML file instead: a build keeps its own beside its files, and `stargrip-cam new` writes one to begin with"))
 }

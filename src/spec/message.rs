@@ -62,7 +62,7 @@ pub(super) fn malformed<Q: Quantity>(
     match reason {
         QuantityFault::UnknownUnit(rest) if is_decimal_comma(rest) => {
             Fault::error(FaultCode::NotANumber, span, message)
-                .label("a decimal point is needed, where a comma stands")
+                .label("a decimal point is needed, not a comma")
                 .help(format!("write {key} = \"{}\"", text.trim().replacen(',', ".", 1)))
         }
         QuantityFault::NotANumber if text.contains('\u{2212}') => {
@@ -78,7 +78,7 @@ pub(super) fn malformed<Q: Quantity>(
             .help(format!("write for instance: {key} = \"{} {base}\"", text.trim())),
         QuantityFault::UnknownUnit(unit) => {
             let fault = Fault::error(FaultCode::UnknownUnit, span, message)
-                .label(format!("{} is no unit of {kind}: must be one of {units}", quoted(unit)));
+                .label(format!("{} is not a unit of {kind}: must be one of {units}", quoted(unit)));
             match meant::<Q>(text, unit) {
                 Some(meant) => fault.help(format!("did you mean \"{meant}\"?")),
                 None => fault,

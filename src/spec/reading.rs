@@ -99,7 +99,7 @@ pub(super) fn read_schema(root: &mut Section<'_, '_>, version: u32) {
     root.narrow("schema", ValueShape::Count(version, version));
     if let Some(found) = found.filter(|found| *found != version) {
         let fault = Fault::error(FaultCode::Schema, root.place_of("schema"), format!("`schema` is {found}"))
-            .label(format!("must be {version}, the only version this program knows"));
+            .label(format!("must be {version}, the only version this program supports"));
         root.report(fault);
     }
 }

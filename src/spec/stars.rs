@@ -101,7 +101,7 @@ fn read_list(stack: &mut Section<'_, '_>) {
         && value.as_list().is_none()
     {
         let fault =
-            Fault::error(FaultCode::WrongType, value.span.clone(), "`stack.star` is no list of sections")
+            Fault::error(FaultCode::WrongType, value.span.clone(), "`stack.star` is not a list of sections")
                 .label("must be written [[stack.star]], with two brackets");
         stack.report(fault);
     }

@@ -78,7 +78,7 @@ fn duplicate(text: &str, span: &Range<usize>, root: &RawTable) -> Fault {
     let opened = || text.lines().position(|line| line.trim() == header).map(|before| 1 + before);
     let here = 1 + text.get(..span.start).map_or(0, |before| before.matches('\n').count());
     match written.or_else(opened).filter(|line| *line < here) {
-        Some(line) => fault.label(format!("line {line} says it already")).help("delete one of the two"),
+        Some(line) => fault.label(format!("line {line} has it already")).help("delete one of the two"),
         None => fault.label("this was written before"),
     }
 }
@@ -165,11 +165,11 @@ mod tests {
         assert_eq!(faults.len(), 2, "{faults:?}");
         assert_eq!(
             (faults[0].message.as_str(), faults[0].label.as_str()),
-            ("duplicate key `kerf`", "line 6 says it already")
+            ("duplicate key `kerf`", "line 6 has it already")
         );
         assert_eq!(
             (faults[1].message.as_str(), faults[1].label.as_str()),
-            ("duplicate key `cut`", "line 2 says it already")
+            ("duplicate key `cut`", "line 2 has it already")
         );
     }
 

@@ -24,8 +24,8 @@ fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
         (Some(x), Some(y)) => Some((x, y)),
         (None, None) => None,
         _ => {
-            let fault = Fault::error(FaultCode::Conflict, s.place(), "[work_area] knows one side only")
-                .label("must say both `x` and `y`, or neither, or \"unknown\" for both");
+            let fault = Fault::error(FaultCode::Conflict, s.place(), "[work_area] has one side only")
+                .label("must set both `x` and `y`, or neither, or \"unknown\" for both");
             s.report(fault);
             None
         }

@@ -32,9 +32,9 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         [None, None, None] => None,
         _ => {
             let fault =
-                Fault::error(FaultCode::Conflict, s.place(), "[motion] knows the steps of some axes only")
+                Fault::error(FaultCode::Conflict, s.place(), "[motion] has the steps of some axes only")
                     .label(
-                        "must say `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them",
+                        "must set `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them",
                     );
             s.report(fault);
             None

@@ -217,7 +217,8 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
     let method = section.choice("method", &[("latin", true), ("random", false)]).unwrap_or(true);
     let between_ends = section.take("between", ValueShape::Sections)?;
     let Some(table) = between_ends.as_table() else {
-        let fault = Fault::error(FaultCode::WrongType, between_ends.span.clone(), "`between` is no section");
+        let fault =
+            Fault::error(FaultCode::WrongType, between_ends.span.clone(), "`between` is not a section");
         reader.faults.push(fault.label("must be a section, [draw.between], of keys with \"FROM..TO\""));
         return None;
     };

@@ -53,7 +53,7 @@ impl IronJudge<'_> {
             Some(t) if (t - seal.temperature.0).abs() <= 0.5 => {}
             found => blame(
                 FindingCode::ColdSeal,
-                found.map_or("an iron that nobody heated".to_owned(), |t| format!("{t} C")),
+                found.map_or("an unheated iron".to_owned(), |t| format!("{t} C")),
                 seal.temperature.to_string(),
             ),
         }

@@ -51,7 +51,7 @@ pub(in crate::verify) fn check(
     findings: &mut Findings,
 ) -> (Vec<StlFacet>, f64) {
     let Some((facets, beside)) = read_solid(bytes) else {
-        let found = format!("{} bytes that are no binary STL", bytes.len());
+        let found = format!("{} bytes that are not a binary STL", bytes.len());
         let allowed = "a head of 84 bytes and 50 a facet, all numbers finite";
         findings.add(FindingCode::BadStl, None, found, allowed);
         return (Vec::new(), f64::INFINITY);

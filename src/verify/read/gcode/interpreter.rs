@@ -104,7 +104,7 @@ impl Interpreter {
                 events,
                 FindingCode::HeatWithoutPause,
                 self.line,
-                "a heating that nobody waits for",
+                "a heating without a wait for it",
                 "M0 after it",
             );
         }

@@ -72,7 +72,7 @@ pub(in crate::verify) fn read(
             _ => pen.findings.add(
                 FindingCode::UnknownWord,
                 None,
-                "an operand that is no number",
+                "an operand that is not a number",
                 "numbers and names",
             ),
         }
@@ -194,7 +194,7 @@ impl PdfPen<'_> {
                 self.findings.add(
                     FindingCode::BadArc,
                     None,
-                    "a curve that is no arc of a circle",
+                    "a curve that is not an arc of a circle",
                     "lines and arcs",
                 );
             }

@@ -112,7 +112,7 @@ impl<'a, 'b> PageWalk<'a, 'b> {
     fn keys(&mut self, object: &PdfObject<'_>, kind: &str) {
         let allowed = KEYS.iter().find(|(name, _)| *name == kind).map_or(&[][..], |(_, keys)| *keys);
         let PdfObject::Dict(entries) = object else {
-            self.refuse(format!("a {kind} that is no dictionary"));
+            self.refuse(format!("a {kind} that is not a dictionary"));
             return;
         };
         for key in entries.keys().filter(|key| !allowed.contains(key)) {
