@@ -35,7 +35,7 @@ impl<'a> Choices<'a> {
         piece
     }
 
-    /// All that is left.
+    /// All remaining bytes.
     pub(super) fn rest(self) -> &'a [u8] {
         self.0
     }

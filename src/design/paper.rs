@@ -63,7 +63,7 @@ impl Paper {
         }
     }
 
-    /// Whether `drawing` can be printed on it: on at most [`MOST_TILES`] tiles, and on no page larger than 10 m.
+    /// Whether `drawing` can be printed on it: on at most 100 tiles, and on no page larger than 10 m.
     pub fn takes(self, drawing: &Drawing) -> bool {
         let cut = self.cut(drawing);
         cut.columns * cut.rows <= MOST_TILES && cut.width.max(cut.height) <= LARGEST

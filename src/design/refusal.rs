@@ -1,4 +1,4 @@
-//! Why a valid spec has no design.
+//! The reasons why a valid spec has no design.
 
 use std::fmt;
 use std::ops::Deref;

@@ -53,8 +53,8 @@ struct WayGroup {
 /// Ways in a block: as many as make boxes and their contents about equally long to look through.
 const BLOCK: usize = 32;
 
-/// Why the seals, or else the traces, cannot be run between the clamps of `machine`: one reason a clamp, that of the first way
-/// that it meets.
+/// The reasons why the seals, or else the traces, cannot be run between the clamps of `machine`: one reason a clamp, that of the
+/// first way that it meets.
 pub(super) fn clamps_in_the_way(
     spec: &Spec,
     machine: &Machine,

@@ -100,7 +100,7 @@ impl Program {
         Self { purpose, sheet, pieces, steps, seams, pace, time, overdue }
     }
 
-    /// When each of its steps is done, s from the beginning: one time a step, the last one is that of the whole program.
+    /// The end of each of its steps, s from the beginning: one time a step, the last one is that of the whole program.
     pub fn timeline(&self, spec: &Spec, machine: &Machine) -> Vec<f64> {
         times_of(&self.steps, self.pace, machine, spec).0
     }

@@ -14,7 +14,7 @@ const ONE: f64 = 1e-7;
 
 /// Widths that differ by less are alike, mm.
 const ALIKE: f64 = 1e-6;
-/// Of bottlenecks of the same curves nearer to each other than this, one is reported, mm.
+/// Distance, mm, within which only one of several bottlenecks of the same curves is reported.
 const APART: f64 = 50.0;
 
 /// The nearest points of two stretches.
@@ -99,7 +99,7 @@ pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Vec<Bottleneck
     }
     found.sort_by(|a, b| {
         let (p, q) = (a.points[0], b.points[0]);
-        // Of equal widths, those inside segments come first: they are in the middle of the narrow part.
+        // At equal widths, those inside segments come first: they are in the middle of the narrow part.
         let width = (a.width / ALIKE).round().total_cmp(&(b.width / ALIKE).round());
         let place = || p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
         width.then(a.at_corner.cmp(&b.at_corner)).then(a.curves.cmp(&b.curves)).then_with(place)

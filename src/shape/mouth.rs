@@ -67,7 +67,7 @@ pub(super) fn cap(port: usize, ends: [Point; 2], leading: [Vec2; 2], beyond: f64
     (Path::open(corners.windows(2).map(|pair| Line::new(pair[0], pair[1]).into()).collect()), mouth)
 }
 
-/// Why a port has no channel.
+/// The reason why a port has no channel.
 pub(super) enum NoChannel {
     /// The edge is this far away, mm.
     Far(f64),

@@ -374,7 +374,7 @@ mod tests {
             let text = edited(LAYOUTS[layout], &star);
             let spec = read(&Source::new("back", text.as_str())).map_err(|f| TestCaseError::fail(f.to_string()))?.spec;
             prop_assert_eq!(StarEdit::of(&spec.stars[0]), star);
-            // Nothing else has changed: with the old values back, the spec is the old one.
+            // With the old values back, the spec is the old one.
             let old = read(&Source::new("old", LAYOUTS[layout])).expect("valid").spec;
             let back = edited(&text, &StarEdit::of(&old.stars[0]));
             prop_assert_eq!(read(&Source::new("x", back)).expect("valid").spec, old);

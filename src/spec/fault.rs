@@ -10,7 +10,7 @@ use crate::spec::Code;
 /// Whether a fault refuses the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Severity {
-    /// It does.
+    /// The text is refused.
     Error,
     /// The text passes; the person should read the warning.
     Warning,

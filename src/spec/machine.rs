@@ -12,7 +12,7 @@ pub struct Machine {
     pub description: String,
     /// The language and abilities of the controller.
     pub controller: Controller,
-    /// How the iron is led over the fabric: heights, ramp, speeds.
+    /// The process of sealing: heights, ramp, speeds.
     pub process: Process,
     /// The work area and the clamps.
     pub bench: Bench,
@@ -41,7 +41,7 @@ pub struct Controller {
     pub thumbnails: bool,
 }
 
-/// How the iron is led over the fabric.
+/// The process of sealing: the way in which the iron is led over the fabric.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Process {
     /// Whether the tip is spring-loaded; a rigid one must stay at height 0 or above.

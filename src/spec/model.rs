@@ -51,7 +51,7 @@ pub struct BuildSpec {
 pub enum Extra {
     /// A one-page report of the gripper.
     Report,
-    /// All of it in three dimensions.
+    /// The products in three dimensions.
     SceneGlb,
     /// The picture in pixels.
     PreviewPng,
@@ -346,7 +346,7 @@ pub enum ObjectSize {
 /// The shape of an object whose axis is the gripper's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObjectShape {
-    /// As wide everywhere.
+    /// A cylinder: as wide everywhere.
     Cylinder,
     /// A ball; an ellipsoid of revolution where it is not as tall as wide.
     Ball,

@@ -14,7 +14,7 @@ const MOST: u32 = 64;
 const TURN: Allowed = Allowed::closed(-3600.0, 3600.0);
 
 /// The stars from bottom to top, and the inlet that each of them has.
-/// None where there is a drawing instead.
+/// Empty where there is a drawing instead.
 pub(super) fn read(reader: &mut Reader<'_>, has_drawing: bool) -> (Vec<StarSpec>, Option<Inlet>) {
     // The paper's star substitutes faulty required values.
     let paper = StarSpec::paper(5);

@@ -10,7 +10,7 @@ use crate::emit::scene::mesh::Mesh;
 
 /// Decimals of a coordinate in mm, and of a node's rotation.
 const DECIMALS: [u32; 2] = [3, 9];
-/// When the animation begins, is at full pressure, and ends, s.
+/// The times, s, at which the animation begins, is at full pressure, and ends.
 const TIMES: [f32; 3] = [0.0, 2.0, 3.0];
 /// Share of the inflation at these times.
 const WEIGHTS: [f32; 3] = [0.0, 1.0, 1.0];

@@ -1,4 +1,4 @@
-//! How the iron is led: heights, ramp, speeds.
+//! The process of sealing: heights, ramp, speeds.
 
 use crate::spec::FaultCode;
 use crate::spec::allowed::{Allowed, SIZE};

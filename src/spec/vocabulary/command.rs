@@ -64,7 +64,7 @@ impl Command {
         }
     }
 
-    /// Whether the command stands alone on its line, with words of its own.
+    /// Whether the command is alone on its line, with words of its own.
     pub const fn stands_alone(self) -> bool {
         matches!(self, Self::HeatAndWait | Self::HeatOnly | Self::Progress | Self::Setting)
     }

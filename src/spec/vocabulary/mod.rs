@@ -1,6 +1,6 @@
 //! The vocabulary of each family of controllers: which words it understands, as a table.
 //!
-//! Both the reader of a profile's own lines and the verifier's reader of programs go by it. The way in which a controller runs a
+//! Both the reader of a profile's own lines and the verifier's reader of programs use it. The way in which a controller runs a
 //! word (units of time, tolerances of arcs, lengths of lines) concerns the verifier only.
 
 mod command;

@@ -91,7 +91,7 @@ impl Judge for IronJudge<'_> {
 struct IronRest<'a> {
     rules: &'a IronRules<'a>,
     /// Line of the last move, if that touched the fabric or left it, and the time waited since, s. However many waits it
-    /// takes, the iron stands in one place; the last stroke of a seam ends, and has its wait, at travel height.
+    /// takes, the iron rests in one place; the last stroke of a seam ends, and has its wait, at travel height.
     here: Option<usize>,
     waited: f64,
     findings: Findings,

@@ -82,9 +82,9 @@ pub(in crate::verify) struct Sealed<'a> {
 
 /// One contact with the fabric.
 enum SeamContact {
-    /// Of a seam: the way down, the run, the way up.
+    /// A contact along a seam: the way down, the run, the way up.
     Seam(Box<[SeamWalk; 3]>),
-    /// Of no seam; the line in which it begins.
+    /// A contact without a seam; the line in which it begins.
     Extra(Option<usize>),
 }
 

@@ -361,7 +361,7 @@ mod tests {
             let quick = in_step(&path, &exact, 1e-3);
             assert!(quick.is_none_or(|distance| distance > 1.0), "{quick:?}");
         }
-        // All the same no finding: the order of a file is its own.
+        // Another order is not a finding: it is the file's own.
         let mut findings = Findings::default();
         let turned = [exact.starting_at(10.0)];
         assert!(compare_layer(Layer::CutOutside, &turned, &[exact], 1e-3, &mut findings) < 1e-9);

@@ -21,7 +21,7 @@ const CORNER: f64 = 0.002;
 /// Largest shift of a corner by rounding to a thousandth, mm.
 const ROUNDED: f64 = 0.0008;
 
-/// Largest error of a normal, beside the turn by its corners' rounding: slicers go by either.
+/// Largest error of a normal, beside the turn by its corners' rounding: slicers use either.
 const NORMAL: f64 = 0.002;
 
 /// The expected solid.

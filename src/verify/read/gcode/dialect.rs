@@ -52,7 +52,7 @@ pub struct Dialect {
     pub dwell: DwellUnit,
     /// A dwell lasts for a multiple of this, rounded up, s; 0 for exactly the programmed time.
     pub dwell_step: f64,
-    /// When an arc is refused.
+    /// The limits beyond which an arc is refused.
     pub arcs: ArcTolerance,
 }
 
