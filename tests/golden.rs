@@ -1,8 +1,8 @@
 //! Golden files: every output of every shipped design; and the release program writes the same bytes.
 //!
-//! Three designs that have every feature between them are kept whole: `snapshots/<design>/` is what a build writes.
-//! Of the others there is a digest, `snapshots/<design>.digest.snap`: a line a file, with its hash, and with what the
-//! verifier reads out of it, so that a person sees what changed. `INSTA_UPDATE=always` renews all of them.
+//! Three designs that have every feature between them are kept whole: `snapshots/<design>/` holds the files of a build. The
+//! others have a digest, `snapshots/<design>.digest.snap`: a line a file, with its hash and the figures that the verifier reads
+//! out of it, so that a person sees the changes. `INSTA_UPDATE=always` renews all of them.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -150,7 +150,7 @@ fn differences(directory: &Path, files: &[(String, Vec<u8>)]) -> Vec<PathBuf> {
     changed
 }
 
-/// What a file draws, as the verifier reads it.
+/// The lines of a file, as the verifier reads them.
 struct Drawn {
     paths: usize,
     length: f64,
@@ -186,7 +186,7 @@ fn digest(files: &[(String, Vec<u8>)], machine: &Machine) -> String {
     out
 }
 
-/// What the verifier's readers find in a file; `None` for what draws nothing, and for the picture.
+/// The lines that the verifier's readers find in a file; `None` for files without lines, and for the picture.
 fn drawn(name: &str, bytes: &[u8], machine: &Machine) -> Option<Drawn> {
     if name.ends_with("preview.svg") {
         return None;
@@ -235,7 +235,7 @@ fn the_whole_designs_have_every_feature() {
     }
 }
 
-/// What the program of the release profile writes; `make check` builds it first.
+/// The files of the program in the release profile; `make check` builds it first.
 #[test]
 #[ignore = "needs a release build: make check"]
 fn the_release_program_writes_these_bytes() {

@@ -1,4 +1,4 @@
-//! Small grippers, whose files are what is edited.
+//! Small grippers, whose files are edited.
 
 use std::sync::OnceLock;
 
@@ -33,7 +33,7 @@ pub(super) fn built(spec_text: &str, name: &str, kinds: &[Kind]) -> Built {
     build(&spec, &machine, sources, &Asked::only(kinds)).expect("a gripper")
 }
 
-/// Directories that hold the programs of every dialect, chopped ones too, then the drawings, then what is printed, then all.
+/// Directories that hold the programs of every dialect, chopped ones too, then the drawings, then the printed parts, then all.
 /// Few files are proven in less time, and more often.
 pub(super) fn directories() -> &'static [Directory] {
     static DIRECTORIES: OnceLock<Vec<Directory>> = OnceLock::new();

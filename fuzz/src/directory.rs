@@ -10,8 +10,8 @@ use stargrip_cam::verify::{Method, Proof};
 use super::builds::{Directory, directories, output_files};
 use super::edits::{Choices, counted, edited};
 
-/// Edits of up to three files of a directory that was just built, their sizes and hashes put right: found, or nothing that
-/// counts. Compared by bytes, only what was built is accepted; by reading alone, only what leads the iron alike.
+/// Edits of up to three files of a directory that was just built, their sizes and hashes put right: each is found, or has no
+/// effect. With its bytes compared, only a true build is accepted; by reading alone, only one that leads the iron alike.
 pub(super) fn directory(bytes: &[u8]) {
     let mut choices = Choices::new(bytes);
     let which = usize::from(choices.byte()) % directories().len();
@@ -37,7 +37,7 @@ pub(super) fn directory(bytes: &[u8]) {
             cover_up(&mut files, &name);
         }
     }
-    // What is found by reading is found all the more with the bytes compared: that is the same and more.
+    // A fault that reading finds is also found when the bytes are compared as well.
     if read_back(&output_files(&files)).findings.is_empty() {
         led_alike(&files);
         let proof = prove_files(&output_files(&files));
@@ -66,8 +66,8 @@ fn structural(files: &mut Directory, at: usize, choices: &mut Choices<'_>) {
     }
 }
 
-/// What is proven with its bytes compared is, byte by byte, what its spec and its profile make; or it says that another
-/// version wrote it, and then no file is said to be equal.
+/// A directory that is proven with its bytes compared equals, byte by byte, the build of its spec and its profile. Else it states
+/// that another version wrote it, and then no file counts as equal.
 pub(super) fn accepted(files: &Directory, proof: &Proof) {
     let files = output_files(files);
     let manifest: Manifest =
@@ -88,7 +88,8 @@ pub(super) fn accepted(files: &Directory, proof: &Proof) {
     assert_eq!(files.files.len(), built.files().count(), "and no more files");
 }
 
-/// What reading alone accepts leads the iron as its own spec asks: as deep, as fast and as hot, whatever else the edit did.
+/// A directory that reading alone accepts leads the iron as its own spec requires: as deep, as fast and as hot, whatever else the
+/// edit changed.
 fn led_alike(files: &Directory) {
     let files = output_files(files);
     let text = |name| std::str::from_utf8(files.get(name).expect(name)).expect("text");

@@ -1,4 +1,4 @@
-//! Edits of a file that is right: what a hand, a transfer or another program might do to it.
+//! Edits of a right file: changes that a person, a transfer or another program might make.
 
 /// Choices that the fuzzer makes, a byte at a time; 0 once there are none left.
 pub(super) struct Choices<'a>(&'a [u8]);
@@ -35,12 +35,12 @@ impl<'a> Choices<'a> {
         piece
     }
 
-    /// All that is left.
+    /// All remaining bytes.
     pub(super) fn rest(self) -> &'a [u8] {
         self.0
     }
 
-    /// Whether nothing is left.
+    /// Whether it is empty.
     pub(super) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

@@ -6,7 +6,7 @@ use stargrip_cam::pipeline::prove_files;
 use super::builds::{directories, output_files};
 use super::directory::accepted;
 
-/// What is read as a manifest says the same when it is written and read again; a directory is proven with its own only.
+/// A manifest that was read is the same when it is written and read again; a directory is proven with its own only.
 pub(super) fn manifest(bytes: &[u8]) {
     let Ok(manifest) = serde_json::from_slice::<Manifest>(bytes) else { return };
     let again: Manifest = serde_json::from_slice(&manifest.to_json()).expect("what was written");

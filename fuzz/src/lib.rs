@@ -1,9 +1,8 @@
-//! What the fuzz targets do with the bytes they are given, without the fuzzer: `tests/laws/fuzzed.rs` runs the same functions
-//! on the seeds in `corpus/`, so that neither a target nor a case that once failed can be forgotten.
+//! The bodies of the fuzz targets, without the fuzzer: `tests/laws/fuzzed.rs` runs the same functions on the seeds in `corpus/`,
+//! so that no target and no case that once failed is left out.
 //!
-//! Each target asks more than that nothing panics. What is read holds no number that is none, what was accepted says the
-//! same when it is written and read again, a message shows no control character, and a proof accepts nothing else than
-//! what was built.
+//! Each target checks more than the absence of panics. Every number that was read is finite, an accepted input is the same when
+//! it is written and read again, a message shows no control character, and a proof accepts only a real build.
 
 mod builds;
 mod directory;
@@ -15,7 +14,7 @@ mod readers;
 mod shown;
 mod texts;
 
-/// A name, as in `corpus/`, and what is done with the bytes.
+/// A name, as in `corpus/`, and the function for the bytes.
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All targets: `fuzz_targets/` has a file for each.
@@ -35,10 +34,10 @@ pub const TARGETS: [Target; 13] = [
     ("directory", directory::directory),
 ];
 
-/// Does what the target called `name` does.
+/// Runs the target called `name`.
 ///
 /// # Panics
-/// If there is none of this name, or if what it asks for does not hold.
+/// If there is no target of this name, or if one of its checks fails.
 pub fn run(name: &str, bytes: &[u8]) {
     let (_, target) = TARGETS.iter().find(|(known, _)| *known == name).expect("a target of this name");
     target(bytes);

@@ -12,7 +12,7 @@ use super::builds::{CHOPPED, PROFILES, SMALL, built};
 use super::edits::{Choices, counted, edited};
 use super::shown;
 
-/// An edited job or, from 128 on, any text as a program, in the dialect that the first byte tells; its line ends are no matter.
+/// An edited job or, from 128 on, any text as a program, in the dialect of the first byte; its line ends do not matter.
 pub(super) fn gcode(bytes: &[u8]) {
     let mut choices = Choices::new(bytes);
     let kind = usize::from(choices.byte());
@@ -93,14 +93,14 @@ fn jobs() -> &'static [String] {
     })
 }
 
-/// What the new program may do, told from the old one alone.
+/// The moves that are allowed in the new program, derived from the old one alone.
 fn judge(old_text: &str, resumed: &Resumed, overlap: Option<f64>) {
     let dialect = dialect_of(old_text);
     let old = read_program(old_text, dialect.clone());
     let new = read_program(&resumed.text, dialect);
     assert_eq!(new.findings, [], "the new program is without fault");
     assert!((0.0..=1.0).contains(&resumed.done) && resumed.overlap >= 0.0, "{resumed:?}");
-    // Where short moves are joined, a seam is taken up only where the iron stood still: at most a stroke farther back.
+    // Where short moves are joined, a seam is resumed only at a rest of the iron: at most a stroke farther back.
     let farther = if old_text.contains("chop-moves:") { longest_stroke(&old) } else { 0.0 };
     assert!(overlap.is_none_or(|asked| resumed.overlap <= asked + farther + 1e-6), "{resumed:?}");
     assert!(resumed.line >= 1 && resumed.line <= old.lines, "{}", resumed.line);

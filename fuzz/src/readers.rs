@@ -13,7 +13,7 @@ pub(super) fn svg(bytes: &[u8]) {
     }
 }
 
-/// Any text as a DXF drawing; its line ends are no matter.
+/// Any text as a DXF drawing; its line ends do not matter.
 pub(super) fn dxf(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     let read = read_dxf(text);
@@ -42,7 +42,7 @@ pub(super) fn stl(bytes: &[u8]) {
     }
 }
 
-/// What was read is finite, no more than the file has room for, and no finding shows what it should not.
+/// Every path is finite, there are no more than the file has room for, and no finding shows a control character.
 fn drawing(length: usize, drawing: &Drawing) {
     let paths = || drawing.layers.values().flatten();
     assert!(paths().map(Path::length).sum::<f64>().is_finite());

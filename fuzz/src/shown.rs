@@ -1,4 +1,4 @@
-//! What may be shown to a person.
+//! Checks of texts that are shown to a person.
 
 use stargrip_cam::spec::{Faults, misleads};
 use stargrip_cam::verify::Finding;
@@ -11,7 +11,7 @@ pub(super) fn faults(faults: &Faults) {
     let plain = faults.to_string();
     harmless(&plain);
     assert!(plain.len() <= LONGEST, "{} bytes of faults", plain.len());
-    // Colours are all that may be told to a terminal.
+    // Colours are the only control sequences allowed.
     let mut rest = faults.for_terminal(None, true);
     while let Some(at) = rest.find('\u{1b}') {
         let colour = rest[at + 1..].strip_prefix('[').and_then(|code| code.split_once('m'));
@@ -22,7 +22,7 @@ pub(super) fn faults(faults: &Faults) {
     harmless(&rest);
 }
 
-/// What a reader finds: few, and each on one line.
+/// Checks the findings of a reader: few, and each on one line.
 pub(super) fn findings(findings: &[Finding]) {
     assert!(findings.len() <= 101, "{} findings", findings.len());
     for finding in findings {

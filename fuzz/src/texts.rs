@@ -9,7 +9,7 @@ use stargrip_cam::spec::edit::{StarEdit, with_star};
 
 use super::shown;
 
-/// Any bytes as a spec: what is accepted means the same with its own star written into it again.
+/// Any bytes as a spec: an accepted one is the same with its own star written into it again.
 pub(super) fn spec(bytes: &[u8]) {
     let Some(source) = source("spec.toml", bytes) else { return };
     let reading = match spec::read(&source) {
@@ -26,7 +26,7 @@ pub(super) fn spec(bytes: &[u8]) {
     }
 }
 
-/// Any bytes as a machine profile: what is accepted plans a small gripper, or says why not.
+/// Any bytes as a machine profile: an accepted one plans a small gripper, or is refused with a reason.
 pub(super) fn machine(bytes: &[u8]) {
     let Some(source) = source("machine.toml", bytes) else { return };
     let machine = match spec::read_machine(&source) {
@@ -72,7 +72,7 @@ fn peel(source: &Source) {
     }
 }
 
-/// What was reduced can be reduced again: it has the same columns.
+/// A reduced test can be reduced again: it has the same columns.
 fn cone(source: &Source) {
     let test = match read_test(source) {
         Ok(test) => test,

@@ -168,6 +168,6 @@ pub(crate) fn of_text(py: Python<'_>, text: String, name: &str, path: &Path) -> 
 fn key(py: Python<'_>, name: &str) -> PyResult<KeyPath> {
     named(name).map_err(|near| {
         let near = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
-        usage(py, format!("`{name}` is no key of a spec{near}"))
+        usage(py, format!("`{name}` is not a key of a spec{near}"))
     })
 }

@@ -1,4 +1,4 @@
-//! How long the arms of a star are, before it is known whether there is such a star.
+//! The length of a star's arms, before the star is checked.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Stars, and what keeps them together: what only a gripper of stars has.
+//! Stars with their stack and frame: the design of a gripper of stars.
 
 use crate::design::object::tight;
 use crate::design::placement::{SheetLayout, place};
@@ -23,7 +23,7 @@ impl StarAssembly {
     /// The kind of its pieces.
     pub(super) const KIND: &'static str = "star";
 
-    /// The stars of `spec`, laid on sheets for `machine`, and what is to be known of them.
+    /// The stars of `spec`, laid on sheets for `machine`, and the warnings about them.
     ///
     /// # Errors
     /// Every reason for which a star cannot be made or does not fit on a sheet.
@@ -70,7 +70,7 @@ impl StarAssembly {
         Ok((assembly, sheets, warnings))
     }
 
-    /// What each star meets of the object of `spec`, bottom first; `None` without an object.
+    /// The contact of each star with the object of `spec`, bottom first; `None` without an object.
     pub fn meetings(&self, spec: &Spec) -> Option<Vec<Meeting>> {
         let object = Object::of(spec.load.as_ref()?)?;
         let holes: Vec<f64> =
@@ -90,7 +90,7 @@ impl StarAssembly {
         &self.distinct[star.distinct]
     }
 
-    /// Of every distinct star the first star of the stack that is one, in order.
+    /// The first star of each distinct kind, in order of the stack.
     pub fn firsts(&self) -> impl Iterator<Item = &PlacedPart> {
         (0..self.distinct.len()).filter_map(|i| self.stars.iter().find(|star| star.distinct == i))
     }

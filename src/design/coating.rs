@@ -10,7 +10,7 @@ const GRAVITY: f64 = 9.806_65;
 /// some minutes after mixing (mu = 7.1 Pa s exp(2.06e-3 t), Lee et al. 2016).
 const FLUIDITY: [f64; 2] = [50.0, 68.0];
 
-/// What the thickness estimate assumes, for reports.
+/// The assumptions of the thickness estimate, for reports.
 pub const COATING_ASSUMES: &str = "VPS-32 of 1160 kg/m3, poured at once and drained on a vertical star, 50 to 68 /Pa until it gels (Lee et al. 2016); at the lower edge of a window of this extent";
 
 impl MaskPlate {

@@ -1,9 +1,9 @@
-//! The codes of refusals and warnings: of the design, and of what later rooms say in its words.
+//! The codes of refusals and warnings: of the design, and of later rooms that report in the same form.
 
 use crate::spec::codes;
 
 codes! {
-    /// Why a valid spec cannot be made, or what a person should know before making it.
+    /// The reasons why a valid spec cannot be made, and the warnings before it is made.
     RefusalCode {
         ArmsFallThrough "arms-fall-through" "Arms would slip through a plate's opening; make clearance smaller or the stars more alike.",
         BandEatsArm "band-eats-arm" "The band takes more of an arm at its end than there is; make it narrower, or the hinge rounder.",
@@ -49,7 +49,7 @@ codes! {
         OutsideModels "outside-models" "No model covers the star at the pressure of `load`; see the pressures shown, or use `--anyway`.",
         PortOffEdge "port-off-edge" "A port of a drawing lies on no edge; move it onto one.",
         PortTooWide "port-too-wide" "An edge of a drawing is too short for the hose at its port; take a thinner hose, or draw more room.",
-        PostMeetsHose "post-meets-hose" "A post of the frame would stand in the way of a hose; use fewer posts or line up the inlets.",
+        PostMeetsHose "post-meets-hose" "A post of the frame would obstruct a hose; use fewer posts or line up the inlets.",
         ProfileLimit "profile-limit" "A line of the profile's `start` contradicts the seal's speed or the job's time; change that line.",
         SeamCrossesItself "seam-crosses-itself" "A leak: a seam crosses itself; narrow the band or lengthen the arms.",
         SeamGap "seam-gap" "A leak: a seam has a gap; it has none in any design we know, so please report it.",

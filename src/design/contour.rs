@@ -6,17 +6,16 @@
 //! tips seen from outside) and every hinge of the other kind is **concave** (its arc shrinks with delta
 //! and, once used up, becomes a vertex that eats into the arms).
 //!
-//! With `q = R - delta` the concave radius left over and `m` the smallest radius wanted (0: a vertex),
-//! the arc has radius `max(q, m)`; its centre moves along the hinge's ray by
-//! `(max(q, m) - q) / sin(phi/2)` and each arm loses `(max(q, m) - q) cot(phi/2)`. When nothing is left
-//! of the arms, neighbouring convex arcs meet on the concave hinge's ray.
+//! With `q = R - delta` the remaining concave radius and `m` the smallest allowed radius (0: a vertex), the arc has radius
+//! `max(q, m)`; its centre moves along the hinge's ray by `(max(q, m) - q) / sin(phi/2)` and each arm loses `(max(q, m) - q)
+//! cot(phi/2)`. Where the arms have no length left, neighbouring convex arcs meet on the concave hinge's ray.
 
 use std::f64::consts::PI;
 
 use crate::design::Star;
 use inflatable::geom::{Arc, Line, Path, Point, Segment};
 
-/// Which edge of the tube: towards the hole in the star's middle, or outside.
+/// An edge of the tube: towards the hole in the star's middle, or outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// The inner edge.
@@ -35,7 +34,7 @@ impl Side {
     }
 }
 
-/// What a segment of a contour belongs to.
+/// The part of the star to which a segment of a contour belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Arm j, 1 to 2n; arm 2k - 1 runs from corner k to tip k, arm 2k from tip k to corner k + 1.
@@ -49,9 +48,9 @@ pub enum Part {
 /// A closed contour, counterclockwise from the beginning of arm 1 (or of tip 1 where no arm is left).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contour {
-    /// Its segments with what they belong to. Hinges that shrank to a vertex have none.
+    /// Its segments with their parts of the star. Hinges that shrank to a vertex have none.
     pub parts: Vec<(Part, Segment)>,
-    /// What is left of each arm; 0 if the contour has no straight parts.
+    /// Remaining length of each arm; 0 if the contour has no straight parts.
     pub arm: f64,
 }
 
@@ -66,7 +65,7 @@ pub(super) struct ContourHinge {
     pub(super) half: f64,
 }
 
-/// A contour by what repeats in it n times.
+/// A contour by the part that repeats n times.
 #[derive(Clone, Copy)]
 pub(super) enum Trimmed {
     /// Hinges with arms between them.
@@ -78,9 +77,9 @@ pub(super) enum Trimmed {
         /// Length of each arm.
         arm: f64,
     },
-    /// Nothing but the corners' arcs, which meet on the tips' rays.
+    /// Only the corners' arcs, which meet on the tips' rays.
     Corners(ContourHinge),
-    /// Nothing but the tips' arcs, which meet on the corners' rays.
+    /// Only the tips' arcs, which meet on the corners' rays.
     Tips(ContourHinge),
 }
 
@@ -117,7 +116,7 @@ impl Star {
         concave.radius += grown;
         concave.center += away * grown / libm::sin(phi / 2.0);
         let arm = self.l - grown / libm::tan(phi / 2.0);
-        // An arm of rounding error's length is no arm: the smallest real ones are 1e6 times longer.
+        // An arm as short as a rounding error does not count: the smallest real ones are 1e6 times longer.
         if arm > 1e-9 * self.l {
             return Some(Trimmed::Arms { corner, tip, arm });
         }

@@ -1,7 +1,7 @@
 //! Cut lines: where the middle of a tool travels that takes away a **kerf**, so that parts come out as they are drawn.
 //!
-//! A cut takes half of its width from either side. What is cut out of a part (holes, windows) would come out larger, what
-//! is cut around (outlines, plates) smaller; so the tool travels half a kerf inside the former and outside the latter.
+//! A cut takes half of its width from either side. Cut-outs (holes, windows) would come out larger, and cut edges (outlines,
+//! plates) smaller; so the tool travels half a kerf inside the former and outside the latter.
 
 use crate::design::offset::offset;
 use crate::design::{MaskPlate, Outline, Refusal, RefusalCode, Star};
@@ -70,14 +70,14 @@ pub(super) fn tool_inside(path: &Path, kerf: f64, what: &str) -> Result<Path, Re
 /// The line of a tool with this kerf that cuts around `path`.
 ///
 /// # Errors
-/// If there is none.
+/// If the cut is too wide for it.
 pub(super) fn tool_around(path: &Path, kerf: f64, what: &str) -> Result<Path, Refusal> {
     offset(path, 0.5 * kerf).ok_or_else(|| too_wide(kerf, path, 0.5, what))
 }
 
 /// The refusal of a kerf that leaves nothing of `path`, which `share` of it moves outwards, with the widest that does.
 fn too_wide(kerf: f64, path: &Path, share: f64, what: &str) -> Refusal {
-    // To a thousandth of a millimetre; what fits stays below what does not.
+    // To a thousandth of a millimetre; rounding down keeps a cut that fits.
     let (mut fits, mut fails) = (0.0, kerf);
     while fails - fits > 1e-3 {
         let middle = f64::midpoint(fits, fails);

@@ -1,4 +1,5 @@
-//! Drawings: what lies on one sheet, or what one plate is cut to, layer by layer. Writers write them, the verifier compares files with them.
+//! Drawings: the content of one sheet, or the cut of one plate, layer by layer. Writers write them, the verifier compares files
+//! with them.
 
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -11,17 +12,17 @@ use inflatable::geom::{Arc, Bounds, Isometry, Line, Path, Point};
 /// Exact geometry on a page.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
-    /// Where the geometry's own origin lies.
+    /// The origin of the drawing's frame.
     pub origin: Origin,
     /// Extent along X.
     pub width: f64,
     /// Extent along Y.
     pub height: f64,
-    /// What is drawn, in order: (layer, shapes).
+    /// The content, in order: (layer, shapes).
     pub layers: Vec<(Layer, Vec<Shape>)>,
 }
 
-/// Where a drawing has its origin.
+/// The place of a drawing's origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Origin {
     /// At the page's lower left corner.
@@ -30,10 +31,10 @@ pub enum Origin {
     Axis(Point),
 }
 
-/// What a shape is for. Names are part of every file.
+/// The purpose of a shape. Names are part of every file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
-    /// Centre lines of all seams of a piece that is no star.
+    /// Centre lines of all seams of a piece other than a star.
     Seal,
     /// Centre line of the seam around the hole.
     SealInner,
@@ -45,13 +46,13 @@ pub enum Layer {
     CutHole,
     /// Registration holes.
     Registration,
-    /// What stands on a part, to be written and not cut.
+    /// Text on a part, which is written and not cut.
     Label,
-    /// Where a mask leaves the fabric free.
+    /// The openings of a mask.
     MaskWindow,
     /// The edge of a mask.
     MaskPlate,
-    /// Where two pieces of a printed mask meet.
+    /// The joint of two pieces of a printed mask.
     MaskJoint,
     /// The holes for the frame's posts.
     PostHole,
@@ -102,12 +103,12 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The paths as one mark; nothing if there is none.
+    /// The paths as one mark; `None` without paths.
     pub fn figure(paths: Vec<Path>) -> Option<Self> {
         (!paths.is_empty()).then_some(Self::Figure(paths))
     }
 
-    /// What is drawn, pen down to pen up; a circle is one whole turn.
+    /// The paths of the shape, pen down to pen up; a circle is one whole turn.
     pub fn paths(&self) -> Cow<'_, [Path]> {
         match self {
             Self::Path(path) => std::slice::from_ref(path).into(),
@@ -118,7 +119,7 @@ impl Shape {
         }
     }
 
-    /// The shape without the paths of a figure that lie outside `window`; nothing if all of it does.
+    /// The shape without the paths of a figure that lie outside `window`; `None` if the whole shape does.
     pub fn shown(self, window: &Bounds) -> Option<Self> {
         match self {
             Self::Figure(mut paths) => {
@@ -214,7 +215,7 @@ impl Drawing {
         ]))
     }
 
-    /// The separator of a drawn piece, in the drawing's own frame; `None` if the spec asks for none.
+    /// The separator of a drawn piece, in the drawing's own frame; `None` if the spec has none.
     pub fn separator(piece: &DrawnPiece, edge: CutEdge) -> Option<Self> {
         let separator = piece.separator.as_ref()?;
         let paths = if edge == CutEdge::Tool { &separator.tool } else { &separator.part };
@@ -239,7 +240,7 @@ impl Drawing {
         ])
     }
 
-    /// A drawing around the axis, as large as what is on it.
+    /// A drawing around the axis, as large as its content.
     pub(super) fn around_axis(layers: Vec<(Layer, Vec<Shape>)>) -> Self {
         let shapes = layers.iter().flat_map(|(_, shapes)| shapes);
         let bounds = shapes.map(Shape::bounds).fold(Bounds::EMPTY, Bounds::union);

@@ -26,7 +26,7 @@ use crate::spec::{DrawingSpec, LayerRole, Machine, MaskKind, Spec, key};
 use drawings::{Drawing, Figure, Options, Unit};
 use inflatable::geom::{Bounds, Path};
 
-/// A passage narrower than this is warned of, mm: the least that makers report to inflate well.
+/// A passage narrower than this is a warning, mm: the least width that makers report to inflate well.
 const LEAST_PASSAGE: f64 = 15.0;
 
 /// A drawn piece, and its copies on sheets.
@@ -38,7 +38,7 @@ pub struct DrawnPiece {
     pub edges: Vec<Path>,
     /// Outlines of the regions that hold the air, for pictures.
     pub tube: Vec<Path>,
-    /// Where the air ends, closed, without the channels of ports: what inflates.
+    /// The boundary of the air, closed, without the channels of ports: the region that inflates.
     pub air: Vec<Path>,
     /// Walls and welds by their centre lines, as far as they lie in the air.
     pub inner: Vec<Path>,
@@ -48,13 +48,13 @@ pub struct DrawnPiece {
     pub tool: DrawnCut,
     /// The registration holes: three, so placed that the piece fits in one position only; or none.
     pub registration: Vec<Circle>,
-    /// What stands on it, to be written and not cut.
+    /// The texts on it, which are written and not cut.
     pub labels: DrawnLabels,
-    /// The paper that keeps the air from welding, if the spec asks for it.
+    /// The paper that keeps the air from welding, if the spec has it.
     pub separator: Option<DrawnSeparator>,
     /// Width of the narrowest passage, mm; `None` where none is narrower than 15 mm.
     pub passage: Option<f64>,
-    /// What was resolved or mended as the drawing was read, a sentence each.
+    /// The repairs and choices made as the drawing was read, a sentence each.
     pub notes: Vec<String>,
     /// Its copies where they lie.
     pub copies: Vec<PlacedPart>,
@@ -64,7 +64,7 @@ impl DrawnPiece {
     /// The kind of its copies.
     const KIND: &'static str = "piece";
 
-    /// The piece that `drawing` of `spec` shows, laid on sheets for `machine`, and what is to be known of it.
+    /// The piece that `drawing` of `spec` shows, laid on sheets for `machine`, and the warnings about it.
     ///
     /// # Errors
     /// Every reason for which it cannot be read, made, or laid on a sheet.
@@ -127,7 +127,7 @@ impl DrawnPiece {
     }
 }
 
-/// What is filled to show the air: the drawn edges where each is closed, else the middle of the bands.
+/// The outlines that are filled to show the air: the drawn edges where each is closed, else the middle of the bands.
 fn regions(shape: &SealedShape, edges: &[Path]) -> Vec<Path> {
     if !edges.is_empty() && edges.iter().all(|edge| edge.closed) {
         return edges.to_vec();
@@ -196,7 +196,7 @@ pub fn figures(spec: &Spec) -> Vec<Path> {
     paths.collect()
 }
 
-/// What `drawing` shows by its roles, and what was resolved as it was read.
+/// The sketch of `drawing` by its roles, and the notes on its repairs.
 fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<String>), Refusals> {
     let read = read(spec, drawing)?;
     roles::refusals(&read, drawing).or(())?;

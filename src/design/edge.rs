@@ -1,9 +1,9 @@
 //! Edges: a part's own, or those of the tool that cuts it.
 
-/// Which lines a drawing of a part has.
+/// The lines of a drawing of a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CutEdge {
-    /// The part's own edges: for what is printed.
+    /// The part's own edges: for printed parts.
     Part,
     /// The middle of the tool that cuts them, half a kerf beside.
     Tool,

@@ -9,10 +9,10 @@ use std::collections::BTreeMap;
 use crate::design::lettering;
 use inflatable::geom::{Line, Path, Point, Vec2};
 
-/// How deep engravings go, mm: two layers of a common print.
+/// Depth of engravings, mm: two layers of a common print.
 const ENGRAVED: f64 = 0.4;
 
-/// How deep a plate of `thickness` is engraved: at most a quarter of it.
+/// Depth of engravings in a plate of `thickness`: at most a quarter of it.
 pub fn engraved_depth(thickness: f64) -> f64 {
     ENGRAVED.min(thickness / 4.0)
 }
@@ -44,8 +44,8 @@ pub(super) struct Spot {
     pub(super) radius: f64,
 }
 
-/// The first of `texts`, each a list of lines, that fits on the spot, as closed outlines: outer ones counterclockwise, those of
-/// what stays within a letter clockwise. Nothing if none fits.
+/// The first of `texts`, each a list of lines, that fits on the spot, as closed outlines: outer ones counterclockwise, islands
+/// within a letter clockwise. Empty if none fits.
 pub(super) fn engraved(texts: &[Vec<String>], spot: &Spot) -> Vec<Path> {
     let fitted = texts.iter().find_map(|lines| {
         let height = (spot.radius / reach(lines)).min(HEIGHTS.1);
@@ -59,7 +59,7 @@ pub(super) fn engraved(texts: &[Vec<String>], spot: &Spot) -> Vec<Path> {
     out
 }
 
-/// How far the middle of each of `count` lines lies above the middle of all, by the height of a capital.
+/// Heights of the middles of `count` lines above the middle of all, by the height of a capital.
 fn rows(count: usize) -> impl Iterator<Item = f64> {
     let count = u32::try_from(count).unwrap_or(u32::MAX);
     (0..count).map(move |i| LINE * (0.5 * f64::from(count - 1) - f64::from(i)))
@@ -142,7 +142,7 @@ fn sides(mark: &[Corner]) -> impl Iterator<Item = (Corner, Corner)> + '_ {
     mark.iter().zip(mark.iter().cycle().skip(1)).map(|(a, b)| (*a, *b))
 }
 
-/// What of the marks' edges lies in no other mark: from, to.
+/// The parts of the marks' edges that lie in no other mark: from, to.
 fn edges_of(marks: &[Vec<Corner>]) -> Vec<[[f64; 2]; 2]> {
     let mut out = Vec::new();
     for (i, mark) in marks.iter().enumerate() {

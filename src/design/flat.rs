@@ -1,4 +1,4 @@
-//! What every product's piece has, flat: seams, tube, cut and fabric.
+//! The flat piece of every product: seams, tube, cut and fabric.
 
 use crate::design::{Circle, CutEdge, DrawnPiece, SHEETS, StarDesign};
 use crate::shape::SealedShape;
@@ -52,7 +52,7 @@ impl<'a> FlatPiece<'a> {
         }
     }
 
-    /// Where it is cut.
+    /// The cut lines.
     pub fn cut(self, edge: CutEdge) -> PieceCut<'a> {
         let (outside, inside, holes, kerf) = match (self, edge) {
             (Self::Star(star), CutEdge::Part) => {
@@ -84,13 +84,13 @@ impl<'a> FlatPiece<'a> {
         }
     }
 
-    /// Mass of the fabric, both sheets, g; `None` where its areal density is not known.
+    /// Mass of the fabric, both sheets, g; `None` where its areal density is unknown.
     pub fn mass(self, fabric: &Fabric) -> Option<f64> {
         // 1 kg/m^2 is 1e-3 g/mm^2.
         fabric.areal_density.map(|density| density.0 * 1e-3 * self.fabric())
     }
 
-    /// The point by which pieces are put in order.
+    /// The point by which pieces are sorted.
     pub fn middle(self) -> Point {
         match self {
             Self::Star(_) => Point::ORIGIN,
@@ -98,7 +98,7 @@ impl<'a> FlatPiece<'a> {
         }
     }
 
-    /// Width of the tube, mm: what marks and labels are sized by.
+    /// Width of the tube, mm: the measure for sizes of marks and labels.
     pub fn tube_width(self) -> f64 {
         match self {
             Self::Star(star) => star.star.w,

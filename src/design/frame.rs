@@ -1,8 +1,8 @@
 //! The frame: plates on posts that keep the arms of every star in its plane.
 //!
 //! All plates carry the same posts and have the same edge; they differ in their **opening**, which lets pass the object
-//! and the corners of the stars beside the plate: the larger inner radius and the clearance. Posts stand outside
-//! of the largest star, turned so that they are as far as can be from every hose.
+//! and the corners of the stars beside the plate: the larger inner radius and the clearance. Posts are outside of the largest
+//! star, turned so that they are as far as can be from every hose.
 
 use std::f64::consts::{PI, TAU};
 
@@ -35,7 +35,7 @@ pub struct Frame {
 pub struct Plate {
     /// Radius of the opening.
     pub opening: f64,
-    /// Which plates of the stack are like this, 1 = bottom.
+    /// Numbers of the stack's plates that are like this, 1 = bottom.
     pub numbers: Vec<usize>,
 }
 
@@ -43,7 +43,7 @@ impl Frame {
     /// The frame of `stack`, whose stars are `stars` from bottom to top.
     ///
     /// # Errors
-    /// If arms would slip through an opening, or posts stand in the way of a hose.
+    /// If arms would slip through an opening, or posts obstruct a hose.
     pub fn new(spec: &Spec, stack: &Stack, stars: &[&StarDesign]) -> Result<Self, Refusals> {
         let frame = &spec.frame;
         let (post, clearance) = (frame.post_diameter.0, frame.clearance.0);
@@ -112,9 +112,9 @@ impl Frame {
     }
 }
 
-/// How far the tips reach when the star is shut as far as it ever goes: arms inflated to 2 W / pi, side by side.
+/// Radius of the tips when the star is closed as far as possible: arms inflated to 2 W / pi, side by side.
 ///
-/// Section 1 of the star's geometry with W -> 2 W / pi and phi_i = 0; a star that holds an object is less shut.
+/// Section 1 of the star's geometry with W -> 2 W / pi and phi_i = 0; a star that holds an object is less closed.
 pub fn shut_reach(star: &Star) -> f64 {
     let (alpha, w) = (star.half_sector(), round_tube(star.w));
     (w + star.r_i + star.r_e) / libm::tan(alpha) + star.l + star.r_i + w
@@ -138,7 +138,7 @@ impl Hose {
 /// Direction of the first post: in the middle of the widest gap between hoses, all seen within one step of the posts.
 fn first_post(count: u32, hoses: &[Hose]) -> f64 {
     let step = TAU / f64::from(count);
-    // A direction at a whole step away from another one is the same, whatever rounding says.
+    // A direction that differs by a whole step is the same one; rounding must not change that.
     let within = |angle: f64| {
         let a = angle.rem_euclid(step);
         if step - a < 1e-9 { 0.0 } else { a }

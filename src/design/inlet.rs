@@ -26,7 +26,7 @@ pub struct Channel {
 struct Junction {
     /// Half the angle of the tip's arc that the channel takes away.
     psi: f64,
-    /// Where the straight side of the channel begins.
+    /// Start of the channel's straight side.
     x: f64,
     /// Distance of the side from the ray.
     y: f64,
@@ -108,7 +108,7 @@ impl Channel {
         Some(2.0 * side)
     }
 
-    /// Where the channel meets the arc of its tip, which turns by `half` to either side of the ray.
+    /// The junction of the channel with the arc of its tip, which turns by `half` to either side of the ray.
     ///
     /// # Errors
     /// If the channel with its strips does not fit on the arc, or ends before it begins.
@@ -133,7 +133,7 @@ impl Channel {
         Ok(junction)
     }
 
-    /// Where the channel meets an arc of radius `rim`; `None` if the channel is wider than that.
+    /// The junction of the channel with an arc of radius `rim`; `None` if the channel is wider than that.
     fn junction(&self, rim: f64, delta: f64, least_radius: f64) -> Option<Junction> {
         let y = self.half_width + delta;
         // The fillet is concave for the seal: its centre is fixed, its radius shrinks with delta.
@@ -147,7 +147,7 @@ impl Channel {
         })
     }
 
-    /// What is to be said of a hose that is thicker than the inflated tube of star `index`.
+    /// The warning about a hose that is thicker than the inflated tube of star `index`.
     pub(super) fn too_thick(&self, index: usize, star: &Star) -> Option<Warning> {
         if 2.0 * self.half_width <= star.w {
             return None;
@@ -195,7 +195,7 @@ impl Channel {
     }
 }
 
-/// The two sides of the channel along `ray` with their fillets and what is left of `arc`: inwards and outwards.
+/// The two sides of the channel along `ray` with their fillets and the remainder of `arc`: inwards and outwards.
 fn sides(ray: f64, arc: &Arc, junction: &Junction, end: f64) -> (Vec<Segment>, Vec<Segment>) {
     let (along, across) = (Vec2::unit(ray), Vec2::unit(ray).perp());
     let at = |x: f64, y: f64| -> Point { arc.center + along * x + across * y };

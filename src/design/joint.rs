@@ -1,4 +1,4 @@
-//! Joints: where a tip is cut off a mask, and the knobs by which it finds its place again.
+//! Joints: the cuts between a mask and its tips, and the knobs that position a tip.
 //!
 //! In the frame of the tip's ray, along +X, the joint is the line x = `at` from one edge of the plate to the other. A
 //! **knob** of the middle is a circle whose centre lies half its radius beyond that line: its neck is 0.87 of its diameter, so it
@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use crate::design::{MaskPlate, Outline, Star};
 use inflatable::geom::{Arc, Bounds, Isometry, Line, Path, Point, Segment, Vec2, intersections};
 
-/// Least plate between a joint and a window, mm: what is left between windows, too.
+/// Least plate between a joint and a window, mm: the same as between windows.
 const BRIDGE: f64 = 4.0;
 
 /// Least plate around knobs, holes and texts, mm.
@@ -18,7 +18,7 @@ pub(super) const WALL: f64 = 2.5;
 /// From the end of a joint to the notch between two tips, mm: at the notch a corner would be left.
 const NOTCH: f64 = 1.5;
 
-/// Between a knob and its socket, mm: what a printer with a 0.4 mm nozzle needs for parts to go together by hand.
+/// Gap between a knob and its socket, mm: enough for parts from a 0.4 mm nozzle to go together without tools.
 const PLAY: f64 = 0.1;
 
 /// Radii of knobs that are tried, mm: smaller ones break.
@@ -30,7 +30,7 @@ const STEP: f64 = 0.5;
 /// Places that are tried at most, so that the search of a large star ends as soon as that of a small one.
 const PLACES: f64 = 250.0;
 
-/// Where one tip is cut off.
+/// The cut of one tip.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct JointCut {
     /// The tip.
@@ -41,11 +41,11 @@ pub(super) struct JointCut {
     at: f64,
     /// Radius of the knobs.
     radius: f64,
-    /// Where they are on the joint.
+    /// Their places along the joint.
     knobs: Vec<f64>,
 }
 
-/// What lies around a joint, in the frame of the tip's ray.
+/// The surroundings of a joint, in the frame of the tip's ray.
 struct Around {
     plate: Path,
     /// Largest radius of a knob.
@@ -54,7 +54,7 @@ struct Around {
     holes: Vec<(Point, f64)>,
 }
 
-/// Where a line x = const meets the plate's edge on either side of the ray.
+/// The two points in which a line x = const meets the plate's edge, on either side of the ray.
 struct Chord {
     /// Ends, with where they are along the edge.
     low: (f64, f64),
@@ -85,7 +85,7 @@ impl JointCut {
         None
     }
 
-    /// The tip's edge and that of what is left of `edge`; `None` if they do not meet as they should.
+    /// The tip's edge and that of the remainder of `edge`; `None` if they do not meet as they should.
     pub(super) fn split(&self, edge: &Path) -> Option<(Path, Path)> {
         let there = Isometry::rotation(-self.ray).path(edge);
         let chord = chord(&there, self.at)?;

@@ -1,4 +1,4 @@
-//! Labels: what stands on a part, as strokes on a layer of their own.
+//! Labels: the text on a part, as strokes on a layer of their own.
 //!
 //! The text runs around a tip, tops outwards, where no inlet and no registration hole is in the way.
 
@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::design::{DrawnPiece, MaskPlate, PlacedPart, StarDesign, lettering};
 use inflatable::geom::{Isometry, Line, Path, Point, Vec2};
 
-/// Height of a capital, mm: what a laser or a pen still writes well, and as high as a label needs to be.
+/// Height of a capital, mm: large enough for a laser or a pen, and as high as a label needs to be.
 const HEIGHTS: (f64, f64) = (1.0, 3.5);
 /// Part of a strip's width that a capital may take; a label keeps clear of the seal and of the cut.
 const FILLING: f64 = 0.45;

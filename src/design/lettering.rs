@@ -1,6 +1,6 @@
-//! Lettering: text as strokes that any cutter or plotter can draw, and that no reader needs a font for.
+//! Lettering: text as strokes that any cutter or plotter can draw, without a font in the reader.
 //!
-//! Every glyph stands on a grid 4 wide and 6 high; a stroke is a chain of grid points, two digits each.
+//! Every glyph is on a grid 4 wide and 6 high; a stroke is a chain of grid points, two digits each.
 
 use inflatable::geom::{Line, Path, Point, Vec2};
 
@@ -9,8 +9,8 @@ pub(super) const CAPITAL: f64 = 6.0;
 /// From one glyph to the next on the grid.
 pub(super) const ADVANCE: f64 = 6.0;
 
-/// The strokes of every glyph: as few as can be, and no line twice, as a laser burns what it passes twice. What is not
-/// here is drawn as a blank.
+/// The strokes of every glyph: as few as can be, and no line twice, as a laser burns a line that it passes twice. Other
+/// characters are drawn as a blank.
 const GLYPHS: [(char, &str); 41] = [
     ('A', "002640 1232"),
     ('B', "030636453433424130000333"),
@@ -66,7 +66,7 @@ pub(super) struct GlyphPlace {
     pub(super) height: f64,
 }
 
-/// The strokes of `c` as points of the grid; none for what is drawn as a blank.
+/// The strokes of `c` as points of the grid; empty for characters drawn as a blank.
 pub(super) fn strokes(c: char) -> Vec<Vec<[u8; 2]>> {
     let Some((_, strokes)) = GLYPHS.iter().find(|(known, _)| *known == c) else { return Vec::new() };
     let point = |xy: &[u8]| [xy[0] - b'0', xy[1] - b'0'];
@@ -103,7 +103,7 @@ pub(super) fn around(text: &str, center: Point, radius: f64, middle: f64, height
     let total = width(text, height);
     let mut out = Vec::new();
     for (i, c) in (0_u32..).zip(text.chars()) {
-        // The middle of this glyph, as far right of the text's middle as it says.
+        // Distance of this glyph's middle to the right of the text's middle.
         let right = f64::from(i) * ADVANCE * scale + 2.0 * scale - total / 2.0;
         let up = Vec2::unit(middle - right / radius);
         let along = -up.perp();

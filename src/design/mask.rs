@@ -15,22 +15,22 @@ pub struct MaskPlate {
     pub plate: Path,
     /// One window a corner, in their order. Closed, counterclockwise.
     pub windows: Vec<Path>,
-    /// How far each window reaches along the gripping edge from its corner's apex, mm.
+    /// Reach of each window along the gripping edge from its corner's apex, mm.
     pub extent: f64,
-    /// How far it would reach if its neighbours left it room, mm: more than `extent` only where the default was cut.
+    /// Reach without neighbouring windows, mm: more than `extent` only where the default was cut.
     pub wanted: f64,
     /// Width of the plate beyond the outline, mm.
     pub border: f64,
 }
 
 impl MaskPlate {
-    /// The mask of the star that `spec` describes, cut as `outline` says.
+    /// The mask of the star that `spec` describes, cut along `outline`.
     ///
-    /// An extent that the spec leaves open is W, but at least the whole hinge and at most what leaves a bridge
-    /// between neighbouring windows.
+    /// An extent that the spec leaves open is W, but at least the whole hinge, and at most the reach that leaves a bridge between
+    /// neighbouring windows.
     ///
     /// # Errors
-    /// If the wanted extent does not fit, or nothing is left of the windows.
+    /// If the requested extent does not fit, or the windows become empty.
     pub fn new(spec: &Spec, star_spec: &StarSpec, star: &Star, outline: &Outline) -> Result<Self, Refusal> {
         let mask = &spec.mask;
         let zone = Zone::new(star, &spec.seal, mask);
@@ -73,7 +73,7 @@ impl MaskPlate {
         Some(Warning { key: key::mask::EXTENT, code: RefusalCode::ShortWindow, found, remedy })
     }
 
-    /// What stands on every page on which the mask of star number `star` is printed.
+    /// The caption of every page on which the mask of star number `star` is printed.
     pub fn caption(star: usize, mirrored: bool) -> String {
         format!("MASK STAR {star}{}", if mirrored { " OTHER SIDE" } else { "" })
     }

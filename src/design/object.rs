@@ -1,6 +1,6 @@
-//! Where the stars of a stack meet the object, and what of it must pass their holes. Lengths in mm.
+//! The contact of a stack's stars with the object, and the part of the object that must pass their holes. Lengths in mm.
 //!
-//! The object stands on the gripper's axis with its middle at the middle of the stack: half way between the lowest and the highest
+//! The object is on the gripper's axis with its middle at the middle of the stack: half way between the lowest and the highest
 //! star. A **ball** of diameter d and height h is the ellipsoid of revolution, r(z) = d/2 sqrt(1 - (2 z / h)^2).
 
 use crate::design::{Refusal, RefusalCode, Star, Warning};
@@ -11,7 +11,7 @@ use crate::units::{Least, Length, Most, Readable};
 const ROOM: f64 = 0.05;
 /// See [`ROOM`], mm.
 const LEAST_ROOM: f64 = 2.0;
-/// A gap below this part of [`room`] is warned of: hand and gripper must be that exactly aligned.
+/// A gap below this part of [`room`] is a warning: hand and gripper must be aligned that exactly.
 const TIGHT: f64 = 0.5;
 
 /// The room around an object of `radius`, mm, with which it enters without exact alignment.
@@ -27,12 +27,12 @@ pub struct Object {
     shape: ObjectShape,
 }
 
-/// What one star meets of the object.
+/// The contact of one star with the object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
     /// Radius of the object at the star's height; 0 where the star passes above or below it.
     pub radius: f64,
-    /// Radius of what must pass the star's hole until the object is in its place.
+    /// Radius of the part that must pass the star's hole until the object is in its place.
     pub entering: f64,
 }
 
@@ -59,8 +59,8 @@ impl Object {
         }
     }
 
-    /// What stars at `heights`, rising, with holes of radii `holes` meet. It enters from that end where more holes let it pass; below if
-    /// that does not decide.
+    /// The contacts of stars at `heights`, rising, with holes of radii `holes`. The object enters from the end where more holes
+    /// let it pass; from below if both ends are equal.
     pub fn meetings(&self, heights: &[f64], holes: &[f64]) -> Vec<Meeting> {
         let middle = match (heights.first(), heights.last()) {
             (Some(low), Some(high)) => 0.5 * (low + high),
@@ -81,13 +81,13 @@ impl Object {
         if passed(&above) > passed(&below) { above } else { below }
     }
 
-    /// What `count` equal stars `pitch` apart with a hole of radius `hole` meet, bottom first.
+    /// The contacts of `count` equal stars `pitch` apart with a hole of radius `hole`, bottom first.
     pub fn equal_meetings(&self, count: u32, pitch: f64, hole: f64) -> Vec<Meeting> {
         let heights: Vec<f64> = (0..count).map(|i| f64::from(i) * pitch).collect();
         self.meetings(&heights, &vec![hole; heights.len()])
     }
 
-    /// What is taken for granted of it between `stars` stars; `None` if nothing is, or one star alone grips its middle.
+    /// The assumption about its shape between `stars` stars; `None` if there is none, or one star alone grips its middle.
     pub fn assumed(load: &Load, stars: usize) -> Option<String> {
         let own = Self::of(load).filter(|_| stars > 1)?;
         let shape = own.shape.word();
@@ -130,7 +130,7 @@ pub fn does_not_enter(spec: &Spec, (inner, hole): (f64, f64), entering: f64) -> 
     Refusal::new(key, RefusalCode::ObjectTooWide, found, remedy)
 }
 
-/// That an object which passes the hole of `star`, number `index`, has little room.
+/// The warning that an object which passes the hole of `star`, number `index`, has little room.
 pub(super) fn tight(spec: &Spec, index: usize, star: &Star, meeting: Meeting) -> Option<Warning> {
     let (hole, entering) = (star.hole(&spec.seal), meeting.entering);
     let (gap, wanted) = (hole - entering, room(Length(entering)).0);

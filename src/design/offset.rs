@@ -14,7 +14,7 @@ pub(super) fn offset(path: &Path, by: f64) -> Option<Path> {
     // To the right of a counterclockwise path is outside.
     let loops = polyline(path).parallel_offset(-by);
     let out = if by > 0.0 {
-        // Where a wedge closes up, islands come out too.
+        // Where a wedge closes up, the offset also has islands.
         loops.iter().max_by(|a, b| a.area().total_cmp(&b.area()))?
     } else {
         loops.first().filter(|_| loops.len() == 1)?

@@ -17,14 +17,14 @@ const WHITE: f64 = 12.7;
 const MARKS: f64 = 4.0;
 /// Height of the strip with ruler, square and name, mm.
 const FOOT: f64 = 28.0;
-/// What neighbouring tiles share, mm: room for tape and for the crosses.
+/// Overlap of neighbouring tiles, mm: room for tape and for the crosses.
 const OVERLAP: f64 = 10.0;
-/// Least width of a large page: ruler, square and name stand side by side.
+/// Least width of a large page: ruler, square and name side by side.
 const LEAST_WIDTH: f64 = 215.0;
-/// Most tiles that are written: nobody tapes more than a hundred pages.
+/// Most tiles that are written: more than a hundred pages are not taped together.
 const MOST_TILES: f64 = 100.0;
 
-/// Largest page, mm: beyond it a PDF's single precision no longer tells 0.001 mm apart, and no plotter has such paper.
+/// Largest page, mm: beyond it a PDF's single precision cannot express 0.001 mm, and no plotter has such paper.
 const LARGEST: f64 = 10_000.0;
 
 /// A size of paper.
@@ -44,9 +44,9 @@ pub enum Paper {
 pub struct Page {
     /// "A1" for row A, column 1; rows count from the top. "OVERVIEW" for the first of several.
     pub name: String,
-    /// The part of the page on which the drawing shows; marks may stand outside.
+    /// The part of the page on which the drawing shows; marks may be outside.
     pub window: Bounds,
-    /// What is on it, in mm from its lower left corner. Shapes run on outside the window, where they are clipped.
+    /// The shapes on it, in mm from its lower left corner. Shapes run on outside the window, where they are clipped.
     pub drawing: Drawing,
 }
 
@@ -63,7 +63,7 @@ impl Paper {
         }
     }
 
-    /// Whether `drawing` can be printed on it: on no more tiles than anyone tapes together, on no page larger than 10 m.
+    /// Whether `drawing` can be printed on it: on at most 100 tiles, and on no page larger than 10 m.
     pub fn takes(self, drawing: &Drawing) -> bool {
         let cut = self.cut(drawing);
         cut.columns * cut.rows <= MOST_TILES && cut.width.max(cut.height) <= LARGEST
@@ -88,7 +88,7 @@ impl Paper {
         pages
     }
 
-    /// How `drawing` is cut into pages without a caption.
+    /// The pages of `drawing` without a caption.
     fn cut(self, drawing: &Drawing) -> TileGrid<'static> {
         let (width, height) = match self {
             Self::Large => {
@@ -111,7 +111,7 @@ impl Paper {
     }
 }
 
-/// How a drawing is cut into pages.
+/// The division of a drawing into pages.
 pub(super) struct TileGrid<'a> {
     paper: Paper,
     pub(super) width: f64,
@@ -120,7 +120,7 @@ pub(super) struct TileGrid<'a> {
     steps: Vec2,
     columns: f64,
     rows: f64,
-    /// Whether only one of its tiles is a page: on the others nothing lies.
+    /// Whether only one of its tiles is a page: the others are empty.
     alone: bool,
     pub(super) caption: &'a str,
 }
@@ -185,7 +185,7 @@ impl TileGrid<'_> {
         }
     }
 
-    /// What the paper is called on its pages.
+    /// The name of the paper on its pages.
     pub(super) fn paper_name(&self) -> String {
         self.paper.name().map_or("ONE LARGE PAGE".to_owned(), str::to_uppercase)
     }
@@ -238,12 +238,12 @@ impl TileGrid<'_> {
     }
 }
 
-/// A point of the foot, from the lower left corner of what every printer prints.
+/// A point of the foot, from the lower left corner of the area that every printer prints.
 pub(super) fn at(x: f64, y: f64) -> Point {
     Point::new(WHITE + x, WHITE + y)
 }
 
-/// Whether a line of the part crosses `cell`, or the part fills it. Every closed path but those of labels is an edge of it.
+/// Whether a line of the part crosses `cell`, or the part fills it. Every closed path except labels is an edge of it.
 fn holds(drawing: &Drawing, cell: &Bounds) -> bool {
     let frame = rectangle(cell);
     let mut around = 0;

@@ -24,9 +24,9 @@ pub struct StarDesign {
     pub outline: Outline,
     /// The coating mask.
     pub mask: MaskPlate,
-    /// Where the tool travels to cut both.
+    /// The paths of the tool that cuts both.
     pub cut: CutLines,
-    /// In which pieces the mask is printed.
+    /// The pieces in which the mask is printed.
     pub pieces: Pieces,
 }
 
@@ -35,7 +35,7 @@ pub struct StarDesign {
 pub struct Realised {
     /// max(R, w/2).
     pub radius: f64,
-    /// From the hinge's edge as drawn to the band's edge, along the hinge's ray: what stays unsealed.
+    /// From the hinge's edge as drawn to the band's edge, along the hinge's ray: the part that stays unsealed.
     pub cusp: f64,
 }
 
@@ -104,22 +104,22 @@ impl StarDesign {
         }
     }
 
-    /// What the band makes of the tips.
+    /// The tips as the band realises them.
     pub fn realised_tip(&self) -> Realised {
         self.star.realised_tip(self.shape.band)
     }
 
-    /// What the band makes of the reentrant corners.
+    /// The reentrant corners as the band realises them.
     pub fn realised_corner(&self) -> Realised {
         self.star.realised_corner(self.shape.band)
     }
 
-    /// Fabric of the star, both sheets, mm^2: what lies inside the cut, registration holes included.
+    /// Fabric of the star, both sheets, mm^2: the area inside the cut, registration holes included.
     pub fn fabric(&self) -> f64 {
         SHEETS * self.outline.area()
     }
 
-    /// Mass of the star's fabric, both sheets, g; `None` where its areal density is not known.
+    /// Mass of the star's fabric, both sheets, g; `None` where its areal density is unknown.
     pub fn mass(&self, fabric: &Fabric) -> Option<f64> {
         // 1 kg/m^2 is 1e-3 g/mm^2.
         fabric.areal_density.map(|density| density.0 * 1e-3 * self.fabric())
@@ -140,12 +140,12 @@ impl StarDesign {
 pub const SHEETS: f64 = 2.0;
 
 impl Star {
-    /// What a band of width `band` (mm) makes of the tips.
+    /// The tips as a band of width `band` (mm) realises them.
     pub fn realised_tip(&self, band: f64) -> Realised {
         realised(self.r_i, self.phi_i, band)
     }
 
-    /// What a band of width `band` (mm) makes of the reentrant corners.
+    /// The reentrant corners as a band of width `band` (mm) realises them.
     pub fn realised_corner(&self, band: f64) -> Realised {
         realised(self.r_e, self.phi_e, band)
     }

@@ -1,9 +1,9 @@
 //! Pieces: a printed mask that is larger than the printer's bed, cut up.
 //!
-//! All windows stay together in the **middle**, so no joint is near one and none can be out of place. What is cut off are
-//! **tips**, as few as can be: each by a **joint** straight across its ray, behind the windows. The middle has **knobs** on
-//! the joint, which lock into sockets of the tip like a jigsaw puzzle's; the straight parts lie against each other and say where
-//! the tip is. The registration holes come with the tips and the middle that they lie in.
+//! All windows stay together in the **middle**, so no joint is near one and none can be out of place. As few **tips** as possible
+//! are cut off, each by a **joint** straight across its ray, behind the windows. The middle has **knobs** on the joint, which
+//! lock into sockets of the tip like a jigsaw puzzle's; the straight parts lie against each other and position the tip. The
+//! registration holes come with the tips and the middle that they lie in.
 
 use crate::design::engraving::Spot;
 use crate::design::joint::{JointCut, RADII, WALL};
@@ -28,13 +28,13 @@ pub struct Piece {
     pub edge: Path,
     /// The tip that was cut off; `None` for the middle and the whole.
     pub tip: Option<u32>,
-    /// How it is turned about the axis to lie on the bed, rad.
+    /// Its rotation about the axis to lie on the bed, rad.
     pub turn: f64,
-    /// How much of the bed it then takes, mm.
+    /// Its extent on the bed, mm.
     pub size: [f64; 2],
 }
 
-/// How a path lies best on a bed.
+/// The best pose of a path on a bed.
 struct Lie {
     turn: f64,
     size: [f64; 2],
@@ -43,7 +43,7 @@ struct Lie {
 }
 
 impl Pieces {
-    /// The pieces of `mask`, whose star is `star`, for a printer with this `bed`; the whole where none is known.
+    /// The pieces of `mask`, whose star is `star`, for a printer with this `bed`; the whole without a `bed`.
     ///
     /// # Errors
     /// If the middle with all windows is too large for the bed, or a tip is.
@@ -111,7 +111,7 @@ impl Pieces {
 }
 
 impl Piece {
-    /// How it lies on the bed; mirrored, for the mask of the other face, all of it is a mirror image.
+    /// Its pose on the bed; mirrored, for the mask of the other face, all of it is a mirror image.
     pub fn motion(&self, mirrored: bool) -> Isometry {
         let sign = if mirrored { -1.0 } else { 1.0 };
         Isometry { mirrored, ..Isometry::rotation(sign * self.turn) }
@@ -145,7 +145,7 @@ fn turns() -> impl Iterator<Item = f64> {
     (0_u32..180).map(|degrees| f64::from(degrees).to_radians())
 }
 
-/// How much of the bed is free beside something of this extent.
+/// Free room on the bed beside something of this extent, mm.
 fn spare(bounds: &Bounds, bed: Bed) -> f64 {
     (bed.width.0 - bounds.width()).min(bed.depth.0 - bounds.height())
 }

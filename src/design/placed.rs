@@ -11,7 +11,7 @@ pub struct PlacedPart {
     pub kind: &'static str,
     /// Number of the piece; of the stars of a stack 1 = bottom.
     pub index: usize,
-    /// Which of the distinct pieces it is, from 0.
+    /// Index of the distinct piece, from 0.
     pub distinct: usize,
     /// Number of its sheet, from 1.
     pub sheet: usize,

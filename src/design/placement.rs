@@ -59,7 +59,7 @@ struct Rows<'a> {
     room: FreeArea,
     /// Most parts in a row.
     columns: usize,
-    /// Where the next part would stand, without the margin.
+    /// The place of the next part, without the margin.
     next: Point,
     row_height: f64,
     in_row: usize,
@@ -69,7 +69,7 @@ struct Rows<'a> {
 }
 
 impl FreeArea {
-    /// What the sheet and the machine leave between the margins.
+    /// The room on the sheet and the machine between the margins.
     fn new(sheet: &Sheet, machine: &Machine) -> Self {
         let area = machine.bench.work_area;
         let side = |extent: Option<Length>, area: Option<Length>| {
@@ -176,7 +176,7 @@ pub(super) fn footprint(shape: &SealedShape, around: &Path, ramp: f64) -> Bounds
         .fold(around.bounds(), Bounds::union)
 }
 
-/// What an extent of the sheet leaves between its margins; without an extent there is no end to it.
+/// The room on the sheet between its margins, mm; infinite without an extent.
 fn on_sheet(extent: Option<Length>, sheet: &Sheet) -> f64 {
     extent.map_or(f64::INFINITY, |length| length.0 - 2.0 * sheet.margin.0)
 }
@@ -187,7 +187,7 @@ fn turned(bounds: &Bounds) -> Bounds {
     Bounds { min: Point::new(-max.y, min.x), max: Point::new(-min.y, max.x) }
 }
 
-/// Up to a tenth of a millimetre: what is needed is never said to be less.
+/// Rounds up to a tenth of a millimetre, so that a reported requirement is never too small.
 fn up(x: f64) -> f64 {
     (x * 10.0).ceil() / 10.0
 }

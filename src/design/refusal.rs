@@ -1,4 +1,4 @@
-//! Why a valid spec has no design.
+//! The reasons why a valid spec has no design.
 
 use std::fmt;
 use std::ops::Deref;
@@ -10,15 +10,15 @@ use crate::spec::{DrawnPlace, KeyPath};
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refusal {
-    /// The key that is best changed, of the star that the refusal speaks of where stars can differ in it.
+    /// The key that is best changed; of the star concerned, where stars can differ in it.
     pub key: KeyPath,
     /// Its code for scripts: "no-arm".
     pub code: RefusalCode,
-    /// What was found, with numbers.
+    /// The finding, with numbers.
     pub found: String,
-    /// What is allowed, and the remedy.
+    /// The allowed values and the remedy.
     pub remedy: String,
-    /// Where in the drawing of the spec.
+    /// The place in the drawing of the spec.
     pub drawn: Option<Box<DrawnPlace>>,
 }
 
@@ -48,21 +48,21 @@ impl fmt::Display for Refusal {
 
 impl std::error::Error for Refusal {}
 
-/// What a person should know about a design although it can be made.
+/// A warning about a design that can be made.
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Warning {
-    /// The key that is best changed, or written to accept what is warned of.
+    /// The key that is best changed, or written to accept the warning.
     pub key: KeyPath,
     /// Its code for scripts: "short-window".
     pub code: RefusalCode,
-    /// What was found, with numbers.
+    /// The finding, with numbers.
     pub found: String,
-    /// What to do about it.
+    /// The remedy.
     pub remedy: String,
 }
 
-/// Every reason at once for which there is no such gripper; as an error it says them all, a line each.
+/// All reasons for which such a gripper cannot be made; as an error it lists them all, a line each.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Refusals(Vec<Refusal>);
 

@@ -13,7 +13,7 @@ use inflatable::geom::{Arc, Point, Segment, Vec2};
 /// Turn of the second hole, rad: 40 degrees, well inside the 150-degree arcs of the paper's tips and far from a mirror image.
 const TURN: f64 = 40.0 * std::f64::consts::PI / 180.0;
 
-/// Where one hole is, in polar coordinates around its tip's centre T.
+/// The place of one hole, in polar coordinates around its tip's centre T.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Site {
     /// The tip.
@@ -32,7 +32,7 @@ impl Site {
     }
 }
 
-/// Where an ear leaves the tip's arc.
+/// The point where an ear leaves the tip's arc.
 struct Root {
     /// Half the angle that the ear takes of the arc, seen from T.
     beta: f64,
@@ -48,7 +48,7 @@ impl Site {
         Root { beta, foot: Vec2::new(rim * libm::cos(beta) - c, rim * libm::sin(beta)).angle() }
     }
 
-    /// Area that the site's ear, if it has one, adds to what the arc of radius `rim` encloses.
+    /// Area that the site's ear, if it has one, adds to the region inside the arc of radius `rim`.
     pub(super) fn ear_area(&self, rim: f64) -> f64 {
         let Some(ear) = self.ear else { return 0.0 };
         let Root { beta, foot } = self.root(ear, rim);

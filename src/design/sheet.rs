@@ -9,15 +9,15 @@ use inflatable::geom::Point;
 /// Everything that is made, exactly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
-    /// The pieces, and what only their product has.
+    /// The pieces, and the data that only their product has.
     pub product: Product,
     /// The sheets.
     pub sheets: Vec<SheetLayout>,
-    /// What a person should know before making it.
+    /// The warnings before it is made.
     pub warnings: Vec<Warning>,
 }
 
-/// What is made.
+/// The product of a spec.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Product {
     /// A gripper of stars.
@@ -82,7 +82,7 @@ impl Design {
         placed.iter().map(piece).collect()
     }
 
-    /// Of every distinct piece the first that is one, in order.
+    /// The first piece of each distinct kind, in order.
     pub fn firsts(&self) -> impl Iterator<Item = &PlacedPart> {
         let placed = self.placed();
         let is_first = |i: &usize| placed[..*i].iter().all(|other| other.distinct != placed[*i].distinct);

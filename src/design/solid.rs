@@ -1,7 +1,8 @@
-//! Solids: plates as a 3-D printer makes them, with what is sunk into their faces, and the picture that shows how the pieces of
-//! a mask belong together.
+//! Solids: plates for a 3-D printer, with the texts sunk into their faces, and the picture that shows how the pieces of a mask
+//! belong together.
 //!
-//! On the layer of labels lie closed outlines here: what is within them is sunk, [`engraved_depth`](crate::design::engraved_depth) deep.
+//! The layer of labels has closed outlines here: the region inside is sunk, [`engraved_depth`](crate::design::engraved_depth)
+//! deep.
 
 use crate::design::engraving::{Spot, engraved};
 use crate::design::joint::WALL;
@@ -80,7 +81,7 @@ impl Drawing {
     }
 }
 
-/// Where there is room for a text on a piece, in the star's frame.
+/// The free room for a text on a piece, in the star's frame.
 fn spot(part: &StarDesign, piece: &Piece) -> Spot {
     piece.spot(&part.star, &part.outline, &part.mask)
 }
@@ -90,7 +91,7 @@ fn moved(spot: &Spot, motion: &Isometry) -> Spot {
     Spot { middle, up: motion.point(spot.middle + spot.up) - middle, ..*spot }
 }
 
-/// What may stand on a piece of a mask, from the most that can be said to the least.
+/// The texts that a piece of a mask may carry, from the longest to the shortest.
 fn mask_texts(star: usize, mirrored: bool, piece: Option<usize>) -> Vec<Vec<String>> {
     let side: [&str; 2] = if mirrored { ["OTHER", "SIDE"] } else { ["THIS", "SIDE UP"] };
     let lines = |side: &[String]| {

@@ -1,7 +1,7 @@
-//! The stack: how high stars and plates stand, and how far each star is turned.
+//! The stack: the heights of stars and plates, and the rotation of each star.
 //!
-//! A star lies between two plates. Between neighbouring stars a plate stands half way; below the first and above
-//! the last one it stands as far away as the neighbour on the other side, but never so near that the inflated tube
+//! A star lies between two plates. Between neighbouring stars a plate is half way; below the first and above
+//! the last one its distance is that of the neighbour on the other side, but never so small that the inflated tube
 //! touches it. A flat tube of width W inflates to a circle of diameter 2 W / pi.
 
 use crate::design::{Refusal, RefusalCode, Refusals, Warning, round_tube};
@@ -42,14 +42,14 @@ pub struct Stack {
 }
 
 impl Stack {
-    /// The stack of `spec`, with plates of the thickness that it says.
+    /// The stack of `spec`, with plates of its thickness.
     ///
     /// # Errors
     /// For every pitch that leaves the inflated tube no room between its plates.
     pub fn new(spec: &Spec) -> Result<Self, Refusals> {
         let thickness = spec.frame.plate_thickness.0;
         let count = spec.stars.len();
-        // What one star needs from its middle to the middle of a plate.
+        // Distance that one star requires from its middle to the middle of a plate.
         let needs = |i: usize| 0.5 * (inflated_height(spec.stars[i].tube_width).0 + thickness);
         let mut refusals = Refusals::new();
         for i in 1..count {
@@ -76,7 +76,7 @@ impl Stack {
         Ok(Self { stars, turns, plates, height: at + thickness / 2.0 })
     }
 
-    /// That the plates on both sides of star `index` are too far apart to keep its arms in their plane.
+    /// The warning that the plates on both sides of star `index` are too far apart to keep its arms in their plane.
     pub(super) fn loose(&self, spec: &Spec, index: usize) -> Option<Warning> {
         let plate = spec.frame.plate_thickness;
         let width = spec.stars.get(index - 1)?.tube_width;

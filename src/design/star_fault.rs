@@ -1,4 +1,4 @@
-//! Which value of a star that cannot be made is out of line.
+//! The value to blame for a star that cannot be made.
 //!
 //! Several values together leave a star no arms, and changing any one of them would do. The refusal names every such
 //! single change, and points at the key whose value is **farthest out of line**, as a
@@ -11,15 +11,15 @@ use crate::design::{Refusal, RefusalCode};
 use crate::spec::{KeyPath, StarSpec, key};
 use crate::units::Readable;
 
-/// Of candidates (key, how far its value is out of line, as a ratio) the one farthest out; of equals the first.
+/// The candidate (key, ratio to the usual value) farthest out of line; the first of equals.
 pub(super) fn blamed<const N: usize>(candidates: [(KeyPath, f64); N]) -> KeyPath {
     let [first, ..] = candidates.as_slice() else { return key::star::POINTS };
     candidates.iter().fold(first, |a, b| if b.1 > a.1 { b } else { a }).0
 }
 
-/// How much farther the value of `key` is than that of the paper's star (5, 50 mm, 30 mm, 30 deg, sharp) on the side where
-/// arms become short. Width and radius are compared with each other, so that a large star is not out of line by its
-/// size; of the two it is the one whose own size is less usual. A radius of half a width counts as twice the usual.
+/// The ratio of the value of `key` to that of the paper's star (5, 50 mm, 30 mm, 30 deg, sharp), on the side where arms become
+/// short. Width and radius are compared with each other, so that a large star is not out of line by its size; of the two, the one
+/// with the less usual size counts. A radius of half a width counts as twice the usual.
 fn out_of_line(spec: &StarSpec, key: KeyPath) -> f64 {
     let (rho, w) = (spec.inner_radius.0, spec.tube_width.0);
     let wide = w / 30.0 >= 50.0 / rho;
@@ -127,7 +127,7 @@ mod tests {
             let refusal = Star::new(&spec).expect_err("no arms");
             assert_eq!((refusal.code, refusal.key), (RefusalCode::NoArm, key), "{refusal}");
             assert!(refusal.remedy.starts_with(&format!("must be: {} ", key.key())), "{refusal}");
-            // What is blamed is also what was found.
+            // The blamed key is named in the finding.
             assert!(refusal.found.contains(&key.key().replace('_', " ")), "{refusal}");
         }
     }

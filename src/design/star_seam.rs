@@ -7,7 +7,7 @@ use crate::spec::{Seal, key};
 use crate::units::{Least, Most, Readable};
 use inflatable::geom::Path;
 
-/// How far the bands of an inlet run past the cut at full contact, mm, so that the cut edge is sealed to its end.
+/// Overrun of an inlet's bands past the cut at full contact, mm, so that the cut edge is sealed to its end.
 pub const MOUTH_OVERRUN: f64 = 1.0;
 
 /// The seam on `side` of `star`, opened by `channel` if there is one and the side is the outer one.
@@ -51,7 +51,7 @@ fn seam(side: Side, center_line: Path, overlap: f64) -> Seam {
 }
 
 pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {
-    // Which of the three is out of line: compared with the defaults, and with the paper's radius.
+    // The value out of line among the three: compared with the defaults, and with the paper's radius.
     let key = blamed([
         (key::star::INNER_RADIUS, 50.0 / star.rho_0),
         (key::seal::BAND, seal.band.0 / 2.0),

@@ -21,10 +21,10 @@ use crate::units::Readable;
 use inflatable::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
 
 /// Width of plate left between neighbouring windows, mm, where there is room for it: a strip of a 2 mm
-/// plate that is narrower breaks when it is peeled off. At worst half of what lies between two apices stays.
+/// plate that is narrower breaks when it is peeled off. At worst half of the plate between two apices stays.
 const BRIDGE: f64 = 4.0;
 
-/// How far the windows of one star reach, mm of the gripping edge from a corner's apex.
+/// Reach of one star's windows, mm along the gripping edge from a corner's apex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Reach {
     /// End of the hinge's arc.
@@ -33,7 +33,7 @@ pub(super) struct Reach {
     pub(super) most: f64,
 }
 
-/// What the windows of one star are made from.
+/// The geometry from which the windows of one star are made.
 #[derive(Clone, Copy)]
 pub(super) struct Zone<'a> {
     star: &'a Star,
@@ -46,11 +46,11 @@ pub(super) struct Zone<'a> {
 
 /// The end of a window on one side: a line across the tube.
 struct WindowCut {
-    /// Where it leaves the tube outside, or meets its mirror image.
+    /// The point where it leaves the tube outside, or meets its mirror image.
     inner: Point,
     /// Whether `inner` is where it meets its mirror image.
     meets: bool,
-    /// Where it meets the hole-side flap's edge.
+    /// The point where it meets the hole-side flap's edge.
     outer: Point,
     /// Angles at which the round edges around P end: outside and at the hole.
     angles: [f64; 2],
@@ -67,7 +67,7 @@ impl<'a> Zone<'a> {
         Self { delta_h: self.delta_h - more, delta_o: self.delta_o - more, creep: self.creep + more, ..self }
     }
 
-    /// How far the windows may reach before the plate between them is too narrow or the arms end.
+    /// Greatest reach of the windows before the plate between them is too narrow or the arms end.
     ///
     /// The edge of the hole-side flap comes ever nearer to the tip's ray, the mirror line between two windows.
     pub(super) fn reach(&self) -> Reach {
@@ -139,7 +139,7 @@ impl<'a> Zone<'a> {
         let (a, x) = if extent < grip * h { (extent / grip, 0.0) } else { (h, extent - grip * h) };
         let c = x - self.creep;
         let straight = a == h && c >= 0.0;
-        // Where the cut crosses a circle around P; straight on beyond the hinge.
+        // The crossing of the cut with a circle around P; straight on beyond the hinge.
         let on_circle = |radius: f64| -> Option<(f64, f64)> {
             if straight {
                 return Some((radius, h));
@@ -148,7 +148,7 @@ impl<'a> Zone<'a> {
             (square >= 0.0).then(|| (square.sqrt(), a + libm::asin(c / radius)))
         };
         let (top, hole_angle) = on_circle(hole)?;
-        // Where it crosses the corner's ray.
+        // The crossing of the cut with the corner's ray.
         let axis = -c / libm::tan(a);
         let round = self.star.r_e - self.delta_o;
         let outside = if round > 0.0 { on_circle(round) } else { straight.then_some((round, h)) };

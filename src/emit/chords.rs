@@ -1,4 +1,4 @@
-//! Chords: a path of lines and arcs as a polygon, for formats that know no arcs.
+//! Chords: a path of lines and arcs as a polygon, for formats without arcs.
 
 use inflatable::geom::{Path, Point, Segment};
 

@@ -1,6 +1,6 @@
 //! DXF drawings (AC1015, millimetres): a polyline with bulges for every path, a layer for every purpose.
 //!
-//! What never changes of a drawing stands in `templates/drawing.dxf`; this room fills in layers and entities.
+//! The constant parts of a drawing are in `templates/drawing.dxf`; this room fills in layers and entities.
 
 use crate::design::{Drawing, Layer, Shape};
 use crate::emit::number::Decimals;
@@ -86,7 +86,7 @@ impl DxfWriter {
         self.out.push('\n');
     }
 
-    /// Begins an object with a handle of its own; `owner` is the skeleton's handle of what holds it.
+    /// Begins an object with a handle of its own; `owner` is the skeleton's handle of its container.
     fn begin(&mut self, kind: &str, owner: &str) {
         self.tag("  0", kind);
         let handle = format!("{:X}", self.handle);

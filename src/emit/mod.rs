@@ -1,4 +1,4 @@
-//! From design and plan to text. Emitters round and spell; they decide nothing.
+//! From design and plan to text. Emitters round and write; they decide nothing else.
 
 mod chords;
 mod dxf;

@@ -18,12 +18,12 @@ impl Decimals {
         Self(Grid::new(n))
     }
 
-    /// The nearest number that the file can say.
+    /// The nearest number that the file can express.
     pub fn round(self, x: f64) -> f64 {
         self.0.round(x)
     }
 
-    /// The nearest point that the file can say.
+    /// The nearest point that the file can express.
     pub fn round_point(self, p: Point) -> Point {
         self.0.round_point(p)
     }
@@ -44,13 +44,13 @@ impl Decimals {
             digits.take(&mut rest, decimals);
             digits.push(b'.');
         }
-        // At least one digit stands before the point.
+        // At least one digit comes before the point.
         digits.take(&mut rest, 1);
         while rest > 0 {
             let count = if rest < 10 { 1 } else { 2 };
             digits.take(&mut rest, count);
         }
-        // One by one: to tell a few bytes for text, and to copy them, takes longer.
+        // One by one: checking a few bytes for UTF-8, and copying them, takes longer.
         for byte in &digits.text[digits.at..] {
             out.push(char::from(*byte));
         }

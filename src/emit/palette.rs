@@ -1,12 +1,12 @@
-//! The colour of each layer in drawings for cutters: laser programs tell by it what to cut, to engrave, and when.
+//! The colour of each layer in drawings for cutters: laser programs choose by it what to cut, to engrave, and when.
 //!
-//! One of the six that are pure, which SVG and DXF both can say. Red cuts everywhere; black never does, for it is a
-//! picture to be engraved.
+//! The colours are the six pure ones, which both SVG and DXF have. Red cuts everywhere; black never does, for it is a picture to
+//! be engraved.
 
 use crate::design::Layer;
 use crate::spec::Colours;
 
-/// A colour as files say it.
+/// A colour in the notations of the file formats.
 pub(super) struct LayerColour {
     /// In SVG.
     pub(super) svg: &'static str,
@@ -39,11 +39,11 @@ pub(super) struct SurfaceColour {
     pub(super) name: &'static str,
     /// Its colour as screens have it, red, green, blue.
     pub(super) color: [u8; 3],
-    /// How much of it is seen: less than 1 lets what lies behind shine through.
+    /// Its opacity: below 1, surfaces behind it shine through.
     pub(super) cover: f64,
 }
 
-/// The surfaces of a scene: fabric and tube as in the preview, bands that are told apart.
+/// The surfaces of a scene: fabric and tube as in the preview, bands in colours that can be distinguished.
 pub(super) const SURFACES: [SurfaceColour; 9] = [
     SurfaceColour { name: "fabric", color: [0xdf, 0xe6, 0xee], cover: 1.0 },
     SurfaceColour { name: "tube", color: [0x9c, 0xc3, 0xe6], cover: 1.0 },

@@ -1,7 +1,7 @@
 //! PDF at 1:1 for printers: pages of lines and curves, content streams uncompressed so that they can be read back.
 //!
 //! One user unit of the content is a millimetre. Every layer is a marked-content sequence under the layer's name. PDF
-//! knows no arcs: each becomes Bézier curves of at most 30 degrees, which leave the circle by less than 4e-7 of the radius.
+//! has no arcs: each becomes Bézier curves of at most 30 degrees, which leave the circle by less than 4e-7 of the radius.
 
 use std::f64::consts::FRAC_PI_6;
 
@@ -16,7 +16,7 @@ use inflatable::geom::{Arc, Path, Point, Segment};
 const POINTS: f64 = 72.0 / 25.4;
 /// Largest page without a larger unit, points: PDF 1.7, annex C.
 const LARGEST: f64 = 14_400.0;
-/// Decimals of a coordinate: a page is below 10 m, where single precision still tells 0.001 mm apart.
+/// Decimals of a coordinate: a page is below 10 m, where single precision still resolves 0.001 mm.
 const DECIMALS: u32 = 4;
 
 /// The pages as a PDF document.
@@ -50,7 +50,7 @@ pub fn pdf(title: &str, pages: &[PaperPage]) -> Vec<u8> {
         dict.finish();
         pdf.stream(content, &stream(page, POINTS / unit)).finish();
     }
-    // The document's identity must not change from build to build; the title stands for it.
+    // The document's identity must not change from build to build; it is made of the title.
     pdf.set_file_id((inert(title, 120).into_bytes(), inert(title, 120).into_bytes()));
     pdf.finish()
 }
@@ -82,7 +82,7 @@ fn stream(page: &PaperPage, scale: f64) -> Vec<u8> {
     content.finish().to_vec()
 }
 
-/// Width, mm, and grey of the strokes of a layer: what is cut is black and thin.
+/// Width, mm, and grey of the strokes of a layer: cut lines are black and thin.
 fn pen(layer: Layer) -> (f32, f32) {
     match layer {
         Layer::PaperMark => (0.15, 0.0),

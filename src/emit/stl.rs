@@ -2,7 +2,7 @@
 //!
 //! Binary, in millimetres, the lower face at Z 0. All faces come from one triangulation in which every edge of the drawing is an
 //! edge (by `spade`, with exact predicates): a triangle is void, solid or sunk by the edges between it and the outside, and a
-//! wall stands wherever two neighbours differ. So the solid is closed.
+//! wall is made wherever two neighbours differ. So the solid is closed.
 
 use std::collections::BTreeMap;
 
@@ -15,10 +15,10 @@ use crate::emit::number::Decimals;
 use crate::emit::text::inert;
 use inflatable::geom::{Path, Point};
 
-/// How far a chord may leave its arc, mm: a fifth of what a fine printer resolves.
+/// Largest distance of a chord from its arc, mm: a fifth of the resolution of a fine printer.
 const CHORD: f64 = 0.02;
 
-/// Decimals of a coordinate; single precision tells them apart up to several metres.
+/// Decimals of a coordinate; single precision resolves them up to several metres.
 const DECIMALS: u32 = 3;
 
 /// Length of the head, which names the solid.
@@ -26,10 +26,10 @@ const HEAD: usize = 80;
 
 type StlTriangles = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
-/// Of an undirected edge: whether plate ends there, whether sunk and plain meet there.
+/// For an undirected edge: whether plate ends there, whether sunk and plain meet there.
 type Changes = BTreeMap<[usize; 2], [bool; 2]>;
 
-/// The plate of `drawing`, `thickness` high, with its labels sunk `depth` deep; `name` stands in its head.
+/// The plate of `drawing`, `thickness` high, with its labels sunk `depth` deep; `name` is in its head.
 pub fn stl(name: &str, drawing: &Drawing, thickness: f64, depth: f64) -> Vec<u8> {
     let mut triangles = StlTriangles::new();
     let mut changes = Changes::new();
@@ -73,7 +73,7 @@ fn insert(path: &Path, change: usize, triangles: &mut StlTriangles, changes: &mu
     let vertices: Vec<FixedVertexHandle> =
         corners.iter().filter_map(|[x, y]| triangles.insert(Point2::new(*x, *y)).ok()).collect();
     for (a, b) in vertices.iter().zip(vertices.iter().cycle().skip(1)) {
-        // The design lets no paths meet; where they did, an edge would be missing and the verifier would say so.
+        // Paths of a design never meet. If two did, an edge would be missing and the verifier would report it.
         if a != b && triangles.can_add_constraint(*a, *b) {
             let _ = triangles.add_constraint(*a, *b);
             let ends = [a.index().min(b.index()), a.index().max(b.index())];
@@ -83,9 +83,9 @@ fn insert(path: &Path, change: usize, triangles: &mut StlTriangles, changes: &mu
     }
 }
 
-/// How high each face reaches, by its index; `None` for void.
+/// The height of each face, by its index; `None` for void.
 fn tops(triangles: &StlTriangles, changes: &Changes, thickness: f64, depth: f64) -> Vec<Option<f64>> {
-    // Of each face: is it plate, is it sunk. The outer one is neither.
+    // For each face: whether it is plate, whether it is sunk. The outer one is neither.
     let mut states: Vec<Option<[bool; 2]>> = vec![None; triangles.num_all_faces()];
     let outer = triangles.outer_face().fix().index();
     states[outer] = Some([false; 2]);

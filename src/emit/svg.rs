@@ -11,9 +11,9 @@ use crate::spec::Colours;
 use crate::units::Length;
 use inflatable::geom::{Path, Point, Segment};
 
-/// One pixel wide at any zoom, so that the line is seen; Inkscape knows it as its hairline, which printer drivers of lasers
-/// get as the thinnest line there is, and so as a cut. Readers of outlines pass over it. It must stand on every
-/// shape: what a group says of `vector-effect` does not reach its members.
+/// One pixel wide at any zoom, so that the line is seen. Inkscape treats it as its hairline; printer drivers of lasers get it as
+/// the thinnest line there is, and so as a cut. Readers of outlines pass over it. It must be on every shape: the `vector-effect`
+/// of a group does not apply to its members.
 const HAIRLINE: [(&str, &str); 2] =
     [("stroke-width", "1"), ("style", "vector-effect:non-scaling-stroke;-inkscape-stroke:hairline")];
 
@@ -151,7 +151,7 @@ impl SvgPage {
                         self.decimals.write(out, arc.radius);
                         out.push(' ');
                         self.decimals.write(out, arc.radius);
-                        // Y points down: what turned counterclockwise turns clockwise.
+                        // Y points down: counterclockwise turns become clockwise.
                         self.point(out, if arc.is_ccw() { " 0 0 0 " } else { " 0 0 1 " }, end);
                     }
                 }

@@ -1,8 +1,8 @@
 //! Names and notes on their way into outputs.
 
-/// The text with every character that could mean something to a controller replaced by `_`, cut to `most` characters.
+/// The text with every character that could have a meaning for a controller replaced by `_`, cut to `most` characters.
 ///
-/// What stays is letters, digits, blanks and `. , - _ + = : /`: no bracket, semicolon, per cent sign, quote,
+/// The result holds letters, digits, blanks and `. , - _ + = : /`: no bracket, semicolon, per cent sign, quote,
 /// line break or control character can come out, and nothing outside ASCII.
 pub(crate) fn inert(text: &str, most: usize) -> String {
     let mut out = String::with_capacity(text.len().min(most));

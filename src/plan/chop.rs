@@ -11,7 +11,7 @@ const STROKES: f64 = 13.0;
 /// The same where a controller joins short moves: now and then a stroke is longer by a part of another one.
 const SHORT_STROKES: f64 = 15.0;
 
-/// How a path is chopped.
+/// The limits by which a path is chopped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chop {
     /// Speed of a stroke, mm/s.
@@ -20,22 +20,22 @@ pub struct Chop {
     pub longest: f64,
     /// Shortest stroke that the controller makes in every direction, mm; 0 where it makes any.
     pub least: f64,
-    /// How the file states moves.
+    /// The precision of moves in the file.
     pub file: Precision,
     /// Acceleration, mm/s^2.
     pub acceleration: f64,
     /// Dwells are multiples of this, s.
     pub step: f64,
-    /// Longest dwell, s: what the iron takes to pass a tenth of the band. Longer, it leaves a scar. Where steps are coarse it is
+    /// Longest dwell, s: the time of the iron for a tenth of the band. A longer one leaves a scar. Where steps are coarse it is
     /// that of two shortest strokes.
     pub rest: f64,
     /// Wait of a move that meets an empty queue, s.
     pub start_delay: f64,
-    /// How the controller steps, if it is one of GRBL's family and all is known that it takes.
+    /// The steps of the controller, if it is one of GRBL's family and all their data are known.
     pub stepper: Option<Stepper>,
 }
 
-/// How the controller steps, if all is known that it takes.
+/// The steps of the controller, if all their data are known.
 fn stepper(motion: &Motion) -> Option<Stepper> {
     let StepRate::AtLeast(rate) = motion.step_rate else { return None };
     Some(Stepper {
@@ -49,7 +49,7 @@ fn stepper(motion: &Motion) -> Option<Stepper> {
 }
 
 impl Chop {
-    /// How a seal of `spec` is chopped on `machine`; `None` where too little is known of the machine.
+    /// The chop of a seal of `spec` on `machine`; `None` where too little is known of the machine.
     pub(super) fn new(spec: &Spec, machine: &Machine) -> Option<Self> {
         let (motion, speed, band) = (&machine.motion, spec.seal.speed.0, spec.seal.band.0);
         let least = motion.least_move();
@@ -74,7 +74,7 @@ impl Chop {
         (length / self.longest - 1e-9).ceil().min(room).max(1.0)
     }
 
-    /// What a stroke costs beside its length: one start, one stop, and the shortest dwell, s.
+    /// Time of a stroke besides its length: one start, one stop, and the shortest dwell, s.
     pub(super) fn cost(&self) -> f64 {
         self.start_delay + self.speed / self.acceleration + self.step
     }
@@ -86,20 +86,20 @@ impl Chop {
         if spared > 0.0 { self.cost() / spared } else { f64::INFINITY }
     }
 
-    /// Steps of the three axes from one position to another; none where the stepper is not known.
+    /// Steps of the three axes from one position to another; 0 where the stepper is unknown.
     pub(super) fn steps(&self, from: [f64; 3], to: [f64; 3]) -> [f64; 3] {
         let Some(stepper) = self.stepper else { return [0.0; 3] };
         let (from, to) = (stepper.at(from), stepper.at(to));
         std::array::from_fn(|i| to[i] - from[i])
     }
 
-    /// Whether the controller makes a move of so many steps, or joins it to the next.
+    /// Whether the controller makes a move of these steps; else it joins it to the next.
     pub(super) fn makes(&self, steps: [f64; 3]) -> bool {
         let most = steps.into_iter().map(f64::abs).fold(0.0, f64::max);
         self.stepper.is_none_or(|stepper| most >= stepper.least_steps)
     }
 
-    /// Time from rest to rest, s, of so many steps along a way of `length` mm.
+    /// Time from rest to rest, s, of these steps along a way of `length` mm.
     pub(super) fn moving(&self, steps: [f64; 3], length: f64) -> f64 {
         let Self { speed, acceleration, .. } = *self;
         let moving = match &self.stepper {

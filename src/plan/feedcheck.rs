@@ -1,4 +1,4 @@
-//! The feed check: ways of 10 mm that must take as long as the seal's speed says.
+//! The feed check: paths of 10 mm with a nominal duration at the seal's speed.
 
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 

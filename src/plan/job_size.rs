@@ -1,4 +1,4 @@
-//! Jobs that nobody means: so many moves that no memory should hold them, or a time that is no day's work any more.
+//! Jobs that are too large to be intended: in the number of moves, for the memory, or in time, for a day's work.
 //!
 //! The limits keep a build within some hundred megabytes, and every figure of a program's comments within the shortest
 //! line that a profile may have.
@@ -131,7 +131,7 @@ mod tests {
         }
     }
 
-    /// What the comments of a program say of its last seam, at the limits: the longest that they can get.
+    /// The comments of a program on its last seam, at the limits: the longest possible ones.
     #[test]
     fn comments_fit_into_the_shortest_line_of_a_profile() {
         // A star of 200 m, the largest there is, has less than a kilometre of seam.

@@ -40,7 +40,7 @@ struct Way {
     /// The piece's box, grown by the reach.
     near: Bounds,
     reach: f64,
-    /// Whether the iron is down, so that it passes above no clamp.
+    /// Whether the iron is down, so that it cannot pass above a clamp.
     low: bool,
 }
 
@@ -53,8 +53,8 @@ struct WayGroup {
 /// Ways in a block: as many as make boxes and their contents about equally long to look through.
 const BLOCK: usize = 32;
 
-/// Why the seals, or else the traces, cannot be run between the clamps of `machine`: one reason a clamp, that of the first way
-/// that it meets.
+/// The reasons why the seals, or else the traces, cannot be run between the clamps of `machine`: one reason a clamp, that of the
+/// first way that it meets.
 pub(super) fn clamps_in_the_way(
     spec: &Spec,
     machine: &Machine,
@@ -99,7 +99,7 @@ fn listed(pieces: &[PieceName]) -> String {
     pieces.first().map_or(String::new(), ToString::to_string) + &numbers.collect::<String>()
 }
 
-/// The ways of a program: contacts first, for a clamp in a seal's way is best told so.
+/// The ways of a program: contacts first, as a clamp in a seal's way is best reported as such.
 fn ways(number: usize, program: &Program, reach: f64) -> Vec<Way> {
     let way = |what, piece: Segment, reach: f64, low| Way {
         what,

@@ -1,4 +1,4 @@
-//! The lowest feed that a controller holds, and what follows where the seal is slower.
+//! The lowest feed that a controller holds, and the refusals where the seal is slower.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -97,7 +97,8 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     ))
 }
 
-/// At which speed a controller runs what is told to go at `speed`, mm/s; `range` holds the lowest it has in any direction.
+/// The actual speed of a controller for the programmed `speed`, mm/s, in words; `range` holds its lowest speeds over all
+/// directions.
 fn runs(motion: &Motion, speed: f64, range: (f64, f64)) -> String {
     if let Some(part) = rounded_up(motion, speed) {
         let percent = (1000.0 * part - 1e-9).ceil() / 10.0;
@@ -131,7 +132,7 @@ fn slow_ramps(spec: &Spec, machine: &Machine, lowest: f64) -> Refusal {
     )
 }
 
-/// Why there is no time for dwells: in strokes of half a band at most, each has to have one, of a step or two.
+/// The refusal where there is no time for dwells: in strokes of half a band at most, each needs one, of a step or two.
 fn too_fast_to_chop(spec: &Spec, chop: &Chop) -> Option<Refusal> {
     let (speed, stroke) = (spec.seal.speed, spec.seal.band.0 / 2.0);
     if 2.0 * chop.least > stroke {
@@ -156,8 +157,8 @@ fn too_fast_to_chop(spec: &Spec, chop: &Chop) -> Option<Refusal> {
     ))
 }
 
-/// The iron would have to rest for too long in one place: around a corner, where the controller joins moves of few steps, or
-/// after every stroke, where strokes are long because the axes speed up slowly.
+/// The refusal of a rest that is too long in one place: around a corner, where the controller joins moves of few steps, or after
+/// every stroke, where strokes are long because the axes speed up slowly.
 fn long_rest(chop: &Chop, program: &Program) -> Option<Refusal> {
     if program.overdue <= 0.0 {
         return None;
@@ -226,7 +227,7 @@ fn cannot_chop(machine: &Machine, speed: f64) -> Refusal {
     Refusal::new(
         key::machine::FEED_FLOOR,
         RefusalCode::NoChop,
-        format!("the profile {} does not know {}", machine.name, missing.join(" and ")),
+        format!("the profile {} does not have {}", machine.name, missing.join(" and ")),
         "write them, or `chop_feed` and `acceleration`, in [motion] of your own profile".to_owned(),
     )
 }
@@ -241,7 +242,7 @@ pub(super) fn lowest_along(motion: &Motion, mut way: impl Iterator<Item = (Segme
     way.try_fold(0.0_f64, |most, (piece, rise)| Some(most.max(lowest_speed(motion, &piece, rise)?)))
 }
 
-/// What is travelled below travel height: each piece with the change of height along it.
+/// The pieces travelled below travel height, each with the change of height along it.
 pub(super) fn contact(steps: &[Step]) -> impl Iterator<Item = (&Segment, f64)> {
     steps.iter().flat_map(|step| {
         let (pieces, rise): (&[Segment], f64) = match step {

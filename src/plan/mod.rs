@@ -1,8 +1,8 @@
-//! The plan: what the machine does, step by step, in no controller's language.
+//! The plan: the steps of the machine, independent of any controller's language.
 //!
 //! A [`Program`] is a list of [`Step`]s in the sheet's frame. The preview and the G-code are both made
 //! from it, so they cannot disagree about order, direction, starts and overlaps. The plan decides all of
-//! that, and also how long a single move is; the emitters only round and spell.
+//! that, and also how long a single move is; the emitters only round and write.
 
 mod chop;
 mod feedcheck;

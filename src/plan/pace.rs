@@ -1,26 +1,26 @@
-//! Pace: how fast the iron moves in contact, and what is done where the controller cannot go that slowly.
+//! Pace: the speed of the iron in contact, and the way to reach it where the controller cannot go that slowly.
 //!
 //! A **chopped** path is cut into **strokes**, each travelled at a feed that the controller holds and followed by a
 //! dwell, so that the mean speed is the seal's. A stroke of length L at speed s from rest to rest takes
-//! `L/s + s/a` (`2 sqrt(L/a)` if s is not reached), a being the acceleration, or what a [`crate::plan::Stepper`] says; the dwell fills
-//! up to `L/v`. Controllers round dwells up to a step; what a stroke is early or late is carried to the next one, so the
-//! iron is never off its schedule by more than half a step. Lengths and steps are those of the file, whose positions are
-//! rounded. Strokes are so long that each has a dwell; where the path is in shorter pieces, and one has none, the controller
-//! runs on into the next, and both are timed as one stroke. A controller may join a move of a few steps to the next one
-//! (Marlin): no dwell follows such a move, for it would come before the move is made.
+//! `L/s + s/a` (`2 sqrt(L/a)` if s is not reached), a being the acceleration, or the time of a [`crate::plan::Stepper`]. The
+//! dwell fills up to `L/v`. Controllers round dwells up to a step; the time error of a stroke is carried to the next one, so the
+//! iron is never off its schedule by more than half a step. Lengths and steps are those of the file, whose positions are rounded.
+//! Strokes are so long that each has a dwell; where the path is in shorter pieces, and one has none, the controller runs on into
+//! the next, and both are timed as one stroke. A controller may join a move of a few steps to the next one (Marlin): no dwell
+//! follows such a move, for it would come before the move is made.
 
 use crate::plan::chop::Chop;
 use crate::plan::written::Written;
 use crate::spec::{FeedFloor, Machine, Spec};
 use inflatable::geom::Segment;
 
-/// By how much the iron may be early after a stop beside half of a dwell's step, s: what rounding leaves.
+/// Largest time by which the iron may be early after a stop, beside half of a dwell's step, s: rounding.
 const OVERDUE: f64 = 0.01;
 
-/// How the seal's speed is made.
+/// The way in which the seal's speed is reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pace {
-    /// The controller goes as slowly as it is told.
+    /// The controller can move at the programmed speed.
     Steady,
     /// Strokes and dwells.
     Chopped(Chop),
@@ -53,7 +53,7 @@ pub struct Pacer {
     run: PacedRun,
 }
 
-/// What was travelled since the iron stood still.
+/// The run since the iron last rested.
 #[derive(Clone, Copy, Debug, Default)]
 struct PacedRun {
     steps: [f64; 3],
@@ -65,7 +65,7 @@ struct PacedRun {
 }
 
 impl Pace {
-    /// The pace of a program on a controller that holds `lowest`, mm/s, all along its way, if that is known.
+    /// The pace of a program on a controller that holds `lowest`, mm/s, all along its way; `None` if unknown.
     pub(super) fn new(spec: &Spec, machine: &Machine, lowest: Option<f64>) -> Self {
         let speed = spec.seal.speed.0;
         let slow_enough = lowest.is_some_and(|lowest| lowest <= speed * (1.0 + 1e-9));
@@ -107,10 +107,10 @@ impl Pacer {
         }
     }
 
-    /// The most by which the iron was early where it stood still for as long as it may, s; a dwell's step is none.
+    /// The most by which the iron was early at a rest of the longest allowed time, s; 0 if that is within a dwell's step.
     ///
-    /// Around a sharp corner beside a short piece a controller that joins short moves has made hardly any steps when more time
-    /// has passed than it may rest in one place.
+    /// Around a sharp corner beside a short piece, a controller that joins short moves may have made hardly any steps when the
+    /// longest rest in one place is already over.
     pub(super) fn overdue(&self) -> f64 {
         let Pace::Chopped(chop) = self.pace else { return 0.0 };
         Some(self.overdue).filter(|early| *early > 0.5 * chop.step + OVERDUE).unwrap_or(0.0)
@@ -213,7 +213,7 @@ mod tests {
             let mut pacer = Pacer::new(Pace::Chopped(chop), 0.5);
             pacer.strokes(&line, None, |stroke| strokes.push(stroke));
             assert!(strokes.iter().any(|stroke| stroke.dwell == 0.0), "strokes too short for dwells");
-            // What the controller makes of it.
+            // The timing on the controller.
             let (mut begun, mut seconds) = (0.0, 0.0);
             for stroke in &strokes {
                 let end = stroke.piece.end().x;

@@ -13,7 +13,7 @@ pub const LONGEST_MOVE: f64 = 5.0;
 /// The largest sagitta of a chord, as a part of the tolerance; rounding takes a tenth at most.
 const COARSE: f64 = 0.8;
 
-/// How paths are cut into pieces.
+/// The rules by which paths are cut into pieces.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cuts {
     /// Longest piece, mm.
@@ -39,9 +39,9 @@ impl Cuts {
         Self { longest: LONGEST_MOVE, stroke, ..Self::of_trace(spec, machine) }
     }
 
-    /// The cuts of a trace. Nothing waits there, so moves are as long as the segments; arcs are cut at 90 degrees all the same.
+    /// The cuts of a trace. A trace has no dwells, so moves are as long as the segments; arcs are cut at 90 degrees all the same.
     pub(super) fn of_trace(spec: &Spec, machine: &Machine) -> Self {
-        // A little less than what is written as a straight move where there are arcs.
+        // A little shorter than a piece that is written as a straight move where there are arcs.
         let path = spec.accuracy.path.0;
         let sagitta = (!machine.controller.arcs).then_some([0.996 * STRAIGHT * path, COARSE * path]);
         Self { longest: f64::INFINITY, sagitta, stroke: None }

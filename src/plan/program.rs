@@ -5,7 +5,7 @@ use crate::shape::{PieceName, SeamName};
 use crate::units::Temperature;
 use inflatable::geom::{Point, Segment};
 
-/// What a program is for.
+/// The purpose of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// Sealing, hot.
@@ -17,21 +17,21 @@ pub enum Purpose {
 /// One program of one sheet, for one piece or several.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
-    /// What it is for.
+    /// Its purpose.
     pub purpose: Purpose,
     /// Number of its sheet, from 1.
     pub sheet: usize,
     /// The pieces it covers, in the order of sealing.
     pub pieces: Vec<PieceName>,
-    /// What is done, in order.
+    /// The steps, in order.
     pub steps: Vec<Step>,
     /// The seams it seals, in order; empty for a trace.
     pub seams: Vec<SeamReport>,
-    /// How the seal's speed is made.
+    /// The way in which the seal's speed is reached.
     pub pace: Pace,
-    /// Time for all of it without heating and pauses, s.
+    /// Time of all steps without heating and pauses, s.
     pub time: f64,
-    /// By how much the iron is early, at most, after the longest rest that leaves no scar, s; 0 where it is on time.
+    /// Largest time by which the iron is early after the longest rest that leaves no scar, s; 0 where it is on time.
     pub overdue: f64,
 }
 
@@ -40,7 +40,7 @@ pub struct Program {
 pub enum Step {
     /// Straight up or down to a level, away from the fabric.
     Height(Height),
-    /// The iron gets hot, and whoever heats it says so.
+    /// Heating; the operator or the controller confirms it.
     Heat(Temperature),
     /// In a straight line, at the height where it is, clear of the fabric.
     Travel(Point),

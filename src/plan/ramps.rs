@@ -6,14 +6,14 @@ use crate::spec::{Machine, Spec, key};
 use crate::units::Least;
 use inflatable::geom::{Point, Segment};
 
-/// Shortest way in the plane, mm, of a move on a ramp: programs tell two places apart that are a fifth of the tolerance from each
-/// other, and 0.002 mm, whatever the tolerance.
+/// Shortest way in the plane, mm, of a move on a ramp: a program can express two places that are a fifth of the tolerance from
+/// each other, and 0.002 mm, whatever the tolerance.
 fn shortest(spec: &Spec) -> f64 {
     (0.2 * spec.accuracy.path.0).clamp(2e-6, 2e-3)
 }
 
-/// The pieces of a ramp without **crumbs**: those from which a program could not tell its start from its end. The piece after a crumb
-/// begins where the one before it ends, so the way moves by less than a crumb; where the ramp begins and ends is as it was.
+/// The pieces of a ramp without **crumbs**: pieces whose start and end are the same in a program. The piece after a crumb begins
+/// where the one before it ends, so the way moves by less than a crumb; start and end of the ramp do not change.
 pub(super) fn without_crumbs(pieces: Vec<Segment>, spec: &Spec) -> Vec<Segment> {
     let least = shortest(spec);
     let Some(end) = pieces.last().map(Segment::end) else { return pieces };

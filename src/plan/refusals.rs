@@ -11,7 +11,7 @@ use crate::spec::{Machine, Spec};
 
 /// Every reason for which `machine` cannot run the sealing programs, or the traces, as they are.
 pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Program]) -> Refusals {
-    // What follows goes through all moves.
+    // The checks below go through all moves.
     if let Some(refusal) = too_long(spec, seals) {
         return refusal.into();
     }

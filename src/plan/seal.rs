@@ -8,10 +8,10 @@ use crate::shape::{LaidSeam, PlacedPiece, laid_seams};
 use crate::spec::{Machine, ProgramScope, Spec};
 use inflatable::geom::{Path, Point, Segment};
 
-/// A sheet, and pieces on it in the order of sealing: what one program covers.
+/// A sheet, and pieces on it in the order of sealing: the content of one program.
 pub(super) type Batch<'a> = (usize, Vec<PlacedPiece<'a>>);
 
-/// What every program covers, by the spec's choice of one a star or one a sheet.
+/// The pieces of every program, by the spec's choice of one a star or one a sheet.
 pub(super) fn batches(design: &Design, scope: ProgramScope) -> Vec<Batch<'_>> {
     match scope {
         ProgramScope::Piece => {
@@ -33,7 +33,7 @@ pub fn seal_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Pro
     batches(design, spec.machine.program).into_iter().map(program).collect()
 }
 
-/// What the program of a batch covers.
+/// The scope of a batch's program.
 pub(super) fn scope(purpose: Purpose, sheet: usize, pieces: &[PlacedPiece<'_>]) -> Scope {
     Scope { purpose, sheet, pieces: pieces.iter().map(|piece| piece.name.clone()).collect() }
 }

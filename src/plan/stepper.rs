@@ -1,15 +1,15 @@
-//! How long a controller that steps as GRBL or as Marlin does takes for a stroke from rest to rest.
+//! The time that a controller which steps as GRBL or as Marlin takes for a stroke from rest to rest.
 //!
-//! One of GRBL's family makes whole steps of the axis that has most of them, in **segments**: as many whole ticks (10 ms) as it takes to get
-//! a step and a quarter farther. Within a segment the steps are even; they are those that the ideal ramp has made by its
-//! end, and what that is ahead of a whole step is left to the next one. Where the timer cannot wait as long as a step
-//! should take, the step comes earlier, so the slow ends of a ramp are faster than told. The end of speeding up is counted
-//! from the beginning of its segment, which is too long where the segment has more ticks than one: it was written for
-//! segments of one (repository gnea/grbl, stepper.c, `st_prep_buffer`, `RAMP_ACCEL`; planner.c).
+//! One of GRBL's family makes whole steps of the axis that has most of them, in **segments**: as many whole ticks (10 ms) as it
+//! takes to get a step and a quarter farther. Within a segment the steps are even; they are those that the ideal ramp has made by
+//! its end, and the fraction of a step is left to the next one. Where the timer cannot wait as long as a step should take, the
+//! step comes earlier, so the slow ends of a ramp are faster than programmed. The end of speeding up is counted from the
+//! beginning of its segment, which is too long where the segment has more ticks than one: it was written for segments of one
+//! (repository gnea/grbl, stepper.c, `st_prep_buffer`, `RAMP_ACCEL`; planner.c).
 
 use crate::plan::whole_rates::WholeRates;
 
-/// What is known of the way in which a controller steps.
+/// The properties of a controller's stepping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stepper {
     /// Steps per mm of X, Y and Z.
@@ -26,9 +26,9 @@ pub struct Stepper {
     pub least_steps: f64,
 }
 
-/// Steps that a segment makes at least, but for the last.
+/// Least steps of a segment, except the last.
 const LEAST: f64 = 1.25;
-/// A stroke that takes longer than this, s, is as long as told: its two ramps do not count.
+/// A stroke that takes longer than this, s, takes its nominal time: its two ramps do not count.
 const LONG: f64 = 10.0;
 /// Rounding of a step.
 const ROUNDING: f64 = 1e-9;
@@ -40,7 +40,7 @@ struct Trapezoid {
     top: f64,
     /// Time of each ramp, s.
     ramp: f64,
-    /// Time of all of it, s.
+    /// Time of the whole stroke, s.
     total: f64,
 }
 
@@ -51,7 +51,7 @@ impl Trapezoid {
         Self { length, acceleration, top, ramp, total: length / top + ramp }
     }
 
-    /// What is travelled at the time `t`.
+    /// The way travelled at the time `t`, mm.
     fn way(&self, t: f64) -> f64 {
         let left = self.total - t;
         if left <= 0.0 {
@@ -72,7 +72,7 @@ impl Stepper {
         std::array::from_fn(|i| (position[i] * self.steps_per_mm[i]).round())
     }
 
-    /// Time for so many steps of the three axes, s, from rest to rest, at `speed` mm/s with an acceleration of `acceleration`
+    /// Time for these steps of the three axes, s, from rest to rest, at `speed` mm/s with an acceleration of `acceleration`
     /// mm/s^2: of each axis, or along the way where every step has a rate of its own (Marlin, M204).
     pub fn seconds(&self, steps: [f64; 3], speed: f64, acceleration: f64) -> f64 {
         let way: [f64; 3] = std::array::from_fn(|i| (steps[i] / self.steps_per_mm[i]).abs());
@@ -131,7 +131,7 @@ impl Stepper {
             if t >= ideal.total || (counted >= ticks - ROUNDING && ideal.way(t) >= enough - ROUNDING) {
                 return (counted, t);
             }
-            // What is counted too long may be longer than a tick.
+            // A time that is counted too long may exceed a tick.
             while counted >= ticks - ROUNDING {
                 ticks += self.tick;
             }
@@ -139,10 +139,9 @@ impl Stepper {
     }
 }
 
-/// The time that FluidNC gives a step which should take `told`, s. It reckons how far to divide a step (by 8 at most) with
-/// a product of 32 bits, which wraps around at every multiple of 26.8 ms: a step that takes one of them to half a per cent
-/// is divided too little, and cut off at 16 bits of 20 MHz (repository bdring/FluidNC, Stepper.cpp, `timerTicks *
-/// amassFactor`).
+/// The time that FluidNC gives a step which should take `told`, s. It computes the divisor of a step (8 at most) with a product
+/// of 32 bits, which wraps around at every multiple of 26.8 ms: a step that takes one of them to half a per cent is divided too
+/// little, and cut off at 16 bits of 20 MHz (repository bdring/FluidNC, Stepper.cpp, `timerTicks * amassFactor`).
 fn wrapped(told: f64) -> f64 {
     const HZ: f64 = 20e6;
     const WRAP: f64 = 4_294_967_296.0;
@@ -183,7 +182,7 @@ mod tests {
     /// 1.2 times its lowest speed, mm/s.
     const SPEED: f64 = 0.64741;
 
-    /// Reckoned with the firmware's rules in 32-bit floats, as it does itself, by `tests/machines/clock`.
+    /// Calculated with the firmware's rules in 32-bit floats, as it does itself, by `tests/machines/clock`.
     #[test]
     fn strokes_take_as_long_as_on_the_controller() {
         for (acceleration, steps, seconds) in [
@@ -207,7 +206,7 @@ mod tests {
         let ideal = 0.2 / SPEED + SPEED / 500.0;
         assert!((fine.seconds([160.0, 0.0, 0.0], SPEED, 500.0) - ideal).abs() < 1e-3);
         assert_eq!(fine.seconds([0.0; 3], SPEED, 500.0), 0.0);
-        // Slow enough to be no matter of ramps, and quick to tell.
+        // Slow enough for ramps not to matter, and quick to calculate.
         assert!((fine.seconds([8e6, 0.0, 0.0], 1e-3, 10.0) - 1e7).abs() < 1.0);
     }
 }

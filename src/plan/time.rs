@@ -1,6 +1,6 @@
 //! Exact time: lengths over speed in contact, dwells, travels that speed up and brake.
 //!
-//! Heating and pauses last as long as the operator and the heater want: they are not counted. At the seal's speed
+//! Heating and pauses depend on the heater and the operator: they are not counted. At the seal's speed
 //! acceleration does not count (a hundredth of a second at each corner at most); where a path is chopped it does.
 
 use crate::plan::lowest_feed::lowest_of;
@@ -11,7 +11,7 @@ use crate::shape::PieceName;
 use crate::spec::{Machine, Process, Spec};
 use inflatable::geom::{Point, Segment};
 
-/// Follows a program step by step, and knows how long it has taken.
+/// Follows a program step by step and adds up its time.
 #[derive(Clone, Debug)]
 pub struct Clock<'a> {
     machine: &'a Machine,
@@ -67,10 +67,10 @@ pub fn height_of(process: &Process, level: Height) -> f64 {
     }
 }
 
-/// What a program covers.
+/// The scope of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scope {
-    /// What it is for.
+    /// Its purpose.
     pub purpose: Purpose,
     /// Number of its sheet, from 1.
     pub sheet: usize,
@@ -100,13 +100,13 @@ impl Program {
         Self { purpose, sheet, pieces, steps, seams, pace, time, overdue }
     }
 
-    /// When each of its steps is done, s from the beginning: one time a step, the last one is that of the whole program.
+    /// The end of each of its steps, s from the beginning: one time a step, the last one is that of the whole program.
     pub fn timeline(&self, spec: &Spec, machine: &Machine) -> Vec<f64> {
         times_of(&self.steps, self.pace, machine, spec).0
     }
 }
 
-/// When each of `steps` is done, s, without heating and pauses; and by how much the iron is early, at most, after a stop.
+/// The end of each of `steps`, s, without heating and pauses; and the largest time by which the iron is early after a stop.
 fn times_of(steps: &[Step], pace: Pace, machine: &Machine, spec: &Spec) -> (Vec<f64>, f64) {
     let (speed, level) = (spec.seal.speed.0, machine.process.heights.travel.0);
     let file = Precision { path: spec.accuracy.path, arcs: machine.controller.arcs };

@@ -1,18 +1,18 @@
-//! How long a travel takes: a way without contact, from rest or from a bend to the next.
+//! The time of a travel: a way without contact, from rest or from a bend to the next.
 //!
-//! Where G0 has no feed of its own every axis goes at most at the travel speed, so a diagonal is faster; where it has one
-//! (F), that holds along the way. Acceleration holds along the way for Klipper (`max_accel`) and Marlin (M204), for each axis
-//! elsewhere (GRBL $120 to $122; RepRapFirmware M201; LinuxCNC MAX_ACCELERATION). Two controllers do not stop where a
-//! level way meets one straight up or down.
+//! Where G0 has no feed of its own, every axis is limited to the travel speed, so a diagonal is faster. Where it has one (F), the
+//! limit holds along the way. Acceleration is limited along the way for Klipper (`max_accel`) and Marlin (M204), for each axis
+//! elsewhere (GRBL $120 to $122; RepRapFirmware M201; LinuxCNC MAX_ACCELERATION). Two controllers do not stop where a level way
+//! meets one straight up or down.
 
 use crate::spec::{Dialect, Machine};
 
-/// How a dialect travels: whether its speed holds along the way, whether its acceleration does, and the speed, mm/s, at
-/// which it passes a right angle between a level way and one straight up or down.
+/// The travel of a dialect: whether its speed holds along the way, whether its acceleration does, and the speed, mm/s, at which
+/// it passes a right angle between a level way and one straight up or down.
 ///
 /// Klipper: printer.cfg, `square_corner_velocity`, 5 by default; RepRapFirmware: M566 Z, 10 mm/s by default (Configuration.h,
-/// DefaultZInstantDv). The junction deviations of GRBL and Marlin leave less than 0.6 mm/s at 10 mm/s^2, and what a faster
-/// machine gains is less than 0.03 s: they are not counted.
+/// DefaultZInstantDv). The junction deviations of GRBL and Marlin leave less than 0.6 mm/s at 10 mm/s^2; a faster machine gains
+/// less than 0.03 s: they are not counted.
 fn habits(dialect: Dialect) -> (bool, bool, f64) {
     match dialect {
         Dialect::Generic => (true, false, 0.0),

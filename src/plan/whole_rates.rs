@@ -1,6 +1,6 @@
-//! How long Marlin takes for a stroke from rest to rest.
+//! The time that Marlin takes for a stroke from rest to rest.
 //!
-//! A rate is a whole number of steps a second, rounded up where it is told. A ramp begins at the rate that is reached on
+//! A rate is a whole number of steps a second, rounded up. A ramp begins at the rate that is reached on
 //! average within its first step, and changes at every step by the time that the ramp has taken (repository
 //! MarlinFirmware/Marlin, module/planner.cpp, `_populate_block` and `calculate_trapezoid_for_block`; module/stepper.cpp,
 //! `block_phase_isr`). Up to 2.0.x a ramp begins and ends at 120 steps/s at least (`MINIMAL_STEP_RATE`), so that the first step
@@ -8,8 +8,8 @@
 
 use crate::spec::{Motion, StepRate};
 
-/// By which part a steady contact at `speed` mm/s may be too fast, in the direction that is worst, because step rates are
-/// rounded up to whole ones, and to the lowest there is; `None` where they are not, or the steps are not known.
+/// The fraction by which a steady contact at `speed` mm/s may be too fast in the worst direction, because step rates are rounded
+/// up to whole ones, and to the lowest there is; `None` where they are not, or the steps are unknown.
 ///
 /// The lowest rate r is that along the diagonal on which X and Y step equally often: it becomes the next whole rate n, and a
 /// rate a little above n becomes n + 1.
@@ -23,7 +23,7 @@ pub(super) fn rounded_up(motion: &Motion, speed: f64) -> Option<f64> {
 
 /// Rates of a stroke, steps/s.
 pub(super) struct WholeRates {
-    /// Where a ramp begins and ends.
+    /// The rate at which a ramp begins and ends.
     slow: f64,
     even: f64,
     /// Steps/s^2.
@@ -32,7 +32,7 @@ pub(super) struct WholeRates {
     has_first: bool,
 }
 
-/// More steps than this are as long as told: their two ramps do not count.
+/// More steps than this take their nominal time: their two ramps do not count.
 const MANY: f64 = 1e4;
 /// Speed of a ramp's ends where the first step has a rate of its own, mm/s (Configuration_adv.h, `MINIMUM_PLANNER_SPEED`).
 const END_SPEED: f64 = 0.05;
@@ -53,7 +53,7 @@ impl WholeRates {
         }
     }
 
-    /// Time for so many steps, s.
+    /// Time for these steps, s.
     pub(super) fn seconds(&self, steps: f64) -> f64 {
         if steps > MANY {
             steps / self.even

@@ -1,6 +1,6 @@
-//! What a file states of a piece: its ends as they are rounded, and a straight move where an arc is as good.
+//! A piece as a file states it: its ends as they are rounded, and a straight move where an arc is as good.
 //!
-//! A controller steps to the positions of the file, so whoever counts its steps has to begin with these.
+//! A controller steps to the positions of the file, so a count of its steps must begin with these.
 
 use crate::units::Length;
 use inflatable::geom::{Grid, Segment};
@@ -12,12 +12,12 @@ pub(super) const STRAIGHT: f64 = 0.25;
 pub fn is_straight(piece: &Segment, path: Length) -> bool {
     let Segment::Arc(arc) = piece else { return true };
     let within = STRAIGHT * path.0;
-    // `1 - cos x <= x^2 / 2` tells most without a cosine.
+    // `1 - cos x <= x^2 / 2` decides most cases without a cosine.
     let at_most = arc.radius * arc.sweep * arc.sweep / 8.0;
     at_most <= within || arc.radius * (1.0 - libm::cos(arc.sweep / 2.0)) <= within
 }
 
-/// How a file states moves.
+/// The precision of moves in a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Precision {
     /// Tolerance of the file, mm, by which positions are rounded.
@@ -29,9 +29,9 @@ pub struct Precision {
 /// A move as a file states it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Written {
-    /// Where it begins, mm.
+    /// Its start, mm.
     pub(super) from: [f64; 3],
-    /// Where it ends, mm.
+    /// Its end, mm.
     pub(super) to: [f64; 3],
     /// Its length, mm.
     pub(super) length: f64,

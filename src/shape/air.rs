@@ -1,4 +1,4 @@
-//! Where the air is: edges with air on one side are **boundaries**, those with air on both sides **walls**.
+//! The region of the air: edges with air on one side are **boundaries**, those with air on both sides **walls**.
 //!
 //! A closed curve parts air from fabric: air lies where an odd number of them lies around. Where curves meet in nodes, the drawn closed
 //! curves count; where there are none, all faces between the meeting curves are chambers.
@@ -46,7 +46,7 @@ enum AirCurve {
     Within(usize),
 }
 
-/// How many closed curves lie around a point.
+/// Counts the closed curves around a point.
 struct Depth {
     curves: Vec<AirCurve>,
     enclosures: Enclosures,
@@ -193,7 +193,7 @@ pub(super) fn beside(path: &Path, slack: f64) -> (Point, [Point; 2]) {
     (place, [place + across * slack, place - across * slack])
 }
 
-/// How many of the closed paths in `around`, other than itself, lie around the closed `path`.
+/// Number of the closed paths in `around`, other than itself, around the closed `path`.
 pub(super) fn depth(around: &Enclosures, path: &Path) -> usize {
     let (_, [left, right]) = beside(path, 1e-6);
     around.around(left).len().min(around.around(right).len())

@@ -24,7 +24,7 @@ pub(super) struct Line {
     pub joined: [bool; 2],
 }
 
-/// What a centre line is for.
+/// The purpose of a centre line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum LineUse {
     /// An open weld that ends in the air.
@@ -37,8 +37,8 @@ pub(super) enum LineUse {
     Outer,
 }
 
-/// Centre lines, the closed ones before ports open them, the closed edges that the cut follows (with their distance from it), mouths, and
-/// what the lines enclose.
+/// Centre lines, the closed ones before ports open them, the closed edges that the cut follows (with their distance from it),
+/// mouths, and the region that the lines enclose.
 #[derive(Default)]
 pub(super) struct Layout {
     pub lines: Vec<Line>,
@@ -48,7 +48,7 @@ pub(super) struct Layout {
     pub air: AirSide,
 }
 
-/// The centre lines of the bands around the drawn air. Nothing where the drawing has faults.
+/// The centre lines of the bands around the drawn air. Empty where the drawing has faults.
 pub(super) fn around_air(
     sketch: &Sketch,
     rules: &Rules,
@@ -368,7 +368,7 @@ fn lengthened(wall: Wall, by: f64) -> Wall {
     Wall { path, ..wall }
 }
 
-/// The closed centre line `path` without what lies past the mouths that it has, `half` mm outside the air's edges.
+/// The closed centre line `path` without the parts past its mouths, `half` mm outside the air's edges.
 pub(super) fn opened(path: Path, mouths: &[Mouth], rules: &Rules, half: f64) -> Vec<Path> {
     let around = path.bounds().grown(1e-6);
     let mut parts = vec![path];

@@ -15,7 +15,7 @@ const ONE: f64 = 1e-7;
 
 /// Widths that differ by less are alike, mm.
 const ALIKE: f64 = 1e-6;
-/// Of bottlenecks of the same curves nearer to each other than this one is told, mm.
+/// Distance, mm, within which only one of several bottlenecks of the same curves is reported.
 const APART: f64 = 50.0;
 /// Pairs of stretches that are compared at most: a hundred thousand of them with a thousand others within reach of each.
 const MOST_PAIRS: usize = 100_000_000;
@@ -40,7 +40,7 @@ impl Bottleneck {
     }
 }
 
-/// A curve, and whether its start and end are joined to others, so that they are no ends.
+/// A curve, and whether its start and end are joined to others, so that they do not count as ends.
 pub(super) struct GapCurve<'a> {
     pub path: &'a Path,
     pub joined: [bool; 2],
@@ -110,7 +110,7 @@ pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bot
     }
     found.sort_by(|a, b| {
         let (p, q) = (a.points[0], b.points[0]);
-        // Of equal widths those inside segments first: they are in the middle of the narrow part.
+        // At equal widths, those inside segments come first: they are in the middle of the narrow part.
         let width = (a.width / ALIKE).round().total_cmp(&(b.width / ALIKE).round());
         let place = || p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
         width.then(a.at_corner.cmp(&b.at_corner)).then(a.curves.cmp(&b.curves)).then_with(place)
@@ -169,7 +169,7 @@ fn add_parts(parts: &mut Vec<CurvePart>, curve: usize, GapCurve { path, joined }
     }
 }
 
-/// Whether a line shorter than `limit` that is normal to both can exist: never wrongly no.
+/// Whether a line shorter than `limit` that is normal to both can exist; may be wrongly true, never wrongly false.
 fn may_face(a: &CurvePart, b: &CurvePart, limit: f64) -> bool {
     let way = b.middle - a.middle;
     let (length, reach) = (way.length(), a.half + b.half);
@@ -284,7 +284,7 @@ fn line_arc(line: &Line, arc: &Arc, see: &mut impl FnMut(Point, Point)) {
 fn arc_arc(a: &Arc, b: &Arc, see: &mut impl FnMut(Point, Point)) {
     let way = b.center - a.center;
     if way.length() <= ONE {
-        // Along circles around one centre all widths are alike: the middle of what faces.
+        // Along circles around one centre all widths are alike: the middle of the facing part.
         let ends = [b.start(), b.at_angle(b.start_angle + b.sweep / 2.0), b.end()];
         if let Some(p) = ends.iter().find_map(|end| on_arc(a, *end - a.center))
             && let Some(q) = on_arc(b, p - b.center)

@@ -100,7 +100,7 @@ impl SealedShape {
         let ring_pieces: Vec<Piece> = pieces.iter().filter(is_ring).cloned().collect();
         // Ends of rings and mouths are the same points.
         let rings = network(&ring_pieces, SLACK);
-        // What is left open is a leak; its chamber closes where its ends do.
+        // An open ring is a leak; its chamber closes where its ends do.
         let rings: Vec<(Path, Vec<usize>)> = rings
             .edges
             .into_iter()
@@ -153,7 +153,7 @@ fn faces(network: &Network) -> Vec<Face> {
     faces
 }
 
-/// Which rings and faces lie inside which.
+/// The nesting of rings and faces.
 struct Chambers;
 
 impl Chambers {

@@ -1,4 +1,4 @@
-//! What bands and tubes must have, with numbers and places.
+//! Requirements of bands and tubes, with numbers and places.
 
 use std::collections::BTreeMap;
 
@@ -65,7 +65,7 @@ pub(super) fn checked(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
     }
 }
 
-/// Whether a narrow place is the channel of a port, which is as wide as its hose needs.
+/// Whether a narrow place is the channel of a port, whose width is that of its hose.
 fn is_mouth(lines: &Layout, neck: &Bottleneck, tube: f64) -> bool {
     lines.mouths.iter().any(|mouth| {
         let from = neck.middle() - mouth.at;
@@ -77,7 +77,7 @@ fn is_mouth(lines: &Layout, neck: &Bottleneck, tube: f64) -> bool {
     })
 }
 
-/// Faults where centre lines cross, but for where one ends on the other.
+/// Faults where centre lines cross, except where one ends on the other.
 fn crossing_bands(lines: &[Line], band: f64, notes: &mut SealingNotes) {
     let segments: Vec<(usize, Segment)> = lines
         .iter()
@@ -114,7 +114,7 @@ fn crossing_bands(lines: &[Line], band: f64, notes: &mut SealingNotes) {
     }
 }
 
-/// Of unsealed places on one edge nearer to each other than this one is told, mm.
+/// Distance below which only one of the unsealed places of an edge is reported, mm.
 const APART: f64 = 10.0;
 
 /// Warnings of hinges and slits narrower than the iron is round, where fabric between the air's edge and the band stays unsealed.
@@ -160,7 +160,7 @@ pub(super) fn sharp_corners(lines: &Layout, rules: &Rules, notes: &mut SealingNo
     }
 }
 
-/// The corners of a closed edge at which it turns away from the air on its left, and of arcs that do so the middle.
+/// The corners at which a closed edge turns away from the air on its left, and the middle of each arc that does so.
 fn inward_places(edge: &Path) -> impl Iterator<Item = Point> {
     let segments = &edge.segments;
     (0..segments.len()).flat_map(move |i| {

@@ -9,7 +9,7 @@ use inflatable::geom::{BoxIndex, Path, Point, Segment};
 
 /// Segments shorter than this, and gaps narrower than this, are rounding, mm.
 pub(super) const NOTHING: f64 = 1e-9;
-/// Segments shorter than this come from the rounding of a file's numbers: none of its own could be said in an output, mm.
+/// Segments shorter than this come from the rounding of a file's numbers, and are too short for the decimals of an output, mm.
 const CRUMB: f64 = 1e-5;
 /// Coordinates beyond this are an error of a drawing, mm.
 const FAR: f64 = 1e6;
@@ -75,7 +75,7 @@ fn without_crumbs(path: Path) -> Path {
             kept.push(if near { with_end(&segment.reversed(), at).reversed() } else { *segment });
         }
     }
-    // The first, and the last of what is closed, may be crumbs still.
+    // The first one, and the last one of a closed path, may still be crumbs.
     let first = kept.len() > 1 && kept[0].length() <= CRUMB;
     if first {
         let crumb = kept.remove(0);
@@ -130,7 +130,7 @@ struct QuarterPart {
     to: f64,
 }
 
-/// What was drawn twice: the curve that was kept, the one that gave way, and a place.
+/// A curve drawn twice: the curve that was kept, the one that was removed, and a place.
 pub(super) type Doubled = ([usize; 2], Point);
 
 /// Pairs of curves that are compared at most: a hundred thousand curves with two hundred others near to each.
@@ -139,7 +139,7 @@ const MOST_PAIRS: usize = 20_000_000;
 /// Too many curves lie on or near each other for them to be compared; a place among them.
 pub(super) struct Crowd(pub Point);
 
-/// The pieces without what runs within `join` of an earlier piece, or of an earlier part of its own.
+/// The pieces without the stretches within `join` of an earlier piece, or of an earlier part of their own.
 ///
 /// # Errors
 /// If more than [`MOST_PAIRS`] would have to be compared.
@@ -245,7 +245,7 @@ fn shared(s: &Segment, t: &Segment, join: f64) -> Option<(f64, f64)> {
     along.then_some((a, b))
 }
 
-/// What is left of a piece without the stretches `cuts` of its segments (sorted), but for crumbs of at most `crumb` mm.
+/// The remainder of a piece without the stretches `cuts` of its segments (sorted), and without crumbs of at most `crumb` mm.
 fn rest(piece: &Piece, cuts: &[(usize, usize, f64, f64)], crumb: f64) -> Vec<Piece> {
     let mut runs: Vec<Vec<Segment>> = vec![Vec::new()];
     let mut cut_at_start = false;

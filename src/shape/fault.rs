@@ -9,9 +9,9 @@ use inflatable::geom::Point;
 pub struct Repair {
     /// The curves.
     pub names: Vec<String>,
-    /// Where.
+    /// The place.
     pub place: Point,
-    /// The error, and what was done.
+    /// The error and its repair.
     pub what: String,
 }
 
@@ -54,28 +54,28 @@ pub enum ShapeCode {
     Outlines,
     /// A cut or a hole in a band, or in the air.
     CutInBand,
-    /// A way for air that is no port.
+    /// A way for air other than a port.
     Leak,
-    /// Nothing is drawn.
+    /// The drawing is empty.
     Empty,
 }
 
-/// Something to be said of a shape: what is wrong where, how much is allowed, and the remedy.
+/// A fault or warning about a shape: the finding, its place, the limit, and the remedy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShapeFault {
     /// Its kind.
     pub code: ShapeCode,
     /// The curves.
     pub names: Vec<String>,
-    /// Where.
+    /// The place.
     pub place: Point,
-    /// The value found, mm or a count; NaN where there is none.
+    /// The value found, mm or a count; NaN where the fault has no value.
     pub found: f64,
-    /// The value allowed, in the same unit; NaN where there is none.
+    /// The value allowed, in the same unit; NaN where the fault has no value.
     pub allowed: f64,
-    /// What is wrong.
+    /// The finding.
     pub what: String,
-    /// What to do.
+    /// The remedy.
     pub remedy: String,
 }
 

@@ -117,7 +117,7 @@ impl Groups {
         Self { of, members }
     }
 
-    /// Where each group is: the middle of its first two ends.
+    /// The place of each group: the middle of its first two ends.
     fn places(&self, ends: &[PieceEnd]) -> Vec<Point> {
         let place = |group: &Vec<usize>| match group.as_slice() {
             [a, b, ..] if ends[*a].at.distance(ends[*b].at) > NOTHING => ends[*a].at.midpoint(ends[*b].at),
@@ -264,7 +264,7 @@ fn chained(parts: &[NetworkEdge], nodes: usize) -> Vec<NetworkEdge> {
     let is_node = |node: usize| ends[node].len() != 2;
     let mut used = vec![false; parts.len()];
     let mut edges = Vec::new();
-    // From nodes first, so that what is left is closed.
+    // Runs from nodes first, so that the remaining ones are closed.
     let begins =
         |which: usize| (0..parts.len()).filter(move |_| which < 2).map(move |number| (number, which));
     let open = begins(0)

@@ -1,4 +1,4 @@
-//! Where seams meet: ends at ports, ends on other bands, and crossings.
+//! Joints of seams: ends at ports, ends on other bands, and crossings.
 
 use crate::shape::leak::Leak;
 use crate::shape::{Port, Role, SealedShape};
@@ -15,7 +15,7 @@ pub(super) struct MouthEnds {
     pub ends: [Point; 2],
 }
 
-/// What the ends of open seams lie on.
+/// The contacts of open seams' ends.
 pub(super) struct Joints {
     /// Whether the start and the end of each seam lie on another band, within half a band of its centre line.
     pub joined: Vec<[bool; 2]>,
@@ -99,7 +99,7 @@ impl Joints {
 fn mouths(shape: &SealedShape, free: &[(usize, usize, Point)]) -> Vec<MouthEnds> {
     let index = BoxIndex::new(free.iter().map(|(_, _, end)| Bounds::of_points([*end])));
     let middles = free.windows(2).map(|pair| Bounds::of_points([pair[0].2.midpoint(pair[1].2)]));
-    // Both ends of a seam stand side by side.
+    // The two ends of one seam are side by side.
     let own = BoxIndex::new(middles.collect::<Vec<_>>().into_iter());
     let mut used = vec![false; free.len()];
     let mut mouths = Vec::new();
@@ -130,7 +130,7 @@ fn mouths(shape: &SealedShape, free: &[(usize, usize, Point)]) -> Vec<MouthEnds>
     mouths
 }
 
-/// Where seams cross, but for where one ends on the other.
+/// The crossings of seams, except where one ends on the other.
 pub(super) struct Meetings(Vec<([usize; 2], Point)>);
 
 impl Meetings {

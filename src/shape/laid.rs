@@ -1,4 +1,4 @@
-//! Pieces and seams where they lie on their sheet: what a program seals, and what the verifier follows.
+//! Pieces and seams in their places on a sheet: the seams that a program seals, and that the verifier follows.
 
 use crate::shape::{PieceName, SealedShape, Seam, SeamName};
 use inflatable::geom::{Bounds, Isometry, Line, Path, Point};

@@ -1,9 +1,9 @@
-//! Leaks: ways for air that are no ports.
+//! Leaks: ways for air other than ports.
 
 use crate::shape::SealedShape;
 use inflatable::geom::Point;
 
-/// A way for air that is no port. Seams and ports are counted from 0 in the shape.
+/// A way for air other than a port. Seams and ports are counted from 0 in the shape.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Leak {
     /// A gap between two neighbouring segments of a seam, mm.
@@ -21,7 +21,7 @@ pub enum Leak {
 }
 
 impl Leak {
-    /// Where it is.
+    /// Its place; `None` if `shape` does not have it.
     pub fn place(&self, shape: &SealedShape) -> Option<Point> {
         match self {
             Self::Gap(seam, gap) => {

@@ -1,4 +1,4 @@
-//! What a drawing leaves loose: ends in the open, and curves that cross.
+//! Loose ends of a drawing, and curves that cross.
 
 use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::join::Network;
@@ -8,7 +8,7 @@ use inflatable::geom::{Bounds, BoxIndex, Point, Segment, intersections};
 /// Ends farther apart than this are two ends, not a gap, mm.
 const WIDEST_GAP: f64 = 5.0;
 
-/// So many crossings are looked for: a thousand lines across a thousand others would take a gigabyte to tell of.
+/// Most crossings that are searched for: the report of a thousand lines across a thousand others would take a gigabyte.
 const MOST_CROSSINGS: usize = 10_000;
 
 /// Faults where an edge ends in the open: a gap if another edge is near.
@@ -62,7 +62,7 @@ pub(super) fn loose_ends(network: &Network, names: &[String], join: f64, notes: 
     }
 }
 
-/// Faults where edges cross, but for where they are joined.
+/// Faults where edges cross, except where they are joined.
 pub(super) fn crossings(network: &Network, names: &[String], join: f64, notes: &mut SealingNotes) {
     let segments: Vec<(usize, usize, Segment)> = network
         .edges

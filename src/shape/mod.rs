@@ -1,8 +1,8 @@
 //! Sealed shapes: two equal sheets that are sealed along seams, cut around them, and opened by ports.
 //!
-//! A **seam** is the centre line of a band; a **port** is where a hose goes in; a **chamber** is a region that air can reach through
-//! a port, and a **leak** any other way for it. A **piece** is a sealed shape with a name, and may lie on a sheet. Nothing here
-//! knows which product a shape belongs to: a product makes shapes, and gives its pieces and seams their names.
+//! A **seam** is the centre line of a band; a **port** is the opening for a hose; a **chamber** is a region that air can reach
+//! through a port, and a **leak** any other way for it. A **piece** is a sealed shape with a name, and may lie on a sheet.
+//! Nothing here depends on the product of a shape: a product makes shapes, and gives its pieces and seams their names.
 
 mod air;
 mod around;

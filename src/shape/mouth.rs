@@ -15,9 +15,9 @@ pub(super) struct Mouth {
     pub out: Vec2,
     /// Half the width between the air's edges, mm.
     pub half: f64,
-    /// How far the closed edge runs past the mouth, mm.
+    /// Distance of the closed edge past the mouth, mm.
     pub beyond: f64,
-    /// How far behind the mouth the channel begins at most, mm.
+    /// Largest distance of the channel's start behind the mouth, mm.
     pub depth: f64,
 }
 
@@ -35,7 +35,8 @@ impl Mouth {
         self.at + self.out * along + self.out.perp() * across
     }
 
-    /// The closed `path` without what lies farther out than `along` mm past the mouth, on sides `across` mm from its middle: an open path
+    /// The closed `path` without the part farther out than `along` mm past the mouth, on sides `across` mm from its middle: an
+    /// open path
     /// with its ends there. `None` if it does not pass there.
     pub(super) fn open(&self, path: &Path, along: f64, across: f64) -> Option<Path> {
         let sides = [across, -across].map(|across| self.point(along, across));
@@ -66,7 +67,7 @@ pub(super) fn cap(port: usize, ends: [Point; 2], leading: [Vec2; 2], beyond: f64
     (Path::open(corners.windows(2).map(|pair| Line::new(pair[0], pair[1]).into()).collect()), mouth)
 }
 
-/// Why a port has no channel.
+/// The reason why a port has no channel.
 pub(super) enum NoChannel {
     /// The edge is this far away, mm.
     Far(f64),
@@ -107,7 +108,7 @@ pub(super) fn channel(
     Ok((opened, Mouth { port, at: far(0.0, length), out, half, beyond, depth: length + width }))
 }
 
-/// Where the port is on the path: the arc length, the point, and the way out.
+/// The place of the port on the path: the arc length, the point, and the way out.
 fn foot(path: &Path, place: &PortPlace, width: f64) -> Result<(f64, Point, Vec2), NoChannel> {
     let nearest = path.nearest(place.middle()).ok_or(NoChannel::Far(f64::INFINITY))?;
     if let PortPlace::Across([a, b]) = place {

@@ -21,7 +21,7 @@ pub enum PieceName {
 pub struct SeamName {
     /// The piece that it is a seam of.
     pub piece: PieceName,
-    /// Which of the piece's seams it is: "outer". Empty for the only one.
+    /// The name of the seam in the piece: "outer". Empty for the only one.
     pub seam: String,
 }
 

@@ -1,4 +1,4 @@
-//! What is found on the way from a sketch to a shape.
+//! Faults, warnings and repairs on the way from a sketch to a shape.
 
 use crate::shape::clean::{Crowd, Doubled, Piece, pieces, without_doubles};
 use crate::shape::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning, quoted};

@@ -4,9 +4,9 @@ use cavalier_contours::polyline::{PlineOffsetOptions, PlineSource, PlineSourceMu
 
 use inflatable::geom::{Arc, BoxIndex, Line, Path, Point, Segment};
 
-/// What are one position, and by how much a point of an offset may be nearer to its path than the distance, mm. The first is above the
-/// rounding of coordinates of metres. A file says lines and arcs that touch to its own decimals, so that their offsets miss each other
-/// or cross far away by the first: then the next are taken.
+/// Distance below which positions are one, and by how much a point of an offset may be nearer to its path than the distance, mm.
+/// The first is above the rounding of coordinates of metres. A file states lines and arcs that touch to its own decimals, so that
+/// with the first their offsets may miss each other or cross far away: then the next are taken.
 const SLACKS: [(f64, f64); 4] = [(1e-9, 1e-8), (1e-7, 1e-6), (1e-6, 1e-5), (1e-5, 1e-4)];
 /// A point of an offset is at its distance to this, mm.
 const SOUND: f64 = 2e-4;
@@ -45,7 +45,7 @@ fn is_sound(path: &Path, by: f64, loops: &[Path], far: &impl Fn(Point) -> f64) -
     let is_at = |segment: &&Segment| (far(segment.point(0.5)) - off).abs() <= SOUND;
     let is_met = |segment: &Segment| {
         let p = segment.point(0.5) - segment.tangent(0.5).perp() * by;
-        // What is nearer to another stretch is trimmed.
+        // A stretch that is nearer to another one is trimmed.
         far(p) < off - 1e-7 || on_loops.least(p, |number| segments[number].distance(p)) <= SOUND
     };
     let length: f64 = loops.iter().map(Path::length).sum();
@@ -60,7 +60,7 @@ fn is_sound(path: &Path, by: f64, loops: &[Path], far: &impl Fn(Point) -> f64) -
 pub fn polyline(path: &Path) -> Polyline<f64> {
     let mut line: Polyline<f64> = Polyline::new_closed();
     for segment in &path.segments {
-        // A bulge can say up to half a turn.
+        // A bulge can express up to half a turn.
         let pieces = match segment {
             Segment::Arc(arc) if arc.sweep.abs() > 3.0 => 2,
             _ => 1,

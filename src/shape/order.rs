@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::shape::around::{Line, LineUse};
 use inflatable::geom::{Path, Point, Segment};
 
-/// The lines in the order of sealing: what lies inside first, the outer edges last, so that the iron seldom passes over finished bands;
+/// The lines in the order of sealing: inner ones first, the outer edges last, so that the iron seldom passes over finished bands;
 /// among those of a kind the nearest next, open ones from their nearer end.
 pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
     for line in &mut lines {
@@ -36,7 +36,7 @@ pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
     ordered
 }
 
-/// Where a line begins, and where it ends if it may be sealed from there.
+/// The start of a line, and its end if it may be sealed from there.
 struct Ends {
     number: usize,
     ends: [Option<Point>; 2],
@@ -87,7 +87,7 @@ fn well_started(path: &Path) -> Path {
     best.map_or_else(|| path.clone(), |(_, _, s)| path.starting_at(s))
 }
 
-/// The names of seams: the drawn names where a program can hold them, else what the seam is for. No two are alike.
+/// The names of seams: the drawn names where a program can hold them, else the purpose of the seam. No two are alike.
 pub(super) fn seam_names(lines: &[Line]) -> Vec<String> {
     let mut used: BTreeSet<String> = BTreeSet::new();
     let mut numbers: BTreeMap<String, usize> = BTreeMap::new();

@@ -1,4 +1,4 @@
-//! The cut around a sealed shape, and what is cut inside it.
+//! The cut around a sealed shape, and the cuts inside it.
 
 use crate::shape::air::{beside, depth};
 use crate::shape::around::{Layout, Line};
@@ -135,7 +135,7 @@ fn touching(
     outside(outlines, lines, notes);
 }
 
-/// Faults of seams outside of the outline, but for what runs out of a mouth.
+/// Faults of seams outside of the outline, except for those out of a mouth.
 fn outside(outlines: &[(Path, Vec<String>)], lines: &Layout, notes: &mut SealingNotes) {
     if outlines.is_empty() {
         return;

@@ -3,7 +3,7 @@
 use crate::shape::Seam;
 use inflatable::geom::{Bounds, Isometry, Path, Point};
 
-/// Where a hose goes in: between the two ends of an open seam.
+/// The opening for a hose: between the two ends of an open seam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Port {
     /// The middle of its mouth.
@@ -19,7 +19,7 @@ pub struct SealedShape {
     pub seams: Vec<Seam>,
     /// Width of the bands, mm.
     pub band: f64,
-    /// The cut around it; `None` for a piece that is cut out by hand.
+    /// The cut around it; `None` for a piece that the user cuts out.
     pub cut: Option<Path>,
     /// Its ports.
     pub ports: Vec<Port>,

@@ -22,7 +22,7 @@ pub struct Sealing {
     pub inner: Vec<Path>,
     /// Closed paths that are cut inside the outline: holes, and drawn cuts inside it.
     pub holes: Vec<Path>,
-    /// What was mended in the drawing.
+    /// The repairs of the drawing.
     pub repairs: Vec<Repair>,
     /// Places that may fail or differ from the drawing.
     pub warnings: Vec<ShapeWarning>,
@@ -96,7 +96,7 @@ fn seams(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) -> Vec<Seam> {
 /// Faults of leaks, and of chambers that no port leads into.
 fn unsound_chambers(shape: &SealedShape, notes: &mut SealingNotes) {
     let topology = shape.topology();
-    // Curves that cross are found before: what is left comes from the channel of a port that meets another edge.
+    // Curves that cross are found before: the remaining leaks come from the channel of a port that meets another edge.
     for leak in &topology.leaks {
         let place = leak.place(shape).unwrap_or(Point::ORIGIN);
         let text = (

@@ -30,7 +30,7 @@ impl Seam {
         Self { name: String::new(), role: Role::Weld, center_line, overlap: 0.0 }
     }
 
-    /// The path in contact: the center line, and its overlap once more.
+    /// The path in contact: the center line, and its overlap again.
     pub fn run(&self) -> Path {
         if self.center_line.closed {
             self.center_line.part(0.0, self.center_line.length() + self.overlap)
@@ -56,7 +56,7 @@ impl Seam {
     }
 }
 
-/// Whether a segment is long enough to say where a line leads; shorter ones may be rounding of a drawing.
+/// Whether a segment is long enough to give a line's direction; shorter ones may be rounding of a drawing.
 fn has_direction(segment: &Segment) -> bool {
     segment.length() > 0.01
 }

@@ -22,7 +22,7 @@ pub struct AirSide {
     pub(super) mouths: Vec<Mouth>,
 }
 
-/// What must not weld. All paths are closed and counterclockwise.
+/// The region that must not weld. All paths are closed and counterclockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Separator {
     /// Around each piece of paper: one a chamber.
@@ -38,7 +38,7 @@ impl Separator {
         sum(&self.pieces) - sum(&self.windows)
     }
 
-    /// Whether its edges keep `least` mm from the centre lines of `seams`, as far as nine points of each segment tell.
+    /// Whether its edges keep `least` mm from the centre lines of `seams`, measured at nine points of each segment.
     fn spares(&self, seams: &[Seam], least: f64) -> bool {
         let lines =
             SegmentIndex::new(seams.iter().flat_map(|seam| seam.center_line.segments.clone()).collect());
@@ -55,7 +55,7 @@ impl AirSide {
         &self.edges
     }
 
-    /// The same without the channels of ports: what inflates.
+    /// The same without the channels of ports: the region that inflates.
     pub fn closed(&self) -> &[Path] {
         &self.closed
     }
@@ -112,14 +112,14 @@ impl AirSide {
         let mut width = half;
         for seam in &self.seams {
             all.push(strip(seam, width)?);
-            // Strips that meet end to end must not have sides on one line: nothing could say which is inside the other.
+            // Strips that meet end to end must not have sides on one line: neither could then be found to be inside the other.
             width += 2e-5;
         }
         let mut united: Vec<Polyline<f64>> = Vec::new();
         for mut one in all {
             let mut apart = Vec::new();
             for other in united {
-                // Of many islands few are near each other.
+                // Few of many islands are near each other.
                 if !boxes_overlap(&one, &other) {
                     apart.push(other);
                     continue;
@@ -164,7 +164,7 @@ const ALIKE: f64 = 1e-6;
 /// A tongue ends nearer than this to the edge of the cut, mm: the operations on closed lines join points within 1e-5.
 const REACHED: f64 = 1e-4;
 
-/// How far past the mouth the way out first meets the cut, `across` mm to its left.
+/// Distance past the mouth at which the way out first meets the cut, `across` mm to its left.
 fn way_out(mouth: &Mouth, cut: &Path, across: f64) -> f64 {
     let bounds = cut.bounds();
     let far = bounds.width() + bounds.height();
@@ -173,14 +173,14 @@ fn way_out(mouth: &Mouth, cut: &Path, across: f64) -> f64 {
     places.map(|p| (p - mouth.at).dot(mouth.out)).reduce(f64::min).unwrap_or(0.0)
 }
 
-/// How much farther than its channel a tongue must go to leave the piece, mm.
+/// Distance that a tongue must go beyond its channel to leave the piece, mm.
 fn past(mouth: &Mouth, cut: &Path) -> f64 {
     let ways = [-mouth.half, 0.0, mouth.half].map(|across| way_out(mouth, cut, across));
     let furthest = ways.into_iter().fold(0.0, f64::max);
     (furthest + mouth.depth).max(0.0)
 }
 
-/// Lines around what an operation leaves, and lines cut out of it.
+/// Lines around the result of an operation, and lines cut out of it.
 type LinesAndHoles = (Vec<Polyline<f64>>, Vec<Polyline<f64>>);
 
 /// The results of an operation on two closed lines.
@@ -193,7 +193,7 @@ fn combined(a: &Polyline<f64>, b: &Polyline<f64>, operation: BooleanOp) -> Optio
     is_valid.then(|| (lines(result.pos_plines), lines(result.neg_plines)))
 }
 
-/// What lies within `half` mm of an open path; `None` where it bends too sharply for that.
+/// The region within `half` mm of an open path; `None` where it bends too sharply for that.
 fn strip(path: &Path, half: f64) -> Option<Polyline<f64>> {
     let mut line = polyline(path);
     line.set_is_closed(false);

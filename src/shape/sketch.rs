@@ -11,7 +11,7 @@ pub struct DrawnCurve {
     pub path: Path,
 }
 
-/// Where a drawn port is.
+/// The place of a drawn port.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PortPlace {
     /// A point on an edge, or in the gap between two free ends of edges.
@@ -25,7 +25,7 @@ pub enum PortPlace {
 pub struct DrawnPort {
     /// Its name in the drawing. May be empty.
     pub name: String,
-    /// Where it is.
+    /// The place.
     pub place: PortPlace,
 }
 
@@ -57,7 +57,7 @@ pub struct Rules {
     pub overlap: f64,
     /// Flat width between the bands at a port, > 0.
     pub port_width: f64,
-    /// How far the bands of a port run past the cut.
+    /// Overrun of a port's bands past the cut, mm.
     pub overrun: f64,
     /// A passage narrower than this is a warning.
     pub least_passage: f64,

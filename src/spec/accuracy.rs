@@ -1,13 +1,13 @@
-//! How exact outputs and predictions must be, and which model predicts.
+//! Required precision of outputs and predictions, and the model that predicts.
 
 use crate::units::{Length, Percent};
 
-/// How exact outputs and predictions must be.
+/// Required precision of outputs and predictions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Accuracy {
     /// Largest deviation of an output from the exact geometry.
     pub path: Length,
-    /// Which model predicts.
+    /// The model that predicts.
     pub model: ModelChoice,
     /// The error of the prediction that `auto` may accept.
     pub response: Percent,
@@ -43,14 +43,14 @@ impl ModelChoice {
     ];
 }
 
-/// How fine the meshes of a shell are, in words.
+/// Fineness of a shell's meshes, as a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detail {
     /// For a first look: some 10,000 unknowns on the finest mesh of a V-actuator with arms of 4 W.
     Coarse,
     /// For most ends: 67,000.
     Medium,
-    /// Where mesh errors matter: 150,000.
+    /// For results in which mesh errors matter: 150,000.
     Fine,
 }
 

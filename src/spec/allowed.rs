@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::units::Readable;
 
-/// Lengths that must be there: 1 um to 100 m, far beyond what fabric and iron can do at both ends.
+/// Lengths greater than zero: 1 um to 100 m, at both ends far beyond the abilities of fabric and iron.
 pub(super) const SIZE: Allowed = Allowed::closed(1e-3, 1e5);
 /// Lengths that may be zero, up to 100 m.
 pub(super) const EXTRA: Allowed = Allowed::closed(0.0, 1e5);

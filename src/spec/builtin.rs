@@ -21,7 +21,7 @@ impl Machine {
     /// The machine that comes with the program under `name`: "generic", "grbl" and so on, as [`builtin_machines`] lists.
     ///
     /// # Errors
-    /// If there is none.
+    /// If there is no such machine.
     pub fn builtin(name: &str) -> Result<Self, UnknownMachine> {
         let text = builtin_machine(name);
         // A profile of our own that does not read is a fault of this program; a test reads each of them.

@@ -1,4 +1,4 @@
-//! From what a file holds to a [`Source`].
+//! From the bytes of a file to a [`Source`].
 
 use crate::spec::FaultCode;
 use crate::spec::fault::Fault;
@@ -6,7 +6,7 @@ use crate::spec::faults::Faults;
 use crate::spec::source::{SIZE_LIMIT, Source};
 
 impl Source {
-    /// A source from what a file holds.
+    /// A source from the bytes of a file.
     ///
     /// # Errors
     /// If there are more than [`SIZE_LIMIT`] bytes, or if they are not UTF-8; the fault shows the first line that is not.

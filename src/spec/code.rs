@@ -1,14 +1,14 @@
-//! Codes: the stable kebab-case words by which scripts tell one fault, refusal or finding from another.
+//! Codes: the stable kebab-case words by which scripts distinguish faults, refusals and findings.
 //!
-//! Each room declares its own in one table: name, word, and the sentence that docs/codes.md shows. Whoever reports
-//! something names a code of the table, so that none can be misspelt or be missing from the page.
+//! Each room declares its own in one table: name, word, and the sentence that docs/codes.md shows. A report names a code of the
+//! table, so that none can be misspelt or be missing from the page.
 
 /// A code of some room.
 pub trait Code: Copy {
     /// The word for scripts: "no-arm".
     fn as_str(self) -> &'static str;
 
-    /// What it means and what to do, in one sentence.
+    /// Its meaning and the remedy, in one sentence.
     fn meaning(self) -> &'static str;
 }
 
@@ -56,7 +56,7 @@ macro_rules! codes {
 pub(crate) use codes;
 
 codes! {
-    /// What the readers of specs and machine profiles find.
+    /// Faults of specs and machine profiles.
     FaultCode {
         Cell "cell" "A cell of a table is not a number in its range; write one, with a decimal point.",
         CellCount "cell-count" "A row of a table has more or fewer cells than its header; mend the row.",
@@ -79,7 +79,7 @@ codes! {
         OutOfRange "out-of-range" "A value is outside of the range shown; choose one inside.",
         OwnValue "own-value" "A `[[stack.star]]` decides a value that `star` should be given; move it there.",
         Profile "profile" "The machine's profile is neither a name nor a path; write one of them.",
-        ProgramLine "program-line" "A line that the profile puts into programs cannot stand there; shorten or mend it.",
+        ProgramLine "program-line" "A line that the profile puts into programs is not allowed there; shorten or correct it.",
         Ptfe "ptfe" "The temperature harms the PTFE release layer: a warning above 260 C, refused from 300 C; lower it.",
         Schema "schema" "The version of the spec is unknown; write the one shown.",
         Syntax "syntax" "The text is not TOML; mend the line shown.",

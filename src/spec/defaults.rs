@@ -1,6 +1,6 @@
-//! A person's own defaults: what a new spec says of fabric, sheet and machine.
+//! A person's own defaults for fabric, sheet and machine in a new spec.
 //!
-//! They are written into the new spec and are read by nothing else: a spec means the same everywhere.
+//! They are written into the new spec and are read by nothing else: a spec has the same meaning everywhere.
 
 use crate::spec::faults::Faults;
 use crate::spec::foreign::Document;
@@ -8,11 +8,10 @@ use crate::spec::raw::RawSpec;
 use crate::spec::reading::{read_choice, read_fabric, read_sheet, read_with};
 use crate::spec::source::Source;
 
-/// The sections of which there are defaults of one's own.
+/// The sections that may have personal defaults.
 const SECTIONS: [&str; 3] = ["fabric", "sheet", "machine"];
 
-/// `spec`, a text that reads, with what `config` says of fabric, sheet and machine, in words of a spec, where the text does not say it
-/// itself.
+/// Adds the values of fabric, sheet and machine in `config` to `spec`, a valid spec text, for keys that it does not set.
 ///
 /// # Errors
 /// All faults of `config`, by the rules of a spec.
@@ -33,12 +32,12 @@ pub fn with_defaults(spec: &str, config: &Source) -> Result<String, Faults> {
         }
     }
     let text = lines.join("\n") + "\n";
-    // What would not read as one's own defaults is not written at all.
+    // Values that are not valid as personal defaults are not written.
     let (_, faults) = RawSpec::parse(&text);
     if faults.is_empty() { Ok(text) } else { Ok(spec.to_owned()) }
 }
 
-/// Writes `key = value` into `section`, in place of the comment that shows the key, unless the section says it already.
+/// Writes `key = value` into `section`, in place of the comment that shows the key, unless the section sets it already.
 fn write(lines: &mut Vec<String>, section: &str, key: &str, value: &str) {
     let header = format!("[{section}]");
     let Some(start) = lines.iter().position(|line| line.trim() == header) else {

@@ -24,7 +24,7 @@ pub struct DrawingSpec {
     pub join: Length,
     /// Names of layers with their roles, in the order of the spec.
     pub layers: Vec<(String, LayerRole)>,
-    /// What the file holds; `None` until it is read.
+    /// The content of the file; `None` until it is read.
     pub content: Option<DrawingContent>,
 }
 
@@ -32,7 +32,7 @@ pub struct DrawingSpec {
 #[derive(Clone)]
 pub struct DrawingContent {
     bytes: Arc<[u8]>,
-    /// What they hold, once it was asked for, and how it was.
+    /// The figures, once read, and the options with which they were read.
     read: Arc<OnceLock<(Options, ReadDrawing)>>,
 }
 
@@ -75,13 +75,13 @@ pub enum LayerRole {
     Air,
     /// Centre lines of bands.
     Seam,
-    /// Where a hose goes in.
+    /// The opening for a hose.
     Port,
     /// The cut.
     Cut,
     /// Holes.
     Hole,
-    /// Nothing.
+    /// No role: the figures are ignored.
     Ignore,
 }
 
@@ -120,7 +120,7 @@ impl DrawingSpec {
         self.file.rsplit(['/', '\\']).next().unwrap_or_default()
     }
 
-    /// What the published copy is called.
+    /// The name of the published copy.
     pub fn published_name(&self) -> &'static str {
         if self.is_dxf() { "drawing.dxf" } else { "drawing.svg" }
     }
@@ -134,7 +134,7 @@ impl DrawingSpec {
     }
 }
 
-/// Sections that describe stars, and what a drawing has instead.
+/// Sections that describe stars, and their replacements for a drawing.
 const OF_STARS: [(&str, &str); 3] = [
     ("star", "the drawing is the shape"),
     ("stack", "drawn pieces are not stacked; `copies` in [sheet] makes several"),
@@ -165,7 +165,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
     drawing
 }
 
-/// A fault for each key of `section` that is not one of `known`, with a label and a remedy.
+/// A fault for each key of `section` that is not in the list `known`, with a label and a remedy.
 fn only_keys(reader: &mut Reader<'_>, section: &str, known: &[&str], (label, help): (&str, &str)) {
     let table = reader.raw.root().get(section).and_then(RawValue::as_table);
     for entry in table.into_iter().flat_map(|table| &table.0).filter(|own| !known.contains(&own.key.as_str()))

@@ -13,7 +13,7 @@ use crate::spec::source::Source;
 use crate::spec::{FaultCode, key};
 use crate::units::{Angle, Length};
 
-/// What a search may change of a star: the keys of `[star]` with their values.
+/// The values of `[star]` that a search may change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StarEdit {
     /// Number of points, 3 to 64.
@@ -114,12 +114,12 @@ pub fn with_changes(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Resu
 /// back: the values may not go together.
 ///
 /// # Errors
-/// If a value is no TOML, or the section of a key cannot be edited.
+/// If a value is not TOML, or the section of a key cannot be edited.
 pub fn with_values(source: &Source, values: &[(KeyPath, String)]) -> Result<String, Faults> {
     edited(source, values.iter().map(|(key, value)| (*key, Some(value.as_str()))), |_| 0..0)
 }
 
-/// The text of `source` with `values`, each TOML of its own; `None` takes a key away. `place` says where a key stands.
+/// The text of `source` with `values`, each TOML of its own; `None` takes a key away. `place` returns the span of a key.
 fn edited<'v>(
     source: &Source,
     values: impl Iterator<Item = (KeyPath, Option<&'v str>)>,
@@ -127,7 +127,7 @@ fn edited<'v>(
 ) -> Result<String, Faults> {
     let mut document = document(source)?;
     let values: Vec<(KeyPath, Option<&str>)> = values.collect();
-    // A size that is set takes the place of the other key's, unless both are asked for.
+    // One of the two size keys replaces the other, unless both are set here.
     let replaced = |key: KeyPath| {
         let other = match key {
             key::load::OBJECT_DIAMETER => key::load::OBJECT_RADIUS,
@@ -167,8 +167,8 @@ fn edited<'v>(
     Ok(document.to_string())
 }
 
-/// The text of `source` with other comments behind values: `renewed` is given section, key and comment, and says what stands there
-/// afterwards, `None` for nothing. Comments on lines of their own, and those within inline tables, stay.
+/// The text of `source` with other comments behind values. `renewed` takes section, key and comment and returns the new comment,
+/// `None` for none. Comments on lines of their own, and those within inline tables, stay.
 ///
 /// # Errors
 /// If `source` is not TOML.
@@ -357,7 +357,7 @@ mod tests {
     }
 
     proptest! {
-        /// The layouts times the values: what is written is what is read.
+        /// The layouts times the values: the values read are those written.
         #[test]
         fn what_is_set_is_what_is_read(
             layout in 0..LAYOUTS.len(),
@@ -370,7 +370,7 @@ mod tests {
             let text = edited(LAYOUTS[layout], &star);
             let spec = read(&Source::new("back", text.as_str())).map_err(|f| TestCaseError::fail(f.to_string()))?.spec;
             prop_assert_eq!(StarEdit::of(&spec.stars[0]), star);
-            // Nothing else has changed: with the old values back, the spec is the old one.
+            // With the old values back, the spec is the old one.
             let old = read(&Source::new("old", LAYOUTS[layout])).expect("valid").spec;
             let back = edited(&text, &StarEdit::of(&old.stars[0]));
             prop_assert_eq!(read(&Source::new("x", back)).expect("valid").spec, old);

@@ -1,4 +1,4 @@
-//! A fault: what is wrong with a text, where, and what would be right.
+//! A fault of a text: the finding, its place, and the right content.
 //!
 //! A **fault** is one thing found at one place. Reading goes on after a fault, so that a person sees all
 //! of them at once; a fault of level [`Severity::Error`] refuses the text, one of level [`Severity::Warning`] does not.
@@ -10,9 +10,9 @@ use crate::spec::Code;
 /// Whether a fault refuses the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Severity {
-    /// It does.
+    /// The text is refused.
     Error,
-    /// It does not, but a person should know.
+    /// The text passes; the person should read the warning.
     Warning,
 }
 
@@ -21,7 +21,7 @@ pub enum Severity {
 pub struct DrawnPlace {
     /// The elements, by their ids.
     pub elements: Vec<String>,
-    /// A point, mm, if it is known.
+    /// A point, mm; `None` if unknown.
     pub at: Option<[f64; 2]>,
 }
 
@@ -32,20 +32,20 @@ pub struct Fault {
     pub code: &'static str,
     /// Whether it refuses the text.
     pub level: Severity,
-    /// What was found.
+    /// The fault found.
     pub message: String,
-    /// What is allowed; stands at the caret.
+    /// The allowed values; shown at the caret.
     pub label: String,
-    /// Where, in bytes of the text.
+    /// The place, in bytes of the text.
     pub span: Range<usize>,
-    /// What to do about it.
+    /// The remedy.
     pub help: Option<String>,
-    /// Where in the drawing that the text names.
+    /// The place in the drawing that the text names.
     pub drawn: Option<Box<DrawnPlace>>,
 }
 
 impl Fault {
-    /// A fault that refuses the text; `message` says what was found.
+    /// A fault that refuses the text; `message` states the finding.
     pub fn error(code: impl Code, span: Range<usize>, message: impl Into<String>) -> Self {
         Self {
             code: code.as_str(),
@@ -58,12 +58,12 @@ impl Fault {
         }
     }
 
-    /// A fault that lets the text pass; `message` says what was found.
+    /// A fault that lets the text pass; `message` states the finding.
     pub fn warning(code: impl Code, span: Range<usize>, message: impl Into<String>) -> Self {
         Self { level: Severity::Warning, ..Self::error(code, span, message) }
     }
 
-    /// The same fault with `label`, what is allowed, at its caret.
+    /// The same fault with `label`, the allowed values, at its caret.
     pub fn label(self, label: impl Into<String>) -> Self {
         Self { label: label.into(), ..self }
     }
@@ -73,13 +73,13 @@ impl Fault {
         Self { drawn, ..self }
     }
 
-    /// The same fault with `help`, what to do about it.
+    /// The same fault with the remedy `help`.
     pub fn help(self, help: impl Into<String>) -> Self {
         Self { help: Some(help.into()), ..self }
     }
 }
 
-/// `text` as it may stand in a message: between backticks, on one line, at most 60 characters of it.
+/// `text` made fit for a message: between backticks, on one line, cut at 60 characters.
 pub(super) fn quoted(text: &str) -> String {
     const LONGEST: usize = 60;
     let mut shown: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();

@@ -40,7 +40,7 @@ impl Faults {
         1 + self.source.text.bytes().take(fault.span.start).filter(|byte| *byte == b'\n').count()
     }
 
-    /// The text they speak of.
+    /// The text that contains them.
     pub fn source(&self) -> &Source {
         &self.source
     }
@@ -101,7 +101,7 @@ mod tests {
         let has =
             |line: usize, key: &str| assert!(found.contains(&(line, key.to_owned())), "{key}: {found:?}");
         has(1, "schema");
-        has(2, "star"); // what it lacks
+        has(2, "star"); // the missing key
         has(3, "star.points");
         has(4, "star.wdith");
         has(9, "stack.star[2].pitch");

@@ -15,7 +15,7 @@ pub(super) enum Document {
 }
 
 impl Document {
-    /// What a person calls it, keys of the first level that no other kind has, and what is done with such a file.
+    /// Its name in messages, keys of the first level that no other kind has, and the remedy in messages.
     const fn words(self) -> (&'static str, &'static [&'static str], &'static str) {
         match self {
             Self::Spec => {
@@ -55,12 +55,12 @@ pub(super) fn fault(text: &str) -> Option<Fault> {
         return Some(fault.help("save the file with line ends of LF or CRLF"));
     }
     let kind = kind(text)?;
-    let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {kind}, no TOML"))
+    let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {kind}, not TOML"))
         .label("it begins as such");
     Some(fault.help("name a TOML file instead: a build keeps its own beside its files, and `stargrip-cam new` writes one to begin with"))
 }
 
-/// What the text is, in a person's words.
+/// The kind of the text, in plain words.
 fn kind(text: &str) -> Option<&'static str> {
     let text = text.trim_start_matches('\u{feff}').trim_start();
     let begins = |with: &str| text.starts_with(with);
@@ -88,7 +88,7 @@ fn is_heading(line: &str) -> bool {
     has_columns && !line.contains(['=', '[', '#', '"'])
 }
 
-/// Whether the line says nothing to a controller.
+/// Whether the line is empty or a comment, so that a controller ignores it.
 fn is_comment(line: &str) -> bool {
     let line = line.trim();
     line.is_empty() || line.starts_with([';', '(', '%'])

@@ -1,4 +1,4 @@
-//! The machine: what a profile in `templates/machines/` or of the user's own says about one controller.
+//! The machine: the settings of one controller, from a profile in `templates/machines/` or the user's own.
 
 use crate::spec::motion::Motion;
 use crate::units::{Acceleration, Duration, Length, Speed};
@@ -6,45 +6,45 @@ use crate::units::{Acceleration, Duration, Length, Speed};
 /// A complete and valid machine profile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Machine {
-    /// What the profile calls itself.
+    /// The name that the profile gives.
     pub name: String,
     /// One line for `stargrip-cam machines`.
     pub description: String,
-    /// What the controller reads and does.
+    /// The language and abilities of the controller.
     pub controller: Controller,
-    /// How the iron is led over the fabric.
+    /// The process of sealing: heights, ramp, speeds.
     pub process: Process,
-    /// Where the iron may go.
+    /// The work area and the clamps.
     pub bench: Bench,
-    /// What is known of the motors.
+    /// Properties of the motors.
     pub motion: Motion,
     /// The profile's own lines.
     pub script: Script,
 }
 
-/// What the controller reads and does: enough to spell a program for it, and to read one.
+/// The language and abilities of the controller: enough to write a program for it, and to read one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Controller {
     /// The words that it understands.
     pub dialect: Dialect,
     /// Longest line that it reads, in characters without the line end.
     pub line_length: usize,
-    /// How comments are marked.
+    /// The form of comments.
     pub comments: Comments,
-    /// Whether it draws arcs (G2, G3) exactly enough; without, they are cut into chords.
+    /// Whether it draws arcs (G2, G3) exactly enough. If not, arcs are cut into chords.
     pub arcs: bool,
     /// The unit of a dwell's time, and the step to which the controller rounds it up.
     pub dwell: Dwells,
-    /// How the iron gets hot.
+    /// The way in which the iron is heated.
     pub heating: Heating,
     /// Whether programs carry pictures for hosts that show them.
     pub thumbnails: bool,
 }
 
-/// How the iron is led over the fabric.
+/// The process of sealing: the way in which the iron is led over the fabric.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Process {
-    /// Whether the tip is spring-loaded; a rigid one is asked to stay at height 0 or above.
+    /// Whether the tip is spring-loaded; a rigid one must stay at height 0 or above.
     pub spring_loaded: bool,
     /// Heights of the iron's tip above the release layer.
     pub heights: Heights,
@@ -56,31 +56,31 @@ pub struct Process {
     pub trace_speed: Speed,
 }
 
-/// Where the iron may go.
+/// The work area and the clamps.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bench {
     /// Reachable area from the origin, X by Y; `None` if unknown: the sheet is then the only limit.
     pub work_area: Option<(Length, Length)>,
-    /// Where clamps stand.
+    /// Places of the clamps.
     pub keep_out: Vec<KeepOut>,
 }
 
 /// The profile's own lines, which go into a program as they are.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Script {
-    /// Lines that put the controller into a known state: units, plane, distance, arc and feed mode.
+    /// Lines that set the controller's modes: units, plane, distance, arc and feed mode.
     pub start: Vec<String>,
     /// The line at which the machine waits for the operator.
     pub pause: String,
     /// Lines that end the program.
     pub end: Vec<String>,
-    /// What the operator has to see to before the program runs, each a short line.
+    /// Tasks of the operator before the program runs, each a short line.
     pub requires: Vec<String>,
-    /// What lines of `start` limit.
+    /// Limits that lines of `start` set.
     pub limits: Limits,
 }
 
-/// What lines of a program set for the moves that follow.
+/// Limits that lines of a program set for the moves that follow.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limits {
     /// No move is slower than this.
@@ -89,12 +89,12 @@ pub struct Limits {
     pub top_speed: Option<Speed>,
     /// Axes speed up by this.
     pub acceleration: Option<Acceleration>,
-    /// The heater is switched off after so long without a move.
+    /// The heater is switched off after this time without a move.
     pub idle_timeout: Option<Duration>,
 }
 
 impl Limits {
-    /// These, and what a `later` line sets.
+    /// These limits, replaced by those that a `later` line sets.
     pub(in crate::spec) fn then(self, later: Self) -> Self {
         Self {
             lowest_speed: later.lowest_speed.or(self.lowest_speed),
@@ -151,7 +151,7 @@ impl Dialect {
         }
     }
 
-    /// What people call it.
+    /// The usual name.
     pub fn title(self) -> &'static str {
         match self {
             Self::Generic => "the controller",
@@ -171,7 +171,7 @@ impl Dialect {
     }
 }
 
-/// How a comment is marked.
+/// The form of a comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Comments {
     /// From `;` to the end of the line.
@@ -180,7 +180,7 @@ pub enum Comments {
     Parentheses,
 }
 
-/// How dwells are told.
+/// Unit and resolution of dwells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dwells {
     /// Unit of the P word.
@@ -198,7 +198,7 @@ pub enum DwellUnit {
     Milliseconds,
 }
 
-/// How the iron gets to its temperature.
+/// The way in which the iron reaches its temperature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Heating {
     /// The operator sets a soldering station and confirms.
@@ -221,7 +221,7 @@ pub struct Heights {
 /// A clamp: a rectangle in the sheet's frame that the iron must not enter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeepOut {
-    /// What the user calls it.
+    /// The user's name for it.
     pub name: String,
     /// Lower left corner.
     pub x: Length,
@@ -231,6 +231,6 @@ pub struct KeepOut {
     pub width: Length,
     /// Extent along Y.
     pub depth: Length,
-    /// How high it stands above the release layer; `None`: the iron must not pass above it at any height.
+    /// Its height above the release layer; `None`: the iron must not pass above it at any height.
     pub height: Option<Length>,
 }

@@ -1,4 +1,4 @@
-//! The wording of what is wrong with single values.
+//! The wording of faults in single values.
 
 use crate::spec::FaultCode;
 use std::ops::Range;
@@ -23,7 +23,7 @@ pub(super) fn article(noun: &str) -> String {
     format!("{article} {noun}")
 }
 
-/// Other names of units, and what they are called in a spec.
+/// Other names of units, and their names in a spec.
 const SYNONYMS: [(&str, &str); 8] = [
     ("\u{b0}", "deg"),
     ("degrees", "deg"),
@@ -35,22 +35,22 @@ const SYNONYMS: [(&str, &str); 8] = [
     ("mm/sec", "mm/s"),
 ];
 
-/// Names of a unit that specs do not have, because it is no multiple of theirs.
+/// Names of a unit that specs do not have, because it is not a multiple of theirs.
 const FAHRENHEIT: [&str; 3] = ["F", "degF", "\u{b0}F"];
 
-/// Whether what follows a whole number is the rest of one with a decimal comma.
+/// Whether the text behind a whole number is the rest of a decimal with a comma.
 fn is_decimal_comma(rest: &str) -> bool {
     rest.strip_prefix(',')
         .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()) && !rest.contains(','))
 }
 
-/// The unit in which a person most likely means `key`: of an elastic modulus the unit that fabrics have it in, else the base unit.
+/// The unit that a person most likely intends for `key`: for an elastic modulus the usual unit for fabrics, else the base unit.
 pub(super) fn usual_unit<Q: Quantity>(key: &str) -> &'static str {
     let is_modulus = Q::KIND == Pressure::KIND && key.ends_with("modulus");
     if is_modulus { "MPa" } else { Q::UNITS[0].0 }
 }
 
-/// A text that should be a quantity and is none.
+/// The fault of a text that should be a quantity.
 pub(super) fn malformed<Q: Quantity>(
     key: &str,
     text: &str,
@@ -62,7 +62,7 @@ pub(super) fn malformed<Q: Quantity>(
     match reason {
         QuantityFault::UnknownUnit(rest) if is_decimal_comma(rest) => {
             Fault::error(FaultCode::NotANumber, span, message)
-                .label("a decimal point is needed, where a comma stands")
+                .label("a decimal point is needed, not a comma")
                 .help(format!("write {key} = \"{}\"", text.trim().replacen(',', ".", 1)))
         }
         QuantityFault::NotANumber if text.contains('\u{2212}') => {
@@ -78,7 +78,7 @@ pub(super) fn malformed<Q: Quantity>(
             .help(format!("write for instance: {key} = \"{} {base}\"", text.trim())),
         QuantityFault::UnknownUnit(unit) => {
             let fault = Fault::error(FaultCode::UnknownUnit, span, message)
-                .label(format!("{} is no unit of {kind}: must be one of {units}", quoted(unit)));
+                .label(format!("{} is not a unit of {kind}: must be one of {units}", quoted(unit)));
             match meant::<Q>(text, unit) {
                 Some(meant) => fault.help(format!("did you mean \"{meant}\"?")),
                 None => fault,
@@ -87,7 +87,7 @@ pub(super) fn malformed<Q: Quantity>(
     }
 }
 
-/// The whole quantity in the unit that is meant by `unit`, with which `text` ends.
+/// The whole quantity in the unit that `unit` abbreviates; `text` ends with `unit`.
 fn meant<Q: Quantity>(text: &str, unit: &str) -> Option<String> {
     let number = text.trim().strip_suffix(unit)?.trim();
     if Q::KIND == Temperature::KIND && FAHRENHEIT.contains(&unit) {

@@ -13,7 +13,7 @@ pub(super) struct Missing {
     pub(super) section: &'static str,
     /// Whether the section itself is written.
     pub(super) is_written: bool,
-    /// Where to point.
+    /// The span that the fault points to.
     pub(super) place: Range<usize>,
     /// Each key with an example of its value.
     pub(super) keys: Vec<(&'static str, &'static str)>,
@@ -45,7 +45,7 @@ impl Missing {
         (!self.keys.is_empty()).then_some(self)
     }
 
-    /// What to tell.
+    /// The fault that reports the missing keys.
     pub(super) fn fault(self) -> Fault {
         let Self { section, is_written, place, keys } = self;
         let list = keys.iter().map(|(key, _)| format!("`{key}`")).collect::<Vec<_>>().join(", ");

@@ -1,9 +1,8 @@
-//! What the user asks for: from TOML text to a complete, valid [`Spec`], or all of its faults at once.
+//! The user's input: from TOML text to a complete, valid [`Spec`], or all of its faults at once.
 //!
-//! A **raw spec** is what was written, with the place of each key and value in the source; a **spec**
-//! is complete (every default filled in) and valid (every value in its range). What only the
-//! geometry can tell, for instance that the arms would have a negative length, is refused later, by
-//! the design stage; it points at the key concerned with [`RawSpec::span_of`].
+//! A **raw spec** is the text as parsed, with the place of each key and value in the source; a **spec** is complete (every
+//! default filled in) and valid (every value in its range). Faults that only the geometry shows, for instance a negative arm
+//! length, are refused later, by the design stage; it points at the key concerned with [`RawSpec::span_of`].
 //!
 //! The way of a text: [`Source`] (bytes that are UTF-8), [`RawSpec`] (TOML), a reader that takes each key with
 //! its kind and range, [`Reading`] (the spec and its warnings) or [`Faults`]. A machine profile goes the same way.

@@ -9,11 +9,11 @@ use crate::units::{
 /// A complete and valid specification of a gripper, or of a piece by a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spec {
-    /// What the user calls it: 1 to 80 characters, none of them a control character. It may hold anything else.
+    /// The user's name for it: 1 to 80 characters, none of them a control character.
     pub name: String,
     /// `[fabric]`
     pub fabric: Fabric,
-    /// The stars from bottom to top: `[star]` with what `[stack]` and `[[stack.star]]` say; empty where there is a drawing.
+    /// The stars from bottom to top: `[star]` with the values of `[stack]` and `[[stack.star]]`; empty where there is a drawing.
     pub stars: Vec<StarSpec>,
     /// `[drawing]`; `None` where there are stars.
     pub drawing: Option<DrawingSpec>,
@@ -31,7 +31,7 @@ pub struct Spec {
     pub sheet: Sheet,
     /// `[machine]`
     pub machine: MachineChoice,
-    /// `[load]`; `None` if no prediction is asked for.
+    /// `[load]`; `None` if no prediction is requested.
     pub load: Option<Load>,
     /// `[accuracy]`
     pub accuracy: Accuracy,
@@ -39,10 +39,10 @@ pub struct Spec {
     pub build: BuildSpec,
 }
 
-/// What a build makes.
+/// The files that a build makes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct BuildSpec {
-    /// What every build of this spec makes beside what comes by default; none twice.
+    /// Files that every build of this spec makes beside the default ones; no duplicates.
     pub with: Vec<Extra>,
     /// Address of the page that the QR code of previews and report leads to; `None` for no code.
     pub link: Option<String>,
@@ -51,9 +51,9 @@ pub struct BuildSpec {
 /// A kind of file that comes only where it is named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extra {
-    /// All that is known of the gripper on one page.
+    /// A one-page report of the gripper.
     Report,
-    /// All of it in three dimensions.
+    /// The products in three dimensions.
     SceneGlb,
     /// The picture in pixels.
     PreviewPng,
@@ -151,7 +151,7 @@ impl StarSpec {
         }
     }
 
-    /// Whether the flat parts are the same, wherever they stand in the stack.
+    /// Whether the flat parts are the same; their places in the stack may differ.
     pub fn same_part(&self, other: &Self) -> bool {
         let flat = |star: &Self| Self { rotation: Angle(0.0), pitch: Length(0.0), ..star.clone() };
         flat(self) == flat(other)
@@ -169,7 +169,7 @@ pub struct Inlet {
     pub fillet: Length,
 }
 
-/// How the seal is made.
+/// Path, temperature and speed of the seal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seal {
     /// Temperature of the iron.
@@ -191,17 +191,17 @@ pub struct Seal {
 pub struct Mask {
     /// The purpose of the masks.
     pub kind: MaskKind,
-    /// How far the coated zone reaches along both arms from a corner's apex; `None`: the star's own W.
+    /// Reach of the coated zone along both arms from a corner's apex; `None`: the star's own W.
     pub extent: Option<Length>,
     /// The windows, or the separator, shrink by this.
     pub creep: Length,
     /// Plate beyond the outline.
     pub border: Length,
-    /// Whether the copy for the other face is wanted too.
+    /// Whether a mirrored copy for the other face is made too.
     pub mirror: bool,
     /// Thickness of the 3-D printed mask.
     pub thickness: Length,
-    /// What the 3-D printer can print on; `None`: masks are printed whole.
+    /// The bed of the 3-D printer; `None`: masks are printed whole.
     pub bed: Option<Bed>,
 }
 
@@ -234,23 +234,23 @@ pub struct FrameSpec {
     pub post_diameter: Length,
     /// Number of posts, 3 to 64.
     pub posts: u32,
-    /// Width of the cut; that of `[cut]` unless said otherwise.
+    /// Width of the cut; default: the kerf of `[cut]`.
     pub kerf: Length,
 }
 
-/// How masks, outlines and frames are cut.
+/// The cutting method of masks, outlines and frames.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CutSpec {
     /// Width of the cut.
     pub kerf: Length,
-    /// How the colours of drawings tell what is cut, and when.
+    /// The meaning of a drawing's colours: layer and order of the cuts.
     pub colours: Colours,
 }
 
 /// Colours of cutting drawings, by which laser programs tell what to do with a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Colours {
-    /// Everything that is cut in one colour; the file's order says what comes first.
+    /// Everything is cut in one colour; the file's order is the order of the cuts.
     One,
     /// Holes, windows and outer edges each in a colour of their own, for programs that order their work by colour.
     Ordered,
@@ -263,7 +263,7 @@ pub struct Sheet {
     pub width: Option<Length>,
     /// Height along Y; `None`: as large as the parts need.
     pub height: Option<Length>,
-    /// How often a drawn piece is made.
+    /// Number of copies of a drawn piece.
     pub copies: u32,
     /// Free strip along the sheet's border.
     pub margin: Length,
@@ -275,18 +275,18 @@ pub struct Sheet {
     pub hole_diameter: Length,
 }
 
-/// Which machine, and how it is driven.
+/// The machine and how it is driven.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MachineChoice {
     /// A built-in profile's name, or a path relative to the spec.
     pub profile: String,
     /// One program a piece or one a sheet.
     pub program: ProgramScope,
-    /// What to do below the controller's lowest feed.
+    /// The action below the controller's lowest feed.
     pub feed_floor: FeedFloor,
 }
 
-/// What one G-code program covers.
+/// The scope of one G-code program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProgramScope {
     /// One piece.
@@ -295,7 +295,7 @@ pub enum ProgramScope {
     Sheet,
 }
 
-/// What to do when the seal speed is below what the controller can hold.
+/// The action when the seal speed is below the lowest feed that the controller holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FeedFloor {
     /// Refuse to write the program.
@@ -304,14 +304,14 @@ pub enum FeedFloor {
     Chop,
 }
 
-/// What the gripper shall do; without it nothing is predicted.
+/// The load of the gripper; without it nothing is predicted.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Load {
     /// Gauge pressure p.
     pub pressure: Option<Pressure>,
     /// Radius of the object where it is widest: half of `object_diameter`, or `object_radius`.
     pub object_radius: Option<Length>,
-    /// Which of the two keys gave it.
+    /// The key that gives the object's size.
     pub object_size: ObjectSize,
     /// Height of the object; absent: as tall as wide.
     pub object_height: Option<Length>,
@@ -348,7 +348,7 @@ pub enum ObjectSize {
 /// The shape of an object whose axis is the gripper's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObjectShape {
-    /// As wide everywhere.
+    /// A cylinder: as wide everywhere.
     Cylinder,
     /// A ball; an ellipsoid of revolution where it is not as tall as wide.
     Ball,

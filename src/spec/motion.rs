@@ -1,12 +1,12 @@
 //! The lowest feed that a controller holds, from its motors' steps and its timer's longest period.
 //!
 //! A controller makes the steps of the axis that has most of them at an even rate. Below some rate its timer
-//! overflows; many then step at the lowest rate they can, faster than told, without a word. Along the unit vector u
+//! overflows; many then step at their lowest rate, faster than programmed, and do not report it. Along the unit vector u
 //! the lowest speed is `f / max(S_x |u_x|, S_y |u_y|, S_z |u_z|)`, with f the lowest step rate and S the steps per mm.
 
 use crate::units::{Acceleration, Duration, Speed};
 
-/// What is known of the motors.
+/// Properties of the motors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
     /// Steps per mm of X, Y and Z; `None` if unknown.
@@ -17,12 +17,12 @@ pub struct Motion {
     pub min_feed: Speed,
     /// Acceleration of X and Y; `None` if unknown.
     pub acceleration: Option<Acceleration>,
-    /// Feed of chopped moves; `None`: what [`Motion::chop_speed`] says.
+    /// Feed of chopped moves; `None`: that of [`Motion::chop_speed`].
     pub chop_feed: Option<Speed>,
-    /// How long a move waits that meets an empty queue, as after each dwell.
+    /// Delay of a move that meets an empty queue, as after each dwell.
     pub start_delay: Duration,
-    /// The tick of a controller that steps as GRBL does; 0: rates are whole steps a second, as Marlin's; `None`: a move
-    /// takes what its speed and acceleration say.
+    /// The tick of a controller that steps as GRBL does; 0: rates are whole steps a second, as Marlin's; `None`: the time of a
+    /// move follows from its speed and acceleration.
     pub tick: Option<Duration>,
     /// Whether the timer of long steps wraps around, as FluidNC's does.
     pub wraps: bool,
@@ -37,29 +37,29 @@ pub struct Motion {
 /// The lowest even step rate of a controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StepRate {
-    /// Not known: nothing can be checked.
+    /// Unknown: nothing can be checked.
     Unknown,
-    /// As slow as anyone wants.
+    /// No lowest rate.
     NoLimit,
     /// This many steps a second.
     AtLeast(f64),
 }
 
-/// How many times the lowest feed a chopped move goes: far enough above it for a timer's rounding, and near enough
-/// for the shortest way of braking.
+/// Ratio of a chopped move's feed to the lowest feed: high enough for a timer's rounding, and low enough for the shortest braking
+/// distance.
 const CHOP_MARGIN: f64 = 1.2;
-/// How many times the seal's speed a chopped move goes at least where rates are whole steps a second: its strokes are
-/// timed with the rates as they become, whatever these are. Enough to leave time for dwells, and slow enough for short
-/// strokes to reach it: where one does not, its peak hangs on the rounding of a float (`calculate_trapezoid_for_block`).
+/// Least ratio of a chopped move's feed to the seal's speed where rates are whole steps a second. Strokes are timed with the
+/// rounded rates. The ratio leaves time for dwells, and is low enough for short strokes to reach the feed: the peak of one that
+/// does not depends on the rounding of a float (`calculate_trapezoid_for_block`).
 const CHOP_RATIO: f64 = 2.5;
 /// The part of the first step's rate that chopped moves have in the worst direction. Along an axis they step 1.41 times as
 /// often, so rates lie around that of the first step, and it makes little difference whether a version has one.
 const FIRST_SHARE: f64 = 0.81;
-/// By which part a steady move may be too fast where rates are rounded up to whole steps a second.
+/// The fraction by which a steady move may be too fast where rates are rounded up to whole steps a second.
 const ROUNDED_UP: f64 = 0.002;
 
 impl Motion {
-    /// Nothing known.
+    /// All values unknown.
     pub const UNKNOWN: Self = Self {
         steps_per_mm: None,
         step_rate: StepRate::Unknown,
@@ -78,8 +78,8 @@ impl Motion {
         self.tick.is_some_and(|tick| tick.0 == 0.0)
     }
 
-    /// The lowest rate, steps/s, at which a steady move has its speed: the lowest that can be made, and where rates are
-    /// rounded up to whole ones, that of which one step a second is 0.2 %. `None` where there is none, or none is known.
+    /// The lowest rate, steps/s, at which a steady move has its speed: the lowest that can be made. Where rates are rounded up to
+    /// whole ones, it is at least the rate of which one step a second is 0.2 %. `None` where there is none, or it is unknown.
     pub fn even_rate(&self) -> Option<f64> {
         let StepRate::AtLeast(rate) = self.step_rate else { return None };
         Some(if self.has_whole_rates() { rate.max(1.0 / ROUNDED_UP) } else { rate })

@@ -1,11 +1,11 @@
-//! Free words of a spec: names and descriptions, which later stand in file headers and title blocks.
+//! Free words of a spec: names and descriptions, which are later written to file headers and title blocks.
 
 use std::fmt;
 
 /// Longest name, in characters.
 pub const NAME_LENGTH: usize = 80;
 
-/// Why a text is no name.
+/// The reason why a text cannot be a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NameFault {
     /// It is empty or blank.
@@ -16,7 +16,7 @@ pub enum NameFault {
     Control(char),
     /// It holds a mark that turns the direction of text, so that it reads as another one.
     Direction(char),
-    /// It holds a code point that is no character, which no XML or HTML file may hold.
+    /// It holds a code point that is not a character, which no XML or HTML file may hold.
     NoCharacter(char),
 }
 
@@ -54,8 +54,8 @@ impl fmt::Display for NameFault {
 
 impl std::error::Error for NameFault {}
 
-/// Checks that `text` can be a name: 1 to [`NAME_LENGTH`] characters, no control character, no line break,
-/// nothing that is no character, and no mark that turns the direction of text (letters that are written from right to left need none).
+/// Checks that `text` can be a name: 1 to [`NAME_LENGTH`] characters, no control character, no line break, no code point that is
+/// not a character, and no mark that turns the direction of text (letters that are written from right to left need none).
 ///
 /// # Errors
 /// If it cannot.
@@ -75,7 +75,7 @@ pub fn check_name(text: &str) -> Result<(), NameFault> {
     }
 }
 
-/// Whether nothing is seen of `c`: a space, or one of Unicode's fillers, joiners and selectors, which have no shape.
+/// Whether `c` is invisible: a space, or one of Unicode's fillers, joiners and selectors, which have no shape.
 fn is_blank(c: char) -> bool {
     let is_filler = matches!(
         c,
@@ -86,13 +86,13 @@ fn is_blank(c: char) -> bool {
     c.is_whitespace() || is_filler
 }
 
-/// Whether `c` makes a line of text show something else than it says: a control character, one of Unicode's two line
-/// breaks, which Rust does not count as such, a mark that turns the direction of text, or no character at all.
+/// Whether `c` makes a line of text show something else than it contains: a control character, one of Unicode's two line breaks
+/// that Rust does not count as such, a mark that turns the direction of text, or a code point that is not a character.
 pub fn misleads(c: char) -> bool {
     c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') || turns(c) || is_no_character(c)
 }
 
-/// Whether `c` is one of the two code points that are no characters and that XML 1.0 forbids (2.2, production Char).
+/// Whether `c` is one of the two code points that are not characters and that XML 1.0 forbids (2.2, production Char).
 fn is_no_character(c: char) -> bool {
     matches!(c, '\u{fffe}' | '\u{ffff}')
 }

@@ -1,4 +1,4 @@
-//! The raw spec: what was written, with the place of each key and value.
+//! The raw spec: the text as parsed, with the place of each key and value.
 
 use std::ops::Range;
 
@@ -8,19 +8,19 @@ use crate::spec::fault::Fault;
 use crate::spec::value::{RawEntry, RawKind, RawTable, RawValue};
 use crate::spec::{KeyPath, syntax};
 
-/// What was written: TOML, nothing decided yet.
+/// The parsed TOML, before validation.
 #[derive(Clone, Debug)]
 pub struct RawSpec {
     root: RawTable,
 }
 
 impl RawSpec {
-    /// Reads `text` as TOML, with the first of its syntax errors; what stands between them is kept.
+    /// Reads `text` as TOML, with the first of its syntax errors; the text between them is kept.
     pub(super) fn parse(text: &str) -> (Self, Vec<Fault>) {
         let (root, errors) = DeTable::parse_recoverable(text);
         let root: RawTable = root.get_ref().into();
         let faults = syntax::faults(&errors, text, &root);
-        // What a flood leaves between its errors is chance.
+        // The tables that the parser recovers between so many errors are arbitrary.
         let kept = if errors.len() < syntax::FLOOD { root } else { RawTable(Vec::new()) };
         (Self { root: kept }, faults)
     }

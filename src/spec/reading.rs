@@ -1,7 +1,7 @@
 //! From a raw spec to the [`Spec`]: each section with its defaults and its ranges.
 //!
-//! Reading goes on after a fault with a stand-in for the faulty value; a stand-in never leaves this
-//! room, because the faults then refuse the spec.
+//! After a fault, reading goes on with a substitute for the faulty value; a substitute never leaves this room, because the faults
+//! then refuse the spec.
 
 use crate::spec::accuracy::{Accuracy, ModelChoice};
 use crate::spec::allowed::{Allowed, EXTRA, SIZE};
@@ -20,14 +20,14 @@ use crate::spec::source::Source;
 use crate::spec::{Code, DrawingContent, FaultCode, KeyPath, drawing, key, stars};
 use crate::units::{Angle, Length, Percent, Pressure, Speed, Temperature};
 
-/// A spec that was read, and what can still be said about its text.
+/// A spec that was read, and the warnings about its text.
 #[derive(Clone, Debug)]
 pub struct Reading {
     /// The complete, valid spec.
     pub spec: Spec,
-    /// What a person should know although the spec is valid; often empty.
+    /// Warnings about a valid spec; often empty.
     pub warnings: Faults,
-    /// What was written, to find the place of a key that a later stage refuses.
+    /// The parsed text, to find the place of a key that a later stage refuses.
     pub raw: RawSpec,
 }
 
@@ -44,13 +44,13 @@ impl Reading {
 
 /// Reads a spec. A drawing that it names is not read: see [`Reading::with_drawing`].
 ///
-/// Ranges, ends included unless said otherwise: sizes 1 um to 100 m; radii, allowances, margins, creep, kerf, overlap
+/// Ranges, ends included unless noted otherwise: sizes 1 um to 100 m; radii, allowances, margins, creep, kerf, overlap
 /// and fillet 0 to 100 m; `hole_diameter` 0 or from 0.2 mm; `points` and `posts` 3 to 64; `count` 1 to 64; `tip` and `inlet_tip` 1 to the star's points;
 /// `tip_angle` between 0 and 180 deg, both excluded; `rotation` up to 3600 deg either way; `temperature` above 0 C and
 /// below 300 C, with a warning above 260 C; `speed` 0.001 to 1000 mm/s; `young_modulus` 1 Pa to 1 TPa; `poisson_ratio`
 /// above -1, to 0.5; `seal_strength` 1e-6 to 1e4 N/mm; `areal_density` 1e-6 to 1e4 kg/m^2; `bending_stiffness`
 /// 1e-9 to 1e9 N mm; `stretch_stiffness` 1e-6 to 1e9 N/mm; `pressure` 1 Pa to 1 GPa;
-/// `friction` above 0, to 10; `path` 0.0001 to 1 mm; `response` above 0, to 100 %; `name` as [`check_name`] says;
+/// `friction` above 0, to 10; `path` 0.0001 to 1 mm; `response` above 0, to 100 %; `name` as in [`check_name`];
 /// `link` an address of at most 200 letters.
 ///
 /// # Errors
@@ -60,7 +60,7 @@ pub fn read(source: &Source) -> Result<Reading, Faults> {
     Ok(Reading { spec, warnings, raw })
 }
 
-/// Parses `source`, which should be a `document`, lets `body` take what it wants, and judges the faults of both.
+/// Parses `source`, which should be a `document`, lets `body` take its keys, and collects the faults of both.
 pub(super) fn read_with<T>(
     source: &Source,
     document: Document,
@@ -81,8 +81,8 @@ pub(super) fn read_with<T>(
     if faults.refuse() { Err(faults) } else { Ok((found, faults, raw)) }
 }
 
-/// Where the syntax is broken, keys are lost and values are the parser's guesses: keeps of `others` what does not
-/// come from that.
+/// Near broken syntax, keys are lost and values are the parser's guesses: keeps the faults of `others` that do not come from
+/// that.
 fn beyond_syntax(others: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fault> {
     let line = |at: usize| text.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count();
     let broken: Vec<usize> = syntax.iter().map(|fault| line(fault.span.start)).collect();
@@ -94,13 +94,13 @@ fn beyond_syntax(others: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fault>
     others.into_iter().filter(is_sound).collect()
 }
 
-/// Reports a `schema` that is not `version`, the only one that is known.
+/// Reports a `schema` that is not `version`, the only supported one.
 pub(super) fn read_schema(root: &mut Section<'_, '_>, version: u32) {
     let found = root.count("schema", 0, u32::MAX);
     root.narrow("schema", ValueShape::Count(version, version));
     if let Some(found) = found.filter(|found| *found != version) {
         let fault = Fault::error(FaultCode::Schema, root.place_of("schema"), format!("`schema` is {found}"))
-            .label(format!("must be {version}, the only version this program knows"));
+            .label(format!("must be {version}, the only version this program supports"));
         root.report(fault);
     }
 }

@@ -1,4 +1,4 @@
-//! Faults as a person reads them: file, line, caret, what was found, what is allowed, a hint.
+//! Faults as a person reads them: file, line, caret, the finding, the allowed values, a hint.
 
 use annotate_snippets::{AnnotationKind, Level as Tone, Origin, Renderer, Snippet};
 
@@ -6,10 +6,10 @@ use crate::spec::fault::{Fault, Severity};
 use crate::spec::name::misleads;
 use crate::spec::source::{Source, boundary};
 
-/// Most faults shown; a wrong file has thousands, and nobody reads them.
+/// Most faults shown; a wrong file has thousands.
 const SHOWN: usize = 30;
 
-/// How much of a line is shown behind the place of its fault, bytes: more than a terminal is wide.
+/// Length of a line shown behind the place of its fault, bytes: more than a terminal is wide.
 const ROOM: usize = 500;
 
 /// Columns before a line of text: a line's number of at most three digits, blanks and a bar.
@@ -55,12 +55,12 @@ fn one(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<usize>
         Severity::Error => Tone::ERROR,
         Severity::Warning => Tone::WARNING,
     };
-    // What is said behind "error[code]: " and behind the longest "  = help: ".
+    // Text behind "error[code]: " and behind the longest "  = help: ".
     let head = "warning[]: ".len() + fault.code.len();
     let title = tone.primary_title(told(&broken(&fault.message, width, head))).id(fault.code);
     let note =
         |tone: Tone<'static>, text: &str| tone.message(told(&broken(text, width, MARGIN + "= help: ".len())));
-    // What speaks of a section that is not there has no line to show.
+    // A fault of a missing section has no line to show.
     if fault.span.is_empty() && fault.span.start == text.len() && (text.is_empty() || text.ends_with('\n')) {
         let mut group = title.element(Origin::path(shown_name(source)));
         if !fault.label.is_empty() {
@@ -71,11 +71,11 @@ fn one(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<usize>
         }
         return renderer.render(&[group]);
     }
-    // Only the line is handed on: the renderer's work grows with what it is given, once for each fault.
+    // Only the line is handed on: the renderer's work grows with the length of its input, once for each fault.
     let start = text[..fault.span.start].rfind('\n').map_or(0, |at| at + 1);
     let end = text[fault.span.start..].find('\n').map_or(text.len(), |n| fault.span.start + n);
     let line = text[start..end].trim_end_matches('\r');
-    // Of a line without end not all is worth its memory, of which the renderer needs many times its length.
+    // A very long line is cut: the renderer needs many times its length in memory.
     let line = &line[..boundary(line, (fault.span.start - start).saturating_add(ROOM))];
     let local = |at: usize| at.min(end).saturating_sub(start).min(line.len());
     let (start_here, end_here) = (local(fault.span.start), local(fault.span.end));
@@ -133,20 +133,20 @@ fn summary(source: &Source, faults: &[Fault]) -> String {
     format!("{}: {parts}{cut}", shown_name(source))
 }
 
-/// `text` with a mark in place of what would command a terminal or turn the text around and is not ASCII; the renderer has
-/// pictures for what is, but lets the other control characters through.
+/// `text` with a mark in place of characters outside ASCII that command a terminal or turn the text around; the renderer has
+/// pictures for those in ASCII, but lets the other control characters through.
 fn visible(text: &str) -> String {
     let mark = |c: char| if misleads(c) && !c.is_ascii() { char::REPLACEMENT_CHARACTER } else { c };
     text.chars().map(mark).collect()
 }
 
-/// What is said of a fault, which may repeat what stands in the text: all of that is marked.
+/// The text of a fault, in which misleading characters of the source are marked.
 fn told(text: &str) -> String {
     let mark = |c: char| if misleads(c) && c != '\n' { char::REPLACEMENT_CHARACTER } else { c };
     text.chars().map(mark).collect()
 }
 
-/// The source's name without what would command a terminal.
+/// The source's name without characters that command a terminal.
 fn shown_name(source: &Source) -> String {
     source.name.chars().map(|c| if misleads(c) { '?' } else { c }).collect()
 }

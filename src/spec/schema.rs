@@ -1,7 +1,7 @@
 //! The JSON Schemas of a spec and of a machine profile, for editors: completion, hints, and slips underlined while one types.
 //!
-//! Each truth keeps its home: which keys there are, and what each takes, is what the reader says when it takes them
-//! ([`ValueShape`]); what they mean, their defaults and examples are what the starter shows, and the profile `generic`.
+//! Each truth keeps its home: the reader defines the keys and the values that each takes ([`ValueShape`]). Meanings, defaults and
+//! examples come from the starter and the profile `generic`.
 
 mod notes;
 
@@ -18,17 +18,17 @@ use crate::spec::section::Reader;
 use crate::spec::shape::{ValueShape, capital};
 use crate::spec::starter::TEMPLATE;
 
-/// The file's name beside a spec: what the first line of the starter names.
+/// The file's name beside a spec, as in the first line of the starter.
 pub const SCHEMA_FILE: &str = "stargrip-cam.schema.json";
 
-/// A section's list: the one whose keys stand in a list of sections.
+/// The section whose keys are those of a list of sections.
 const LIST: &str = "stack.star";
 /// The products: a spec has one of these sections.
 const EITHER: [&str; 2] = ["star", "drawing"];
-/// The profile's list, which stands in no section.
+/// The profile's list, which is in no section.
 const CLAMPS: &str = "keep_out";
 
-/// What the starter leaves out, because it excludes a key that is shown.
+/// Keys that the starter leaves out, because they exclude a key that is shown.
 const INSTEAD: &str = r#"
 [load]
 object_radius = "30 mm"  # half of object_diameter, which it replaces; set one of the two
@@ -40,7 +40,8 @@ units = "mm"  # of the file's numbers, if it does not state them
 layers = { "air": ["chamber"], "port": ["inlet"] }  # the role of each layer: air edges, seam centre lines, ports, cut, holes, or ignored
 "#;
 
-/// What the profile `generic` leaves unsaid; a line that begins with `# ` is a default, and says what `generic` says where it has no words.
+/// Notes that the profile `generic` lacks. A line that begins with `# ` is a default, with the meaning that `generic` gives where
+/// this one is empty.
 const MORE: &str = r#"
 schema = 1  # the version of this format
 name = "my-machine"  # what programs and messages call it
@@ -114,10 +115,10 @@ pub fn machine_schema() -> String {
     )
 }
 
-/// What is said of a profile's keys.
+/// The notes on a profile's keys.
 fn profile_notes() -> Notes {
     let mut notes = Notes::of(builtin_machine("generic").unwrap_or_default());
-    // What stands there is one machine's own.
+    // The values of `generic` belong to one machine and are not defaults.
     notes.keys.values_mut().for_each(|note| note.is_default = false);
     for (key, mut more) in Notes::of(MORE).keys {
         if let Some(note) = notes.keys.get_mut(&key).filter(|_| more.meaning.is_empty()) {
@@ -128,7 +129,7 @@ fn profile_notes() -> Notes {
     notes
 }
 
-/// What `reader` took, by section.
+/// The keys that `reader` took, by section.
 fn sections_of(reader: &Reader<'_>, notes: &Notes) -> BTreeMap<&'static str, SectionSchema> {
     let mut sections: BTreeMap<&str, SectionSchema> = BTreeMap::new();
     for (section, key, shape) in reader.shapes() {
@@ -186,7 +187,7 @@ impl SectionSchema {
 
 fn property(section: &str, key: &str, shape: &ValueShape, notes: &Notes) -> Value {
     let (mut value, told) = shape.schema();
-    // What a single star has different means what it means in the section where all stars have it.
+    // A key of a single star has the meaning of the same key in the section for all stars.
     let homes: &[(&str, &str)] = match (section, key) {
         (LIST, "inlet_tip") => &[(LIST, "inlet_tip"), ("inlet", "tip")],
         (LIST, _) => &[(LIST, key), ("star", key), ("stack", key)],
@@ -194,7 +195,7 @@ fn property(section: &str, key: &str, shape: &ValueShape, notes: &Notes) -> Valu
     };
     let found = homes.iter().filter_map(|home| notes.of_key(*home));
     let note = found.fold(None, |best: Option<&Note>, note| match best {
-        // The list's own lines are examples without a word on what they mean.
+        // The list's own lines are examples without a meaning.
         Some(best) if !best.meaning.is_empty() && section != LIST => Some(best),
         _ => Some(note),
     });

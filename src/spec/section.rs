@@ -1,7 +1,7 @@
-//! Takes values out of what was written: key by key, each with its kind and its range.
+//! Takes values out of the parsed text: key by key, each with its kind and its range.
 //!
-//! A **section** is a table with a name. Taking a key registers it as known, so that a key that is never
-//! taken is an unknown one, and there is no second list of keys to keep in step.
+//! A **section** is a table with a name. Taking a key registers it, so that a key that is never taken is an unknown one, and
+//! there is no second list of keys to maintain.
 
 mod words;
 
@@ -20,9 +20,9 @@ use crate::units::{Length, Percent, Quantity, QuantityFault};
 
 /// Reads one document and collects its faults.
 pub(super) struct Reader<'r> {
-    /// What was written.
+    /// The parsed text.
     pub(super) raw: &'r RawSpec,
-    /// What was found so far.
+    /// The faults so far.
     pub(super) faults: Vec<Fault>,
     known: Vec<Known<'r>>,
     missing: Vec<Missing>,
@@ -51,7 +51,7 @@ impl<'r> Reader<'r> {
         }
     }
 
-    /// The keys that stand before the first section.
+    /// The keys before the first section.
     pub(super) fn root(&mut self) -> Section<'_, 'r> {
         let table = Some(self.raw.root());
         self.open("", table, 0..0)
@@ -81,7 +81,7 @@ impl<'r> Reader<'r> {
         self.open(name, table, value.span.clone())
     }
 
-    /// Section `name`, whose keys whoever asks for it judges; `None` if it was not written.
+    /// Section `name`, whose keys the caller checks; `None` if it was not written.
     pub(super) fn free(&mut self, name: &'static str) -> Option<&'r RawValue> {
         let value = self.raw.root().get(name);
         if let Some(value) = value {
@@ -105,7 +105,7 @@ impl<'r> Reader<'r> {
         Section { reader: self, name, table, place }
     }
 
-    /// What each key takes that was asked for so far, by section and key; what a later one of the same key says, holds.
+    /// The shape of each key taken so far, by section and key; of a key taken twice the later shape holds.
     pub(super) fn shapes(&self) -> impl Iterator<Item = (&'static str, &'static str, &ValueShape)> {
         self.shapes.iter().map(|(section, key, shape)| (*section, *key, shape))
     }
@@ -115,15 +115,15 @@ impl<'r> Reader<'r> {
         self.required.iter().copied()
     }
 
-    /// Every section and key that was asked for so far.
+    /// Every section and key taken so far.
     #[cfg(test)]
     pub(super) fn taken(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         self.known.iter().flat_map(|known| known.keys.iter().map(|key| (known.section, *key)))
     }
 
-    /// Adds a fault for each key and section that nobody asked for, and hands over all faults.
+    /// Adds a fault for each key and section that was never taken, and returns all faults.
     pub(super) fn finish(mut self) -> Vec<Fault> {
-        // Who misspelt a key is told so, and not that the key is missing as well.
+        // A misspelt key is reported as such, and not as missing too.
         let missing = self.missing.into_iter().filter_map(|missing| missing.but_for(&self.known));
         self.faults.extend(missing.map(Missing::fault));
         self.faults.extend(unknown::faults(&self.known));
@@ -142,12 +142,12 @@ impl<'r> Section<'_, 'r> {
         self.table.is_some_and(|table| table.get(key).is_some())
     }
 
-    /// Where the section's header is.
+    /// The span of the section's header.
     pub(super) fn place(&self) -> Range<usize> {
         self.place.clone()
     }
 
-    /// Where the value of `key` is, or the section's header if it was not written.
+    /// The span of the value of `key`, or of the section's header if the key was not written.
     pub(super) fn place_of(&self, key: &str) -> Range<usize> {
         self.table.and_then(|table| table.get(key)).map_or(self.place(), |value| value.span.clone())
     }
@@ -168,7 +168,7 @@ impl<'r> Section<'_, 'r> {
         self.require_if(true, required);
     }
 
-    /// The same where the section is needed; else the keys are only known to be required in it.
+    /// The same where the section is needed; else the keys are only registered as required in it.
     pub(super) fn require_if(&mut self, is_needed: bool, required: &[(&'static str, &'static str)]) {
         self.reader.required.extend(required.iter().map(|(key, _)| (self.name, *key)));
         let keys: Vec<_> = required.iter().filter(|(key, _)| !self.has(key)).copied().collect();
@@ -195,7 +195,7 @@ impl<'r> Section<'_, 'r> {
         }
     }
 
-    /// The value of `key`, which takes what `shape` says; it becomes a known key.
+    /// The value of `key`, which takes values of `shape`; registers the key.
     pub(super) fn take(&mut self, key: &'static str, shape: ValueShape) -> Option<&'r RawValue> {
         self.reader.shapes.push((self.name, key, shape));
         if let Some(known) = self.reader.known.iter_mut().rfind(|known| known.section == self.name) {
@@ -225,7 +225,7 @@ impl<'r> Section<'_, 'r> {
                 Err(reason) => malformed::<Q>(key, text, &reason, value.span.clone()),
             },
             RawKind::Number(number) => {
-                // Whoever wrote `nan` is shown a number.
+                // The example for a value of `nan` is a number.
                 let example = if number.value.is_finite() { number.shown() } else { "5".to_owned() };
                 let number = number.shown();
                 Fault::error(
@@ -339,7 +339,7 @@ impl<'r> Section<'_, 'r> {
     }
 }
 
-/// The number that a text means: 0.5 of "0.5" and of "50 %".
+/// The number that a text expresses: 0.5 of "0.5" and of "50 %".
 fn plain(value: &RawValue) -> Option<f64> {
     let RawKind::Text(text) = &value.kind else { return None };
     text.trim().parse().ok().or_else(|| Percent::parse(text).ok().map(Percent::ratio))

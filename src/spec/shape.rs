@@ -1,4 +1,5 @@
-//! What a key takes, as the reader says that takes it: the schema is made of this, so that the two cannot disagree.
+//! The values that a key takes, as the reader states when it takes them: the schema is made of this, so that the two cannot
+//! disagree.
 
 use serde_json::{Value, json};
 
@@ -6,10 +7,10 @@ use crate::spec::allowed::Allowed;
 use crate::spec::message::article;
 use crate::units::{Length, Quantity};
 
-/// A decimal number, as a JSON Schema's pattern: what `units` reads before a unit.
+/// A decimal number, as a JSON Schema's pattern: the number that `units` reads before a unit.
 const NUMBER: &str = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?";
 
-/// What a key takes.
+/// The values that a key takes.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum ValueShape {
     /// A number and a unit in quotes.
@@ -51,7 +52,7 @@ impl ValueShape {
         Self::Quantity { kind: Q::KIND, units: Q::UNITS.iter().map(|(name, _)| *name).collect(), allowed }
     }
 
-    /// As JSON Schema, and what cannot be said in it in words.
+    /// The JSON Schema, and the conditions that it cannot express, in words.
     pub(super) fn schema(&self) -> (Value, Option<String>) {
         let told = match self {
             Self::Quantity { kind, units, allowed } => {

@@ -3,7 +3,7 @@
 /// Largest text read, in bytes: hundreds of times a long spec, and small enough that a wrong file costs nothing.
 pub const SIZE_LIMIT: usize = 1 << 20;
 
-/// A text with the name under which faults speak of it.
+/// A text with the name that faults show.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
     /// A path or another name; shown in faults, never opened.

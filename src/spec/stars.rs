@@ -14,9 +14,9 @@ const MOST: u32 = 64;
 const TURN: Allowed = Allowed::closed(-3600.0, 3600.0);
 
 /// The stars from bottom to top, and the inlet that each of them has.
-/// None where there is a drawing instead.
+/// Empty where there is a drawing instead.
 pub(super) fn read(reader: &mut Reader<'_>, has_drawing: bool) -> (Vec<StarSpec>, Option<Inlet>) {
-    // Faulty required values are stood in for by the paper's star.
+    // The paper's star substitutes faulty required values.
     let paper = StarSpec::paper(5);
     let mut section = reader.section("star");
     section.require_if(
@@ -38,7 +38,7 @@ pub(super) fn read(reader: &mut Reader<'_>, has_drawing: bool) -> (Vec<StarSpec>
     let base = StarSpec { inlet_tip: tip.unwrap_or(base.inlet_tip), ..read_place(&mut stack, &base) };
     read_list(&mut stack);
     let mut stars = vec![base; usize::try_from(count.unwrap_or(1)).unwrap_or(1)];
-    // The bottom star has no star below it, hence no rotation against one unless its own section says so.
+    // The bottom star has no star below it: it is not rotated unless its own section sets a rotation.
     stars[0].rotation = Angle(0.0);
     read_overrides(reader, &mut stars, highest, inlet.is_some());
     check_inlet_tips(reader, &stars, inlet.is_some());
@@ -101,13 +101,13 @@ fn read_list(stack: &mut Section<'_, '_>) {
         && value.as_list().is_none()
     {
         let fault =
-            Fault::error(FaultCode::WrongType, value.span.clone(), "`stack.star` is no list of sections")
+            Fault::error(FaultCode::WrongType, value.span.clone(), "`stack.star` is not a list of sections")
                 .label("must be written [[stack.star]], with two brackets");
         stack.report(fault);
     }
 }
 
-/// What single stars have different.
+/// The values in which single stars differ.
 fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32, has_inlet: bool) {
     let mut seen = [false; MOST as usize + 1];
     for value in reader.raw.overrides() {

@@ -57,7 +57,7 @@ pub fn drawing_starter(
 /// If `name` cannot be a spec's name.
 pub fn quoted(name: &str) -> Result<String, NameFault> {
     check_name(name)?;
-    // A name holds no control characters, so these two are all that TOML wants escaped.
+    // A name holds no control characters, so TOML requires only these two to be escaped.
     Ok(format!("\"{}\"", name.replace('\\', "\\\\").replace('"', "\\\"")))
 }
 

@@ -1,4 +1,4 @@
-//! What is wrong with a text that is no TOML, in a person's words.
+//! Messages for syntax errors of TOML, in plain words.
 
 use std::ops::Range;
 
@@ -6,10 +6,10 @@ use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::value::{RawKind, RawTable, RawValue};
 
-/// Syntax errors from which a text is no spec with slips, but something else.
+/// Number of syntax errors from which a text is taken for another kind of file, not for a spec with slips.
 pub(super) const FLOOD: usize = 13;
 
-/// Errors that are reported of a flood: the first says what is wrong.
+/// Errors that are reported of a flood: the first names the cause.
 const REPORTED: usize = 3;
 
 /// Quotes of typographers, and the plain ones that TOML has.
@@ -37,7 +37,7 @@ pub(super) fn faults(errors: &[toml::de::Error], text: &str, root: &RawTable) ->
     faults
 }
 
-/// The parser says "found, expected allowed".
+/// The parser's messages have the form "found, expected allowed".
 fn fault(error: &toml::de::Error, text: &str, root: &RawTable) -> Fault {
     let span = error.span().unwrap_or(0..0);
     let line = line_of(text, span.start);
@@ -78,7 +78,7 @@ fn duplicate(text: &str, span: &Range<usize>, root: &RawTable) -> Fault {
     let opened = || text.lines().position(|line| line.trim() == header).map(|before| 1 + before);
     let here = 1 + text.get(..span.start).map_or(0, |before| before.matches('\n').count());
     match written.or_else(opened).filter(|line| *line < here) {
-        Some(line) => fault.label(format!("line {line} says it already")).help("delete one of the two"),
+        Some(line) => fault.label(format!("line {line} has it already")).help("delete one of the two"),
         None => fault.label("this was written before"),
     }
 }
@@ -165,11 +165,11 @@ mod tests {
         assert_eq!(faults.len(), 2, "{faults:?}");
         assert_eq!(
             (faults[0].message.as_str(), faults[0].label.as_str()),
-            ("duplicate key `kerf`", "line 6 says it already")
+            ("duplicate key `kerf`", "line 6 has it already")
         );
         assert_eq!(
             (faults[1].message.as_str(), faults[1].label.as_str()),
-            ("duplicate key `cut`", "line 2 says it already")
+            ("duplicate key `cut`", "line 2 has it already")
         );
     }
 

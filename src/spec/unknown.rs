@@ -1,4 +1,4 @@
-//! Keys and sections that nobody asked for, and what their writer may have meant.
+//! Unknown keys and sections, and the ones that their writer may have meant.
 
 use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
@@ -6,13 +6,13 @@ use crate::spec::message::header;
 use crate::spec::value::{RawKind, RawTable, RawValue};
 use crate::units::{Length, Quantity};
 
-/// A section that was read: its keys and what was written in it.
+/// A section that was read: its keys and its content in the text.
 pub(super) struct Known<'r> {
     /// Its name; "" for the keys before the first section.
     pub(super) section: &'static str,
-    /// The keys that were asked for.
+    /// The keys that were taken.
     pub(super) keys: Vec<&'static str>,
-    /// What was written, if anything was.
+    /// The table in the text; `None` if it was not written.
     pub(super) table: Option<&'r RawTable>,
 }
 
@@ -20,13 +20,13 @@ pub(super) struct Known<'r> {
 const MEANT: [(&str, &str); 3] =
     [("weight", "mass"), ("payload", "mass"), ("elastic_modulus", "young_modulus")];
 
-/// Longest word compared with the known ones, in bytes; the comparison's cost grows with its square.
+/// Longest word compared with the registered keys, in bytes; the comparison's cost grows with its square.
 const COMPARED: usize = 40;
 
 /// Most unknown keys reported.
 const REPORTED: usize = 200;
 
-/// A fault for each key and section in `known` that is not known.
+/// A fault for each key and section of the text that is not in `known`.
 pub(super) fn faults(known: &[Known<'_>]) -> Vec<Fault> {
     let mut faults = Vec::new();
     for one in known {
@@ -97,7 +97,7 @@ pub(super) fn radius_of(word: &str) -> Option<String> {
     Some(format!("{}radius", word.strip_suffix("diameter")?))
 }
 
-/// Of a diameter where the radius is a key: that, with half of the value.
+/// The hint for a diameter where the key is a radius: the radius, with half of the value.
 fn diameter_hint(word: &str, value: &RawValue, here: &Known<'_>) -> Option<String> {
     let radius = radius_of(word)?;
     let _ = here.keys.iter().find(|key| **key == radius)?;
@@ -111,7 +111,8 @@ fn diameter_hint(word: &str, value: &RawValue, here: &Known<'_>) -> Option<Strin
     })
 }
 
-/// Near here, else the same elsewhere, else near elsewhere, else everything that is known here.
+/// The hint for a key: a similar one in the section, the same one elsewhere, a similar one elsewhere, else all keys of the
+/// section.
 fn key_hint(word: &str, here: &Known<'_>, known: &[Known<'_>]) -> String {
     let home = |one: &Known<'_>| match one.section {
         "" => "before the first section".to_owned(),

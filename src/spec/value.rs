@@ -9,9 +9,9 @@ use crate::spec::fault::quoted;
 /// A value that was written, with its place.
 #[derive(Clone, Debug)]
 pub(super) struct RawValue {
-    /// What was written.
+    /// The value.
     pub(super) kind: RawKind,
-    /// Where, in bytes of the text; of a section, the place of its header.
+    /// Its span, in bytes of the text; of a section, the span of its header.
     pub(super) span: Range<usize>,
 }
 
@@ -30,7 +30,7 @@ pub(super) enum RawKind {
 /// A number without quotes.
 #[derive(Clone, Debug)]
 pub(super) struct RawNumber {
-    /// As it was written, but for underscores.
+    /// The text of the number, without underscores.
     pub(super) text: String,
     /// Its value; NaN if it is too large.
     pub(super) value: f64,
@@ -45,7 +45,7 @@ pub(super) struct RawNumber {
 pub(super) struct RawEntry {
     /// The key.
     pub(super) key: String,
-    /// Where the key is.
+    /// The span of the key.
     pub(super) key_span: Range<usize>,
     /// Its value.
     pub(super) value: RawValue,
@@ -88,7 +88,7 @@ impl RawValue {
         }
     }
 
-    /// What it is, in a person's words.
+    /// The value in plain words.
     pub(super) fn in_words(&self) -> String {
         match &self.kind {
             RawKind::Text(text) => format!("the text {}", quoted(text)),

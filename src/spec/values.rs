@@ -1,4 +1,4 @@
-//! Every value of a spec as a person wrote it, or what it is by default: for reports.
+//! Every value of a spec as a person wrote it, or its default: for reports.
 //!
 //! Keys, defaults and their meaning are those of the starter, which a test holds to the reader.
 
@@ -21,7 +21,7 @@ pub struct Setting {
     pub value: Option<String>,
     /// Whether it was written.
     pub given: bool,
-    /// What it means, in a few words; often empty.
+    /// Its meaning, in a few words; often empty.
     pub meaning: String,
 }
 
@@ -60,7 +60,7 @@ pub fn settings(source: &Source) -> Vec<Setting> {
     out
 }
 
-/// The same for a form: also the keys that exclude one of the starter's, those of `[drawing]` and `object_radius`.
+/// [`settings`] for a form, with the keys that exclude one of the starter's: those of `[drawing]`, and `object_radius`.
 pub fn form_settings(source: &Source) -> Vec<Setting> {
     let mut all = settings(source);
     let (raw, _) = RawSpec::parse(&source.text);
@@ -76,7 +76,7 @@ pub fn form_settings(source: &Source) -> Vec<Setting> {
     all
 }
 
-/// What a `[[stack.star]]` says.
+/// The settings of a `[[stack.star]]`.
 fn of_star(star: &RawTable) -> impl Iterator<Item = Setting> {
     let section = format!("star {}", star.get("index").map(shown).unwrap_or_default());
     let others = star.0.iter().filter(|entry| entry.key != "index");
@@ -180,7 +180,7 @@ mod tests {
         assert_eq!((radius.value.as_deref(), radius.given), (Some("30 mm"), true));
     }
 
-    /// A default that is written down changes nothing: the settings say what the reader takes.
+    /// A default that is written explicitly changes nothing: the settings show the reader's values.
     #[test]
     fn the_defaults_are_the_readers() {
         let bare = starter("x").expect("a name");

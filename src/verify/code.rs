@@ -3,7 +3,7 @@
 use crate::spec::codes;
 
 codes! {
-    /// What the verifier finds in files. A spec in the directory that has no design is reported by the refusal's code.
+    /// Findings of the verifier in files. A spec in the directory that has no design is reported by the refusal's code.
     FindingCode {
         AfterEnd "after-end" "A program goes on after its end.",
         Backwards "backwards" "The iron goes back along its seam.",
@@ -30,7 +30,7 @@ codes! {
         HotTrace "hot-trace" "A trace program heats the iron.",
         IronAtRest "iron-at-rest" "The hot iron stands still on the fabric.",
         Jump "jump" "The iron leaves the seam and comes back to it elsewhere.",
-        LateStart "late-start" "A seam begins at another place than the design says.",
+        LateStart "late-start" "A seam begins at another place than in the design.",
         LineTooLong "line-too-long" "A line is longer than the controller reads.",
         LongStroke "long-stroke" "A stroke between dwells is longer than planned.",
         LowTrace "low-trace" "A trace program goes below travel height.",

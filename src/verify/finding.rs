@@ -1,4 +1,4 @@
-//! What the verifier has to say about a file.
+//! A finding of the verifier in a file.
 
 use std::fmt;
 
@@ -13,10 +13,10 @@ const LIMIT: usize = 100;
 /// Longest quotation from a file, in characters.
 const QUOTATION: usize = 60;
 
-/// Longest text of what was found or is allowed, in characters: whatever a file calls its elements, the message stays readable.
+/// Longest text of a found or an allowed value, in characters: whatever a file calls its elements, the message stays readable.
 const LONGEST: usize = 1000;
 
-/// One fault of one file: what was found and what is allowed.
+/// One fault of one file: the value found and the value allowed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Finding {
     /// Path of the file in the output directory; empty until [`Finding::in_file`] fills it in.
@@ -25,9 +25,9 @@ pub struct Finding {
     pub line: Option<usize>,
     /// The word of its [`FindingCode`] for scripts; of a design that is refused, of the refusal's code.
     pub code: &'static str,
-    /// What stands in the file.
+    /// The content of the file.
     pub found: String,
-    /// What would have been right.
+    /// The right content.
     pub allowed: String,
 }
 
@@ -113,12 +113,12 @@ impl Findings {
         self.dropped += other.dropped;
     }
 
-    /// Whether nothing was found.
+    /// Whether there are no findings.
     pub fn is_empty(&self) -> bool {
         self.kept.is_empty()
     }
 
-    /// Whether whatever comes is only counted.
+    /// Whether further findings are only counted.
     pub(super) fn is_full(&self) -> bool {
         self.kept.len() >= LIMIT
     }
@@ -133,7 +133,8 @@ impl Findings {
     }
 }
 
-/// `text` on one line of bounded length, with what would command a terminal spelt out: not every reader quotes what it names.
+/// `text` on one line of bounded length, with control characters of a terminal spelt out: not every reader quotes the content of
+/// a file.
 fn fit(text: String) -> String {
     let long = text.len() > LONGEST && text.chars().count() > LONGEST;
     if !long && !text.contains(misleads) {

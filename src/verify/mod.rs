@@ -1,8 +1,8 @@
 //! Reads the output files back and compares them with the exact geometry: bytes to findings.
 //!
-//! Nothing here shares code with the writers: a **reader** (G-code, SVG, DXF) turns text into lines and
-//! arcs by its format's own rules, and the **comparer** measures how far those lie from what the design
-//! says. Whatever is wrong becomes a **finding**; no input makes a reader panic.
+//! Nothing here shares code with the writers: a **reader** (G-code, SVG, DXF) turns text into lines and arcs by its format's own
+//! rules, and the **comparer** measures their distance from the design. Every fault becomes a **finding**; no input makes a
+//! reader panic.
 
 mod code;
 mod finding;

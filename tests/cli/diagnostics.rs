@@ -184,7 +184,7 @@ fn a_word_that_is_nearly_right_is_told_what_it_should_be() {
         (plain.clone() + "[seal]\ntemperature = \"390 F\"\n", "did you mean \"199 C\"?"),
         (plain.clone() + "[load]\nfriction = 0,5\n", "write friction = 0.5"),
         (plain.clone() + "[machine]\nprofile = \"GRBL\"\n", "did you mean \"grbl\"?"),
-        (plain.clone() + "points = 6\n", "line 4 says it already"),
+        (plain.clone() + "points = 6\n", "line 4 has it already"),
     ] {
         let said = refused(&spec);
         assert!(said.contains(words), "{words}: {said}");

@@ -12,7 +12,7 @@ use stargrip_cam::verify::{Drawing, Findings, SvgOrigin, read_dxf, read_pdf, rea
 
 use crate::support;
 
-/// What parts may differ by, mm.
+/// Largest difference between parts, mm.
 const FIT: f64 = 0.001;
 
 fn designs() -> Vec<(String, Built)> {
@@ -190,7 +190,7 @@ fn plates_stand_on_the_same_posts_outside_of_every_star() {
                 assert!(post.distance(Point::ORIGIN) + r < edge, "{name}: a post at the edge");
             }
         }
-        // Posts stand between the inlets, which reach further than the tips.
+        // Posts are between the inlets, which reach further than the tips.
         for placed in &build.forecast.design.assembly().expect("stars").stars {
             let turn = build.forecast.design.assembly().expect("stars").stack.turns[placed.index - 1];
             let outside = &build.forecast.design.assembly().expect("stars").part(placed).outline.outside;
@@ -263,7 +263,7 @@ fn neighbouring_pages_carry_the_same_crosses() {
     let mut findings = Findings::default();
     let pages = read_pdf(files.get("star-1-mask-a4.pdf").expect("a file"), &mut findings);
     assert_eq!(pages.len(), 5);
-    // A cross is two strokes of 6 mm; where it lies against the drawing is told by the drawing itself.
+    // A cross is two strokes of 6 mm; its place against the drawing follows from the drawing itself.
     let crosses = |page: usize| -> Vec<Point> {
         let page = &pages[1 + page].drawing;
         let plate = page.layer("mask-plate")[0].bounds().min;
@@ -309,7 +309,7 @@ fn windows_stay_apart_and_shrink_by_the_creep() {
     }
 }
 
-/// A tool that takes 0.3 mm away runs 0.15 mm inside of what it cuts out of a part, and outside of what it cuts around.
+/// A tool that takes 0.3 mm away runs 0.15 mm inside of a part's cut-outs, and outside of its cut edges.
 #[test]
 fn what_is_cut_comes_out_as_it_is_drawn() {
     let kerf = "[cut]\nkerf = \"0.3 mm\"\n";
@@ -342,7 +342,7 @@ fn what_is_cut_comes_out_as_it_is_drawn() {
             }
         }
     }
-    // What is printed has no kerf.
+    // Printed parts have no kerf.
     for (a, b) in cut.artifacts.iter().zip(&plain.artifacts) {
         if matches!(a.output.kind, Kind::MaskPdf | Kind::MaskStl) {
             assert!(a.bytes == b.bytes, "{}", a.output.name());
@@ -436,7 +436,7 @@ fn pieces_fit_the_bed_and_are_the_plate() {
             let pieces = &part.pieces.list;
             several += usize::from(part.pieces.are_several());
             assert!(pieces.iter().flat_map(|piece| piece.size).all(|mm| mm <= 220.0), "{pieces:?}");
-            // What each takes is what its edge takes once it is turned.
+            // The size of each piece is that of its edge after it is turned.
             for piece in pieces {
                 let bounds = piece.motion(false).path(&piece.edge).bounds();
                 assert!((bounds.width() - piece.size[0]).abs() < 1e-9);

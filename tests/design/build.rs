@@ -16,7 +16,7 @@ use stargrip_cam::{emit, verify};
 
 use crate::support;
 
-/// What a random spec says beside its star.
+/// The rest of a random spec beside its star.
 fn details() -> impl Strategy<Value = String> {
     (0.2..8.0_f64, 0.0..30.0_f64, 0.0..20.0_f64, 0.0..5.0_f64, any::<bool>(), 0.0..6.0_f64, 1_u32..=3).prop_map(
         |(band, overlap, allowance, hole_allowance, inlet, hole, tip)| {
@@ -53,7 +53,7 @@ proptest! {
                 let measured = proof.files.iter().filter_map(|file| Some((&file.path, file.deviation?)));
                 prop_assert!(measured.clone().count() >= 6);
                 for (file, mm) in measured {
-                    // Paper says arcs by curves in single precision, solids by chords.
+                    // PDF approximates arcs by curves in single precision, STL by chords.
                     let allowed = match file.rsplit_once('.') {
                         Some((_, "pdf")) => 0.01,
                         Some((_, "stl")) => 0.025,
@@ -153,7 +153,7 @@ fn read_back(path: &Path) -> Vec<Segment> {
     segments
 }
 
-/// Found by chance: on a page of 70 m a PDF's numbers are too coarse. There is none then.
+/// Found by chance: on a page of 70 m a PDF's numbers are too coarse. None is written then.
 #[test]
 fn no_paper_is_written_that_numbers_are_too_coarse_for() {
     let fast = format!("{}\n[seal]\nspeed = \"2 mm/s\"\n", support::PAPER);

@@ -161,7 +161,7 @@ fn same_seams(part: &StarDesign, back: &Built, shift: Vec2, (name, speed): (&str
     }
 }
 
-/// What a directory holds proves it, its drawing included.
+/// The content of a directory proves it, its drawing included.
 #[test]
 fn shipped_drawings_are_proven_from_their_directory() {
     let folder = File::new(env!("CARGO_MANIFEST_DIR")).join("designs/drawings");
@@ -271,14 +271,14 @@ fn a_faulty_drawing_is_refused_with_elements_and_places() {
     let place = refusals[0].drawn.as_ref().expect("a place");
     assert_eq!(place.elements, ["room"]);
     assert!(refusals[1].remedy.contains("chamber"), "{}", refusals[1].remedy);
-    // With its role it has no port, and that is told where it is.
+    // With its role it has no port, which is reported with its place.
     let refusals = drawn(&text.replace("chambr", "chamber"), drawing.as_bytes()).expect_err("no port");
     let codes: Vec<String> = refusals.iter().map(|refusal| refusal.code.to_string()).collect();
     assert_eq!(codes, ["chamber-without-port"]);
     assert!(refusals[0].drawn.as_ref().is_some_and(|place| place.at.is_some()));
 }
 
-/// What a drawing has, its spec may ask for; frames hold stars.
+/// A drawing may have the files that its spec requests; frames are for stars only.
 #[test]
 fn a_drawing_has_a_report_and_a_scene_but_no_frame() {
     let with = |kinds: &str| {

@@ -11,7 +11,7 @@ fn build() -> Built {
     support::build(support::PAPER).expect("a design")
 }
 
-/// What is found if the content of `file` is changed and the manifest agrees.
+/// The findings if the content of `file` is changed and the manifest agrees.
 fn forged(file: &str, change: impl Fn(&[u8]) -> Vec<u8>) -> Vec<Finding> {
     forged_in(build(), file, change)
 }
@@ -150,7 +150,7 @@ fn solids_with_another_mark_are_found() {
 
 const BED: &str = "[mask]\nbed = \"220 mm x 220 mm\"\n[star]";
 
-/// Pieces as the design has them, one of which is not where it belongs: what each file alone cannot tell.
+/// Pieces as the design has them, one of which is out of place: no file alone shows it.
 #[test]
 fn pieces_that_do_not_go_together_are_found() {
     let build = || support::build(&support::PAPER.replace("[star]", BED)).expect("a design");
@@ -224,7 +224,7 @@ fn instead<'a>(from: &'a str, to: &'a str) -> impl Fn(&[u8]) -> Vec<u8> + 'a {
     }
 }
 
-/// What a reader of shapes passes over, other programs do not.
+/// Other programs read attributes that a reader of shapes passes over.
 #[test]
 fn what_hides_moves_or_widens_a_drawing_is_found() {
     for file in ["sheet-1-outline.svg", "sheet-1-seal.svg", "star-1-mask.svg", "plate-1-frame.svg"] {

@@ -1,5 +1,5 @@
-//! Words of a spec and of a profile mean nothing where they are written: whatever a design, a machine and its clamps are called, every
-//! kind of file has the bones that it has with plain names, and is proven.
+//! Words of a spec and of a profile have no effect where they are written: whatever the names of a design, a machine and its
+//! clamps, every kind of file has the same structure as with plain names, and is proven.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -14,7 +14,7 @@ use stargrip_cam::spec::{self, Source};
 
 use crate::support;
 
-/// Words that want out of where they stand: of HTML, SVG, JSON, PDF, DXF, G-code, templates, terminals and shells.
+/// Words that try to break out of the place they are in: of HTML, SVG, JSON, PDF, DXF, G-code, templates, terminals and shells.
 const HOSTILE: [&str; 28] = [
     "</script><script>alert(1)</script>",
     "<!--",
@@ -89,7 +89,7 @@ fn built(name: &str, machine: &str, clamp: &str) -> Option<Built> {
     Some(pipeline::build(&read, &known, sources, &Asked { only, with }).expect("a gripper"))
 }
 
-/// What is left of a file when its words are taken away: a list of its marks.
+/// The structure of a file without its words: a list of its marks.
 fn bones(file: &str, bytes: &[u8]) -> BTreeSet<String> {
     let ending = file.rsplit_once('.').expect("an ending").1;
     let text = || std::str::from_utf8(bytes).expect("UTF-8");
@@ -122,7 +122,7 @@ fn bones(file: &str, bytes: &[u8]) -> BTreeSet<String> {
             kinds
         }
         "pdf" => {
-            // Between brackets stands the title, in which no bracket is.
+            // The title is between brackets, and has none itself.
             let text: String = String::from_utf8_lossy(bytes)
                 .split('(')
                 .enumerate()
@@ -165,7 +165,7 @@ fn keys(value: &Value) -> BTreeSet<String> {
     }
 }
 
-/// The files that the program writes itself: spec and profile are copies of what was read.
+/// The files that the program writes itself: spec and profile are copies of the inputs.
 fn written(built: &Built) -> Vec<(String, Vec<u8>)> {
     let files =
         built.files().filter(|(name, _)| Path::new(name).extension().is_none_or(|ending| ending != "toml"));
@@ -203,7 +203,7 @@ proptest! {
     }
 }
 
-/// The property can fail: what is not plain has other bones.
+/// The property can fail: other than plain words give another structure.
 #[test]
 fn bones_tell_what_does_not_belong() {
     let other =

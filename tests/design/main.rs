@@ -1,4 +1,4 @@
-//! Whole builds: what their files hold, that parts fit together, and that each fault in a file is found.
+//! Whole builds: their files have the right content, parts fit together, and each fault in a file is found.
 
 mod agree;
 mod assembly;

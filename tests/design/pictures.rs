@@ -123,7 +123,7 @@ fn faults(build: &Built) -> Vec<String> {
     out
 }
 
-/// What the picture shows, in the frame of its sheet.
+/// The area of the picture, in the frame of its sheet.
 fn page(picture: &str, height: f64) -> Bounds {
     let document = Document::parse(picture).expect("XML");
     let view = document.root_element().attribute("viewBox").expect("a view");
@@ -235,7 +235,7 @@ fn pixels_show_the_design() {
                 let (x, y) = ((p.x - page.min.x) * scale, (page.max.y - p.y) * scale);
                 raster.pixel(x as usize, y as usize).expect("inside of the picture")
             };
-            // The colour of three that is nearest: what is thin is smoothed.
+            // The nearest of three colours: thin lines are smoothed.
             let nearest = |p: Point| {
                 let seen = color(p);
                 let off = |one: &[u8; 3]| -> u32 {

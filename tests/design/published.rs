@@ -10,7 +10,7 @@ use crate::support;
 
 const GRIPPER: &str = include_str!("../../designs/paper-gripper.toml");
 const CONICAL: &str = include_str!("../../designs/conical-stack.toml");
-/// What coordinates of a drawing are rounded to, mm.
+/// Rounding of a drawing's coordinates, mm.
 const DIGIT: f64 = 1e-4;
 
 fn text(built: &Built, file: &str) -> String {
@@ -101,7 +101,7 @@ fn areas(svg: &str, layer: &str) -> Vec<f64> {
 /// Fabric, mass, seams and masks of the bill are those that the drawings hold.
 #[test]
 fn the_bill_is_that_of_the_drawings() {
-    // The knife's kerf moves what is cut, so not with one.
+    // The knife's kerf moves cut lines, so not with one.
     let conical = CONICAL.replace("[frame]\nkerf = \"0.2 mm\"\n", "");
     assert_ne!(conical, CONICAL);
     for text_of in [GRIPPER, &conical] {
@@ -141,7 +141,7 @@ fn the_bill_is_that_of_the_drawings() {
     }
 }
 
-/// The report's programs end when the moves of the published programs do, at the feeds that stand in them.
+/// The report's programs end when the moves of the published programs do, at the feeds written in them.
 #[test]
 fn the_reports_times_are_those_of_the_programs() {
     let built = support::build_with(GRIPPER, &[Kind::Report]);
@@ -193,7 +193,7 @@ fn moved(code: &str) -> f64 {
     seconds
 }
 
-/// What of a prediction follows from the spec, or from other numbers of it, by a formula.
+/// Values of a prediction that follow from the spec, or from other values of it, by a formula.
 #[test]
 fn the_prediction_obeys_its_closed_forms() {
     let spec = format!(

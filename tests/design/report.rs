@@ -1,4 +1,4 @@
-//! The report: one page that holds what the other files say, and nothing that a browser would run or fetch.
+//! The report: one page with the content of the other files, without anything that a browser would run or fetch.
 
 use proptest::prelude::*;
 use serde_json::Value;
@@ -78,7 +78,7 @@ fn curves_meet_the_prediction() {
     }
 }
 
-/// What `predict` calls unknown is drawn nowhere, and the page is proven all the same.
+/// Values that `predict` calls unknown are not drawn, and the page is proven all the same.
 #[test]
 fn what_is_unknown_has_no_curve_and_no_pose() {
     let wide = support::PAPER.replace("50 mm", "120 mm");
@@ -92,14 +92,14 @@ fn what_is_unknown_has_no_curve_and_no_pose() {
     assert!(chart.by_pressure.iter().all(|row| (row.pressure_kPa - 37.0).abs() > 1e-9));
     assert!(chart.by_points.iter().all(|row| row.points != 5 && row.contraction_range.is_some()));
     assert_eq!(chart.by_radius, []);
-    // At its own pressure it is known, at a third of it not.
+    // At its own pressure the radius is known, at a third of it unknown.
     let gripper = built(&GRIPPER.replace("\"37 kPa\"", "\"2 kPa\"")).forecast;
     let chart = &charts(&gripper.spec, &gripper.design)[0];
     assert!(chart.by_pressure.iter().all(|row| row.radius_range_mm.is_some()) && chart.by_pressure.len() > 8);
     assert!(chart.by_pressure.len() < 24, "{}", chart.by_pressure.len());
 }
 
-/// The page says what `check` says is to be seen to, in its order.
+/// The page lists the precautions of `check`, in its order.
 #[test]
 fn it_warns_of_what_check_warns_of() {
     let made = built(GRIPPER);
@@ -114,7 +114,7 @@ fn it_warns_of_what_check_warns_of() {
     assert_eq!(watch, Value::Array(own));
 }
 
-/// Steps end when the program says, and none before the one before.
+/// Steps end at the times of the program, and none before its predecessor.
 #[test]
 fn a_timeline_ends_with_its_program() {
     let made = built(GRIPPER).forecast;
@@ -197,7 +197,7 @@ fn the_player_draws_every_seam_where_it_is() {
     assert_eq!(drawn, 2 * design.assembly().expect("stars").stars.len());
 }
 
-/// The reader, which the tests above rely on, refuses what could run or fetch something.
+/// The reader, which the tests above rely on, refuses content that could run or fetch something.
 #[test]
 fn a_page_that_could_run_or_fetch_something_else_is_refused() {
     let right = page(&built(GRIPPER));
@@ -217,7 +217,7 @@ fn a_page_that_could_run_or_fetch_something_else_is_refused() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
-    /// Whatever a spec is called, its page runs nothing but its own scripts, and says the name.
+    /// Whatever the name of a spec, its page runs only its own scripts, and shows the name.
     #[test]
     fn names_are_inert(words in prop::collection::vec(prop::sample::select(vec![
         "</script>", "<script>alert(1)</script>", "<!--", "-->", "]]>", "'\" onload='x()'", "&lt;", "&#60;", "\u{2028}", "{{DATA}}",
@@ -237,7 +237,7 @@ proptest! {
     }
 }
 
-/// A drawing's page has its chambers and, where the shell was asked, the inflated surface; without it the page says so.
+/// A drawing's page has its chambers and, where the shell was computed, the inflated surface; without it the page states so.
 #[test]
 fn a_drawing_has_a_report_and_a_scene_of_its_own() {
     let pillow = include_str!("../../designs/drawings/pillow.toml");

@@ -61,7 +61,7 @@ fn the_stack_stands_as_designed_and_closes_on_its_object() {
         let least = |points: &[[f64; 3]]| points.iter().map(radius).fold(f64::INFINITY, f64::min);
         assert!((least(&tube.points) - 50.0).abs() < 1e-3);
         assert!((least(&tube.inflated) - predicted).abs() < 1e-3, "{predicted}");
-        // Around each of the columns of corners the fabric is as long as before, less what chords cut off.
+        // Around each of the columns of corners the fabric is as long as before, minus the shortening by chords.
         for (flat, round) in tube.points.chunks(16).zip(tube.inflated.chunks(16)) {
             assert!((around(flat) - 60.0).abs() < 1e-2, "{}", around(flat));
             assert!((around(round) - 60.0).abs() < 0.01 * 60.0, "{}", around(round));
@@ -113,7 +113,8 @@ fn what_is_predicted_drawn_and_shown_is_one_pose() {
         assert!(stars[0].w > 1.02 * round_tube(star.w) && stars[0].w < star.w);
         let tube = part(&nodes, "stack/star 1", "tube");
         let columns: Vec<&[[f64; 3]]> = tube.inflated.chunks(16).collect();
-        // Of each half of a sector eleven columns are a corner's, eleven a tip's; of each the first point lies at the hole, the ninth outside.
+        // In each half of a sector eleven columns are a corner's, eleven a tip's; in each the first point lies at the hole, the
+        // ninth outside.
         let (corner, tip) = (columns[5], columns[16]);
         assert!((radius(&corner[0]) - stars[0].rho_0).abs() < 2e-3);
         assert!((radius(&tip[0]) - stars[0].d_t - stars[0].r_i).abs() < 2e-3);
@@ -185,7 +186,7 @@ fn the_object_stands_in_the_middle_of_the_stack() {
     }
 }
 
-/// Viewers built on three.js find what an animation moves by the name of its mesh.
+/// Viewers built on three.js find the target of an animation by the name of its mesh.
 #[test]
 fn every_star_has_a_mesh_of_its_own_by_a_name_of_its_own() {
     let made = built(GRIPPER);
@@ -225,7 +226,7 @@ fn arms_keep_their_length() {
     }
 }
 
-/// Nothing of the fabric runs through the axis or beyond the flat star, and tips and corners stay on their rays.
+/// No part of the fabric runs through the axis or beyond the flat star, and tips and corners stay on their rays.
 #[test]
 fn flaps_and_bands_go_along() {
     let nodes = nodes(GRIPPER);

@@ -6,7 +6,7 @@ use stargrip_cam::verify::{deviation, follow};
 
 use crate::shapes::blob;
 
-/// What rounding to 0.001 mm may cost: half the diagonal of its cell, and as much again for the middle of an arc.
+/// Largest error by rounding to 0.001 mm: half the diagonal of its cell, and as much again for the middle of an arc.
 const ROUNDING: f64 = 0.0015;
 
 /// The path as moves of at most 2 mm with end points rounded to 0.001 mm.

@@ -1,4 +1,4 @@
-//! Lines and arcs under every motion: what must not change does not, and distances agree with brute force.
+//! Lines and arcs under every motion: invariants hold, and distances agree with brute force.
 
 use std::f64::consts::TAU;
 

@@ -8,7 +8,7 @@ use stargrip_cam::units::{Angle, Length};
 
 use crate::support;
 
-/// One value that is wrong, and what is said about it.
+/// One wrong value, and its refusal.
 struct Limit {
     code: RefusalCode,
     key: KeyPath,
@@ -117,7 +117,7 @@ fn the_limit_that_is_named_is_where_it_ends() {
     for Limit { code, key, spec, wrong } in LIMITS {
         let found = refused(&spec(wrong), code);
         assert!(found.iter().any(|refusal| refusal.key.key() == key.key()), "{code:?}: {found:?}");
-        // Where two parts of a star set one, the stricter counts.
+        // Where two parts of a star limit one value, the stricter limit counts.
         let limits = found.iter().map(|refusal| number(&refusal.remedy));
         let least = limits.clone().fold(f64::INFINITY, f64::min);
         let limit = if wrong > least { least } else { limits.fold(0.0, f64::max) };
@@ -128,7 +128,7 @@ fn the_limit_that_is_named_is_where_it_ends() {
     }
 }
 
-/// What is missing on a machine is what makes it large enough, to the tenth that is printed.
+/// Adding the reported missing room makes the machine large enough, to the tenth that is printed.
 #[test]
 fn what_a_machine_lacks_is_said() {
     let refused = |side: f64| {
@@ -146,7 +146,7 @@ fn what_a_machine_lacks_is_said() {
     assert!(refused(200.0 + missing - 0.1001).is_some(), "{refusal}");
 }
 
-/// The figures of a refusal, by hand for the paper's star (50 mm, 30 mm, 30 deg, sharp).
+/// The figures of a refusal, calculated separately for the paper's star (50 mm, 30 mm, 30 deg, sharp).
 #[test]
 fn what_was_found_is_worked_out_by_hand() {
     let found = |text: &str, code| refused(text, code).remove(0).found;
@@ -168,7 +168,7 @@ fn what_was_found_is_worked_out_by_hand() {
         ),
         "the channel with the strips along it would be 78.9049 mm wide and meet an arm, where tip 1 leaves 77.2741 mm"
     );
-    // The mouth's length and what is missing make the limit.
+    // The limit is the mouth's length plus the missing length.
     let short = refused(&paper("[inlet]\nlength = \"2 mm\"\n"), RefusalCode::ShortInlet);
     for refusal in short {
         let inside: Vec<f64> = refusal.found.split(' ').filter_map(|word| word.parse().ok()).collect();
@@ -177,7 +177,7 @@ fn what_was_found_is_worked_out_by_hand() {
 }
 
 /// With h half the angle of the corner's arc, c the length of arm in the window, H and q the radii of its two sides: sectors,
-/// strips, and where q < 0 without what lies beyond the vertex.
+/// strips, and where q < 0 without the part beyond the vertex.
 #[test]
 fn a_window_has_the_area_of_its_parts() {
     for (radius, band, creep) in [(12.0, 2.0, 0.0), (12.0, 2.0, 0.5), (0.0, 2.0, 0.0), (1.0, 4.0, 0.25)] {

@@ -57,7 +57,7 @@ proptest! {
         let (whole, lyon) = (Segment::from(arc), their_arc(&arc));
         for t in [0.0, t, 1.0] {
             close(whole.point(t).distance(ours(lyon.sample(t))), 0.0, 1e-12)?;
-            // Theirs is as long as the radius and knows no direction of travel.
+            // Lyon's tangent is as long as the radius, and does not depend on the direction of travel.
             let tangent = lyon.sample_tangent(t) * (arc.sweep.signum() / arc.radius);
             close((whole.tangent(t) - Vec2::new(tangent.x, tangent.y)).length(), 0.0, 1e-12)?;
         }
@@ -186,7 +186,7 @@ proptest! {
     }
 }
 
-/// Where lyon's own curves lie, so that the figures in the documentation stay true: its arcs are cut at 90 degrees.
+/// Errors of lyon's own curves, so that the figures in the documentation stay true: its arcs are cut at 90 degrees.
 #[test]
 fn our_curves_are_nearer_to_the_circle_than_theirs() {
     let worst = |arc: &Arc| {

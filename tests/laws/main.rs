@@ -1,4 +1,5 @@
-//! Laws: of geometry under every motion, of the star and its seams, of limits, and of what the readers of specs and files take.
+//! Laws: of geometry under every motion, of the star and its seams, of limits, and of the inputs that the readers of specs and
+//! files take.
 
 mod compare;
 mod fuzzed;

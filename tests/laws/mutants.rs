@@ -15,7 +15,7 @@ use stargrip_cam::spec::Source;
 use stargrip_cam::verify::gcode::{Dialect, read_program};
 use stargrip_cam::verify::{Findings, SvgOrigin, read_dxf, read_pdf, read_svg};
 
-/// Words that mean something to one of the readers.
+/// Words with a meaning for one of the readers.
 const WORDS: [&[u8]; 24] = [
     b"1e308",
     b"-0",
@@ -101,7 +101,7 @@ fn mutate(seed: &[u8], other: &[u8], dice: &mut Dice) -> Vec<u8> {
     out
 }
 
-/// Reads `bytes` as what `name` says it is.
+/// Reads `bytes` in the format of `name`.
 fn read(name: &str, bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
     let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);

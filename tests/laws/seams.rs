@@ -1,4 +1,4 @@
-//! Seams, inlet and plan: where the iron starts, how it closes a loop, what it does in which order.
+//! Seams, inlet and plan: the starts of the iron, the closing of a loop, and the order of steps.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -110,7 +110,7 @@ fn what_bands_and_flaps_make_impossible_is_refused() {
     assert!(sheet.remedy.contains("33.0394 mm are missing"), "{sheet}");
 }
 
-/// Whoever writes the limit that a refusal names is not refused for it again.
+/// A spec with the limit that a refusal names is not refused for it again.
 #[test]
 fn the_limit_that_is_named_will_do() {
     let number =
@@ -143,7 +143,7 @@ fn the_limit_that_is_named_will_do() {
     }
 }
 
-/// Several things that are wrong at once are told at once.
+/// Several faults are reported at once.
 #[test]
 fn all_refusals_come_together() {
     let spec = paper("[seal]\nhole_allowance = \"48 mm\"\n[inlet]\nlength = \"1 mm\"\n");
@@ -245,7 +245,7 @@ proptest! {
         }
     }
 
-    /// Ramps begin and end where the seam does, and are as long as the machine asks for.
+    /// Ramps begin and end where the seam does, and have the length of the machine's profile.
     #[test]
     fn ramps_join_the_seam(shape in support::shapes(), ramp in 0.1..20.0_f64) {
         let Ok(design) = Design::new(&support::read(&shape.toml()), &support::machine()) else { return Ok(()) };

@@ -10,7 +10,7 @@ use stargrip_cam::shape::{DrawnPort, PortPlace, Sealing, Separator, Sketch, seal
 use crate::shapes::blob;
 use crate::sketches::{RULES, circle, drawn, open, p, port, rectangle, samples, scaled, sketch};
 
-/// The separator of what was sealed.
+/// The separator of a sealed shape.
 fn separator(sealing: &Sealing, creep: f64) -> Option<Separator> {
     sealing.air.separator(&sealing.shape, creep)
 }
@@ -47,7 +47,7 @@ fn the_paper_covers_all_that_no_band_takes() {
         let h = 1.0 + c;
         let (spot, barrier) = (80.0 * h + PI * h * h, 2.0 * h * (60.0 - c) + 0.5 * PI * h * h);
         let tongue = (6.0 - 2.0 * c) * (10.0 + c);
-        // Where the tongue begins the edge keeps its distance by an arc.
+        // At the start of the tongue the edge keeps its distance by an arc.
         let round = 2.0 * (1.0 - 0.25 * PI) * c * c;
         let right =
             round + (200.0 - 2.0 * c) * (100.0 - 2.0 * c) + tongue - PI * (10.0 + c).powi(2) - spot - barrier;

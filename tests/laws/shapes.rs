@@ -16,7 +16,7 @@ pub(crate) fn arc() -> impl Strategy<Value = Arc> {
         .prop_map(|(center, radius, start, sweep)| Arc::new(center, radius, start, sweep))
 }
 
-/// A line that is no point.
+/// A line with a length.
 pub(crate) fn line() -> impl Strategy<Value = Line> {
     (point(10.0), point(10.0))
         .prop_filter_map("a point", |(a, b)| (a.distance(b) > 0.01).then(|| Line::new(a, b)))

@@ -362,7 +362,7 @@ proptest! {
         match sealed_shape(&both, &RULES) {
             Ok(sealing) => {
                 let seam = |name: &str| &sealing.shape.seam(name).expect("a seam").center_line;
-                // What lies farther out than the band of the edge is the channel's.
+                // Segments farther out than the band of the edge belong to the channel.
                 let outer: Vec<Segment> = seam("a").segments.iter().filter(|s| {
                     (0..=8).all(|i| {
                         let p = s.point(f64::from(i) / 8.0);
@@ -413,7 +413,7 @@ proptest! {
             }
             (Err(a), Err(b)) => prop_assert!(a.iter().any(|f| b.iter().any(|g| g.code == f.code)), "{:?} {:?}", a, b),
             (a, b) => {
-                // On the edge of what is allowed a hundredth decides.
+                // At the limit a hundredth decides.
                 let faults = a.err().or(b.err()).unwrap_or_default();
                 prop_assert!(faults.iter().all(|f| (f.found - f.allowed).abs() < 0.1), "{:?}", faults);
             }

@@ -1,4 +1,4 @@
-//! The geometry of the star against what is known about it exactly.
+//! The geometry of the star against its exact relations.
 
 use std::f64::consts::PI;
 
@@ -124,7 +124,7 @@ proptest! {
         let found = cut_area(&star, &seal, inlet.as_ref(), 2, w(hole).0);
         prop_assert_eq!(found.is_some(), drawn.is_some());
         if let Some((found, drawn)) = found.zip(drawn) {
-            // Of numbers as large as the square around the star.
+            // The numbers are as large as the square around the star.
             prop_assert!((found - drawn).abs() <= 1e-11 * star.tip_reach().powi(2), "{} {}", found, drawn);
         }
     }
@@ -165,7 +165,7 @@ proptest! {
         prop_assert_eq!(path.area() < edge.area(), hole);
     }
 
-    /// The realised edge has no concave hinge sharper than asked for, and leaves the arms where they are.
+    /// The realised edge has no concave hinge sharper than requested, and leaves the arms where they are.
     #[test]
     fn a_realised_edge_is_as_round_as_the_iron(shape in support::shapes(), fraction in 0.001..0.2_f64) {
         let star = star(&shape);
@@ -215,7 +215,7 @@ proptest! {
         prop_assert!(outline.outside.largest_gap() < 1e-9 * part.star.tip_reach());
         let [inner, outer] = &part.shape.seams[..] else { panic!("two seams") };
         prop_assert!(path_distance(&inner.center_line, &outline.hole) >= half_band + 1.0 - 1e-6);
-        // The bands of an inlet cross the cut at the mouth; elsewhere the flap is as wide as asked for.
+        // The bands of an inlet cross the cut at the mouth; elsewhere the flap has the requested width.
         if part.channel.is_none() {
             prop_assert!(path_distance(&outer.center_line, &outline.outside) >= half_band + 8.0 - 1e-6);
         } else {
@@ -253,7 +253,7 @@ proptest! {
     }
 }
 
-/// Of all ways to lay the star on itself but one, the smallest distance by which the registration holes miss.
+/// The smallest distance by which the registration holes miss, over all ways but one to lay the star on itself.
 fn least_misfit(part: &StarDesign) -> f64 {
     let holes: Vec<Point> = part.outline.registration.iter().map(|hole| hole.center).collect();
     let sector = 2.0 * part.star.half_sector();

@@ -1,11 +1,11 @@
-//! Which file knows which, and whether two know each other.
+//! The imports between files, and circles among them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The files that each file imports from, by module path ("emit::gcode::writer"), and the children that a room's face
-/// (`mod.rs`) calls. What a face only hands on counts as imported from where it is written; tests do not count.
+/// The files that each file imports from, by module path ("emit::gcode::writer"), and the children that a room's face (`mod.rs`)
+/// calls. An import through a face counts as an import from the defining file; tests do not count.
 pub(super) type Imports = BTreeMap<String, BTreeSet<String>>;
 
 /// Reads the imports of every file under `src`.
@@ -31,7 +31,7 @@ pub(super) fn imports(src: &Path) -> Imports {
         .collect()
 }
 
-/// The circles of files: sets in which every file knows every other, by way of others or straight.
+/// The circles of files: sets in which every file depends on every other, directly or through others.
 pub(super) fn circles(imports: &Imports) -> BTreeSet<BTreeSet<&str>> {
     let known: BTreeMap<&str, BTreeSet<&str>> =
         imports.keys().map(|file| (file.as_str(), reach(file, imports))).collect();
@@ -42,7 +42,7 @@ pub(super) fn circles(imports: &Imports) -> BTreeSet<BTreeSet<&str>> {
     known.keys().map(circle).filter(|circle| circle.len() > 1).collect()
 }
 
-/// The files that `file` knows, by way of others or straight.
+/// The files on which `file` depends, directly or through others.
 fn reach<'a>(file: &str, imports: &'a Imports) -> BTreeSet<&'a str> {
     let mut reached = BTreeSet::new();
     let mut open: Vec<&str> = imports.get(file).into_iter().flatten().map(String::as_str).collect();
@@ -84,7 +84,7 @@ fn test_files(name: &str, text: &str) -> Vec<String> {
     declared.filter(|(child, _)| !child.contains(char::is_whitespace)).map(|(child, _)| file(child)).collect()
 }
 
-/// The text without its tests: what is only imported or declared for them, and the module at its end.
+/// The text without its tests: imports and declarations for them alone, and the module at its end.
 fn production(text: &str) -> String {
     let mut parts = text.split(OF_TESTS);
     let mut kept = parts.next().unwrap_or_default().to_owned();
@@ -103,7 +103,7 @@ fn uses(text: &str) -> Vec<String> {
     text.split("use crate::").skip(1).filter_map(|rest| rest.split(';').next()).flat_map(names).collect()
 }
 
-/// The children that a face calls by name, as in `child::new()`. Merely to hand on what they have is not to know them.
+/// The children that a face calls by name, as in `child::new()`. Re-exporting their items does not count.
 fn called(face: &str, text: &str) -> Vec<String> {
     let code = |line: &&str| !line.trim_start().starts_with("//") && !line.contains("use ");
     let words: Vec<&str> =
@@ -143,7 +143,7 @@ fn resolve(
     }
     let (head, name) = path.rsplit_once("::")?;
     let Some(text) = texts.get(head) else { return resolve(head, modules, texts, depth + 1) };
-    // A face that hands the name on says `pub use child::name` or `pub use child::{..., name}`.
+    // A face that re-exports the name has `pub use child::name` or `pub use child::{..., name}`.
     let handed = text.split("pub use ").skip(1).filter_map(|rest| rest.split(';').next()).flat_map(names);
     for other in handed {
         let plain = other.split(" as ").last().unwrap_or_default();

@@ -1,6 +1,6 @@
-//! Data flows one way: which room may know which.
+//! Data flows one way: the rooms on which each room may depend.
 //!
-//! Imports are written `use crate::room::{A, B};`, a line a module, so the rooms a file knows can be read from its lines.
+//! Imports are written `use crate::room::{A, B};`, a line a module, so the dependencies of a file can be read from its lines.
 
 mod circles;
 mod names;
@@ -9,7 +9,7 @@ mod portable;
 use std::fs;
 use std::path::Path;
 
-/// Where rooms are.
+/// The directories of the rooms.
 const SOURCES: [&str; 2] = ["crates/inflatable/src", "src"];
 
 /// (room, the rooms it may use). A room is a directory or file directly in one of [`SOURCES`].
@@ -168,7 +168,7 @@ fn scan(path: &Path, words: &[&str], found: &mut Vec<String>) {
     }
 }
 
-/// Two files that know each other are one subject in two places, or two in one.
+/// Two files that depend on each other are one subject in two places, or two in one.
 #[test]
 fn no_files_know_each_other_in_a_circle() {
     for (source, least) in SOURCES.into_iter().zip([60, 150]) {

@@ -1,4 +1,4 @@
-//! One name, one type: a name that two types have makes a reader look which of them is meant.
+//! One name, one type: a name that two types have makes a reader look up which of them is meant.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,7 +13,7 @@ const REPEATED: &[(&str, &str)] = &[
     // One a module, by custom.
     ("Args", "the arguments of each command, always written `build::Args`"),
     ("Command", "the program's commands, as clap has them; and what a controller is told"),
-    // The verifier shares no code with what it judges.
+    // The verifier shares no code with the writers.
     (
         "Block",
         "the word for a line of G-code, for a part of a page, for equal columns of a study, for dense parts of a matrix",
@@ -24,7 +24,7 @@ const REPEATED: &[(&str, &str)] = &[
     ("Line", "a line of a program, and a straight segment"),
     ("Machine", "the machine of a profile, and the reader's model of it"),
     ("Program", "what is planned, and what is read back"),
-    // The physics has words of its own for what a spec describes in other units.
+    // The physics has words of its own for the things that a spec describes in other units.
     ("Actuator", "what is asked, and its shell"),
     ("Fabric", "as a spec describes it, and in SI units"),
     ("Sheet", "of the machine, and of the shell"),

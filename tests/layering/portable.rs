@@ -1,14 +1,14 @@
-//! Nothing that only some systems have is called without a fallback for the others.
+//! Checks that a feature of some systems only is never called without a fallback for the others.
 
 use std::fs;
 use std::path::Path;
 
-/// What only some systems have: modules of the standard library, and a dependency that is there on Linux alone.
+/// Features of some systems only: modules of the standard library, and a dependency for Linux alone.
 const OF_SOME: [&str; 3] = ["std::os::", "rustix::", "libc::"];
-/// A call stands at most so many lines below the condition that it is under.
+/// Most lines between a call and the condition above it.
 const NEAR: usize = 3;
 
-/// The lines of `text` that call what only some systems have, under no condition.
+/// The lines of `text` that call a feature of some systems only, under no condition.
 fn unconditional(text: &str) -> Vec<usize> {
     let lines: Vec<&str> = text.lines().collect();
     let is_call = |line: &str| {

@@ -1,9 +1,9 @@
-//! What tests of predictions ask about.
+//! The inputs of tests of predictions.
 
-/// The paper's three stars, with all that can be asked about them.
+/// The paper's three stars, with all inputs of a prediction.
 pub const GRIPPER: &str = include_str!("gripper.toml");
 
-/// A V-actuator at its pressure, as the command is asked about it.
+/// A V-actuator at its pressure, as arguments of the command.
 pub const ACTUATOR: [&str; 11] = [
     "actuator",
     "--tube-width",

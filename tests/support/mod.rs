@@ -1,4 +1,4 @@
-//! What the tests of whole designs share: random stars, and builds of them.
+//! Code that the tests of whole designs share: random stars, and builds of them.
 #![allow(dead_code, unreachable_pub, reason = "every test binary uses some of it")]
 
 pub mod asked;
@@ -28,7 +28,7 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// The inner radius that gives this arm length; below 0 there is no such star.
+    /// The inner radius that gives this arm length; below 0 such a star does not exist.
     pub fn rho_0(&self) -> f64 {
         let half = (self.phi_i / 2.0).to_radians();
         let reach = self.l * half.sin() + (self.w + self.r_i + self.r_e) * half.cos();

@@ -30,7 +30,7 @@ const STRAIGHT: f64 = 1e-3;
 /// below 1e-6 mm.
 const SHORTEST: f64 = 1e-13;
 
-/// Length up to which a segment is left out, mm: rounding, far below what a machine or a later step can tell apart.
+/// Length up to which a segment is left out, mm: rounding, far below the resolution of a machine or a later step.
 pub(crate) const SHORT: f64 = 1e-9;
 
 /// Appends arcs and lines within `tolerance` of the curve; `false` if `out` would exceed `limit` segments.
@@ -68,7 +68,7 @@ pub(crate) fn fit(curve: &impl Curve, tolerance: f64, limit: usize, out: &mut Ve
     true
 }
 
-/// A piece of a curve with what is needed to compare it.
+/// A piece of a curve with the data to compare it.
 struct Span {
     ends: [Point; 2],
     tangents: [Vec2; 2],
@@ -186,8 +186,8 @@ fn arc_from(start: Point, end: Point, tangent: Vec2, straight: f64) -> Option<Ar
     let chord = end - start;
     let (across, along) = (tangent.cross(chord), tangent.dot(chord));
     let half = libm::atan2(across, along);
-    // Of a longer chord the arc may be flatter still: its ends err by 2e-16 of a radius of chord^2 / (8 sagitta), which is
-    // kept below 1e-6 mm as far as the tolerance allows.
+    // For a longer chord the arc may be flatter still: its ends err by 2e-16 of a radius of chord^2 / (8 sagitta), which is kept
+    // below 1e-6 mm as far as the tolerance allows.
     let straight = straight.max((2.5e-11 * chord.dot(chord)).min(300.0 * straight));
     if chord.length() * half.abs() < 4.0 * straight {
         return None;

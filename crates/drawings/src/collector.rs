@@ -38,7 +38,7 @@ impl Chain {
     }
 }
 
-/// Collects what a reader finds.
+/// Collects the elements and faults of a reader.
 pub(crate) struct Collector<'o> {
     options: &'o Options,
     drawing: Drawing,

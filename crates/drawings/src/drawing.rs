@@ -1,4 +1,4 @@
-//! A drawing that was read: elements, and notes on what was resolved or left out.
+//! A drawing that was read: elements, and notes on details that were resolved or left out.
 
 use inflatable::geom::{Path, Point};
 
@@ -7,7 +7,7 @@ use inflatable::geom::{Path, Point};
 pub struct Drawing {
     /// All visible figures in the order of the file.
     pub elements: Vec<Element>,
-    /// What was resolved, ambiguous or left out, in the order of the file.
+    /// Notes on details that were resolved, ambiguous or left out, in the order of the file.
     pub notes: Vec<Note>,
     /// Length of one unit of the file (of the SVG's view box), mm, > 0.
     pub unit_mm: f64,
@@ -45,7 +45,7 @@ pub enum Figure {
 pub struct Note {
     /// Whether geometry that can be seen in the drawing is missing in the elements.
     pub weight: Weight,
-    /// Where it applies.
+    /// The place to which it applies.
     pub place: Place,
     /// The finding, one sentence in plain English.
     pub text: String,
@@ -63,7 +63,7 @@ pub enum Weight {
 /// A reason for which a file is not read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
-    /// Where it is.
+    /// The place.
     pub place: Place,
     /// The finding and the allowed values, one sentence.
     pub text: String,
@@ -80,7 +80,7 @@ pub struct Place {
     pub layers: Vec<String>,
     /// Line of the file, from 1.
     pub line: Option<usize>,
-    /// A point of the element, mm, if it is known.
+    /// A point of the element, mm; `None` if unknown.
     pub at: Option<Point>,
 }
 

@@ -2,8 +2,8 @@
 //!
 //! A reader takes the bytes of a file and touches nothing else. The tokens of the file become **pieces** (lines, elliptical arcs,
 //! Beziers), an affine map leads each to mm, and the pieces become **segments**: lines and circular arcs exactly,
-//! all else by tangent-continuous arcs within a tolerance. Nothing is lost silently: what is resolved or left out has a [`Note`].
-//! The crate knows no roles: each [`Element`] has the names by which a caller may give it one.
+//! all else by tangent-continuous arcs within a tolerance. Every detail that is resolved or left out has a [`Note`]. The crate
+//! assigns no roles: each [`Element`] has the names by which a caller may do so.
 //!
 //! ```
 //! use drawings::{Figure, Options, read};

@@ -101,7 +101,7 @@ fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
 
-/// The arc that an ellipse with equal and perpendicular half axes is; `None` if it is no circle or has no length.
+/// The arc that equals an ellipse with equal and perpendicular half axes; `None` if it is not a circle or has no length.
 fn circular(center: Point, u: Vec2, v: Vec2, start: f64, sweep: f64) -> Option<Arc> {
     let (a, b) = (u.length(), v.length());
     let round = (a - b).abs() <= ROUND * a && u.dot(v).abs() <= ROUND * a * b;

@@ -5,7 +5,7 @@ use crate::{Drawing, Fault, Format, Options, Place};
 /// Reads a file by the ending of its name, `.svg` or `.dxf`.
 ///
 /// # Errors
-/// An ending that is none of these, content of another format, and the faults of [`crate::read_svg`] and [`crate::read_dxf`].
+/// Another ending, content of another format, and the faults of [`crate::read_svg`] and [`crate::read_dxf`].
 pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
     match Format::of_name(name) {
         Some(Format::Svg) => crate::read_svg(bytes, options),

@@ -97,7 +97,7 @@ pub(crate) fn through(points: &[Point], ends: [Option<Vec2>; 2], closed: bool) -
     if points.len() < 2 {
         return Vec::new();
     }
-    // A closed one is continued round by some points: what an end changes falls to a quarter with each point.
+    // A closed one is continued round by some points: the influence of an end falls to a quarter with each point.
     let overlap = if closed { 16 } else { 0 };
     let count = points.len() - 1;
     let around = |i: usize| points[(i + count * overlap - overlap) % count];

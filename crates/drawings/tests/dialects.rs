@@ -33,7 +33,7 @@ fn near(p: Point, x: f64, y: f64) -> bool {
     p.distance(Point::new(x, y)) < 1e-9
 }
 
-/// The texts of the notes that tell of lost geometry, each with its element.
+/// The texts of the notes on lost geometry, each with its element.
 fn lost(drawing: &Drawing) -> Vec<(String, String)> {
     let lost = drawing.notes.iter().filter(|note| note.weight == Weight::Lost);
     lost.map(|note| (note.place.element.clone().unwrap_or_default(), note.text.clone())).collect()

@@ -1,4 +1,4 @@
-//! What is refused, noted or bounded, and at which place.
+//! Refusals, notes and limits, with their places.
 
 #![expect(clippy::format_collect, reason = "short texts are put together")]
 

@@ -4,7 +4,7 @@ use crate::design::DrawnCut;
 use crate::shape::{AirSide, SealedShape};
 use inflatable::geom::{Enclosures, Point, SegmentIndex};
 
-/// What the flap ends at, to be measured from many points.
+/// The limits of the flap, indexed for measurements from many points.
 pub(super) struct Clearance<'a> {
     air: &'a AirSide,
     airy: Enclosures,

@@ -1,4 +1,4 @@
-//! Where a drawn piece is cut, and the paper that goes between its sheets.
+//! The cut of a drawn piece, and the paper that goes between its sheets.
 
 use crate::design::cut::{tool_around, tool_inside};
 use crate::design::{Circle, Refusal, RefusalCode};
@@ -7,7 +7,7 @@ use crate::spec::{SMALLEST_HOLE, Spec, key};
 use crate::units::{Most, Readable};
 use inflatable::geom::Path;
 
-/// Where a drawn piece is cut, closed and counterclockwise.
+/// The cut lines of a drawn piece, closed and counterclockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnCut {
     /// Around the piece.
@@ -63,7 +63,7 @@ impl DrawnCut {
 }
 
 impl DrawnSeparator {
-    /// The separator of `shape`, whose seams enclose `air`, cut as `spec` says.
+    /// The separator of `shape`, whose seams enclose `air`, with the creep and kerf of `spec`.
     pub(super) fn new(spec: &Spec, shape: &SealedShape, air: &AirSide) -> Result<Self, Refusal> {
         let (creep, kerf) = (spec.mask.creep.0, spec.cut.kerf.0);
         let made = |creep: f64| air.separator(shape, creep);
@@ -79,7 +79,7 @@ impl DrawnSeparator {
     }
 }
 
-/// The refusal of a creep that cuts the paper up, with the largest that does not; `is_made` says whether one is made.
+/// The refusal of a creep that cuts the paper up, with the largest one that does not; `is_made` tests a creep.
 fn no_separator(creep: f64, is_made: impl Fn(f64) -> bool) -> Refusal {
     let refusal =
         |found: String, remedy: String| Refusal::new(key::mask::CREEP, RefusalCode::NoWindow, found, remedy);

@@ -2,7 +2,7 @@
 
 use inflatable::geom::{Enclosures, Line, Path, Point, Segment, intersections};
 
-/// Ends of walls nearer to an edge than this end on it, mm, whatever `join` says.
+/// Ends of walls nearer to an edge than this end on it, mm, whatever the value of `join`.
 const LEAST_JOIN: f64 = 1e-3;
 
 /// The parts of `path` that lie in the air, which `loops` bound. An end that lies within `join` of a loop ends on it.

@@ -17,11 +17,11 @@ const STATIONS: [f64; 16] = [
 ];
 /// Largest sine of the turn from one glyph to the next: at corners they would lie on each other.
 const TURN: f64 = 0.2;
-/// Seams that get a label: what is more is no longer found by reading.
+/// Seams that get a label: in a longer list a label is no longer found by reading.
 const MOST: usize = 64;
 /// Longest text, in characters.
 const LONGEST: usize = 24;
-/// The side and the warp direction; the arrow stands on the blanks.
+/// The side and the warp direction; the arrow is drawn on the blanks.
 const SIDE: &str = "THIS SIDE UP WARP   ";
 
 /// The labels of a piece, in its own frame.
@@ -29,11 +29,11 @@ const SIDE: &str = "THIS SIDE UP WARP   ";
 pub struct DrawnLabels {
     /// The strokes of all texts.
     pub strokes: Vec<Path>,
-    /// Where the arrow of the warp has its middle, and half of its length, mm.
+    /// The middle of the warp's arrow, and half of its length, mm.
     pub warp: Option<(Point, f64)>,
 }
 
-/// Where texts may be written.
+/// The free room for texts on the flap.
 struct FlapRoom<'a> {
     room: &'a Clearance<'a>,
     holes: &'a [Circle],

@@ -7,9 +7,9 @@ use crate::spec::key;
 use crate::units::Length;
 use inflatable::geom::{Path, Point};
 
-/// Places on the flap that are looked at.
+/// Places on the flap that are tried.
 const PLACES: f64 = 200.0;
-/// By how many diameters the sides of the holes' triangle differ at least: less is not seen.
+/// Least difference of the sides of the holes' triangle, in diameters: smaller ones are not visible.
 const DIFFERENCE: f64 = 2.0;
 
 /// The registration holes of a piece of this `shape`, cut along `cut`: three of this `diameter`, or none where the flap has no room or
@@ -67,7 +67,7 @@ fn triangle(places: &[Point], least: f64) -> Option<[Point; 3]> {
     third.filter(|_| most >= least).map(|c| [a, c, b])
 }
 
-/// What to know where there is no room for registration holes of this diameter.
+/// The warning where there is no room for registration holes of this diameter.
 pub(super) fn no_room(diameter: f64) -> Warning {
     Warning {
         key: key::sheet::HOLE_DIAMETER,

@@ -1,4 +1,4 @@
-//! Roles: which element of a drawing is what, by its layers.
+//! Roles: the elements of a drawing by the roles of their layers.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -18,7 +18,7 @@ pub(super) fn sketch(drawing: &Drawing, spec: &DrawingSpec) -> Sketch {
         let name = element.id.clone();
         match (spec.role(&element.layers), &element.figure) {
             (Some(LayerRole::Port), figure) => sketch.ports.push(DrawnPort { name, place: port(figure) }),
-            // A point is no curve: `refusals` names it.
+            // A point is not a curve: `refusals` names it.
             (None | Some(LayerRole::Ignore), _) | (_, Figure::Point(_)) => {}
             (Some(role), Figure::Path(path)) => {
                 let drawn = DrawnCurve { name, path: path.clone() };

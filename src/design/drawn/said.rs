@@ -27,7 +27,7 @@ pub(super) fn warning(fault: &ShapeFault) -> Warning {
     Warning { key, code, found: found(fault), remedy: fault.remedy.clone() }
 }
 
-/// What was mended.
+/// The note on a repair.
 pub(super) fn repair(repair: &Repair) -> String {
     format!("{} at X {:.3} Y {:.3} mm", repair.what, repair.place.x, repair.place.y)
 }

@@ -1,20 +1,20 @@
-//! What the spelling of a program says beside its steps.
+//! The data besides its steps that a program is written from.
 
 use crate::spec::{Controller, Machine, Process, Seal, Spec};
 use crate::units::Length;
 
-/// What the spelling of steps needs to know beside them.
+/// The data besides the steps from which a program is written.
 #[derive(Clone, Copy, Debug)]
 pub struct Facts<'a> {
-    /// What the user calls the design; any text.
+    /// The user's name for the design; any text.
     pub name: &'a str,
     /// Temperature, speed, band and overlap.
     pub seal: &'a Seal,
     /// Largest deviation from the exact geometry.
     pub path: Length,
-    /// What reads the program.
+    /// The controller that reads the program.
     pub controller: &'a Controller,
-    /// How the iron is led.
+    /// The way in which the iron is led.
     pub process: &'a Process,
 }
 

@@ -55,7 +55,7 @@ fn write(
     writer.sentinel()
 }
 
-/// A pause, with what the display must read there: a machine that took a position for a displacement stands elsewhere.
+/// A pause, with the position that the display must show: a machine that took a position for a displacement is elsewhere.
 fn pause(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine) -> fmt::Result {
     let [x, y, z] = [writer.at.x, writer.at.y, machine.process.heights.travel.0].map(number);
     writer.comment(&format!("must stop here, at X{x} Y{y} Z{z}"))?;

@@ -1,4 +1,4 @@
-//! The header: what a reader of the file alone, person or program, needs to know.
+//! The header: the data that a person or program needs who has the file alone.
 
 use std::fmt;
 
@@ -48,7 +48,7 @@ pub(super) fn header(
     Ok(())
 }
 
-/// What a new program for the rest of the job needs to know.
+/// The data that a new program for the rest of the job needs.
 fn job_facts(writer: &mut Writer<'_, impl fmt::Write>, facts: Facts<'_>) -> fmt::Result {
     let Facts { seal, controller, process, .. } = facts;
     let (t, v) = (number(seal.temperature.0), number(seal.speed.0));
@@ -74,7 +74,7 @@ fn job_facts(writer: &mut Writer<'_, impl fmt::Write>, facts: Facts<'_>) -> fmt:
     writer.facts(&format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"))
 }
 
-/// What the operator has to see to, and what a chopped program relies on.
+/// The tasks of the operator, and the settings on which a chopped program relies.
 fn conditions(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine, program: &Program) -> fmt::Result {
     if let Pace::Chopped(chop) = program.pace {
         let (feed, a) = (number(chop.speed * 60.0), number(chop.acceleration));
@@ -105,7 +105,7 @@ fn conditions(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine, progr
     Ok(())
 }
 
-/// What the program covers: "sheet=1 stars=1-3", "piece=disc".
+/// The scope of the program: "sheet=1 stars=1-3", "piece=disc".
 fn sheet_and_pieces(program: &Program) -> String {
     let pieces = scope(&program.pieces);
     let is_numbered = program.pieces.iter().any(|piece| piece.number().is_some());

@@ -2,11 +2,11 @@
 //!
 //! End points are rounded first; an arc's centre is then computed from the rounded points and the
 //! exact radius, so that start, end and centre of every line of the file agree with each other.
-//! Comments of the form `; key: word=value ...` carry what a reader of the file alone needs to know;
+//! Comments of the form `; key: word=value ...` carry the data that a reader of the file alone needs;
 //! the last line, after the program's end, counts the lines, so that a file cut short shows.
 //!
-//! The **writer** spells lines into any sink, one at a time; the **header** states facts; a **dialect**'s row says what
-//! it spells differently; this room goes through a program's steps.
+//! The **writer** writes lines into any sink, one at a time; the **header** states facts; a **dialect**'s row lists its
+//! differences in spelling; this room goes through a program's steps.
 
 mod dialect;
 mod facts;
@@ -40,7 +40,7 @@ pub fn gcode(spec: &Spec, machine: &Machine, program: &Program) -> String {
 /// Writes the program into `out`, line by line, in constant memory.
 ///
 /// # Errors
-/// Those of `out`.
+/// The errors of `out`.
 pub fn write_gcode(
     out: &mut impl fmt::Write,
     spec: &Spec,
@@ -68,7 +68,7 @@ pub fn write_gcode(
     job.writer.sentinel()
 }
 
-/// What hosts of the dialect read of a program that takes `seconds`; `None` where they read nothing.
+/// The text that hosts of the dialect read of a program that takes `seconds`; `None` where they read none.
 pub fn estimate(dialect: Dialect, seconds: f64) -> Option<String> {
     Spelling::of(dialect).estimate(seconds)
 }
@@ -76,7 +76,7 @@ pub fn estimate(dialect: Dialect, seconds: f64) -> Option<String> {
 /// Writes `steps` alone at `pace`, with the iron at `from`, without header, start, pauses and end; the lines' number.
 ///
 /// # Errors
-/// Those of `out`.
+/// The errors of `out`.
 pub fn write_steps(
     out: &mut impl fmt::Write,
     facts: Facts<'_>,
@@ -103,12 +103,12 @@ struct Job<'a, W> {
     whole: Option<Whole<'a>>,
 }
 
-/// What only a whole program has: seams with their figures, an operator, progress.
+/// The data that only a whole program has: seams with their figures, an operator, progress.
 struct Whole<'a> {
     machine: &'a Machine,
     program: &'a Program,
     clock: Clock<'a>,
-    /// The last per cent that was said.
+    /// The last per cent that was written.
     percent: u32,
 }
 
@@ -211,7 +211,7 @@ impl<'a, W: fmt::Write> Job<'a, W> {
 }
 
 impl Whole<'_> {
-    /// The whole per cent of the time that is done, with the seconds to go; `None` if it was said before.
+    /// The whole per cent of the time that is done, with the seconds to go; `None` if it was written before.
     fn next_percent(&mut self) -> Option<(u32, f64)> {
         let total = self.program.time;
         let (mut percent, done) = (self.percent, 100.0 * self.clock.elapsed / total);

@@ -1,4 +1,4 @@
-//! Thumbnails: small pictures of what a program does, in comments of its head, for hosts that show them beside a file's name.
+//! Thumbnails: small pictures of a program's path, in comments of its head, for hosts that show them beside a file's name.
 //!
 //! The form is PrusaSlicer's, which Moonraker (components/file_manager/metadata.py), OctoPrint's thumbnail plugins and
 //! RepRapFirmware read: `thumbnail begin WxH N`, a PNG as N characters of base64, `thumbnail end`.
@@ -13,7 +13,7 @@ use crate::emit::picture::{Colour, Group, Pen, Picture};
 use crate::plan::{Program, Step};
 use inflatable::geom::{Bounds, Path, Vec2};
 
-/// Sides, pixels: for a list, and for the one that is looked at.
+/// Sides, pixels: for a list, and for the selected file.
 const SIDES: [f64; 2] = [32.0, 300.0];
 /// Characters a line: fewer than the shortest line of a profile has.
 const LINE: usize = 64;
@@ -21,11 +21,11 @@ const LINE: usize = 64;
 const LEAST: f64 = 1.6;
 /// Blank around, as a part of the way's extent.
 const BLANK: f64 = 0.06;
-/// What is sealed, and what is only shown.
+/// Colours of sealed lines and of traced ones.
 const SEAM: Colour = Colour(0xe8, 0xa3, 0x3d);
 const TRACED: Colour = Colour(0x5b, 0x8d, 0xb8);
 
-/// Writes the pictures of `program`, whose band is so wide, mm.
+/// Writes the pictures of `program` with a band `band` wide, mm.
 pub(super) fn thumbnails(
     writer: &mut Writer<'_, impl fmt::Write>,
     program: &Program,
@@ -37,7 +37,7 @@ pub(super) fn thumbnails(
         writer.comment(&format!("thumbnail begin {side}x{side} {}", text.len()))?;
         let mut rest = text.as_str();
         while !rest.is_empty() {
-            // All of it is ASCII.
+            // Base64 is ASCII.
             let (line, after) = rest.split_at(rest.len().min(LINE));
             writer.comment(line)?;
             rest = after;
@@ -47,7 +47,7 @@ pub(super) fn thumbnails(
     Ok(())
 }
 
-/// The ways of the iron on a square; `None` if there are none.
+/// The ways of the iron on a square; `None` for a program without a way.
 fn picture(program: &Program, band: f64, side: f64) -> Option<Picture> {
     let ways: Vec<(Path, Colour)> = program
         .steps

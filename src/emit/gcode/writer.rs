@@ -10,7 +10,7 @@ use crate::plan::is_straight;
 use crate::spec::Comments;
 use inflatable::geom::{Point, Segment};
 
-/// Spells lines, and remembers where the file says that the iron is.
+/// Writes lines, and remembers the iron's position by the numbers written.
 pub(super) struct Writer<'a, W> {
     out: &'a mut W,
     facts: Facts<'a>,
@@ -19,7 +19,7 @@ pub(super) struct Writer<'a, W> {
     pub(super) spelling: Spelling,
     /// Lines so far.
     pub(super) lines: usize,
-    /// Where the iron is, as the file says.
+    /// The iron's position by the numbers written.
     pub(super) at: Point,
     /// The feed in force, mm/min.
     pub(super) feed: Option<f64>,
@@ -40,7 +40,7 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
         }
     }
 
-    /// The nearest point that the file can say.
+    /// The nearest point that the file can express.
     pub(super) fn round(&self, p: Point) -> Point {
         self.decimals.round_point(p)
     }

@@ -8,9 +8,9 @@ use inflatable::geom::{Bounds, Path, Point, Vec2};
 
 /// Marks on a page, group by group, the later above the earlier.
 pub(super) struct Picture {
-    /// What is shown.
+    /// The title of the picture.
     pub(super) title: String,
-    /// What of the plane is shown; millimetres, Y up.
+    /// The part of the plane that is shown; millimetres, Y up.
     pub(super) window: Bounds,
     /// The height of the plane that becomes ordinate 0 of an SVG, whose Y runs down.
     pub(super) top: f64,
@@ -27,7 +27,7 @@ pub(super) struct Group {
 
 /// Something that is seen.
 enum Mark {
-    /// What lies inside of an odd number of these paths.
+    /// The region inside an odd number of these paths.
     Area { paths: Vec<Path>, ink: Colour },
     /// A line along a path.
     Line { path: Path, pen: Pen },
@@ -39,7 +39,7 @@ enum Mark {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) struct Colour(pub(super) u8, pub(super) u8, pub(super) u8);
 
-/// How a line looks.
+/// The style of a line.
 #[derive(Clone, Copy)]
 pub(super) struct Pen {
     ink: Colour,
@@ -49,7 +49,7 @@ pub(super) struct Pen {
     dash: Option<[f64; 2]>,
 }
 
-/// Which part of a text stands at its place.
+/// The part of a text that is placed at its point.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Anchor {
     /// Its beginning.
@@ -63,19 +63,19 @@ pub(super) enum Anchor {
 /// A line of text.
 #[derive(Clone)]
 pub(super) struct Text {
-    /// Where its anchor stands on its base line.
+    /// The place of its anchor on its base line.
     pub(super) at: Point,
     /// Size of the type, mm.
     pub(super) size: f64,
-    /// What of it stands there.
+    /// The part of the text at this place.
     pub(super) anchor: Anchor,
     /// Its colour.
     pub(super) ink: Colour,
-    /// What it says: printable ASCII.
+    /// Its characters: printable ASCII.
     pub(super) content: String,
 }
 
-/// How far type rises above its base line, and falls below it, by its size.
+/// Height of type above its base line, and depth below it, by its size.
 const RISE: f64 = 0.76;
 const FALL: f64 = 0.24;
 
@@ -91,7 +91,7 @@ impl Text {
         Self { at: center - Vec2::new(0.0, 0.5 * (RISE - FALL) * self.size), anchor: Anchor::Middle, ..self }
     }
 
-    /// Where its first letter begins, if it is so wide.
+    /// The place of its first letter, for a text of this width.
     fn start(&self, width: f64) -> Point {
         let share = match self.anchor {
             Anchor::Start => 0.0,
@@ -101,12 +101,12 @@ impl Text {
         self.at - Vec2::new(share * width, 0.0)
     }
 
-    /// How wide it is.
+    /// Its width, mm.
     pub(super) fn width(&self) -> f64 {
         typeface::width(&self.content) * self.size
     }
 
-    /// The box that it takes, in a face that is no wider than the one that pictures are measured with.
+    /// Its box, in a face no wider than the one that pictures are measured with.
     pub(super) fn bounds(&self) -> Bounds {
         let width = self.width();
         let start = self.start(width);
@@ -133,7 +133,7 @@ impl Group {
         Self { name: name.into(), marks: Vec::new() }
     }
 
-    /// Fills what lies inside of an odd number of `paths`.
+    /// Fills the region inside an odd number of `paths`.
     pub(super) fn area(&mut self, paths: Vec<Path>, ink: Colour) {
         self.marks.push(Mark::Area { paths, ink });
     }

@@ -12,7 +12,7 @@ use crate::emit::picture::{Colour, Mark, Pen, Picture, Text};
 use inflatable::geom::{Arc, Path, Point, Segment, Vec2};
 
 impl Picture {
-    /// The picture as a PNG of so many pixels along its longer side; `None` if it has no extent.
+    /// The picture as a PNG with this number of pixels along its longer side; `None` if it has no extent.
     pub(in crate::emit) fn png(&self, longer: f64) -> Option<Vec<u8>> {
         let scale = longer / self.window.width().max(self.window.height());
         let mut pixels =
@@ -31,10 +31,10 @@ impl Picture {
     }
 }
 
-/// What is drawn on. Coordinates become pixels before they become singles, so that no large one loses its fraction.
+/// The pixels that are drawn on. Coordinates become pixels before they become singles, so that no large one loses its fraction.
 struct Canvas<'a> {
     pixels: PixmapMut<'a>,
-    /// What is at the upper left.
+    /// The point at the upper left.
     origin: Point,
     /// Pixels a mm.
     scale: f64,
@@ -147,7 +147,7 @@ impl Pencil for Letters {
 }
 
 fn encoded(pixels: &Pixmap, scale: f64) -> Option<Vec<u8>> {
-    // All is opaque, so nothing was multiplied by what shines through.
+    // All pixels are opaque, so premultiplied colours are the plain ones.
     let colors = pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
     let colors: Vec<u8> = colors.collect();
     let mut out = Vec::new();

@@ -1,4 +1,4 @@
-//! Pictures as SVG: real text, so that it can be searched; as large as what it shows, and in a browser no larger than the window.
+//! Pictures as SVG: real text, so that it can be searched; in their true size, and in a browser no larger than the window.
 
 use svg::Node;
 use svg::node::element::Element;
@@ -11,7 +11,7 @@ use inflatable::geom::Path;
 /// A hundredth of a millimetre is enough for the eye.
 const DECIMALS: u32 = 2;
 
-/// Browsers shrink the picture to their window; what prints or cuts goes by width and height.
+/// Browsers shrink the picture to their window; printers and cutters use width and height.
 const FITTED: &str = "max-width:100%;max-height:100%";
 
 /// The first that a viewer has; see `typeface`.

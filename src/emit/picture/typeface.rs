@@ -1,7 +1,7 @@
 //! The typeface that pictures are lettered with: printable ASCII of DejaVu Sans (templates/font).
 //!
-//! A PNG is drawn with it. An SVG asks for it and falls back to others; all sans-serif faces in wide use are as wide or
-//! narrower, so its widths tell what room a text needs at most.
+//! A PNG is drawn with it. An SVG requests it and falls back to others; all sans-serif faces in wide use are as wide or narrower,
+//! so its widths are an upper limit of the room that a text needs.
 
 use std::sync::OnceLock;
 
@@ -16,15 +16,15 @@ fn face() -> Option<Face<'static>> {
     Face::parse(FONT, 0).ok()
 }
 
-/// How far the pen moves on after a glyph, by the type's size.
+/// Distance that the pen moves on after a glyph, by the type's size.
 fn advance(face: &Face<'_>, glyph: Option<GlyphId>) -> f64 {
     let units = glyph.and_then(|glyph| face.glyph_hor_advance(glyph));
     units.map_or(UNKNOWN, |units| f64::from(units) / f64::from(face.units_per_em()))
 }
 
-/// How wide `text` is, by the type's size.
+/// Width of `text`, by the type's size.
 pub(super) fn width(text: &str) -> f64 {
-    // Places for labels are looked for by the thousand.
+    // Widths are requested thousands of times while labels are placed.
     static ADVANCES: OnceLock<[f64; 128]> = OnceLock::new();
     let advances = ADVANCES.get_or_init(|| {
         let letters = std::array::from_fn(|i| char::from(u8::try_from(i).unwrap_or(0)));
@@ -33,7 +33,7 @@ pub(super) fn width(text: &str) -> f64 {
     text.chars().map(|c| advances.get(c as usize).copied().unwrap_or(UNKNOWN)).sum()
 }
 
-/// Where an outline goes: in units of the type's size, Y up, from the beginning of the base line.
+/// The receiver of an outline: in units of the type's size, Y up, from the beginning of the base line.
 pub(super) trait Pencil {
     fn move_to(&mut self, x: f64, y: f64);
     fn line_to(&mut self, x: f64, y: f64);

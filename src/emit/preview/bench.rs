@@ -1,4 +1,4 @@
-//! What the star lies on: the sheet with its size, the machine's origin, axes and work area, and the clamps.
+//! The bench below the star: the sheet with its size, the machine's origin, axes and work area, and the clamps.
 
 use crate::design::SheetLayout;
 use crate::emit::picture::{Anchor, Group, Text};
@@ -155,7 +155,7 @@ fn within(x: f64, y: f64, window: &Bounds) -> Vec<Path> {
     out
 }
 
-/// What two boxes have in common; `None` if that has no area.
+/// The intersection of two boxes; `None` if it has no area.
 fn common(a: &Bounds, b: &Bounds) -> Option<Bounds> {
     let min = Point::new(a.min.x.max(b.min.x), a.min.y.max(b.min.y));
     let max = Point::new(a.max.x.min(b.max.x), a.max.y.min(b.max.y));

@@ -1,5 +1,5 @@
-//! What is said below the picture: blocks of lines, side by side as far as there is room, with a swatch before a line that
-//! explains a colour.
+//! The text below the picture: blocks of lines, side by side as far as there is room, with a swatch before a line that explains a
+//! colour.
 
 use crate::emit::picture::{Anchor, Colour, Group, Pen, Text};
 use crate::emit::preview::style::{CODE, Style, TEXT, circle, rectangle, straight};
@@ -13,7 +13,7 @@ pub(super) struct Block<'a> {
     code: Option<&'a LinkCode>,
 }
 
-/// What a line explains.
+/// The mark that a line explains.
 #[derive(Clone, Copy)]
 pub(super) enum Swatch {
     /// An area.
@@ -28,7 +28,7 @@ pub(super) enum Swatch {
 
 /// From line to line, by the type's size.
 const STEP: f64 = 1.6;
-/// How far lines are set in that begin with a blank, by the type's size.
+/// Indent of lines that begin with a blank, by the type's size.
 const INDENT: f64 = 1.2;
 /// Between blocks, by the type's size.
 const GAP: f64 = 3.0;
@@ -105,7 +105,7 @@ impl<'a> Block<'a> {
 }
 
 impl Swatch {
-    /// How much room it takes before its line.
+    /// Room before its line, mm.
     fn width(self, style: Style) -> f64 {
         match self {
             Self::Scale(length) => length + 0.8 * style.unit,

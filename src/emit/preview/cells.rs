@@ -1,4 +1,4 @@
-//! A picture of all seal strips of a grid: where each lies, what it is sealed at, where it is cut.
+//! A picture of all seal strips of a grid: the place of each, its temperature and speed, and its cut.
 
 use crate::emit::picture::{Anchor, Group, Pen, Picture, Text};
 use crate::emit::preview::style::{BAND, CUT, FABRIC, LABEL, PAGE, Style, TEXT, rectangle};
@@ -7,13 +7,13 @@ use inflatable::geom::{Bounds, Path, Point, Vec2};
 
 /// One strip.
 pub struct GridCell {
-    /// What stands on it.
+    /// The number on it.
     pub number: usize,
     /// The centre line of its seam.
     pub seam: Path,
     /// The specimen that is cut out of it.
     pub specimen: Bounds,
-    /// What it is sealed at, a line each.
+    /// Its settings for sealing, a line each.
     pub words: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! A drawing with its faults, numbered, and what each of them is.
+//! A drawing with its faults, numbered, and the list of them.
 
 use crate::emit::picture::{Group, Picture, Text};
 use crate::emit::preview::block::{Block, flow};
@@ -9,17 +9,17 @@ use inflatable::geom::{Bounds, Path, Point, Vec2};
 /// Characters a line of the legend.
 const LINE: usize = 110;
 
-/// The text without what means something to XML, or may have no glyph.
+/// The text without the special characters of XML and those that may have no glyph.
 fn legible(text: &str) -> String {
     let plain = |c: char| (c.is_ascii_graphic() || c == ' ') && !matches!(c, '<' | '>' | '&');
     text.chars().map(|c| if plain(c) { c } else { '_' }).collect()
 }
 
-/// A fault: what it is, and where if that is known.
+/// A fault, with its place if that is known.
 pub struct FaultMark {
     /// In the frame of the drawing, mm.
     pub at: Option<Point>,
-    /// What is wrong, and what to do.
+    /// The fault and the remedy.
     pub text: String,
 }
 

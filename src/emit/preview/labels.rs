@@ -10,15 +10,16 @@ use crate::emit::preview::travel::Start;
 use crate::emit::text::inert;
 use inflatable::geom::{Bounds, Point, Vec2};
 
-/// Sizes that are tried in turn, by the first of them; what is smaller is not read.
+/// Sizes that are tried in turn, relative to the first; smaller text is not readable.
 const SIZES: [f64; 8] = [1.0, 0.85, 0.72, 0.61, 0.52, 0.44, 0.37, 0.3];
 /// Size from which words are read with ease, by that of the picture's type.
 const LEGIBLE: f64 = 0.62;
 /// Ways out that are tried around a point.
 const WAYS: u32 = 24;
-/// How far out, by the label's size.
+/// Distances from the point, by the label's size.
 const REACHES: [f64; 9] = [1.2, 1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.5, 8.0];
-/// From so many tries in a picture on, labels stand near by and in full size or not at all: what has hundreds of them has no room for most.
+/// After so many tries in a picture, labels are placed close by and in full size or left out: a picture with hundreds of labels
+/// has no room for most.
 const MANY: usize = 200_000;
 
 /// Name, tips, corners and inlet of one star.
@@ -125,10 +126,10 @@ pub(super) fn start_labels(starts: &[Start], style: Style, places: &mut Places) 
     group
 }
 
-/// A label that stands beside a point, with a line to it.
+/// A label beside a point, with a line to it.
 struct Callout<'a> {
     at: Point,
-    /// Where it stands if it can.
+    /// The preferred direction from the point.
     along: Vec2,
     size: f64,
     words: &'a str,

@@ -46,7 +46,7 @@ impl Preview<'_> {
 
     fn picture(&self, sheet: usize) -> Option<Picture> {
         let layout = self.design.sheets.iter().find(|layout| layout.index == sheet)?;
-        // The stack stands beside the first sheet.
+        // The stack is drawn beside the first sheet.
         let stack = StackView::new(self).filter(|_| sheet == 1);
         let (beside, least) =
             stack.as_ref().map_or((0.0, 0.0), |view| (view.bare_width(), view.bare_height()));
@@ -107,7 +107,7 @@ impl Preview<'_> {
         groups
     }
 
-    /// What stands below.
+    /// The text below the picture.
     fn words(&self, sheet: usize, style: Style) -> Vec<Block<'_>> {
         words::blocks(self, sheet, style)
     }

@@ -13,7 +13,7 @@ pub(super) fn piece_group(part: FlatPiece<'_>, placed: &PlacedPart, style: Style
     let (shape, lines) = (part.shape(), part.cut(CutEdge::Part));
     let cut: Vec<Path> = std::iter::once(lines.outside).chain(lines.inside).map(place).collect();
     group.area(cut.clone(), FABRIC);
-    // The outermost edge first, what lies inside it after.
+    // The outermost edge first, the edges inside it after.
     group.area(part.tube().iter().rev().map(place).collect(), TUBE);
     for seam in &shape.seams {
         group.line(place(&seam.center_line), Pen::new(BAND, shape.band));

@@ -1,11 +1,11 @@
-//! Where labels go: the first place that they cover nothing from.
+//! Places of labels: the first one where a label covers nothing.
 
 use crate::emit::picture::Text;
 use inflatable::geom::{Bounds, GrowingIndex, Line, Path, Point, Segment, segment_distance};
 
-/// What labels keep off, and what they have taken.
+/// The obstacles of labels, and the places that labels have taken.
 pub(super) struct Places {
-    /// What they stay inside of.
+    /// The area in which labels must stay.
     window: Bounds,
     /// Blank left around each, mm.
     blank: f64,
@@ -13,9 +13,10 @@ pub(super) struct Places {
     lines: Vec<(Segment, f64)>,
     around_lines: GrowingIndex,
     boxes: GrowingIndex,
-    /// What was in the way last, the latest first: mostly it is in the way of the next place, too, and is found without a search.
+    /// The last obstacles found, the latest first: mostly the same one obstructs the next place, too, and is found without a
+    /// search.
     recent: Vec<LabelBlock>,
-    /// How many places were looked at.
+    /// Number of places tried.
     tries: usize,
 }
 
@@ -26,7 +27,7 @@ enum LabelBlock {
     Box(usize),
 }
 
-/// So many recent obstacles are tried before the search: more cost as much as it does.
+/// Number of recent obstacles tried before the search: more take as long as it does.
 const RECENT: usize = 8;
 
 impl Places {
@@ -56,12 +57,12 @@ impl Places {
         self.boxes.push(bounds);
     }
 
-    /// How many places were looked at.
+    /// Number of places tried.
     pub(super) fn tries(&self) -> usize {
         self.tries
     }
 
-    /// Whether nothing is there.
+    /// Whether the place is free.
     pub(super) fn is_free(&mut self, bounds: &Bounds) -> bool {
         self.tries += 1;
         let room = bounds.grown(self.blank);
@@ -103,7 +104,7 @@ impl Places {
         }
     }
 
-    /// Whether a line along `path` covers no label.
+    /// Whether a line along `path` crosses no label.
     pub(super) fn is_clear(&self, path: &Path) -> bool {
         let crosses = |segment: &Segment| {
             self.boxes.any(&segment.bounds(), |number| distance(self.boxes.get(number), segment) == 0.0)

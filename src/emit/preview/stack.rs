@@ -102,7 +102,7 @@ impl<'a> StackView<'a> {
         }
     }
 
-    /// Whose edges these are: in a tube, else outside of the frame, with a line to the tip.
+    /// The numbers of the stars that have these edges: in a tube, else outside of the frame, with a line to the tip.
     fn name(&self, group: &mut Group, alike: &Alike, places: &mut Places, style: Style) {
         let design = self.assembly;
         let Some(index) = alike.stars.first().copied() else { return };
@@ -111,7 +111,7 @@ impl<'a> StackView<'a> {
         let at = |radius: f64, ray: f64, size: f64| {
             Text::centered(alike.motion.point(Point::polar(radius, ray)), size, ink, words.clone())
         };
-        // Where the hose leaves there is a line already.
+        // The tip of the hose has a line already.
         let hose = design.part(&design.stars[index - 1]).channel.map_or(0, |channel| channel.tip);
         let rays = (1..=star.n).filter(move |k| *k != hose).map(|k| star.tip_ray(k));
         let inside = [1.0, 0.8, 0.6].into_iter().flat_map(|share| {

@@ -1,4 +1,4 @@
-//! How things style: colours, and sizes that grow with the picture, so that it reads alike at any size.
+//! The style of pictures: colours, and sizes that grow with the picture, so that it reads alike at any size.
 
 use crate::emit::picture::{Colour, Pen};
 use inflatable::geom::{Arc, Bounds, Line, Path, Point, Vec2};
@@ -43,7 +43,7 @@ pub(super) struct Style {
 }
 
 impl Style {
-    /// That of a picture whose longer side is `extent`: on a screen's width of 1500 pixels type is 14 pixels high.
+    /// The style of a picture whose longer side is `extent`: on a screen's width of 1500 pixels type is 14 pixels high.
     pub(super) fn new(extent: f64) -> Self {
         Self { unit: extent / 110.0 }
     }

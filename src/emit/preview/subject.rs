@@ -1,16 +1,16 @@
-//! What a preview shows.
+//! The subject of a preview.
 
 use crate::design::{Design, Star};
 use crate::link::LinkCode;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
 
-/// What previews are made of.
+/// The data of a preview.
 #[derive(Clone, Copy)]
 pub struct Preview<'a> {
-    /// What was asked for.
+    /// The spec.
     pub spec: &'a Spec,
-    /// What it is made on.
+    /// The machine.
     pub machine: &'a Machine,
     /// The exact geometry.
     pub design: &'a Design,

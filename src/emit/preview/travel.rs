@@ -1,4 +1,4 @@
-//! How the iron travels over one sheet: order, direction, starts, overlaps and ramps.
+//! The path of the iron over one sheet: order, direction, starts, overlaps and ramps.
 
 use crate::design::{Design, PlacedPart};
 use crate::emit::picture::Group;
@@ -11,21 +11,21 @@ use inflatable::geom::{Path, Point, Segment, Vec2};
 /// Arrow heads along one seam.
 const ARROWS: u32 = 8;
 
-/// Where a seam begins.
+/// The start of a seam.
 pub(super) struct Start {
     /// Its number in the order of sealing.
     pub(super) order: usize,
     /// Its place on the sheet.
     pub(super) at: Point,
-    /// Where the iron goes from there.
+    /// The direction of the iron from there.
     pub(super) along: Vec2,
     /// Width of the tube beside it.
     pub(super) tube: f64,
 }
 
-/// How the iron travels: order, direction, starts and overlaps are the program's, the lines those of the design.
+/// The path of the iron: order, direction, starts and overlaps are the program's, the lines those of the design.
 ///
-/// A machine that draws no arcs is told thousands of chords, each within the tolerance: to the eye they are the seam.
+/// A program without arcs has thousands of chords, each within the tolerance: to the eye they are the seam.
 pub(super) fn travel_group(
     design: &Design,
     program: &Program,
@@ -69,7 +69,7 @@ pub(super) fn travel_group(
     (group, starts)
 }
 
-/// A seam as the design has it, and what the program says of it.
+/// A seam of the design, with its data in the program.
 struct DrawnSeam<'a> {
     seam: &'a Seam,
     placed: &'a PlacedPart,

@@ -1,4 +1,4 @@
-//! What is said below the picture: the design, its stars, the order of sealing, and what the colours mean.
+//! The text below the picture: the design, its stars, the order of sealing, and the meaning of the colours.
 
 use crate::design::{PlacedPart, StarAssembly};
 use crate::emit::picture::Pen;

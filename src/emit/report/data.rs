@@ -20,7 +20,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
     let Report { spec, design, bill, prediction, .. } = report;
     let assembly = design.assembly();
     let mut bill = serde_json::to_value(bill).unwrap_or_default();
-    // Which files there are, the manifest itself says; this page is one of them.
+    // The manifest itself lists the files; this page is one of them.
     if let Some(bill) = bill.as_object_mut() {
         for key in ["files", "only", "with"] {
             let _ = bill.remove(key);
@@ -96,7 +96,7 @@ fn machine(machine: &Machine) -> Value {
     })
 }
 
-/// What the seal of each distinct star bears.
+/// The seal load of each distinct star.
 fn loads(report: &Report<'_>) -> Vec<Value> {
     let of_star = |part: &StarDesign| {
         let case = Case::of(report.spec, &part.star).ok()?;

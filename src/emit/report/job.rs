@@ -1,4 +1,4 @@
-//! The job: what lies on each sheet, and what the iron does there, step by step, from the programs themselves.
+//! The job: the content of each sheet, and the iron's steps there, from the programs themselves.
 
 use serde_json::{Value, json};
 
@@ -98,7 +98,7 @@ pub(super) fn programs(report: &Report<'_>) -> Vec<Value> {
     report.programs.iter().map(program).collect()
 }
 
-/// One step that ends at `end`, s; `None` for what takes no time and goes nowhere.
+/// One step that ends at `end`, s; `None` for a step without time and way.
 fn step_of(report: &Report<'_>, step: &Step, seam: usize, end: f64) -> Option<Value> {
     let along = |what: &str, pieces: &[Segment]| json!({ "do": what, "end_s": end, "seam": seam, "path": polyline(&Path::open(pieces.to_vec())) });
     let ramp = |what: &str, ramp: &Ramp| {
@@ -123,7 +123,7 @@ fn step_of(report: &Report<'_>, step: &Step, seam: usize, end: f64) -> Option<Va
     })
 }
 
-/// A figure for people: the last bits of a sum are not worth a changed file.
+/// A figure for people: a difference in the last bits of a sum must not change the file.
 pub(super) fn thousandths(x: f64) -> f64 {
     (x * 1000.0).round() / 1000.0 + 0.0
 }

@@ -1,7 +1,7 @@
 //! The page: the frame, its style and scripts, and the blocks of data, joined.
 //!
 //! The spec's own words enter it in two places only: the title, and the block of figures. Both are escaped so that nothing in them
-//! can end the place they stand in, and no address of a network can be read out of them. A policy in the head lets the browser run
+//! can end the place they are in, and no address of a network can be read out of them. A policy in the head lets the browser run
 //! the page's own scripts and styles, which it names by their hashes, and fetch nothing at all.
 
 use std::fmt::Write;
@@ -16,7 +16,7 @@ use crate::link::LinkCode;
 
 const FRAME: &str = include_str!("../../../templates/report/page.html");
 
-/// What the page looks like: on a screen, on paper.
+/// The styles of the page: on a screen, on paper.
 const STYLES: [&str; 2] = [
     include_str!("../../../templates/report/screen.css"),
     include_str!("../../../templates/report/paper.css"),
@@ -37,7 +37,7 @@ const SCRIPTS: [&str; 11] = [
     include_str!("../../../templates/report/start.js"),
 ];
 
-/// How hard the scene is packed, 0 to 10: beyond 6 it takes twice the time for a hundredth of the size.
+/// Compression level of the scene, 0 to 10: beyond 6 it takes twice the time for a hundredth of the size.
 const PACKED: u8 = 6;
 
 /// The page for a design called `name`, with its figures, its scene, and the code of the link to its spec.
@@ -61,7 +61,7 @@ pub(super) fn page(name: &str, data: &Value, scene: &[u8], code: Option<&LinkCod
         ("SCRIPT", script.as_str()),
         ("CODE", code.as_str()),
     ];
-    // In one pass: what one part says is not looked into for the marks of another.
+    // In one pass: the content of one part is not searched for the marks of another.
     let mut out =
         String::with_capacity(FRAME.len() + parts.iter().map(|(_, part)| part.len()).sum::<usize>());
     let mut rest = FRAME;
@@ -94,12 +94,12 @@ fn joined(parts: &[&str]) -> String {
     format!("\n{}", parts.join("\n"))
 }
 
-/// How a policy names a script or a style.
+/// The name of a script or a style in a policy.
 fn hash(text: &str) -> String {
     format!("sha256-{}", STANDARD.encode(Sha256::digest(text.as_bytes())))
 }
 
-/// Text for an element or an attribute: every character that could mean something there, or begin an address, by its number.
+/// Text for an element or an attribute: every character with a meaning there, or at the start of an address, by its number.
 fn text(words: &str) -> String {
     let mut out = String::with_capacity(words.len());
     for c in words.chars() {
@@ -113,8 +113,8 @@ fn text(words: &str) -> String {
     out
 }
 
-/// JSON for a script element: no `<` that could end it, no `/` of an address, and no line end that old readers of scripts know
-/// and JSON does not.
+/// JSON for a script element: no `<` that could end it, no `/` of an address, and no line end that only old readers of scripts
+/// treat as one.
 fn block(data: &Value) -> String {
     let plain = data.to_string();
     let mut out = String::with_capacity(plain.len());
@@ -136,7 +136,7 @@ mod tests {
 
     use super::*;
 
-    /// Words that want out of where they stand.
+    /// Words that try to break out of the place they are in.
     fn hostile() -> impl Strategy<Value = String> {
         let known = prop::sample::select(vec![
             "</script><script>alert(1)</script>",

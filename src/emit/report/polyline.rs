@@ -3,9 +3,9 @@
 use crate::emit::chords::chords;
 use inflatable::geom::{Path, Point};
 
-/// How far a polyline may leave its path, mm, beside rounding: a tenth of what is seen where a star fills a screen.
+/// Largest distance of a polyline from its path, mm, beside rounding: a tenth of what is visible where a star fills a screen.
 const WITHIN: f64 = 0.02;
-/// How far the chords that it is chosen from leave the path, mm.
+/// Largest distance of the chords that it is chosen from to the path, mm.
 const CHORD: f64 = 0.005;
 
 /// The path's corners, first absolute, then each as a step, in hundredths of a millimetre; a closed one does not return.

@@ -1,4 +1,4 @@
-//! What a report is made of.
+//! The data of a report.
 
 use crate::design::Design;
 use crate::forecast::charts::Charts;
@@ -9,26 +9,26 @@ use crate::manifest::Manifest;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
 
-/// What a report is made of.
+/// The data of a report.
 #[derive(Clone, Copy)]
 pub struct Report<'a> {
     /// The spec as read.
     pub source: &'a str,
-    /// What was asked for.
+    /// The spec.
     pub spec: &'a Spec,
-    /// What it is made on.
+    /// The machine.
     pub machine: &'a Machine,
     /// The exact geometry.
     pub design: &'a Design,
     /// The sealing programs.
     pub programs: &'a [Program],
-    /// What its stars will do; `None` for a spec without a load.
+    /// The prediction for its stars; `None` for a spec without a load.
     pub prediction: Option<&'a Prediction>,
-    /// What a drawn piece will do; `None` for a spec without a load.
+    /// The prediction for a drawn piece; `None` for a spec without a load.
     pub drawn: Option<&'a DrawnPrediction>,
     /// The same by pressure, object and number of points.
     pub charts: &'a [Charts],
-    /// What to see to before sealing, the most pressing first: a code, and a sentence with commands in backticks.
+    /// Precautions before sealing, the most pressing first: a code, and a sentence with commands in backticks.
     pub watch: &'a [(&'a str, &'a str)],
     /// The bill of materials; its files do not matter.
     pub bill: &'a Manifest,

@@ -18,7 +18,7 @@ const BAND: usize = 2;
 const CUT: usize = 3;
 
 /// `piece` of `design`, its chambers `inflated` to these surfaces, or flat if there are none, and the sheets; `None` where lyon has no
-/// triangles for it. An inflated piece is shown without its flaps and bands, which the shell does not know.
+/// triangles for it. An inflated piece is shown without its flaps and bands, which the shell does not model.
 pub fn drawn_scene(
     spec: &Spec,
     design: &Design,
@@ -38,7 +38,7 @@ pub fn drawn_scene(
     let groups = [("pieces", 1), ("sheets", sheets.len())];
     let used = DRAWN.map(|surface| material(&SURFACES[surface as usize]));
     let nodes: Vec<Node> = std::iter::once(node).chain(sheets).collect();
-    // A material that nothing has is what validators remark on.
+    // Validators remark on a material without use.
     let materials = if inflated.is_empty() || !design.sheets.is_empty() { &used[..] } else { &used[..=TUBE] };
     Some(glb.finish(&spec.name, &nodes, &groups, materials))
 }

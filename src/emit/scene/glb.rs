@@ -8,14 +8,14 @@ use serde_json::{Value, json};
 use crate::emit::number::Decimals;
 use crate::emit::scene::mesh::Mesh;
 
-/// Decimals of a coordinate in mm, and of what turns a node.
+/// Decimals of a coordinate in mm, and of a node's rotation.
 const DECIMALS: [u32; 2] = [3, 9];
-/// When the animation begins, is at full pressure, and ends, s.
+/// The times, s, at which the animation begins, is at full pressure, and ends.
 const TIMES: [f32; 3] = [0.0, 2.0, 3.0];
-/// How far it has come at these times.
+/// Share of the inflation at these times.
 const WEIGHTS: [f32; 3] = [0.0, 1.0, 1.0];
 
-// glTF's own numbers: types of components, and what a view is for.
+// glTF's own numbers: types of components, and purposes of a view.
 const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
 const VERTICES: u32 = 34962;
@@ -25,15 +25,15 @@ const INDICES: u32 = 34963;
 #[derive(Clone, Debug)]
 pub(super) struct Node {
     pub(super) name: String,
-    /// Which of the meshes.
+    /// Index of the mesh.
     pub(super) mesh: usize,
-    /// Where its origin lies, mm.
+    /// The place of its origin, mm.
     pub(super) at: [f64; 3],
-    /// How far it is turned about +Z, rad.
+    /// Its rotation about +Z, rad.
     pub(super) turn: f64,
 }
 
-/// What will be one file.
+/// The content of one file.
 #[derive(Debug, Default)]
 pub(super) struct Glb {
     numbers: Vec<u8>,
@@ -59,7 +59,8 @@ impl Glb {
         self.meshes.len() - 1
     }
 
-    /// The same mesh by another name, its numbers shared: viewers find what an animation moves by the name of its mesh. Its number.
+    /// The same mesh by another name, its numbers shared; returns its index. Viewers find the target of an animation by the name
+    /// of its mesh.
     pub(super) fn again(&mut self, mesh: usize, name: &str) -> usize {
         let mut same = self.meshes[mesh].clone();
         same["name"] = name.into();
@@ -158,7 +159,7 @@ impl Glb {
         json!({ "name": "inflate", "samplers": [sampler], "channels": nodes.iter().map(channel).collect::<Vec<_>>() })
     }
 
-    /// Adds numbers with what they are, all of 4 bytes; 0 for a view of no special use.
+    /// Adds numbers of a given type, all of 4 bytes; 0 for a view of no special use.
     fn accessor(&mut self, bytes: &[u8], target: u32, mut description: Value) -> usize {
         let mut view = json!({ "buffer": 0, "byteOffset": self.numbers.len(), "byteLength": bytes.len() });
         if target != 0 {

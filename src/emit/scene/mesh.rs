@@ -1,4 +1,4 @@
-//! Display meshes: triangles to be looked at, by lyon's tessellators. What is printed has a path of its own, exact and
+//! Display meshes: triangles from lyon's tessellators, for the eye only. Printed solids have a path of their own, exact and
 //! closed ([`mod@crate::emit::stl`]).
 
 use std::f64::consts::TAU;
@@ -13,8 +13,8 @@ use lyon_tessellation::{
 use crate::emit::chords::chords;
 use inflatable::geom::{Path, Point};
 
-/// How far a chord may leave its arc, mm: a tenth of a pixel where a star fills a screen. What has an arc on either side is too
-/// narrow by twice that, which with single precision must stay below the tenth that the verifier allows.
+/// Largest distance of a chord from its arc, mm: a tenth of a pixel where a star fills a screen. A region with an arc on either
+/// side is too narrow by twice that, which with single precision must stay below the tenth that the verifier allows.
 const CHORD: f64 = 0.045;
 
 /// Triangles in mm, +Z up, counterclockwise seen from outside, or from above where there is only one side.
@@ -22,7 +22,7 @@ const CHORD: f64 = 0.045;
 pub(super) struct Mesh {
     /// Its corners.
     pub(super) points: Vec<[f64; 3]>,
-    /// Where the same corners lie when the star is inflated; empty for what does not move.
+    /// The places of the same corners when the star is inflated; empty for a mesh that does not move.
     pub(super) inflated: Vec<[f64; 3]>,
     /// Three corners each.
     pub(super) triangles: Vec<[u32; 3]>,
@@ -31,7 +31,7 @@ pub(super) struct Mesh {
 type Buffers = VertexBuffers<lyon_tessellation::math::Point, u32>;
 
 impl Mesh {
-    /// What lies inside an odd number of `paths`, at height `z`; `None` where the tessellator has no answer.
+    /// The region inside an odd number of `paths`, at height `z`; `None` where the tessellator fails.
     pub(super) fn fill(paths: &[Path], z: f64) -> Option<Self> {
         let mut buffers = Buffers::new();
         let options = FillOptions::even_odd();

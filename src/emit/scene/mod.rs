@@ -1,7 +1,8 @@
-//! The scene: everything that is made, in three dimensions and to scale, as one GLB file.
+//! The scene: all products in three dimensions and to scale, as one GLB file.
 //!
-//! The stack stands on the origin, with plates, posts and stars; where the spec has a pressure the stars inflate. Sheets lie beside it
-//! on one side, masks on the other. It is for the eye: meshes are those of [`mesh`], and nothing is cut, sealed or printed from them.
+//! The stack is at the origin, with plates, posts and stars; where the spec has a pressure the stars inflate. Sheets lie beside
+//! it on one side, masks on the other. It is for the eye: meshes are those of [`mesh`], and nothing is cut, sealed or printed
+//! from them.
 
 mod drawn;
 mod glb;
@@ -21,7 +22,7 @@ use serde_json::{Value, json};
 
 pub use drawn::drawn_scene;
 
-/// How far ribbons hover over the fabric that they lie on, mm, so that they are seen.
+/// Height of ribbons over the fabric that they lie on, mm, so that they are seen.
 const ABOVE: f64 = 0.3;
 /// Width of a cut's line, mm.
 const CUT: f64 = 1.0;
@@ -63,7 +64,7 @@ pub fn scene(spec: &Spec, design: &Design, inflated: &[Star]) -> Option<Vec<u8>>
     let masks = masks(&mut glb, spec, assembly)?;
     let groups =
         [("stack", stack.len()), ("object", object.len()), ("sheets", sheets.len()), ("masks", masks.len())];
-    // That of the object comes last: validators remark on a material that nothing has.
+    // The object's material comes last: validators remark on a material without use.
     let used = if object.is_empty() { SceneSurface::Object as usize } else { palette::SURFACES.len() };
     let materials: Vec<Value> = palette::SURFACES[..used].iter().map(material).collect();
     let nodes: Vec<Node> = [stack, object, sheets, masks].concat();
@@ -80,7 +81,7 @@ fn material(surface: &palette::SurfaceColour) -> Value {
     })
 }
 
-/// Plates, posts and stars, where they stand.
+/// Plates, posts and stars, in their places.
 fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[Star]) -> Option<Vec<Node>> {
     let (frame, stack) = (&design.frame, &design.stack);
     let mut nodes = Vec::new();
@@ -134,7 +135,7 @@ fn object(glb: &mut Glb, design: &StarAssembly, load: &Load) -> Option<Node> {
         Some(ObjectShape::Ball) | None => {
             let steps = quarters(radius.max(half)) / 2;
             let point = |k: u32| {
-                // The poles lie on the axis, whatever rounding says.
+                // The poles lie on the axis; rounding must not move them.
                 let (sin, cos) = libm::sincos(PI * f64::from(k) / f64::from(steps));
                 [if k == 0 || k == steps { 0.0 } else { radius * sin }, -half * cos]
             };
@@ -178,7 +179,7 @@ struct SheetSurfaces<'a> {
     bands: &'a [(usize, Layer)],
 }
 
-/// The sheets as they lie on the machine beside what reaches so far from the origin: holes, cut lines, and bands of this width.
+/// The sheets as they lie on the machine, beside everything within `reach` mm of the origin: holes, cut lines, and bands `band` mm wide.
 fn sheets(
     glb: &mut Glb,
     design: &Design,
@@ -215,7 +216,7 @@ fn sheets(
     Some(nodes)
 }
 
-/// The masks, for the other face, too, where the spec asks for them.
+/// The masks, for the other face, too, where the spec has them.
 fn masks(glb: &mut Glb, spec: &Spec, design: &StarAssembly) -> Option<Vec<Node>> {
     let mut right = -reach(design) - GAP;
     let mut nodes = Vec::new();
@@ -237,7 +238,7 @@ fn masks(glb: &mut Glb, spec: &Spec, design: &StarAssembly) -> Option<Vec<Node>>
     Some(nodes)
 }
 
-/// How far the stack reaches from its axis.
+/// Reach of the stack from its axis, mm.
 fn reach(design: &StarAssembly) -> f64 {
     let mouths = design.distinct.iter().filter_map(|part| Some(part.channel?.mouth));
     mouths.fold(design.frame.radius, f64::max)

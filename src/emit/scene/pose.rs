@@ -30,7 +30,7 @@ pub(super) struct ScenePose {
     arm: f64,
     /// Width of the tube as seen from above.
     width: f64,
-    /// How high a sheet rises above the middle, mm.
+    /// Height of a sheet above the middle, mm.
     rise: f64,
     /// Inner radii of curvature of corner and tip.
     radii: [f64; 2],
@@ -71,7 +71,7 @@ impl ScenePose {
         PI / f64::from(self.points)
     }
 
-    /// Where the point at `place` lies, in the half of a sector above +X; never beyond the rays that bound it.
+    /// The point at `place`, in the half of a sector above +X; never beyond the rays that bound it.
     fn point(&self, place: PosePlace) -> Point {
         let p = match place {
             PosePlace::Corner { turn, out } => {
@@ -94,7 +94,7 @@ impl ScenePose {
         Point::new(q.x, q.y.max(0.0))
     }
 
-    /// Distance outside the outer edge of what is a share of the width inside of it, or a length beyond an edge.
+    /// Distance outside the outer edge of a place given as a share of the width inside of it, or as a length beyond an edge.
     fn beyond(&self, out: Out) -> f64 {
         match out {
             Out::Outside(length) => length,
@@ -103,7 +103,7 @@ impl ScenePose {
         }
     }
 
-    /// Where `q` lies, of the half of a sector above +X.
+    /// The place of `q`, in the half of a sector above +X.
     fn place(&self, q: Point) -> PosePlace {
         let from_corner = q - self.corner;
         let along = from_corner.dot(self.along);
@@ -171,7 +171,7 @@ impl ScenePose {
     }
 }
 
-/// Where a point lies beside a tube, in words that hold for every pose.
+/// The place of a point beside a tube, in terms that hold for every pose.
 #[derive(Clone, Copy)]
 enum PosePlace {
     /// At a corner, `turn` from 0 on its ray to 1 where the arm begins.
@@ -182,7 +182,7 @@ enum PosePlace {
     Tip { turn: f64, out: Out },
 }
 
-/// How far out of the tube.
+/// The zone between the tube and the edge of the fabric.
 #[derive(Clone, Copy)]
 enum Out {
     /// A length beyond the outer edge.
@@ -201,7 +201,7 @@ pub(super) struct PoseMotion {
 }
 
 impl PoseMotion {
-    /// Where the point of the fabric at `[x, y, z]` goes; a channel goes along with its tip.
+    /// The inflated place of the fabric's point at `[x, y, z]`; a channel moves along with its tip.
     pub(super) fn carried(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let p = Point::new(x, y);
         let sector = 2.0 * self.from.ray();
@@ -277,7 +277,7 @@ mod tests {
         }
     }
 
-    /// What lies on the tube's edges stays on them, whatever the tip's angle.
+    /// Points on the tube's edges stay on them, whatever the tip's angle.
     #[test]
     fn edges_are_carried_to_edges() {
         for star in stars() {

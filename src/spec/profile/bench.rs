@@ -1,4 +1,4 @@
-//! Where the iron may go: the work area and the clamps.
+//! Reads the work area and the clamps.
 
 use crate::spec::FaultCode;
 use crate::spec::allowed::{Allowed, SIZE};
@@ -17,15 +17,15 @@ pub(super) fn read_bench(reader: &mut Reader<'_>) -> Bench {
 
 /// Both sizes, or neither: an absent one and "unknown" mean the same.
 fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
-    // A faulty side is one that was said.
+    // A faulty side counts as set, so that it is not reported as missing too.
     let mut side =
         |key| known_as(s, key, |s| s.quantity(key, SIZE).or_else(|| s.has(key).then_some(Length(1.0))));
     match (side("x"), side("y")) {
         (Some(x), Some(y)) => Some((x, y)),
         (None, None) => None,
         _ => {
-            let fault = Fault::error(FaultCode::Conflict, s.place(), "[work_area] knows one side only")
-                .label("must say both `x` and `y`, or neither, or \"unknown\" for both");
+            let fault = Fault::error(FaultCode::Conflict, s.place(), "[work_area] has one side only")
+                .label("must set both `x` and `y`, or neither, or \"unknown\" for both");
             s.report(fault);
             None
         }
@@ -34,7 +34,7 @@ fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
 
 fn read_keep_out(reader: &mut Reader<'_>) -> Vec<KeepOut> {
     let Some(list) = reader.raw.root_list("keep_out") else {
-        // So that the section's name is known even where there is none.
+        // Registers the section, even where the profile has none.
         let _ = reader.section("keep_out");
         return Vec::new();
     };

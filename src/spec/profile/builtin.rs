@@ -15,8 +15,8 @@ pub fn builtin_machines() -> impl Iterator<Item = &'static str> {
     BUILTIN.iter().map(|(name, _)| *name)
 }
 
-/// What usual machines have as they are sold: how their names begin, in lower case without blanks and dashes, the controller, and
-/// its profile. Owners change firmwares, so this is a hint for a message and never a choice.
+/// Usual machines as they are sold: the first letters of their names, in lower case without blanks and dashes, the controller,
+/// and its profile. Owners change firmwares, so this is a hint for a message and never a choice.
 const USUAL: [(&[&str], &str, &str); 6] = [
     (
         &[

@@ -1,4 +1,4 @@
-//! What the controller reads and does.
+//! The language and abilities of the controller.
 
 use crate::spec::allowed::Allowed;
 use crate::spec::machine::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating};
@@ -49,7 +49,7 @@ fn read_line_length(root: &mut Section<'_, '_>, dialect: Dialect) -> usize {
     found.min(most) as usize
 }
 
-/// Dwells that are as long as told.
+/// Dwells of exactly the programmed time.
 const EXACT: Dwells = Dwells { unit: DwellUnit::Seconds, step: Duration(1e-3) };
 
 /// Reads `[dwell]`.

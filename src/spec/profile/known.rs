@@ -1,14 +1,14 @@
-//! Values that a profile may not know.
+//! Values that a profile may leave unknown.
 
 use crate::spec::allowed::Allowed;
 use crate::spec::section::Section;
 use crate::spec::shape::ValueShape;
 use crate::units::Quantity;
 
-/// What stands for a value that nobody knows.
+/// The word for an unknown value.
 const UNKNOWN: &str = "unknown";
 
-/// Whether `key` says the word, which stands for a number that there is not.
+/// Whether the value of `key` is `word`, which replaces a number.
 pub(super) fn says(s: &mut Section<'_, '_>, key: &'static str, word: &str) -> bool {
     s.take(key, ValueShape::Text).and_then(|value| value.as_text()) == Some(word)
 }
@@ -23,7 +23,7 @@ pub(super) fn known<Q: Quantity>(s: &mut Section<'_, '_>, key: &'static str, all
     known_as(s, key, |s| s.quantity(key, allowed))
 }
 
-/// What `read` takes of `key`, or `None` for "unknown", which it may say instead.
+/// The value that `read` takes of `key`, or `None` if the value is "unknown".
 pub(super) fn known_as<T>(
     s: &mut Section<'_, '_>,
     key: &'static str,

@@ -1,7 +1,7 @@
-//! A line of the profile that programs carry as it is: which ones they may carry, and what they change.
+//! A line of the profile that programs carry as it is: the lines that are allowed, and their effects.
 //!
-//! The list is one of what is allowed: the modes in which programs are written, the settings whose values can be compared
-//! with the seal, a heater that is switched off, the pause and the end. Everything else is refused, known or not.
+//! This is a list of allowed lines: the modes in which programs are written, the settings whose values can be compared with the
+//! seal, a heater that is switched off, the pause and the end. Every other line is refused.
 
 use crate::spec::machine::Limits;
 use crate::spec::vocabulary::{Command, Vocabulary};
@@ -18,7 +18,7 @@ pub(super) enum LinePart {
     End,
 }
 
-/// What an allowed line does.
+/// The effect of an allowed line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Effect {
     /// Modes of the controller.
@@ -39,7 +39,7 @@ const NUMBER_LENGTH: usize = 12;
 /// Parameters of Klipper's SET_VELOCITY_LIMIT beside VELOCITY and ACCEL: of corners and short moves (docs/G-Codes.md).
 const OTHER_LIMITS: [&str; 3] = ["ACCEL_TO_DECEL", "MINIMUM_CRUISE_RATIO", "SQUARE_CORNER_VELOCITY"];
 
-/// What `line` does on a controller that knows `vocabulary`; `None` if programs may not carry it.
+/// The effect of `line` on a controller with `vocabulary`; `None` if programs may not carry it.
 pub(super) fn effect(line: &str, vocabulary: Vocabulary) -> Option<Effect> {
     if let Some((word, command)) = whole_word(line, vocabulary) {
         let parameters = line[word.len()..].split_whitespace();

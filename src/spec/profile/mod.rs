@@ -1,7 +1,7 @@
 //! From a machine profile's text to the [`Machine`], a file a subject.
 //!
-//! A new key is added in three steps: a field in [`Machine`]'s part, a line in the file that reads this part (which
-//! makes the key known and gives its range), and a commented line in each profile that needs it.
+//! A new key is added in three steps: a field in [`Machine`]'s part, a line in the file that reads this part (which registers the
+//! key and gives its range), and a commented line in each profile that needs it.
 
 mod bench;
 mod builtin;
@@ -42,7 +42,7 @@ pub fn read_machine(source: &Source) -> Result<Machine, Faults> {
     read_with(source, Document::Profile, read_profile).map(|(machine, _, _)| machine)
 }
 
-/// Takes a profile's keys out of what `reader` was given.
+/// Takes a profile's keys out of the document of `reader`.
 pub(in crate::spec) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let mut root = reader.root();
     root.require(&[("schema", "1"), ("name", "\"my machine\""), ("dialect", "\"generic\"")]);

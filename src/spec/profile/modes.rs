@@ -1,10 +1,10 @@
-//! Modes that a profile must set in `start`, and what its dialect cannot do: programs state every position and arc in these modes.
+//! Modes that a profile must set in `start`, and the limits of its dialect: programs state every position and arc in these modes.
 
 use crate::spec::machine::{Controller, Dialect};
 use crate::spec::section::Section;
 use crate::spec::{Fault, FaultCode, Vocabulary};
 
-/// A mode: the word that sets it, what it is, and whether only arcs need it.
+/// A mode: the word that sets it, its name, and whether only arcs need it.
 type Mode = (&'static str, &'static str, bool);
 
 const UNITS: Mode = ("G21", "millimetres", false);
@@ -26,7 +26,8 @@ fn modes(dialect: Dialect) -> &'static [Mode] {
     }
 }
 
-/// Whether programs may hold arcs: `arcs` as written, and false where the dialect draws none; who asks for them there is refused.
+/// Whether programs may hold arcs: `arcs` as written, and false where the dialect draws none. A profile that requests arcs there
+/// is refused.
 pub(super) fn check_arcs(root: &mut Section<'_, '_>, dialect: Dialect, arcs: Option<bool>) -> bool {
     let draws = Vocabulary::of(dialect).draws_arcs();
     if draws || arcs != Some(true) {

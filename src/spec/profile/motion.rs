@@ -1,4 +1,4 @@
-//! What is known of the motors.
+//! Reads the properties of the motors.
 
 use crate::spec::FaultCode;
 use crate::spec::allowed::Allowed;
@@ -11,12 +11,13 @@ use crate::units::{Duration, Speed};
 
 /// Steps per mm: from a coarse belt to a fine screw with microsteps.
 const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
-/// Lowest step rates, steps/s: from a step a quarter of an hour to what only a broken timer would have.
+/// Lowest step rates, steps/s: from a step a quarter of an hour to a rate that only a broken timer would have.
 const RATE: Allowed = Allowed::closed(1e-3, 1e5);
 
-/// Fewest steps of a move: more than a broken build would ask for.
+/// Fewest steps of a move: more than a misconfigured firmware requires.
 const MOVE: Allowed = Allowed::closed(0.0, 100.0);
-/// planner.cpp, `MINIMAL_STEP_RATE`, steps/s, and Configuration_adv.h, `MIN_STEPS_PER_SEGMENT`: what most boards with Marlin have.
+/// planner.cpp, `MINIMAL_STEP_RATE`, steps/s, and Configuration_adv.h, `MIN_STEPS_PER_SEGMENT`: the values of most boards with
+/// Marlin.
 const MARLIN: (f64, f64) = (120.0, 6.0);
 
 /// Reads `[motion]` of a controller of the family `dialect`.
@@ -31,9 +32,9 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         [None, None, None] => None,
         _ => {
             let fault =
-                Fault::error(FaultCode::Conflict, s.place(), "[motion] knows the steps of some axes only")
+                Fault::error(FaultCode::Conflict, s.place(), "[motion] has the steps of some axes only")
                     .label(
-                        "must say `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them",
+                        "must set `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them",
                     );
             s.report(fault);
             None

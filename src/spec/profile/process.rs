@@ -1,4 +1,4 @@
-//! How the iron is led: heights, ramp, speeds.
+//! The process of sealing: heights, ramp, speeds.
 
 use crate::spec::FaultCode;
 use crate::spec::allowed::{Allowed, SIZE};
@@ -14,12 +14,12 @@ pub(super) const HEIGHT: Allowed = Allowed::above(0.0, 1000.0);
 /// Speeds of moves without sealing, up to 10 m/s.
 const FAST: Allowed = Allowed::closed(0.01, 1e4);
 
-/// What stands before the first section: whether there is a spring, if the profile says so, and the ramp's length.
+/// The keys before the first section: whether there is a spring, if the profile states it, and the ramp's length.
 pub(super) fn read_tip(root: &mut Section<'_, '_>) -> (Option<bool>, Length) {
     (root.truth("spring_loaded"), root.quantity("ramp", SIZE).unwrap_or(Length(3.0)))
 }
 
-/// Reads `[heights]` and `[speeds]`, with what [`read_tip`] found.
+/// Reads `[heights]` and `[speeds]`, with the result of [`read_tip`].
 pub(super) fn read_process(
     reader: &mut Reader<'_>,
     (spring_loaded, ramp): (Option<bool>, Length),

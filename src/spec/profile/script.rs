@@ -1,4 +1,4 @@
-//! The profile's own lines: start, pause, end, and what the operator has to see to.
+//! The profile's own lines: start, pause, end, and the tasks of the operator.
 
 use std::ops::Range;
 
@@ -11,10 +11,10 @@ use crate::spec::profile::modes::check_modes;
 use crate::spec::section::{Reader, Section};
 use crate::spec::vocabulary::{Command, Vocabulary};
 
-/// Slack of speeds that are equal but for the conversion of mm/min, as a fraction.
+/// Slack of speeds that are equal except for the conversion of mm/min, as a fraction.
 const SLACK: f64 = 1e-9;
 
-/// What the profile says elsewhere, which its lines must agree with.
+/// Other settings of the profile, with which its lines must agree.
 pub(super) struct Stated<'a> {
     /// The controller that runs the lines.
     pub(super) controller: &'a Controller,
@@ -24,7 +24,7 @@ pub(super) struct Stated<'a> {
     pub(super) motion: &'a Motion,
 }
 
-/// Reads `[program]`, whose lines must agree with what is `stated` elsewhere in the profile.
+/// Reads `[program]`, whose lines must agree with `stated`, the other settings of the profile.
 pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Stated<'_>) -> Script {
     let length = stated.controller.line_length;
     let mut program = reader.section("program");
@@ -45,7 +45,7 @@ pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Stated<'_>) -> Scrip
     Script { start, pause: pause.unwrap_or_default(), end, requires, limits }
 }
 
-/// Reads a list of lines; what they set goes into `limits`.
+/// Reads a list of lines; the limits that they set go into `limits`.
 fn read_commands(
     s: &mut Section<'_, '_>,
     (key, part): (&'static str, LinePart),
@@ -87,7 +87,7 @@ fn read_commands(
     read
 }
 
-/// One line that the controller runs, and what it does; `None` if it was refused.
+/// The effect of one line that the controller runs; `None` if it was refused.
 fn read_command(
     s: &mut Section<'_, '_>,
     (key, part): (&'static str, LinePart),
@@ -117,7 +117,7 @@ fn read_command(
     (read_line(s, key, line, span, stated.controller.line_length), found)
 }
 
-/// What a line of a program sets for the moves that follow; `None` if it sets nothing, or is none that a profile may have.
+/// Limits that a line of a program sets for the moves that follow; `None` if it sets none, or is not allowed in a profile.
 pub fn limits_set_by(line: &str, controller: &Controller) -> Option<Limits> {
     match effect(line.trim(), Vocabulary::for_controller(controller))? {
         Effect::Setting(set) => Some(set),
@@ -125,7 +125,7 @@ pub fn limits_set_by(line: &str, controller: &Controller) -> Option<Limits> {
     }
 }
 
-/// Why a setting cannot be what the profile says elsewhere.
+/// The reason why a line contradicts another setting of the profile.
 fn contradiction(
     key: &str,
     line: &str,

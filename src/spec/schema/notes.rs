@@ -1,20 +1,20 @@
-//! What the starter and the profile `generic` say of each key, by their comments.
+//! The meanings of keys, from the comments of the starter and of the profile `generic`.
 
 use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-/// What the starter says of a key.
+/// The starter's note on a key.
 pub(super) struct Note {
     /// In words, without the full stop.
     pub(super) meaning: String,
     /// The default, or an example.
     pub(super) value: Value,
-    /// Which of both.
+    /// Whether the value is the default; else it is an example.
     pub(super) is_default: bool,
 }
 
-/// What the starter says.
+/// The starter's notes.
 pub(super) struct Notes {
     /// By section and key.
     pub(super) keys: BTreeMap<(String, String), Note>,
@@ -32,7 +32,7 @@ impl Notes {
                 None => (line.starts_with("# "), line.trim_start_matches("# ")),
             };
             let (code, words) = bare.split_once('#').map_or((bare, ""), |(code, words)| (code, words.trim()));
-            // What is indented is an example inside of a sentence.
+            // Indented text is an example inside a sentence.
             let code = if bare.starts_with(' ') { "" } else { code };
             if let Some(name) = code.trim().strip_prefix('[').map(|name| name.trim_matches(['[', ']'])) {
                 name.clone_into(&mut section);
@@ -54,12 +54,12 @@ impl Notes {
         notes
     }
 
-    /// Of `key` in `section`.
+    /// The note of `key` in `section`.
     pub(super) fn of_key(&self, (section, key): (&str, &str)) -> Option<&Note> {
         self.keys.get(&(section.to_owned(), key.to_owned()))
     }
 
-    /// Of the section itself; may be empty.
+    /// The note of the section itself; may be empty.
     pub(super) fn of_section(&self, name: &str) -> &str {
         self.sections.get(name).map_or("", String::as_str)
     }

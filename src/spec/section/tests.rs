@@ -1,7 +1,7 @@
 use super::*;
 use crate::spec::allowed::SIZE;
 
-/// What `bed = text` is read as, mm; without a value the code and the words of the fault.
+/// The value of `bed = text`, mm; without a value the code and the words of the fault.
 fn bed(text: &str) -> Result<[f64; 2], (&'static str, String)> {
     let (raw, _) = RawSpec::parse(&format!("[mask]\nbed = \"{text}\"\n"));
     let mut reader = Reader::new(&raw);

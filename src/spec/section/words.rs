@@ -56,7 +56,8 @@ impl<'r> Section<'_, 'r> {
         self.chosen(key, (word, span), choices)
     }
 
-    /// Some of `choices`, words in quotes in a list, none twice; `None` if it is absent or one of them is none of these.
+    /// Some of `choices`, words in quotes in a list, without duplicates; `None` if the key is absent or one of its words is not a
+    /// choice.
     pub(in crate::spec) fn choices<T: Copy + PartialEq>(
         &mut self,
         key: &'static str,
@@ -73,7 +74,7 @@ impl<'r> Section<'_, 'r> {
         Some(all)
     }
 
-    /// The one of `choices` that `word` names; reports one that is none of them.
+    /// The one of `choices` that `word` names; reports a word that is not a choice.
     fn chosen<T: Copy>(
         &mut self,
         key: &'static str,

@@ -5,13 +5,13 @@ use std::borrow::Cow;
 use crate::spec::study::draw::Draw;
 use crate::spec::study::field::{Field, KeyValue};
 
-/// Most values that are written down or counted out in one axis.
+/// Most values that are listed or counted out in one axis.
 pub const MOST_VALUES: u32 = 1_000_000;
 
 /// A field with its values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What is set.
+    /// The field that is set.
     pub field: Field,
     values: Values,
 }
@@ -43,7 +43,7 @@ impl Axis {
     /// Reads `KEY=A,B,C` or `KEY=FROM..TO/COUNT`: `star.points=3,4,5`, `star.tube_width=10 mm..40 mm/31`.
     ///
     /// # Errors
-    /// One sentence that says what is wrong.
+    /// One sentence that states the fault.
     pub fn parse(text: &str) -> Result<Self, String> {
         let (name, values) = text.split_once('=').ok_or(format!("`{text}` is not KEY=VALUES"))?;
         let field = Field::of(name.trim()).ok_or_else(|| unknown(name.trim()))?;
@@ -54,7 +54,7 @@ impl Axis {
         Ok(Self::listed(field, values))
     }
 
-    /// How many values there are.
+    /// Number of values.
     pub fn len(&self) -> usize {
         match &self.values {
             Values::Listed(values) => values.len(),
@@ -62,7 +62,7 @@ impl Axis {
         }
     }
 
-    /// Whether there are none; a study refuses such an axis.
+    /// Whether it is empty; a study refuses such an axis.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -78,12 +78,12 @@ impl Axis {
     }
 }
 
-/// What to say of a key that no study can set.
+/// The message for a key that no study can set.
 fn unknown(name: &str) -> String {
     let known = || Field::names().collect::<Vec<_>>().join(", ");
     let hint = Field::near(name)
         .map_or_else(|| format!("these can: {}", known()), |near| format!("did you mean `{near}`?"));
-    format!("`{name}` is no key of a spec that can be varied; {hint}")
+    format!("`{name}` is not a key of a spec that can be varied; {hint}")
 }
 
 /// Reads `FROM..TO/COUNT`: values at equal distances, both ends included.
@@ -101,7 +101,7 @@ pub(super) fn counted_out(field: &Field, text: &str) -> Result<Vec<KeyValue>, St
     if let Some(part) = values.iter().find(|value| field.is_whole() && value.fract() != 0.0) {
         let key = field.key();
         return Err(format!(
-            "{part} is no value of `{key}`: choose the number of values so that all are whole"
+            "{part} is not a value of `{key}`: choose the number of values so that all are whole"
         ));
     }
     Ok(values.into_iter().map(KeyValue::Number).collect())
@@ -115,7 +115,7 @@ pub(super) fn between(field: &Field, text: &str) -> Result<[f64; 2], String> {
     let (from, to) = text.split_once("..").ok_or(format!("`{text}` is not FROM..TO"))?;
     let number = |text: &str| match field.parse(text)? {
         KeyValue::Number(number) => Ok(number),
-        KeyValue::Word(_) | KeyValue::Truth(_) => Err(format!("`{text}` is no number")),
+        KeyValue::Word(_) | KeyValue::Truth(_) => Err(format!("`{text}` is not a number")),
     };
     Ok([number(from)?, number(to)?])
 }
@@ -132,7 +132,7 @@ impl Block {
         &self.axes
     }
 
-    /// How many values each has; at least 1.
+    /// Number of values of each axis; at least 1.
     pub fn len(&self) -> usize {
         self.len
     }
@@ -173,7 +173,7 @@ mod tests {
             ("star.points", "`star.points` is not KEY=VALUES"),
             (
                 "star.width=1 mm",
-                "`star.width` is no key of a spec that can be varied; did you mean `star.tube_width`?",
+                "`star.width` is not a key of a spec that can be varied; did you mean `star.tube_width`?",
             ),
             ("star.points=2", "`points` is 2: must be from 3 to 64"),
             (
@@ -188,7 +188,7 @@ mod tests {
             ("mask.mirror=true..false/2", "`mask.mirror` takes no numbers: list its values"),
             (
                 "star.points=3..6/3",
-                "4.5 is no value of `star.points`: choose the number of values so that all are whole",
+                "4.5 is not a value of `star.points`: choose the number of values so that all are whole",
             ),
         ];
         for (text, what) in faults {

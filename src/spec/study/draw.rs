@@ -1,6 +1,6 @@
-//! Values drawn at random, each by its number alone: whoever draws number i draws the same, in any order, on any machine.
+//! Values drawn at random, each by its number alone: value i is the same in any order and on any machine.
 
-/// How values are drawn between two ends.
+/// Values drawn between two ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draw {
     /// The least value.
@@ -9,11 +9,11 @@ pub struct Draw {
     pub to: f64,
     /// Whether values are whole numbers, ends included.
     pub whole: bool,
-    /// Which draw of all that there are.
+    /// The seed of the draw.
     pub seed: u64,
-    /// Which axis of the study, so that no two draw the same.
+    /// Index of the axis in the study, so that no two draw the same.
     pub axis: u64,
-    /// How many values are drawn.
+    /// Number of values.
     pub count: u64,
     /// Whether each `count`-th of the way from end to end holds exactly one of them: a Latin hypercube.
     pub latin: bool,
@@ -32,8 +32,8 @@ impl Draw {
         }
     }
 
-    /// Where number `i` comes in a shuffled row of `count`: a Feistel network over the next even number of bits, walked on
-    /// until it is back inside. It needs no memory, however many there are.
+    /// The place of number `i` in a shuffled row of `count`: a Feistel network over the next even number of bits, applied again
+    /// until the result is in range. It needs no memory, however many there are.
     fn stratum(&self, i: u64) -> u64 {
         let bits = u64::BITS - self.count.saturating_sub(1).leading_zeros();
         let half = bits.div_ceil(2).max(1);
@@ -62,7 +62,8 @@ fn unit(bits: u64) -> f64 {
     (bits >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// The numbers as one: each is added to what the finaliser of `SplitMix64` (Steele, Lea, Flood 2014) made of those before it.
+/// The numbers as one: each is added to the result of the finaliser of `SplitMix64` (Steele, Lea, Flood 2014) for those before
+/// it.
 fn mixed(numbers: &[u64]) -> u64 {
     numbers.iter().fold(0, |state: u64, number| {
         let mut z = state.wrapping_add(*number).wrapping_add(0x9e37_79b9_7f4a_7c15);

@@ -1,4 +1,4 @@
-//! One key of a spec as a study sees it: what it takes, and values of it.
+//! One key of a spec that a study sets: its shape and its values.
 
 use std::sync::LazyLock;
 
@@ -27,7 +27,7 @@ pub struct Field {
 /// A value of a field.
 #[derive(Clone, Debug, PartialEq)]
 pub enum KeyValue {
-    /// Of a quantity in its base unit, a plain number, or a whole one.
+    /// A quantity in its base unit, a plain number, or a whole one.
     Number(f64),
     /// A word, or any other text.
     Word(String),
@@ -35,7 +35,7 @@ pub enum KeyValue {
     Truth(bool),
 }
 
-/// What every key takes, as the reader says when it takes it.
+/// The shape of every key, from the reader.
 static SHAPES: LazyLock<Vec<(&'static str, &'static str, ValueShape)>> = LazyLock::new(|| {
     let (raw, _) = RawSpec::parse("[stack]\ncount = 64\n");
     let mut reader = Reader::new(&raw);
@@ -44,8 +44,8 @@ static SHAPES: LazyLock<Vec<(&'static str, &'static str, ValueShape)>> = LazyLoc
 });
 
 impl Field {
-    /// The field of the key `name`, "star.points"; `None` if a study cannot set it: there is no such key, or it is `schema`, the
-    /// list of single stars, what a build makes, or of a drawing: studies know stars.
+    /// The field of the key `name`, "star.points"; `None` if a study cannot set it: the key does not exist, or it is `schema`,
+    /// the list of single stars, a key of `[build]`, or one of a drawing, since studies cover only stars.
     pub fn of(name: &str) -> Option<Self> {
         let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
         let own =
@@ -63,7 +63,7 @@ impl Field {
     pub fn near(name: &str) -> Option<String> {
         let names: Vec<String> = Self::names().collect();
         let near = nearest(name, names.iter().map(String::as_str));
-        // Who leaves the section out, or takes another, means the key all the same.
+        // A name with no section, or with another one, is taken to mean the same key.
         let word = name.rsplit('.').next().unwrap_or(name);
         let ends = |known: &&String| known.rsplit('.').next() == Some(word);
         near.map(str::to_owned).or_else(|| names.iter().find(ends).cloned())
@@ -97,10 +97,10 @@ impl Field {
         matches!(self.shape, ValueShape::Count(..))
     }
 
-    /// The value that `text` says on a command line: "3", "40 mm", "true".
+    /// The value of `text` on a command line: "3", "40 mm", "true".
     ///
     /// # Errors
-    /// One sentence that says what was found and what is allowed.
+    /// One sentence that states the value found and the allowed ones.
     pub fn parse(&self, text: &str) -> Result<KeyValue, String> {
         let text = text.trim();
         let word = || RawKind::Text(text.to_owned());
@@ -141,7 +141,7 @@ impl Field {
     }
 }
 
-/// A plain number as TOML knows it.
+/// A plain number as TOML has it.
 fn number(text: &str) -> Option<RawNumber> {
     let value: f64 = text.parse().ok().filter(|value: &f64| value.is_finite())?;
     let whole = text.parse().ok();

@@ -8,13 +8,13 @@ use crate::spec::fault::{Fault, quoted};
 use crate::spec::study::field::Field;
 use crate::spec::value::{RawEntry, RawTable, RawValue};
 
-/// A key that was written, with what was written for it.
+/// A key of the study, with its value.
 pub(super) struct Leaf<'r> {
     /// The key of the spec.
     pub(super) field: Field,
-    /// Where its name is.
+    /// The span of its name.
     pub(super) place: Range<usize>,
-    /// What it is set to.
+    /// Its value.
     pub(super) value: &'r RawValue,
 }
 

@@ -1,4 +1,4 @@
-//! Study files: what varies of a spec, what is kept, which model answers, which columns are wanted.
+//! Study files: the keys that vary, the keys that are set, the model, and the columns.
 //!
 //! A **field** is a key of the spec that a study sets. An **axis** is a field with its values. A **block** is
 //! axes that go on together; a study has a row for every combination of its blocks, and the last runs

@@ -1,4 +1,4 @@
-//! From the text of a study file to what it asks for.
+//! From the text of a study file to the study.
 
 use std::ops::Range;
 
@@ -18,31 +18,31 @@ use crate::spec::study::leaves::{Leaf, leaves};
 use crate::spec::value::{RawKind, RawValue};
 use crate::spec::{FaultCode, misleads};
 
-/// What a study asks for.
+/// A study as its file defines it.
 #[derive(Clone, Debug)]
 pub struct StudyFile {
     /// The text, for faults that are found later.
     pub source: Source,
     /// The spec around which values are varied: a path relative to the study file.
     pub spec: String,
-    /// Which model answers; `None`: the spec's.
+    /// The model that predicts; `None`: the spec's.
     pub model: Option<ModelChoice>,
-    /// How fine the meshes of shells are, and where it was written; `None`: medium.
+    /// The fineness of shells' meshes, and its place in the text; `None`: medium.
     pub fineness: Option<(Detail, Range<usize>)>,
-    /// What is kept at another value than the spec's.
+    /// Fields with a value that replaces the spec's.
     pub set: Vec<(Field, KeyValue)>,
-    /// What varies; the last runs fastest. Never empty.
+    /// The axes that vary, by block; the last runs fastest. Never empty.
     pub blocks: Vec<Block>,
-    /// The columns that are wanted; `None`: all.
+    /// The requested columns; `None`: all.
     pub outputs: Option<Vec<Wanted>>,
 }
 
-/// A column that is wanted.
+/// A requested column.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wanted {
     /// Its name.
     pub name: String,
-    /// Where it was written.
+    /// Its place in the text.
     pub place: Range<usize>,
 }
 
@@ -198,7 +198,7 @@ fn read_list(field: Field, list: &[RawValue], faults: &mut Vec<Fault>) -> Option
         match field.read(value) {
             Ok(value) => values.push(value),
             Err(fault) => {
-                // One fault is enough: who errs in the first of a thousand values errs in all.
+                // One fault is enough: an error in the first of a thousand values is in all of them.
                 faults.push(fault);
                 return None;
             }
@@ -217,7 +217,8 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
     let method = section.choice("method", &[("latin", true), ("random", false)]).unwrap_or(true);
     let between_ends = section.take("between", ValueShape::Sections)?;
     let Some(table) = between_ends.as_table() else {
-        let fault = Fault::error(FaultCode::WrongType, between_ends.span.clone(), "`between` is no section");
+        let fault =
+            Fault::error(FaultCode::WrongType, between_ends.span.clone(), "`between` is not a section");
         reader.faults.push(fault.label("must be a section, [draw.between], of keys with \"FROM..TO\""));
         return None;
     };

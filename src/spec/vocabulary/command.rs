@@ -1,6 +1,6 @@
-//! Commands: what the words of a controller do, whatever they are called.
+//! Commands: the effects of a controller's words, whatever their names.
 
-/// What a G or M code does.
+/// The effect of a G or M code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
     /// Travel as fast as possible.
@@ -64,7 +64,7 @@ impl Command {
         }
     }
 
-    /// Whether the command stands alone on its line, with words of its own.
+    /// Whether the command is alone on its line, with words of its own.
     pub const fn stands_alone(self) -> bool {
         matches!(self, Self::HeatAndWait | Self::HeatOnly | Self::Progress | Self::Setting)
     }
@@ -87,7 +87,7 @@ impl Command {
         )
     }
 
-    /// Letters that mean something with this command only.
+    /// Letters that have a meaning with this command only.
     pub const fn own_letters(self) -> &'static [u8] {
         match self {
             Self::Dwell => b"P",

@@ -1,7 +1,7 @@
 //! The vocabulary of each family of controllers: which words it understands, as a table.
 //!
-//! Both the reader of a profile's own lines and the verifier's reader of programs go by it. How a controller runs a word
-//! (units of time, tolerances of arcs, lengths of lines) only the verifier needs to know.
+//! Both the reader of a profile's own lines and the verifier's reader of programs use it. The way in which a controller runs a
+//! word (units of time, tolerances of arcs, lengths of lines) concerns the verifier only.
 
 mod command;
 
@@ -10,7 +10,7 @@ use crate::spec::machine::{Controller, Dialect};
 pub use command::Command;
 use command::Command as C;
 
-/// Letter, ten times the number, and what the code does.
+/// Letter, ten times the number, and the command.
 type CodeRow = (u8, u16, C);
 
 /// Codes that all controllers share.
@@ -62,11 +62,11 @@ const REPRAPFIRMWARE: [CodeRow; 4] =
 pub struct Vocabulary {
     /// The codes that it shares with others, and its own.
     codes: &'static [&'static [CodeRow]],
-    /// Commands of `codes` that it does not know.
+    /// Commands of `codes` that it does not support.
     except: &'static [Command],
     /// Whether it draws arcs; without, no arc is read.
     draws_arcs: bool,
-    /// Whether it surely reads what follows the point of G90.1 and G91.1, which else are G90 and G91.
+    /// Whether it surely reads the decimals of G90.1 and G91.1; other controllers may read these as G90 and G91.
     subcodes: bool,
     /// Commands that are words of more than a letter, alone on their line with parameters of their own.
     pub words: &'static [(&'static str, Command)],
@@ -153,7 +153,7 @@ impl Vocabulary {
         Self { draws_arcs: false, ..self }
     }
 
-    /// Every code that the controller knows: letter, number, what it does; in this order.
+    /// Every code that the controller supports: letter, number, command; in this order.
     pub fn codes(self) -> impl Iterator<Item = (char, f64, Command)> {
         let mut known: Vec<CodeRow> =
             self.codes.concat().into_iter().filter(|(.., command)| self.reads(*command)).collect();
@@ -163,7 +163,7 @@ impl Vocabulary {
             .map(|(letter, tenths, command)| (char::from(letter), f64::from(tenths) / 10.0, command))
     }
 
-    /// What the code `letter` `number` does, if the controller knows it.
+    /// The command of the code `letter` `number`, if the controller supports it.
     pub fn command(self, letter: u8, number: f64) -> Option<Command> {
         let is_whole = (number * 10.0).fract().abs() < 1e-9;
         let is = |(l, tenths, _): &&CodeRow| {
@@ -173,7 +173,7 @@ impl Vocabulary {
         known.find(is).map(|(.., command)| *command).filter(|command| self.reads(*command))
     }
 
-    /// Whether the controller knows a code of its family.
+    /// Whether the controller supports a code of its family.
     fn reads(self, command: Command) -> bool {
         let for_arcs = match command {
             Command::ArcCw | Command::ArcCcw => true,

@@ -7,7 +7,7 @@ use crate::verify::read::gcode::Event;
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::{Bounds, Line, Point, Segment, segment_distance};
 
-/// By how much a clamp may be touched, mm: positions in a file are rounded.
+/// Depth to which a clamp may be touched, mm: positions in a file are rounded.
 const ROUNDING: f64 = 1e-3;
 
 /// Reports every move that comes nearer to a clamp than `reach`, below its height.

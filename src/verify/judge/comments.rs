@@ -21,7 +21,7 @@ const EXACT: f64 = 0.51e-9;
 /// Reports the first comment of [`KEYS`] that differs from the design, is missing, or is one too many.
 pub(super) struct CommentJudge<'a> {
     task: &'a ProgramTask<'a>,
-    /// The comments of [`KEYS`] so far: as many as a program can have, and one more.
+    /// The comments of [`KEYS`] read: as many as a program can have, and one more.
     found: Vec<Comment>,
     most: usize,
     chopped: bool,
@@ -97,7 +97,7 @@ fn says(found: &str, wanted: &str) -> bool {
 fn is_same(found: &str, wanted: &str) -> bool {
     let ((word, found), (other, wanted)) = match (found.split_once('='), wanted.split_once('=')) {
         (Some(found), Some(wanted)) => (found, wanted),
-        // The operator's temperature stands alone.
+        // The operator's temperature is alone in its comment.
         (None, None) => (("", found), ("", wanted)),
         _ => return false,
     };

@@ -1,4 +1,4 @@
-//! What the files of a build are compared with.
+//! The expected content of a build's files.
 
 use crate::design::Design;
 use crate::forecast::drawn::prediction::DrawnPrediction;
@@ -11,13 +11,13 @@ use crate::spec::{Machine, Spec};
 pub struct Expected<'a> {
     /// The exact geometry.
     pub design: &'a Design,
-    /// What was asked for.
+    /// The spec.
     pub spec: &'a Spec,
-    /// What it is made on.
+    /// The machine.
     pub machine: &'a Machine,
-    /// What it will do; `None` for a spec without a load.
+    /// The prediction; `None` for a spec without a load.
     pub prediction: Option<&'a Prediction>,
-    /// What a drawn piece will do; `None` for a spec without a load.
+    /// The prediction for a drawn piece; `None` for a spec without a load.
     pub drawn: Option<&'a DrawnPrediction>,
     /// The figures that the manifest should give; its list of files does not matter.
     pub manifest: &'a Manifest,

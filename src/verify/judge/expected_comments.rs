@@ -8,7 +8,7 @@ use crate::spec::{DwellUnit, Heating, StepRate};
 use crate::verify::judge::stroke::shortest_move;
 use crate::verify::judge::task::ProgramTask;
 
-/// The begin of what the operator is told to do, who has no other source.
+/// The beginning of the operator's instruction, who has no other source.
 pub(super) const OPERATOR: &str = "set the iron to ";
 
 /// The keys of the comments that are listed.
@@ -70,7 +70,7 @@ fn job(task: &ProgramTask<'_>, out: &mut Vec<String>) {
     out.push(format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"));
 }
 
-/// How the strokes are made, and the settings that their timing relies on.
+/// The comment on the strokes, and the settings on which their timing relies.
 fn strokes(task: &ProgramTask<'_>, out: &mut Vec<String>) {
     let ProgramTask { spec, machine, .. } = *task;
     let (motion, seal) = (&machine.motion, &spec.seal);

@@ -1,4 +1,4 @@
-//! A feed check: cold, above the fabric, line after line between two pauses, each as long as the seal's speed says.
+//! A feed check: cold, above the fabric, line after line between two pauses, each with its duration at the seal's speed.
 
 use crate::shape::{LaidSeam, PieceName, Seam};
 use crate::spec::{Machine, Spec};
@@ -13,10 +13,10 @@ use crate::verify::read::gcode::{Dialect, Event, Line, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::{Bounds, Isometry, Path, Point};
 
-/// By how much a line may take too long or too short, as a fraction: the wait after its last stroke is rounded.
+/// Largest error of a line's time, as a fraction: the wait after its last stroke is rounded.
 const TIME: f64 = 0.01;
 
-/// What a feed check should do.
+/// The task of a feed check.
 #[derive(Clone, Debug)]
 pub struct FeedCheckTask<'a> {
     /// The seal's speed and the tolerance.
@@ -62,7 +62,7 @@ impl FeedCheckTask<'_> {
 struct Timed<'a> {
     rules: &'a IronRules<'a>,
     area: Bounds,
-    /// How long the lines should take, s, and how many have been drawn.
+    /// The durations of the lines, s, and the number of those drawn so far.
     wanted: Vec<f64>,
     drawn: usize,
     /// Time since the last pause, s, and whether there was one before the line that is drawn now.

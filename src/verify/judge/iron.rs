@@ -52,7 +52,7 @@ impl IronJudge<'_> {
             Some(t) if (t - seal.temperature.0).abs() <= 0.5 => {}
             found => blame(
                 FindingCode::ColdSeal,
-                found.map_or("an iron that nobody heated".to_owned(), |t| format!("{t} C")),
+                found.map_or("an unheated iron".to_owned(), |t| format!("{t} C")),
                 seal.temperature.to_string(),
             ),
         }
@@ -86,7 +86,7 @@ impl Judge for IronJudge<'_> {
 struct IronRest<'a> {
     rules: &'a IronRules<'a>,
     /// Line of the last move, if that touched the fabric or left it, and the time waited since, s. However many waits it
-    /// takes, the iron stands in one place; the last stroke of a seam ends, and has its wait, at travel height.
+    /// takes, the iron rests in one place; the last stroke of a seam ends, and has its wait, at travel height.
     here: Option<usize>,
     waited: f64,
 }

@@ -1,4 +1,4 @@
-//! A G-code program against the design: what the iron does, where, how hot, how fast.
+//! A G-code program against the design: place, temperature and speed of the iron.
 
 use crate::spec::Heating;
 use crate::verify::finding::quote;
@@ -46,7 +46,7 @@ impl ProgramTask<'_> {
         }
     }
 
-    /// All judges but those of the way.
+    /// All judges except those of the way.
     fn judges<'b>(&'b self, rules: &'b IronRules<'b>) -> Vec<Box<dyn Judge + 'b>> {
         let Self { spec, machine, hot, area, .. } = *self;
         let hotend = hot && machine.controller.heating == Heating::Hotend;

@@ -1,4 +1,4 @@
-//! Judges: what was read against what the design says; whatever differs becomes a finding.
+//! Judges: they compare the files with the design; every difference becomes a finding.
 
 mod clamp;
 mod comments;
@@ -33,7 +33,7 @@ pub(in crate::verify) trait Judge {
     }
 }
 
-/// What all of `judges` find in a program, one after the other, and then the reader.
+/// The findings of all `judges` in a program, one after the other, and then those of the reader.
 fn judged<'a>(
     lines: impl IntoIterator<Item = &'a str>,
     dialect: Dialect,

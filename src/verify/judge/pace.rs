@@ -1,4 +1,4 @@
-//! The iron's speed in contact: as told, at a feed that the controller holds, or made of strokes and dwells.
+//! The iron's speed in contact: as programmed, at a feed that the controller holds, or made of strokes and dwells.
 //!
 //! A **stroke** is a move that a dwell follows; moves without a dwell between them are one stroke to the controller, which
 //! does not stop there. Its schedule is the seal's speed: however it is chopped, a contact must never be off its schedule
@@ -11,20 +11,20 @@ use crate::verify::read::gcode::{Event, Line, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::Segment;
 
-/// How far the mean speed may be off.
+/// Largest relative error of the mean speed.
 const MEAN: f64 = 0.002;
 /// Slack on lengths and feeds, which are rounded in the file.
 const ROUNDING: f64 = 1e-3;
 
-/// What the iron owes and has spent in one contact, s.
+/// Time due and time spent in one contact, s.
 #[derive(Clone, Copy, Default)]
 struct Schedule {
     due: f64,
     spent: f64,
-    /// What was travelled since the last stop, and the time counted for it.
+    /// The run since the last stop, and the time counted for it.
     run: StrokeRun,
     counted: f64,
-    /// What was due, and by how much the iron was late, at the last stop.
+    /// The time due, and the delay of the iron, at the last stop, s.
     stop: (f64, f64),
 }
 
@@ -114,7 +114,8 @@ impl Paced<'_> {
             findings.add_at(FindingCode::WrongFeed, step.line, found, allowed);
             return;
         };
-        // What the controller has not begun is late as soon as it is told: it is judged with what it is joined to.
+        // A move that the controller has not begun yet would seem late: it is judged together with the moves that it is joined
+        // to.
         if self.rules.timed && (stopped || !self.schedule.run.is_short()) {
             self.on_time(step, stopped, findings);
         }
@@ -141,20 +142,20 @@ impl Paced<'_> {
         let (motion, schedule) = (self.rules.motion, &mut self.schedule);
         let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
         schedule.run = schedule.run.and(motion, from, to, step.length());
-        // What the controller has not begun takes no time yet.
+        // A move that the controller has not begun takes no time yet.
         let seconds =
             if schedule.run.is_short() { schedule.counted } else { schedule.run.seconds(motion, feed) };
         schedule.spent += seconds - schedule.counted + rest;
         schedule.counted = seconds;
     }
 
-    /// The longest stroke, mm: a tenth of the band, or what leaves time for the shortest dwell.
+    /// The longest stroke, mm: a tenth of the band, or the length that leaves time for the shortest dwell.
     fn longest(&self, feed: f64) -> f64 {
         let IronRules { seal, dwell_step, .. } = self.rules;
         let least = self.start_and_stop(feed) + dwell_step;
         let spared = 1.0 / seal.speed.0 - 1.0 / feed;
         let needed = if spared > 0.0 { least / spared } else { 0.0 };
-        // Where there is no room for two strokes that the controller makes, one is nearly as long as both.
+        // Where two strokes that the controller makes do not fit, one is nearly as long as both.
         let needed = needed.max(2.0 * shortest_move(self.rules.motion));
         needed.clamp(seal.band.0 / 10.0, seal.band.0 / 2.0)
     }

@@ -1,28 +1,28 @@
-//! The rules by which the iron is led, and what it is doing by its height.
+//! The rules by which the iron is led, and its phase by its height.
 
 use crate::spec::{FeedFloor, Machine, Motion, Process, Seal, Spec};
 use crate::verify::judge::HEIGHT;
 use crate::verify::judge::stroke::shortest_move;
 use crate::verify::read::gcode::Move;
 
-/// How the iron is to be led, whatever its path.
+/// The rules by which the iron is led, whatever its path.
 #[derive(Clone, Copy, Debug)]
 pub struct IronRules<'a> {
     /// Temperature, speed and band.
     pub seal: &'a Seal,
     /// Heights and travels.
     pub process: &'a Process,
-    /// What is known of the motors.
+    /// Properties of the motors.
     pub motion: &'a Motion,
     /// The step to which the controller rounds dwells up, s.
     pub dwell_step: f64,
     /// Whether the speed may be made of strokes and dwells.
     pub chops: bool,
-    /// Whether all is known that strokes are timed by.
+    /// Whether all data for the timing of strokes are known.
     pub timed: bool,
 }
 
-/// What the iron is doing, told from its heights.
+/// The phase of the iron, from its heights.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(in crate::verify) enum Phase {
     /// Away from the fabric.
@@ -46,7 +46,7 @@ impl<'a> IronRules<'a> {
         }
     }
 
-    /// What the iron does in a move.
+    /// The phase of the iron in a move.
     pub(in crate::verify) fn phase(&self, step: &Move) -> Phase {
         let heights = &self.process.heights;
         let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
@@ -59,8 +59,8 @@ impl<'a> IronRules<'a> {
         }
     }
 
-    /// The longest time at rest, s: what a tenth of the band takes, for longer leaves a scar; or two of the shortest moves that
-    /// the controller makes.
+    /// The longest time at rest, s: the time for a tenth of the band, as a longer rest leaves a scar; or that of two of the
+    /// shortest moves that the controller makes.
     pub(in crate::verify) fn longest_rest(&self) -> f64 {
         let way = (self.seal.band.0 / 10.0).max(2.0 * shortest_move(self.motion));
         way / self.seal.speed.0 + 1e-9

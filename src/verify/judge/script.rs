@@ -10,13 +10,13 @@ use crate::verify::{FindingCode, Findings};
 /// Largest difference of temperatures that are the same, in degrees Celsius.
 const SAME: f64 = 0.5;
 
-/// Most settings and heatings that are remembered until it is known whether they stand in the tail: no profile has as many.
+/// Most settings and heatings that are kept until it is known whether they are in the tail: no profile has as many.
 const PENDING: usize = 1000;
 
 /// Reports every line that the profile gives and that is not where it should be, and every one that it does not give.
 pub(in crate::verify) struct ScriptJudge<'a> {
     machine: &'a Machine,
-    /// How many pauses there may still be: one where the operator heats.
+    /// Number of pauses still allowed: one where the operator heats.
     pauses: usize,
     /// Whether anything has moved.
     moved: bool,
@@ -75,11 +75,11 @@ impl Judge for ScriptJudge<'_> {
 /// Lines that should follow each other, and the first that does not.
 struct WantedLine<'a> {
     lines: Vec<&'a str>,
-    /// How many have come.
+    /// Number of lines so far.
     come: usize,
     /// The line that was looked at last.
     last: usize,
-    /// The first wrong line, and what it says; its room is used again.
+    /// The number of the first wrong line; its text is below, in a buffer that is used again.
     wrong: Option<usize>,
     text: String,
 }
@@ -123,11 +123,11 @@ impl<'a> WantedLine<'a> {
 /// Between the first motion and the last, no mode and no setting changes; and a hotend is heated there, once, and off
 /// before and after. Without one, nothing heats.
 pub(in crate::verify) struct Body {
-    /// To what a hotend is heated.
+    /// The temperature of a hotend.
     heat: Option<Temperature>,
     heated: bool,
     moved: bool,
-    /// What came since the last motion: it is the body's if another follows.
+    /// Lines since the last motion: they belong to the body if another motion follows.
     pending: Vec<PendingLine>,
 }
 
@@ -135,7 +135,7 @@ pub(in crate::verify) struct Body {
 struct PendingLine {
     line: usize,
     text: String,
-    /// What a heater is told; `None` for a setting.
+    /// The heater's command; `None` for a setting.
     heat: Option<Heat>,
 }
 

@@ -15,7 +15,7 @@ pub(in crate::verify) struct Seams<'a> {
     /// Largest deviation, mm.
     tolerance: f64,
     expected: &'a [LaidSeam],
-    /// What a trace shows first.
+    /// The frame, which a trace shows first.
     frame: &'a Path,
 }
 
@@ -29,7 +29,7 @@ impl<'a> Seams<'a> {
         Self { rules, tolerance, expected: &task.seams, frame: &task.frame }
     }
 
-    /// Where the ways of a sealing program (`hot`) or of a trace begin, in order.
+    /// The starts of the ways of a sealing program (`hot`) or of a trace, in order.
     pub(in crate::verify) fn starts(&self, hot: bool) -> Vec<Point> {
         let seams = self.expected.iter();
         if hot {
@@ -79,9 +79,9 @@ pub(in crate::verify) struct Sealed<'a> {
 
 /// One contact with the fabric.
 enum SeamContact {
-    /// Of a seam: the way down, the run, the way up.
+    /// A contact along a seam: the way down, the run, the way up.
     Seam(Box<[SeamWalk; 3]>),
-    /// Of none; the line in which it begins.
+    /// A contact without a seam; the line in which it begins.
     Extra(Option<usize>),
 }
 
@@ -151,10 +151,10 @@ impl Judge for Sealed<'_> {
 pub(in crate::verify) struct Traced {
     tolerance: f64,
     paths: std::vec::IntoIter<SeamWalk>,
-    /// How many seams there should be, and how many paths were found.
+    /// The expected number of seams, and the number of paths found.
     wanted: usize,
     found: usize,
-    /// Whether the last move was along a path, and along which of those that should be.
+    /// Whether the last move was along a path, and the expected path that it followed.
     inside: bool,
     now: Option<SeamWalk>,
     /// The largest, mm.

@@ -1,16 +1,16 @@
-//! How long the controller takes for a stroke from rest to rest: the verifier's own reckoning.
+//! The controller's time for a stroke from rest to rest: the verifier's own calculation.
 //!
 //! Without a tick in the profile a stroke speeds up evenly, goes on at its feed, and brakes. With one it is made as GRBL
 //! makes it (repository gnea/grbl, stepper.c): whole steps, evenly within a stretch of whole ticks in which at least a
-//! step and a quarter is travelled, none waited for longer than the lowest step rate says. The tick in which the speed is
+//! step and a quarter is travelled, with no step longer than that of the lowest step rate. The tick in which the speed is
 //! reached counts as if all of its stretch had been travelled in it.
 
 use crate::spec::{Motion, StepRate};
 
-/// What was travelled since the iron last stood still.
+/// The run since the iron last rested.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct StrokeRun {
-    /// Whole steps of each axis; lengths in mm where the steps are not known.
+    /// Whole steps of each axis; lengths in mm where the steps are unknown.
     moved: [f64; 3],
     length: f64,
     /// Steps of moves that have too few of them, and whether there are such moves: the controller joins them to the next one.
@@ -78,9 +78,8 @@ pub(super) fn shortest_move(motion: &Motion) -> f64 {
     motion.steps_per_mm.map_or(0.0, |[x, y, _]| motion.min_move_steps * libm::hypot(per_step(x), per_step(y)))
 }
 
-/// Time as Marlin makes it (repository MarlinFirmware/Marlin, planner.cpp and stepper.cpp): every step has a rate of its
-/// own, in whole steps a second, which is told rounded up and is never below the `least`; versions up to 2.0.x begin and
-/// end with the rate `first`.
+/// Time on Marlin (repository MarlinFirmware/Marlin, planner.cpp and stepper.cpp): every step has a rate of its own, in whole
+/// steps a second, which is rounded up and is never below the `least`; versions up to 2.0.x begin and end with the rate `first`.
 fn whole_rates(
     steps: f64,
     length: f64,
@@ -146,7 +145,7 @@ fn with_first(steps: f64, even: f64, gain: f64, first: f64) -> f64 {
     total
 }
 
-/// How long FluidNC makes a step that is told as so long, s (repository bdring/FluidNC, Stepper.cpp): cycles of 20 MHz are
+/// The time of a step on FluidNC that should take `told`, s (repository bdring/FluidNC, Stepper.cpp): cycles of 20 MHz are
 /// halved, up to three times, until 8,000 of them, in 32 bits, are below 20 million; 16 bits of them are counted.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a step takes a day at most")]
 fn early(told: f64) -> f64 {
@@ -186,10 +185,10 @@ impl Ramps {
         if turned { 1.0 - way / self.length } else { way / self.length }
     }
 
-    /// Time for `steps` whole steps along it, s, a step that is told taking `interval` of that.
+    /// Time for `steps` whole steps along it, s; `interval` returns the real time of a step from its nominal one.
     fn ticked(&self, steps: f64, tick: f64, interval: impl Fn(f64) -> f64) -> f64 {
         let (mut spent, mut made) = (0.0_f64, 0.0_f64);
-        // Where the last stretch ended: time, steps and parts of a step, and time that is kept for the step begun there.
+        // The end of the last stretch: time, steps and parts of a step, and time that is kept for the step begun there.
         let (mut cut, mut reached, mut kept) = (0.0_f64, 0.0_f64, 0.0_f64);
         while made < steps {
             let (now, counted) = self.stretch(cut, tick, (reached + 1.25).min(steps) / steps);
@@ -205,7 +204,7 @@ impl Ramps {
         spent
     }
 
-    /// Where the stretch from `cut` ends, which goes on to the part `enough` of the way at least, and what it counts as, s.
+    /// The end of the stretch from `cut`, which goes on to the part `enough` of the way at least, and its counted time, s.
     fn stretch(&self, cut: f64, tick: f64, enough: f64) -> (f64, f64) {
         let at_speed = self.reached / self.acceleration;
         let (mut now, mut counted, mut allowed) = (cut, 0.0_f64, 0.0_f64);
@@ -232,7 +231,7 @@ mod tests {
     use super::*;
     use crate::units::{Acceleration, Duration};
 
-    /// A stretch may end where less is left than rounding tells from nothing: there is no further one.
+    /// A stretch may end where the remainder is within rounding: there is no further one.
     #[test]
     fn every_stroke_ends() {
         for i in 1..20_000_u32 {
@@ -245,7 +244,7 @@ mod tests {
         }
     }
 
-    /// Figures reckoned with the firmware's rules in 32-bit floats, by `tests/machines/clock`.
+    /// Figures calculated with the firmware's rules in 32-bit floats, by `tests/machines/clock`.
     #[test]
     fn a_stroke_takes_as_long_as_on_grbl() {
         for (acceleration, to, seconds) in [

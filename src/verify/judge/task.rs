@@ -1,26 +1,26 @@
-//! What one program should do: its seams, where they lie, and what its comments call it.
+//! The task of one program: its seams, their places, and their names in its comments.
 
 use crate::design::{Design, PlacedPart};
 use crate::shape::{LaidSeam, PieceName, frame, laid_seams, scope};
 use crate::spec::{Machine, Spec};
 use inflatable::geom::{Bounds, Path, Point};
 
-/// What one program should do, whatever its seams belong to.
+/// The task of one program, independent of the product of its seams.
 #[derive(Clone, Debug)]
 pub struct ProgramTask<'a> {
     /// Temperature, speed and tolerances.
     pub spec: &'a Spec,
     /// The machine that runs it.
     pub machine: &'a Machine,
-    /// Whether it seals; else it shows the way, cold.
+    /// Whether it seals; else it traces the way, cold.
     pub hot: bool,
-    /// What it covers, in the words of its comment: "sheet=1 stars=1-3", "piece=disc".
+    /// Its scope, in the words of its comment: "sheet=1 stars=1-3", "piece=disc".
     pub scope: String,
     /// The seams, in the order of sealing.
     pub seams: Vec<LaidSeam>,
     /// The rectangle that a trace shows first.
     pub frame: Path,
-    /// Where the iron may go.
+    /// The work area of the iron.
     pub area: Bounds,
 }
 

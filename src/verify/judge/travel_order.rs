@@ -1,4 +1,4 @@
-//! The order of travels: where the iron goes between seams, and where in between the operator is told what comes.
+//! The order of travels: the ways of the iron between seams, and the places of the comments for the operator among them.
 //!
 //! Every rapid goes to a **waypoint**: up to the park height, above the beginning of a seam, down to travel height, and in
 //! the end home. A contact, or a path that is traced, is a waypoint too, and so are the comments that announce the heat and
@@ -10,10 +10,10 @@ use crate::verify::read::gcode::{Event, Line, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::Point;
 
-/// What comes next.
+/// The next event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Waypoint {
-    /// A rapid to there; what is not known yet is `None`.
+    /// A rapid to this place; coordinates that are not known yet are `None`.
     Rapid([Option<f64>; 3]),
     /// The comment with this key.
     Comment(&'static str),
@@ -21,10 +21,10 @@ enum Waypoint {
     Path,
 }
 
-/// Reports every rapid that goes elsewhere, and every announcement that stands elsewhere.
+/// Reports every rapid to another place, and every announcement in another place.
 pub(in crate::verify) struct TravelOrder {
     waypoints: Vec<Waypoint>,
-    /// How many have been passed.
+    /// Number of waypoints passed.
     passed: usize,
     /// Slack on places, mm.
     tolerance: f64,
@@ -57,7 +57,7 @@ impl TravelOrder {
             waypoints.push(Waypoint::Path);
         }
         let home = |x| Waypoint::Rapid([x, x, Some(park)]);
-        // Where the last path ended, the path's judge knows.
+        // The end of the last path is checked by the path's judge.
         waypoints.extend([home(None), home(Some(0.0))]);
         Self { waypoints, passed: 0, tolerance, on_path: false }
     }
@@ -96,7 +96,7 @@ impl TravelOrder {
         findings.add_at(code, line, told(found), format!("{allowed} next"));
     }
 
-    /// Where it comes later; the way up from the last path fits too much to tell.
+    /// A later place in the order; the way up from the last path fits too many moves to be identified.
     fn later(&self, found: &Waypoint) -> Option<usize> {
         let vague = |waypoint: &Waypoint| matches!(waypoint, Waypoint::Rapid([None, ..]));
         let fits = |waypoint: &Waypoint| !vague(waypoint) && self.is(found, waypoint);
@@ -170,7 +170,7 @@ mod tests {
         "G0 X0 Y0",
     ];
 
-    /// Code and line (of the way, from 0) of what is found in it.
+    /// Code and line (of the way, from 0) of each finding in it.
     fn found(way: &[&str]) -> Vec<(&'static str, Option<usize>)> {
         let heights = Heights { contact: Length(0.0), travel: Length(5.0), park: Length(30.0) };
         let mut judge = TravelOrder::new(&heights, [Point::new(10.0, 20.0)], true, 1e-3);

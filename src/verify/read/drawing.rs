@@ -1,4 +1,4 @@
-//! What a drawing file says, whatever its format.
+//! The content of a drawing file, whatever its format.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ pub(in crate::verify) const JOIN: f64 = 1e-6;
 pub struct Drawing {
     /// Width and height of the page, mm; DXF has none.
     pub page: Option<(f64, f64)>,
-    /// Where the page begins in the file's own coordinates, whose Y may run down; only SVG says so.
+    /// The page's corner in the file's own coordinates, whose Y may run down; only SVG states it.
     pub corner: Option<(f64, f64)>,
     /// The layers in the order in which the file first draws on them, or opens a group for them.
     pub order: Vec<String>,
@@ -21,7 +21,7 @@ pub struct Drawing {
     pub layers: BTreeMap<String, Vec<Path>>,
     /// Layer and text of each label.
     pub texts: Vec<(String, String)>,
-    /// What is wrong with the file itself.
+    /// Faults of the file itself.
     pub findings: Vec<Finding>,
 }
 

@@ -13,7 +13,7 @@ use inflatable::geom::{Arc, Line, Path, Point};
 /// Arcs of a larger radius are read as their chord, mm: at this radius a 1 m chord has a sagitta of a nanometre.
 const STRAIGHT: f64 = 1e11;
 
-/// The versions that know LWPOLYLINE with everything used here.
+/// The versions that support LWPOLYLINE with all features used here.
 const VERSIONS: [&str; 6] = ["AC1015", "AC1018", "AC1021", "AC1024", "AC1027", "AC1032"];
 
 #[derive(Clone, Copy, Debug)]
@@ -104,7 +104,7 @@ impl DxfReader {
                 );
                 break;
             };
-            // Comments may stand anywhere.
+            // Comments are allowed anywhere.
             if code != 999 {
                 tags.push(DxfTag { line: i + 1, code, value: value.trim() });
             }

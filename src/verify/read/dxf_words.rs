@@ -1,13 +1,13 @@
-//! Which tags a DXF may hold, one by one: all that stands around the entities, and every group code of an entity.
+//! The tags that a DXF may hold, one by one: the frame around the entities, and every group code of an entity.
 //!
-//! A group code that a reader of shapes passes over can hide a line, lift it, widen it or scale it. What a file of this
-//! tool says around its entities stands in `dxf_frame.txt`, a record a line, and nothing else may be said.
+//! A group code that a reader of shapes passes over can hide a line, lift it, widen it or scale it. The frame around the entities
+//! in a file of this tool is in `dxf_frame.txt`, a record a line; other tags are refused.
 
 use crate::verify::finding::quote;
 use crate::verify::read::number;
 use crate::verify::{Finding, FindingCode};
 
-/// A record a line: its name, then `; code value`. `{...}` is what the drawing decides.
+/// A record a line: its name, then `; code value`. `{...}` is a value that the drawing decides.
 const FRAME: &str = include_str!("dxf_frame.txt");
 
 /// Handle of the first layer; from here on they are counted up, layers first.
@@ -16,7 +16,7 @@ const FIRST_HANDLE: usize = 0x100;
 /// The tags of an entity up to its numbers: (name, class).
 const ENTITIES: [(&str, &str); 2] = [("LWPOLYLINE", "AcDbPolyline"), ("CIRCLE", "AcDbCircle")];
 
-/// What the drawing says about the frame of its file.
+/// The data of the drawing that the frame of its file contains.
 pub(in crate::verify) struct DxfFrame<'a> {
     /// Layers in order: (name, colour).
     pub(in crate::verify) layers: &'a [(&'a str, &'a str)],
@@ -24,11 +24,11 @@ pub(in crate::verify) struct DxfFrame<'a> {
     pub(in crate::verify) min: (f64, f64),
     /// Upper right corner.
     pub(in crate::verify) max: (f64, f64),
-    /// How far a number may be off.
+    /// Largest error of a number.
     pub(in crate::verify) tolerance: f64,
 }
 
-/// Reports the first tag of `text` that is not the one that should stand there.
+/// Reports the first tag of `text` that is not the expected one.
 pub(in crate::verify) fn check(text: &str, frame: &DxfFrame<'_>) -> Result<(), Finding> {
     let mut tags = Tags { lines: text.lines(), line: 0, ahead: None };
     let mut handles = Handles { next: FIRST_HANDLE, seed: (0, String::new()) };
@@ -57,7 +57,7 @@ pub(in crate::verify) fn check(text: &str, frame: &DxfFrame<'_>) -> Result<(), F
 /// The handles given so far.
 struct Handles {
     next: usize,
-    /// Line and text of the number said to be free.
+    /// Line and text of the number that is declared free.
     seed: (usize, String),
 }
 
@@ -119,7 +119,7 @@ impl<'a> Tags<'a> {
         }
     }
 
-    /// The next tag, which must say just this.
+    /// The next tag, which must have just this value.
     fn exactly(&mut self, code: &str, value: &str) -> Result<(), Finding> {
         let tag = self.take(code, value)?;
         if tag.value == value { Ok(()) } else { Err(wrong(&tag, &format!("{code} {value}"))) }
@@ -158,7 +158,7 @@ impl DxfFrame<'_> {
         Ok(())
     }
 
-    /// What the frame calls `name`.
+    /// The value of the variable `name` of the frame.
     fn number(&self, name: &str) -> f64 {
         let (min, max) = (self.min, self.max);
         match name {

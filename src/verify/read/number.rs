@@ -3,28 +3,28 @@
 /// Largest magnitude a coordinate in a file may have: a kilometre in mm, so that squares stay exact enough.
 pub(in crate::verify) const LARGEST: f64 = 1e6;
 
-/// So many digits make a whole number that `f64` holds exactly, and so is the power of ten that they are divided by.
+/// Most digits of a whole number that `f64` always holds exactly, as it does the power of ten that they are divided by.
 const EXACT: usize = 15;
 
-/// Those powers of ten.
+/// The powers of ten.
 const TENS: [f64; EXACT + 1] =
     [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
 /// A number at the front of a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::verify) struct Number<'a> {
-    /// What it is worth; `None` beyond [`LARGEST`].
+    /// Its value; `None` beyond [`LARGEST`].
     pub(in crate::verify) value: Option<f64>,
-    /// How it is written.
+    /// Its text.
     pub(in crate::verify) text: &'a str,
-    /// What follows it.
+    /// The text behind it.
     pub(in crate::verify) rest: &'a str,
 }
 
 /// Reads `[+-] digits [. digits] [e [+-] digits]` (the exponent only if allowed) off the front of `text`.
 ///
-/// At least one digit must stand before or after the point. The text is passed once: up to [`EXACT`] digits and the power of
-/// ten are exact, so that their quotient is the nearest number, as `parse` has it; what is longer is left to `parse`.
+/// At least one digit must come before or after the point. The text is passed once: up to [`EXACT`] digits and the power of ten
+/// are exact, so that their quotient is the nearest number, as `parse` has it; longer numbers are left to `parse`.
 pub(in crate::verify) fn read(text: &str, exponent: bool) -> Option<Number<'_>> {
     let bytes = text.as_bytes();
     let is_negative = bytes.first() == Some(&b'-');
@@ -57,7 +57,7 @@ pub(in crate::verify) fn read(text: &str, exponent: bool) -> Option<Number<'_>> 
     Some(Number { value: value.filter(|x| x.abs() <= LARGEST), text: number, rest })
 }
 
-/// How many digits are at the front of `bytes`, and what they make of the number `before` them.
+/// The number of digits at the front of `bytes`, and the value of the digits `before` continued by them.
 fn digits(bytes: &[u8], before: u64) -> (usize, u64) {
     let (mut count, mut all) = (0, before);
     for byte in bytes {
@@ -65,14 +65,14 @@ fn digits(bytes: &[u8], before: u64) -> (usize, u64) {
         if digit > 9 {
             break;
         }
-        // Of more digits than fit nobody takes the number.
+        // A number of more digits than fit is not used.
         all = all.wrapping_mul(10).wrapping_add(u64::from(digit));
         count += 1;
     }
     (count, all)
 }
 
-/// How long the exponent is at the front of `bytes`, if there is one.
+/// Length of the exponent at the front of `bytes`, if there is one.
 fn power(bytes: &[u8]) -> Option<usize> {
     let (b'e' | b'E', rest) = bytes.split_first()? else { return None };
     let sign = usize::from(matches!(rest.first(), Some(b'+' | b'-')));

@@ -3,12 +3,12 @@
 /// Three corners (x, y, z), mm, counterclockwise from outside.
 pub type StlFacet = [[f32; 3]; 3];
 
-/// What a solid says beside its corners.
+/// The data of a solid besides its corners.
 #[derive(Debug, PartialEq)]
 pub(in crate::verify) struct SolidNotes {
     /// The normal of each facet.
     pub(in crate::verify) normals: Vec<[f32; 3]>,
-    /// The head, where programs show what stands there as a name.
+    /// The head, whose text programs show as a name.
     pub(in crate::verify) head: Vec<u8>,
     /// Whether the two bytes of every facet are zeros: some readers take them for a colour.
     pub(in crate::verify) plain: bool,
@@ -19,12 +19,12 @@ const HEAD: usize = 84;
 /// Length of a facet: its normal, three corners, two bytes.
 const FACET: usize = 50;
 
-/// The facets of a binary STL; `None` if the length is not the one that the count says, or a number is not finite.
+/// The facets of a binary STL; `None` if the length does not match the count, or a number is not finite.
 pub fn read_stl(bytes: &[u8]) -> Option<Vec<StlFacet>> {
     read_solid(bytes).map(|(facets, _)| facets)
 }
 
-/// The same, with what stands beside the corners.
+/// The same, with the data besides the corners.
 pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<StlFacet>, SolidNotes)> {
     let count = usize::try_from(u32::from_le_bytes(bytes.get(80..HEAD)?.try_into().ok()?)).ok()?;
     if bytes.len() != HEAD.checked_add(FACET.checked_mul(count)?)? {

@@ -1,4 +1,4 @@
-//! Reads SVG drawings: scale, groups, and the shapes that lines and arcs can say.
+//! Reads SVG drawings: scale, groups, and the shapes that lines and arcs can express.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ use inflatable::geom::{Arc, Isometry, Line, Path, Point, Vec2};
 /// Groups inside groups beyond this depth are refused: drawings need two or three, and the walk is recursive.
 const DEPTH: usize = 32;
 
-/// Where the drawing's own origin lies on the page, whose Y runs down.
+/// The place of the drawing's own origin on the page, whose Y runs down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SvgOrigin {
     /// At the page's lower left: y = height - y of the file (sheets).
@@ -103,7 +103,7 @@ impl SvgReader<'_> {
             return;
         }
         for child in node.children().filter(Node::is_element) {
-            // To tell a line takes the whole file once more.
+            // Finding the number of a line takes another pass through the file.
             if self.findings.is_full() {
                 return;
             }
@@ -162,7 +162,7 @@ impl SvgReader<'_> {
         self.drawing.layer_mut(id).extend(flipped);
     }
 
-    /// Attributes that are numbers; absent ones are 0, as SVG says.
+    /// Attributes that are numbers; absent ones are 0, as in the SVG standard.
     fn numbers<const N: usize>(&mut self, node: Node<'_, '_>, names: [&str; N]) -> Option<[f64; N]> {
         let mut values = [0.0; N];
         for (value, name) in values.iter_mut().zip(names) {

@@ -6,10 +6,10 @@ use crate::verify::read::drawing::JOIN;
 use crate::verify::read::number;
 use inflatable::geom::{Arc, Line, Path, Point, Segment};
 
-/// What is wrong: code, found, allowed.
+/// A fault: code, found, allowed.
 pub(in crate::verify) type PathFault = (FindingCode, String, String);
 
-/// The subpaths of `d`; a fault gives up what follows it.
+/// The subpaths of `d`; a fault drops the rest.
 pub(in crate::verify) fn parse(d: &str) -> (Vec<Path>, Option<PathFault>) {
     let mut pen = SvgPen::default();
     let mut scan = PathScan { rest: d };
@@ -25,7 +25,7 @@ fn draw(scan: &mut PathScan<'_>, pen: &mut SvgPen) -> Result<(), PathFault> {
             continue;
         }
         let mut first = true;
-        // A command letter stands for as many sets of numbers as follow it.
+        // A command letter applies to all sets of numbers that follow it.
         while first || scan.has_number() {
             match command {
                 'M' if first => pen.begin(Point::new(scan.number()?, scan.number()?)),
@@ -99,7 +99,7 @@ impl PathScan<'_> {
         Ok(value)
     }
 
-    /// A flag is one digit, and need not be set off from what follows.
+    /// A flag is one digit, and need not be set off from the next word.
     fn flag(&mut self) -> Result<bool, PathFault> {
         let flag = match self.rest.as_bytes().first() {
             Some(b'0') => false,

@@ -1,5 +1,5 @@
-//! The elements and attributes that a drawing's SVG may hold. All others are findings: a style, a clip or a script can hide,
-//! move or change what the attributes that are read say.
+//! The elements and attributes that a drawing's SVG may hold. All others are findings: a style, a clip or a script can hide, move
+//! or change the shapes that the attributes describe.
 
 use roxmltree::{Document, Node};
 
@@ -9,20 +9,20 @@ use crate::verify::{FindingCode, Findings};
 /// The namespace without which a browser shows nothing.
 const SVG: &str = "http://www.w3.org/2000/svg";
 
-/// The namespace of what Inkscape says of layers.
+/// The namespace of Inkscape's attributes of layers.
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 
-/// Faults after which the rest of a file is not worth a look.
+/// Number of faults after which the rest of a file is not read.
 const ENOUGH: usize = 20;
 
-/// What an attribute may say.
+/// The values that an attribute may have.
 #[derive(Clone, Copy)]
 enum Says {
-    /// What the reader of shapes reads, and refuses by rules of its own.
+    /// A value that the reader of shapes reads, and refuses by rules of its own.
     Shape,
     /// Just this.
     Is(&'static str),
-    /// The colour of the layer whose group it stands on.
+    /// The colour of the layer in whose group the element is.
     LayerColour,
     /// The name of that layer.
     Layer,
@@ -30,10 +30,10 @@ enum Says {
     Name,
 }
 
-/// An element: its name, where it may stand, its attributes.
+/// An element: its name, its parents, its attributes.
 type ElementRow = (&'static str, &'static [&'static str], &'static [(&'static str, Says)]);
 
-/// How lines of a drawing look: one pixel wide at any zoom, as thin as can be for a cutter.
+/// The style of a drawing's lines: one pixel wide at any zoom, as thin as can be for a cutter.
 macro_rules! hairline {
     ($($more:expr),*) => {
         &[
@@ -70,7 +70,7 @@ pub(in crate::verify) fn check(
     colour: &dyn Fn(&str) -> Option<&'static str>,
     findings: &mut Findings,
 ) {
-    // What stands before the root may name an encoding, a style sheet, or a byte order.
+    // Text before the root may name an encoding, a style sheet, or a byte order.
     if !document.input_text().trim_ascii_start().starts_with("<svg") {
         findings.add_at(FindingCode::UnknownWord, 1, quote(document.input_text()), "<svg at the beginning");
     }
@@ -114,7 +114,7 @@ impl WordReader<'_> {
         } else if node.is_element() {
             self.element(node, inside);
         } else {
-            // A comment says nothing, but an instruction may name a style sheet.
+            // A comment has no effect, but an instruction may name a style sheet.
             self.refuse(node, "a comment or an instruction", "elements only");
         }
     }

@@ -52,7 +52,7 @@ fn every_fault_says_what_was_found_and_what_is_allowed() {
         (with("[vary]\nstar.points = []\n"), "out-of-range", "must hold at least one value"),
         (with("[vary]\nstar.points = [2]\n"), "out-of-range", "`points` is 2: must be from 3 to 64"),
         (with("[vary]\nstar.tube_width = [30]\n"), "no-unit", "a length needs a unit"),
-        (with("[vary]\nstar.tube_width = [\"30 kPa\"]\n"), "unknown-unit", "is no unit of length"),
+        (with("[vary]\nstar.tube_width = [\"30 kPa\"]\n"), "unknown-unit", "is not a unit of length"),
         (with("[vary]\nstar.tube_width = \"10 mm..40 mm\"\n"), "out-of-range", "lacks the number of values"),
         (
             with("[vary]\nstar.points = \"3..6/3\"\n"),

@@ -1,4 +1,5 @@
-//! What `check` lets pass, `build` publishes and `verify` accepts: there is no finding about outputs that no refusal named before.
+//! A spec that `check` accepts is published by `build` and accepted by `verify`: every finding about outputs has a refusal before
+//! it.
 //!
 //! 2,000 random specs with all kinds of files in `make test`; twenty thousand with
 //! `STARGRIP_AGREE=20000 cargo test --release --locked --test design agree::`. `STARGRIP_AGREE_FROM=n` begins at case `n`.
@@ -18,14 +19,14 @@ use stargrip_cam::verify::Finding;
 
 use specs::{Case, case};
 
-/// How many specs a run tries where it does not say.
+/// Number of specs in a run without a setting.
 const CASES: u64 = 2000;
 
 fn number(variable: &str, default: u64) -> u64 {
     std::env::var(variable).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
 }
 
-/// What is found wrong with the files of a spec that `check` lets pass; `None` if it is refused.
+/// The findings in the files of a spec that `check` accepts; `None` if it is refused.
 fn findings(case: &Case, verified: bool) -> Option<Vec<Finding>> {
     let reading = spec::read(&Source::new("spec", case.spec.as_str())).ok()?;
     let machine = spec::read_machine(&Source::new("machine", case.machine.as_str())).ok()?;

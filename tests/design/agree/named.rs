@@ -6,7 +6,7 @@ use stargrip_cam::spec;
 use stargrip_cam::spec::{Machine, Source};
 use stargrip_cam::verify::gcode::Dialect;
 
-/// A star with its inner radius, and what else its spec says.
+/// A star with its inner radius, and the rest of its spec.
 fn star(radius: f64, rest: &str) -> String {
     format!(
         "schema = 1\nname = \"named\"\n[star]\npoints = 5\ninner_radius = \"{radius} mm\"\ntube_width = \"30 mm\"\n\
@@ -38,7 +38,7 @@ fn refused(text: &str, profile: &str) -> Vec<String> {
     refusals.iter().map(|refusal| refusal.code.to_string()).collect()
 }
 
-/// Chords whose number is no multiple of four missed the top and the bottom of a plate.
+/// A number of chords that was not a multiple of four missed the top and the bottom of a plate.
 #[test]
 fn a_plate_in_a_scene_is_as_high_as_wide() {
     for radius in [70.0, 200.0] {
@@ -70,7 +70,7 @@ fn a_ramp_without_length_is_refused_and_the_length_that_the_remedy_names_is_not(
     assert_eq!(findings(&chop, &with(least), &[]), [""; 0], "{least}");
 }
 
-/// Programs have three decimals, so that the iron went deeper than told, or below the height of its travels.
+/// Programs have three decimals; without rounding first, the iron went deeper than set, or below the height of its travels.
 #[test]
 fn heights_of_a_profile_are_those_of_its_programs() {
     let text = profile("grbl").replace("contact = \"-0.3 mm\"", "contact = \"-2.6238638162612915 mm\"");

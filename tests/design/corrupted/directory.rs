@@ -30,7 +30,7 @@ fn a_changed_byte_is_found_by_its_hash_in_every_file() {
         replace(&mut files, file, bytes);
         let findings = prove_files(&files).findings;
         assert!(!findings.is_empty(), "{file}");
-        // A profile that means nothing any more is not even compared.
+        // A profile that cannot be read any more is not even compared.
         let is_unread = findings.iter().any(|finding| finding.code == "unreadable" && finding.file == *file);
         if file != MANIFEST && !is_unread {
             assert_found(&findings, "hash", file);
@@ -46,7 +46,7 @@ fn a_file_cut_short_anywhere_is_found() {
         replace(&mut short, file, bytes[..bytes.len() - 1].to_vec());
         assert_found(&prove_files(&short).findings, "size", file);
     }
-    // A forger who fixes the manifest is told by the sentinel.
+    // Where a forger has fixed the manifest, the sentinel shows the cut.
     for keep in [0, 1, 500, 5_000, 12_000] {
         let findings = forged(SEAL, |program| program[..keep].to_owned());
         assert_found(&findings, "truncated", SEAL);
@@ -121,7 +121,7 @@ fn a_manifest_with_other_figures_is_found() {
     assert_found(&prove_files(&files).findings, "manifest", MANIFEST);
 }
 
-/// The design decides what each file is: a manifest that says otherwise is wrong, whatever the file holds.
+/// The design decides the kind of each file: a manifest that differs is wrong, whatever the content of the file.
 #[test]
 fn a_manifest_does_not_decide_what_is_proven() {
     let findings = |change: &dyn Fn(&mut Manifest)| {
@@ -140,7 +140,7 @@ fn a_manifest_does_not_decide_what_is_proven() {
     assert_found(&as_picture, "manifest", SEAL);
     let twice = findings(&|manifest| manifest.files.push(manifest.files[program(manifest)].clone()));
     assert_found(&twice, "manifest", SEAL);
-    // However often it is named, it is told once and read once.
+    // A file that is named often is reported once and read once.
     let often = findings(&|manifest| {
         let entry = manifest.files[program(manifest)].clone();
         manifest.files.extend(std::iter::repeat_n(entry, 3000));
@@ -166,7 +166,7 @@ fn a_manifest_does_not_decide_what_is_proven() {
     assert!(unknown[0].found.contains("poem"), "{unknown:?}");
 }
 
-/// A build of some kinds says so, and then nothing else is asked for; everything deleted is no proof of anything.
+/// A build of some kinds states them, and then nothing else is required; a directory without files proves nothing.
 #[test]
 fn what_was_not_asked_for_is_not_missed_and_all_else_is() {
     let (spec, machine) = (support::read(PAPER), support::machine());
@@ -181,7 +181,7 @@ fn what_was_not_asked_for_is_not_missed_and_all_else_is() {
     assert_found(&prove_files(&silent.output_files()).findings, "missing-file", SEAL);
 }
 
-/// What no reader looks at is seen by its bytes: a colour, a comment, a figure of the manifest.
+/// A detail that no reader checks is compared by its bytes: a colour, a comment, a figure of the manifest.
 #[test]
 fn a_byte_that_no_reader_looks_at_differs() {
     let mut files = output_files();
@@ -217,7 +217,7 @@ fn a_forged_prediction_is_found() {
     assert_found(&without_load, "prediction", file);
 }
 
-/// Only what the design asks for is opened, and only as far as the manifest says: no pipe, no device, no link, no foreign file.
+/// Only the files of the design are opened, and only as far as the manifest states: no pipe, no device, no link, no foreign file.
 #[cfg(unix)]
 #[test]
 fn verify_opens_nothing_but_what_the_design_names() {

@@ -103,7 +103,7 @@ fn changed(good: &str, bad: &str) -> RangeInclusive<usize> {
     same + 1..=bad.len() - rest
 }
 
-/// Where a fault is seen that `place` has: a line removed is missed by those around it.
+/// The lines in which a fault at `place` may be found: a removed line is missed by those around it.
 fn around(place: &RangeInclusive<usize>) -> RangeInclusive<usize> {
     place.start().saturating_sub(2)..=place.end() + 2
 }
@@ -114,7 +114,7 @@ fn assert_program_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
     assert_blamed(code, change, around);
 }
 
-/// The same for what only shows further on in the program.
+/// The same for a fault that only shows further on in the program.
 #[track_caller]
 fn assert_later_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
     assert_blamed(code, change, |place| *place.start()..=usize::MAX);

@@ -1,4 +1,4 @@
-//! Programs: where the iron goes, how fast, how hot, and what is no G-code.
+//! Programs: path, speed and temperature of the iron, and malformed G-code.
 
 use super::{
     SEAL, TRACE, assert_found, assert_later_fault, assert_program_fault, contact, forged, forged_in, nth,
@@ -35,7 +35,7 @@ fn a_loop_left_open_is_found() {
 #[test]
 fn a_cut_overlap_is_found() {
     assert_program_fault("missing-overlap", |lines| {
-        // The way up, then the lift to travel height, then the travel stand before the next seam.
+        // The way up, the lift to travel height and the travel come before the next seam.
         let lift = nth(lines, "; seam:", 1) - 3;
         let _ = lines.remove(lift - 1);
     });
@@ -49,7 +49,8 @@ fn a_late_start_and_a_cut_corner_are_found() {
         let first = lines.remove(i);
         lines[i - 1] = format!("{first} Z-0.3 F6");
     });
-    // Told is the worst place, and it lies further on: past a sharp corner that is cut the way back is taken for the way there.
+    // The worst place is reported, and it lies further on: past a sharp corner that is cut the way back is taken for the way
+    // there.
     assert_later_fault("deviation", |lines| {
         // The move that ends at a vertex of the path.
         let i = nth(lines, "G1 X271.7383 Y239.0098", 0);
@@ -124,7 +125,7 @@ fn a_move_off_the_sheet_is_found() {
 
 #[test]
 fn missing_and_extra_seams_are_found() {
-    // What is not there has no line.
+    // A missing line has no number.
     let missing = forged(SEAL, |program| {
         with_lines(program, |lines| {
             let (from, to) = (nth(lines, "; seam:", 1), nth(lines, "M2", 0) - 2);

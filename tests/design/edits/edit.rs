@@ -7,7 +7,7 @@ use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
 use super::directories::{Directory, kind_of};
 use crate::support::dice::Dice;
 
-/// What is edited.
+/// The unit of an edit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Unit {
     Byte,
@@ -16,7 +16,7 @@ pub(crate) enum Unit {
     Block,
 }
 
-/// The edited content, and what was done to it.
+/// The edited content, and the description of the edit.
 pub(crate) fn edit(bytes: &[u8], unit: Unit, dice: &mut Dice) -> (Vec<u8>, String) {
     let pieces = pieces(bytes, unit);
     let (a, b) = (dice.below(pieces.len()), dice.below(pieces.len()));
@@ -103,7 +103,7 @@ fn pieces(bytes: &[u8], unit: Unit) -> Vec<Range<usize>> {
     found
 }
 
-/// Makes what else would tell of the edit agree with it: the count in a program's last line, size and hash in the manifest.
+/// Makes all other traces of the edit agree with it: the count in a program's last line, size and hash in the manifest.
 pub(crate) fn cover_up(files: &mut Directory, name: &str) {
     let at = files.iter().position(|(known, _)| known == name).expect("a file");
     if kind_of(name) == "gcode"

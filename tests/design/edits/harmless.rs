@@ -1,5 +1,4 @@
-//! What is harmless: the rules by which an edit changes nothing that anybody makes or is told. None of them is the
-//! verifier's.
+//! Harmless edits: the rules by which an edit changes no product and no message. None of them is the verifier's.
 
 use serde_json::Value;
 use stargrip_cam::manifest::MANIFEST;
@@ -9,7 +8,7 @@ use stargrip_cam::spec::{Machine, Source};
 use super::directories::kind_of;
 use super::same_way::same_way;
 
-/// Why an edit changes nothing that anybody makes or is told; `None` if it does.
+/// The reason why an edit changes no product and no message; `None` if it changes one.
 pub(crate) fn harmless(name: &str, before: &[u8], after: &[u8]) -> Option<&'static str> {
     if before == after {
         return Some("the same bytes");
@@ -35,7 +34,8 @@ pub(crate) fn harmless(name: &str, before: &[u8], after: &[u8]) -> Option<&'stat
     }
 }
 
-/// The same figures and names, whatever the version of the tool: of another one only reading is a proof, and `verify` says so.
+/// The same figures and names, whatever the version of the tool: for another version only reading is a proof, and `verify`
+/// reports it.
 fn same_values(a: &str, b: &str) -> bool {
     let value = |text: &str| {
         let mut value: Value = serde_json::from_str(text).ok()?;
@@ -48,7 +48,7 @@ fn same_values(a: &str, b: &str) -> bool {
     near(&a, &b)
 }
 
-/// The same values; numbers to one in 10^9, as another processor may reckon them.
+/// The same values; numbers to one in 10^9, as another processor may calculate them.
 fn near(a: &Value, b: &Value) -> bool {
     match (a, b) {
         (Value::Number(a), Value::Number(b)) => {
@@ -63,7 +63,7 @@ fn near(a: &Value, b: &Value) -> bool {
     }
 }
 
-/// The same but for blanks, and for blanks and zeros between the numbers of a path as SVG's grammar reads them.
+/// The same except for blanks, and for blanks and zeros between the numbers of a path as SVG's grammar reads them.
 fn same_but_blanks(a: &str, b: &str) -> bool {
     let parts = |text: &str| -> Vec<String> {
         let quoted = text.split('"').zip([false, true].into_iter().cycle());
@@ -101,8 +101,8 @@ fn path_words(data: &str) -> Vec<(char, Option<f64>)> {
     }
 }
 
-/// The same spec or profile, but for texts that nobody goes by: what a profile is called in the spec whose profile lies
-/// beside it, and what it says of itself.
+/// The same spec or profile, except for texts without effect: the name of the profile in a spec whose profile lies beside it, and
+/// the profile's description of itself.
 fn same_meaning(name: &str, a: &str, b: &str) -> bool {
     let read = |text: &str| {
         let source = Source::new(name, text);
@@ -119,7 +119,7 @@ fn same_meaning(name: &str, a: &str, b: &str) -> bool {
     a.is_some() && a == b
 }
 
-/// The same words but for numbers that are off by no more than `most`, mm.
+/// The same words except for numbers that differ by no more than `most`, mm.
 fn same_numbers(kind: &str, a: &str, b: &str, most: f64) -> bool {
     let split = |text: &str| -> Vec<String> {
         text.split(|c: char| c.is_ascii_whitespace() || "\"'<>=,".contains(c))

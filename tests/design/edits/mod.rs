@@ -1,6 +1,6 @@
 //! Edits of published files: a byte, a token, a line or a block, with a manifest that covers it up.
 //!
-//! Every edit is judged by reading alone and by making the directory anew. What is not found must be harmless, by a rule
+//! Every edit is judged by reading alone and by making the directory anew. An edit that is not found must be harmless, by a rule
 //! that is written here and not in the verifier. `EDITS=4000 cargo test --test design edits:: -- --nocapture` prints the table of
 //! docs/reliability.md; `EDITS_SEED=7` makes other edits.
 
@@ -19,7 +19,7 @@ use harmless::harmless;
 use same_way::same_facts;
 use stargrip_cam::pipeline::{prove_files, read_back};
 
-/// What became of the edits of one kind.
+/// The results of the edits of one kind.
 #[derive(Clone, Copy, Debug, Default)]
 struct Row {
     edits: usize,
@@ -32,7 +32,7 @@ fn number(name: &str, default: u64) -> u64 {
     env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(default)
 }
 
-/// Makes `count` edits, all kinds of files and units in turn; the table, and what was missed.
+/// Makes `count` edits, all kinds of files and units in turn; the table, and the edits that were missed.
 fn judged(count: u64, seed: u64) -> (BTreeMap<(String, Unit), Row>, Vec<String>) {
     let directories = directories();
     let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
@@ -65,7 +65,7 @@ fn judged(count: u64, seed: u64) -> (BTreeMap<(String, Unit), Row>, Vec<String>)
             row.harmless += usize::from(!read);
             continue;
         }
-        // What a picture shows is not read, nor comments that nothing goes by.
+        // The content of a picture is not read, nor are comments without effect.
         let unread = kind == "preview" || kind == "gcode" && same_facts(bytes, after);
         for (by, found) in [("reading", read || unread), ("bytes", made)] {
             if !found {

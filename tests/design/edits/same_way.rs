@@ -1,14 +1,14 @@
-//! Programs that do the same: the way of the iron, reckoned by other means than the verifier's.
+//! Programs that do the same: the way of the iron, calculated by other means than the verifier's.
 
 /// A place on a program's way: X, Y, Z, feed.
 type Place = [f64; 4];
 
-/// By how much a wait may be late, s: in so long the iron does 0.002 mm at the seal's 0.1 mm/s.
+/// Largest delay by a wait, s: in this time the iron moves 0.002 mm at the seal's 0.1 mm/s.
 const LATE: f64 = 0.02;
 
-/// The same lines that are no cuts, blanks between their words apart, and between them the same way at the same feed: places at
-/// equal distances along it lie no farther apart than 0.002 mm, whatever the moves it is made of. Waits may differ if their
-/// sum does nowhere by more than [`LATE`].
+/// The same lines other than cuts, blanks between their words apart, and between them the same way at the same feed: places at
+/// equal distances along it lie no farther apart than 0.002 mm, whatever the moves it is made of. Waits may differ if their sum
+/// differs nowhere by more than [`LATE`].
 pub(crate) fn same_way(a: &str, b: &str) -> bool {
     let (a, b) = (ways(a), ways(b));
     let mut late = 0.0_f64;
@@ -27,7 +27,7 @@ pub(crate) fn same_way(a: &str, b: &str) -> bool {
         })
 }
 
-/// The same way but for comments that nothing goes by: progress, lengths, times, pictures, prose.
+/// The same way except for comments without effect: progress, lengths, times, pictures, prose.
 pub(crate) fn same_facts(before: &[u8], after: &[u8]) -> bool {
     let facts = |bytes: &[u8]| -> Option<String> {
         let text = std::str::from_utf8(bytes).ok()?;
@@ -41,7 +41,7 @@ pub(crate) fn same_facts(before: &[u8], after: &[u8]) -> bool {
     facts(before).zip(facts(after)).is_some_and(|(a, b)| same_way(&a, &b))
 }
 
-/// How comments begin that a resumed job or the operator goes by.
+/// The beginnings of comments on which a resumed job or the operator relies.
 const FACTS: [&str; 9] = [
     "program: ",
     "seal: ",
@@ -54,7 +54,7 @@ const FACTS: [&str; 9] = [
     "end of program, ",
 ];
 
-/// How long a line waits, s: milliseconds have no point, and no wait takes a minute.
+/// Duration of a line's dwell, s: milliseconds have no point, and no dwell takes a minute.
 fn wait(line: &str) -> Option<f64> {
     let told = line.strip_prefix("G4")?.trim_start().strip_prefix('P')?;
     let time: f64 = told.parse().ok()?;
@@ -78,11 +78,11 @@ fn same_words(a: &str, b: &str) -> bool {
             && a.split(' ').zip(b.split(' ')).all(|(a, b)| same(a, b))
 }
 
-/// The way up to each line that is no cut, and the line.
+/// The way up to each line other than a cut, and the line.
 fn ways(text: &str) -> Vec<(String, Vec<Place>)> {
     let mut at: Place = [0.0; 4];
     let (mut way, mut out) = (Vec::new(), Vec::new());
-    // The last line counts the others, and an empty one is no word.
+    // The last line counts the others; an empty line has no words.
     for line in text.lines().map(str::trim_end).filter(|l| !l.is_empty() && !l.contains("end of program, ")) {
         let word = |letter: char| -> Option<f64> {
             let (_, rest) = line.split_once(letter)?;

@@ -1,4 +1,4 @@
-//! Reads GLB, glTF 2.0 in one binary file: what a viewer would show, in mm with +Z up.
+//! Reads GLB, glTF 2.0 in one binary file: the content of a viewer, in mm with +Z up.
 //!
 //! Meshes of indexed triangles with one morph target at most, on nodes that are moved and turned, in groups that are not.
 
@@ -11,7 +11,7 @@ pub(crate) struct GlbNode {
     pub(crate) name: String,
     /// The name of its mesh.
     pub(crate) mesh: String,
-    /// What its mesh is made of.
+    /// The parts of its mesh.
     pub(crate) parts: Vec<GlbPart>,
     /// Whether an animation moves its morph target.
     pub(crate) animated: bool,
@@ -24,7 +24,7 @@ pub(crate) struct GlbPart {
     pub(crate) material: String,
     /// Corners, mm.
     pub(crate) points: Vec<[f64; 3]>,
-    /// The same corners with the morph target in full; empty if there is none.
+    /// The same corners with the morph target in full; empty without one.
     pub(crate) inflated: Vec<[f64; 3]>,
     /// Three corners each.
     pub(crate) triangles: Vec<[usize; 3]>,
@@ -156,7 +156,7 @@ struct Sampler {
 /// The nodes of a GLB's scene that have a mesh, in order.
 ///
 /// # Errors
-/// What is wrong with the file.
+/// The fault of the file.
 pub(crate) fn read_glb(bytes: &[u8]) -> Result<Vec<GlbNode>, String> {
     let (text, numbers) = chunks(bytes).ok_or("no header and two chunks of the lengths that they say")?;
     let document: Document = serde_json::from_slice(text).map_err(|fault| fault.to_string())?;
@@ -247,7 +247,7 @@ impl File<'_> {
         Ok(GlbPart { material: material.name.clone(), points: placed(&local), inflated, triangles })
     }
 
-    /// Whether an animation moves the morph target of the node, from nothing to all of it in rising time.
+    /// Whether an animation moves the morph target of the node, from 0 to 1 in rising time.
     fn animated(&self, node: usize) -> Result<bool, String> {
         let mut found = false;
         for animation in &self.document.animations {
@@ -338,7 +338,7 @@ fn bounded(accessor: &Accessor, numbers: &[f64], each: usize) -> Result<(), Stri
         let ends = (0..each).map(|k| numbers.iter().skip(k).step_by(each).copied().reduce(pick));
         said.len() == each && ends.zip(said).all(|(end, said)| end.is_some_and(|end| same(end, *said)))
     };
-    // The output of an animation need not say it.
+    // The output of an animation need not have limits.
     let silent = each == 1 && accessor.min.is_empty() && accessor.max.is_empty();
     let right = said(&accessor.min, f64::min) && said(&accessor.max, f64::max);
     if numbers.iter().all(|x| x.is_finite()) && (silent || right) {

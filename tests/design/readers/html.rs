@@ -1,8 +1,8 @@
 //! HTML as reports have it: a frame of plain elements, one style, one script, and two blocks of data.
 //!
-//! A browser does what a page says, so a page is read by what it may say: every element and every attribute is one of a list, nothing
-//! leads anywhere but to another place on the page, and only the style and the script that the policy names by their hashes can run.
-//! Outside of scripts and styles the page is well-formed XML, which both kinds of readers understand in the same way.
+//! A page is read by a list of what it may contain: every element and every attribute is on the list, links lead only to other
+//! places on the page, and only the style and the script that the policy names by their hashes can run. Outside of scripts and
+//! styles the page is well-formed XML, which both kinds of readers understand in the same way.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -89,7 +89,7 @@ const LARGEST: usize = 1 << 28;
 
 const HEAD: &str = "<!doctype html>\n";
 
-/// What a report holds.
+/// The content of a report.
 #[derive(Clone, Debug)]
 pub(crate) struct HtmlReport {
     /// Its title.
@@ -103,7 +103,7 @@ pub(crate) struct HtmlReport {
 /// Reads a report.
 ///
 /// # Errors
-/// What is not as a report has it.
+/// The difference from a report.
 pub(crate) fn read_html(text: &str) -> Result<HtmlReport, String> {
     let body = text.strip_prefix(HEAD).ok_or("no `<!doctype html>` at its beginning")?;
     if text.contains("://") {
@@ -156,7 +156,7 @@ struct Raw<'a> {
     text: &'a str,
 }
 
-/// The text without what styles and scripts hold, and these, in order.
+/// The text without the content of styles and scripts, and these, in order.
 fn without_raw(text: &str) -> Result<(String, Vec<Raw<'_>>), String> {
     let (mut frame, mut raw, mut rest) = (String::new(), Vec::new(), text);
     loop {

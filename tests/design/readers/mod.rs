@@ -1,4 +1,4 @@
-//! Readers of what is only looked at: scenes, pictures, pages.
+//! Readers of files for the eye: scenes, pictures, pages.
 
 pub(crate) mod glb;
 pub(crate) mod html;

@@ -15,10 +15,10 @@ pub(crate) struct Raster {
     pub(crate) rgb: Vec<u8>,
 }
 
-/// Largest picture that is read, pixels: several times what a build writes.
+/// Largest picture that is read, pixels: several times that of a build.
 const MOST: usize = 1 << 24;
 
-/// The picture of a PNG; `None` if it is none, of other colours, or larger than any that is written.
+/// The picture of a PNG; `None` if the bytes are not a PNG, have other colours, or are larger than any that is written.
 pub(crate) fn read_png(bytes: &[u8]) -> Option<Raster> {
     let mut decoder = Decoder::new_with_limits(Cursor::new(bytes), Limits { bytes: 1 << 27 });
     decoder.set_transformations(Transformations::IDENTITY);

@@ -1,4 +1,4 @@
-//! What a person is told about faulty specs, word by word.
+//! The messages about faulty specs, word by word.
 
 use stargrip_cam::spec::{Faults, Source, read, read_machine};
 
@@ -23,16 +23,16 @@ macro_rules! refused {
 }
 
 refused! {
-    /// Nothing at all.
+    /// An empty text.
     empty: "";
     /// Slips of the keyboard, keys in the wrong section, sections that do not exist.
     slips: "schema = 1\nname = \"slips\"\ntube_width = \"30 mm\"\n[stars]\npoints = 5\n[star]\npoints = 5\ninner_radius = \"50 mm\"\n\
         tube_widht = \"30 mm\"\ntip_angel = \"30 deg\"\nband = \"2 mm\"\ncolour = \"red\"\n[seal]\noverlapp = \"5 mm\"\n";
-    /// Quantities that are none, or of another kind.
+    /// Malformed quantities, or quantities of another kind.
     quantities: format!("{SHORTEST}corner_radius = 3\n[fabric]\nthickness = \"nan mm\"\nyoung_modulus = \"128 mpa\"\n\
         [seal]\ntemperature = \"473 K\"\nspeed = \"1e999 mm/s\"\nband = \"\"\noverlap = \"5\"\nallowance = true\n\
         [accuracy]\nresponse = \"10\"\n");
-    /// What people write who are used to other signs and names.
+    /// Inputs of people who are used to other signs and names.
     habits: "schema = 1\nname = \"habits\"\n[star]\npoints = 5\ninner_radius = \"50,5 mm\"\ntube_width = \"2 inches\"\n\
         tip_angle = \"30\u{b0}\"\ncorner_radius = nan\n[stack]\nrotation = \"\u{2212}36 deg\"\n[sheet]\nmargin = \"1,5,5 mm\"\n";
     /// Values out of their ranges.
@@ -42,13 +42,13 @@ refused! {
     /// Wrong types.
     types: "schema = \"1\"\nname = 5\nseal = 3\nmask = []\n[star]\npoints = 5.0\ninner_radius = [1]\ntube_width = 1979-05-27\n\
         tip_angle = {}\n[sheet]\nturn = \"yes\"\n[fabric]\npoisson_ratio = \"0.39\"\n[machine]\nprofile = false\n";
-    /// Broken TOML, and what can be said about the rest all the same.
+    /// Broken TOML, and the faults that can still be reported about the rest.
     syntax: "schema = 1\nname = \"syntax\n[star\npoints = 5\n[seal]\nband = 2 mm\nbnd = \"2 mm\"\nspeed = \"0.1 mm/s\"\nspeed = \"0.2 mm/s\"\n\
         [fabric]\npoisson_ratio = 3\n";
     /// Sections that contradict each other.
     stack: format!("{SHORTEST}[stack]\ncount = 2\n[[stack.star]]\nindex = 3\n[[stack.star]]\nindex = 2\ninlet_tip = 6\n\
         [[stack.star]]\nindex = 2\nidnex = 1\n[[stack.star]]\nrotation = \"5 deg\"\n[inlet]\nnone = true\ntip = 1\n");
-    /// Words that are none of those to choose from.
+    /// Words that are not among the choices.
     choices: format!("{SHORTEST}[machine]\nprofile = \"\"\nprogram = \"sheets\"\nfeed_floor = \"slow\"\n[accuracy]\nmodel = \"fem\"\n");
     /// An error with a warning beside it.
     hot: format!("{SHORTEST}tip_radius = \"-1 mm\"\n[seal]\ntemperature = \"280 C\"\n");
@@ -109,7 +109,7 @@ fn a_wrong_file_is_not_told_line_by_line() {
             && text.contains("more syntax errors: is this the right file?"),
         "{text}"
     );
-    // Slips are all told, however many.
+    // Slips are all reported, however many.
     let slips = try_read(&"a = 5 mm\n".repeat(6)).expect_err("no spec");
     assert_eq!(slips.list().iter().filter(|fault| fault.code == "syntax").count(), 11, "{slips}");
 }

@@ -1,4 +1,4 @@
-//! Specs and machine profiles from text: what is read, and what a person is told.
+//! Specs and machine profiles from text: their values and their messages.
 
 mod faults;
 mod random;

@@ -9,7 +9,7 @@ use stargrip_cam::units::{
 
 use super::{SHORTEST, spec, try_read};
 
-/// What a key takes: a quantity's units, or no unit.
+/// The values of a key: a quantity's units, or no unit.
 type Units = &'static [(&'static str, f64)];
 
 /// A key of the spec: section, key, its units, lowest and highest value in the base unit, and where it goes.
@@ -106,20 +106,20 @@ const REQUIRED: &[Key] = &[
     key("star", "tip_angle", Angle::UNITS, (1e-9, 179.9), |s, x| s.stars[0].tip_angle = Angle(x)),
 ];
 
-/// Where in the range, which unit, with how many blanks, with or without an exponent.
+/// The place in the range, the unit, the number of blanks, and whether there is an exponent.
 type Writing = (f64, prop::sample::Index, usize, bool);
 
 fn writing() -> impl Strategy<Value = Writing> {
     (0.0..1.0_f64, any::<prop::sample::Index>(), 0..3_usize, any::<bool>())
 }
 
-/// A value of `key` as text, and what it means in the base unit.
+/// A value of `key` as text, and its number in the base unit.
 fn written(key: &Key, (share, unit, blanks, exponent): Writing) -> (String, f64) {
     // Away from the ends, where rounding in another unit could step over them.
     let base = key.low + (key.high - key.low) * (1e-9 + share * (1.0 - 2e-9));
     let text = |x: f64| if exponent { format!("{x:e}") } else { format!("{x}") };
     if key.units.is_empty() {
-        // TOML wants digits after a point, or an exponent, in a number that is not an integer.
+        // TOML requires digits after a point, or an exponent, in a number that is not an integer.
         return (format!("{base:?}"), base);
     }
     let (name, factor) = key.units[unit.index(key.units.len())];
@@ -203,7 +203,7 @@ proptest! {
             (key.set)(&mut expected, base);
             lines.push((key.section, format!("{begin}{value}\n")));
         }
-        // A frame is cut as all else is, unless it says otherwise.
+        // A frame is cut like the rest, unless it has its own kerf.
         if !lines.iter().any(|(section, line)| *section == "frame" && line.starts_with("kerf")) {
             expected.frame.kerf = expected.cut.kerf;
         }

@@ -1,4 +1,4 @@
-//! The stack: what single stars have different, and where the inlets are.
+//! The stack: values of single stars that differ, and the tips of the inlets.
 
 use stargrip_cam::spec::{RawSpec, key};
 use stargrip_cam::units::{Angle, Length};
@@ -98,7 +98,7 @@ fn a_later_stage_finds_what_decided_a_value() {
     assert_eq!(at(raw.span_of(key::star::POINTS.of_star(2))), "6");
     assert_eq!(at(raw.span_of(key::stack::PITCH.of_star(2))), "'41 mm'");
     assert_eq!(at(raw.span_of(key::inlet::TIP.of_star(2))), "2");
-    // What was not written: its section, else the start.
+    // The place of a missing key: its section, else the start.
     assert_eq!(raw.find(key::star::TIP_RADIUS), None);
     assert_eq!(at(raw.span_of(key::star::TIP_RADIUS)), "[star]");
     assert_eq!(at(raw.span_of(key::root::SCHEMA)), "1");

@@ -18,7 +18,7 @@ pub(super) struct Geometry {
     pub(super) heights: [f64; 2],
     /// Whether x is mirrored, by an extrusion along -z.
     pub(super) mirrored: bool,
-    /// What was resolved, for a note.
+    /// The detail that was resolved, for a note.
     pub(super) remark: Option<&'static str>,
 }
 
@@ -29,7 +29,7 @@ pub(super) enum Shape {
     Chain(Chain),
 }
 
-/// What reading an entity gives.
+/// The result of reading an entity.
 #[derive(Debug)]
 pub(super) enum Reading {
     Geometry(Geometry),
@@ -134,7 +134,7 @@ fn ellipse(record: &Record<'_, '_>) -> Result<Reading, Flaw> {
     let sign = if mirrored(record)? == Some(true) { -1.0 } else { 1.0 };
     let start = record.optional(41)?.unwrap_or(0.0) % TAU;
     let turn = (record.optional(42)?.unwrap_or(TAU) - start).rem_euclid(TAU);
-    // Ends are written with some digits of 2 pi; a gap below a millionth of a turn is none.
+    // Ends are written with some digits of 2 pi; a gap below a millionth of a turn does not count.
     let closed = !(1e-6..=TAU - 1e-6).contains(&turn);
     let sweep = if closed { TAU } else { turn };
     let piece = Piece::Ellipse { center, u: major, v: major.perp() * (ratio * sign), start, sweep };

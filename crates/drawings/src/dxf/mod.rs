@@ -18,8 +18,8 @@ use crate::{Drawing, Fault, Options, Place, Unit, Weight};
 /// Reads an ASCII DXF file.
 ///
 /// # Errors
-/// All faults of the file, each with its place: what is no DXF, numbers that are none, missing values, unknown units, and
-/// limits that are exceeded.
+/// All faults of the file, each with its place: content other than DXF, malformed numbers, missing values, unknown units, and
+/// exceeded limits.
 pub fn read_dxf(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
     crate::admit::admit(bytes, crate::Format::Dxf, options)?;
     let text = decoded(bytes);

@@ -46,7 +46,7 @@ pub(super) fn heavy(record: &Record<'_, '_>, parts: &[Record<'_, '_>]) -> Result
     let mut vertices = Vec::with_capacity(parts.len());
     let mut heights = Vec::with_capacity(parts.len());
     for part in parts {
-        // Control points of a smoothed polyline are no points of it; its smoothed points stand beside them.
+        // Control points of a smoothed polyline do not lie on it; its smoothed points are listed beside them.
         if part.flags(70)? & FRAME == 0 {
             let point = Point::new(part.number(10)?, part.number(20)?);
             vertices.push(Vertex { point, bulge: part.optional(42)?.unwrap_or(0.0) });

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::group::{Group, Record, records};
 
-/// A block: what an INSERT repeats.
+/// A block: the entities that an INSERT repeats.
 #[derive(Debug)]
 pub(super) struct Block<'a, 'g> {
     /// The BLOCK record, which has the base point and the flags.

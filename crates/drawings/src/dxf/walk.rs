@@ -12,7 +12,7 @@ use crate::{Place, Weight};
 /// Entities that show nothing of their own.
 const INVISIBLE: [&str; 4] = ["SEQEND", "VIEWPORT", "ATTDEF", "VERTEX"];
 
-/// Where an entity stands: in the drawing, or in an inserted block.
+/// The context of an entity: the drawing, or an inserted block.
 #[derive(Clone)]
 struct Context {
     map: Affine,
@@ -152,7 +152,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         self.out.note(Weight::Lost, place.clone(), text);
     }
 
-    /// Notes what does not lie at z = 0.
+    /// Notes an entity that does not lie at z = 0.
     fn heights(&mut self, geometry: &Geometry, place: &Place) {
         let [low, high] = geometry.heights;
         if high - low > 1e-6 {
@@ -215,7 +215,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
     }
 }
 
-/// Where an INSERT puts its block.
+/// The placement of a block by an INSERT.
 struct Placement {
     mirror: Affine,
     turn: Affine,

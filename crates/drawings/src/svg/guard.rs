@@ -1,4 +1,4 @@
-//! Bounds of what an XML file may ask of its parser, in one pass over the bytes.
+//! Limits on an XML file's demands on its parser, in one pass over the bytes.
 //!
 //! The parser compares each attribute with all others of its element, and copies the namespaces in scope to each element that
 //! declares one; entities repeat text. Without these bounds a small file can take hours or gigabytes.
@@ -9,7 +9,7 @@ use crate::{Fault, Place};
 const ATTRIBUTES: usize = 256;
 /// Most namespace declarations of a file.
 const NAMESPACES: usize = 4096;
-/// Most bytes that entities may stand for in all.
+/// Most bytes that all entities may expand to.
 const EXPANDED: usize = 4 << 20;
 
 /// Refuses text that would cost the parser more than linear time or memory.

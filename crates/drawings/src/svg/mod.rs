@@ -1,6 +1,6 @@
 //! SVG files: SVG 1.1 and the static parts of SVG 2.
 //!
-//! [`guard`] bounds what the parser is asked, [`viewport`] finds the page in mm, [`walk`] goes through the tree with its transforms,
+//! [`guard`] limits the parser's work, [`viewport`] finds the page in mm, [`walk`] goes through the tree with its transforms,
 //! styles and references, and [`shapes`] and [`path_data`] give the pieces.
 
 mod guard;
@@ -21,8 +21,8 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 /// Reads an SVG file.
 ///
 /// # Errors
-/// All faults of the file, each with its place: what is no XML or no SVG, a page without physical size, faulty path data, numbers,
-/// transforms and lengths, references that lead to themselves, and limits that are exceeded.
+/// All faults of the file, each with its place: content other than XML or SVG, a page without physical size, faulty path data,
+/// numbers, transforms and lengths, references that lead to themselves, and exceeded limits.
 pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
     crate::admit::admit(bytes, crate::Format::Svg, options)?;
     let text = utf8(bytes)?;
@@ -42,7 +42,7 @@ pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> 
     out.finish()
 }
 
-/// What is known of a file beside its tree.
+/// Facts about a file that its tree does not hold.
 struct Source {
     /// Offsets at which lines start.
     lines: Vec<usize>,

@@ -91,7 +91,7 @@ impl Sheet {
     }
 }
 
-/// Rank of a selector; `None` if it is none of those that are read.
+/// Rank of a selector; `None` if it is not one of the supported ones.
 fn specificity(selector: &str) -> Option<u8> {
     let split = selector.find(['.', '#']).unwrap_or(selector.len());
     let (tag, rest) = selector.split_at(split);

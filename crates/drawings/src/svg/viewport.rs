@@ -53,7 +53,7 @@ fn millimetres(length: Length) -> Option<f64> {
     Some(length.number * unit)
 }
 
-/// The view box of an element; `Err` if there is one that is no box.
+/// The view box of an element; `Err` if it is malformed or its size is not above 0.
 pub(super) fn view_box(node: Node<'_, '_>) -> Result<Option<ViewBox>, String> {
     let read = |value: &str| {
         let found = ViewBox::from_str(value).ok().filter(|found| found.w > 0.0 && found.h > 0.0);
@@ -167,7 +167,7 @@ fn doubt(
     Ok(())
 }
 
-/// Width and height in mm, if at least one has a unit; what is missing follows from the view box.
+/// Width and height in mm, if at least one has a unit; the missing one follows from the view box.
 fn sizes(lengths: [Option<Length>; 2], from: Option<ViewBox>) -> Option<[f64; 2]> {
     let [w, h] = lengths.map(|length| length.and_then(millimetres).filter(|mm| *mm > 0.0));
     match (w, h, from) {

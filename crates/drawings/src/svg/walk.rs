@@ -53,7 +53,7 @@ const GEOMETRY: [&str; 17] = [
     "transform-origin",
 ];
 
-/// What an element has from those around it.
+/// The state that an element inherits.
 #[derive(Clone)]
 struct Context<'a> {
     map: Affine,

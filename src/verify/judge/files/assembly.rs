@@ -1,7 +1,7 @@
 //! The pieces of a printed mask, put together: they are its plate again.
 //!
-//! What the files hold is moved back to where it belongs, and compared with the plate, which knows no pieces: every edge lies on
-//! an edge of the plate, or faces one of another piece; no edge of the plate is missing; and the areas add up.
+//! The edges in the files are moved back to their places in the mask, and compared with the plate, which is one piece: every edge
+//! lies on an edge of the plate, or faces one of another piece; no edge of the plate is missing; and the areas add up.
 
 use std::collections::BTreeMap;
 
@@ -12,10 +12,10 @@ use crate::verify::judge::path::measure::Prepared;
 use crate::verify::{Finding, FindingCode, StlFacet};
 use inflatable::geom::{Isometry, Line, Point};
 
-/// Largest gap between two pieces, mm: what lets them go together.
+/// Largest gap between two pieces, mm: the play that lets them go together.
 const GAP: f64 = 0.15;
 
-/// How much of the plate's area may be missing, or what the gaps between its pieces take if that is more.
+/// Largest missing share of the plate's area; the area of the gaps between its pieces, if that is more.
 const SHARE: f64 = 1e-3;
 
 /// More edges than this at joints are not measured: a forged file would take the square of its length. The plate's edges and
@@ -29,7 +29,7 @@ type PieceRead = (usize, String, Vec<StlFacet>);
 #[derive(Default)]
 pub(in crate::verify) struct Assemblies(BTreeMap<(usize, bool), Vec<PieceRead>>);
 
-/// What of one piece matters here, in the star's frame.
+/// The edges and the area of one piece, in the star's frame.
 struct MeshPart<'a> {
     file: &'a str,
     edges: Vec<Line>,
@@ -44,7 +44,7 @@ impl Assemblies {
         }
     }
 
-    /// What is wrong with the pieces of each mask, put together.
+    /// The findings about the pieces of each mask, put together.
     pub(in crate::verify) fn disagreements(&self, design: &Design) -> Vec<Finding> {
         let mut findings = Vec::new();
         let Some(design) = design.assembly() else { return findings };

@@ -1,7 +1,7 @@
-//! Bytes against bytes: what a directory holds against what this version makes of its spec.
+//! Compares the bytes of a directory with those that this version makes of its spec.
 //!
-//! This proves no writer (a fault that both share is in both), but it sees what no reader looks at: a comment, a colour, a
-//! label, a figure of the manifest.
+//! This does not prove the writer (both have the same faults), but it finds differences that no reader checks: a comment, a
+//! colour, a label, a figure of the manifest.
 
 use crate::artifact::Subject;
 use crate::manifest::MANIFEST;
@@ -9,10 +9,10 @@ use crate::verify::finding::quote;
 use crate::verify::judge::files::proof::{Method, Proof};
 use crate::verify::{Finding, FindingCode, OutputFiles};
 
-/// Names the first difference of the file `name` of `found` from what is `right`, made anew; if it is equal, it is proven by that,
-/// and its hash is returned if it was taken.
+/// Names the first difference of the file `name` of `found` from `right`, made anew; if it is equal, it is proven by that, and
+/// its hash is returned if it was taken.
 pub fn compare_bytes(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &mut Proof) -> Option<String> {
-    // What is missing is a finding of its own.
+    // A missing file is a finding of its own.
     let bytes = found.get(name)?;
     if bytes == right {
         return mark_equal(name, right, found, proof);
@@ -24,24 +24,24 @@ pub fn compare_bytes(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &
     None
 }
 
-/// Marks the file `name` of `found` as proven by its bytes if they are equal to what is `right`, made anew; its hash then, if it
-/// was taken.
+/// Marks the file `name` of `found` as proven by its bytes if they are equal to `right`, made anew; its hash then, if it was
+/// taken.
 pub fn mark_equal(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &mut Proof) -> Option<String> {
     let _ = found.get(name).filter(|bytes| *bytes == right)?;
     let file = proof.files.iter_mut().find(|file| file.path == name)?;
-    // Spec, profile and drawing are what all else is made of: nothing makes them anew.
+    // Spec, profile and drawing are the sources of all other files: they are not made anew.
     if !matches!(file.output.kind.subject(), Subject::Spec | Subject::Machine | Subject::Drawing) {
         file.by = Method::Bytes;
     }
     Some(file.sha256.clone())
 }
 
-/// Where `found` first differs from what is `right`.
+/// The first difference of `found` from `right`.
 pub fn first_difference(found: &[u8], right: &[u8]) -> Finding {
     let at = found.iter().zip(right).take_while(|(a, b)| a == b).count();
     let line_of = |bytes: &[u8]| {
         let start = bytes[..at].iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
-        // Of a long line the part where it differs.
+        // A long line is cut to the part where it differs.
         let start = start.max(at.saturating_sub(30));
         let rest = &bytes[start..];
         let end = rest.iter().position(|byte| *byte == b'\n').unwrap_or(rest.len());

@@ -11,7 +11,7 @@ use crate::verify::read::{dxf_words, svg, svg_words};
 use crate::verify::{Drawing, Finding, FindingCode, Findings, SvgOrigin, deviation, read_dxf};
 use inflatable::geom::{Arc, Bounds, Path, Point, Segment};
 
-/// Reads an SVG, whose words and page must be the drawing's, in the colours that the spec asks for.
+/// Reads an SVG, whose words and page must be the drawing's, in the colours of the spec.
 pub(in crate::verify) fn read_page(
     text: &str,
     exact: &Exact,
@@ -57,7 +57,7 @@ fn layers(exact: &Exact, colours: Colours) -> impl Iterator<Item = (&'static str
     exact.layers.iter().map(move |(layer, _)| (layer.name(), look(*layer, colours)))
 }
 
-/// Nothing lies outside the page, where a reader may cut it off.
+/// Checks that everything is inside the page: a reader may cut off the rest.
 fn within_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
     let corner = exact.corner();
     let page = Bounds { min: corner, max: Point::new(corner.x + exact.width, corner.y + exact.height) };
@@ -95,7 +95,7 @@ pub(in crate::verify) fn read_plan(
     drawing
 }
 
-/// Compares what was read with what should be there; the largest deviation either way.
+/// Compares the drawing read with the expected one; the largest deviation either way.
 pub(in crate::verify) fn compare(
     found: &Drawing,
     exact: &Exact,
@@ -118,7 +118,7 @@ pub(in crate::verify) fn compare(
     largest
 }
 
-/// Layers stand in the drawing's order: holes are cut before what they are in comes loose.
+/// Layers are in the drawing's order: holes are cut before the parts around them come loose.
 fn order(found: &Drawing, exact: &Exact, findings: &mut Findings) {
     let right: Vec<&str> =
         exact.layers.iter().filter(|(_, shapes)| !shapes.is_empty()).map(|(layer, _)| layer.name()).collect();
@@ -154,7 +154,7 @@ fn compare_layer(
         let found = format!("{} closed paths on layer {name}", closed(paths));
         findings.add(FindingCode::OpenLoop, found, closed(expected).to_string());
     }
-    // Rounding moves each vertex by less than a tolerance, so a doubled stretch stands out by far.
+    // Rounding moves each vertex by less than a tolerance, so a doubled stretch exceeds it by far.
     let (length, right) = (total(paths), total(expected));
     let slack: f64 = paths.iter().flat_map(|path| &path.segments).map(|_| tolerance).sum();
     if (length - right).abs() > slack.max(tolerance) {
@@ -186,7 +186,7 @@ fn compare_layer(
     measured
 }
 
-/// The largest deviation of any path from the one that stands at its place in the list.
+/// The largest deviation of any path from the one at its place in the list.
 ///
 /// It is never less than that of all from all. `None` where it is not within the tolerance: files may be in another order.
 fn one_by_one(paths: &[Path], expected: &[Path], tolerance: f64) -> Option<f64> {
@@ -207,10 +207,10 @@ fn one_by_one(paths: &[Path], expected: &[Path], tolerance: f64) -> Option<f64> 
     Some(largest)
 }
 
-/// How far at most a path lies from the exact one, if it says the same from the same start; `None` if it does not.
+/// The largest distance of a path from the exact one, if both take the same way from the same start; `None` if they do not.
 ///
-/// Writers cut segments into pieces. Each piece is held, both ways, against the part of the exact segment that it stands
-/// for; the parts are all of the exact path, so no distance is underrated, and the cost is linear.
+/// Writers cut segments into pieces. Each piece is compared, both ways, with its part of the exact segment. The parts are all of
+/// the exact path, so no distance is underrated, and the cost is linear.
 fn in_step(path: &Path, right: &Path, tolerance: f64) -> Option<f64> {
     let mut scratch = Vec::new();
     let mut largest = 0.0_f64;
@@ -233,10 +233,10 @@ fn in_step(path: &Path, right: &Path, tolerance: f64) -> Option<f64> {
     pieces.next().is_none().then_some(largest)
 }
 
-/// How far two segments lie apart at most.
+/// The largest distance between two segments.
 fn apart(a: &Segment, b: &Segment, scratch: &mut Vec<f64>) -> f64 {
     if let (Segment::Line(a), Segment::Line(b)) = (a, b) {
-        // What lies between the ends changes evenly.
+        // Between the ends, the distance changes evenly.
         return a.start.distance(b.start).max(a.end.distance(b.end));
     }
     let (a, b) = ([Prepared::new(*a)], [Prepared::new(*b)]);
@@ -259,7 +259,7 @@ pub(in crate::verify) fn paths_of(shape: &Shape) -> Vec<Path> {
     }
 }
 
-/// What one file holds.
+/// The curves in one file.
 struct DrawnCurves {
     sheet: usize,
     file: String,
@@ -274,7 +274,7 @@ pub(in crate::verify) struct Seals {
 }
 
 impl Seals {
-    /// Notes what a file holds.
+    /// Notes the content of a file.
     pub(in crate::verify) fn add(&mut self, sheet: usize, file: &str, drawing: &Drawing) {
         let layers = drawing.layers.iter().filter(|(_, paths)| !paths.is_empty());
         let layers = layers.map(|(name, paths)| (name.clone(), paths.len(), total(paths))).collect();
@@ -355,7 +355,7 @@ mod tests {
             let quick = in_step(&path, &exact, 1e-3);
             assert!(quick.is_none_or(|distance| distance > 1.0), "{quick:?}");
         }
-        // All the same no finding: the order of a file is its own.
+        // Another order is not a finding: it is the file's own.
         let mut findings = Findings::default();
         let turned = [exact.starting_at(10.0)];
         assert!(compare_layer(Layer::CutOutside, &turned, &[exact], 1e-3, &mut findings) < 1e-9);

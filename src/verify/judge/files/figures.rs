@@ -8,12 +8,12 @@ use crate::verify::finding::quote;
 use crate::verify::judge::expected::Expected;
 use crate::verify::{Finding, FindingCode};
 
-/// Reports everything in the text of the manifest `written` that is not said in `right`, whose list of files is not looked at.
+/// Reports every value in the text of the manifest `written` that differs from `right`, whose list of files is not compared.
 pub(in crate::verify) fn check(text: &[u8], written: &Manifest, right: &Manifest) -> Vec<Finding> {
-    // Which files there are, and of which kinds, is judged by their names; another version may have written them.
+    // The list of files and their kinds is judged by their names; another version may have written them.
     let tool = crate::manifest::Tool { version: written.tool.version.clone(), ..right.tool.clone() };
     let Manifest { files, only, with, .. } = written.clone();
-    // What another version predicts is its own affair; `prediction.json` is judged by itself.
+    // The predictions of another version are not judged here; `prediction.json` is judged by itself.
     let same = written.tool.version == right.tool.version;
     let prediction = if same { right.prediction.clone() } else { written.prediction.clone() };
     // Older versions wrote no pieces.
@@ -26,7 +26,7 @@ pub(in crate::verify) fn check(text: &[u8], written: &Manifest, right: &Manifest
     findings
 }
 
-/// Compares two values that stand at `place`.
+/// Compares two values at `place`.
 fn compare(place: &str, found: Option<&Value>, right: Option<&Value>, findings: &mut Vec<Finding>) {
     match (found, right) {
         (Some(Value::Object(a)), Some(Value::Object(b))) => {
@@ -118,7 +118,7 @@ fn against_assembly(design: &StarAssembly, manifest: &Manifest) -> Vec<Finding> 
     findings
 }
 
-/// Whether two JSON values say the same, numbers to one in 10^9.
+/// Whether two JSON values are equal, numbers to one in 10^9.
 pub(super) fn alike(a: &Value, b: &Value) -> bool {
     match (a, b) {
         (Value::Number(a), Value::Number(b)) => match (a.as_f64(), b.as_f64()) {

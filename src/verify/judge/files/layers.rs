@@ -1,9 +1,9 @@
-//! How each layer looks, by which people and machines tell what to do with a line.
+//! The style of each layer, by which people and machines choose the action for a line.
 
 use crate::design::Layer;
 use crate::spec::Colours;
 
-/// How a layer looks on a screen.
+/// The style of a layer on a screen.
 pub(in crate::verify) struct LayerStyle {
     /// Colour of the strokes in SVG.
     pub(in crate::verify) svg: &'static str,

@@ -1,6 +1,7 @@
-//! Which files there are, against which there must be.
+//! The files of a build, compared with the required ones.
 //!
-//! The design decides that, not the manifest: it must name every file of the design, once and rightly, and no others.
+//! The design decides which are required, not the manifest: it must name every file of the design, once and rightly, and no
+//! others.
 
 use std::collections::{BTreeMap, BTreeSet};
 

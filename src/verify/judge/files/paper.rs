@@ -7,7 +7,7 @@ use crate::verify::judge::files::layers::{in_file, pen};
 use crate::verify::read::pdf::{PdfPage, read_document};
 use crate::verify::{FindingCode, Findings};
 
-/// How exact paper has to be, mm: PDF states numbers in single precision and curves for arcs.
+/// Required accuracy of paper, mm: PDF states numbers in single precision and curves for arcs.
 const TOLERANCE: f64 = 0.01;
 
 /// Reads a PDF and compares it page by page; its largest deviation, mm.

@@ -14,7 +14,7 @@ use crate::verify::judge::files::{drawings, figures, names, paper, solid};
 use crate::verify::judge::task::ProgramTask;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
-/// What the verifier has to say about a directory.
+/// The verifier's result for a directory.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Proof {
     /// Everything that is wrong.
@@ -35,41 +35,41 @@ impl Proof {
     }
 }
 
-/// What several files say of one thing.
+/// Data of several files that must agree.
 #[derive(Default)]
 struct CrossChecks {
     seals: drawings::Seals,
     pieces: Assemblies,
 }
 
-/// What was looked at in one file.
+/// The result for one file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileProof {
     /// Its name in the directory.
     pub path: String,
-    /// What it is.
+    /// Its kind.
     pub output: Output,
-    /// How it was looked at.
+    /// The method by which it was checked.
     pub by: Method,
     /// SHA-256 of its content, lower-case hexadecimal.
     pub sha256: String,
-    /// Its largest deviation from the exact geometry either way, mm; `None` for what has no geometry that was measured.
+    /// Its largest deviation from the exact geometry either way, mm; `None` for a file without measured geometry.
     pub deviation: Option<f64>,
 }
 
-/// How a file was looked at.
+/// The method by which a file was checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Method {
-    /// Equal to what this version makes of the spec, and read back.
+    /// Equal to the file that this version makes of the spec, and read back.
     Bytes,
     /// Read back and compared with the design.
     Reading,
-    /// Nothing but its hash in the manifest.
+    /// By its hash in the manifest only.
     Hash,
 }
 
-/// Reads every file back and compares it with what is expected.
+/// Reads every file back and compares it with the expected content.
 pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = Proof::default();
     let manifest = names::read(files).map_err(|finding| proof.findings.push(finding)).ok();
@@ -108,7 +108,7 @@ fn check_hash(entry: &ManifestFile, bytes: &[u8], sha256: &str, findings: &mut F
     }
 }
 
-/// Reads one file and compares it; how it was looked at, and its deviation if it has geometry.
+/// Reads one file and compares it; returns the method, and its deviation if it has geometry.
 fn file(
     expected: &Expected<'_>,
     output: &Output,
@@ -116,7 +116,7 @@ fn file(
     cross: &mut CrossChecks,
     findings: &mut Findings,
 ) -> (Method, Option<f64>) {
-    // The directory's own drawing is what all else is compared with.
+    // All other files are compared with the directory's own drawing.
     if output.kind.subject() == Subject::Drawing {
         return (Method::Hash, None);
     }
@@ -131,7 +131,7 @@ fn file(
             cross.pieces.add(output, facets);
             return (Method::Reading, Some(deviation));
         }
-        // What is only looked at is proven by its bytes: see `pipeline`.
+        // Pictures and scenes are proven by their bytes: see `pipeline`.
         Format::Png | Format::Glb => return (Method::Hash, None),
         _ => {}
     }
@@ -159,7 +159,7 @@ fn file(
             let task = ProgramTask::of_pieces(parts, hot, sheet, output.star.or(output.copy));
             (Method::Reading, task.map(|task| task.check(text, findings)))
         }
-        // Every subject is named: a new one must say how it is proven.
+        // Every subject is named, so that a new one must be given its method of proof.
         (
             subject @ (Subject::Seal
             | Subject::Trace

@@ -12,31 +12,31 @@ use crate::verify::read::stl::{SolidNotes, read_solid};
 use crate::verify::{FindingCode, Findings, StlFacet};
 use inflatable::geom::{Path, Point};
 
-/// How far a chord may leave its arc, mm, with what single precision takes away.
+/// Largest distance of a chord from its arc, mm, with the error of single precision.
 pub(in crate::verify) const CHORD: f64 = 0.022;
 
-/// How far a corner may lie from its path or its face, mm: it is rounded to a thousandth, and to single precision.
+/// Largest distance of a corner from its path or its face, mm: it is rounded to a thousandth, and to single precision.
 const CORNER: f64 = 0.002;
 
-/// How far rounding to a thousandth moves a corner at most, mm.
+/// Largest shift of a corner by rounding to a thousandth, mm.
 const ROUNDED: f64 = 0.0008;
 
-/// How far a normal may be off, beside what the corners' rounding turns it by: slicers go by either.
+/// Largest error of a normal, beside the turn by its corners' rounding: slicers use either.
 const NORMAL: f64 = 0.002;
 
-/// What a solid should be.
+/// The expected solid.
 pub(in crate::verify) struct Solid<'a> {
-    /// What its head says.
+    /// The text of its head.
     pub(in crate::verify) name: String,
-    /// Its edges, holes, and the outlines of what is sunk.
+    /// Its edges, holes, and the outlines of sunk regions.
     pub(in crate::verify) drawing: &'a Drawing,
-    /// How high it is, mm.
+    /// Its height, mm.
     pub(in crate::verify) thickness: f64,
-    /// How deep labels are sunk, mm.
+    /// Depth of its sunk labels, mm.
     pub(in crate::verify) depth: f64,
 }
 
-/// Paths at which walls stand, from one height to another.
+/// Paths along which there are walls, from one height to another.
 struct Walls {
     what: &'static str,
     targets: Vec<Prepared>,
@@ -51,7 +51,7 @@ pub(in crate::verify) fn check(
     findings: &mut Findings,
 ) -> (Vec<StlFacet>, f64) {
     let Some((facets, beside)) = read_solid(bytes) else {
-        let found = format!("{} bytes that are no binary STL", bytes.len());
+        let found = format!("{} bytes that are not a binary STL", bytes.len());
         let allowed = "a head of 84 bytes and 50 a facet, all numbers finite";
         findings.add(FindingCode::BadStl, found, allowed);
         return (Vec::new(), f64::INFINITY);
@@ -88,7 +88,7 @@ pub(in crate::verify) fn check(
     (facets, deviation)
 }
 
-/// The head says which solid it is; nothing stands beside the facets.
+/// Checks that the head names the solid, and that the facets have no other data.
 fn named(beside: &SolidNotes, solid: &Solid<'_>, findings: &mut Findings) {
     if !beside.plain {
         findings.add(FindingCode::BadStl, "a facet with notes", "two zeros a facet");
@@ -107,7 +107,7 @@ fn sixfold(facet: &StlFacet) -> f64 {
         + a[2] * (b[0] * c[1] - b[1] * c[0])
 }
 
-/// Every facet says the direction that its corners say.
+/// Checks that every facet's normal agrees with its corners.
 fn normals(facets: &[StlFacet], normals: &[[f32; 3]], thickness: f64, findings: &mut Findings) {
     let wrong = facets.iter().zip(normals).filter(|(facet, normal)| {
         let (right, slack) = normal_of(facet, thickness);
@@ -137,7 +137,7 @@ fn normal_of(facet: &StlFacet, thickness: f64) -> ([f64; 3], f64) {
     (cross.map(|x| x / length(cross)), slack)
 }
 
-/// What single precision makes of the largest coordinate, mm.
+/// The error of single precision at the largest coordinate, mm.
 fn single(facets: &[StlFacet]) -> f64 {
     let largest = facets.iter().flatten().flatten().fold(0.0_f32, |most, x| most.max(x.abs()));
     f64::from(largest) * f64::from(f32::EPSILON)
@@ -156,7 +156,7 @@ fn numbered(facets: &[StlFacet]) -> Vec<[u32; 3]> {
 
 /// Every edge is passed once each way.
 fn closed(corners: &[[u32; 3]], findings: &mut Findings) {
-    // An edge in one word: its corners, and in the last bit its way. Words are sorted faster than what they stand for.
+    // An edge in one word: its corners, and in the last bit its way. Words are sorted faster than structures.
     let edge = |a: u32, b: u32| u64::from(a.min(b)) << 33 | u64::from(a.max(b)) << 1 | u64::from(a < b);
     let edges_of = |[a, b, c]: &[u32; 3]| [edge(*a, *b), edge(*b, *c), edge(*c, *a)];
     let mut edges: Vec<u64> = corners.iter().flat_map(edges_of).collect();
@@ -224,7 +224,7 @@ pub(in crate::verify) fn foot(facet: &StlFacet) -> Option<[[f64; 3]; 2]> {
     pairs.into_iter().find(|(a, b, c)| a[2] == b[2] && c[2] > a[2]).map(|(a, b, _)| [a, b])
 }
 
-/// The walls stand on the exact paths, all along them, from their bottom to the thickness.
+/// Checks that the walls follow the exact paths, all along them, from their bottom to the thickness.
 fn edges(
     facets: &[StlFacet],
     corners: &[[u32; 3]],

@@ -7,17 +7,17 @@ use inflatable::geom::{Bounds, BoxIndex, Path, Point};
 /// So few targets are measured all at once.
 const FEW: usize = 6;
 
-/// Most halvings of one segment: pieces of 2 m become 2 mm long, far shorter than what is drawn.
+/// Most halvings of one segment: pieces of 2 m become 2 mm long, far shorter than drawn ones.
 const HALVINGS: u32 = 10;
 
-/// How a file's paths differ from the exact ones. Distances alone do not see a path drawn twice: the lengths do.
+/// The difference of a file's paths from the exact ones. Distances alone do not show a path drawn twice: the lengths do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// Largest distance from a point of the file to the exact geometry; infinite if that is empty.
     pub file_to_exact: f64,
     /// Largest distance from a point of the exact geometry to the file; infinite if that is empty.
     pub exact_to_file: f64,
-    /// Where the larger of the two was measured.
+    /// The place of the larger of the two.
     pub at: Point,
     /// Total length in the file.
     pub file_length: f64,
@@ -27,7 +27,7 @@ pub struct Deviation {
     pub file_count: usize,
     /// Number of exact paths.
     pub exact_count: usize,
-    /// Number of paths in the file that are closed: said to be, or with their ends together.
+    /// Number of closed paths in the file: declared closed, or with their ends together.
     pub file_closed: usize,
     /// Number of exact paths that are closed.
     pub exact_closed: usize,
@@ -81,7 +81,7 @@ fn directed(probes: &[Prepared], targets: &[Prepared]) -> Farthest {
     worst
 }
 
-/// What reaches the nearest target of any point of the probe: distance has a slope of at most 1.
+/// The region that reaches the nearest target of any point of the probe: distance has a slope of at most 1.
 fn zone(probe: &Prepared, nearest: impl Fn(Point) -> f64) -> Bounds {
     probe.bounds.grown(nearest(probe.start).max(nearest(probe.end)) + 0.5 * probe.length)
 }
@@ -107,7 +107,7 @@ fn by_halves(
     if near.len() <= FEW {
         return furthest(probe, near, scratch);
     }
-    // Where halving does not thin the targets out (many copies of one line), it is given up soon.
+    // Where halving does not reduce the targets (many copies of one line), it ends early.
     let rest = halvings.saturating_sub(if near.len() < all { 1 } else { 4 });
     let half = |a: f64, b: f64| Prepared::new(probe.segment.part(a, b));
     let first = by_pieces(&half(0.0, 0.5), near, rest, scratch);

@@ -9,23 +9,23 @@ use crate::verify::judge::path::measure::{Farthest, Prepared, furthest};
 use crate::verify::judge::path::track::{Passing, TIE, Track};
 use inflatable::geom::{Path, Point, Segment};
 
-/// How far a window reaches beyond one step. Larger than any rounding in a file, far smaller than a band.
+/// Reach of a window beyond one step, mm. Larger than any rounding in a file, far smaller than a band.
 const MARGIN: f64 = 0.05;
 
-/// How a run followed its exact path. Positions are arc lengths along the exact path.
+/// The deviations of a run from its exact path. Positions are arc lengths along the exact path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Following {
     /// Largest distance from a point of the run to the exact path; infinite if one of them is empty.
     pub file_to_exact: f64,
     /// Largest distance from a point of the covered part of the exact path to the run.
     pub exact_to_file: f64,
-    /// Where the larger of the two was measured.
+    /// The place of the larger of the two.
     pub at: Point,
     /// The step (index into the run) to which the larger of the two belongs.
     pub step: usize,
-    /// Where the run begins.
+    /// The start of the run.
     pub start: f64,
-    /// Where the run ends.
+    /// The end of the run.
     pub end: f64,
     /// Length of the run itself.
     pub length: f64,
@@ -46,7 +46,7 @@ impl Following {
 
 /// Follows `run`, the segments of one contact in order, along the open path `exact`.
 ///
-/// The run's first point is looked for at the path's start, then on the whole path; from there on
+/// The run's first point is searched for at the path's start, then on the whole path; from there on
 /// only the window counts. Cost: linear in the number of segments of both.
 pub fn follow(run: &[Segment], exact: &Path) -> Following {
     let mut follower = Follower::new(exact);
@@ -54,15 +54,15 @@ pub fn follow(run: &[Segment], exact: &Path) -> Following {
     follower.finish()
 }
 
-/// Follows a run that is told step by step, and remembers three of them.
+/// Follows a run step by step, and keeps three steps.
 pub(in crate::verify) struct Follower {
     track: Track,
     /// The step before the one that is measured, and the one that is: it waits for the one after it.
     before: Option<Prepared>,
     here: Option<Prepared>,
-    /// The number by which that is called.
+    /// The number of that step.
     number: usize,
-    /// Where the exact path passes the end of the last step that was measured.
+    /// The passage of the exact path by the end of the last step that was measured.
     at: Passing,
     there: Farthest,
     back: Farthest,
@@ -100,12 +100,12 @@ impl Follower {
         }
     }
 
-    /// The next step, by what number it is called in the end.
+    /// Takes the next step; `number` identifies it in the result.
     pub(in crate::verify) fn step(&mut self, step: &Segment, number: usize) {
         let next = Prepared::new(*step);
         self.result.length += next.length;
         if self.track.targets.is_empty() {
-            // Nothing to be measured against.
+            // There is no exact path to compare with.
         } else if self.here.is_some() {
             self.measure(Some(&next));
             self.before = self.here;
@@ -116,7 +116,7 @@ impl Follower {
         (self.here, self.number) = (Some(next), number);
     }
 
-    /// How the run followed its path, when all of its steps were told.
+    /// The result, after all steps of the run.
     pub(in crate::verify) fn finish(mut self) -> Following {
         match (self.here.is_some(), self.track.targets.is_empty()) {
             (true, false) => self.measure(None),
@@ -138,7 +138,7 @@ impl Follower {
         }
     }
 
-    /// Where a run that begins at `p` begins on the exact path.
+    /// The start, on the exact path, of a run that starts at `p`.
     fn start(&self, p: Point) -> Passing {
         let track = &self.track;
         // With an overlap each place near the start comes twice, and a rounded start may lie nearer to the second pass
@@ -186,7 +186,7 @@ impl Follower {
     }
 
     /// The largest distance from the part of the exact path between `low` and `high` to the step that waits and its two
-    /// neighbours; what is less than `enough` need not be exact.
+    /// neighbours; a distance below `enough` need not be exact.
     fn way_back(&mut self, (low, high): (f64, f64), after: Option<&Prepared>, enough: f64) -> Farthest {
         let mut home = Farthest::NONE;
         let Some(here) = &self.here else { return home };
@@ -195,7 +195,7 @@ impl Follower {
             let (a, b) = ((low - begin).max(0.0), (high - begin).min(target.length));
             if b > a {
                 let part = Prepared::new(target.segment.part(a / target.length, b / target.length));
-                // Measured against one step only, the distance is an upper bound; mostly that says enough.
+                // Measured against one step only, the distance is an upper bound; mostly that is enough.
                 let alone = furthest(&part, std::slice::from_ref(here), &mut self.scratch);
                 home = home.max(if alone.distance <= enough {
                     alone

@@ -51,7 +51,7 @@ impl Prepared {
         }
     }
 
-    /// The point nearest to `p`, of which is known that it stands at `fraction`.
+    /// The point nearest to `p`, which is at `fraction` of the segment.
     pub(in crate::verify) fn foot(&self, p: Point, fraction: f64) -> Point {
         match &self.segment {
             Segment::Arc(arc) if 0.0 < fraction && fraction < 1.0 => {
@@ -184,7 +184,7 @@ pub(in crate::verify) fn furthest<T: Borrow<Prepared>>(
         let p = probe.point(t);
         let (mut best, mut index) = (f64::INFINITY, 0);
         for (i, target) in targets.iter().map(Borrow::borrow).enumerate() {
-            // The box is worth its price only where there is a choice.
+            // The box pays only where there are several targets.
             if targets.len() > 2 && target.bounds.distance(p) > best {
                 continue;
             }
@@ -229,9 +229,9 @@ struct Sample {
 
 /// The larger of `worst` and the distances between two samples, as far as different targets are nearest there.
 ///
-/// Where both samples have the same nearest target, its distance has no extreme between them and no other target
-/// can make the smallest distance larger. Else both halves are looked at, unless the slope of at most 1 rules out
-/// that they hold more than `worst`.
+/// Where both samples have the same nearest target, its distance has no extreme between them and no other target can make the
+/// smallest distance larger. Else both halves are searched, unless the slope of at most 1 rules out that they hold more than
+/// `worst`.
 fn change_over(
     a: Sample,
     b: Sample,

@@ -1,4 +1,4 @@
-//! How far paths lie from each other: in any order (drawings), or in the order of travel (programs).
+//! Distances between paths: in any order (drawings), or in the order of travel (programs).
 
 pub mod compare;
 pub(in crate::verify) mod follow;

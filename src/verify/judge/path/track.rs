@@ -1,4 +1,4 @@
-//! The exact path as something to be followed: which part of it is near, and what can be said of a step without measuring it.
+//! The exact path, prepared for following: the part of it that is near, and bounds for a step without measuring it.
 
 use crate::verify::judge::path::measure::Prepared;
 use inflatable::geom::{Path, Point, Segment, Vec2};
@@ -13,7 +13,7 @@ pub(super) struct Track {
     pub(super) length: f64,
 }
 
-/// Where the path passes some point.
+/// The passage of the path by some point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passing {
     /// Arc length to there.
@@ -50,7 +50,7 @@ impl Track {
         first..last
     }
 
-    /// Where in `[from, to]` the path passes nearest to `p`; of places within `tie` the one next to `expected`.
+    /// The passage in `[from, to]` nearest to `p`; of places within `tie` the one next to `expected`.
     pub(super) fn project(&self, p: Point, (from, to): (f64, f64), expected: f64, tie: f64) -> Passing {
         let mut best = Passing { s: from, place: p, distance: f64::INFINITY };
         for i in self.between(from, to) {
@@ -93,11 +93,12 @@ impl Track {
     }
 }
 
-/// How far a straight step is from an arc around `center` at most, whose `ends` it misses by `off`; the arc is less than 1 rad.
+/// The largest distance of a straight step from an arc around `center`, whose `ends` it misses by `off`; the arc is less than 1
+/// rad.
 ///
-/// At a part `t` of the way along its chord, the arc is above it by 0 to `4 rise t (1 - t)`, with `rise = a^2 / (2 h)` for half
-/// a chord `a` at a distance `h` from the centre (from `sqrt(h^2 + z) - h <= z / (2 h)`), and the step by what lies evenly
-/// between `off`: their difference is at most the height of a parabola, or one of `off` where the step is above.
+/// At a part `t` of the way along its chord, the arc is above it by 0 to `4 rise t (1 - t)`, with `rise = a^2 / (2 h)` for half a
+/// chord `a` at a distance `h` from the centre (from `sqrt(h^2 + z) - h <= z / (2 h)`), and the step by a value that is linear
+/// between the two of `off`: their difference is at most the height of a parabola, or one of `off` where the step is above.
 fn from_arc(off: [Vec2; 2], ends: [Point; 2], center: Point) -> f64 {
     let chord = ends[1] - ends[0];
     if chord == Vec2::default() {
@@ -126,7 +127,7 @@ mod tests {
     use inflatable::geom::{Arc, Line};
 
     proptest! {
-        /// Nothing that is measured is more than the bound, and the bound is hardly more than the sagitta and what the ends miss.
+        /// No measured distance exceeds the bound, and the bound is hardly more than the sagitta plus the error of the ends.
         #[test]
         fn no_step_is_farther_from_its_arc_than_the_bound(
             radius in 0.5..200.0_f64,

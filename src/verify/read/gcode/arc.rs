@@ -15,8 +15,8 @@ const LARGEST_CHORDAL: f64 = 1.5 * std::f64::consts::PI;
 ///
 /// Rounded words never give two equal radii. Controllers spread the difference along the arc; here the arc
 /// passes through both ends and turns by the angle that they are apart seen from `center`. Up to 90 degrees
-/// both agree to a fortieth of the difference, however short the chord. Near full circles, where the chord says
-/// little about the radius, the mean radius is taken.
+/// both agree to a fortieth of the difference, however short the chord. Near full circles, where the chord hardly
+/// determines the radius, the mean radius is taken.
 pub(super) fn arc(
     from: Point,
     to: Point,

@@ -14,7 +14,7 @@ pub(super) struct Block {
     values: [f64; 26],
 }
 
-/// The bit of a letter; none for what is no capital.
+/// The bit of a letter; 0 for other characters than capitals.
 const fn bit(letter: u8) -> u32 {
     if letter.is_ascii_uppercase() { 1 << (letter - b'A') } else { 0 }
 }
@@ -69,12 +69,12 @@ impl Block {
         (self.given & bit(letter) != 0).then(|| self.values[usize::from(letter - b'A')])
     }
 
-    /// Whether any of the words is there.
+    /// Whether the line has any of these words.
     pub(super) fn has_any(&self, letters: &[u8]) -> bool {
         letters.iter().any(|letter| self.given & bit(*letter) != 0)
     }
 
-    /// Whether the command is there.
+    /// Whether the line has the command.
     pub(super) fn has(&self, command: Command) -> bool {
         self.commands.contains(&command)
     }

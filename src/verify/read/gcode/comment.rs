@@ -5,13 +5,12 @@
 pub struct Comment {
     /// Line, from 1.
     pub line: usize,
-    /// What follows the semicolon, trimmed.
+    /// The text behind the semicolon, trimmed.
     pub text: String,
 }
 
 impl Comment {
-    /// The key, if the comment is structured: what stands before the first colon, when each word after it is
-    /// `word=value`.
+    /// The key, if the comment is structured: the text before the first colon, when each word after it is `word=value`.
     pub fn key(&self) -> Option<&str> {
         let (key, rest) = self.text.split_once(':')?;
         let words = !rest.trim().is_empty() && rest.split_whitespace().all(|word| word.contains('='));

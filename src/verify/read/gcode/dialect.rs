@@ -1,4 +1,4 @@
-//! How a family of controllers runs what it is told, as a table.
+//! The way in which a family of controllers runs programs, as a table.
 
 use crate::spec::Vocabulary;
 
@@ -11,7 +11,7 @@ pub enum DwellUnit {
     Milliseconds,
 }
 
-/// How a comment is marked.
+/// The form of a comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CommentMark {
     /// From `;` to the end of the line.
@@ -20,7 +20,7 @@ pub enum CommentMark {
     Parentheses,
 }
 
-/// By how much the distances from an arc's centre to its two ends may differ, mm.
+/// Largest difference of the distances from an arc's centre to its two ends, mm.
 ///
 /// Accepted: a difference up to `free`, or one up to both `relative` times the radius and `limit`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +33,7 @@ pub struct ArcTolerance {
     pub limit: f64,
 }
 
-/// A dialect: everything the interpreter asks about a controller. The tables are in the room `dialects`.
+/// A dialect: all properties of a controller that the interpreter needs. The tables are in the room `dialects`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dialect {
     /// Its name in machine profiles.
@@ -42,7 +42,7 @@ pub struct Dialect {
     pub line_length: usize,
     /// The words that it understands.
     pub vocabulary: Vocabulary,
-    /// How comments are marked.
+    /// The form of comments.
     pub comments: CommentMark,
     /// Characters that must not occur anywhere, comments included.
     pub forbidden: &'static str,
@@ -50,9 +50,9 @@ pub struct Dialect {
     pub travel_at_feed: bool,
     /// Unit of a dwell's P word.
     pub dwell: DwellUnit,
-    /// A dwell lasts for a multiple of this, rounded up, s; 0 for exactly as long as told.
+    /// A dwell lasts for a multiple of this, rounded up, s; 0 for exactly the programmed time.
     pub dwell_step: f64,
-    /// When an arc is refused.
+    /// The limits beyond which an arc is refused.
     pub arcs: ArcTolerance,
 }
 
@@ -73,7 +73,7 @@ impl Dialect {
         Self { comments: CommentMark::Parentheses, forbidden: ";!~?", ..self }
     }
 
-    /// How long a dwell with this P word lasts, s.
+    /// Duration of a dwell with this P word, s.
     pub fn dwell_seconds(&self, p: f64) -> f64 {
         let seconds = match self.dwell {
             DwellUnit::Seconds => p,

@@ -10,10 +10,9 @@ const STRICTEST: ArcTolerance = ArcTolerance { free: 0.005, relative: 0.001, lim
 impl Dialect {
     /// The plain subset that every controller reads alike: capital letters, `;` comments, arcs by I and J.
     ///
-    /// Parentheses are refused (some controllers end a comment at the first `)`), and so are `!`, `~` and `?`,
-    /// which GRBL obeys even inside comments. The line length is GRBL's 80 with a reserve. G61 is left out. Arcs, and
-    /// G91.1 with them, are read only for a profile that says that its controller draws them. G0 is read as G1, at the feed in
-    /// force, as three of the controllers do.
+    /// Parentheses are refused (some controllers end a comment at the first `)`), and so are `!`, `~` and `?`, which GRBL obeys
+    /// even inside comments. The line length is GRBL's 80 with a reserve. G61 is left out. Arcs, and G91.1 with them, are read
+    /// only for a profile with `arcs = true`. G0 is read as G1, at the feed in force, as three of the controllers do.
     pub const GENERIC: Self = Self {
         name: "generic",
         vocabulary: Vocabulary::of(spec::Dialect::Generic),

@@ -1,4 +1,4 @@
-//! Events: what a line of a program does.
+//! Events: the effects of a program's line.
 
 use crate::verify::Finding;
 use crate::verify::read::gcode::comment::Comment;
@@ -43,9 +43,9 @@ pub struct Move {
     pub line: usize,
     /// Rapid or at the feed.
     pub kind: MoveKind,
-    /// Where it starts.
+    /// Its start.
     pub from: Point3,
-    /// Where it ends.
+    /// Its end.
     pub to: Point3,
     /// Its path seen from above; `None` if it is vertical or goes nowhere.
     pub path: Option<Segment>,
@@ -67,29 +67,29 @@ impl Move {
     }
 }
 
-/// A motion from or to a place that nobody knows: the program has not told all three axes before it.
+/// A motion from or to an unknown place: the program has not set all three axes before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlindMove {
     /// Line, from 1.
     pub line: usize,
     /// Rapid or at the feed.
     pub kind: MoveKind,
-    /// Which axes the line names: X, Y, Z.
+    /// Whether the line names the axes X, Y, Z.
     pub named: [bool; 3],
-    /// Where it ends, mm, as far as that is known.
+    /// Its end, mm; coordinates that are unknown are `None`.
     pub to: [Option<f64>; 3],
     /// Feed in force, mm/min; `None` for a rapid that is as fast as the machine can, or if the program never gave one.
     pub feed: Option<f64>,
 }
 
-/// A heater told what to do.
+/// A command to a heater.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Heat {
     /// Line, from 1.
     pub line: usize,
     /// Temperature, in degrees Celsius; 0 turns it off.
     pub celsius: f64,
-    /// Whether the program goes on only when it is hot.
+    /// Whether the program waits until it is hot.
     pub waits: bool,
 }
 
@@ -98,9 +98,9 @@ pub struct Heat {
 pub struct Dwell {
     /// Line, from 1.
     pub line: usize,
-    /// How long, s.
+    /// Duration, s.
     pub seconds: f64,
-    /// Where the iron is; `None` while that is not known.
+    /// The place of the iron; `None` while that is unknown.
     pub at: Option<Point3>,
 }
 
@@ -109,13 +109,13 @@ pub struct Dwell {
 pub struct Pause {
     /// Line, from 1.
     pub line: usize,
-    /// Where the iron is; `None` while that is not known.
+    /// The place of the iron; `None` while that is unknown.
     pub at: Option<Point3>,
     /// The temperature that is in force from here on, if this pause sets one, in degrees Celsius.
     pub heat: Option<f64>,
 }
 
-/// What a line does.
+/// The effect of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Event {
     /// A motion.

@@ -7,12 +7,12 @@ use crate::verify::read::gcode::machine::{Here, Machine, report};
 use crate::verify::read::gcode::{Comment, CommentMark, Dialect, Event, Pause, lexer};
 use crate::verify::{Finding, FindingCode};
 
-/// How the last line of every program begins; the number of lines follows.
+/// The beginning of the last line of every program; the number of lines follows.
 const SENTINEL: &str = "end of program, ";
 
 /// A simulated controller that is fed one line at a time.
 ///
-/// A line with a fault is reported and not executed, as on the real one. Until the first rapids have told all
+/// A line with a fault is reported and not executed, as on the real one. Until the first rapids have set all
 /// three axes, moves set the position and yield no [`Event::Move`].
 #[derive(Clone, Debug)]
 pub struct Interpreter {
@@ -52,7 +52,7 @@ impl Interpreter {
         self.line
     }
 
-    /// Reads the next line, with its line end if it has one, and adds what it does to `events`.
+    /// Reads the next line, with its line end if it has one, and adds its effects to `events`.
     pub fn feed(&mut self, text: &str, events: &mut Vec<Event>) {
         self.line += 1;
         let line = text.strip_suffix('\n');
@@ -90,7 +90,7 @@ impl Interpreter {
         }
     }
 
-    /// After the last line: reports what is missing.
+    /// After the last line: reports a missing end.
     pub fn finish(&mut self, events: &mut Vec<Event>) {
         if self.ended.is_none() {
             report(events, FindingCode::Truncated, self.line, "no end of the program", "M2 or M30");
@@ -104,7 +104,7 @@ impl Interpreter {
                 events,
                 FindingCode::HeatWithoutPause,
                 self.line,
-                "a heating that nobody waits for",
+                "a heating without a wait for it",
                 "M0 after it",
             );
         }
@@ -128,7 +128,7 @@ impl Interpreter {
         }
         let pause = self.block.has(Command::Pause);
         if self.block.has(Command::HeatAndWait) {
-            // Nobody has to be waited for: the controller waits itself.
+            // The operator need not wait: the controller waits itself.
             self.announced = None;
         }
         if !pause && self.announced.take().is_some() {

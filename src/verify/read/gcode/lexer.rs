@@ -13,10 +13,10 @@ pub(super) struct Word {
     pub(super) number: f64,
 }
 
-/// What is wrong with a line's characters: code, found, allowed.
+/// A fault of a line's characters: code, found, allowed.
 pub(super) type WordFault = (FindingCode, String, String);
 
-/// What each byte is in a line of some dialect.
+/// The kind of each byte in a line of some dialect.
 #[derive(Clone, Debug)]
 pub(super) struct Alphabet([u8; 256]);
 
@@ -42,7 +42,7 @@ impl Alphabet {
         Self(kinds)
     }
 
-    /// What the bytes of `line` are, taken together.
+    /// The kinds of all bytes of `line`, combined.
     fn of(&self, line: &str) -> u8 {
         line.bytes().fold(0, |kinds, byte| kinds | self.0[usize::from(byte)])
     }

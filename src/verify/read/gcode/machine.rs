@@ -8,7 +8,7 @@ use crate::verify::read::gcode::{BlindMove, Dialect, Dwell, Event, Heat, Move, M
 use crate::verify::{Finding, FindingCode};
 use inflatable::geom::{Line, Point, Segment};
 
-/// A line that is executed, and where what it does is told.
+/// A line that is executed, and the list of its events.
 pub(super) struct Here<'a> {
     pub(super) block: &'a Block,
     pub(super) line: usize,
@@ -43,7 +43,7 @@ impl Machine {
         machine
     }
 
-    /// Where the tip is, once all three axes were told.
+    /// The place of the tip, once all three axes were set.
     pub(super) fn at(&self) -> Option<Point3> {
         match self.position {
             [Some(x), Some(y), Some(z)] => Some(Point3::new(x, y, z)),
@@ -112,7 +112,7 @@ impl Machine {
                 here.report(FindingCode::UnknownPosition, found, "rapids first: Z, then X and Y");
             }
             let named = [b'X', b'Y', b'Z'].map(|letter| block.value(letter).is_some());
-            // Without a length, a feed by time is no speed.
+            // Without a length, a feed by time does not define a speed.
             let feed = self.modes.feed.filter(|_| at_feed && !self.modes.is_inverse_time());
             here.out.push(Event::Blind(BlindMove { line, kind, named, to: self.position, feed }));
             return;
@@ -129,7 +129,7 @@ impl Machine {
         here.out.push(Event::Move(step));
     }
 
-    /// The position after the block; `None` if it cannot be known.
+    /// The position after the block; `None` if it is unknown.
     fn target(&self, here: &mut Here<'_>) -> Option<[Option<f64>; 3]> {
         let mut to = self.position;
         for (axis, letter) in to.iter_mut().zip(*b"XYZ") {
@@ -148,7 +148,7 @@ impl Machine {
         Some(to)
     }
 
-    /// The path of an arc; after a fault the chord, so that what follows can still be read.
+    /// The path of an arc; after a fault the chord, so that the rest can still be read.
     fn arc(&mut self, from: Point, to: Point, here: &mut Here<'_>) -> Option<Segment> {
         self.require(self.modes.plane.is_some(), "plane (G17)", here);
         self.require(self.modes.centers.is_some(), "arc centre mode (G90.1, G91.1)", here);

@@ -1,6 +1,6 @@
 //! Reads G-code as a controller would: lines to moves, dwells, pauses and findings.
 //!
-//! A **dialect** is a table of what one family of controllers understands. The **lexer** cuts a line into
+//! A **dialect** is a table of the words and limits of one family of controllers. The **lexer** cuts a line into
 //! words and a comment; a **block** is a line whose words the dialect understands; the **machine** holds the
 //! modes (units, distance, feed, ...) and the position, and executes blocks; the **interpreter** drives them line
 //! by line and reports **events**. It holds one line at a time, and so do the judges; a

@@ -1,11 +1,11 @@
-//! The modes of a controller: what a line inherits from the lines before it.
+//! The modes of a controller: the state that a line inherits from the lines before it.
 
 use crate::spec::Command;
 
 /// Millimetres per inch.
 const INCH: f64 = 25.4;
 
-/// The modal state. `None`: the program has not said, so the controller's own default would decide.
+/// The modal state. `None`: the program has not set it, so the controller's own default would decide.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Modes {
     pub(super) motion: Option<Command>,
@@ -19,7 +19,7 @@ pub(super) struct Modes {
 }
 
 impl Modes {
-    /// Puts a mode into force; commands that are no modes change nothing.
+    /// Puts a mode into force; other commands change nothing.
     pub(super) fn set(&mut self, command: Command) {
         use Command as C;
         match command {
@@ -30,7 +30,7 @@ impl Modes {
             C::Inches | C::Millimetres => self.units = Some(command),
             C::InverseTime | C::PerMinute => {
                 if self.feed_mode != Some(command) {
-                    // An F of the other mode means something else: it must be given anew.
+                    // An F of the other mode has another meaning: it must be given anew.
                     self.feed = None;
                 }
                 self.feed_mode = Some(command);

@@ -1,4 +1,4 @@
-//! A program, line by line with what each does, or as the list of all events of a file.
+//! A program, line by line with the effects of each, or as the list of all events of a file.
 
 use crate::verify::read::gcode::{BlindMove, Comment, Dialect, Dwell, Event, Heat, Interpreter, Move, Pause};
 use crate::verify::{Finding, Findings};
@@ -12,7 +12,7 @@ pub struct Program {
     pub blind: Vec<BlindMove>,
     /// Lines that put modes or settings into force.
     pub settings: Vec<usize>,
-    /// What heaters are told.
+    /// Commands to heaters.
     pub heats: Vec<Heat>,
     /// Waits for a time.
     pub dwells: Vec<Dwell>,
@@ -35,12 +35,12 @@ impl Program {
     }
 }
 
-/// A line, and what it does.
+/// A line, and its effects.
 #[derive(Clone, Copy, Debug)]
 pub struct Line<'a> {
     /// From 1.
     pub number: usize,
-    /// As it stands in the file, with its end.
+    /// The text of the file, with its line end.
     pub text: &'a str,
     /// In order; of motions one at the most.
     pub events: &'a [Event],
@@ -53,8 +53,8 @@ impl Line<'_> {
     }
 }
 
-/// Shows `see` every one of `lines`, each with its end, and what it does; the number of lines. An empty line more, of the
-/// number of the last, has what is wrong with the whole.
+/// Passes every one of `lines`, each with its line end, to `see` with its effects; returns the number of lines. A last empty
+/// line, with the number of the last real one, has the faults of the whole program.
 pub fn each_line<'a>(
     lines: impl IntoIterator<Item = &'a str>,
     dialect: Dialect,

@@ -6,19 +6,19 @@ use crate::verify::read::pdf::page::PdfPage;
 use crate::verify::{Drawing, FindingCode, Findings};
 use inflatable::geom::{Arc, Bounds, Line, Path, Point, Segment};
 
-/// How far a curve may leave the circle through its ends and its middle, mm, to be read as an arc.
+/// Largest distance of a curve from the circle through its ends and its middle, mm, to be read as an arc.
 const ROUND: f64 = 0.002;
 
-/// What `q` saves.
+/// The state that `q` saves.
 #[derive(Clone, Copy)]
 struct GraphicsState {
     /// Millimetres in a user unit: nothing but scaling and shifting is allowed.
     scale: f64,
     shift: (f64, f64),
     clip: Option<Bounds>,
-    /// Width of strokes; `None` until it is said.
+    /// Width of strokes; `None` until it is set.
     width: Option<f64>,
-    /// How light strokes are; `None` until it is said.
+    /// Grey level of strokes; `None` until it is set.
     gray: Option<f64>,
 }
 
@@ -210,7 +210,7 @@ impl PdfPen<'_> {
         }
     }
 
-    /// Ends the path: it is stroked or not, and becomes the clip if `W` said so.
+    /// Ends the path: it is stroked or not, and becomes the clip if `W` came before.
     fn end(&mut self, stroked: bool) {
         self.lift(false);
         let paths = std::mem::take(&mut self.paths);

@@ -1,7 +1,7 @@
 //! Reads PDF drawings: pages in millimetres, their lines and curves by marked content.
 //!
-//! Only what a drawing at 1:1 needs is understood; anything else is a finding, because a reader that skipped it could
-//! not say what the printer draws.
+//! Only the features that a drawing at 1:1 needs are understood; anything else is a finding, because a reader that skipped it
+//! would not see what the printer draws.
 
 mod content;
 mod object;
@@ -20,7 +20,7 @@ const POINT: f64 = 25.4 / 72.0;
 /// The objects of a file by number.
 type PdfObjects<'a> = BTreeMap<u32, Indirect<'a>>;
 
-/// What each kind of object may say; a key that is not here could run, hide or turn something.
+/// The keys that each kind of object may have; a key that is not here could run, hide or turn something.
 const KEYS: [(&str, &[&str]); 6] = [
     ("Catalog", &["Type", "ViewerPreferences", "Pages"]),
     ("Pages", &["Type", "Kids", "Count"]),
@@ -33,7 +33,7 @@ const KEYS: [(&str, &[&str]); 6] = [
 /// Per cent signs of a file without comments: `%PDF`, the line of bytes beyond ASCII, `%%EOF`.
 const SIGNS: usize = 4;
 
-/// Reads the pages of a PDF file; what is wrong with it goes to `findings`.
+/// Reads the pages of a PDF file; its faults go to `findings`.
 pub fn read_pdf(bytes: &[u8], findings: &mut Findings) -> Vec<PdfPage> {
     read_document(bytes, findings).0
 }
@@ -94,7 +94,7 @@ impl<'a, 'b> PageWalk<'a, 'b> {
         self.findings.add(FindingCode::BadPdf, found, "objects as this tool writes them");
     }
 
-    /// The object that `reference` means, which must be of this kind, and not have been met before.
+    /// The object of `reference`, which must be of this kind, and not have been met before.
     fn follow(&mut self, reference: &PdfObject<'_>, kind: &str) -> Option<&'b Indirect<'a>> {
         let number = reference.target()?;
         let object = self.objects.get(&number)?;
@@ -108,11 +108,11 @@ impl<'a, 'b> PageWalk<'a, 'b> {
         Some(object)
     }
 
-    /// A dictionary has the keys of its kind, and says which kind it is.
+    /// Checks that a dictionary has the keys of its kind, and names its kind.
     fn keys(&mut self, object: &PdfObject<'_>, kind: &str) {
         let allowed = KEYS.iter().find(|(name, _)| *name == kind).map_or(&[][..], |(_, keys)| *keys);
         let PdfObject::Dict(entries) = object else {
-            self.refuse(format!("a {kind} that is no dictionary"));
+            self.refuse(format!("a {kind} that is not a dictionary"));
             return;
         };
         for key in entries.keys().filter(|key| !allowed.contains(key)) {
@@ -172,7 +172,7 @@ fn extent(page: &PdfObject<'_>) -> Option<(f64, f64)> {
 
 /// An object of a file.
 struct Indirect<'a> {
-    /// Where it begins, by which other readers find it.
+    /// Its offset, by which other readers find it.
     at: usize,
     value: PdfObject<'a>,
     stream: Option<&'a [u8]>,
@@ -239,7 +239,7 @@ fn indirect<'a>(scan: &mut PdfScan<'a>, at: usize) -> Result<Indirect<'a>, &'sta
     if end == "endobj" { Ok(Indirect { at, value, stream }) } else { Err("no endobj") }
 }
 
-/// The table by which other readers find the objects says where they are.
+/// Checks the table of offsets by which other readers find the objects.
 fn offsets(scan: &mut PdfScan<'_>, objects: &PdfObjects<'_>) -> Result<(), &'static str> {
     let mut word = || scan.word().1;
     if (word(), word().parse()) != ("0", Ok(objects.len() + 1))

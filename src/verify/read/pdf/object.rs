@@ -14,7 +14,7 @@ pub(in crate::verify) enum PdfObject<'a> {
     Number(f64),
     /// `/Name`.
     Name(&'a str),
-    /// A string, as it stands in the file.
+    /// A string, as it is in the file.
     Text(&'a [u8]),
     /// `[ ... ]`.
     Array(Vec<PdfObject<'a>>),
@@ -72,7 +72,7 @@ impl<'a> PdfObject<'a> {
 #[derive(Clone)]
 pub(in crate::verify) struct PdfScan<'a> {
     bytes: &'a [u8],
-    /// The same, if all of it is text, as a content is: then no word has to be looked at again.
+    /// The same, if all of it is text, as a content is: words then need no further check.
     text: &'a str,
     at: usize,
 }
@@ -82,18 +82,18 @@ impl<'a> PdfScan<'a> {
         Self { bytes, text: std::str::from_utf8(bytes).unwrap_or_default(), at: 0 }
     }
 
-    /// How far it has read, in bytes.
+    /// The position of the reader, in bytes.
     pub(in crate::verify) fn position(&self) -> usize {
         self.at
     }
 
-    /// The next word, whatever it means, and where it begins.
+    /// The next word, and its offset.
     pub(in crate::verify) fn word(&mut self) -> (usize, &'a str) {
         self.skip_blanks();
         (self.at, self.regular())
     }
 
-    /// Whether nothing follows.
+    /// Whether the input is at its end.
     pub(in crate::verify) fn is_done(&mut self) -> bool {
         self.skip_blanks();
         self.at >= self.bytes.len()
@@ -149,7 +149,7 @@ impl<'a> PdfScan<'a> {
                 }
             }
             (b'(', _) => self.literal(),
-            // Strings in hexadecimal are none of this tool's.
+            // This tool writes no strings in hexadecimal.
             (b'<' | b')' | b']' | b'>' | b'{' | b'}', _) => None,
             _ => {
                 let word = self.regular();
@@ -169,7 +169,7 @@ impl<'a> PdfScan<'a> {
             }
             let PdfObject::Name(key) = self.nested(depth + 1)? else { return None };
             let value = self.nested(depth + 1)?;
-            // A key that stands twice is read differently by different readers.
+            // A key that occurs twice is read differently by different readers.
             if entries.insert(key, value).is_some() {
                 return None;
             }
@@ -216,7 +216,7 @@ impl<'a> PdfScan<'a> {
         };
         let rest = self.bytes.get(start..).unwrap_or_default();
         self.at += rest.iter().position(ends).unwrap_or(rest.len());
-        // What is no text is no word of this tool either.
+        // Bytes that are not text are not a word of this tool either.
         let word = || std::str::from_utf8(&self.bytes[start..self.at]).unwrap_or("\u{fffd}");
         self.text.get(start..self.at).unwrap_or_else(word)
     }
@@ -236,7 +236,7 @@ impl<'a> PdfScan<'a> {
     }
 }
 
-/// White space of the standard but NUL, which no one writes into a text and not every reader passes over.
+/// White space of the standard without NUL, which is unusual in a text and not passed over by every reader.
 fn is_blank(byte: u8) -> bool {
     matches!(byte, b'\t' | b'\n' | b'\x0c' | b'\r' | b' ')
 }

@@ -1,4 +1,4 @@
-//! What a page of a PDF says.
+//! The content of a PDF page.
 
 use crate::verify::Drawing;
 use inflatable::geom::Bounds;
@@ -8,12 +8,12 @@ use inflatable::geom::Bounds;
 pub struct PdfPage {
     /// Width and height.
     pub size: (f64, f64),
-    /// What is drawn, by marked content; outside any it stands under "".
+    /// The lines and curves, by marked content; those outside any are under "".
     pub drawing: Drawing,
     /// Layer, width in user units and grey of every stroke.
     pub strokes: Vec<(String, Option<f64>, Option<f64>)>,
-    /// The operators that are no parts of paths, in order.
+    /// The operators that do not build paths, in order.
     pub operators: Vec<String>,
-    /// Of every layer that is clipped the regions that stay visible.
+    /// The visible regions of every clipped layer.
     pub clips: Vec<(String, Bounds)>,
 }
