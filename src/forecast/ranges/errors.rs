@@ -1,4 +1,4 @@
-//! How far `section` is from stars computed as shells: the constants that ranges are made of, and where they were taken.
+//! Errors of `section` against stars computed as shells: the constants of the ranges, and their sources.
 //!
 //! The stars of the set `range` and stars 61 to 240 of the set `test` (docs/ranges.md) gave the pairs of radius and stiffness. The radius's
 //! holds 98.5 % of them strictly, without the shell's mesh error. The stiffness's holds 95 %, at each n 94 %, with the mesh error added to
@@ -58,9 +58,9 @@ fn from_middle(points: u32) -> f64 {
 
 /// By how much ranges are wider where they end: it grows in proportion to the logarithm of the factor by which a star lies outside.
 pub const BEYOND: f64 = 4.0;
-/// Where ranges end: outside of what was tried by this factor in any of what follows.
+/// End of the ranges: a factor beyond the validated interval of any of the quantities below.
 pub const NOT_FAR: f64 = 1.5;
-/// Points that were tried.
+/// Validated numbers of points.
 pub const POINTS: Interval = [3.0, 8.0];
 /// 1/eps that was tried.
 pub const BENDABILITY: Interval = correction::BENDABILITY;
@@ -78,7 +78,7 @@ pub const R_STAR: Interval = [0.0, 0.3];
 pub const TIP_ANGLE: Interval = [15.0, 70.0];
 /// Flat arcs of corners that were tried, deg.
 pub const CORNER_ARC: Interval = [20.0, 120.0];
-/// What is said of a star that lies far beyond it, or whose hinges' arms are not in their table.
+/// Message for a star far beyond the validated domain, or whose hinges' arms are not in their table.
 pub const UNKNOWN_WORDS: &str = "nothing is known of stars like this one, none was computed as a shell";
-/// What is said of a star that lies beyond what was tried.
+/// Message for a star beyond the validated domain.
 pub const BEYOND_WORDS: &str = "stars like this one were not computed as shells";
