@@ -100,9 +100,9 @@ impl Outcome {
         if case.mechanism.correction.corner_compliance { own.as_far_as_known() } else { own }
     }
 
-    /// `range` of the force. Its lower end is at least the one at the edge of the validated domain if the model's force has grown since; if
-    /// it
-    /// has fallen, it is scaled in proportion.
+    /// `range` of the force. If the model's force has grown since the edge of the validated domain, its lower end is at least the one
+    /// there; if it
+    /// has fallen, that end is scaled in proportion.
     fn at_least_as_at(&self, edge: Option<&Self>, [low, high]: Interval) -> Interval {
         let known = edge.and_then(|edge| edge.force_range.zip(edge.object_force()));
         let floor = known.zip(self.object_force()).map_or(0.0, |(([floor, _], there), here)| {

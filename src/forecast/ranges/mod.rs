@@ -86,7 +86,8 @@ impl Ranges {
         }
     }
 
-    /// Of the radial force on an object of radius `rho` (m) within the star `inflated`, which rests at `rest`; `None` where arms touch, and
+    /// Range of the radial force on an object of radius `rho` (m) within the star `inflated`, which rests at `rest`; `None` where arms
+    /// touch, and
     /// where shells were not opened so far.
     pub fn force(&self, inflated: &Inflated<'_>, rho: f64, rest: &Rest) -> Option<Interval> {
         let star = inflated.star();

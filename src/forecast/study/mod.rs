@@ -86,8 +86,7 @@ impl Study {
     }
 
     /// Every combination of the values of `axes` around the spec `spec`, with the fixed columns of `sweep --vary`
-    /// and its models: `section` answers for `bvp`
-    /// and `shell`.
+    /// and its models: `section` answers for `bvp` and `shell`.
     ///
     /// # Errors
     /// The faults of the spec, or one sentence: no key is varied, one is varied twice, or there are too many rows.

@@ -61,7 +61,7 @@ pub struct ShellRow {
     pub stars: Vec<StarErrors>,
 }
 
-/// Number of values of a fineness whose distance from the finest is within the mesh errors of both.
+/// Agreement of one number of a fineness with the finest: its distance is compared with the mesh errors of both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Agreement {
     /// The fineness.

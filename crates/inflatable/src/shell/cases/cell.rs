@@ -30,7 +30,7 @@ pub struct InflatedCell {
     pub lambda: Value,
     /// C alpha_0, N m: stiffness times the flat turning angle of a hinge.
     pub stiffness: Value,
-    /// How it was come by.
+    /// The evidence for these values.
     pub evidence: Evidence,
 }
 

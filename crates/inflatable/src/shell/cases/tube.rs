@@ -43,7 +43,7 @@ impl Tube {
         self.pressure * self.width / self.fabric.stretch
     }
 
-    /// t/W, of a sheet that bends as B and stretches as Y say.
+    /// t/W of an isotropic sheet with this bending and stretching stiffness.
     pub fn slenderness(&self) -> f64 {
         let Fabric { stretch, bending, poisson, .. } = self.fabric;
         (12.0 * (1.0 - poisson * poisson) * bending / stretch).sqrt() / self.width
@@ -74,7 +74,7 @@ impl Tube {
         range(Input::Stretch, self.stretch(), 0.0, MOST_STRETCHED)
     }
 
-    /// Its fabric by the scales of the shell.
+    /// Its fabric in the scales of the shell.
     pub(crate) fn scaled(&self) -> Fabric {
         let Fabric { stretch, bending, .. } = self.fabric;
         Fabric { stretch: 1.0, bending: bending / (stretch * self.width * self.width), ..self.fabric }
@@ -85,7 +85,7 @@ impl Tube {
         Continuation { first: self.scaled().bending, last: self.stretch(), scale: 1.0, floor: FLOOR }
     }
 
-    /// Why there is no equilibrium at its pressure where there was one before something else changed.
+    /// The fault of a tube without an equilibrium at its pressure, where there was one before another input changed.
     pub(crate) fn stopped(&self, why: Stop, triangles: usize) -> ShellFault {
         let at = self.bendability();
         if why == Stop::Cancelled {

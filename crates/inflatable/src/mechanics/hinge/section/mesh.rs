@@ -35,8 +35,7 @@ pub(super) struct GaussPoint {
     /// Its part of the integral of w ds.
     pub(super) area: f64,
     /// Contributions of value and slope at the element's start, and then at its end, to the function here, to its first
-    /// and to
-    /// its second derivative.
+    /// and to its second derivative.
     pub(super) shape: [[f64; 4]; 3],
 }
 
