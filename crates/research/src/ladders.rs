@@ -1,6 +1,6 @@
-//! What arms add to a hinge, computed: **ladders** of V-actuators at rising pressures, as shells, and the table made of them.
+//! Effect of arms on a hinge, computed: **ladders** of V-actuators at rising pressures, as shells, and the table made of them.
 //!
-//! A ladder is one tau, R* and nu at all pressures of the table's grid; its answer is a text that stands alone, with a
+//! A ladder is one tau, R* and nu at all pressures of the table's grid; its answer is a self-contained text with a
 //! checksum of its own in its last line. All texts together are joined into the table, `section` subtracted.
 
 use crate::sha256;
@@ -39,7 +39,7 @@ pub struct Ladder {
     pub poisson: f64,
 }
 
-/// Ladders of the table, arc by arc and tau by tau; those after them say what nu does besides.
+/// Ladders of the table, arc by arc and tau by tau; those after them test the dependence on nu.
 pub fn ladders() -> Vec<Ladder> {
     let mut all = Vec::new();
     let mut push = |arc: f64, tau, r_star, poisson| {
@@ -71,10 +71,10 @@ impl Ladder {
         self.poisson == arms::POISSON
     }
 
-    /// Computes it: its text, and what it found.
+    /// Computes it; returns its text with the results.
     ///
     /// # Errors
-    /// If the shell refuses, or was told to stop.
+    /// If the shell refuses, or is cancelled.
     pub fn compute(&self, fineness: Fineness, watch: &Watch<'_>) -> Result<String, ShellFault> {
         let bendabilities = arms::bendabilities(self.tau);
         let bending = STRETCH * (self.tau * WIDTH).powi(2);
@@ -172,7 +172,7 @@ impl LadderTable {
     }
 }
 
-/// Why ladders make no table.
+/// Reason for ladders that form no table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum JoinFault {
     /// A ladder is missing.

@@ -1,4 +1,4 @@
-//! `research`: computes the stars and ladders of the shipped tables, a file each, and joins them. What is there is not computed again.
+//! `research`: computes the stars and ladders of the shipped tables, a file each, and joins them. Existing files are not computed again.
 
 use std::error::Error;
 use std::fs;
@@ -22,7 +22,7 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Table {
-    /// V-actuators at rising pressures: what arms add to a hinge.
+    /// V-actuators at rising pressures: the effect of arms on a hinge.
     Ladders(Work),
     /// Stars of the drawn sets.
     Stars {
@@ -41,9 +41,9 @@ enum Table {
 
 #[derive(clap::Args)]
 struct Work {
-    /// Where each result is a file.
+    /// Directory with a file for each result.
     dir: PathBuf,
-    /// Compute nothing: print the table of what is there, and of stars whose files are not, as they are shipped.
+    /// Compute nothing: print the table of the existing files; stars without a file are printed as shipped.
     #[arg(long)]
     join: bool,
     /// Compute only part k of N, for several processes at once.
