@@ -80,9 +80,8 @@ impl Contact {
         }
     }
 
-    /// The start on the finer sheet of `finer`, whose points are these and then the middles of edges with these `ends`: the pressure on a
-    /// middle
-    /// is the average of its ends', and the total force on an obstacle is as before.
+    /// The start on the finer sheet of `finer`, whose points are these and then the middles of edges with these `ends`. The pressure on a
+    /// middle is the average of its ends', and the total force on an obstacle is as before.
     pub fn carried(&self, finer: &Assembly, ends: impl Iterator<Item = [usize; 2]>) -> Self {
         let mut fine = Self::new(finer, self.obstacles.clone());
         (fine.stiffness, fine.floor) = (self.stiffness, self.stiffness);

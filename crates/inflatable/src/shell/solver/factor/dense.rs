@@ -35,9 +35,8 @@ impl<'a> Block<'a> {
     }
 }
 
-/// Subtracts `kept` times `result` from the first `columns` columns of `factor` times its transpose, on and below the diagonal; of what
-/// lies
-/// above it, some.
+/// Subtracts the first `columns` columns of `factor` times its transpose from `kept` times `result`, on and below the diagonal. Some
+/// entries above the diagonal change, too.
 pub(super) fn subtract_square(
     result: &mut [f64],
     stride: usize,
