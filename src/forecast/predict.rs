@@ -20,7 +20,7 @@ use inflatable::mechanics::hinge::{HingeModel, Level};
 use inflatable::mechanics::star::response::Inflated;
 use std::fmt;
 
-/// Why there is no prediction.
+/// Reason for a missing prediction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PredictFault {
     /// Number of the star, 1 = bottom; `None` if it is not about one star.

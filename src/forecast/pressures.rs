@@ -68,7 +68,7 @@ pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
 
 /// Pressures that a spec may have, kPa: 1 Pa to 1 GPa.
 const ALL: [f64; 2] = [1e-3, 1e6];
-/// Pressures of [`ALL`] that are tried, evenly by their logarithm: twenty a decade.
+/// Number of pressures of [`ALL`] to evaluate, evenly spaced in their logarithm: twenty a decade.
 const TRIED: u32 = 181;
 
 /// The lowest and the highest pressure, kPa, at which the star of `case` has a prediction, rounded inwards to three digits; `None`

@@ -20,7 +20,7 @@ const WIDTH: f64 = 0.02;
 const STRETCH: f64 = 1e4;
 /// Meshes of some 12,000, 50,000 and 200,000 unknowns, begun on one of 3,000.
 pub const FINENESS: Fineness = Fineness { cells: 10.0, cuts: 3 };
-/// Poisson's ratios besides the table's, and where they are tried, at its first angle.
+/// Poisson's ratios besides the table's, and the places of the grid at which they are computed, at its first angle.
 const OTHER_POISSONS: [f64; 2] = [0.2, 0.49];
 const OTHERS: [(usize, usize); 3] = [(0, 3), (1, 0), (2, 4)];
 
@@ -240,8 +240,8 @@ mod tests {
         LadderTable::read(&text).expect("whole")
     }
 
-    /// Two of the table's ladders, R* = 0.15 at two tau, phi_0 of 60 and of 120 deg: C within a twentieth, of the thicker within a hundredth, or as
-    /// far as coarse meshes leave it open.
+    /// Two of the table's ladders, R* = 0.15 at two tau, phi_0 of 60 and of 120 deg: C within a twentieth, of the thicker within a hundredth, or
+    /// within the mesh error of coarse meshes.
     #[test]
     fn the_shipped_table_is_what_shells_say() {
         for (number, open) in [(10, 10.0), (34, 2.0)] {

@@ -113,7 +113,7 @@ fn run(table: Table) -> Result<(), Box<dyn Error>> {
 }
 
 impl Work {
-    /// Those of `all` that are of this part.
+    /// The items of `all` that belong to this part.
     fn of_part<T>(&self, all: Vec<T>) -> impl Iterator<Item = T> {
         let Part { own, of } = self.part;
         all.into_iter().enumerate().filter(move |(place, _)| place % of + 1 == own).map(|(_, one)| one)

@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 pub struct Pair {
     /// The shell's.
     pub shell: f64,
-    /// By how much its meshes leave it open.
+    /// Its mesh error.
     pub mesh: f64,
     /// The prediction's.
     pub predicted: f64,
@@ -51,7 +51,7 @@ pub struct Comparison {
     pub forces: Vec<(f64, Pair)>,
 }
 
-/// The part of a stiffness or force that its meshes may leave open, to be compared.
+/// Largest relative mesh error of a stiffness or force in the comparison.
 const SETTLED: f64 = 0.25;
 
 /// Compares `star` with its prediction; `None` where the shell refuses it, or there is no prediction.

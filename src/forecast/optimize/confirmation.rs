@@ -32,7 +32,7 @@ pub struct ShellComparison {
     pub range: Option<Interval>,
     /// The shell's value.
     pub shell: f64,
-    /// By how much its meshes leave it open.
+    /// Its mesh error.
     pub mesh_error: f64,
     /// Whether the shell's number, within its mesh error, lies in the range; `None` without a range.
     pub in_range: Option<bool>,

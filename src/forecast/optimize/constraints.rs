@@ -38,7 +38,7 @@ pub struct Constraints {
 /// A constraint that a design misses, and its relative shortfall.
 pub type Short = (&'static str, f64);
 
-/// All that `point`, which does `answer`, misses.
+/// All constraints that `point`, with the values `answer`, violates.
 pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints) -> Vec<Short> {
     // Shortfall relative to `least`; a missing value counts as zero.
     let short = |value: Option<f64>, least: f64| ((least - value.unwrap_or(0.0)) / least).max(0.0);

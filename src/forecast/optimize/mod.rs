@@ -273,7 +273,8 @@ impl DesignSearch<'_> {
         for start in starts {
             self.descend(points, start, &varied, &mut all);
         }
-        // Fewer stars are a step away that no descent climbs: each lower number is tried by itself, from where it misses least.
+        // A design with fewer stars is a step away that no descent takes: each lower number is searched by itself, from its least
+        // violation.
         let best = all.iter().min_by(|a, b| compare(a, b, self.goal)).map_or(0, |best| best.point.stars);
         let from = *self.bounds.stars.start();
         for count in (from..best).filter(|_| self.constraints.payload.is_some()) {

@@ -160,7 +160,7 @@ impl Measurements {
         (!self.touches()).then_some(self.tip_angle.value)
     }
 
-    /// Radial stiffness, N/m; `None` where the meshes leave it open by more than itself.
+    /// Radial stiffness, N/m; `None` where its mesh error is larger than itself.
     pub(in crate::forecast) fn known_stiffness(&self) -> Option<f64> {
         Some(self.stiffness.value).filter(|number| *number > self.stiffness.error)
     }

@@ -25,7 +25,7 @@ fn finest(value: &Value) -> f64 {
 /// Use of a shear modulus by a shell.
 const IN_THE_MESH: &str = "shear_modulus and warp in every triangle";
 
-/// Points with which they were tried.
+/// Largest number of points with which shells were tested.
 const TRIED_POINTS: u32 = 8;
 
 /// The shell's predictions of the stars of `design`, made from `spec`: at rest, and around round objects of `radii` (m, rising).

@@ -85,11 +85,11 @@ const INSIDE: f64 = 0.01;
 const NEAR: f64 = 0.05;
 /// Most stars on top of each other.
 const MOST_STARS: u32 = 8;
-/// Points that were tried.
+/// Validated numbers of points.
 const POINTS: RangeInclusive<u32> = 3..=8;
-/// Pressures that pumps of the trade give and stars were tried at, kPa.
+/// Pressures of common pumps within the validated ones, kPa.
 const PRESSURES: [Pressure; 2] = [Pressure(5.0), Pressure(60.0)];
-/// Narrowest and widest tubes that were tried.
+/// Narrowest and widest validated tubes.
 const WIDTHS: [Length; 2] = [Length(10.0), Length(60.0)];
 
 /// A gripper that meets requirements.

@@ -13,7 +13,7 @@ use inflatable::mechanics::strength::GRAVITY;
 /// Requirements that no gripper meets, and the closest ones that can be met.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Infeasible {
-    /// Why there is none, one sentence each.
+    /// The reasons, one sentence each.
     pub reasons: Vec<String>,
     /// The closest requirements that can be met; `None` if none were found.
     pub nearest: Option<Box<NearestRequirements>>,

@@ -193,7 +193,7 @@ impl Designs {
         ModelChoice::ALL.iter().filter(known).map(|(_, model)| *model).collect()
     }
 
-    /// All that the designs depend on, in a text of no other use.
+    /// A text that identifies the designs: all inputs that they depend on.
     pub(super) fn identity(&self) -> String {
         format!("{:?} {:?}", self.spec, self.blocks)
     }

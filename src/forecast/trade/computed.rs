@@ -41,7 +41,7 @@ pub struct Shell {
     pub pressure: f64,
     /// Final radius, mm; the V-actuator's angle at rest, deg.
     pub rest: MeshedNumber,
-    /// Radial stiffness, N/m, no number where meshes leave more open than itself; the V-actuator's stiffness, N m.
+    /// Radial stiffness, N/m, NaN where its mesh error is larger than itself; the V-actuator's stiffness, N m.
     pub stiffness: MeshedNumber,
     /// Force on a round object 0.45 W wider than the finest shell's final radius, N; stars only.
     pub force: Option<MeshedNumber>,

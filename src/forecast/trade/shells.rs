@@ -31,7 +31,7 @@ const MODELS: [(&str, Option<Level>); 5] = [
     ("section, table", None),
 ];
 
-/// One star by one model: relative errors against the finest shell; of that one, the parts that its own meshes leave open.
+/// One star by one model: relative errors against the finest shell; for that shell, its relative mesh errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StarErrors {
     /// n.

@@ -49,7 +49,7 @@ pub const YOUNG: f64 = 128.0;
 pub const POISSON: f64 = 0.39;
 /// t/W: as far as the arms' table goes.
 const SLENDERNESS: [f64; 2] = [0.0101, 0.03];
-/// 1/eps: from where that table begins to where the shell was tried.
+/// 1/eps: from the start of that table to the largest one tested with the shell.
 const BENDABILITY: [f64; 2] = [100.0, 5000.0];
 /// Largest p W / Y.
 const STRETCH: f64 = 0.1;
@@ -78,7 +78,7 @@ impl Set {
         }
     }
 
-    /// How many stars it has.
+    /// The number of its stars.
     pub const fn count(self) -> u32 {
         match self {
             Self::Fit => 36,

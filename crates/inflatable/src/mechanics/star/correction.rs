@@ -23,8 +23,8 @@
 //!
 //! Arms of an inflated tube of radius W / pi bend as beams of E I = pi (W/pi)^3 Y = W^3 Y / pi^2, which no constant was fitted to: hinges of
 //! stiffness C between arms that are longer than the 4 W of their table pull as if they had `1/C' = 1/C + (l - 4 W) / (E I)`. Arms narrow
-//! between their hinges, so those of a tip touch only where they are turned beyond parallel. And a corner gives way by itself, as if on
-//! a lever of about W of its own: where rho moves by s with phi_i, the star's stiffness is that of its hinges times
+//! between their hinges, so those of a tip touch only where they are turned beyond parallel. A corner also has a compliance of its own,
+//! with a lever of about W: where rho moves by s with phi_i, the star's stiffness is that of its hinges times
 //!
 //! ```text
 //! s^2 / (s^2 + (0.42 W / sin(pi/n))^2) exp(-0.598 + 0.073 l/W + 18.7 t/W + 6.07 p W / Y)
@@ -95,7 +95,7 @@ pub const TABLE_ARM: f64 = 4.0;
 const SHORT_ARM: f64 = 2.0;
 /// Least part of 1/C that is left where short arms stiffen hinges.
 const LEAST_LEFT: f64 = 0.3;
-/// On which lever a corner gives way by itself, over W / sin(pi/n).
+/// Lever of a corner's own compliance, over W / sin(pi/n).
 const LEVER: f64 = 0.42;
 /// Logarithm of the stiffness over that of hinges and levers: always, and by each l/W, t/W and p W / Y.
 const FIRM: [f64; 4] = [-0.598, 0.073, 18.7, 6.07];

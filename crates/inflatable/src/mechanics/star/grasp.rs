@@ -101,7 +101,7 @@ impl Grasp {
         let [angle, most] = self.angles;
         let [radius, slope] = self.rest;
         let tangent = slope * slope + self.lever;
-        // A star that does not open by rigid arms gives way at its corners alone.
+        // A star that does not open by rigid arms yields at its corners alone.
         if !(opening > 0.0 && most > 0.0 && slope > 0.0) {
             return 1.0;
         }
@@ -131,7 +131,7 @@ impl Grasp {
             let next = turned + left / rises;
             turned = if next > low && next < high { next } else { 0.5 * (low + high) };
         }
-        // Where corners are straight before the arms lock, the last secant goes on.
+        // Where corners are straight before the arms lock, the last secant is extended.
         force * tangent / found
     }
 }

@@ -31,7 +31,7 @@ pub struct Energy {
     pub bending: f64,
     /// Below the sheet, down to z = 0.
     pub volume: f64,
-    /// Of contact, in the augmented Lagrangian.
+    /// Energy of contact, in the augmented Lagrangian.
     pub contact: f64,
 }
 

@@ -53,7 +53,8 @@ pub enum Compression {
     /// The same as to tension, until it buckles in wrinkles that the mesh must resolve.
     #[default]
     Elastic,
-    /// Hardly: it gives way in wrinkles that are too fine for the mesh, of which the shape is the mean. With this part of its stiffness.
+    /// Almost none: it buckles in wrinkles that are too fine for the mesh, and the shape is their mean. The value is the part of its
+    /// stiffness that it keeps.
     Wrinkled(f64),
 }
 

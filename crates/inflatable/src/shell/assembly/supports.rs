@@ -6,7 +6,7 @@ use crate::shell::mesh::{Border, Mesh};
 /// An upright plane of symmetry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    /// A point of it, seen from above.
+    /// A point of it, in plan view.
     pub point: [f64; 2],
     /// Its unit normal, out of the sheet.
     pub normal: [f64; 2],

@@ -156,7 +156,7 @@ pub(super) fn arm_line(half: &HalfActuator, mesh: &Mesh) -> ArmLine {
     ArmLine::new(mesh, [-sine, cosine], [1.0, half.l - 1.0])
 }
 
-/// d2U/dphi2 of the whole, by one solve with the last factor: the angle gives way by g.H^-1 g to a moment of one.
+/// d2U/dphi2 of the whole, by one solve with the last factor: a unit moment turns the angle by g.H^-1 g.
 pub(super) fn stiffness(solver: &mut Solver, line: &ArmLine, equilibrium: &Equilibrium) -> f64 {
     let [x, y] = line.direction(&equilibrium.state);
     let square = x * x + y * y;

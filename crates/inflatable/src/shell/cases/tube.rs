@@ -16,17 +16,17 @@ pub struct Tube {
     pub pressure: f64,
 }
 
-/// t/W below which no tube was tried.
+/// Least t/W of the tubes tested.
 const THINNEST: f64 = 1e-4;
 /// t/W beyond which the sheet is no thin shell.
 const THICKEST: f64 = 0.03;
 /// p W/Y beyond which strains are no longer small.
 const MOST_STRETCHED: f64 = 0.1;
-/// 1/eps up to which the shell was tried.
+/// Largest 1/eps of the shells tested.
 pub(crate) const MOST_BENDABLE: f64 = 5000.0;
 /// Poisson's ratios that fabrics have.
 const MOST_POISSON: f64 = 0.499;
-/// Shear modulus by that of an isotropic sheet; the softest that was tried is 0.02.
+/// Shear modulus by that of an isotropic sheet; the least one tested is 0.02.
 const LEAST_SHEAR: f64 = 0.01;
 const MOST_SHEAR: f64 = 10.0;
 /// Least norm of residuals, by Y W: 1e-16 a force of order one, of a hundred thousand.

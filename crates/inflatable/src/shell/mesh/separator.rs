@@ -9,7 +9,7 @@ pub(super) struct Couplings {
 }
 
 impl Couplings {
-    /// Those of `count` nodes, of which all in one group are coupled.
+    /// The couplings of `count` nodes, of which all in one group are coupled.
     pub(super) fn new(count: usize, groups: impl Iterator<Item = Vec<usize>>) -> Self {
         let mut pairs: Vec<(usize, usize)> = Vec::new();
         for group in groups {

@@ -232,7 +232,7 @@ impl Solver {
         left.map(|x| x * x).sum::<f64>().sqrt()
     }
 
-    /// Moves an equilibrium to where the lever's function is `by` larger, as the sheet gives way.
+    /// Moves an equilibrium to where the lever's function is larger by `by`, along the sheet's compliance.
     pub fn pull(&mut self, state: &mut State, aim: Aim, by: f64) -> bool {
         let _ = self.linearise(state, aim.pressure);
         let is_stable = self.compute(0.0);
