@@ -1,4 +1,4 @@
-//! What each model costs. `cargo bench --bench mechanics`
+//! Time of each model. `cargo bench --bench mechanics`
 
 use divan::{Bencher, black_box};
 use stargrip_cam::design::Design;
@@ -49,7 +49,7 @@ fn table_new() -> RingTable {
 const SECTIONS: [(f64, f64, f64); 4] =
     [(10.0, 0.003, 0.1), (330.0, 0.015, 0.1), (1e4, 0.003, 1.0), (330.0, 0.015, 0.0)];
 
-/// A hinge at its pressure, with its stiffness, from nothing.
+/// A hinge at its pressure, with its stiffness, without a starting shape.
 #[divan::bench(args = SECTIONS)]
 fn section_target((bendability, thickness, r_star): (f64, f64, f64)) -> f64 {
     let section = Section::new(black_box(bendability), thickness, 0.39).expect("in range");

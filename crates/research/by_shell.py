@@ -64,7 +64,7 @@ def main():
     work = [("coarse", n, p) for p in (14, 37, 60) for n in range(3, 9)]
     work += [(fineness, 0, p) for fineness in ("coarse", "medium", "fine") for p in (14, 37, 60)]
     work += [("medium", n, p) for p in (37, 14, 60) for n in range(3, 9)]
-    # For what they cost: their radii and stiffnesses are those of the set `paper`, by the same meshes.
+    # For their times: their radii and stiffnesses are those of the set `paper`, by the same meshes.
     work += [("fine", n, 37) for n in (5, 3, 8)]
     for fineness, n, p in work:
         key = f"{fineness} {n} {p} "

@@ -29,7 +29,7 @@ Vary = Mapping[str, str]
 
 
 def rows(spec: sg.Spec, vary: Vary, part: int, parts: int) -> Columns:
-    """The rows of one part, by one thread: what a worker does."""
+    """The rows of one part, by one thread: the task of a worker."""
     return sg.sweep(spec, dict(vary), part=(part, parts), threads=1)
 
 

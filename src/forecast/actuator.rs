@@ -1,6 +1,6 @@
-//! The paper's **V-actuator**: one hinge between two arms with sealed ends, which shows what a hinge does.
+//! The paper's **V-actuator**: one hinge between two arms with sealed ends, a test piece for a single hinge.
 //!
-//! All models that know a hinge answer here through [`HingeModel`]; they know no arms, so the volume of the whole
+//! All models of a hinge answer here through [`HingeModel`]. They have no arms, so the volume of the whole
 //! actuator is `None`.
 
 use crate::forecast::model_selection::{ARMS_LET_OUT, hinge_model};
@@ -34,7 +34,7 @@ impl Actuator {
     }
 }
 
-/// What it does. `None` where the model does not know.
+/// The predicted values. `None` where the model does not give them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct ActuatorPrediction {
@@ -57,23 +57,23 @@ pub struct ActuatorPrediction {
     pub moment: Option<Vec<[f64; 2]>>,
     /// In which intervals a shell's values lie.
     pub ranges: ActuatorRanges,
-    /// How good all this is.
+    /// The evidence for these values.
     pub evidence: ActuatorEvidence,
 }
 
-/// Intervals in which a shell's values lie in at least 95 % of cases; `None` where nothing is known.
+/// Intervals in which a shell's values lie in at least 95 % of cases; `None` where no range is available.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct ActuatorRanges {
-    /// Of the angle.
+    /// Range of the angle.
     pub angle_deg: Option<[f64; 2]>,
-    /// Of the coiling.
+    /// Range of the coiling factor.
     pub coiling: Option<[f64; 2]>,
-    /// Of the volume.
+    /// Range of the volume.
     pub volume_mm3: Option<[f64; 2]>,
-    /// Of the stiffness.
+    /// Range of the stiffness.
     pub stiffness_Nm: Option<[f64; 2]>,
-    /// Of the moments.
+    /// Range of the moments.
     pub moment: Option<[f64; 2]>,
 }
 
@@ -86,36 +86,35 @@ pub struct ActuatorEvidence {
     pub iterations: u32,
     /// Estimated relative error against the exact solution of the model's own equations.
     pub numerical_error: f64,
-    /// How far the meshes leave each number open; the shell's only.
+    /// Mesh error of each value; the shell's only.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh_errors: Option<ActuatorMeshErrors>,
     /// Unknowns of each mesh, coarse to fine; the shell's only.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unknowns: Option<Vec<usize>>,
-    /// What a person should know.
+    /// Warnings for the user.
     pub warnings: Vec<String>,
 }
 
-/// Mesh errors of a shell's numbers, in their units: the difference of the last two meshes, or what the extrapolation adds if
-/// that is more.
+/// Mesh errors of a shell's numbers, in their units: the difference of the last two meshes, or the extrapolation's change if it is larger.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct ActuatorMeshErrors {
-    /// Of the angle.
+    /// Error of the angle.
     pub angle_deg: f64,
-    /// Of the coiling.
+    /// Error of the coiling factor.
     pub coiling: f64,
-    /// Of the volume.
+    /// Error of the volume.
     pub volume_mm3: f64,
-    /// Of the stiffness.
+    /// Error of the stiffness.
     pub stiffness_Nm: f64,
-    /// Of each moment.
+    /// Error of each moment.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub moment_Nm: Vec<f64>,
 }
 
 impl ActuatorPrediction {
-    /// The answer as one JSON object and a line end.
+    /// The answer as one JSON object with a trailing newline.
     ///
     /// # Panics
     /// Never: every field can be written as JSON.
@@ -171,7 +170,7 @@ impl ActuatorPrediction {
     }
 }
 
-/// What `actuator` does by a hinge's model. With the moments at `angles` (rad), if there are any.
+/// Predicts `actuator` with the hinge model of `level`, with the moments at `angles` (rad), if there are any.
 ///
 /// # Errors
 /// If the model does not cover the fabric at this pressure, the hinge, or one of the angles.
@@ -184,7 +183,7 @@ pub fn actuate(actuator: &Actuator, level: Level, angles: &[f64]) -> Result<Actu
     of_a_hinge(actuator, model.as_ref(), angles)
 }
 
-/// What a model says that knows the hinge only.
+/// The prediction of a model that covers the hinge only.
 fn of_a_hinge(
     actuator: &Actuator,
     model: &dyn HingeModel,
@@ -244,7 +243,7 @@ fn ranges(
     })
 }
 
-/// What is to be said of arms that are no straight tubes.
+/// A warning about arms that are too short to be straight tubes; `None` if they are long enough.
 pub(super) fn short_arms(actuator: &Actuator) -> Option<String> {
     let short = "the arms are shorter than the tube is wide: the hinge feels their ends";
     (actuator.arm < actuator.width).then(|| short.to_owned())

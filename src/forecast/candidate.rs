@@ -49,7 +49,7 @@ impl HingeModel for TableRing<'_> {
     }
 }
 
-/// One gripper of equal stars, in the spec's own words: what of a spec decides what it does.
+/// One gripper of equal stars, in the spec's units: the values of a spec that determine its prediction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
     /// The star.
@@ -62,7 +62,7 @@ pub struct Candidate {
     pub inlet: Option<Inlet>,
     /// Diameter of the registration holes.
     pub hole_diameter: Length,
-    /// The load; what the spec does not say is `None`.
+    /// The load; values that the spec leaves out are `None`.
     pub load: Load,
     /// Number of equal stars.
     pub stars: u32,
@@ -72,16 +72,16 @@ pub struct Candidate {
     pub model: ModelChoice,
 }
 
-/// What one design does; `None` where something is missing.
+/// The predicted values of one design; `None` where an input is missing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
     /// The flat star.
     pub star: Star,
-    /// What is asked about it, as the model sees it.
+    /// The inputs as the model uses them.
     pub case: Case,
-    /// What the lowest star does, with linear hinges; `None` without a pressure, or where `section` does not cover it.
+    /// The outcome of the lowest star, with linear hinges; `None` without a pressure, or where `section` does not cover it.
     pub outcome: Option<Outcome>,
-    /// What the star does that meets the widest part of the object: the same where all meet it.
+    /// The outcome of the star that meets the widest part of the object: the same where all stars meet the same radius.
     pub grip: Option<Outcome>,
     /// Pressure of full actuation.
     pub operating_pressure: Pressure,
@@ -89,18 +89,18 @@ pub struct Answer {
     pub burst: Option<Pressure>,
     /// Payload of the stack, kg.
     pub payload: Option<f64>,
-    /// Its range.
+    /// Range of the payload.
     pub payload_range: Option<Interval>,
-    /// Fabric of one star, both sheets, mm^2; `None` if the star cannot be cut out as the spec asks for.
+    /// Fabric of one star, both sheets, mm^2; `None` if the star cannot be cut out as the spec requires.
     pub fabric: Option<f64>,
 }
 
-/// Why there is no answer.
+/// Reason for a design without an answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RefusedDesign {
-    /// The word for scripts, "no-arm": one of docs/codes.md.
+    /// A code for scripts, such as "no-arm": one of docs/codes.md.
     pub code: &'static str,
-    /// What was found, what is allowed, and the remedy.
+    /// The found value, the allowed values, and the remedy.
     pub text: String,
 }
 
@@ -140,7 +140,7 @@ impl Candidate {
         })
     }
 
-    /// What it does, with linear hinges; `ring` knows the load on the seal.
+    /// The predicted values, with linear hinges; `ring` gives the load on the seal.
     ///
     /// # Errors
     /// If there is no such star, or a model has no answer for it.
@@ -154,7 +154,7 @@ impl Candidate {
         })
     }
 
-    /// The same by what `known` says of its case: the case as a model sees it, with the outcome; `None` where it knows nothing.
+    /// The same, with the outcome from `known`: the case as a model sees it, with the outcome; `None` where the model does not cover it.
     ///
     /// # Errors
     /// As for [`Candidate::answer`].
@@ -200,7 +200,8 @@ impl Candidate {
         Ok(one)
     }
 
-    /// What its stars meet of the object, each with how many meet it so, that of the lowest star first; empty where all meet its middle.
+    /// The radii of the object that its stars meet, each with the number of such stars, the lowest star's first; empty where all meet its
+    /// middle.
     fn different_meetings(&self, star: &Star) -> Vec<(Meeting, u32)> {
         let Some(object) = Object::of(&self.load).filter(|_| self.stars > 1) else { return Vec::new() };
         let mut met: Vec<(Meeting, u32)> = Vec::new();
@@ -217,7 +218,7 @@ impl Candidate {
         }
     }
 
-    /// Whether all of its stars meet the object's middle.
+    /// Whether all of its stars meet the object at its middle radius.
     pub fn meets_alike(&self, star: &Star) -> bool {
         self.different_meetings(star).is_empty()
     }
@@ -247,7 +248,7 @@ impl Answer {
     }
 }
 
-/// What the star of `case` does by `section`; `None` where it does not know the star.
+/// The outcome of the star of `case` by `section`; `None` where `section` does not cover the star.
 fn by_section(case: &Case) -> Result<Option<(Case, Outcome)>, StarFault> {
     let Some(pressure) = case.pressure else { return Ok(None) };
     match tabled(case, pressure) {
@@ -266,7 +267,7 @@ mod tests {
     use crate::spec::{Source, read, starter};
     use crate::units::LineForce;
 
-    /// Rounded hinges that differ, a stack, and every figure asked for.
+    /// Rounded hinges that differ, a stack, and all optional inputs.
     fn spec(radii: [f64; 2]) -> Spec {
         let text = starter("x").expect("a name")
             + "\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nobject_height = \"150 mm\"\nobject_shape = \"cylinder\"\nfriction = 0.5\n";

@@ -1,4 +1,4 @@
-//! What a spec asks about one star, in SI units: the one place where mm become m and kPa become Pa.
+//! The inputs of a spec for one star, in SI units: the only conversion from mm to m and from kPa to Pa.
 
 use crate::design::{Meeting, Star};
 use crate::spec::{Fabric, Load, Seal, Spec};
@@ -12,16 +12,16 @@ use serde::Serialize;
 /// One value for the tips, one for the reentrant corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Hinges<T> {
-    /// Of the tips.
+    /// Value of the tips.
     pub tip: T,
-    /// Of the reentrant corners.
+    /// Value of the reentrant corners.
     pub corner: T,
 }
 
-/// One star with all that its answer depends on; SI units. `None` where the spec says nothing.
+/// One star with all inputs of its prediction, in SI units. `None` where the spec gives no value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
-    /// What moves.
+    /// The mechanism of rigid arms and hinges.
     pub mechanism: Mechanism,
     /// Inner radius rho_0 of the flat star, m.
     pub inner_radius: f64,
@@ -35,18 +35,18 @@ pub struct Case {
     pub peel: Option<f64>,
     /// Gauge pressure, Pa.
     pub pressure: Option<f64>,
-    /// Radius of the hole's cut edge, m: what is wider does not enter.
+    /// Radius of the hole's cut edge, m: a wider object does not enter.
     pub hole: f64,
     /// Radius of the object where the star meets it, m; 0 where the star passes above or below it.
     pub object: Option<f64>,
-    /// Radius of what must pass the hole until the object is in its place, m.
+    /// Largest radius of the object's parts that must pass the hole, m.
     pub entering: Option<f64>,
     /// Friction with the object.
     pub friction: Option<f64>,
 }
 
 impl Case {
-    /// The case of `star` around the middle of its object, made of `fabric`, sealed as `seal` says and loaded by `load`.
+    /// The case of `star` around the middle of its object, made of `fabric`, with the seal `seal` and the load `load`.
     ///
     /// # Errors
     /// If a property of the fabric is out of its range; a spec's never is.
@@ -101,7 +101,7 @@ impl Case {
         Self { object: Some(radius), entering: Some(radius), ..self }
     }
 
-    /// The same star where it meets the object as `meeting` says; as it is without one.
+    /// The same star meeting the object as `meeting` specifies; unchanged for `None`.
     #[must_use]
     pub fn meeting(self, meeting: Option<Meeting>) -> Self {
         let metres = |of: fn(&Meeting) -> f64| meeting.as_ref().map(|one| Length(of(one)).metres());
@@ -114,7 +114,7 @@ impl Case {
     }
 }
 
-/// The sheet of `fabric`: what was measured counts more than what follows from E, t and nu.
+/// The sheet of `fabric`: measured stiffnesses replace those from E, t and nu.
 ///
 /// # Errors
 /// If a property is out of its range; a spec's never is.
@@ -130,7 +130,7 @@ pub fn sheet(fabric: &Fabric) -> Result<ElasticSheet, StarFault> {
     ElasticSheet::of_stiffnesses(bending, stretch, poisson)
 }
 
-/// How `fabric` is woven: isotropic where it has no shear modulus. Measured stiffnesses keep their part of an isotropic sheet's shear.
+/// The weave of `fabric`: isotropic without a shear modulus. Measured stiffnesses keep their share of an isotropic sheet's shear.
 ///
 /// # Errors
 /// As of [`sheet`].
@@ -151,7 +151,7 @@ pub fn measured_stiffnesses(fabric: &Fabric) -> Option<&'static str> {
     }
 }
 
-/// What moves of the flat star `star`.
+/// The mechanism of the flat star `star`, in SI units.
 pub fn mechanism(star: &Star) -> Mechanism {
     let metres = |mm: f64| Length(mm).metres();
     Mechanism {

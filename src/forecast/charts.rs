@@ -1,7 +1,7 @@
-//! Curves around one answer: what its stars do at other pressures, on other objects, with other numbers of points. For pictures.
+//! Curves around one prediction, for charts: its stars at other pressures, on other objects and with other numbers of points.
 //!
-//! All of them are the prediction's own closed forms with the model that answers it, so at the spec's own pressure, object and
-//! number of points they are the prediction, with its ranges. What the prediction calls unknown is in none of them.
+//! All curves use the prediction's closed forms and its model. So at the spec's own pressure, object and number of points they equal
+//! the prediction, with its ranges. Values that the prediction reports as unknown are left out.
 
 use serde::Serialize;
 
@@ -35,11 +35,11 @@ pub struct Charts {
     pub star: usize,
     /// The model that answered.
     pub model: &'static str,
-    /// What it does by pressure, rising; without those at which nothing is known of it.
+    /// Values by pressure, rising; pressures without a prediction are left out.
     pub by_pressure: Vec<AtPressure>,
     /// Force by the radius of the object at the spec's own pressure.
     pub by_radius: Vec<AtRadius>,
-    /// What stars of other numbers of points do, everything else as it is; without those of which nothing is known.
+    /// Values of stars with other numbers of points and all else equal; numbers without a prediction are left out.
     pub by_points: Vec<AtPoints>,
 }
 
@@ -49,9 +49,9 @@ pub struct Charts {
 pub struct AtPressure {
     /// Gauge pressure.
     pub pressure_kPa: f64,
-    /// Inner radius of the star with nothing in it.
+    /// Inner radius of the star without an object.
     pub final_radius_mm: f64,
-    /// Its range; `None` where nothing is known.
+    /// Its range; `None` if unknown.
     pub radius_range_mm: Option<Interval>,
     /// Radial force on the spec's object; `None` without one, or where the star cannot hold it.
     pub object_force_N: Option<f64>,
@@ -67,7 +67,7 @@ pub struct AtRadius {
     pub radius_mm: f64,
     /// Radial force.
     pub force_N: f64,
-    /// Its range; `None` where nothing is known.
+    /// Its range; `None` if unknown.
     pub force_range_N: Option<Interval>,
 }
 
@@ -79,13 +79,13 @@ pub struct AtPoints {
     pub points: u32,
     /// 1 - `rho_f` / `rho_0`.
     pub contraction: f64,
-    /// Its range; `None` where nothing is known.
+    /// Its range; `None` if unknown.
     pub contraction_range: Option<Interval>,
     /// Radial force on the spec's object; `None` without one, or where the star cannot hold it.
     pub object_force_N: Option<f64>,
 }
 
-/// The curves of every distinct star of `design`, in the order of [`Design::firsts`], by the model that `spec` asks for; none of a drawing, and none without a
+/// The curves of every distinct star of `design`, in the order of [`Design::firsts`], by the model that `spec` selects. Empty for a drawing, and without a
 /// pressure, which every curve needs.
 pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
     let Some(design) = design.assembly() else { return Vec::new() };
@@ -96,7 +96,7 @@ pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
     let of_star = |placed: &PlacedPart| {
         let star = &design.part(placed).star;
         let asked = spec.stars.get(placed.index - 1)?;
-        // Where this star meets the object, as its prediction has it.
+        // The object's radius that this star meets, as in its prediction.
         let meeting = meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();
         let case = Case::of(spec, star).ok()?.meeting(meeting);
         let own = Question { chosen: spec.accuracy.model, case, star };
@@ -111,7 +111,7 @@ pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
     design.firsts().filter_map(of_star).collect()
 }
 
-/// One star, and which model is asked about it.
+/// One star and the model selected for it.
 struct Question<'a> {
     chosen: ModelChoice,
     case: Case,
@@ -192,7 +192,7 @@ impl Question<'_> {
     }
 }
 
-/// A model that has been asked for the two targets of one star already: they are most of its work.
+/// A model that keeps the two targets of one star, which are most of its work.
 struct ModelTargets {
     model: Box<dyn HingeModel>,
     targets: [(f64, HingeState); 2],

@@ -2,7 +2,7 @@
 
 use KeyKind::{Hinges, List, Number, Object, Pair, Rows, Text, Variant};
 
-/// What a key's value is.
+/// The type of a key's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KeyKind {
     /// A word or a sentence.
@@ -28,9 +28,9 @@ pub enum KeyKind {
 pub struct Key {
     /// Its name, with the unit.
     pub name: &'static str,
-    /// What it holds.
+    /// Its type.
     pub kind: KeyKind,
-    /// Whether every answer has it. Otherwise it may be null or absent.
+    /// Whether every answer has this key. Otherwise it may be null or absent.
     pub always: bool,
     /// Its meaning, in sentences.
     pub about: &'static str,

@@ -1,4 +1,4 @@
-//! Why a gripper is unfit for the load of its own spec: what was found, what is allowed, and what would do.
+//! Reasons why a gripper does not suit the load of its own spec: the found value, the allowed value, and the remedy.
 
 use crate::design::{Refusal, RefusalCode, does_not_enter};
 use crate::forecast::prediction::StarPrediction;
@@ -81,7 +81,7 @@ fn size(load: &Load, [across, radius]: [String; 2], limit: &str) -> String {
     }
 }
 
-/// Whether the seal of `star` bursts at the pressure of `load`; `None` where its strength is not known.
+/// Whether the seal of `star` bursts at the pressure of `load`; `None` if its strength is unknown.
 fn bursting(load: &Load, star: &StarPrediction) -> Option<Bursting> {
     Some(Bursting::at(load.pressure?.0, star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa))
 }
@@ -122,7 +122,7 @@ pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64) -> Refu
     let found = format!("friction needs {needed:.1} N, and there are {high:.1} N at most");
     let mut ways = Vec::new();
     if let Some(friction) = load.friction {
-        // What is rounded to the gram still holds.
+        // Rounding down to the gram keeps the bound.
         let grams = (1e3 * low * friction / GRAVITY).floor();
         if grams > 0.0 {
             ways.push(format!("a mass of at most {}", Mass(grams / 1e3)));
@@ -141,7 +141,7 @@ pub(super) fn outside_models(load: &Load, star: &StarPrediction) -> Option<Refus
     let pressure = load.pressure.filter(|_| star.graspable_radius_mm.is_none())?;
     let refusal = |key, found, remedy| Some(Refusal::new(key, RefusalCode::OutsideModels, found, remedy));
     let Some([low, high]) = star.modelled_kPa else {
-        // Without an object nothing is asked that only a model knows.
+        // Without an object no quantity is required that needs a model.
         let _ = load.object_radius?;
         let remedy = "another star or fabric, as named; or leave out object_diameter in [load], and no force is predicted";
         return refusal(key::star::TUBE_WIDTH, star.evidence.choice.clone(), remedy.to_owned());

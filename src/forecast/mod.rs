@@ -1,26 +1,26 @@
-//! What a spec's gripper will do: from the exact design to a prediction that says how good it is.
+//! The prediction of a spec's gripper: from the exact design to values with their evidence.
 //!
-//! It asks [`crate::mechanics`] about stars that [`crate::design`] has made; each stage stands on the ones above it:
+//! It applies [`crate::mechanics`] to the stars of [`crate::design`]; each stage uses the ones above it:
 //!
-//! | stage | what it knows |
+//! | stage | subject |
 //! |---|---|
-//! | [`case`] | what a spec asks about one star, in SI units: the only conversion |
-//! | [`seal_load`] | the load on the seal, burst pressure, the radius that would hold |
-//! | [`model_selection`] | which model answers |
-//! | [`mod@ranges`] | in which intervals the values of computed shells lie |
-//! | [`outcome`] | an inflated star with its load, in closed forms with their ranges: for all that follow |
-//! | [`pressures`] | what it does at several pressures, where none is given |
+//! | [`case`] | the inputs of a spec for one star, in SI units: the only conversion |
+//! | [`seal_load`] | the load on the seal, burst pressure, the smallest radius that withstands it |
+//! | [`model_selection`] | the choice of a model |
+//! | [`mod@ranges`] | intervals that contain the values of computed shells |
+//! | [`outcome`] | an inflated star with its load, in closed forms with ranges: the base of all that follow |
+//! | [`pressures`] | values at several pressures, where the spec gives none |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
-//! | [`mod@verdict`] | whether the object is held, and why a gripper that cannot is refused |
+//! | [`mod@verdict`] | whether the object is held, and the reasons to refuse a gripper that cannot |
 //! | [`mod@pose`] | the shape of the inflated star, for every picture |
-//! | [`mod@charts`] | the same by pressure, object and number of points, for pictures |
+//! | [`mod@charts`] | curves by pressure, object and number of points, for pictures |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
 //! | [`drawn`] | a drawn piece, by the shell on its own regions |
-//! | [`shell`] | the same by the shell, which is asked by name only |
+//! | [`shell`] | the same by the shell, which must be selected by name |
 //! | [`candidate`], [`mod@study`], [`optimize`] | the same answer for one design among millions |
-//! | [`stiffness`] | from bench tests to what a spec says of its fabric |
-//! | [`sizing`] | from an object to a spec |
-//! | [`trade`] | what each model costs, and how far it is off |
+//! | [`stiffness`] | the fabric's stiffnesses from bench tests |
+//! | [`sizing`] | a spec from an object |
+//! | [`trade`] | cost and error of each model |
 //! | [`keys`] | every key of an answer with its meaning |
 
 pub mod actuator;

@@ -1,4 +1,4 @@
-//! Which model answers: the one that was asked for, or the cheapest that knows stars at their pressure.
+//! Selects the model: the one named in the spec, or the cheapest that covers the star at its pressure.
 
 use crate::forecast::case::Case;
 use crate::spec::ModelChoice;
@@ -15,11 +15,11 @@ use inflatable::mechanics::strength::{ElasticSheet, FULL_ACTUATION, INEXTENSIBLE
 /// Beta of the `bvp` level; its distance from the exact ring is about ln(beta)/beta.
 pub const BVP_BETA: f64 = 1000.0;
 
-/// What is known of the arms where their table ends.
+/// Effect of the arms beyond the end of their table.
 pub(super) const ARMS_LET_OUT: &str =
     "some 2 to 14 deg further and soften; the table of their effect ends before this hinge";
 
-/// `section` from its table for the hinges of `case` at the gauge pressure `pressure` (Pa): what `auto` takes.
+/// `section` from its table for the hinges of `case` at the gauge pressure `pressure` (Pa): the choice of `auto`.
 ///
 /// # Errors
 /// If `section` does not cover one of the hinges at this pressure.
@@ -30,7 +30,7 @@ pub fn tabled(case: &Case, pressure: f64) -> Result<Tabled, StarFault> {
     Ok(Tabled::new(SectionTable::shipped()?, scales, r_stars)?)
 }
 
-/// `case` as `model` sees its star: `section` knows how wide hinges are at their pressure, and what shells of stars add to them.
+/// `case` with the corrections of `model`: `section` gives the width of hinges at pressure and the corrections from shells of stars.
 ///
 /// # Errors
 /// If the model refuses the corner's hinge.
@@ -53,7 +53,7 @@ pub fn corrected(case: &Case, model: &dyn HingeModel) -> Result<Case, HingeFault
     Ok(corrected)
 }
 
-/// The model that was asked for by name; `None` where the program chooses, and for shells: a build's files are the same on every
+/// The model selected by name; `None` for `auto`, and for shells: a build's files are the same on every
 /// machine, and shells are not.
 pub fn named(chosen: ModelChoice) -> Option<Level> {
     match chosen {
@@ -86,7 +86,7 @@ pub fn hinge_model(
     })
 }
 
-/// The model that `chosen` names for the star of `case` at the gauge pressure `pressure` (Pa); what `auto` takes where it names none.
+/// The model that `chosen` names for the star of `case` at the gauge pressure `pressure` (Pa), or the one of `auto`.
 ///
 /// # Errors
 /// If it does not cover the star.
@@ -97,7 +97,7 @@ pub fn of_spec(chosen: ModelChoice, case: &Case, pressure: f64) -> Result<Box<dy
     }
 }
 
-/// What lies outside of the validity of `model` for `case`, in words.
+/// The limits of validity of `model` that `case` exceeds, one sentence each.
 pub fn limits_of_validity(model: &dyn HingeModel, case: &Case) -> Vec<String> {
     let (star, level) = (&case.mechanism, model.level());
     let r_stars = [star.tip().r_star, star.corner().r_star];

@@ -1,4 +1,4 @@
-//! What an inflated star does with its load: one set of closed forms, with their ranges, for predictions, sweeps and searches.
+//! The response of an inflated star under load: one set of closed forms, with their ranges, for predictions, sweeps and searches.
 
 use crate::forecast::case::Case;
 use crate::forecast::model_selection::{corrected, tabled};
@@ -18,20 +18,20 @@ const LOCKING: f64 = 1.0 / 16.0;
 /// One star's answer in SI units; `None` where something is missing that it needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// Where it rests, and how far it opens.
+    /// The equilibrium, and the widest opening.
     pub rest: Rest,
-    /// Whether anything is known of it: a limit always is one, and `section` knows stars like those that were computed as shells.
+    /// Whether the star is in the model's domain: always true for a limit; `section` covers stars similar to those computed as shells.
     pub known: bool,
     /// 1 - rho_f / rho_0.
     pub contraction: f64,
     /// Radii that it can hold, m: from rho_f to the largest that both passes the cut hole and the inflated star opens
     /// to; empty, both ends rho_f, if there are none.
     pub graspable: [f64; 2],
-    /// Radial stiffness at rest, N per m; `None` too where arms touch, of which only a limit says something.
+    /// Radial stiffness at rest, N per m; `None` also where arms touch, unless the model is a limit.
     pub stiffness: Option<f64>,
-    /// Radial force that is stored in a star that is pressed shut, N; by a limit, no shell was compared with it.
+    /// Radial force stored in a star whose arms are pressed together, N; only for limits, never validated against a shell.
     pub preload: Option<f64>,
-    /// What becomes of the object; needs a pressure.
+    /// The object's state; needs a pressure.
     pub hold: Option<Grip>,
     /// Mass that friction holds with this star alone, kg.
     pub payload: Option<f64>,
@@ -41,13 +41,13 @@ pub struct Outcome {
     pub stretch: Option<f64>,
     /// In which intervals a shell's values lie; none of a limit, and none with the model's own V_bar.
     pub ranges: Ranges,
-    /// Of the force on the object, N.
+    /// Range of the force on the object, N.
     pub force_range: Option<Interval>,
-    /// Of the payload of this star alone, kg.
+    /// Range of the payload of this star alone, kg.
     pub payload_range: Option<Interval>,
 }
 
-/// What becomes of an object within a star.
+/// The state of an object within a star.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Grip {
     /// It is held with this radial force, N.
@@ -62,12 +62,12 @@ pub enum Grip {
     TooWideToOpen,
     /// The model has no force there.
     Unknown(StarFault),
-    /// It is held, and nobody knows how hard: arms touch, or no shell was opened so far.
+    /// It is held with an unknown force: arms touch, or no shell was opened this far.
     Untried,
 }
 
 impl Outcome {
-    /// What the star of `case` does by `model`, with linear hinges and ranges; and the case as the model sees it.
+    /// The outcome of the star of `case` by `model`, with linear hinges and ranges; and the case with the model's corrections.
     ///
     /// # Errors
     /// If the model refuses a hinge, or the star has no equilibrium.
@@ -100,8 +100,9 @@ impl Outcome {
         if case.mechanism.correction.corner_compliance { own.as_far_as_known() } else { own }
     }
 
-    /// `range`, the force's, with the lower end that it has at the edge of what was tried where the model's force has grown since; where it
-    /// has fallen, in proportion.
+    /// `range` of the force. If the model's force has grown since the edge of the validated domain, its lower end is at least the one
+    /// there; if it
+    /// has fallen, that end is scaled in proportion.
     fn at_least_as_at(&self, edge: Option<&Self>, [low, high]: Interval) -> Interval {
         let known = edge.and_then(|edge| edge.force_range.zip(edge.object_force()));
         let floor = known.zip(self.object_force()).map_or(0.0, |(([floor, _], there), here)| {
@@ -110,7 +111,7 @@ impl Outcome {
         [low.max(floor), high]
     }
 
-    /// Without the numbers of which no range is known: those are of a star at its pressure, and not of a limit.
+    /// Removes the values without a range: the ranges are those of a star at its pressure, not of a limit.
     fn as_far_as_known(self) -> Self {
         let known = self.ranges.domain != Domain::Unknown;
         let untried = matches!(self.hold, Some(Grip::Held(_))) && self.force_range.is_none();
@@ -166,7 +167,7 @@ impl Outcome {
         self.hold.and_then(Grip::force)
     }
 
-    /// What a person should know about the object, if anything.
+    /// A warning about the object, if there is one.
     pub fn object_warning(&self, case: &Case) -> Option<String> {
         let (least, most) = (self.rest.radius, self.rest.widest.radius);
         let across = |radius: f64| format!("{:.2} mm across", 2.0 * Length::from_metres(radius).0);
@@ -205,7 +206,7 @@ impl Outcome {
         }
     }
 
-    /// Whether the object is so wide that rigid arms are about to lock around it.
+    /// Whether the object is so wide that rigid arms nearly lock around it.
     pub fn locks(&self, case: &Case) -> bool {
         if case.mechanism.correction.corner_compliance {
             return false;

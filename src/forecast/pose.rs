@@ -15,7 +15,7 @@ use inflatable::mechanics::star::{Correction, Mechanism};
 use inflatable::numerics::bracketed_root;
 use serde::Serialize;
 
-/// What it takes to draw a star: its tube lies between r and r + w around the centres of tips and corners.
+/// The dimensions needed to draw a star: its tube lies between r and r + w around the centres of tips and corners.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct Pose {
@@ -50,8 +50,8 @@ impl Pose {
     }
 }
 
-/// Every star of `design`, made from `spec`, as wide as `prediction` has it close, bottom first: on the spec's object where that is wider
-/// and the inflated star reaches it, else as far as it goes. Lengths in mm. Empty where it is not known how far all of them close.
+/// Every star of `design`, made from `spec`, bottom first, as wide as `prediction` closes it: on the spec's object where that is wider
+/// and within reach, else closed fully. Lengths in mm. Empty if the closing of any star is unknown.
 pub fn inflated(spec: &Spec, design: &Design, prediction: Option<&Prediction>) -> Vec<Star> {
     let object = spec.load.as_ref().and_then(|load| load.object_radius);
     let predicted = prediction.map_or(&[][..], |prediction| &prediction.stars);
@@ -80,7 +80,7 @@ pub(super) fn held(moves: &Mechanism, rest: f64, object: Option<Length>) -> Opti
     bracketed_root(rest, widest.angle, 1e-9, beyond).ok()
 }
 
-/// The star `flat`, inflated as `moves` says, at the tips' angle `phi`, rad; lengths in mm.
+/// The star `flat`, inflated with the mechanism `moves`, at the tips' angle `phi`, rad; lengths in mm.
 pub fn at_angle(flat: &Star, moves: &Mechanism, phi: f64) -> Star {
     let turn = flat.phi_e - flat.phi_i;
     let coiled = |radius: f64, from: f64, to: f64| radius * (PI - from) / (PI - to);
@@ -90,7 +90,7 @@ pub fn at_angle(flat: &Star, moves: &Mechanism, phi: f64) -> Star {
     let rho_0 = moves.radius(phi).value * 1e3;
     let d_p = rho_0 + w + r_e;
     let (sin, cos) = libm::sincos(0.5 * phi);
-    // From the tip's ray to where the arm begins. A corner's rim lies further out than its coil says, and the arm is as long as before.
+    // From the tip's ray to the start of the arm. A corner's rim lies further out than its coiling gives; the arm keeps its length.
     let (across, out) = libm::sincos(flat.half_sector());
     let away = d_p * across - (w + r_i + r_e) * cos;
     let along = (flat.l.powi(2) - away.powi(2)).max(0.0).sqrt();

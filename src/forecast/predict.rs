@@ -1,4 +1,4 @@
-//! From a spec to the answer: chooses the model, asks it about every star, and says how good the answer is.
+//! From a spec to the prediction: selects the model, evaluates every star, and adds the evidence.
 
 use crate::design::{Design, Meeting, StarAssembly, StarDesign};
 use crate::forecast::case::{Case, weave};
@@ -20,14 +20,14 @@ use inflatable::mechanics::hinge::{HingeModel, Level};
 use inflatable::mechanics::star::response::Inflated;
 use std::fmt;
 
-/// Why there is no prediction.
+/// Reason for a missing prediction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PredictFault {
     /// Number of the star, 1 = bottom; `None` if it is not about one star.
     pub star: Option<usize>,
     /// The key of the spec that is best changed.
     pub key: KeyPath,
-    /// What was found and what is allowed.
+    /// The found and the allowed value.
     pub what: String,
 }
 
@@ -42,7 +42,7 @@ impl fmt::Display for PredictFault {
 
 impl std::error::Error for PredictFault {}
 
-/// Predicts what the stars of `design`, made from `spec`, do, by `accuracy.model`.
+/// Predicts the stars of `design`, made from `spec`, by `accuracy.model`.
 ///
 /// # Errors
 /// If a model refuses one of the hinges, is not available, or covers no such product.
@@ -117,7 +117,7 @@ pub fn add_curve(
 /// Height of a cylinder that no stack is as high as: the largest length of a spec.
 const ENDLESS: Length = Length(1e5);
 
-/// One star, and what is asked about it.
+/// One star with its case and inputs.
 struct PlacedCase<'a> {
     spec: &'a Spec,
     part: &'a StarDesign,
@@ -139,7 +139,7 @@ fn predict_star(
 }
 
 impl PlacedCase<'_> {
-    /// The cheapest model that knows a star at its pressure: `section`, from its table.
+    /// The cheapest model that covers a star at its pressure: `section`, from its table.
     fn automatic(&self) -> Result<StarPrediction, StarFault> {
         let Some(pressure) = self.case.pressure else {
             let why = "what it does depends on the pressure, and none is given";
@@ -168,7 +168,7 @@ impl PlacedCase<'_> {
         }
     }
 
-    /// What `model` says.
+    /// The prediction by `model`.
     fn by(&self, model: &dyn HingeModel, choice: String) -> Result<StarPrediction, StarFault> {
         let case = &corrected(&self.case, model)?;
         // Angles and radii of a limit do not depend on the pressure: without one, any will do.
@@ -193,7 +193,7 @@ impl PlacedCase<'_> {
         Ok(star)
     }
 
-    /// All that is known without a model, and why there is none.
+    /// The values that need no model, with the reason why no model applies.
     fn unknown(&self, choice: String) -> StarPrediction {
         let Self { case, part, spec, seal } = self;
         let of_burst = seal.warning(case);
@@ -228,7 +228,7 @@ impl PlacedCase<'_> {
         }
     }
 
-    /// What is to be said of ranges that are wide, or that stand on nothing.
+    /// A warning about ranges that are wide, or based on no computed star.
     fn of_the_ranges(&self, outcome: &Outcome) -> Option<String> {
         let Ranges { domain, radius, .. } = outcome.ranges;
         let (accepted, found) = (self.spec.accuracy.response, outcome.rest.radius);
@@ -244,7 +244,7 @@ impl PlacedCase<'_> {
             _ if !outcome.known => Some(unlike(&self.case)),
             _ => {
                 let part = |range: Interval, value: f64| (range[1] - value).max(value - range[0]) / value;
-                // What is asked for: a force where there is an object, else how far it closes.
+                // The requested quantity: the force where there is an object, else the final radius.
                 let force = outcome.object_force().filter(|force| *force > 0.0).zip(outcome.force_range);
                 let asked = [
                     ("the final radius", radius.map(|range| part(range, found))),
@@ -266,12 +266,12 @@ impl PlacedCase<'_> {
     }
 }
 
-/// That nothing is known of the star of `case`, and why.
+/// A message that the star of `case` is outside the validated domain, with the reason.
 fn unlike(case: &Case) -> String {
     format!("{}: {}", errors::UNKNOWN_WORDS, outside(case))
 }
 
-/// That no model of a hinge knows the weave of `fabric`, if there is one.
+/// A message that no hinge model uses the weave of `fabric`, if there is one.
 fn weave_left_out(fabric: &Fabric) -> Option<String> {
     let weave = weave(fabric).ok()?;
     let part = weave.shear;
@@ -288,7 +288,7 @@ fn per_mm(pull: f64) -> f64 {
     LineForce::from_newtons_per_metre(pull).0
 }
 
-/// What the seal bears at the radii that the band makes of the hinges, whatever the model.
+/// The load on the seal at the radii that the band gives the hinges, for any model.
 struct SealForecast {
     load: Hinges<Option<f64>>,
     pull: Option<(f64, Option<Interval>, &'static str)>,

@@ -1,4 +1,4 @@
-//! The answer: what one spec's stars do, with the evidence for it. Lengths in mm, angles in deg.
+//! The prediction of one spec's stars, with its evidence. Lengths in mm, angles in deg.
 
 pub use crate::forecast::case::Hinges;
 use crate::forecast::outcome::Grip;
@@ -7,22 +7,22 @@ use crate::forecast::ranges::{Interval, StarRanges, shown};
 use inflatable::mechanics::star::Correction;
 use serde::Serialize;
 
-/// What a gripper does. The keys at the top speak of star 1, `stars` of each.
+/// The prediction of a gripper. The keys at the top describe star 1, `stars` each star.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct Prediction {
     /// Star 1, and so is its `mass_g`; only `payload_kg` is the whole stack's.
     #[serde(flatten)]
     pub first: StarPrediction,
-    /// What becomes of the object; needs object_diameter and a pressure.
+    /// Whether the object is held; needs object_diameter and a pressure.
     pub verdict: Option<Verdict>,
-    /// Mass of all stars' fabric, what a manifest calls `mass_g` at its top; needs areal_density.
+    /// Mass of all stars' fabric, the top-level `mass_g` of a manifest; needs areal_density.
     pub stack_mass_g: Option<f64>,
     /// All stars, bottom first; `payload_kg` is the star's own share.
     pub stars: Vec<StarPrediction>,
 }
 
-/// One word.
+/// Whether the object is held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Holds {
@@ -30,12 +30,12 @@ pub enum Holds {
     Yes,
     /// Nowhere in them, or it cannot be.
     No,
-    /// Within its ranges it may or may not, or no range is known.
+    /// It depends on the position within the ranges, or no range is available.
     Unknown,
 }
 
 impl Holds {
-    /// As a truth value; `None` where it is not known.
+    /// As a truth value; `None` for [`Holds::Unknown`].
     pub fn known(self) -> Option<bool> {
         match self {
             Self::Yes => Some(true),
@@ -45,11 +45,11 @@ impl Holds {
     }
 }
 
-/// What becomes of the object.
+/// Whether the gripper holds the object, with reasons.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct Verdict {
-    /// In one word.
+    /// The verdict.
     pub holds: Holds,
     /// The first reason as a code of docs/codes.md; `None` if it holds.
     pub code: Option<&'static str>,
@@ -67,14 +67,14 @@ pub struct Verdict {
     pub largest_force_N: Option<f64>,
     /// Number of stars.
     pub stars: usize,
-    /// What the spec leaves open about the object and stars of a stack depend on.
+    /// Assumptions about the object that the stars of a stack depend on and the spec leaves open.
     pub assumed: Option<String>,
-    /// Why, and what to do: one sentence each; none if it holds.
+    /// The reasons and remedies, one sentence each; empty if it holds.
     pub reasons: Vec<String>,
 }
 
 impl Verdict {
-    /// In a word or two: "holds the object".
+    /// As a phrase: "holds the object".
     pub fn word(&self) -> &'static str {
         match self.holds {
             Holds::Yes => "holds the object",
@@ -96,7 +96,7 @@ impl Verdict {
         format!("{word}{force}{needed}")
     }
 
-    /// How hard one star presses, where that is not the force of all and a limit is set.
+    /// The force of one star, if it differs from the force of all and a limit is set.
     pub fn one_star(&self) -> Option<String> {
         let bears = self.largest_force_N.filter(|_| self.stars > 1)?;
         let force = shown::with(self.star_force_N?, self.star_force_range_N?, "N");
@@ -106,13 +106,13 @@ impl Verdict {
         ))
     }
 
-    /// What is assumed of the object, as a sentence.
+    /// The assumption about the object, as a sentence.
     pub fn assumed_in_words(&self) -> Option<String> {
         self.assumed.as_ref().map(|what| format!("the object is {what}"))
     }
 }
 
-/// What one star does. `None` where something is missing that the answer needs.
+/// The prediction of one star. `None` where a required input is missing.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct StarPrediction {
@@ -157,15 +157,16 @@ pub struct StarPrediction {
     /// Radii that the star can hold: from rho_f to the largest that the inflated star opens to, or to hole_radius_mm where that is
     /// less, because a wider object does not enter the flat star.
     pub graspable_radius_mm: Option<[f64; 2]>,
-    /// Radius of the hole's cut edge: what is wider does not enter the flat star.
+    /// Radius of the hole's cut edge: a wider object does not enter the flat star.
     pub hole_radius_mm: f64,
     /// Radius of the object at the star's height; 0 where the star passes above or below it.
     pub object_radius_mm: Option<f64>,
-    /// Room between the cut hole and what of the object must pass it, before inflation; below 0 the object does not enter.
+    /// Clearance between the cut hole and the part of the object that must pass it, before inflation; the object does not enter if
+    /// negative.
     pub object_gap_mm: Option<f64>,
     /// Radial force on the object; needs pressure and object_diameter.
     pub object_force_N: Option<f64>,
-    /// Radius, mm, and radial force, N, of a round object, with its range, for the radii that were asked for; no force where the star does not hold them.
+    /// Radius, mm, and radial force, N, of a round object, with its range, for each requested radius; no force where the star does not hold it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub force_curve: Option<Vec<ForceAt>>,
     /// Bendability 1/eps; needs a pressure.
@@ -177,17 +178,17 @@ pub struct StarPrediction {
     /// The ring's tension over p W at the realised radius: of the fabric at an inner rim that cannot stretch. The seal's own load is
     /// `seal_pull_N_per_mm`.
     pub seal_load: Hinges<Option<f64>>,
-    /// Largest force with which one sheet pulls away from the seam's plane, per length of seam as long as the band is wide: what a T-peel
-    /// test measures. Needs a pressure.
+    /// Largest force with which one sheet pulls away from the seam's plane, per length of seam, averaged over the width of the band: the
+    /// quantity of a T-peel test. Needs a pressure.
     pub seal_pull_N_per_mm: Option<f64>,
-    /// At which kind of hinge it is: tips or corners.
+    /// The kind of hinge with the largest pull: tips or corners.
     pub seal_pull_at: Option<&'static str>,
-    /// Where on the flat star it is, as in `seal_tension`; by the shell.
+    /// Its position on the flat star, as in `seal_tension`; by the shell.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seal_pull_at_mm: Option<[f64; 2]>,
     /// Pressure at which the pull on the seal is seal_strength; needs it.
     pub burst_pressure_kPa: Option<f64>,
-    /// The fabric's largest tension at the rim, at one point: its part across the seam's plane is what peels,
+    /// The fabric's largest tension at the rim, at one point; its component across the seam's plane peels the seal,
     /// see docs/models.md; by the shell.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seal_tension: Option<LoadedPlace>,
@@ -199,24 +200,24 @@ pub struct StarPrediction {
     pub stretch: FabricStretch,
     /// Burst pressure over the pressure; needs both.
     pub burst_margin: Option<f64>,
-    /// Whose values `ranges` hold: those of computed shells; no gripper was measured.
+    /// The source of the values in `ranges`: computed shells; no gripper was measured.
     pub ranges_of: &'static str,
-    /// In which intervals their values lie in at least 95 % of cases.
+    /// Intervals that contain the shells' values in at least 95 % of cases.
     pub ranges: StarRanges,
-    /// Without a pressure, what it does at several.
+    /// Values at several pressures, if the spec gives none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressures: Option<Vec<PressureRow>>,
     /// The star with a limit's own, asymmetric V_bar in place of linear hinges; of `section` linear ones are nearer to shells.
     pub nonlinear: Option<Nonlinear>,
-    /// How good all this is.
+    /// The evidence for these values.
     pub evidence: ModelEvidence,
-    /// What becomes of the object; needs pressure and object_diameter.
+    /// The object's state; needs pressure and object_diameter.
     #[serde(skip)]
     pub hold: Option<Grip>,
-    /// Where no model covers the star at its pressure: the pressures, kPa, at which one does.
+    /// The pressures, kPa, at which a model covers the star, if none does at its own pressure.
     #[serde(skip)]
     pub modelled_kPa: Option<Interval>,
-    /// What inflation does to the star beyond hinges and rigid arms.
+    /// Corrections of the inflated star beyond hinges and rigid arms.
     #[serde(skip)]
     pub correction: Correction,
 }
@@ -246,14 +247,14 @@ impl FabricStretch {
 pub struct LoadedPlace {
     /// Its value: N/mm of pull, or a stretch.
     pub value: f64,
-    /// Its mesh error; where a hinge turns on a point there is no largest value, and this says so by being as
-    /// large.
+    /// Its mesh error. Where a hinge turns on a point there is no largest value; then the mesh error is as large as
+    /// the value.
     pub mesh_error: f64,
-    /// Where on the flat star: in the half sector next to corner 1, the axis at the origin.
+    /// Its position on the flat star: in the half sector next to corner 1, the axis at the origin.
     pub at_mm: [f64; 2],
 }
 
-/// A radius, mm, the radial force there, N, and the ends of its range; `None` where they are not known.
+/// A radius, mm, the radial force there, N, and the ends of its range; `None` if unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ForceAt(pub f64, pub Option<f64>, pub Option<f64>, pub Option<f64>);
 
@@ -276,7 +277,7 @@ pub struct Nonlinear {
 }
 
 impl Prediction {
-    /// The answer as one JSON object and a line end.
+    /// The answer as one JSON object with a trailing newline.
     ///
     /// # Panics
     /// Never: every field can be written as JSON.
@@ -288,12 +289,12 @@ impl Prediction {
 /// The evidence for an answer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ModelEvidence {
-    /// Why this model.
+    /// Reason for the choice of this model.
     pub choice: String,
-    /// What of the fabric was measured, if anything.
+    /// The measured properties of the fabric, if there are any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fabric: Option<&'static str>,
-    /// What the model makes of `shear_modulus`, if it is given; without it every model is of isotropic fabric.
+    /// The model's use of `shear_modulus`, if it is given; without it every model assumes isotropic fabric.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub weave: Option<&'static str>,
     /// Largest residual of the model's equations.
@@ -303,22 +304,22 @@ pub struct ModelEvidence {
     /// Estimated relative error of V_bar against the exact solution of the model's own equations; the shell
     /// has mesh errors.
     pub numerical_error: Option<f64>,
-    /// Of the shell: unknowns of each mesh, coarse to fine.
+    /// Unknowns of each mesh of the shell, coarse to fine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unknowns: Option<Vec<usize>>,
     /// Stretch p W / Y of the fabric.
     pub stretch: Option<f64>,
     /// Inflated width of the hinges over W; the arms' is 2/pi.
     pub hinge_width: Hinges<Option<f64>>,
-    /// Of the shell: how far the meshes leave each number open, in its unit.
+    /// Mesh error of each of the shell's numbers, in its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh_errors: Option<MeshErrors>,
-    /// Inner radius from which the seal would hold the pressure, mm, rounded up to a hundredth; `None` if it holds, no
-    /// radius helps, or nothing is known.
+    /// Least inner radius at which the seal withstands the pressure, mm, rounded up to a hundredth; `None` if the seal
+    /// withstands it already, no radius is enough, or it is unknown.
     pub safe_radius_mm: Option<f64>,
-    /// What lies outside of a model's validity, and what a person should know.
+    /// Limits of a model's validity that are exceeded, and other warnings for the user.
     pub warnings: Vec<String>,
-    /// Which of the warnings is of a seal that bursts.
+    /// Index of the warning about a bursting seal.
     #[serde(skip)]
     pub of_burst: Option<String>,
     /// Which of the warnings is of an object that is not held.
@@ -326,29 +327,29 @@ pub struct ModelEvidence {
     pub of_object: Option<String>,
 }
 
-/// Mesh errors: the difference of the last two meshes, or what the extrapolation adds if that is more.
+/// Mesh errors: the difference of the last two meshes, or the extrapolation's change if it is larger.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct MeshErrors {
-    /// Of the final radius.
+    /// Error of the final radius.
     pub final_radius_mm: f64,
-    /// Of the contraction.
+    /// Error of the contraction.
     pub contraction: f64,
-    /// Of the tips' angle.
+    /// Error of the tips' angle.
     pub tip_angle_deg: f64,
-    /// Of the radial stiffness.
+    /// Error of the radial stiffness.
     pub radial_stiffness_N_per_m: f64,
-    /// Of the force between arms.
+    /// Error of the force between arms.
     pub arm_contact_N: f64,
-    /// Of the area of contact.
+    /// Error of the area of contact.
     pub arm_contact_mm2: f64,
-    /// Of the volume.
+    /// Error of the volume.
     pub volume_mm3: f64,
-    /// Of the pull on the seal.
+    /// Error of the pull on the seal.
     pub seal_pull_N_per_mm: f64,
-    /// Of the force on the object.
+    /// Error of the force on the object.
     pub object_force_N: Option<f64>,
-    /// Of each force of the curve, N.
+    /// Error of each force of the curve, N.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub force_curve: Option<Vec<f64>>,
 }

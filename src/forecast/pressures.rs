@@ -1,4 +1,4 @@
-//! What a star does at several pressures: the answer to a spec that names none.
+//! Predictions of a star at several pressures: the answer to a spec without a pressure.
 
 use crate::forecast::case::Case;
 use crate::forecast::model_selection::tabled;
@@ -8,7 +8,7 @@ use crate::units::{Length, Pressure};
 use inflatable::mechanics::fault::StarFault;
 use serde::Serialize;
 
-/// One pressure, and what the star does there.
+/// One pressure, with the star's values there.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct PressureRow {
@@ -16,19 +16,20 @@ pub struct PressureRow {
     pub pressure_kPa: f64,
     /// Final inner radius.
     pub final_radius_mm: f64,
-    /// Its range; `None` where nothing is known.
+    /// Its range; `None` if unknown.
     pub radius_range_mm: Option<Interval>,
     /// Radial force on the object; needs object_radius.
     pub object_force_N: Option<f64>,
-    /// Its range; `None` where nothing is known.
+    /// Its range; `None` if unknown.
     pub force_range_N: Option<Interval>,
     /// Stretch p W / Y of the fabric.
     pub stretch: f64,
     /// Burst pressure over this one; needs seal_strength.
     pub burst_margin: Option<f64>,
-    /// Whether stars around it were computed as shells; where not, ranges are four times as wide.
+    /// Whether stars around it were computed as shells; otherwise ranges are four times as wide.
     pub tried: bool,
-    /// Whether it is the best: the largest force on the object that is sure, or without an object the least radius, that does not burst.
+    /// Whether it is the best of those that do not burst: the largest lower end of the object's force, or without an object the least
+    /// radius.
     pub best: bool,
 }
 
@@ -39,7 +40,7 @@ pub const LEAST: f64 = 1.0;
 /// Largest, kPa.
 pub const MOST: f64 = 100.0;
 
-/// The pressures at which `section` and its arms know the star of `case`, which bursts at `burst` (Pa), if that is known.
+/// The pressures at which `section` and its arms cover the star of `case`, which bursts at `burst` (Pa), if its burst pressure is known.
 pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
     let decades = [LEAST, 10.0 * LEAST, MOST];
     let all = decades.iter().flat_map(|decade| STEPS.iter().map(move |step| decade * step));
@@ -63,10 +64,10 @@ pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
 
 /// Pressures that a spec may have, kPa: 1 Pa to 1 GPa.
 const ALL: [f64; 2] = [1e-3, 1e6];
-/// Pressures of [`ALL`] that are tried, evenly by their logarithm: twenty a decade.
+/// Number of pressures of [`ALL`] to evaluate, evenly spaced in their logarithm: twenty a decade.
 const TRIED: u32 = 181;
 
-/// The lowest and the highest pressure, kPa, at which anything is known of the star of `case`, rounded inwards to three digits; `None`
+/// The lowest and the highest pressure, kPa, at which the star of `case` has a prediction, rounded inwards to three digits; `None`
 /// if there is none.
 pub fn modelled(case: &Case) -> Option<Interval> {
     let is_known = |kpa: f64| {
@@ -78,7 +79,7 @@ pub fn modelled(case: &Case) -> Option<Interval> {
     let tried = |k: u32| ALL[0] * libm::pow(ALL[1] / ALL[0], f64::from(k) / f64::from(TRIED - 1));
     let known: Vec<u32> = (0..TRIED).filter(|k| is_known(tried(*k))).collect();
     let (first, last) = (*known.first()?, *known.last()?);
-    // From a pressure that is known towards its neighbour that is not.
+    // From a pressure with a prediction towards its neighbour without one.
     let end = |inside: u32, outside: Option<u32>| {
         let (mut inside, Some(mut outside)) = (tried(inside), outside.map(tried)) else {
             return tried(inside);
@@ -98,12 +99,12 @@ pub fn modelled(case: &Case) -> Option<Interval> {
     Some([three(low, f64::ceil), three(high, f64::floor)])
 }
 
-/// What is to be largest: the force that is sure where there is an object, which is 0 where it is not known; else how far it closes.
+/// The value to maximise: with an object the lower end of the force's range, 0 if unknown; else the negative final radius.
 fn merit(row: &PressureRow, object: bool) -> f64 {
     if object { row.force_range_N.map_or(0.0, |range| range[0]) } else { -row.final_radius_mm }
 }
 
-/// `None` where nothing is known of the star at this pressure.
+/// `None` if the star has no prediction at this pressure.
 fn row(case: &Case, burst: Option<f64>, kpa: f64) -> Result<Option<PressureRow>, StarFault> {
     let pressure = Pressure(kpa).pascals();
     let model = tabled(case, pressure)?;

@@ -1,4 +1,4 @@
-//! The answer as a person reads it: what the gripper does, what was assumed, what to beware of.
+//! The prediction as a text for people: values, assumptions and warnings.
 
 use crate::forecast::outcome::Grip;
 use crate::forecast::prediction::{ForceAt, Hinges, Prediction, StarPrediction};
@@ -11,7 +11,7 @@ use crate::units::Readable;
 use inflatable::mechanics::hinge::Level;
 use std::fmt::Write;
 
-/// Of which fabric all numbers are where a spec gives no shear modulus.
+/// The fabric assumed for all numbers where a spec gives no shear modulus.
 pub const ISOTROPIC: &str =
     "all numbers are for isotropic fabric; a weave that is soft in shear closes less (docs/weave.md)";
 
@@ -73,11 +73,11 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     };
     let show = |value: f64, unit: &str| format!("{} {unit}", Readable(value)).trim_end().to_owned();
     let pair = |of: Hinges<Option<f64>>| of.tip.zip(of.corner);
-    // Why no model will do is a warning, and said there.
+    // The reason why no model applies is printed with the warnings.
     let why = Some(&star.evidence.choice).filter(|choice| !star.evidence.warnings.contains(choice));
     line("model", why.map_or(star.model.to_owned(), |why| format!("{} ({why})", star.model)));
     line("arm length", show(star.arm_length_mm, "mm"));
-    // A limit was asked for by name: its number is what was wanted, and how far it is off is not known.
+    // A limit is selected by name: its number is printed, and its error is unknown.
     let is_limit = star.model != Level::Section.name();
     if let Some((tip, corner)) = pair(star.lambda_t) {
         let said = |lambda: f64| if is_limit { Readable(lambda).to_string() } else { format!("{lambda:.3}") };
@@ -104,7 +104,7 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         ("mass", star.mass_g, "g"),
     ];
     if let Some([least, most]) = star.graspable_radius_mm {
-        // Nothing is known of the second that is better than the first.
+        // The second value has no better range than the first.
         let end = |radius: f64| match star.ranges.final_radius_mm {
             Some(range) => shown::as_exact_as(2.0 * radius, scaled(range, 2.0), "mm"),
             None => show(2.0 * radius, "mm"),
@@ -170,7 +170,7 @@ const FORCE: &str = "force on the object";
 /// The share of a stack's payload.
 const PAYLOAD: &str = "payload of this star";
 
-/// Whether the spec asks for `what`, so that it is said where it is not known.
+/// Whether the spec requires `what`, so that the report lists it also when unknown.
 fn is_asked(star: &StarPrediction, what: &str) -> bool {
     match what {
         FORCE => star.hold == Some(Grip::Untried),
@@ -179,7 +179,7 @@ fn is_asked(star: &StarPrediction, what: &str) -> bool {
     }
 }
 
-/// What has a range: its name, value, range and unit.
+/// The quantities that have ranges: name, value, range and unit of each.
 fn quantities(star: &StarPrediction) -> [(&'static str, Option<f64>, Option<Interval>, &'static str); 8] {
     let ranges = &star.ranges;
     let percent = |range: Interval| scaled(range, 100.0);

@@ -1,10 +1,10 @@
-//! The load that pressure puts on the seal, against what the seal holds.
+//! The load of the pressure on the seal, and the strength of the seal.
 //!
 //! The **pull on the seal** is the force with which one sheet pulls away from the seam's plane, per length of
-//! seam: that of one leg of a T-peel test. What the sheets pull within the plane is the same on both; the
-//! fused band carries it as fabric, and it peels nothing. A straight tube pulls with p W / pi. The inner rim
+//! seam: that of one leg of a T-peel test. The pull within the plane is the same in both sheets; the
+//! fused band carries it as fabric, without peeling. A straight tube pulls with p W / pi. The inner rim
 //! of a hinge is short and bears the pressure on a whole sector, so it pulls harder, most at the ends of its
-//! arc. No closed form is known: [`pull`] takes the tension k p W of the membrane [`Ring`], less the straight
+//! arc. There is no closed form: [`pull`] takes the tension k p W of the membrane [`Ring`], less the straight
 //! tube's, and four numbers from shells (docs/models.md). It is the mean over a piece of seam as long as the
 //! band is wide, because a leak has to cross the band. R* = R / W is that of the radius that the band really
 //! makes.
@@ -28,7 +28,7 @@ pub enum LoadedHinge {
 }
 
 impl LoadedHinge {
-    /// As messages name it.
+    /// Its name in messages.
     fn place(self) -> &'static str {
         match self {
             Self::Tip => "tips",
@@ -51,9 +51,9 @@ const ROUNDEST: f64 = 10.0;
 /// Sharpest hinge that is looked at, R*: there k is 1e5, more than any seal holds.
 const SHARPEST: f64 = 1e-6;
 
-/// It falls as this power of w / R: a wide band evens out what the ends of a hinge's arc pull.
+/// Exponent of its decrease with w / R: a wide band evens out the pull at the ends of a hinge's arc.
 const BAND: f64 = 0.29;
-/// It falls as this power of 1/eps / 1000: bending keeps the load at the ends of the arc.
+/// Exponent of its decrease with 1/eps / 1000: bending keeps the load at the ends of the arc.
 const BENDABILITY: f64 = 0.28;
 /// Least w / R of the shells: a narrower band meets the same load at the ends of an arc.
 const NARROWEST: f64 = 0.2;
@@ -94,7 +94,7 @@ pub enum Bursting {
     No,
     /// Within the range it may.
     Perhaps,
-    /// All over the range; where no range is known, by the predicted burst pressure.
+    /// Yes, over the whole range; without a range, by the predicted burst pressure.
     Yes,
 }
 
@@ -110,8 +110,8 @@ impl Bursting {
     }
 }
 
-/// The kind of hinge whose seal is pulled hardest, its inner radius, m, and `k` there; at all pressures the
-/// same. `None` outside the range of `ring`.
+/// The kind of hinge whose seal has the largest pull, its inner radius, m, and `k` there; the same at all
+/// pressures. `None` outside the range of `ring`.
 fn hardest(case: &Case, ring: &dyn HingeModel) -> Option<(f64, (LoadedHinge, f64))> {
     let Hinges { tip, corner } = case.realised;
     let [tip, corner] = [(LoadedHinge::Tip, tip), (LoadedHinge::Corner, corner)].map(|hinge| {
@@ -165,9 +165,9 @@ fn bursting(case: &Case, k: f64, hinge: (LoadedHinge, f64), peel: f64) -> f64 {
     pressure
 }
 
-/// The least inner radius of `hinge` at which its seal holds the pressure at the upper end of [`RANGE`],
-/// rounded up to a hundredth of a mm so that what is printed holds; `None` if no hinge is round enough, or
-/// pressure or peel strength are not known.
+/// The least inner radius of `hinge` at which its seal withstands the pressure at the upper end of [`RANGE`],
+/// rounded up to a hundredth of a mm, so the printed radius is safe; `None` if no radius is large enough, or
+/// pressure or peel strength are unknown.
 pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
     let width = case.mechanism.width;
     let (allowed, pressure) = (case.peel?, case.pressure?);
@@ -187,7 +187,7 @@ pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
     Some(Length(hundredths / 100.0))
 }
 
-/// What is to be done about a hinge that bursts.
+/// The remedy for a hinge whose seal bursts.
 pub fn remedy(safe: Option<Length>) -> String {
     match safe {
         Some(radius) => format!("a radius of {radius} would hold"),
@@ -198,7 +198,7 @@ pub fn remedy(safe: Option<Length>) -> String {
 /// The load at one kind of place of a star's seal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SealLoad {
-    /// Where.
+    /// The loaded place.
     pub place: &'static str,
     /// The radius that the band makes; `None` on straight parts.
     pub radius: Option<Length>,
@@ -271,7 +271,7 @@ fn at_place(case: &Case, place: &'static str, hinge: Option<(LoadedHinge, f64)>,
 }
 
 impl SealLoad {
-    /// What is to be warned of, if anything.
+    /// A warning about a weak seal, if there is one.
     pub fn weakness(&self) -> Option<String> {
         let (margin, bursting) = self.margin.zip(self.bursting)?;
         let remedy = match self.radius {
@@ -326,7 +326,7 @@ impl fmt::Display for SealLoad {
     }
 }
 
-/// What a drawn seal is asked: SI units.
+/// Inputs of a drawn seal, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawnSeal {
     /// Gauge pressure of the shell, Pa.
@@ -336,11 +336,12 @@ pub struct DrawnSeal {
 }
 
 impl DrawnSeal {
-    /// The pressure (Pa) at which a seam peels on which the shell at [`DrawnSeal::pressure`] pulls with `pull`, N per m, give or take `error`;
-    /// with its range. `None` without a peel strength, or where nothing pulls.
+    /// The pressure (Pa) at which a seam peels, with its range. `pull` and its mesh error `error` are the shell's at [`DrawnSeal::pressure`],
+    /// N per m. `None` without a peel strength, or without a pull.
     ///
-    /// The value goes in proportion. The range holds what a pull does that grows with p^(1 - `BENDABILITY`) only, as at the hinges of
-    /// stars, and the mesh error.
+    /// The value assumes a pull in proportion to the pressure. The range includes the mesh error and a pull that grows with p^(1 -
+    /// `BENDABILITY`) only,
+    /// as at the hinges of stars.
     pub fn burst(&self, pull: f64, error: f64) -> Option<(f64, Interval)> {
         let peel = self.peel?;
         let bound = |pull: f64| {

@@ -1,4 +1,4 @@
-//! What one model says of a star, as a prediction puts it.
+//! One model's values of a star, for a prediction.
 
 use crate::design::StarDesign;
 use crate::forecast::case::{Case, measured_stiffnesses};
@@ -19,7 +19,7 @@ pub(super) struct StarAnswer<'a> {
 }
 
 impl StarAnswer<'_> {
-    /// Puts what the model says into `star`.
+    /// Writes the model's values into `star`.
     pub(super) fn fill(&self, star: &mut StarPrediction, case: &Case) -> Result<(), StarFault> {
         let Self { model, inflated, outcome } = self;
         let [tip, corner] = [inflated.tip(), inflated.corner()];
@@ -36,7 +36,7 @@ impl StarAnswer<'_> {
         star.tip_target_angle_deg = Some(angles.0.to_degrees());
         star.corner_target_angle_deg = Some(angles.1.to_degrees());
         star.hinge_stiffness_Nm = stiffness;
-        // Those of the seal depend on no model of the hinge.
+        // The seal's ranges do not depend on the hinge's model.
         let StarRanges { seal_pull_N_per_mm, burst_pressure_kPa, .. } = star.ranges;
         star.ranges =
             StarRanges { seal_pull_N_per_mm, burst_pressure_kPa, ..ranges(case, outcome, stiffness) };
@@ -72,7 +72,7 @@ impl StarAnswer<'_> {
         if matches!(inflated.level(), Level::Fit | Level::Section) {
             return None;
         }
-        // Of its warnings about the object those of the linear star are enough.
+        // The linear star's warnings about the object are enough.
         let own = match Outcome::nonlinear(case, inflated) {
             Ok(own) => own,
             Err(fault) => {
@@ -124,7 +124,7 @@ fn ranges(case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) -> Sta
     }
 }
 
-/// What models of hinges make of a shear modulus.
+/// Use of a shear modulus by hinge models.
 const LEFT_OUT: &str = "left out: this model is of isotropic fabric";
 
 /// All of one star that depends on no model.
@@ -203,7 +203,7 @@ fn width_of(state: &HingeState) -> Option<f64> {
     state.edges.map(|edges| edges.width)
 }
 
-/// What is to be said about a star that cannot move as the mechanism thinks.
+/// Warnings about a star that cannot move as the mechanism assumes.
 pub(super) fn of_the_shape(case: &Case, outcome: &Outcome) -> Vec<String> {
     let star = &case.mechanism;
     let mut warnings = Vec::new();

@@ -1,6 +1,6 @@
 //! From bench tests to the fabric's stiffnesses: B from the angle of a V-actuator, Y from the width of an inflated disc.
 //!
-//! Both turn `section` round. A V-actuator's arms are those of the table, so B is found where that reaches. A disc wrinkles
+//! Both invert `section`. A V-actuator's arms are those of the table, so B is found within its range. A disc wrinkles
 //! at its rim, so its section is the tension field's, from its middle to the rim and with a whole turn kept: lambda = 1.
 
 use inflatable::mechanics::fault::StarFault;
@@ -41,9 +41,9 @@ pub struct DiscBench {
 /// A measurement that no stiffness explains.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BenchFault {
-    /// The angle lies outside of what fabrics of the table do: from and to, rad.
+    /// The angle lies outside of the range of the table's fabrics: from and to, rad.
     Angle(f64, [f64; 2]),
-    /// So the disc's part of its flat width: from and to.
+    /// The disc's inflated over its flat width lies outside of the range: from and to.
     Disc(f64, [f64; 2]),
     /// The table of arms does not reach a hinge of this size at this pressure.
     Beyond,
@@ -123,7 +123,7 @@ impl VBench {
         let most = of_tau(most_tau).min(pressure * w.powi(3) / arms::LEAST_BENDABILITY);
         let least =
             of_tau(least_tau * libm::exp(-arms::SLACK)).max(pressure * w.powi(3) / arms::MOST_BENDABILITY);
-        // What is on the table's edge is left to what is clearly inside.
+        // Values at the table's edge are left out.
         let (least, most) = (1.001 * least, 0.999 * most);
         if least.is_nan() || least >= most || pressure * w / stretch > STRETCH[1] {
             return Err(BenchFault::Beyond);

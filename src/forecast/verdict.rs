@@ -1,4 +1,4 @@
-//! Whether a gripper holds the object of its `[load]`, in one word and with reasons; and why it is refused if it cannot.
+//! The verdict on the object of a gripper's `[load]`, with its reasons; and the refusal of a gripper that cannot hold it.
 
 use crate::design::{Object, Refusal, RefusalCode};
 use crate::forecast::load_check::{
@@ -37,8 +37,9 @@ pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
     })
 }
 
-/// Why `check` and `build` refuse the gripper of `spec`: it bursts, no star of it can hold the object, it cannot carry the mass, breaks the
-/// object, or no model covers it. Empty if none of this is certain, or nothing is asked.
+/// The reasons of `check` and `build` to refuse the gripper of `spec`: it bursts, no star of it can hold the object, it cannot carry the
+/// mass, breaks the
+/// object, or no model covers it. Empty if none of this is certain, or without a load.
 pub fn refusals(spec: &Spec, stars: &[StarPrediction]) -> Vec<Refusal> {
     let Some(load) = spec.load.as_ref().filter(|load| load.pressure.is_some()) else { return Vec::new() };
     let judged = VerdictLines::of(spec, load, stars);
@@ -66,14 +67,14 @@ fn needed_force(load: &Load) -> Option<f64> {
     Some(mass * GRAVITY / friction)
 }
 
-/// How much a finding weighs.
+/// The weight of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Weight {
     /// The star does not hold the object: another one may.
     Idle,
-    /// The gripper does not do what it is for.
+    /// The gripper does not meet its purpose.
     Refuted,
-    /// Within its ranges it may or may not.
+    /// Whether it does depends on the position within its ranges.
     Doubted,
     /// No model covers it.
     Unknown,
@@ -114,7 +115,7 @@ impl VerdictLine {
     }
 }
 
-/// What was found.
+/// The findings of a verdict.
 #[derive(Debug, Default)]
 struct VerdictLines {
     findings: Vec<VerdictLine>,
@@ -159,7 +160,7 @@ impl VerdictLines {
         }
     }
 
-    /// The code of what decides.
+    /// The code of the decisive finding.
     fn code(&self) -> Option<&'static str> {
         let decides: &[Weight] = match self.holds() {
             Holds::Yes => return None,
@@ -227,7 +228,7 @@ impl VerdictLines {
     }
 }
 
-/// Why star `index` certainly does not hold the object of radius `object` (mm).
+/// The reason why star `index` certainly does not hold the object of radius `object` (mm).
 fn idle(spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction), object: f64) -> Option<Refusal> {
     let [least, most] = star.graspable_radius_mm?;
     if star.hold == Some(Grip::Beside) {
@@ -244,7 +245,7 @@ fn idle(spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction), objec
     (object > most).then(|| too_wide_to_open(load, object, [sure, most]))
 }
 
-/// Why it is not certain that a star holds the object of radius `object` (mm).
+/// The reasons why it is not certain that a star holds the object of radius `object` (mm).
 fn doubts(load: &Load, star: &StarPrediction, object: f64) -> Vec<String> {
     let mut reasons = Vec::new();
     if star.graspable_radius_mm.is_none() {

@@ -15,7 +15,7 @@ fn auto_takes_the_section_at_a_pressure_and_says_what_the_solver_says() {
         assert_eq!((auto.model, solved.model), ("section", "section"));
         let [fast, slow] = [&auto, &solved].map(|star| star.final_radius_mm.expect("at a pressure"));
         assert!((fast / slow - 1.0).abs() < 0.03, "n = {points}: {fast} {slow}");
-        // That it was asked for is no warning.
+        // A selection by name is not a warning.
         assert!(solved.evidence.choice.contains("asked for"));
         assert!(solved.evidence.warnings.iter().all(|warning| !warning.contains("asked for")));
         assert!(auto.nonlinear.is_none() && solved.nonlinear.is_none());

@@ -1,4 +1,4 @@
-//! Drawn pieces under pressure: shapes whose size is known, walls and islands, and what is refused.
+//! Drawn pieces under pressure: shapes of known size, walls and islands, and refused inputs.
 
 use stargrip_cam::design::{Design, DrawnPiece};
 use stargrip_cam::forecast::drawn::chambers::drawn_chambers;
@@ -17,7 +17,7 @@ use crate::support::keys;
 
 /// A disc of 100 mm of a film that stretches by some 1 %: 3 kPa, 0.1 mm.
 const DISC: &str = r#"<circle id="c" cx="80" cy="80" r="50"/>"#;
-/// Where its hose goes in.
+/// The inlet for its hose.
 const HOSE: &str = r#"<g id="p"><line id="q" x1="25" y1="80" x2="35" y2="80"/></g>"#;
 
 fn spec(air: &str, more: &str) -> (Spec, DrawnPiece) {
@@ -68,7 +68,7 @@ fn a_drawn_disc_is_a_balloon_each_time() {
     assert!(near(one.height_mm.expect("known").value, 45.69), "{:?}", one.height_mm);
     assert!(near(one.volume_mm3.expect("known").value, 152_300.0), "{:?}", one.volume_mm3);
     assert_eq!(one.leaves_plane, Some(false));
-    // All of the rim bears the pressure on what is seen of the sheet from above: in the mean p D'^2 / 4 D.
+    // The whole rim bears the pressure on the sheet's area seen from above: in the mean p D'^2 / 4 D.
     let pull = one.seal_pull_N_per_mm.expect("known");
     let mean = 3e-3 * 76.27_f64.powi(2) / 400.0;
     assert!((0.95..1.25).contains(&(pull.value / mean)), "{pull:?} {mean}");
@@ -158,7 +158,7 @@ fn a_star_drawn_as_a_region_is_the_star() {
     );
 }
 
-/// The shell computes two chambers beside a wall as one, and says so.
+/// The shell computes two chambers beside a wall as one, with a warning.
 #[test]
 fn chambers_that_a_wall_parts_are_computed_as_one_with_a_warning() {
     let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"a\"], port = [\"p\"] }\n[load]\npressure = \"3 kPa\"\n";
@@ -180,7 +180,7 @@ fn what_is_missing_or_for_stars_is_said() {
     let refusal = inflate(&asked.0, &asked.1, Detail::Coarse, &Watch::default()).expect_err("no pressure");
     let ShellRefusal::Fault(fault) = refusal else { panic!("{refusal:?}") };
     assert!(fault.to_string().starts_with("load.pressure: "), "{fault}");
-    // `check` and `build` ask the shell only where the spec names it.
+    // `check` and `build` use the shell only where the spec names it.
     let asked = spec(DISC, "[load]\npressure = \"3 kPa\"\n");
     let flat = of_spec(&asked.0, &asked.1, &Watch::default()).expect("what is flat").prediction;
     assert_eq!((flat.model, flat.volume_mm3), ("none", None));

@@ -1,4 +1,4 @@
-//! What a forecast says, held against closed forms, laws of scale, and figures worked out beside it.
+//! Predictions against closed forms, scaling laws, and figures calculated independently.
 
 mod choice;
 mod drawn;
@@ -21,7 +21,7 @@ use stargrip_cam::forecast::predict;
 use stargrip_cam::forecast::prediction::Prediction;
 use stargrip_cam::spec::{ModelChoice, Source, Spec, builtin_machine, read, read_machine};
 
-/// The paper's star, 3 of them, with all that can be asked about it.
+/// The paper's star, 3 of them, with all optional inputs.
 const PAPER: &str = concat!(include_str!("../support/gripper.toml"), "[seal]\nband = \"1 mm\"\n");
 
 /// The paper's gripper with `points` points, as the membrane's limit sees it.
@@ -61,7 +61,7 @@ fn close(found: f64, expected: f64, relative: f64) {
     assert!((found - expected).abs() <= relative * expected.abs(), "{found}, expected {expected}");
 }
 
-/// What crosses from the spec's units into SI: each value by hand.
+/// The conversion from the spec's units to SI: each value is written out.
 #[test]
 fn a_case_is_the_spec_in_si_units() {
     let mut spec = paper(5);
@@ -75,7 +75,7 @@ fn a_case_is_the_spec_in_si_units() {
         (case.mechanism.tip_angle, 30_f64.to_radians()),
         (case.mechanism.arm, star.l * 1e-3),
         (case.inner_radius, 0.05),
-        // The band, 1 mm wide, is narrower than either radius: both are made as asked for.
+        // The band, 1 mm wide, is narrower than either radius: both are made as specified.
         (case.realised.tip, 0.002),
         (case.realised.corner, 0.003),
         (case.peel.expect("given"), 3e3),

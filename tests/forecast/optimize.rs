@@ -1,6 +1,6 @@
-//! The constraints of a search in closed form, and the order of what it finds.
+//! The constraints of a search in closed form, and the order of its results.
 //!
-//! A box of equal ends holds one design: the search then says how far that one is from the constraints.
+//! A box of equal ends holds one design: the search then gives the violation of that one.
 
 use crate::{candidate, close, paper};
 use stargrip_cam::forecast::candidate::{Answer, Candidate};
@@ -72,7 +72,7 @@ fn a_grasp_is_closed_to_entered_and_opened_to() {
 
 #[test]
 fn arms_shorter_than_half_a_width_count_and_all_shortfalls_add_up() {
-    // Eight points of the paper's width have arms of 6 mm; half a width is 15 mm. They hold what is above 30.8 mm.
+    // Eight points of the paper's width have arms of 6 mm; half a width is 15 mm. They hold objects above 30.8 mm.
     let mut base = candidate(&paper(8));
     base.load.object_radius = Some(Length(32.0));
     let own = answer(&base);
@@ -114,7 +114,7 @@ fn found(goal: Goal) -> SearchResult {
     search(&base, &bounds, &Constraints::default(), goal, &TABLE)
 }
 
-/// What a goal makes least.
+/// The quantity that a goal minimises.
 fn cost(goal: Goal, of: &Evaluation) -> f64 {
     match goal {
         Goal::Contraction => -of.answer.outcome.expect("a limit").contraction,
@@ -134,7 +134,7 @@ fn each_goal_is_served_best_by_its_own_search() {
         assert!(costs.len() == 4 && costs.windows(2).all(|pair| pair[0] <= pair[1]), "{goal:?}: {costs:?}");
         for other in &all {
             assert!(costs[0] <= cost(goal, &other.best[0]), "{goal:?}");
-            // The end of the front in this goal is the optimum, and nothing computed lies beyond it.
+            // The end of the front in this goal is the optimum, and no computed design is better.
             let least = other.front.iter().map(|on| cost(goal, on)).fold(f64::INFINITY, f64::min);
             assert!(costs[0] <= least, "{goal:?}: {} {least}", costs[0]);
         }
@@ -146,7 +146,7 @@ fn each_goal_is_served_best_by_its_own_search() {
     }
 }
 
-/// The least fabric has an optimum on the edge of the box that can be seen: the narrowest tube, and the widest angle. With fewer points it
+/// The least fabric has an optimum on a known edge of the box: the narrowest tube, and the widest angle. With fewer points it
 /// would not close to the object.
 #[test]
 fn an_optimum_at_the_corner_of_the_box_is_reached() {

@@ -1,4 +1,4 @@
-//! What becomes of an object: who enters, who is reached, who is held, and with which force.
+//! The state of an object: whether it enters, is reached, and is held, and the force on it.
 
 use crate::{case, close, paper};
 use stargrip_cam::forecast::case::Case;
@@ -31,7 +31,7 @@ fn an_object_is_held_between_the_final_radius_and_the_widest() {
     assert_eq!(holding(8, 0.0501).1.object_force(), None);
 }
 
-/// A star that is pressed shut holds an object of just its final radius with what was stored in it.
+/// A star whose arms are pressed together holds an object of just its final radius with its preload.
 #[test]
 fn the_force_begins_with_the_preload_and_rises_by_the_stiffness() {
     let rest = holding(8, 0.03).1;
@@ -78,7 +78,7 @@ fn the_last_sixteenth_before_the_arms_lock_is_warned_of() {
         outcome.object_warning(&case).is_some_and(|text| text.contains("the arms lock there"))
     };
     assert!(warned(1.0 / 16.0 - 1e-6) && !warned(1.0 / 16.0 + 1e-6));
-    // With three points the way ends at an almost straight corner, where nothing locks.
+    // With three points the motion ends at an almost straight corner, without locking.
     let rest = holding(3, 0.04).1.rest;
     assert!(rest.widest.radius > 0.05);
     let (case, outcome) = holding(3, 0.048 - 1e-6);

@@ -102,7 +102,7 @@ fn without_a_pressure_there_is_a_table_of_pressures_with_the_best_marked() {
     for row in &rows {
         let [low, high] = row.radius_range_mm.expect("known");
         assert!(low <= row.final_radius_mm && row.final_radius_mm <= high && row.stretch < 0.1);
-        // Its row says what a spec with this pressure says.
+        // Its row agrees with a spec of this pressure.
         let mut one = gripper(5);
         one.load.as_mut().expect("given").pressure = Some(Pressure(row.pressure_kPa));
         let star = predict(&one).first;
@@ -115,7 +115,7 @@ fn without_a_pressure_there_is_a_table_of_pressures_with_the_best_marked() {
     assert_eq!(page.matches("<- best").count(), 1);
 }
 
-/// The asymmetric hinges are warned of from the accepted error on, and what they do is said.
+/// The asymmetric hinges are warned of from the accepted error on, and the warning gives their effect.
 #[test]
 fn own_hinges_are_warned_of_beyond_the_accepted_error() {
     for points in 3..=8 {
@@ -154,7 +154,7 @@ fn closing_the_tips_of_a_proper_star_does_not_widen_it() {
     }
 }
 
-/// A spec that was changed after its design was made: what no model can do names the star and the value.
+/// A spec that was changed after its design was made: the fault of a model names the star and the value.
 #[test]
 fn a_fault_names_the_star_and_the_key() {
     type Change = fn(&mut Spec);

@@ -100,7 +100,7 @@ fn every_number_has_the_sign_and_the_unit_of_its_key() {
             value.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("no number: {path}"));
         assert!((low - 1e-9..=high + 1e-9).contains(&found), "{path} is {found}, not {low} to {high}");
     }
-    // The seal is too weak for this pressure, and the answer says so by a code.
+    // The seal is too weak for this pressure, and the answer has a code for it.
     let words = ["/model", "/seal_pull_at", "/ranges_of", "/verdict/holds", "/verdict/code"];
     let said = words.map(|path| value.pointer(path).and_then(Value::as_str).unwrap_or_default());
     assert_eq!(said, ["section", "tips", "shell", "no", "bursts"]);
@@ -108,7 +108,7 @@ fn every_number_has_the_sign_and_the_unit_of_its_key() {
     assert_eq!(value["stars"].as_array().map(Vec::len), Some(3));
 }
 
-/// With and without a load, by every model of hinges: what `keys` says of an answer is so.
+/// With and without a load, by every model of hinges: the answer agrees with `keys`.
 #[test]
 fn every_key_has_its_meaning() {
     let bare = PAPER.split("[load]").next().unwrap_or_default();
@@ -148,7 +148,7 @@ fn what_is_not_asked_for_is_null() {
     );
     let rows = value["pressures"].as_array().expect("a table");
     assert!(rows.len() > 8 && rows.iter().filter(|row| row["best"] == true).count() == 1, "{rows:?}");
-    // A limit that is asked for by name says what it says at any pressure.
+    // A limit selected by name gives the same answer at any pressure.
     let mut limit = spec(&bare);
     limit.accuracy.model = ModelChoice::Ring;
     let value = json(&predict(&limit).expect("predictable"));
@@ -156,7 +156,7 @@ fn what_is_not_asked_for_is_null() {
     assert!(value["ranges"]["final_radius_mm"].is_null() && value["hinge_stiffness_Nm"].is_null());
 }
 
-/// Every quantity that a model has says between which ends a shell's values lie, and lies there itself.
+/// Every quantity of a model has the range of a shell's values, and lies in it.
 #[test]
 fn at_a_pressure_everything_has_its_range() {
     for points in 3..=7 {
@@ -202,7 +202,7 @@ fn where_no_model_covers_a_star_nothing_is_said_of_it() {
     soft.load.as_mut().expect("given").pressure = Some(Pressure(400.0));
     let prediction = predict(&soft).expect("an answer");
     let star = &prediction.first;
-    // At which pressure its seal bursts does not depend on the one at which it is asked about.
+    // The pressure at which its seal bursts does not depend on the pressure of the load.
     let burst_only =
         StarRanges { burst_pressure_kPa: star.ranges.burst_pressure_kPa, ..StarRanges::default() };
     assert_eq!((star.final_radius_mm, star.object_force_N, star.ranges), (None, None, burst_only));
@@ -237,7 +237,7 @@ fn all_models_answer_and_agree() {
     assert!((tip(&ring) - tip(&bvp)).abs() < 0.02 && (tip(&ring) - tip(&fit)).abs() < 0.02);
     let radius = |of: &StarPrediction| of.final_radius_mm.expect("a limit");
     assert!((radius(&ring) / radius(&bvp) - 1.0).abs() < 0.15);
-    // A limit has no range, whatever it says; the seal's do not depend on the model.
+    // A limit has no range; the seal's ranges do not depend on the model.
     let StarRanges { seal_pull_N_per_mm, burst_pressure_kPa, .. } = ring.ranges;
     assert!(seal_pull_N_per_mm.is_some() && burst_pressure_kPa.is_some());
     let of_the_seal = StarRanges { seal_pull_N_per_mm, burst_pressure_kPa, ..StarRanges::default() };
@@ -408,7 +408,7 @@ proptest! {
         if let Ok(prediction) = predict::predict(&spec, &design) {
             let mut found = Vec::new();
             nulls("", &json(&prediction), &mut found);
-            // What may be absent: what the fit does not know, and what the object or the seal make impossible.
+            // Values that may be absent: those that the fit does not give, and those that the object or the seal make impossible.
             let allowed = [
                 "lambda_c", "nonlinear", "hinge_width", "safe_radius_mm", "payload_kg", "object_force_N", "ranges", "verdict",
             ];
@@ -420,7 +420,7 @@ proptest! {
     }
 }
 
-/// Half a kilopascal is far below all that was tried: nothing follows from the model's numbers there.
+/// Half a kilopascal is far below the validated domain: the model's numbers are not valid there.
 #[test]
 fn of_a_star_of_which_nothing_is_known_nothing_is_said() {
     let mut weak = spec(PAPER);
@@ -434,7 +434,7 @@ fn of_a_star_of_which_nothing_is_known_nothing_is_said() {
     assert_eq!((verdict.holds.known(), verdict.force_N), (None, None));
 }
 
-/// A tube of a thousandth of a millimetre, which no one makes: its mask's outline has points that are nearly one.
+/// A tube of a thousandth of a millimetre, which is not realistic: its mask's outline has points that are nearly one.
 #[test]
 fn a_tube_of_a_micrometre_is_answered_or_refused() {
     let mut spec = spec(PAPER);
@@ -452,7 +452,7 @@ fn a_tube_of_a_micrometre_is_answered_or_refused() {
     }
 }
 
-/// Whoever reads the page is told once what is not known well enough, and no line ends in a blank.
+/// The page reports each unknown once, and no line ends in a blank.
 #[test]
 fn a_page_says_nothing_twice() {
     let mut unsure = spec(PAPER);

@@ -1,4 +1,4 @@
-//! Ranges of stars that shells were computed of, and what becomes of ranges away from them.
+//! Ranges of stars that were computed as shells, and ranges of stars away from them.
 
 use crate::{case, close, gripper};
 use stargrip_cam::design::Star;
@@ -10,7 +10,7 @@ use stargrip_cam::mechanics::star::response::Inflated;
 use stargrip_cam::spec::StarSpec;
 use stargrip_cam::units::{Angle, Length};
 
-/// What the section says of `case` at `kilopascals`; `None` where it says nothing.
+/// The outcome of `case` by the section at `kilopascals`; `None` where it is out of range.
 fn maybe_at(case: Case, kilopascals: f64) -> Option<Outcome> {
     let pressure = 1e3 * kilopascals;
     let model = tabled(&case, pressure).ok()?;
@@ -65,7 +65,7 @@ fn beyond_what_was_tried_ranges_widen_with_the_distance_and_further_away_there_a
     long.mechanism.arm = 6.0 * long.mechanism.width;
     let beyond = at(long, 30.0);
     assert_eq!(beyond.ranges.domain, Domain::Extrapolated);
-    // Arms of 5 W were tried, and 7.5 W are known: 6 W are 45 % of the way on a logarithmic scale.
+    // Arms of 5 W are validated, and 7.5 W are the end of the ranges: 6 W are 45 % of the way on a logarithmic scale.
     let wider = 1.0 + (errors::BEYOND - 1.0) * 1.2_f64.ln() / 1.5_f64.ln();
     close(beyond.ranges.wider, wider, 1e-9);
     close(width(&beyond, &long), wider * (errors::RADIUS[1] - errors::RADIUS[0]), 1e-9);
@@ -74,7 +74,7 @@ fn beyond_what_was_tried_ranges_widen_with_the_distance_and_further_away_there_a
     long.mechanism.arm = 9.0 * long.mechanism.width;
     let unknown = at(long, 30.0).ranges;
     assert_eq!((unknown.domain, unknown.radius, unknown.stiffness), (Domain::Unknown, None, None));
-    // Where the table of arms ends nothing is known either: 0.2 mm of fabric in a tube of 30 mm.
+    // At the end of the table of arms there is no prediction either: 0.2 mm of fabric in a tube of 30 mm.
     let mut thin = star;
     thin.sheet.thickness = 0.2e-3;
     assert_eq!(at(thin, 10.0).ranges.domain, Domain::Unknown);
@@ -143,7 +143,7 @@ fn varied(varied: &Varied) -> Option<Case> {
     Some(case)
 }
 
-/// What the section says of it.
+/// Its outcome by the section.
 fn outcome(star: &Varied) -> Option<Outcome> {
     maybe_at(varied(star)?, star.pressure)
 }
@@ -241,7 +241,7 @@ fn no_end_of_a_range_jumps_along_a_line() {
                         continue;
                     };
                     known += 1;
-                    // What begins at 0 has steps as large as itself, one like the next; a jump stands alone.
+                    // A quantity that begins at 0 has steps as large as itself, each like the next; a jump is a single step.
                     let beside =
                         step(i + 1).unwrap_or(0.0).max(i.checked_sub(1).and_then(step).unwrap_or(0.0));
                     let allowed = (0.02 * a.abs().max(b.abs())).max((1.5 * beside).min(5e-3 * most));

@@ -1,4 +1,4 @@
-//! The load on the seal: its two limits, and what follows from it in closed form.
+//! The load on the seal: its two limits, and its closed forms.
 
 use crate::{case, close, design, paper};
 use stargrip_cam::forecast::case::Case;
@@ -51,7 +51,7 @@ fn between_a_sharp_corner_and_a_straight_tube_the_load_falls() {
     assert_eq!(factor(&Ring, 0.0), None, "infinite");
 }
 
-/// To the hundredth of a mm: what is printed holds, a hundredth less does not.
+/// To the hundredth of a mm: the printed radius is safe, a hundredth less is not.
 #[test]
 fn the_safe_radius_is_the_least() {
     for pressure in [12e3, 20e3, 37e3, 60e3] {
@@ -98,7 +98,7 @@ fn without_pressure_or_strength_nothing_is_said_about_bursting() {
     }
 }
 
-/// Arms and inlet are straight tubes: p W / pi, by hand for W = 30 mm, 37 kPa and 3 N/mm.
+/// Arms and inlet are straight tubes: p W / pi, calculated for W = 30 mm, 37 kPa and 3 N/mm.
 #[test]
 fn a_straight_tube_pulls_with_its_radius_over_pi() {
     let loads = loads(&paper(5));
@@ -161,7 +161,7 @@ fn what_may_burst_is_warned_of_and_only_a_hinge_can_be_rounded() {
         assert!(weakness.ends_with(&format!("; a radius of {safe} would hold")), "{weakness}");
         assert_eq!((at(&loads, "arms").weakness(), at(&loads, "arms").safe_radius), (None, None));
     }
-    // Beyond the straight tube's own limit, 314 kPa, nothing helps, and no radius is named for it.
+    // Beyond the straight tube's own limit, 314 kPa, no radius helps, and none is named.
     let beyond = with(400.0);
     assert_eq!(
         at(&beyond, "arms").weakness(),

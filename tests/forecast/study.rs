@@ -1,4 +1,4 @@
-//! A study's rows: which design each is, and that it says what that design alone says.
+//! A study's rows: the design of each, and its agreement with the prediction of that design alone.
 
 use crate::{PAPER, candidate, close, paper};
 use proptest::prelude::*;
@@ -135,7 +135,7 @@ fn a_row_says_what_its_design_says() {
             // Nine digits are written.
             close(cell.parse().expect("a number"), expected.expect("asked for"), 5e-9);
         }
-        // Three equal stars hold three times what one holds.
+        // Three equal stars hold three times as much as one.
         close(answer.payload.expect("asked for"), 3.0 * outcome.payload.expect("asked for"), 1e-12);
     }
 }
@@ -221,7 +221,7 @@ fn a_reader_that_has_enough_stops_the_run() {
     );
 }
 
-/// Every key: by hand, the key in the spec; against it, the key varied.
+/// Every key: written into the spec, against the key varied.
 #[test]
 fn any_key_of_the_spec_varies_and_means_what_it_means_there() {
     let table = RingTable::new().expect("solved");
@@ -290,7 +290,7 @@ fn rows_go_on_together_and_combine_with_what_varies() {
     assert_eq!(numbers(&study, &batch, "load.pressure_kPa")[..5], [10.0, 10.0, 20.0, 20.0, 30.0]);
     let mirrored = words(&study, &batch, "mask.mirror");
     assert_eq!(mirrored[..2], [Some("true".to_owned()), Some("false".to_owned())]);
-    // A key that the prediction does not ask about changes nothing.
+    // A key that the prediction does not use changes no value.
     let radius = numbers(&study, &batch, "final_radius_mm");
     assert!(radius.chunks(2).all(|pair| pair[0] == pair[1]) && radius[0] != radius[2], "{radius:?}");
 }
@@ -339,7 +339,7 @@ fn columns_are_those_that_are_wanted_in_their_order() {
     );
     let header = csv::header(study.columns(), true);
     assert_eq!(header, "row,load.pressure_kPa,stretch,bendability,refused_code,refused\n#-,kPa,-,-,-,-\n");
-    // p W / Y and 12 p W^3 (1 - nu^2) / (E t^3), worked out beside: known where no model answers, too.
+    // p W / Y and 12 p W^3 (1 - nu^2) / (E t^3), calculated independently: they are given even where no model answers.
     let (p, w, e, t, nu) = (37e3, 0.03, 128e6, 0.3e-3, 0.39_f64);
     let batch = whole(&study);
     close(numbers(&study, &batch, "stretch")[0], p * w / (e * t), 1e-12);

@@ -1,4 +1,4 @@
-//! Whether an object is held: the word, and the reasons.
+//! Whether an object is held: the verdict and the reasons.
 
 use crate::{gripper, predict};
 use stargrip_cam::forecast::verdict::{Holds, Verdict, refusals, verdict};
@@ -96,7 +96,7 @@ fn what_is_proposed_for_too_much_mass_holds() {
         let number = rest.trim_start().split([' ', ':', ';']).next().unwrap_or_default();
         number.parse().unwrap_or_else(|_| panic!("{text}"))
     };
-    // Twice what is certain, with little friction: coated corners are a way out.
+    // Twice the certain payload, with little friction: coated corners are a remedy.
     let (found, _) = refused(12.0, 0.3);
     let [only] = &found[..] else { panic!("{found:?}") };
     assert_eq!((only.code.as_str(), only.key.to_string()), ("too-heavy", "load.mass".to_owned()));

@@ -1,4 +1,4 @@
-//! Woven fabric: which models know it, and what the others say.
+//! Woven fabric: the models that support it, and the warnings of the others.
 
 use std::f64::consts::FRAC_PI_4;
 

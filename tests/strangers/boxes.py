@@ -1,4 +1,4 @@
-"""Where lines and arcs of a DXF reach, exactly: ezdxf's own boxes are those of chords, or of curves' control points."""
+"""Exact extents of lines and arcs of a DXF: ezdxf's own boxes are those of chords, or of curves' control points."""
 import math
 
 import ezdxf

@@ -32,7 +32,7 @@ class Line:
         return tuple(p + t * (q - p) for p, q in zip(self.a, self.b))
 
     def distances(self, points):
-        """Of each point, a row of an array, to the nearest one of the line."""
+        """Distance of each point, a row of an array, from the line."""
         a, d = numpy.array(self.a), numpy.subtract(self.b, self.a)
         square = d @ d
         t = numpy.clip((points - a) @ d / square, 0.0, 1.0) if square else numpy.zeros(len(points))
@@ -49,7 +49,7 @@ class Arc:
         return (self.center[0] + self.radius * math.cos(angle), self.center[1] + self.radius * math.sin(angle))
 
     def distances(self, points):
-        """Of each point, a row of an array, to the nearest one of the arc."""
+        """Distance of each point, a row of an array, from the arc."""
         out = points - numpy.array(self.center)
         angle = numpy.arctan2(out[:, 1], out[:, 0])
         turn = ((angle - self.start) * math.copysign(1.0, self.sweep)) % (2 * math.pi)
@@ -99,7 +99,7 @@ for line in open(canon, encoding="utf-8"):
         fed.append((max(at[2], z), piece))
     at = (x, y, z)
 
-# In contact is what is fed at the lowest height: on the way down and up the iron leaves the drawing at an inlet's mouth.
+# Contact is the feed at the lowest height: on the way down and up the iron leaves the drawing at an inlet's mouth.
 lowest = min((height for height, _ in fed), default=0.0)
 contact = [piece for height, piece in fed if height <= min(lowest, 0.0) + 1e-9]
 length = sum(piece.length for piece in contact)

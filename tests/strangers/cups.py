@@ -43,7 +43,7 @@ PPD = """*PPD-Adobe: "4.3"
 
 
 def ink(pdf, work):
-    """Extent of what is drawn on each page, mm."""
+    """Extent of the drawing on each page, mm."""
     for old in os.listdir(work):
         if old.startswith("page"):
             os.remove(os.path.join(work, old))

@@ -1,4 +1,4 @@
-"""Two hundred drawings that no one drew: right ones are sealed where shapely says, wrong ones are refused for what is wrong, there.
+"""Two hundred random drawings: the seams of valid ones must agree with shapely's, invalid ones must be refused for their fault, at its place.
 
 Usage: drawings.py TOOL DIRECTORY [FIRST LAST]
 
@@ -28,7 +28,7 @@ JOIN = 0.02  # mm, the default of [drawing]
 
 
 class Sketch:
-    """Curves (layer, name, loop, closed), ports (name, a, b), the air, and what else is sealed."""
+    """Curves (layer, name, loop, closed), ports (name, a, b), the air, and other sealed areas."""
 
     def __init__(self, rng):
         loops, air = drawn_loops.air(rng, rng.randrange(4))
@@ -52,7 +52,7 @@ class Sketch:
         return (layer, name, [*loop[:-1], Line(loop[-1].a, end)], False)
 
     def inside(self, room):
-        """A place with so much room around it to the edge, or None."""
+        """A place with at least this distance from the edge, or None."""
         left, low, right, high = self.air.bounds
         for _ in range(200):
             at = complex(self.rng.uniform(left, right), self.rng.uniform(low, high))
@@ -61,7 +61,7 @@ class Sketch:
                 return at
         return None
 
-    # What a person's drawing may have, and is mended.
+    # Faults that a person's drawing may have, and that are repaired.
 
     def weld(self):
         at = self.inside(18)
@@ -205,7 +205,7 @@ def written(made, number, folder):
 
 
 def complaint(tool, folder, number):
-    """What is wrong with a drawing's answer; None if nothing is."""
+    """The fault of the answer to a drawing; None if there is none."""
     made, code = sketch(number)
     spec = written(made, number, folder)
     if code is None:

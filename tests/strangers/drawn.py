@@ -41,7 +41,7 @@ def page(svg):
 
 
 def inkscape(jobs, pictures):
-    """Off by how much the edges of each layer are, mm, and a picture of each file at 100 %."""
+    """The error of the edges of each layer, mm, and a picture of each file at 100 %."""
     actions, asked = [], []
     for svg, picture in zip(jobs, pictures):
         left, top, _, _ = page(svg)
@@ -85,7 +85,7 @@ def chromium(jobs, work):
 
 
 def darkest(picture):
-    # Librsvg leaves transparent what is not drawn.
+    # Librsvg leaves empty areas transparent.
     image = Image.open(picture).convert("RGBA")
     return Image.alpha_composite(Image.new("RGBA", image.size, "white"), image).convert("L").getextrema()[0]
 
@@ -96,7 +96,7 @@ def main():
     cutting = ("seal-svg", "outline-svg", "mask-svg", "frame-svg")
     jobs = [os.path.join(folder, f["path"]) for f in manifest["files"] if f["kind"] in cutting]
     problems, worst = [], 0.0
-    # The frame's plates say their size in the manifest, too; the tool runs half a kerf outside of it.
+    # The manifest gives the sizes of the frame's plates, too; the tool runs half a kerf outside of it.
     with open(os.path.join(folder, "spec.toml"), "rb") as file:
         spec = tomllib.load(file)
     kerf = next((spec[part]["kerf"] for part in ("frame", "cut") if "kerf" in spec.get(part, {})), "0 mm")

@@ -1,4 +1,4 @@
-"""Drawings that Inkscape and ezdxf wrote themselves: sealed where shapely says, from what svgelements and ezdxf read in the same files.
+"""Drawings written by Inkscape and ezdxf: the seams must agree with shapely's, computed from the same files as read by svgelements and ezdxf.
 
 Usage: drawn_by.py TOOL DIRECTORY [FILE...]
 
@@ -25,7 +25,7 @@ CHORD = 5e-5  # mm: how far a chord may be from its curve
 JOINED = 1e-4  # mm: nearer ends of a DXF's curves are one
 TOLERANCE = drawn_seams.TOLERANCE + 1e-4  # mm: programs write six to nine digits
 
-# Name: the page's unit, the shapes of the air, what Inkscape does, and the area in mm^2 if a formula says it.
+# Name: the page's unit, the shapes of the air, Inkscape's actions, and the area in mm^2 if there is a formula for it.
 RIM = '<rect id="rim" x="20" y="20" width="150" height="110" rx="15" ry="12"/>'
 RIM_AREA = 150 * 110 - (4 - math.pi) * 15 * 12
 SPOT = '<ellipse id="spot" cx="70" cy="80" rx="12" ry="8" transform="rotate(20 70 80)"/>'
@@ -68,7 +68,7 @@ def page(unit, shapes):
 
 
 def by_inkscape(folder):
-    """Writes all of Inkscape's drawings, and answers with the paths of the files."""
+    """Writes all of Inkscape's drawings, and returns the paths of the files."""
     own, plain = [], []
     files = []
     for name, (unit, shapes, does, _) in INKSCAPE.items():
@@ -79,7 +79,7 @@ def by_inkscape(folder):
         own.append(f"file-open:{source}; {does}; export-type:svg; export-filename:{ends[0]}; export-do; file-close")
         plain.append(f"file-open:{ends[0]}; export-plain-svg; export-filename:{ends[1]}; export-do; file-close")
         files += ends
-    # That plain SVG is wanted is not forgotten until it ends.
+    # Inkscape keeps the option for plain SVG until it ends.
     actions = "\n".join([*own, *plain, "quit", ""])
     shell = subprocess.run(["inkscape", "--shell"], input=actions, capture_output=True, text=True, timeout=60)
 
@@ -110,7 +110,7 @@ def by_ezdxf(folder):
         sheet.add_open_spline([(6, 5), (5, 5.6), (3.5, 4.2), (2, 5), (1, 5)], 3, dxfattribs=on)
         sheet.add_rational_spline([(1, 5), (0.2, 3), (1, 1)], [1, 0.7, 1], 2, dxfattribs=on)
         sheet.add_circle((2.5, 3), 0.4, on)
-        # What is on layer 0 of a block lies on the layer where the block is put.
+        # Entities on layer 0 of a block belong to the layer of the block's reference.
         eye, pair = document.blocks.new("eye"), document.blocks.new("pair")
         eye.add_ellipse((0, 0), (0.4, 0), 0.6)
         pair.add_blockref("eye", (0, 0), {"rotation": 30})
@@ -126,7 +126,7 @@ def by_ezdxf(folder):
 def of_svg(file):
     """{layer: lines as arrays of complex numbers in mm, Y up} of an SVG, by svgelements."""
     drawing = se.SVG.parse(file, ppi=96)
-    # It takes a millimetre for 0.0393701 in: the page says its own scale.
+    # svgelements takes a millimetre for 0.0393701 in, so the scale is taken from the page.
     with open(file, encoding="utf-8") as text:
         width, unit = re.search(r'\bwidth="([0-9.]+)(mm|cm|in)"', text.read()).groups()
     scale = float(width) * UNITS[unit] / drawing.width
@@ -172,7 +172,7 @@ def of_dxf(file):
         elif kind == "LINE":
             places = [entity.dxf.start, entity.dxf.end]
         else:
-            # Ezdxf's paths are cubics that only come near to arcs and rational splines; its entities know their own points.
+            # Ezdxf's paths are cubics that only come near to arcs and rational splines; its entities compute exact points.
             places = entity.flattening(CHORD / unit, *([16] if kind in ("ELLIPSE", "SPLINE") else []))
         points = np.array([complex(p.x, p.y) * unit for p in places])
         # Inkscape ends each drawing with curves of no length, and FreeCAD polylines with such lines.
@@ -185,7 +185,7 @@ def of_dxf(file):
 
 
 def region(lines):
-    """What lies within an odd number of the closed curves that the lines make end to end."""
+    """The area inside an odd number of the closed curves that the lines form end to end."""
     loops, open_ones = [], list(lines)
     while open_ones:
         chain = open_ones.pop()
@@ -200,7 +200,7 @@ def region(lines):
 
 
 def compared(tool, file, area):
-    """How far the seams of a drawing lie from those expected, mm; or what is wrong, as a text."""
+    """The distance of a drawing's seams from the expected ones, mm; or a message about its fault."""
     layers = of_svg(file) if file.endswith(".svg") else of_dxf(file)
     air = region(layers["air"])
     if area is not None and abs(air.area / area - 1) > 1e-3:

@@ -1,4 +1,4 @@
-"""Drawings as files: SVG by hand, in every way of saying the same, and DXF by ezdxf. Chosen by a seeded `rng`."""
+"""Drawings as files: SVG written here, in all its equivalent forms, and DXF by ezdxf. Chosen by a seeded `rng`."""
 import cmath
 import math
 
@@ -74,7 +74,7 @@ def svg(rng, curves, ports, size):
 
 
 def mirrored(segment, height, per, turn, scale, by):
-    """A segment as it has to be written: Y down, and before what the group does to it."""
+    """A segment as it has to be written: Y down, before the group's transform."""
     def f(p):
         return ((complex(p.real, height - p.imag) / per) - by) * cmath.exp(-1j * turn) / scale
     if isinstance(segment, Arc):
@@ -83,7 +83,7 @@ def mirrored(segment, height, per, turn, scale, by):
 
 
 def dxf(rng, curves, ports, path):
-    """Writes a DXF of `curves` and `ports` at `path`, and answers which: R12 has polylines and arcs only, and no unit."""
+    """Writes a DXF of `curves` and `ports` at `path`, and returns its version: R12 has polylines and arcs only, and no unit."""
     old = rng.random() < 0.25 and not any(isinstance(s, Bezier) for _, _, loop, _ in curves for s in loop)
     unit = "mm" if old else rng.choice(list(INSUNITS))
     version = "R12" if old else rng.choice(["R2000", "R2010", "R2018"])

@@ -63,7 +63,7 @@ def runs_of_svg(path):
 
 
 def off(runs, want, ports):
-    """How far the seams lie from those that are wanted, both ways, mm. A build moves its piece: corners of the boxes meet."""
+    """The distance of the seams from the expected ones, both ways, mm. A build moves its piece, so the boxes are aligned at their corners."""
     runs = [np.array(run) for run in runs]
     got = np.concatenate(runs)
     left, low, right, high = want.bounds
@@ -91,7 +91,7 @@ def off_by(runs, want, ports, shift, best):
 
     pieces = pairs([np.array([complex(*p) for p in part.coords]) for part in parts(want)])
     probes = far(got, AT_PORT)
-    # A few places say whether the shift is the right one.
+    # A few places decide whether the shift is the right one.
     if distance(probes[:: max(1, len(probes) // 50)], pieces) >= max(best, 1.0):
         return math.inf
     there = distance(probes, pieces)

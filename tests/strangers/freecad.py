@@ -13,8 +13,8 @@ import Mesh
 import Part
 import importSVG
 
-# Of an area, a length. The areas of an SVG are not compared: its arcs become splines of the right length, and within one
-# closed spline FreeCAD integrates to some thousandths only.
+# Tolerance of an area and of a length. The areas of an SVG are not compared: its arcs become splines of the right
+# length, and within one closed spline FreeCAD integrates to some thousandths only.
 SHARE = {"dxf": 1e-6, "svg": 1e-6}
 
 
@@ -74,7 +74,7 @@ def main():
             file, (subject, _, form) = os.path.join(folder, entry["path"]), entry["kind"].partition("-")
             if subject == "mask" and form in ("dxf", "svg", "stl"):
                 mask = next(mask for mask in manifest["masks"] if mask["star"] == entry["star"])
-                # All windows are alike, and there are three registration holes of 3 mm.
+                # All windows are equal, and there are three registration holes of 3 mm.
                 windows = round((face_area(folder, entry) - mask["area_mm2"]) / mask["window_mm2"])
                 found = solid(file, mask["volume_mm3"]) if form == "stl" else flat(file, mask["area_mm2"], windows + 3)
             elif subject == "frame":

@@ -27,7 +27,7 @@ def wanted(dxf):
 
 
 def cuts(program):
-    """Boxes of what is burnt at the feed of cuts, in order, and whether each comes back to where it began."""
+    """Boxes of the runs burnt at the feed of cuts, in order, and whether each run is closed."""
     at, feed, power, run, found = (0.0, 0.0), 0.0, 0.0, [], []
     with open(program, encoding="utf-8", newline=None) as file:
         lines = file.read().split("\n")
@@ -55,7 +55,7 @@ def within(inner, outer):
 
 
 def planned(kernel, work):
-    """What the job of all that is loaded would cut."""
+    """The cuts of the job of all loaded elements."""
     program = os.path.join(work, "job.gcode")
     kernel.console(f'plan0 clear copy preprocess validate blob preopt optimize save_job "{program}"\n')
     done = cuts(program)
@@ -64,7 +64,7 @@ def planned(kernel, work):
 
 
 def meerk40t(file, kernel, work):
-    """What is wrong with the job of `file`, and how many contours it cuts."""
+    """The faults of the job of `file`, and the number of contours that it cuts."""
     kernel.console("element* delete\n")
     kernel.console(f'load "{file}"\n')
     right = relative(wanted(os.path.splitext(file)[0] + ".dxf"))
@@ -103,7 +103,7 @@ def started(work):
 
 
 def k40_whisperer(svg):
-    """Layers by what would become of them."""
+    """Layers by the operation that they would get."""
     done = {"cut": [], "engrave": [], "raster": []}
     shapes = ("path", "circle", "rect", "ellipse", "line", "polyline", "polygon")
 

@@ -18,7 +18,7 @@ def wrong(stl, bed, work):
     told = dict(re.findall(r"^(\w+) = +(\S+)", slicer("--info", stl).stdout, re.M))
     if told.get("manifold") != "yes" or told.get("number_of_parts") != "1":
         yield f"manifold {told.get('manifold')}, parts {told.get('number_of_parts')}"
-    # Only of what it mends it tells: facets_added, edges_fixed, backwards_edges ...
+    # It reports repairs only: facets_added, edges_fixed, backwards_edges ...
     mended = {key: value for key, value in told.items() if re.search("fixed|removed|reversed|added|backwards|degenerate", key)}
     if mended:
         yield f"repaired {mended}"

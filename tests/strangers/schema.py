@@ -1,4 +1,4 @@
-"""The schema of a spec, read by a validator that no one here wrote: what the program accepts is valid, what it refuses for its form is not.
+"""The schema of a spec, read by an independent validator: specs that the program accepts are valid, those that it refuses for their form are not.
 
 Arguments: the program, and specs that it accepts."""
 
@@ -30,7 +30,7 @@ tip_angle = "30 deg"
 
 
 def verdicts(text):
-    """What the program and the schema say of a spec: whether it is one."""
+    """Whether the program accepts a spec, and whether it is valid by the schema."""
     program = subprocess.run([tool, "check", "-q", "-"], input=text.encode(), capture_output=True)
     return program.returncode == 0, validator.is_valid(tomllib.loads(text))
 

@@ -45,7 +45,7 @@ def main():
         stress = stretch / (1 - nu**2) * ((1 - nu) * strain + nu * np.trace(strain) * np.eye(2))
         ground = 0.5 * ((x[1] - x[0])[0] * (x[2] - x[0])[1] - (x[2] - x[0])[0] * (x[1] - x[0])[1])
         for i in range(3):
-            # Of the force across the plane pressure brings a third of the triangle's area on the ground.
+            # The pressure force across the plane at a corner is that on a third of the triangle's area on the ground.
             forces[corners[i]] += 0.5 * twice * gradient @ stress @ slopes[i]
             forces[corners[i], 2] -= pressure * ground / 3
             edge = tuple(sorted((corners[i - 1], corners[i - 2])))

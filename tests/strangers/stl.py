@@ -1,6 +1,6 @@
-"""trimesh reads solids: watertight, wound outwards, one body, of the area and the extents that the manifest says.
+"""trimesh reads solids: watertight, wound outwards, one body, of the area and the extents in the manifest.
 
-The area is that of the face it stands on; a mark is sunk into the other one, so that the volume may be up to 2 % less.
+The area is that of its bottom face; a mark is sunk into the other one, so that the volume may be up to 2 % less.
 
 Of a mask in pieces the first one is looked at together with all others: moved back to where they belong, they are the plate of the
 mask's drawing. The Euler number counts holes: a disc with k of them has 2 - 2 k, whatever is sunk into it.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reads the VTU file of a V-actuator with meshio, and asks of it what is known without the file."""
+"""Reads the VTU file of a V-actuator with meshio, and compares it with values known without the file."""
 
 import sys
 
@@ -23,7 +23,7 @@ assert sorted(data) == [
 for name, values in data.items():
     assert np.isfinite(values).all(), name
 assert np.isfinite(points).all() and (points[:, 2] > -0.1).all() and (flat[:, 2] == 0).all()
-# An inflated tube: sheet W from rim to rim stands some W / pi high, and no flat point is further than its arm from the hinge.
+# An inflated tube: sheet W from rim to rim is some W / pi high, and no flat point is further than its arm from the hinge.
 assert 0.9 * width / np.pi < points[:, 2].max() < 1.3 * width / np.pi, points[:, 2].max()
 
 

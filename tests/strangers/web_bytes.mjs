@@ -1,4 +1,4 @@
-// The page's program without a browser: its size, its files against the command's to the byte, and what it does with hostile texts.
+// The page's program without a browser: its size, its files against the command's to the byte, and its response to hostile texts.
 // Usage: node web_bytes.mjs PAGES TOOL OUT. OUT gets the command's builds.
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";

@@ -1,6 +1,6 @@
-//! Shapes whose inflated size is known, as regions: `cargo run --release -p inflatable --example region [cells]`.
+//! Regions with published inflated sizes: `cargo run --release -p inflatable --example region [cells]`.
 //!
-//! E = 128 MPa, nu = 0.39. Prints each number with its mesh error; with no `cells`, on the meshes of a first look.
+//! E = 128 MPa, nu = 0.39. Prints each number with its mesh error; without `cells`, on the coarse default meshes.
 
 use inflatable::geom::{Arc, Line, Path, Point, Segment, Vec2};
 use inflatable::shell::cases::{

@@ -1,4 +1,4 @@
-//! One hinge at its pressure: what it does, what its sheet bears, and its limit.
+//! One hinge at its pressure: its state at rest, the loads in its sheet, and its limit.
 //!
 //! `cargo run --release --example section`
 

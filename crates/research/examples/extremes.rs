@@ -1,4 +1,4 @@
-//! What the mechanics does at the ends of every range, as the tables of docs/stability.md.
+//! The mechanics at the ends of every range, as the tables of docs/stability.md.
 //!
 //! `cargo run --release -p research --example extremes`
 
@@ -224,7 +224,7 @@ fn held() -> String {
     out + "\n"
 }
 
-/// Where the table of arms ends.
+/// The end of the table of arms.
 fn arms() -> String {
     let mut out =
         String::from("| 1/eps, t/W, R* | arc | coils further by | arms give |\n|---|---|---|---|\n");

@@ -1,7 +1,7 @@
 //! Searches against grids: problems at random, the winner of each against 10^5 designs of a grid that meet the same constraints.
 //!
 //! `cargo run --release -p research --example optimum -- 200`; with a second number, that problem alone. `-- 200 shell 20` computes the first 20
-//! winners whose constraints a shell can judge as shells: how far they close, whether they open so far, how hard they press.
+//! winners with constraints that a shell can check as shells: closing, opening and force.
 
 #[path = "support/dice.rs"]
 mod dice;
@@ -28,7 +28,7 @@ const POINTS: std::ops::RangeInclusive<u32> = 3..=12;
 /// By how much the winner may be beaten.
 const BEATEN: f64 = 0.005;
 
-/// One problem: what is searched, in which box, and for what.
+/// One problem: base design, bounds, constraints and goal.
 struct Problem {
     base: Candidate,
     bounds: SearchBounds,
@@ -89,7 +89,7 @@ impl Problem {
         Self { base, bounds, constraints, goal }
     }
 
-    /// What is wanted of a design, more of it being better; `None` if it is not known.
+    /// The value of a design, to be maximised; `None` if unknown.
     fn worth(&self, point: &Candidate, answer: &Answer) -> Option<f64> {
         let own = answer.outcome.as_ref()?;
         match self.goal {
@@ -100,7 +100,7 @@ impl Problem {
         }
     }
 
-    /// What the search finds; `None` if nothing meets the constraints.
+    /// The optimum of the search; `None` if no design meets the constraints.
     fn winner(&self, table: &RingTable) -> Option<Evaluation> {
         let found = search(&self.base, &self.bounds, &self.constraints, self.goal, table);
         found.best.into_iter().next().filter(|best| best.violation == 0.0)
@@ -137,7 +137,7 @@ impl Problem {
 /// Meshes of some 1,500, 6,000 and 24,000 unknowns.
 const FINENESS: Fineness = Fineness { cells: 8.0, cuts: 2 };
 
-/// What the shell says of a winner: each constraint that it can judge, and whether it holds.
+/// The shell's check of a winner: each constraint that it can check, and whether it holds.
 fn judged(problem: &Problem, winner: &Evaluation) -> Result<Vec<(String, bool)>, Box<dyn Error>> {
     let (point, answer) = (&winner.point, &winner.answer);
     let Constraints { grasp, payload, largest_force, .. } = problem.constraints;
@@ -168,7 +168,7 @@ fn judged(problem: &Problem, winner: &Evaluation) -> Result<Vec<(String, bool)>,
     Ok(said)
 }
 
-/// The first `wanted` winners of `problems` that a shell can judge, judged.
+/// Checks the first `wanted` winners of `problems` that a shell can check.
 fn judge(problems: &[Problem], wanted: usize, only: Option<u32>, table: &RingTable) {
     let (mut judged_winners, mut kept, mut broken) = (0, 0, 0);
     for (number, problem) in (1_u32..).zip(problems) {

@@ -11,7 +11,7 @@ fn main() {
     print!("{}", tables());
 }
 
-/// Stars that have the same part in what is claimed: a name, a set, the first and the last of it.
+/// A group of stars with the same use in the validation: a name, a set, its first and last star.
 type Group = (&'static str, Set, u32, u32);
 
 const GROUPS: [Group; 8] = [
@@ -75,7 +75,7 @@ pub fn tables() -> String {
     out
 }
 
-/// How far forces are off, by opening and by n: on the same object, as a user asks, and where shell and model are opened equally far.
+/// Errors of forces, by opening and by n: on the same object, as for a user, and with shell and model opened equally far.
 fn forces(all: &[Comparison]) -> String {
     let mut out = String::from(
         "| set | objects | forces | same opening: rms | within 15 % | same object: rms | within 15 % | within 15 % and the mesh error |\n\
@@ -108,12 +108,12 @@ fn forces(all: &[Comparison]) -> String {
     out
 }
 
-/// Stars that the law of forces was fitted to, those that it was chosen by, and those that nobody had seen when it was: a name, and the first
-/// and last of the test set; with the first go the other sets.
+/// Stars that the law of forces was fitted to, those used to choose it, and those not used before: a name, and the first
+/// and last star of the test set; the first group includes the other sets.
 const FORCE_GROUPS: [(&str, u32, u32); 3] =
     [("fitted to", 1, 180), ("test, 181 to 240", 181, 240), ("test, 241 to 300", 241, 300)];
 
-/// How many forces there are, and how far they are off.
+/// Number of forces, and their errors.
 fn shares(pairs: &[Pair]) -> String {
     let opening: Vec<f64> = pairs.iter().map(|pair| 1.0 / pair.error - 1.0).collect();
     let object: Vec<f64> = pairs.iter().map(|pair| pair.predicted / pair.shell - 1.0).collect();
@@ -132,7 +132,7 @@ fn shares(pairs: &[Pair]) -> String {
     )
 }
 
-/// How near a force is wanted.
+/// Error below which a force counts as near.
 const NEAR: f64 = 0.15;
 
 fn in_degrees(pair: Pair) -> Pair {

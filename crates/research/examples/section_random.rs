@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             ..0.5 => 1e-6 * 3e6_f64.powf(draw()),
             _ => 3.0 * draw(),
         };
-        // Where p W / Y is out of range there is nothing to find.
+        // Where p W / Y is out of range there is no section.
         let Ok(section) = Section::new(bendability, thickness, poisson) else { continue };
         drawn += 1;
         match section.target(r_star) {

@@ -15,7 +15,7 @@ const COUNTS: [usize; 4] = [11, 7, 9, 3];
 /// Coefficients below this, in every quantity, are left out.
 const SMALLEST: f64 = 3e-5;
 
-/// The eight numbers that are smooth: logarithms of what spans decades.
+/// The eight smooth quantities: logarithms of those that span decades.
 type Quantities = [f64; 8];
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -1,7 +1,7 @@
-//! Shells at random over all that they are made for: does any find no equilibrium?
+//! Random shells over the whole supported range: counts those without an equilibrium.
 //!
-//! `cargo run --release -p research --example shell_random -- 100`: so many V-actuators, and so many stars of 3 to 8, 12 and 16 points. Half of all hinges turn on a
-//! point. What was drawn is printed with each that fails.
+//! `cargo run --release -p research --example shell_random -- 100`: that number of V-actuators, and of stars of 3 to 8, 12 and 16 points.
+//! Half of all hinges turn on a point. The inputs of each failure are printed.
 
 #[path = "support/dice.rs"]
 mod dice;

@@ -1,6 +1,6 @@
-//! What arms add to a hinge, computed: **ladders** of V-actuators at rising pressures, as shells, and the table made of them.
+//! Effect of arms on a hinge, computed: **ladders** of V-actuators at rising pressures, as shells, and the table made of them.
 //!
-//! A ladder is one tau, R* and nu at all pressures of the table's grid; its answer is a text that stands alone, with a
+//! A ladder is one tau, R* and nu at all pressures of the table's grid; its answer is a self-contained text with a
 //! checksum of its own in its last line. All texts together are joined into the table, `section` subtracted.
 
 use crate::sha256;
@@ -20,7 +20,7 @@ const WIDTH: f64 = 0.02;
 const STRETCH: f64 = 1e4;
 /// Meshes of some 12,000, 50,000 and 200,000 unknowns, begun on one of 3,000.
 pub const FINENESS: Fineness = Fineness { cells: 10.0, cuts: 3 };
-/// Poisson's ratios besides the table's, and where they are tried, at its first angle.
+/// Poisson's ratios besides the table's, and the places of the grid at which they are computed, at its first angle.
 const OTHER_POISSONS: [f64; 2] = [0.2, 0.49];
 const OTHERS: [(usize, usize); 3] = [(0, 3), (1, 0), (2, 4)];
 
@@ -39,7 +39,7 @@ pub struct Ladder {
     pub poisson: f64,
 }
 
-/// Ladders of the table, arc by arc and tau by tau; those after them say what nu does besides.
+/// Ladders of the table, arc by arc and tau by tau; those after them test the dependence on nu.
 pub fn ladders() -> Vec<Ladder> {
     let mut all = Vec::new();
     let mut push = |arc: f64, tau, r_star, poisson| {
@@ -71,10 +71,10 @@ impl Ladder {
         self.poisson == arms::POISSON
     }
 
-    /// Computes it: its text, and what it found.
+    /// Computes it; returns its text with the results.
     ///
     /// # Errors
-    /// If the shell refuses, or was told to stop.
+    /// If the shell refuses, or is cancelled.
     pub fn compute(&self, fineness: Fineness, watch: &Watch<'_>) -> Result<String, ShellFault> {
         let bendabilities = arms::bendabilities(self.tau);
         let bending = STRETCH * (self.tau * WIDTH).powi(2);
@@ -172,7 +172,7 @@ impl LadderTable {
     }
 }
 
-/// Why ladders make no table.
+/// Reason for ladders that form no table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum JoinFault {
     /// A ladder is missing.
@@ -240,8 +240,8 @@ mod tests {
         LadderTable::read(&text).expect("whole")
     }
 
-    /// Two of the table's ladders, R* = 0.15 at two tau, phi_0 of 60 and of 120 deg: C within a twentieth, of the thicker within a hundredth, or as
-    /// far as coarse meshes leave it open.
+    /// Two of the table's ladders, R* = 0.15 at two tau, phi_0 of 60 and of 120 deg: C within a twentieth, of the thicker within a hundredth, or
+    /// within the mesh error of coarse meshes.
     #[test]
     fn the_shipped_table_is_what_shells_say() {
         for (number, open) in [(10, 10.0), (34, 2.0)] {

@@ -1,5 +1,5 @@
-//! Shells by which the predictions of `stargrip-cam` are fitted and judged: which are computed, what was found, and the tables made
-//! of them. The program itself depends on none of this.
+//! Shells that fit and validate the predictions of `stargrip-cam`: the selection, the results, and the tables made
+//! of them. The program itself does not depend on this crate.
 
 use sha2::{Digest, Sha256};
 use std::fmt::Write;

@@ -1,4 +1,4 @@
-//! `research`: computes the stars and ladders of the shipped tables, a file each, and joins them. What is there is not computed again.
+//! `research`: computes the stars and ladders of the shipped tables, a file each, and joins them. Existing files are not computed again.
 
 use std::error::Error;
 use std::fs;
@@ -22,7 +22,7 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Table {
-    /// V-actuators at rising pressures: what arms add to a hinge.
+    /// V-actuators at rising pressures: the effect of arms on a hinge.
     Ladders(Work),
     /// Stars of the drawn sets.
     Stars {
@@ -41,9 +41,9 @@ enum Table {
 
 #[derive(clap::Args)]
 struct Work {
-    /// Where each result is a file.
+    /// Directory with a file for each result.
     dir: PathBuf,
-    /// Compute nothing: print the table of what is there, and of stars whose files are not, as they are shipped.
+    /// Compute nothing: print the table of the existing files; stars without a file are printed as shipped.
     #[arg(long)]
     join: bool,
     /// Compute only part k of N, for several processes at once.
@@ -113,7 +113,7 @@ fn run(table: Table) -> Result<(), Box<dyn Error>> {
 }
 
 impl Work {
-    /// Those of `all` that are of this part.
+    /// The items of `all` that belong to this part.
     fn of_part<T>(&self, all: Vec<T>) -> impl Iterator<Item = T> {
         let Part { own, of } = self.part;
         all.into_iter().enumerate().filter(move |(place, _)| place % of + 1 == own).map(|(_, one)| one)

@@ -1,5 +1,5 @@
-//! The predictions held against the stars that shells were computed of: what the constants of [`errors`](stargrip_cam::forecast::ranges::errors) are taken from,
-//! and whether ranges hold.
+//! Compares the predictions with the stars computed as shells: the source of the constants of [`errors`](stargrip_cam::forecast::ranges::errors),
+//! and a check of the ranges.
 
 use crate::stars::computed::{ComputedStar, Number, ShellNumbers};
 use crate::stars::draw::{DrawnStar, POISSON, Set, YOUNG};
@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 pub struct Pair {
     /// The shell's.
     pub shell: f64,
-    /// By how much its meshes leave it open.
+    /// Its mesh error.
     pub mesh: f64,
     /// The prediction's.
     pub predicted: f64,
@@ -29,7 +29,7 @@ pub struct Pair {
     pub error: f64,
 }
 
-/// One star: what is known of it on both sides.
+/// One star with its shell's and its predicted values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
     /// Its set.
@@ -51,10 +51,10 @@ pub struct Comparison {
     pub forces: Vec<(f64, Pair)>,
 }
 
-/// The part of a stiffness or force that its meshes may leave open, to be compared.
+/// Largest relative mesh error of a stiffness or force in the comparison.
 const SETTLED: f64 = 0.25;
 
-/// `star` beside its prediction; `None` where the shell refuses it, or nothing is known of it here.
+/// Compares `star` with its prediction; `None` where the shell refuses it, or there is no prediction.
 pub fn compare(star: &ComputedStar) -> Option<Comparison> {
     let found = star.found.as_ref()?;
     let (case, pressure) = case_of(&star.star)?;
@@ -125,7 +125,7 @@ impl Pair {
         (self.range[0]..=self.range[1]).contains(&self.shell)
     }
 
-    /// Whether the shell's number, as far as its meshes leave it open, lies in the range.
+    /// Whether the shell's number, within its mesh error, lies in the range.
     pub fn holds(&self) -> bool {
         self.shell + self.mesh >= self.range[0] && self.shell - self.mesh <= self.range[1]
     }

@@ -1,4 +1,4 @@
-//! The command `research`: what is missing or torn is named, and what is there is not computed again.
+//! The command `research`: missing or damaged files are named, and existing ones are not computed again.
 
 use std::fs;
 use std::path::Path;

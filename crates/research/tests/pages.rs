@@ -1,4 +1,4 @@
-//! Tables and pictures of docs/ against what the examples print and draw.
+//! Tables and pictures of docs/ against the output of the examples.
 
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
 #[path = "../examples/extremes.rs"]
@@ -19,7 +19,8 @@ fn tables_in(text: &str) -> Vec<Vec<&str>> {
     parts.filter(|part| part.len() > 2).map(<[&str]>::to_vec).collect()
 }
 
-/// Asserts that `page` shows each of the `printed` tables, in order. It may leave out rows: what it shows is printed.
+/// Asserts that `page` shows each of the `printed` tables, in order. It may leave out rows; the rows on the page are
+/// printed ones.
 fn shows(page: &str, printed: &str) {
     let mut shown = tables_in(page).into_iter();
     for table in tables_in(printed) {

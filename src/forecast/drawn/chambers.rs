@@ -1,4 +1,4 @@
-//! From a drawn piece to the chambers that the shell knows.
+//! Chambers of a drawn piece for the shell.
 
 use crate::design::DrawnPiece;
 use crate::forecast::case::{sheet, weave};
@@ -29,10 +29,10 @@ impl DrawnChamber {
     }
 }
 
-/// The chambers of `piece` in the order of their outlines, walls and welds with the chamber they lie in.
+/// The chambers of `piece` in the order of their outlines; each wall and weld belongs to the chamber that contains it.
 ///
 /// # Errors
-/// In words, if its edges enclose nothing, or the fabric is none.
+/// A message, if the edges enclose no chamber, or the fabric is invalid.
 pub fn drawn_chambers(spec: &Spec, piece: &DrawnPiece) -> Result<Vec<DrawnChamber>, String> {
     let sheet = sheet(&spec.fabric).map_err(|fault| fault.to_string())?;
     let weave = weave(&spec.fabric).map_err(|fault| fault.to_string())?;

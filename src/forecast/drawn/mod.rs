@@ -1,7 +1,7 @@
-//! What drawn chambers do under pressure: the shell on the flat regions themselves.
+//! Drawn chambers under pressure: the shell on the flat regions themselves.
 //!
-//! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, [`text`] says it to a person. No model of a hinge knows a
-//! drawn shape, so without the shell only what is flat is known.
+//! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, [`text`] formats it for people. No hinge model covers a
+//! drawn shape, so without the shell only flat quantities are predicted.
 
 pub mod chambers;
 pub mod prediction;
@@ -21,10 +21,10 @@ use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Sur
 
 pub use inflatable::shell::cases::Watch;
 
-/// The name of no model: only what is flat is known.
+/// Name of the absent model: only flat quantities are predicted.
 pub const NONE: &str = "none";
 
-/// How the shell is asked for, in words of commands and specs.
+/// How to select the shell, in terms of commands and specs.
 pub const HOW: &str =
     "`predict` asks the shell; `model = \"shell\"` in [accuracy] has `check` and `build` ask it, too";
 
@@ -33,18 +33,18 @@ pub const HOW: &str =
 pub struct InflatedDrawing {
     /// In figures.
     pub prediction: DrawnPrediction,
-    /// Both sheets of each chamber on its finest mesh, in the order of the chambers; none without the shell.
+    /// Both sheets of each chamber on its finest mesh, in the order of the chambers; empty without the shell.
     pub surfaces: Vec<DrawnSurface>,
-    /// The upper sheets of the same, with stretch and tension.
+    /// The same upper sheets, with stretch and tension.
     pub shapes: Vec<InflatedShape>,
 }
 
 /// Both sheets of a chamber as triangles, in mm and in the frame of the drawing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DrawnSurface {
-    /// Where each point lies on the flat sheets.
+    /// Position of each point on the flat sheets.
     pub flat: Vec<[f64; 2]>,
-    /// Where it is under pressure.
+    /// Position of each point under pressure.
     pub points: Vec<[f64; 3]>,
     /// The points of each triangle, counterclockwise from outside.
     pub triangles: Vec<[usize; 3]>,
@@ -60,11 +60,12 @@ impl DrawnSurface {
     }
 }
 
-/// What `check` and `build` say of `piece`, made from `spec`: the shell's answer on coarse meshes if the spec asks for the shell by name, else
-/// what is flat. `watch` hears how far the shell is.
+/// The prediction of `piece`, made from `spec`, for `check` and `build`: the shell's on coarse meshes if the spec selects the shell by
+/// name, else
+/// the flat quantities only. `watch` receives the shell's progress.
 ///
 /// # Errors
-/// If the spec asks for a model of stars, or the shell refuses or was told to stop.
+/// If the spec selects a model of stars, or the shell refuses or is cancelled.
 pub fn of_spec(spec: &Spec, piece: &DrawnPiece, watch: &Watch<'_>) -> Result<InflatedDrawing, PredictFault> {
     let asked = spec.accuracy.model == ModelChoice::Shell;
     if asked && spec.load.as_ref().is_some_and(|load| load.pressure.is_some()) {
@@ -84,7 +85,7 @@ pub fn of_spec(spec: &Spec, piece: &DrawnPiece, watch: &Watch<'_>) -> Result<Inf
 /// `piece`, made from `spec`, by the shell at the spec's pressure.
 ///
 /// # Errors
-/// If no pressure is given, the spec asks for a model of stars, or the shell refuses a chamber or was told to stop.
+/// If no pressure is given, the spec selects a model of stars, or the shell refuses a chamber or is cancelled.
 pub fn inflate(
     spec: &Spec,
     piece: &DrawnPiece,
@@ -174,12 +175,12 @@ fn stars_only(what: String) -> PredictFault {
     PredictFault { star: None, key: key::accuracy::MODEL, what }
 }
 
-/// A drawing whose chambers are none for the shell.
+/// The fault of a drawing whose chambers the shell cannot model.
 fn refused(what: String) -> PredictFault {
     PredictFault { star: None, key: key::drawing::FILE, what }
 }
 
-/// Why the shell does not know a chamber, of `count`, and the key that is best changed.
+/// The reason why the shell refuses a chamber, one of `count`, with the spec key to change.
 fn not_inflated(why: &ShellFault, chamber: &ChamberPrediction, count: usize) -> ShellRefusal {
     let key = match why {
         ShellFault::Cancelled => return ShellRefusal::Cancelled,

@@ -9,7 +9,7 @@ use crate::units::{Length, LineForce, Most, Pressure};
 use inflatable::shell::cases::{InflatedRegion, RegionSeam, SeamPull, Value, Wrinkles};
 use serde::Serialize;
 
-/// What each copy of a drawn piece does. `None` where something is missing that the answer needs: a pressure, or the shell.
+/// The prediction of each copy of a drawn piece. `None` where a required input is missing: a pressure, or the shell.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct DrawnPrediction {
@@ -31,16 +31,16 @@ pub struct DrawnPrediction {
     pub leaves_plane: Option<bool>,
     /// The chambers.
     pub chambers: Vec<ChamberPrediction>,
-    /// How it was come by.
+    /// The evidence for these values.
     pub evidence: DrawnEvidence,
 }
 
-/// How it was come by.
+/// Model, choice and warnings behind a prediction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DrawnEvidence {
-    /// Why this model.
+    /// Reason for the choice of this model.
     pub choice: String,
-    /// What a person should know.
+    /// Warnings for the user.
     pub warnings: Vec<String>,
 }
 
@@ -49,7 +49,7 @@ pub struct DrawnEvidence {
 pub struct MeshedValue {
     /// The number.
     pub value: f64,
-    /// How far the meshes leave it open.
+    /// Its mesh error.
     pub mesh_error: f64,
 }
 
@@ -58,9 +58,9 @@ pub struct MeshedValue {
 pub struct MeshedPlace {
     /// The number.
     pub value: f64,
-    /// How far the meshes leave it open.
+    /// Its mesh error.
     pub mesh_error: f64,
-    /// Where on the flat piece.
+    /// Its position on the flat piece.
     pub at_mm: [f64; 2],
 }
 
@@ -114,7 +114,7 @@ pub struct ChamberPrediction {
     pub largest_tension_N_per_mm: Option<MeshedPlace>,
     /// Lowest eigenvalue by p / W for leaving the plane of the drawing.
     pub plane_eigenvalue: Option<MeshedValue>,
-    /// Whether it leaves that plane, as far as the meshes tell.
+    /// Whether it leaves that plane, within the mesh errors.
     pub leaves_plane: Option<bool>,
     /// Its seams.
     pub seams: Option<Vec<SeamPrediction>>,
@@ -161,7 +161,7 @@ impl ChamberPrediction {
         }
     }
 
-    /// Adds what the shell says.
+    /// Adds the shell's values.
     pub(super) fn fill(&mut self, found: &InflatedRegion, seal: &DrawnSeal) {
         let seams = seams(found);
         let largest = seams.iter().map(|seam| seam.pull_N_per_mm).max_by(|a, b| a.value.total_cmp(&b.value));
@@ -189,7 +189,7 @@ impl ChamberPrediction {
         self.iterations = Some(found.evidence.efforts.iter().map(|effort| effort.iterations).sum());
     }
 
-    /// Its name among `count` chambers, in words.
+    /// Its name among `count` chambers, as text.
     pub(super) fn name(&self, count: usize) -> String {
         let [x, y] = self.at_mm;
         if count == 1 {
@@ -201,7 +201,7 @@ impl ChamberPrediction {
 }
 
 impl DrawnPrediction {
-    /// Adds what follows from all chambers at `pressure`.
+    /// Adds the values that depend on all chambers at `pressure`.
     pub(super) fn of_all(&mut self, pressure: Pressure) {
         let chambers = &self.chambers;
         let volumes = || chambers.iter().filter_map(|chamber| chamber.volume_mm3);
@@ -219,7 +219,7 @@ impl DrawnPrediction {
         self.evidence.warnings = self.warnings();
     }
 
-    /// Whether the seal bursts at the pressure; `None` where that is not known.
+    /// Whether the seal bursts at the pressure; `None` if unknown.
     pub fn bursting(&self) -> Option<Bursting> {
         Some(Bursting::at(self.pressure_kPa?, self.burst_pressure_kPa?, self.burst_range_kPa))
     }
@@ -280,7 +280,7 @@ impl DrawnPrediction {
         list
     }
 
-    /// The answer as one JSON object and a line end.
+    /// The answer as one JSON object with a trailing newline.
     ///
     /// # Panics
     /// Never: every field can be written as JSON.
@@ -305,7 +305,7 @@ fn of_seam(seam: RegionSeam, pulls: &[&SeamPull]) -> Option<SeamPrediction> {
     // Each edge of a weld's band bears the pull of its own side.
     let share = if matches!(seam, RegionSeam::Weld(_)) { 0.5 } else { 1.0 };
     let here = |pull: &SeamPull| at(pull.pull.scaled(share * 1e-3), pull.at);
-    // As the shell compares them: by its finest mesh.
+    // Compared on the finest mesh, as in the shell.
     let largest = pulls.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]))?;
     let row = |pull: &&SeamPull| {
         let MeshedPlace { value, mesh_error, at_mm: [x, y] } = here(pull);

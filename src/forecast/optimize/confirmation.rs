@@ -1,4 +1,4 @@
-//! What the shell says of a winner: each number that was predicted beside the shell's, and each constraint that a shell can judge.
+//! Compares an optimum with the shell: each predicted number beside the shell's, and each constraint that a shell can check.
 
 use std::fmt::Write;
 
@@ -30,11 +30,11 @@ pub struct ShellComparison {
     pub predicted: Option<f64>,
     /// Its range.
     pub range: Option<Interval>,
-    /// The shell's.
+    /// The shell's value.
     pub shell: f64,
-    /// By how much its meshes leave it open.
+    /// Its mesh error.
     pub mesh_error: f64,
-    /// Whether the shell's number, as far as its meshes leave it open, lies in the range; `None` without one.
+    /// Whether the shell's number, within its mesh error, lies in the range; `None` without a range.
     pub in_range: Option<bool>,
 }
 
@@ -47,12 +47,12 @@ pub struct Judgement {
     pub bound: f64,
     /// The shell's number.
     pub shell: f64,
-    /// Whether it is met by the shell's number, whatever the meshes leave open.
+    /// Whether the shell's number meets it at the bad end of its mesh error.
     pub met: bool,
 }
 
 impl Confirmation {
-    /// `candidate`, which met `constraints`, beside what the `shell` says of it.
+    /// Compares `candidate`, which met `constraints`, with the prediction of the `shell`.
     pub fn new(candidate: &Evaluation, constraints: &Constraints, shell: &Prediction) -> Self {
         let (star, own) = (&shell.first, candidate.answer.outcome.as_ref());
         let errors = star.evidence.mesh_errors.as_ref();
@@ -78,12 +78,12 @@ impl Confirmation {
         Self { compared, judged: judged(constraints, shell) }
     }
 
-    /// Whether the shell meets all that it can judge.
+    /// Whether the shell meets every constraint that it can check.
     pub fn holds(&self) -> bool {
         self.judged.iter().all(|one| one.met)
     }
 
-    /// As a person reads it, a line each.
+    /// The comparison as text, one line each.
     pub fn lines(&self) -> Vec<String> {
         let word = match (self.judged.is_empty(), self.holds()) {
             (true, _) => "there is no constraint that it can judge",
@@ -119,7 +119,8 @@ fn compare(
     Some(ShellComparison { what, unit, predicted, range, shell, mesh_error, in_range: range.map(holds) })
 }
 
-/// What a shell says of how far it closes, how much it holds and how hard it presses. How far it opens and when it bursts it does not say.
+/// The constraints on closing, payload and force, checked with the shell. The shell gives neither the widest opening nor the burst
+/// pressure.
 fn judged(constraints: &Constraints, shell: &Prediction) -> Vec<Judgement> {
     let star = &shell.first;
     let closing = constraints.grasp.zip(star.final_radius_mm).map(|([close, _], radius)| Judgement {

@@ -1,5 +1,5 @@
-//! What a design must do, and by how much it misses it: at the bad end of its ranges, and of a force's beyond it, because a search finds
-//! where a model promises most.
+//! Constraints of a design and its violation of them: at the bad end of its ranges, and for a force beyond it, because a search finds
+//! the places where a model is most optimistic.
 
 use crate::forecast::candidate::{Answer, Candidate};
 use crate::forecast::case::Case;
@@ -8,15 +8,15 @@ use crate::forecast::ranges::{Domain, outside_by};
 use crate::spec::ModelChoice;
 use crate::units::Length;
 
-/// What a star that lies just outside of what was tried is short by.
+/// Least shortfall of a star just outside of the validated domain.
 const LEAST_UNTRIED: f64 = 0.01;
 /// By how much constraints are tightened for the search, so that they still hold once the values are rounded.
 pub const ROUNDING: f64 = 5e-4;
-/// Part of the lower end of a force's range that a search counts on, and the upper end over what it fears: it finds where a model promises
-/// most. Of the payloads of twenty winners that were chosen by the ranges alone three were less than the lower end, by 10, 13 and 21 %.
+/// Factor on the lower end of a force's range in a search, and divisor of the upper end: a search finds the places where a model is most
+/// optimistic. Of twenty winners chosen by ranges alone, three had payloads 10, 13 and 21 % below the lower end.
 pub const SEARCHED: f64 = 0.8;
 
-/// What a design must do; absent constraints always hold.
+/// Constraints on a design; absent constraints always hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Constraints {
     /// The star must close to the first radius; the second must pass the cut hole, and the inflated star must open to it.
@@ -31,16 +31,16 @@ pub struct Constraints {
     pub sheet: Option<Length>,
     /// Burst pressure over pressure.
     pub burst_margin: Option<f64>,
-    /// Whether arms must not touch, because a force is wanted: how hard a star presses whose arms do is not known.
+    /// Whether arms must not touch. Required with a force, because the force of a star with touching arms is unknown.
     pub apart: bool,
 }
 
 /// A constraint that a design misses, and its relative shortfall.
 pub type Short = (&'static str, f64);
 
-/// All that `point`, which does `answer`, misses.
+/// All constraints that `point`, with the values `answer`, violates.
 pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints) -> Vec<Short> {
-    // Short of `least`: relative to it; a missing value is as bad as nothing.
+    // Shortfall relative to `least`; a missing value counts as zero.
     let short = |value: Option<f64>, least: f64| ((least - value.unwrap_or(0.0)) / least).max(0.0);
     let over = |value: f64, most: f64| ((value - most) / most).max(0.0);
     let star = &answer.star;
@@ -70,7 +70,7 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
             all.push(("inner_radius", short(Some(star.hole(&point.seal)), entering)));
         }
         if let Some(most) = constraints.largest_force {
-            // A force of which nothing is known may be too much.
+            // An unknown force may be too large.
             let unknown = if own.hold == Some(Grip::Untried) { 1.0 } else { 0.0 };
             all.push(("pressing", most_force(point, own).map_or(unknown, |force| over(force, most))));
         }
@@ -99,13 +99,13 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
     all
 }
 
-/// How deep arms touch, as the tips' angle that is missing, rad; 0 where they do not.
+/// Overlap of arms, as the tips' angle by which they pass contact, rad; 0 where they do not touch.
 fn touching(case: &Case, own: &Outcome) -> f64 {
     let depth = case.mechanism.correction.contact_angle - own.rest.equilibrium;
     if depth >= 0.0 { LEAST_UNTRIED + depth } else { 0.0 }
 }
 
-/// Whether a model speaks of a star at its pressure, and not of a limit that was asked for by name.
+/// Whether a model applies at the star's pressure, unlike a limit selected by name.
 pub fn is_at_pressure(model: ModelChoice) -> bool {
     !matches!(model, ModelChoice::Ring | ModelChoice::Fit)
 }
@@ -115,7 +115,7 @@ fn least_sure(own: &Outcome) -> f64 {
     own.ranges.radius.map_or(own.rest.radius, |[_, high]| high)
 }
 
-/// The largest force with which it may press, N, beyond the upper end of its range; `None` if none is known.
+/// The largest force with which it may press, N, beyond the upper end of its range; `None` if unknown.
 fn most_force(point: &Candidate, own: &Outcome) -> Option<f64> {
     match own.force_range {
         Some([_, high]) => Some(high / SEARCHED),
@@ -123,8 +123,8 @@ fn most_force(point: &Candidate, own: &Outcome) -> Option<f64> {
     }
 }
 
-/// The payload of the stack that is counted on, kg, below the lower end of its range; `None` where nothing is known of it, and of a limit
-/// that was asked for its own.
+/// The design payload of the stack, kg, below the lower end of its range; `None` if unknown. A limit selected by name
+/// gives its own value.
 pub fn sure_payload(point: &Candidate, answer: &Answer) -> Option<f64> {
     match answer.payload_range {
         Some([low, _]) => Some(SEARCHED * low),

@@ -1,8 +1,8 @@
 //! The best star for a purpose: number of points exhaustively, all else within bounds.
 //!
-//! For each n a scan finds the regions, and from the most promising places a search goes down (`poll`): a step that helps is
-//! doubled, one that does not is halved. Designs are compared by how far they are from meeting the constraints, and among those that
-//! meet them by the goal. Constraints hold at the bad end of the ranges, and nothing of which nothing is known wins.
+//! For each n a scan finds the regions, and a pattern search (`poll`) starts from the most promising places: a step that helps is
+//! doubled, one that does not is halved. Designs are compared by their violation of the constraints, and feasible ones
+//! by the goal. Constraints hold at the bad end of the ranges, and a design without a prediction never wins.
 
 mod confirmation;
 mod constraints;
@@ -27,7 +27,7 @@ use std::ops::RangeInclusive;
 use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering::Relaxed;
 
-/// What is to be largest or smallest.
+/// The objective of the search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Goal {
     /// Most contraction.
@@ -36,7 +36,7 @@ pub enum Goal {
     Stiffness,
     /// Least fabric, of all stars.
     Fabric,
-    /// Most payload that can be counted on.
+    /// Largest design payload.
     Payload,
 }
 
@@ -78,14 +78,14 @@ impl SearchBounds {
     }
 }
 
-/// A design with what it does.
+/// A design with its predicted values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evaluation {
     /// The design.
     pub point: Candidate,
-    /// What it does.
+    /// Its predicted values.
     pub answer: Answer,
-    /// How far it is from meeting the constraints: 0 if it meets all.
+    /// Sum of its violations of the constraints: 0 if it meets all.
     pub violation: f64,
 }
 
@@ -101,7 +101,7 @@ pub struct SearchResult {
     pub computed: usize,
 }
 
-/// How much is computed for each n.
+/// Number of evaluations for each n.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SearchEffort {
     /// Places of the scan: 1024 leave no gap larger than an eighth of the box in four dimensions.
@@ -129,7 +129,7 @@ impl Default for SearchEffort {
 /// Smallest step of a search, of the box's side.
 const SMALLEST_STEP: f64 = 1e-4;
 
-/// Searches around `base`, whose other values are kept.
+/// Searches around `base`; values that are not searched stay as in `base`.
 pub fn search(
     base: &Candidate,
     bounds: &SearchBounds,
@@ -141,22 +141,22 @@ pub fn search(
         .run()
 }
 
-/// What is searched, and for what.
+/// A search: base design, bounds, constraints and goal.
 #[derive(Clone, Copy, Debug)]
 pub struct DesignSearch<'a> {
-    /// The design whose values are kept where nothing else is said.
+    /// The design that gives all values that are not searched.
     pub base: &'a Candidate,
     /// The box.
     pub bounds: &'a SearchBounds,
-    /// What must hold.
+    /// The constraints.
     pub constraints: &'a Constraints,
-    /// What is wanted.
+    /// The objective.
     pub goal: Goal,
     /// The ring's table.
     pub table: &'a RingTable,
-    /// How much is computed.
+    /// Number of evaluations.
     pub effort: SearchEffort,
-    /// Raised by another thread to end at the next design; what is found then is not the best.
+    /// Set by another thread to stop at the next design; the result is then not the best.
     pub cancel: Option<&'a AtomicBool>,
 }
 
@@ -187,7 +187,7 @@ impl DesignSearch<'_> {
         [tip_angle.map(|end| end.0), width, tip_radius, corner_radius, inner_radius, pressure]
     }
 
-    /// The design with `points` points at `place`; `None` if there is none, it cannot be cut out, or nobody wants it any more.
+    /// The design with `points` points at `place`; `None` if it does not exist, cannot be cut out, or the search is cancelled.
     fn at(&self, points: u32, place: &UnitPoint) -> Option<Evaluation> {
         if self.cancel.is_some_and(|cancel| cancel.load(Relaxed)) {
             return None;
@@ -213,8 +213,8 @@ impl DesignSearch<'_> {
         answer.fabric.is_some().then(|| self.judged(point, &answer))
     }
 
-    /// `point` with as few stars as hold the payload, as far as that may be chosen and they are not taller than the object, at the pitch that
-    /// they need; what it does then.
+    /// `point` with the fewest stars that hold the payload, within the bounds and the object's height, at the pitch that
+    /// they need; returns its predicted values.
     fn stacked(&self, point: &mut Candidate) -> Option<Answer> {
         let (from, to) = (*self.bounds.stars.start(), *self.bounds.stars.end());
         point.stars = from;
@@ -249,7 +249,7 @@ impl DesignSearch<'_> {
         None
     }
 
-    /// `point`, which does `answer`, with what it misses.
+    /// `point`, whose values are `answer`, with its violation of the constraints.
     fn judged(&self, point: Candidate, answer: &Answer) -> Evaluation {
         let all = shortfalls(&point, answer, self.constraints);
         let violation = all.iter().map(|(_, shortfall)| shortfall).sum();
@@ -273,13 +273,14 @@ impl DesignSearch<'_> {
         for start in starts {
             self.descend(points, start, &varied, &mut all);
         }
-        // Fewer stars are a step away that no descent climbs: each lower number is tried by itself, from where it misses least.
+        // A design with fewer stars is a step away that no descent takes: each lower number is searched by itself, from its least
+        // violation.
         let best = all.iter().min_by(|a, b| compare(a, b, self.goal)).map_or(0, |best| best.point.stars);
         let from = *self.bounds.stars.start();
         for count in (from..best).filter(|_| self.constraints.payload.is_some()) {
             let bounds = SearchBounds { stars: count..=count, ..self.bounds.clone() };
             let fewer = DesignSearch { bounds: &bounds, ..*self };
-            // As if all stars met the object's middle: only to find where to begin.
+            // All stars are assumed to meet the object's middle; this only selects starting points.
             let missed = |(place, one): &(UnitPoint, Evaluation)| {
                 let point = Candidate { stars: count, ..one.point.clone() };
                 (*place, fewer.judged(point, &one.answer.of_stars(count)))

@@ -1,12 +1,12 @@
-//! Where a search looks: a **scan** fills the box evenly, a **poll** tries steps in all directions around a place.
+//! Scan and poll of a search: a **scan** fills the box evenly, a **poll** tries steps in all directions around a place.
 //!
-//! Directions of a poll turn from one to the next, so that no edge between constraints, however it lies, stops the search: the
-//! columns of I - 2 v v^T with v from the scan's own sequence, which is the same on every run.
+//! A poll's directions rotate from one poll to the next, so that no edge between constraints stops the search in any orientation: they are
+//! the columns of I - 2 v v^T with v from the scan's own sequence, which is the same on every run.
 
 /// Values that a search may vary, each as a part of its side of the box, 0 to 1.
 pub(super) const AXES: usize = 6;
 
-/// A place in the unit cube that stands for the box: tip angle, width, tip, corner and inner radius, pressure.
+/// A point of the unit cube, mapped to the box: tip angle, width, tip, corner and inner radius, pressure.
 pub(super) type UnitPoint = [f64; AXES];
 
 /// Bases of the scan, one an axis that is varied.

@@ -1,4 +1,4 @@
-//! How far `section` is from stars computed as shells: the constants that ranges are made of, and where they were taken.
+//! Errors of `section` against stars computed as shells: the constants of the ranges, and their sources.
 //!
 //! The stars of the set `range` and stars 61 to 240 of the set `test` (docs/ranges.md) gave the pairs of radius and stiffness. The radius's
 //! holds 98.5 % of them strictly, without the shell's mesh error. The stiffness's holds 95 %, at each n 94 %, with the mesh error added to
@@ -18,21 +18,21 @@ pub const STIFFNESS: Interval = [0.835, 1.197];
 pub const HINGE: Interval = [0.86, 1.03];
 /// The shell's angle of a V-actuator less the predicted one, rad.
 pub const ACTUATOR: Interval = [-0.0105, 0.0105];
-/// Flat arcs of the V-actuators that were tried, deg.
+/// Validated flat arcs of V-actuators, deg.
 pub const ARC: Interval = [60.0, 150.0];
-/// Arms by W of the V-actuators that were tried; with 3 W their sealed ends make them softer by a third.
+/// Validated arms of V-actuators by W; with 3 W their sealed ends make them softer by a third.
 pub const ACTUATOR_ARM: Interval = [4.0, 7.5];
 /// The shell's force over the predicted one, both where they are opened equally far, by up to 0.9 W; the range of the radius comes on top.
 pub const FORCE: Interval = [0.66, 1.36];
 
-/// Openings by W that were tried: 0.9 from the shell's own rest, which may be a little further out than the predicted one.
+/// Largest validated opening by W: 0.9 from the shell's own rest, which may be a little further out than the predicted one.
 pub const OPENING: f64 = 0.95;
 
 /// Arms shorter than W: the error of the angle grows as this power of W / l. A star of eight points with l / W of 0.69, computed by two
 /// independent shells, is off by 1.2 times what W / l alone allows.
 pub const SHORT_ARM: f64 = 1.75;
 
-/// Points in the middle of those that were tried, and from there to their ends.
+/// Middle of the validated numbers of points, and its distance from their ends.
 const POINTS_ABOUT: [f64; 2] = [5.5, 2.5];
 /// By how much the range of the radius is wider at eight points than at five, and that of the stiffness at three points; both grow with the
 /// square of the distance from the middle.
@@ -58,27 +58,27 @@ fn from_middle(points: u32) -> f64 {
 
 /// By how much ranges are wider where they end: it grows in proportion to the logarithm of the factor by which a star lies outside.
 pub const BEYOND: f64 = 4.0;
-/// Where ranges end: outside of what was tried by this factor in any of what follows.
+/// End of the ranges: a factor beyond the validated interval of any of the quantities below.
 pub const NOT_FAR: f64 = 1.5;
-/// Points that were tried.
+/// Validated numbers of points.
 pub const POINTS: Interval = [3.0, 8.0];
-/// 1/eps that was tried.
+/// Validated 1/eps.
 pub const BENDABILITY: Interval = correction::BENDABILITY;
-/// Arms by W that were tried.
+/// Validated arms by W.
 pub const ARM: Interval = [0.5, 5.0];
-/// rho_0 by W that was tried.
+/// Validated rho_0 by W.
 pub const HOLE: Interval = [0.5, 6.0];
 /// t/W of the table of arms.
 pub const SLENDERNESS: Interval = [0.01, 0.0316];
 /// Largest p W / Y of the table of arms.
 pub const STRETCH: Interval = [0.0, 0.1];
-/// R* that were tried; 0 among them.
+/// Validated R*, including 0.
 pub const R_STAR: Interval = [0.0, 0.3];
-/// phi_i0 that were tried, deg.
+/// Validated phi_i0, deg.
 pub const TIP_ANGLE: Interval = [15.0, 70.0];
-/// Flat arcs of corners that were tried, deg.
+/// Validated flat arcs of corners, deg.
 pub const CORNER_ARC: Interval = [20.0, 120.0];
-/// What is said of a star that lies far beyond it, or whose hinges' arms are not in their table.
+/// Message for a star far beyond the validated domain, or whose hinges' arms are not in their table.
 pub const UNKNOWN_WORDS: &str = "nothing is known of stars like this one, none was computed as a shell";
-/// What is said of a star that lies beyond what was tried.
+/// Message for a star beyond the validated domain.
 pub const BEYOND_WORDS: &str = "stars like this one were not computed as shells";

@@ -15,7 +15,7 @@ pub fn scaled(range: Interval, factor: f64) -> Interval {
     range.map(|end| factor * end)
 }
 
-/// The sum of ranges: errors of equal stars are the same, so that ends add up; `None` if one of them is not known.
+/// The sum of ranges: errors of equal stars are the same, so that ends add up; `None` if any of them is unknown.
 pub fn sum(ranges: impl IntoIterator<Item = Option<Interval>>) -> Option<Interval> {
     ranges.into_iter().try_fold([0.0, 0.0], |[low, high], range| range.map(|[a, b]| [low + a, high + b]))
 }

@@ -1,9 +1,9 @@
 //! A **range** for each predicted quantity: the interval in which the value of a computed shell lies in at least 95 % of cases.
 //!
-//! A range is made of how far `section` with its correction was from stars computed as shells ([`errors`]),
-//! so it has a sign. It holds where such stars were tried; outside it widens with the distance, up to
-//! [`errors::BEYOND`] times; further out there is none. [`Domain`] tells which of the three it is. The limits
-//! of high pressure, `fit`, `ring` and `bvp`, have none at all: no gripper works there.
+//! A range is made of the errors of `section` with its correction against stars computed as shells ([`errors`]),
+//! so it has a sign. It applies within the validated domain; outside it widens with the distance, up to
+//! [`errors::BEYOND`] times; further out there is none. [`Domain`] distinguishes the three cases. The limits
+//! of high pressure, `fit`, `ring` and `bvp`, have no range: no gripper works there.
 
 pub mod errors;
 mod interval;
@@ -18,37 +18,37 @@ use inflatable::mechanics::star::response::{Inflated, Rest};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// What is known of stars like this one.
+/// Position of a star relative to the validated domain.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Domain {
     /// Stars all around it were computed as shells.
     Validated,
-    /// It lies outside of what was tried, and not far: ranges are wider.
+    /// It lies outside of the validated domain, and not far: ranges are wider.
     Extrapolated,
-    /// No star is like it, or the model is a limit.
+    /// No computed star is similar, or the model is a limit.
     #[default]
     Unknown,
 }
 
-/// Ranges of one star, SI units; `None` where nothing is known.
+/// Ranges of one star, SI units; `None` if unknown.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ranges {
-    /// What they stand on.
+    /// Domain of the star on which they depend.
     pub domain: Domain,
-    /// By how much they are wider than among the stars that were tried: from 1 to [`errors::BEYOND`].
+    /// Factor on their widths compared with the validated domain: from 1 to [`errors::BEYOND`].
     pub wider: f64,
-    /// Of the final radius, m.
+    /// Range of the final radius, m.
     pub radius: Option<Interval>,
-    /// Of the tips' angle at rest, rad; `None` too where arms touch, because contact is part of that equilibrium.
+    /// Range of the tips' angle at rest, rad; `None` also where arms touch, because contact is part of that equilibrium.
     pub angle: Option<Interval>,
-    /// Of the hinges' stiffness, as parts of it.
+    /// Range of the hinges' stiffness, as factors of it.
     pub hinge: Option<Interval>,
-    /// Of the radial stiffness, N per m; `None` too where arms touch.
+    /// Range of the radial stiffness, N per m; `None` also where arms touch.
     pub stiffness: Option<Interval>,
 }
 
 impl Ranges {
-    /// Of a star that rests at `rest`.
+    /// Ranges of a star that rests at `rest`.
     pub fn new(case: &Case, inflated: &Inflated<'_>, rest: &Rest) -> Self {
         let Some((domain, wider)) = domain(case, inflated.model()) else { return Self::default() };
         let about =
@@ -57,7 +57,7 @@ impl Ranges {
         let long = star.arm / star.width;
         let unit = errors::radius_unit(star.points) * star.width / libm::sin(PI / f64::from(star.points));
         let stiffer = wider * errors::stiffness_unit(star.points, long);
-        // Arms that touch press on each other, and what that does to the stiffness no hinge knows.
+        // Arms that touch press on each other; hinge models do not include the effect on the stiffness.
         let free = rest.equilibrium > star.correction.contact_angle;
         let radius = about(rest.radius, errors::RADIUS, unit).map(|end| end.max(0.0));
         let angle = about(rest.equilibrium, errors::ANGLE, angle_unit(long));
@@ -71,11 +71,11 @@ impl Ranges {
         }
     }
 
-    /// The same where `edge`, those of the star at its [`pressure_edge`], bound them; `rests` are the final
-    /// radii here and there, m.
+    /// The same bounded by `edge`, the ranges of the star at its [`pressure_edge`]; `rests` are the final
+    /// radii at the star's own pressure and at the edge, m.
     ///
-    /// A star that the model has closed further, a shell has closed no less far, and one that it has opened,
-    /// by no more than it says. So the upper end of the final radius widens with the pressure no more.
+    /// If the model closes the star further than at the edge, a shell closes it at least as far; if the model opens it,
+    /// a shell opens it by no more. So the upper end of the final radius stops widening with the pressure.
     #[must_use]
     pub fn bounded(self, edge: &Self, [here, there]: [f64; 2]) -> Self {
         let bound =
@@ -86,7 +86,8 @@ impl Ranges {
         }
     }
 
-    /// Of the radial force on an object of radius `rho` (m) within the star `inflated`, which rests at `rest`; `None` where arms touch, and
+    /// Range of the radial force on an object of radius `rho` (m) within the star `inflated`, which rests at `rest`; `None` where arms
+    /// touch, and
     /// where shells were not opened so far.
     pub fn force(&self, inflated: &Inflated<'_>, rho: f64, rest: &Rest) -> Option<Interval> {
         let star = inflated.star();
@@ -95,12 +96,12 @@ impl Ranges {
         if opened > errors::NOT_FAR * errors::OPENING {
             return None;
         }
-        // What opens further than was tried is known less and less: without a jump, on which a search would lose its way.
+        // An opening beyond the validated one widens the range continuously: a jump would mislead a search.
         let further = (opened / errors::OPENING - 1.0) / (errors::NOT_FAR - 1.0);
         let [low, high] =
             errors::FORCE.map(|part| libm::pow(part, self.wider * (1.0 + further.clamp(0.0, 1.0))));
-        // Where a star begins to touch is as uncertain as its radius. What one errs by is taken not to depend on the other, so that
-        // both together are as far off as the root of their squares; so taken, ranges hold (docs/ranges.md).
+        // The start of contact is as uncertain as the radius. Both errors are treated as independent, so
+        // they are added in quadrature; ranges made so hold (docs/ranges.md).
         let grasp = inflated.grasp(rest);
         let [least, force, most] = [far, rest.radius, near].map(|from| grasp.force(rho, from));
         Some([
@@ -115,7 +116,7 @@ pub fn angle_unit(arm: f64) -> f64 {
     libm::pow(arm, if arm < 1.0 { -errors::SHORT_ARM } else { -1.0 })
 }
 
-/// Whether stars like `case` were computed as shells, and by how much its ranges are wider; `None` if nothing is known of it.
+/// Whether stars like `case` were computed as shells, and the factor on the width of its ranges; `None` if too far outside.
 fn domain(case: &Case, model: &dyn HingeModel) -> Option<(Domain, f64)> {
     let star = &case.mechanism;
     let hinges = [star.tip(), star.corner()];
@@ -125,20 +126,20 @@ fn domain(case: &Case, model: &dyn HingeModel) -> Option<(Domain, f64)> {
     Some((if wider > 1.0 { Domain::Extrapolated } else { Domain::Validated }, wider))
 }
 
-/// By how much ranges are wider where numbers lie outside of the intervals that were tried: in proportion to
-/// the logarithm of the largest factor by which one does, so that no end of a range jumps where nothing was
-/// tried any more; `None` too far out.
+/// Factor on the width of ranges for numbers outside of their validated intervals: in proportion to
+/// the logarithm of the largest factor by which a number is outside, so that no end of a range jumps at the edge of the
+/// validated domain; `None` if too far outside.
 pub(super) fn widening(numbers: impl IntoIterator<Item = (f64, Interval)>) -> Option<f64> {
     let factor = numbers.into_iter().map(|(x, tried)| factor_outside(x, tried)).fold(1.0, f64::max);
     let far = if factor > EXACT { libm::log(factor) / libm::log(errors::NOT_FAR) } else { 0.0 };
     (factor <= errors::NOT_FAR).then_some(1.0 + (errors::BEYOND - 1.0) * far)
 }
 
-/// The largest pressure, Pa, at which the ranges of `case` are not wider for its pressure; `None` where its
-/// own is not above that.
+/// The largest pressure, Pa, at which the ranges of `case` are not wider for its pressure; `None` if its
+/// own pressure is not above that.
 ///
-/// What shells say there bounds what they say at more pressure, as far as the model has the direction of the
-/// change right: see [`Ranges::bounded`].
+/// Values of shells at that pressure bound those at higher pressure, if the model predicts the direction of the
+/// change correctly: see [`Ranges::bounded`].
 pub fn pressure_edge(case: &Case) -> Option<f64> {
     let pressure = case.pressure?;
     let (by_pressure, by_sizes): (Vec<_>, Vec<_>) =
@@ -157,10 +158,10 @@ fn factor_outside(x: f64, [low, high]: Interval) -> f64 {
 /// The name of 1/eps among the numbers by which a star lies inside or outside.
 const BENDABILITY: &str = "bendability";
 
-/// Slack of what lies inside, for rounding.
+/// Slack for rounding at the ends of the validated intervals.
 const EXACT: f64 = 1.0 + 1e-9;
 
-/// Where `case` lies at `pressure` (Pa) among the stars that were tried: a name, its value, and the values that were.
+/// Position of `case` at `pressure` (Pa) in the validated domain: for each quantity its name, value and validated interval.
 fn place(case: &Case, pressure: f64) -> [(&'static str, f64, Interval); 8] {
     let star = &case.mechanism;
     [
@@ -175,7 +176,7 @@ fn place(case: &Case, pressure: f64) -> [(&'static str, f64, Interval); 8] {
     ]
 }
 
-/// How far `case` lies outside of what was tried, as the sum of the parts by which it does: 0 inside. A search finds its way in by it.
+/// Distance of `case` from the validated domain, as a sum over the quantities: 0 inside. A search uses it to get inside.
 pub fn outside_by(case: &Case) -> f64 {
     let Some(pressure) = case.pressure else { return 0.0 };
     let width = case.mechanism.width;
@@ -187,7 +188,7 @@ pub fn outside_by(case: &Case) -> f64 {
     all.map(|(_, x, [low, high])| (low - x).max(0.0) / low.max(1e-9) + (x - high).max(0.0) / high).sum()
 }
 
-/// In words, in what `case` lies outside of what was tried: "arm length over tube_width is 0.21 (tried: 0.5 to 5)".
+/// A message with the quantity of `case` outside of the validated domain: "arm length over tube_width is 0.21 (tried: 0.5 to 5)".
 pub fn outside(case: &Case) -> String {
     let Some(pressure) = case.pressure else { return String::new() };
     let out = place(case, pressure).into_iter().filter(|(_, x, tried)| factor_outside(*x, *tried) > EXACT);
@@ -206,26 +207,26 @@ pub fn outside(case: &Case) -> String {
     out.join("; ")
 }
 
-/// The ranges of a prediction, in its units: `None` where nothing is known.
+/// The ranges of a prediction, in its units: `None` if unknown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct StarRanges {
-    /// Of the final radius.
+    /// Range of the final radius.
     pub final_radius_mm: Option<Interval>,
-    /// Of the contraction.
+    /// Range of the contraction.
     pub contraction: Option<Interval>,
-    /// Of the tips' angle at rest.
+    /// Range of the tips' angle at rest.
     pub tip_equilibrium_angle_deg: Option<Interval>,
-    /// Of the hinges' stiffness.
+    /// Range of the hinges' stiffness.
     pub hinge_stiffness_Nm: Hinges<Option<Interval>>,
-    /// Of the radial stiffness.
+    /// Range of the radial stiffness.
     pub radial_stiffness_N_per_m: Option<Interval>,
-    /// Of the force on the object.
+    /// Range of the force on the object.
     pub object_force_N: Option<Interval>,
-    /// Of the payload.
+    /// Range of the payload.
     pub payload_kg: Option<Interval>,
-    /// Of the largest pull on the seal.
+    /// Range of the largest pull on the seal.
     pub seal_pull_N_per_mm: Option<Interval>,
-    /// Of the burst pressure: from the range of the pull; the seal's strength is taken to be exact.
+    /// Range of the burst pressure, from the range of the pull; the seal's strength is assumed to be exact.
     pub burst_pressure_kPa: Option<Interval>,
 }

@@ -3,7 +3,7 @@
 use crate::forecast::ranges::Interval;
 use crate::units::Readable;
 
-/// `value` with its range, both in `unit`; without a range it is unknown, and no number stands there.
+/// `value` with its range, both in `unit`; without a range "unknown" in place of a number.
 pub fn known(value: Option<f64>, range: Option<Interval>, unit: &str) -> String {
     match value.zip(range) {
         Some((value, range)) => with(value, range, unit),
@@ -18,7 +18,7 @@ pub fn with(value: f64, [low, high]: Interval, unit: &str) -> String {
         return format!("0{gap}{unit}");
     }
     let step = step(high - low);
-    // Ends are rounded outwards: what is printed holds. A low end that is small keeps a digit: 5 to 140, not 0 to 140.
+    // Ends are rounded outwards, so the printed range holds. A small low end keeps a digit: 5 to 140, not 0 to 140.
     let fine = if low < step && low >= 0.1 * step { 0.1 * step } else { step };
     let [low, high] = [text((low / fine).floor() * fine, fine), text((high / step).ceil() * step, step)];
     format!("{}{gap}{unit}, {low} to {high}", text(value, step))
@@ -33,7 +33,7 @@ pub fn as_exact_as(value: f64, [low, high]: Interval, unit: &str) -> String {
 pub fn meshed(value: f64, error: f64, unit: &str) -> String {
     let step = decade(error);
     let gap = if unit.is_empty() { "" } else { " " };
-    // Rounded up: what is printed holds.
+    // Rounded up, so the printed error is an upper bound.
     let open = text((error / step).ceil() * step, step);
     format!("{}{gap}{unit}, mesh error {open}", text(value, step))
 }

@@ -15,8 +15,8 @@ fn case(spec: &Spec) -> Case {
     Case::of(spec, &Star::new(&spec.stars[0]).expect("makeable")).expect("valid")
 }
 
-/// The digits are those that `cargo test --lib seal_loads_meet_the_table -- --nocapture` computes with 30 of them, by
-/// means that share nothing with the solver.
+/// The digits are those that `cargo test --lib seal_loads_meet_the_table -- --nocapture` computes with 30 digits, by
+/// code independent of the solver.
 #[test]
 fn the_ring_gives_the_loads_of_the_reference() {
     let known = [

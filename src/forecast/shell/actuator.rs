@@ -7,7 +7,7 @@ use crate::forecast::shell::{Detail, SHELL, fabric};
 use inflatable::shell::cases::{InflatedShape, ShellFault, Tube, VActuator, Value, Watch, actuator};
 use inflatable::shell::element::Weave;
 
-/// What `asked` does as a shell, with the moments at `angles` (rad) if there are any, and its sheet at rest.
+/// The prediction of `asked` as a shell, with the moments at `angles` (rad) if there are any, and its sheet at rest.
 ///
 /// # Errors
 /// As for [`actuator`].

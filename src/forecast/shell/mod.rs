@@ -1,8 +1,8 @@
-//! What the shell answers, with the keys of other predictions. It runs for seconds, so it is asked by name
-//! only.
+//! Predictions by the shell, with the keys of other predictions. It takes seconds, so it must be selected by
+//! name.
 //!
-//! [`request`] turns a star into the shell's question and its answer into numbers with mesh errors, [`star`]
-//! asks for a spec's stars, [`actuator`] for a single hinge between two arms; [`result`] is the answer about
+//! [`request`] converts a star to the shell's inputs and its results to numbers with mesh errors, [`star`]
+//! computes a spec's stars, [`actuator`] a single hinge between two arms; [`result`] formats the prediction of
 //! stars.
 
 pub mod actuator;
@@ -41,7 +41,7 @@ impl Detail {
     }
 }
 
-/// The fabric of `sheet`, woven as `weave` says, as the shell takes it.
+/// The fabric of `sheet` with the weave `weave`, as the shell's input.
 pub(in crate::forecast) fn fabric(sheet: &ElasticSheet, weave: Weave) -> Fabric {
     Fabric::isotropic(sheet.stretching_modulus(), sheet.bending_modulus(), sheet.poisson_ratio).woven(weave)
 }

@@ -12,12 +12,12 @@ use inflatable::shell::element::Weave;
 /// Points with which shells of stars are computed.
 const MOST_POINTS: u32 = 16;
 
-/// Why shells give no answer.
+/// Reason why a shell gives no answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShellRefusal {
-    /// They were told to stop.
+    /// The computation was cancelled.
     Cancelled,
-    /// They refuse.
+    /// The shell refuses the input.
     Fault(PredictFault),
 }
 
@@ -26,7 +26,7 @@ pub(in crate::forecast) fn fault(key: KeyPath, what: String) -> ShellRefusal {
     ShellRefusal::Fault(PredictFault { star: None, key, what })
 }
 
-/// What a shell says of a star: each number with its mesh error.
+/// The shell's values of a star: each number with its mesh error.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::forecast) struct Measurements {
     /// From the axis to the apex of a corner's inner rim, mm.
@@ -43,13 +43,13 @@ pub(in crate::forecast) struct Measurements {
     pub(in crate::forecast) contact_area: Value,
     /// Volume of the star, mm^3.
     pub(in crate::forecast) volume: Value,
-    /// Radius of each object that was asked about, m, and the radial force on it, N.
+    /// Radius of each requested object, m, and the radial force on it, N.
     pub(in crate::forecast) forces: Vec<(f64, Value)>,
     /// Radius of the object of the load, m; `None` if there is none, it does not enter, or the star does not meet it.
     pub(in crate::forecast) object: Option<f64>,
     /// Least and largest distance of a corner from the point in the middle of all, mm.
     pub(in crate::forecast) corners: [Value; 2],
-    /// How far that point lies beside the one in the middle of the tips, mm.
+    /// Distance of that point from the one in the middle of the tips, mm.
     pub(in crate::forecast) off_center: Value,
     /// The least angle of a tip, deg.
     pub(in crate::forecast) least_tip_angle: Value,
@@ -57,7 +57,7 @@ pub(in crate::forecast) struct Measurements {
     pub(in crate::forecast) extremes: Extremes,
 }
 
-/// The star of `case`, of fabric that is woven as `weave` says, as a shell is asked about it.
+/// The star of `case`, of fabric with the weave `weave`, as the shell's input.
 ///
 /// # Errors
 /// If no pressure is given, or it has too many points.
@@ -85,7 +85,7 @@ pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
 /// Inflates the star of `case`, then presses it against its object and round ones of `radii` (m).
 ///
 /// # Errors
-/// If the shell refuses, finds no equilibrium, or was told to stop.
+/// If the shell refuses, finds no equilibrium, or is cancelled.
 pub(in crate::forecast) fn ask(
     (case, weave): (&Case, Weave),
     radii: &[f64],
@@ -107,7 +107,7 @@ pub(in crate::forecast) fn ask(
     Ok((flat, found, measured))
 }
 
-/// The radius of the object, m, where the star meets it; an object that does not enter is not asked about.
+/// The radius of the object, m, where the star meets it; `None` for an object that does not enter.
 pub(in crate::forecast) fn entered(case: &Case) -> Option<f64> {
     case.object.filter(|object| *object > 0.0 && case.entering.unwrap_or(*object) <= case.hole)
 }
@@ -150,7 +150,7 @@ impl Measurements {
         }
     }
 
-    /// Whether the arms touch: the star is pressed shut.
+    /// Whether the arms touch.
     pub(in crate::forecast) fn touches(&self) -> bool {
         self.contact.value > 0.0
     }
@@ -160,12 +160,12 @@ impl Measurements {
         (!self.touches()).then_some(self.tip_angle.value)
     }
 
-    /// Radial stiffness, N/m; `None` where the meshes leave it open by more than itself.
+    /// Radial stiffness, N/m; `None` where its mesh error is larger than itself.
     pub(in crate::forecast) fn known_stiffness(&self) -> Option<f64> {
         Some(self.stiffness.value).filter(|number| *number > self.stiffness.error)
     }
 
-    /// The radial force on the object of this radius, m, if it was asked about.
+    /// The radial force on the object of this radius, m, if it was requested.
     pub(in crate::forecast) fn force_at(&self, radius: f64) -> Option<Value> {
         self.forces.iter().find(|(at, _)| *at == radius).map(|(_, force)| *force)
     }

@@ -1,18 +1,18 @@
-//! What a shell says of a star as a person reads it: each number with its mesh error.
+//! The shell's values of a star as a text for people: each number with its mesh error.
 
 use crate::forecast::prediction::{FabricStretch, ForceAt, LoadedPlace, StarPrediction};
 use crate::forecast::ranges::shown;
 use crate::units::Readable;
 use std::fmt::Write;
 
-/// How far the meshes leave the payload of `star` open, kg: by as much as the force on the object.
+/// The mesh error of the payload of `star`, kg: in proportion to that of the force on the object.
 pub fn payload_mesh_error(star: &StarPrediction) -> Option<f64> {
     let (payload, force) = (star.payload_kg?, star.object_force_N?);
     let open = star.evidence.mesh_errors.as_ref()?.object_force_N?;
     (force > 0.0).then_some(payload * open / force)
 }
 
-/// Adds what the shell says of `star` to `out`, a line each; nothing of another model's answer.
+/// Adds the shell's values of `star` to `out`, a line each; adds no line for another model's answer.
 pub fn star_text(out: &mut String, star: &StarPrediction) {
     let Some(mesh) = &star.evidence.mesh_errors else { return };
     let mut line = |what: &str, value: String| {

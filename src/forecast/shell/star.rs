@@ -1,5 +1,5 @@
-//! A spec's stars as shells: the keys of all predictions, with what only a shell knows, and none of what only
-//! a hinge's model knows.
+//! A spec's stars as shells: the keys of all predictions and those of shells, without those of hinge
+//! models.
 
 use crate::design::{Design, Meeting, PlacedPart, StarDesign};
 use crate::forecast::case::{Case, weave};
@@ -17,22 +17,22 @@ use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, StarPart, 
 
 pub use crate::forecast::shell::request::{ShellRefusal, flat};
 
-/// As computed on the finest mesh: numbers whose differences count are not extrapolated one by one.
+/// The value on the finest mesh: numbers whose differences matter are not extrapolated one by one.
 fn finest(value: &Value) -> f64 {
     value.meshes[2]
 }
 
-/// What a shell makes of a shear modulus.
+/// Use of a shear modulus by a shell.
 const IN_THE_MESH: &str = "shear_modulus and warp in every triangle";
 
-/// Points with which they were tried.
+/// Largest number of points with which shells were tested.
 const TRIED_POINTS: u32 = 8;
 
-/// What shells say of the stars of `design`, made from `spec`: at rest, and around round objects of `radii` (m, rising).
-/// With it, the inflated sheet of star 1.
+/// The shell's predictions of the stars of `design`, made from `spec`: at rest, and around round objects of `radii` (m, rising).
+/// Also returns the inflated sheet of star 1.
 ///
 /// # Errors
-/// If a shell refuses a star or finds no equilibrium of it, or was told to stop.
+/// If a shell refuses a star or finds no equilibrium of it, or is cancelled.
 pub fn predict(
     (spec, design): (&Spec, &Design),
     radii: &[f64],
@@ -73,7 +73,7 @@ impl ShellRefusal {
     }
 }
 
-/// A shell of one distinct star, opened to all that was asked.
+/// A shell of one distinct star, computed around every requested object.
 struct ShellRun {
     case: Case,
     flat: FlatStar,
@@ -81,7 +81,7 @@ struct ShellRun {
     measured: Measurements,
 }
 
-/// The star as a shell, around round objects of `radii` (m) and what stars like it meet of the object.
+/// The star as a shell, around round objects of `radii` (m) and the object's radii that stars like it meet.
 fn compute(
     (spec, part): (&Spec, &StarDesign),
     (radii, meetings): (&[f64], &[Option<Meeting>]),
@@ -97,7 +97,7 @@ fn compute(
 }
 
 impl ShellRun {
-    /// What it says of a star that meets the object as `meeting` says.
+    /// The prediction of a star that meets the object as `meeting` specifies.
     fn star(
         &self,
         (spec, part): (&Spec, &StarDesign),

@@ -1,7 +1,7 @@
-//! From an object to a gripper that holds it: which radius, points, width, angle, number of stars and pressure.
+//! Sizes a gripper for an object: radius, points, width, angle, number of stars and pressure.
 //!
-//! It is the search of `optimize` in a box that is as large as what was tried, for the least fabric; the object is held with a margin
-//! at the bad end of the ranges. Where no star does, a request near it that can be met is given.
+//! It is the search of `optimize` within the validated domain, for the least fabric; the object is held with a margin
+//! at the bad end of the ranges. Where no star does, the closest request that can be met is given.
 
 mod nearest;
 mod text;
@@ -25,7 +25,7 @@ use inflatable::mechanics::hinge::section::arms;
 use inflatable::mechanics::strength::GRAVITY;
 use std::ops::RangeInclusive;
 
-/// What a gripper is wanted for.
+/// The object to be held, and fixed choices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Requirements {
     /// Radius of the object where it is gripped.
@@ -53,7 +53,7 @@ pub struct Workspace {
     pub sheet: Option<Length>,
     /// Smaller side of what the machine reaches, if it is known.
     pub machine: Option<Length>,
-    /// What of a side is not free for the star: margins, and the inlet beyond the tip.
+    /// Part of a side that is not available to the star: margins, and the inlet beyond the tip.
     pub edge: Length,
 }
 
@@ -71,31 +71,31 @@ impl Workspace {
 /// (0.20 to 0.42, by the object's radius: docs/paper.md); coated, 8.7 kg and about 1.1 (0.79 to 1.65). A larger default promises
 /// payloads that no measurement supports; a smaller one makes every gripper larger than the paper's needed to be.
 pub const FRICTION: f64 = 0.3;
-/// The payload that can be counted on, over the mass.
+/// Required ratio of the design payload to the mass.
 pub const MARGIN: f64 = 1.2;
 /// The same for the search, whose values are rounded afterwards.
 const SEARCHED_MARGIN: f64 = 1.25;
-/// Burst pressure over pressure, where the seal's strength is known.
+/// Required ratio of burst pressure to pressure, where the seal's strength is known.
 pub const BURST_MARGIN: f64 = 1.5;
 /// The object's radius over the one to which the star closes for sure.
 const CLOSING: f64 = 0.95;
 /// By which part of it the radii that the star closes and opens to are taken farther apart where round values do not do.
 const INSIDE: f64 = 0.01;
-/// By how much, in all, a star may miss what was asked for and still be near it.
+/// Largest total violation of a star that still counts as near the request.
 const NEAR: f64 = 0.05;
 /// Most stars on top of each other.
 const MOST_STARS: u32 = 8;
-/// Points that were tried.
+/// Validated numbers of points.
 const POINTS: RangeInclusive<u32> = 3..=8;
-/// Pressures that pumps of the trade give and stars were tried at, kPa.
+/// Pressures of common pumps within the validated ones, kPa.
 const PRESSURES: [Pressure; 2] = [Pressure(5.0), Pressure(60.0)];
-/// Narrowest and widest tubes that were tried.
+/// Narrowest and widest validated tubes.
 const WIDTHS: [Length; 2] = [Length(10.0), Length(60.0)];
 
 /// A gripper that meets requirements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
-    /// What it is for.
+    /// The requirements.
     pub requirements: Requirements,
     /// The gripper, in round values.
     pub best: Evaluation,
@@ -103,11 +103,11 @@ pub struct Choice {
     pub others: Vec<(u32, f64)>,
 }
 
-/// Why no gripper meets requirements.
+/// Reason why no gripper meets the requirements.
 enum Shortfall {
-    /// No tube of the fabric was tried.
+    /// No tube of the fabric is in the validated domain.
     Tube,
-    /// No star does what is asked; the one that misses least.
+    /// No star meets the requirements; the one with the least violation.
     Star(Option<Box<Evaluation>>),
 }
 
@@ -140,9 +140,10 @@ fn feasible(
     };
     let found = search(&asked);
     let mut met = round(&found);
-    // What is far from what was asked stays so a little inside.
+    // Designs far from the requirements do not become feasible in a slightly smaller box.
     if met.is_empty() && found.best.first().is_some_and(|best| best.violation < NEAR) {
-        // The best lies where an object just fits in: round values may not. A little inside of that they do.
+        // The best lies where an object just fits in: rounded values may violate the constraint there. In a slightly smaller box they meet
+        // it.
         let inside = Constraints {
             grasp: asked
                 .grasp
@@ -184,13 +185,13 @@ impl Requirements {
         }
     }
 
-    /// The box of what was tried; `None` if no tube of this fabric lies in it.
+    /// The box of the validated domain; `None` if it has no tube of this fabric.
     fn bounds(&self, base: &Candidate) -> Option<SearchBounds> {
         let sheet = sheet(&base.fabric).ok()?;
         let (thickness, poisson) = (Length::from_metres(sheet.thickness).0, sheet.poisson_ratio);
         let slender = (12.0 * (1.0 - poisson * poisson)).sqrt();
         let [thin, _, thick] = arms::TAUS.map(|tau| thickness / (slender * tau));
-        // What is on the last digit's edge is left to what is clearly inside; t/W beyond 0.03 is no thin tube any more.
+        // Values at the edge in the last digit are left out; t/W beyond 0.03 is not a thin tube.
         let width = [(1.01 * thick).max(thickness / 0.0297).max(WIDTHS[0].0), (0.99 * thin).min(WIDTHS[1].0)];
         let flap = base.seal.band.0 + base.seal.hole_allowance.0;
         let hole = self.object.0 + room(self.object).0 + flap;
@@ -212,7 +213,7 @@ impl Requirements {
             grasp: Some([Length(CLOSING * self.object.0), Length(self.object.0 + 0.5 * room)]),
             hole: Some(Length(self.object.0 + room)),
             payload: Some(margin * self.mass.0),
-            // A search keeps as far from what the object bears, in parts, as it does from the mass.
+            // A search keeps the same relative margin to the object's force limit as to its mass.
             largest_force: self.largest_force.map(|force| force.0 * MARGIN / margin),
             sheet: self.room.free(),
             burst_margin: base.fabric.seal_strength.map(|_| BURST_MARGIN),
@@ -220,7 +221,7 @@ impl Requirements {
         }
     }
 
-    /// Why it cannot be had: what the star that misses least is short of.
+    /// The reasons: the requirements that the star with the least violation misses.
     fn reasons(&self, base: &Candidate, best: Option<&Evaluation>) -> Vec<String> {
         let constraints = self.constraints(base, SEARCHED_MARGIN);
         let short = best.map_or(Vec::new(), |best| shortfalls(&best.point, &best.answer, &constraints));
@@ -240,7 +241,7 @@ impl Requirements {
         let percent = (1000.0 * part).ceil() / 10.0;
         match *what {
             "payload" => {
-                // Friction is as far short as the mass; a hundredth more for what is rounded.
+                // Friction is short by the same factor as the mass; a hundredth more allows for rounding.
                 let friction = (101.0 * self.friction / (1.0 - part)).ceil() / 100.0;
                 let coated = if friction <= COATED {
                     format!(
@@ -289,7 +290,7 @@ fn no_tube(base: &Candidate) -> String {
 /// Values that are rounded: tube width, inner radius, tip angle, pressure.
 const ROUNDED: u32 = 4;
 
-/// The same in round values, if it still keeps what was asked: the nearest tenths, or, where the best lies on an edge, those of the
+/// The same in rounded values, if it still meets the requirements: the nearest tenths, or, where the best lies on an edge, those of the
 /// tenths around it that take the least fabric.
 fn rounded(found: &Evaluation, constraints: &Constraints, ring: &RingTable) -> Option<Evaluation> {
     let to = |whole: &dyn Fn(u32, f64) -> f64| {

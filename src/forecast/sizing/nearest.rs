@@ -13,7 +13,7 @@ use inflatable::mechanics::strength::GRAVITY;
 /// Requirements that no gripper meets, and the closest ones that can be met.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Infeasible {
-    /// Why there is none, one sentence each.
+    /// The reasons, one sentence each.
     pub reasons: Vec<String>,
     /// The closest requirements that can be met; `None` if none were found.
     pub nearest: Option<Box<NearestRequirements>>,
@@ -25,17 +25,17 @@ pub struct NearestRequirements {
     /// The requirements: less mass, a larger sheet, any pressure, an object that bears more, or an object of
     /// another size.
     pub requirements: Requirements,
-    /// How, the best first.
+    /// The ways to meet them, the best first.
     pub choices: Vec<Choice>,
 }
 
-/// Sheets are taken larger by this, mm: they are cut by hand.
+/// Margin on the size of sheets, mm: they are cut with hand tools.
 const SHEET: f64 = 10.0;
-/// Parts of the most mass that are tried: near the most there are few grippers, and a search may miss them.
+/// Trial masses as parts of the largest one: near it there are few grippers, and a search may miss them.
 const RESERVES: [f64; 3] = [0.9, 0.7, 0.4];
-/// Forces of one star that are tried in place of what the object bears, over what all stars need together.
+/// Trial forces of one star in place of the object's limit, over the force that all stars need together.
 const SHARES: [f64; 9] = [0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0];
-/// Sizes of objects that are tried where nothing else helps, over the one wished for.
+/// Trial sizes of objects over the requested one, if no other change is enough.
 const SIZES: [f64; 4] = [0.7, 0.4, 0.2, 2.0];
 
 /// The grippers that meet `requirements`, the best first, from `base`: its fabric, seal and radii of
@@ -102,7 +102,8 @@ fn nearest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> O
         .or_else(|| SIZES.into_iter().map(of_size).find_map(tried))
 }
 
-/// The most mass that can be counted on with all else as required, kg; `None` if nothing else is.
+/// The largest mass that the gripper can carry with its margin and all other requirements, kg; `None` if they cannot be
+/// met.
 fn heaviest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> Option<f64> {
     let base = requirements.candidate(base);
     let bounds = SearchBounds { stars: 1..=MOST_STARS, ..requirements.bounds(&base)? };
@@ -120,7 +121,7 @@ fn heaviest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> 
     Some(sure_payload(&most.point, &most.answer)? / SEARCHED_MARGIN)
 }
 
-/// A mass rounded down to three digits and whole milligrams; `None` if nothing is left.
+/// A mass rounded down to three digits and whole milligrams; `None` if the result is zero.
 pub(super) fn three_digits(mass: f64) -> Option<Mass> {
     let digit = libm::pow(10_f64, libm::log10(mass).floor() - 2.0);
     let mass = ((mass / digit).floor() * digit * 1e6).round() / 1e6;

@@ -1,4 +1,4 @@
-//! A chosen gripper as a spec, each value with the reason why it is what it is.
+//! A sized gripper as a spec, each value with its reason.
 
 use crate::design::inflated_height;
 use crate::forecast::case::sheet;
@@ -26,7 +26,7 @@ pub fn spec_text(name: &str, choice: &Choice, base: &Spec) -> Result<String, Nam
     Ok(out.text)
 }
 
-/// How the comments begin that give what was computed of all values together: once a value changes, none of them is true any more.
+/// The first words of the comments with results of all values together: they become outdated once a value changes.
 const RESULTS: [&str; 13] = [
     "Holds an object ",
     "Designed for ",
@@ -43,7 +43,7 @@ const RESULTS: [&str; 13] = [
     "safe payload ",
 ];
 
-/// Whether `comment`, without its "# ", is one that [`spec_text`] writes of what it computed.
+/// Whether `comment`, without its "# ", is a result that [`spec_text`] writes.
 pub fn is_result(comment: &str) -> bool {
     RESULTS.iter().any(|begin| comment.starts_with(begin))
 }

@@ -1,4 +1,4 @@
-//! Who answers a row: the model of its design.
+//! The models that answer a row.
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -15,19 +15,19 @@ use inflatable::mechanics::hinge::Level;
 use inflatable::mechanics::hinge::ring::RingTable;
 use inflatable::shell::cases::Watch;
 
-/// What is known of a row's design.
+/// The values of a row's design.
 pub(super) struct RowAnswer {
-    /// What a model of the hinges says; by a shell, what needs no model.
+    /// The values by a hinge model; for a shell, the values that need no model.
     pub(super) answer: Answer,
-    /// What a shell says.
+    /// The shell's values.
     pub(super) shell: Option<Box<Measurements>>,
 }
 
-/// Why there is no answer.
+/// Reason for a row without an answer.
 pub(super) enum RowRefusal {
     /// There is no such star, or no model has an answer.
     Refused(RefusedDesign),
-    /// It was told to stop.
+    /// The computation was cancelled.
     Cancelled,
 }
 
@@ -37,17 +37,17 @@ impl From<RefusedDesign> for RowRefusal {
     }
 }
 
-/// Who answers.
+/// The models of a study.
 #[derive(Debug)]
 pub(super) struct Models {
     /// The ring's table.
     pub(super) ring: RingTable,
-    /// How fine the meshes of shells are; `None`: `section` stands in for `bvp` and `shell`.
+    /// Fineness of the shells' meshes; `None`: `section` stands in for `bvp` and `shell`.
     pub(super) detail: Option<Detail>,
 }
 
 impl Models {
-    /// What `point` does, by its own model.
+    /// The values of `point`, by its own model.
     pub(super) fn answer(
         &self,
         point: &Candidate,
@@ -63,7 +63,7 @@ impl Models {
                 Ok(RowAnswer { answer: answer?, shell: None })
             }
             (ModelChoice::Shell, Some(detail)) => {
-                // What no model is needed for.
+                // The values that need no model.
                 let answer = point.answer_by(&self.ring, |_| Ok(None))?;
                 let watch = Watch { progress: None, cancel: Arc::clone(cancel) };
                 let weave = weave(&point.fabric)

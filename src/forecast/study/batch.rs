@@ -18,11 +18,11 @@ const AT_ONCE: usize = 64;
 /// The values of one column.
 #[derive(Clone, Debug)]
 pub enum ColumnValues {
-    /// Numbers; NaN where nothing is known.
+    /// Numbers; NaN where unknown.
     Real(Vec<f64>),
     /// Whole numbers.
     Whole(Vec<i64>),
-    /// Words; none where there is nothing to say.
+    /// Words; `None` for an empty cell.
     Text(Vec<Option<Box<str>>>),
 }
 
@@ -84,7 +84,7 @@ impl ColumnValues {
         }
     }
 
-    /// Whether there are none.
+    /// Whether the batch has no rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -109,8 +109,8 @@ impl Study {
         Some(whole)
     }
 
-    /// Takes `rows` through `make`, in parallel, and hands what it makes in order to `take` with the number of rows, while the next
-    /// are computed; `take` may stop by returning false. Memory does not grow with the study. Returns whether it was done.
+    /// Applies `make` to `rows` in parallel, and passes the results in order to `take` with the number of rows, while the next
+    /// are computed; `take` may stop by returning false. Memory does not grow with the study. Returns whether it ran to the end.
     pub fn run<T: Send>(
         &self,
         rows: Range<usize>,

@@ -1,9 +1,9 @@
-//! Single rows as texts that lose nothing, for whoever keeps them until there are all.
+//! Single rows as lossless texts, for callers that collect them until a study is complete.
 
 use crate::forecast::study::batch::{ColumnValues, RowBatch};
 use crate::forecast::study::columns::{Column, ColumnKind};
 
-/// The cells of the first row of `batch`; `None` where nothing is known.
+/// The cells of the first row of `batch`; `None` for an empty cell.
 pub fn cells(batch: &RowBatch) -> Vec<Option<String>> {
     let cell = |values: &ColumnValues| match values {
         // `{}` prints the shortest decimals that read back to the same number.

@@ -1,16 +1,16 @@
-//! The columns of a study: what a row says, in which unit.
+//! The columns of a study: value and unit of each.
 
 use crate::forecast::study::output::OutputColumn;
 use crate::spec::study::{Block, Field};
 
-/// What a column holds.
+/// The type of a column's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColumnKind {
-    /// Numbers; NaN where nothing is known.
+    /// Numbers; NaN where unknown.
     Real,
-    /// Whole numbers, always known.
+    /// Whole numbers, never missing.
     Whole,
-    /// Words; none where there is nothing to say.
+    /// Words; `None` for an empty cell.
     Text,
 }
 
@@ -21,14 +21,14 @@ pub struct Column {
     pub name: String,
     /// The unit, as people write it: "N/m"; `None` for plain numbers and words.
     pub unit: Option<&'static str>,
-    /// What it holds.
+    /// Type of its values.
     pub kind: ColumnKind,
-    /// What it means.
+    /// Its meaning.
     pub about: String,
 }
 
-/// The columns of a study of `blocks`: `row`, a column an axis, `outputs`, and the refusal, with its code if
-/// it is wanted.
+/// The columns of a study of `blocks`: `row`, a column for each axis, `outputs`, and the refusal, with its code if
+/// `codes` is set.
 pub(super) fn columns(blocks: &[Block], outputs: &[&'static OutputColumn], codes: bool) -> Vec<Column> {
     let text = |name: &str, unit, kind, about: &str| Column {
         name: name.to_owned(),

@@ -1,10 +1,10 @@
-//! Batches as CSV: a header, a line a row, empty cells where nothing is known.
+//! Batches as CSV: a header, a line for each row, empty cells for unknown values.
 
 use crate::forecast::study::batch::{ColumnValues, RowBatch};
 use crate::forecast::study::columns::Column;
 use crate::forecast::study::figure;
 
-/// The header line; with `units` under it a comment of as many cells, which says the unit of each column.
+/// The header line; with `units` a comment line below it with the unit of each column.
 pub fn header(columns: &[Column], units: bool) -> String {
     let line = |cell: fn(&Column) -> &str| columns.iter().map(cell).collect::<Vec<_>>().join(",");
     let names = line(|column| &column.name);

@@ -1,8 +1,8 @@
-//! Which design each row is.
+//! The design of each row.
 //!
-//! Thirteen keys of numbers are put straight into the design: they are what most studies vary, in microseconds. Every other key is put
-//! into the text of the spec, which is then read again, so that it means there what it means in a spec, with every range and every
-//! default that depends on it. What these **slow** keys make of the spec is kept while they have few combinations.
+//! Thirteen numeric keys are written straight into the design in microseconds: most studies vary these. Every other key is written
+//! into the text of the spec, which is then read again, so that it has its meaning in a spec, with every range and every
+//! default that depends on it. The designs of these **slow** keys are kept if they have few combinations.
 
 use crate::design::RefusalCode;
 use crate::forecast::candidate::{Candidate, RefusedDesign};
@@ -56,12 +56,12 @@ pub(super) struct Designs {
     /// By block and axis.
     quick: Vec<(usize, usize, Quick)>,
     slow: Vec<(usize, usize)>,
-    /// What combinations of slow keys make of the spec; empty if there are none, or too many.
+    /// Designs of the combinations of slow keys; empty if there are none, or too many.
     kept: Vec<OnceLock<Result<Candidate, RefusedDesign>>>,
 }
 
 impl Designs {
-    /// The combinations of `blocks` around `base`, which is the first star of what was read from a text.
+    /// The combinations of `blocks` around `base`, which is the first star of the spec `source`.
     pub(super) fn new(base: Candidate, (source, spec): (Source, Spec), blocks: Vec<Block>) -> Self {
         let (mut quick, mut slow) = (Vec::new(), Vec::new());
         // Which tips there are to carry an inlet depends on the points: the reader must see both.
@@ -90,7 +90,7 @@ impl Designs {
         self.rows
     }
 
-    /// What varies.
+    /// The varied blocks.
     pub(super) fn blocks(&self) -> &[Block] {
         &self.blocks
     }
@@ -100,7 +100,7 @@ impl Designs {
         self.blocks.iter().enumerate().flat_map(|(b, block)| block.axes().iter().map(move |axis| (b, axis)))
     }
 
-    /// Where row `row` is in each block; the last block runs fastest.
+    /// Writes the index of row `row` in each block to `place`; the last block runs fastest.
     pub(super) fn place(&self, row: usize, place: &mut Vec<usize>) {
         place.clear();
         let mut stride = self.rows;
@@ -137,7 +137,7 @@ impl Designs {
         Ok(point)
     }
 
-    /// What the slow keys make of the spec.
+    /// The design of the slow keys' combination at `place`.
     fn slowly(&self, place: &[usize]) -> Result<Candidate, RefusedDesign> {
         if self.slow.is_empty() {
             return Ok(self.base.clone());
@@ -182,7 +182,7 @@ impl Designs {
         })
     }
 
-    /// The models that the designs ask.
+    /// The models of the designs.
     pub(super) fn models(&self) -> Vec<ModelChoice> {
         let Some((_, axis)) = self.axes().find(|(_, axis)| axis.field.key() == key::accuracy::MODEL) else {
             return vec![self.base.model];
@@ -193,7 +193,7 @@ impl Designs {
         ModelChoice::ALL.iter().filter(known).map(|(_, model)| *model).collect()
     }
 
-    /// All that the designs depend on, in a text of no other use.
+    /// A text that identifies the designs: all inputs that they depend on.
     pub(super) fn identity(&self) -> String {
         format!("{:?} {:?}", self.spec, self.blocks)
     }

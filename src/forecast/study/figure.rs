@@ -53,7 +53,7 @@ pub(super) fn whole(out: &mut Vec<u8>, value: i64) {
     decimal(out, value < 0, value.unsigned_abs(), 0);
 }
 
-/// Adds `digits` of which the last `decimals` stand behind the point.
+/// Adds `digits` with the last `decimals` behind the point.
 fn decimal(out: &mut Vec<u8>, is_negative: bool, mut digits: u64, decimals: usize) {
     let mut text = [0; 24];
     let mut at = text.len();
@@ -130,7 +130,7 @@ mod tests {
         assert_eq!(texts, expected);
     }
 
-    /// What the standard library writes, which rounds exactly.
+    /// The standard library's text, which is rounded exactly.
     fn exact(x: f64) -> String {
         let size = x.abs();
         if x.fract() == 0.0 && size < 1e9 {

@@ -1,16 +1,16 @@
 //! Studies: many designs at once, a row each.
 //!
-//! Rows are numbered; row i is the same whoever computes it, so a study can be cut into parts and run in any number of threads,
-//! on any number of machines.
+//! Rows are numbered; row i is the same on every machine and in any number of threads, so a study can be split into parts
+//! that run anywhere.
 //!
-//! | stage | what it knows |
+//! | stage | subject |
 //! |---|---|
-//! | [`crate::spec::study`] | what a study file asks for |
-//! | `designs` | which design row i is |
-//! | `answers` | what its model says of it |
-//! | [`columns`], `output`, `outputs`, `shell_outputs`, `wanted` | what a row says, in which unit |
-//! | [`batch`], `slow` | rows as columns of numbers, computed in parallel; those that take seconds each |
-//! | [`csv`], [`checkpoint`] | batches as bytes; single rows as texts that lose nothing |
+//! | [`crate::spec::study`] | the study file |
+//! | `designs` | the design of row i |
+//! | `answers` | the values of its model |
+//! | [`columns`], `output`, `outputs`, `shell_outputs`, `wanted` | the values of a row, with their units |
+//! | [`batch`], `slow` | rows as columns of numbers, computed in parallel; rows that take seconds each |
+//! | [`csv`], [`checkpoint`] | batches as bytes; single rows as lossless texts |
 
 mod answers;
 pub mod batch;
@@ -55,11 +55,11 @@ pub struct Study {
 }
 
 impl Study {
-    /// What `file` asks for, around the spec `spec`, which it names.
+    /// The study of `file` around the spec `spec`, which the file names.
     ///
     /// # Errors
-    /// The faults of the spec; those of what the study sets in it; a column that does not exist, or that none of its models knows;
-    /// meshes of a shell that nobody asks; too many rows.
+    /// The faults of the spec; those of the values that the study sets; a column that does not exist, or that none of its models has;
+    /// a fineness of shell meshes without a shell; too many rows.
     pub fn new(file: &StudyFile, spec: &Source) -> Result<Self, Faults> {
         let model = file.model.map(model_setting);
         let set: Vec<(Field, KeyValue)> = file.set.iter().cloned().chain(model).collect();
@@ -85,12 +85,11 @@ impl Study {
         Self::of(designs, outputs, Some(detail), is_slow).map_err(|what| told(0..0, what))
     }
 
-    /// Every combination of the values of `axes` around the spec `spec`, with the columns that `sweep --vary`
-    /// has had since it exists, and by the models that it has always asked: of `bvp` and `shell`, `section`
-    /// answers.
+    /// Every combination of the values of `axes` around the spec `spec`, with the fixed columns of `sweep --vary`
+    /// and its models: `section` answers for `bvp` and `shell`.
     ///
     /// # Errors
-    /// The faults of the spec, or one sentence: nothing is varied, or a key twice, or there are too many rows.
+    /// The faults of the spec, or one sentence: no key is varied, one is varied twice, or there are too many rows.
     pub fn vary(spec: &Source, axes: Vec<Axis>) -> Result<Result<Self, String>, Faults> {
         for (i, axis) in axes.iter().enumerate() {
             if axes[..i].iter().any(|other| other.field.key() == axis.field.key()) {
@@ -119,12 +118,12 @@ impl Study {
         self.designs.rows()
     }
 
-    /// Whether rows take so long, a second to minutes each, that each is worth keeping as soon as it is there.
+    /// Whether a row takes a second to minutes, so that each should be saved as soon as it is computed.
     pub fn is_slow(&self) -> bool {
         self.is_slow
     }
 
-    /// The columns: `row`, what varies, what is wanted of each design, and why it is refused.
+    /// The columns: `row`, the varied keys, the outputs of each design, and the reason for a refusal.
     pub fn columns(&self) -> &[Column] {
         &self.columns
     }
@@ -144,7 +143,7 @@ impl Study {
         self.designs.design(row)
     }
 
-    /// What tells this study from every other: a hash of the version of this program, the spec as read, what varies, and
+    /// Identifies the study: a hash of the version of this program, the spec as read, the varied keys, and
     /// the columns. Comments and layout do not matter.
     pub fn fingerprint(&self) -> String {
         let mut parts = vec![
@@ -157,7 +156,7 @@ impl Study {
     }
 }
 
-/// The designs of `blocks` around `spec`; one sentence if nothing is varied, or there are too many.
+/// The designs of `blocks` around `spec`; one sentence if no key is varied, or there are too many designs.
 fn designs(spec: &Source, blocks: Vec<Block>) -> Result<Result<Designs, String>, Faults> {
     let reading = read(spec)?;
     if blocks.is_empty() {
@@ -181,7 +180,7 @@ fn model_setting(model: ModelChoice) -> (Field, KeyValue) {
     (field, KeyValue::Word(word.to_owned()))
 }
 
-/// `spec` with what a study keeps at another value.
+/// `spec` with the fixed values of a study.
 fn edited(spec: &Source, set: &[(Field, KeyValue)]) -> Result<Source, Faults> {
     // A fault of the spec's own is shown in the spec as it was written.
     let _ = read(spec)?;

@@ -1,4 +1,4 @@
-//! A column of answers: what it is called, what it means, and who knows it.
+//! A column of answers: its name, its meaning, and the models that have it.
 
 use crate::forecast::candidate::{Answer, Candidate};
 use crate::forecast::outcome::Outcome;
@@ -10,19 +10,19 @@ use inflatable::mechanics::strength::payload;
 pub(super) struct StudyRow<'a> {
     pub(super) point: &'a Candidate,
     pub(super) answer: &'a Answer,
-    /// What a shell says, if it was asked.
+    /// The shell's values, if it was computed.
     pub(super) shell: Option<&'a Measurements>,
-    /// Whether what no model is needed for is said where none answers; the columns of `sweep --vary` never did.
+    /// Whether values that need no model are written without a model's answer; the columns of `sweep --vary` leave them empty.
     pub(super) all: bool,
 }
 
 impl StudyRow<'_> {
-    /// What a model of the hinges says, if it knows such stars.
+    /// The values by a hinge model, if it covers the star.
     pub(super) fn own(&self) -> Option<&Outcome> {
         self.answer.outcome.as_ref().filter(|own| own.known)
     }
 
-    /// What either says.
+    /// The value by a hinge model or by the shell.
     pub(super) fn says(
         &self,
         hinges: fn(&Outcome) -> Option<f64>,
@@ -32,7 +32,7 @@ impl StudyRow<'_> {
     }
 
     /// Mass that friction holds with a radial force of this many N of each star, of the whole stack, kg; `None` where stars of the stack meet
-    /// different radii of the object, of which a shell was asked for one only.
+    /// different radii of the object, because the shell computes one radius only.
     pub(super) fn held(&self, force: f64) -> Option<f64> {
         if !self.point.meets_alike(&self.answer.star) {
             return None;
@@ -52,7 +52,7 @@ pub(super) struct OutputColumn {
     pub(super) of: Of,
 }
 
-/// Who knows a column, and how it is read from a row.
+/// The models that have a column, and its value in a row.
 #[derive(Debug)]
 pub(super) enum Of {
     /// Every model.
@@ -63,7 +63,7 @@ pub(super) enum Of {
     Shell(fn(&StudyRow<'_>, &Measurements) -> Option<f64>),
 }
 
-/// Which models the rows of a study ask.
+/// The kinds of models that the rows of a study use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct ModelKinds {
     /// One of the hinges.
@@ -81,7 +81,7 @@ impl ModelKinds {
 }
 
 impl OutputColumn {
-    /// Its value; `None` where nothing is known.
+    /// Its value; `None` if unknown.
     pub(super) fn value(&self, row: &StudyRow<'_>) -> Option<f64> {
         match self.of {
             Of::Any(of) => of(row),
@@ -90,7 +90,7 @@ impl OutputColumn {
         }
     }
 
-    /// Whether one of the models that are `asked` knows it.
+    /// Whether one of the models in `asked` has this column.
     pub(super) fn is_known(&self, asked: ModelKinds) -> bool {
         match self.of {
             Of::Any(_) => true,

@@ -1,4 +1,4 @@
-//! The columns of every study: what models of the hinges say of a design, and what no model is needed for.
+//! The columns of every study: values by hinge models, and values that need no model.
 
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::Interval;
@@ -44,7 +44,7 @@ fn force(row: &StudyRow<'_>) -> Option<Interval> {
     row.own()?.force_range
 }
 
-/// What models of the hinges say, and what no model is needed for, in order. Lengths mm, angles deg.
+/// Values by hinge models, and values that need no model, in order. Lengths mm, angles deg.
 pub(super) const OUTPUTS: [OutputColumn; 33] = [
     plain("arm_length_mm", Some("mm"), "length of the straight arms", Any(|row| Some(row.answer.star.l))),
     plain(

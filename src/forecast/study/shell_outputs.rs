@@ -1,9 +1,9 @@
-//! The columns that only shells know: what they measure of a star beside what hinges have, and how far the meshes leave each number open.
+//! The columns that only shells have: their own measurements of a star, and the mesh error of each number.
 
 use crate::forecast::shell::request::Measurements;
 use crate::forecast::study::output::{Of, OutputColumn, StudyRow};
 
-/// Of a column: how far the meshes leave it open.
+/// Description of a mesh error's column.
 const OPEN: &str = "how far the meshes leave it open";
 
 const fn measured(
@@ -23,7 +23,7 @@ const fn open(
     measured(name, unit, OPEN, of)
 }
 
-/// What shells alone say, in order.
+/// Values by shells alone, in order.
 pub(super) const SHELL_OUTPUTS: [OutputColumn; 17] = [
     measured("tip_angle_deg", Some("deg"), "angle of the tips between their arms' lines", |_, shell| {
         Some(shell.tip_angle.value)

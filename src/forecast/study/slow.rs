@@ -1,4 +1,4 @@
-//! Rows that take a second to minutes each: one by one, every thread the next one that nobody has begun.
+//! Rows that take a second to minutes each: every thread takes the next row that is not started.
 
 use std::collections::BTreeMap;
 use std::ops::Range;

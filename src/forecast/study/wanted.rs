@@ -16,12 +16,12 @@ pub(super) fn plain() -> Vec<&'static OutputColumn> {
     OUTPUTS.iter().filter(|output| output.plain).collect()
 }
 
-/// All columns that one of the models that are `asked` knows.
+/// All columns that one of the models in `asked` has.
 pub(super) fn known(asked: ModelKinds) -> Vec<&'static OutputColumn> {
     every().filter(|output| output.is_known(asked)).collect()
 }
 
-/// The columns that are `wanted` in the study `source`, in that order.
+/// The columns selected by `wanted` in the study `source`, in that order.
 pub(super) fn chosen(
     wanted: &[Wanted],
     source: &Source,

@@ -13,7 +13,7 @@ pub const YOUNG: f64 = 128.0;
 pub const POISSON: f64 = 0.39;
 /// Their thickness, m.
 pub const THICKNESS: f64 = 0.3e-3;
-/// How far an object opens the finest shell, by W.
+/// Opening of the finest shell by an object, over W.
 pub const OPENING: f64 = 0.45;
 /// W of the stars, mm.
 const WIDTH: f64 = 30.0;
@@ -33,7 +33,7 @@ pub struct MeshedNumber {
 /// One shell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shell {
-    /// How fine its meshes are, as `--fineness` says it.
+    /// Fineness of its meshes, as in `--fineness`.
     pub fineness: String,
     /// n; `None` for the V-actuator.
     pub points: Option<u32>,
@@ -41,7 +41,7 @@ pub struct Shell {
     pub pressure: f64,
     /// Final radius, mm; the V-actuator's angle at rest, deg.
     pub rest: MeshedNumber,
-    /// Radial stiffness, N/m, no number where meshes leave more open than itself; the V-actuator's stiffness, N m.
+    /// Radial stiffness, N/m, NaN where its mesh error is larger than itself; the V-actuator's stiffness, N m.
     pub stiffness: MeshedNumber,
     /// Force on a round object 0.45 W wider than the finest shell's final radius, N; stars only.
     pub force: Option<MeshedNumber>,

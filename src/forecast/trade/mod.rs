@@ -1,7 +1,7 @@
-//! What each model costs and how far it is off: the limits of high pressure from the exact ring, and all models from shells
+//! Cost and error of each model: the limits of high pressure against the exact ring, and all models against shells
 //! ([`shells`]).
 //!
-//! The clock is handed in, so that this room stays a function of its arguments.
+//! The caller provides the clock, so that this module stays a function of its arguments.
 
 pub mod computed;
 pub mod picture;
@@ -34,14 +34,14 @@ pub struct TradeRow {
     pub model: String,
     /// Time for one hinge's target, s, the mean over the R*.
     pub time: f64,
-    /// Of lambda_t, V_bar''(lambda_t), seal load k, final radius, radial stiffness; `None` where it has none.
+    /// Errors of lambda_t, V_bar''(lambda_t), seal load k, final radius, radial stiffness; `None` where the model has none.
     pub errors: [Option<f64>; 5],
 }
 
 /// Names of the errors.
 pub const QUANTITIES: [&str; 5] = ["lambda_t", "V''", "k", "rho_f", "stiffness"];
 
-/// Measures every model; `clock` tells the time in s.
+/// Measures every model; `clock` returns the time in s.
 ///
 /// `base` gives the star's size; its points and radii are those of the comparison.
 ///

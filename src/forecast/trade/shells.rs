@@ -1,8 +1,8 @@
-//! Every model against the finest shells: the paper's stars of three to eight points and one V-actuator, at the pressures that
-//! grippers work at.
+//! Every model against the finest shells: the paper's stars of three to eight points and one V-actuator, at the working
+//! pressures of grippers.
 //!
-//! The shells are data ([`computed`](super::computed)); what is computed here are the models that
-//! know no arms but by a table.
+//! The shells are data ([`computed`](super::computed)); computed here are the models that
+//! include arms by a table only.
 
 use crate::design::Star;
 use crate::forecast::actuator::{Actuator, actuate};
@@ -31,16 +31,16 @@ const MODELS: [(&str, Option<Level>); 5] = [
     ("section, table", None),
 ];
 
-/// One star by one model: relative errors against the finest shell; of that one, the parts that its own meshes leave open.
+/// One star by one model: relative errors against the finest shell; for that shell, its relative mesh errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StarErrors {
     /// n.
     pub points: u32,
-    /// Of the final radius.
+    /// Error of the final radius.
     pub radius: f64,
-    /// Of the radial stiffness; `None` where a shell's meshes do not agree on it.
+    /// Error of the radial stiffness; `None` where a shell's meshes do not agree on it.
     pub stiffness: Option<f64>,
-    /// Of the force on one object, 0.45 W wider than the finest shell's final radius.
+    /// Error of the force on one object, 0.45 W wider than the finest shell's final radius.
     pub force: Option<f64>,
 }
 
@@ -53,31 +53,32 @@ pub struct ShellRow {
     pub pressure: f64,
     /// Time for a star, s: at rest, its hinges included; of shells the mean user time, the force included; 0 if none was timed.
     pub time: f64,
-    /// The V-actuator's angle at rest less the finest shell's, deg, and its stiffness over that, less 1; `None` for the table, which is
-    /// asked for stars.
+    /// Error of the V-actuator's angle at rest, deg, and relative error of its stiffness, against the finest shell; `None` for the table,
+    /// which is
+    /// for stars only.
     pub actuator: Option<[f64; 2]>,
     /// Its stars.
     pub stars: Vec<StarErrors>,
 }
 
-/// How often a number of a fineness was as near to the finest as the mesh errors of both say.
+/// Agreement of one number of a fineness with the finest: its distance is compared with the mesh errors of both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Agreement {
     /// The fineness.
     pub fineness: &'static str,
     /// The number.
     pub quantity: &'static str,
-    /// How often it was.
+    /// Number of values within them.
     pub held: usize,
-    /// Of how many.
+    /// Number of values compared.
     pub of: usize,
-    /// How often there was no number, because meshes leave more open than itself.
+    /// Number of values left out, because their mesh error is larger than themselves.
     pub unknown: usize,
     /// Largest distance, by the mesh errors.
     pub furthest: f64,
 }
 
-/// Compares every model and the coarser shells with the finest; `clock` tells the time in s.
+/// Compares every model and the coarser shells with the finest; `clock` returns the time in s.
 ///
 /// # Errors
 /// If a model refuses one of the hinges.
@@ -144,7 +145,7 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
     let mut times = Vec::new();
     for known in at(finest, pressure) {
         if fineness == "fine" {
-            // What the others are compared with: what its own meshes leave open.
+            // Relative mesh error of the reference that the others are compared with.
             let open = |known: MeshedNumber| known.error / known.value;
             row.stars.push(StarErrors {
                 points: known.points,
@@ -182,7 +183,7 @@ fn same<'a>(computed: &'a [Shell], fineness: &str, known: &Finest) -> Option<&'a
     })
 }
 
-/// How often mesh errors of coarser shells held.
+/// Checks the mesh errors of coarser shells against the finest.
 pub fn mesh_errors() -> Vec<Agreement> {
     let (finest, computed) = (finest(), shells());
     let mut rows = Vec::new();

@@ -18,7 +18,7 @@ pub fn tables(rows: &[ShellRow]) -> String {
     )
 }
 
-/// A time as people say it.
+/// A time in the unit for people.
 fn time(seconds: f64) -> String {
     if seconds == 0.0 {
         return "- us".to_owned();

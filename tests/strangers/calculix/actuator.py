@@ -160,7 +160,7 @@ def solve(across, folder, asked):
 
 
 def extrapolated(coarse, fine, key):
-    """The value at elements of no size, if the error falls as their square; the last step is the error to quote."""
+    """The value at elements of zero size, if the error falls as their square; the last step is the error to quote."""
     a, b = (found["ladder"][-1][key] for found in (coarse, fine))
     return b + (b - a) / ((fine["across"] / coarse["across"]) ** 2 - 1.0)
 

@@ -1,4 +1,4 @@
-"""The V-actuator of README.md on CalculiX's two coarsest meshes: what they gave before, and what the program's shell says.
+"""The V-actuator of README.md on CalculiX's two coarsest meshes: compared with earlier results and with the program's shell.
 
 Usage: coarse.py TOOL
 

@@ -111,7 +111,7 @@ impl Arc {
         Some(Self { center, radius, start_angle: (start - center).angle(), sweep })
     }
 
-    /// tan(sweep / 4), the measure of an arc between two known points that DXF calls bulge.
+    /// tan(sweep / 4), the measure of an arc between two given points that DXF calls bulge.
     pub fn bulge(&self) -> f64 {
         libm::tan(self.sweep / 4.0)
     }

@@ -67,7 +67,7 @@ fn monotone(segment: &Segment) -> Vec<Segment> {
     at.windows(2).map(|t| segment.part(t[0], t[1])).collect()
 }
 
-/// Where the monotone `piece` from `start` to `end` has the ordinate `y`.
+/// The abscissa at which the monotone `piece` from `start` to `end` has the ordinate `y`.
 fn abscissa(piece: &Segment, start: Point, end: Point, y: f64) -> f64 {
     match piece {
         Segment::Line(_) => start.x + (y - start.y) / (end.y - start.y) * (end.x - start.x),

@@ -12,10 +12,11 @@ impl Grid {
         Self(if decimals < 9 { decimals } else { 9 })
     }
 
-    /// As many decimals as keep rounding below a tenth of `tolerance`, so that the shape gets the rest: 3 to 6.
+    /// The number of decimals that keeps rounding below a tenth of `tolerance`, so that the shape gets the rest: 3 to
+    /// 6.
     ///
-    /// Never fewer than 3: GRBL refuses an arc whose radii at its ends differ by more than 0.005 mm, which is
-    /// what hundredths would make of a small one.
+    /// Never fewer than 3: GRBL refuses an arc whose radii at its ends differ by more than 0.005 mm, as
+    /// hundredths would cause for a small one.
     pub fn for_tolerance(tolerance: f64) -> Self {
         let quantum = tolerance / 10.0;
         Self((3..6).find(|d| 10_f64.powi(-d) <= quantum * (1.0 + 1e-9)).map_or(6, i32::unsigned_abs))
@@ -27,7 +28,7 @@ impl Grid {
     }
 
     fn scale(self) -> f64 {
-        // Looked up: this is asked more often than anything else.
+        // From a table, because this is the most frequent call.
         const SCALES: [f64; 10] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
         SCALES[self.0 as usize]
     }

@@ -1,10 +1,10 @@
-//! Finding what lies near a place among many boxes.
+//! Search for boxes near a place among many boxes.
 
 use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
 
 use crate::geom::{Bounds, Point, Segment};
 
-/// Boxes in a packed R-tree: a query costs the logarithm of their number and what it finds.
+/// Boxes in a packed R-tree: the cost of a query is the logarithm of their number plus the number of results.
 #[derive(Debug, Default)]
 pub struct BoxIndex(Option<StaticAABB2DIndex<f64>>);
 
@@ -33,17 +33,17 @@ impl BoxIndex {
         found
     }
 
-    /// Whether `is` says so of the number of any box that shares a point with `zone`. It is asked no further then.
+    /// Whether `is` is true for the number of any box that shares a point with `zone`. The search stops at the first such box.
     pub fn any(&self, zone: &Bounds, mut is: impl FnMut(usize) -> bool) -> bool {
         let mut see = |number| if is(number) { Err(()) } else { Ok(()) };
         let Bounds { min, max } = zone;
         self.0.as_ref().is_some_and(|tree| tree.visit_query(min.x, min.y, max.x, max.y, &mut see).is_err())
     }
 
-    /// The least `distance` of what lies in the boxes from `p`; infinite if there is none. Nothing is nearer than its box.
+    /// The least `distance` from `p` of the items in the boxes; infinite if there is none. No item is nearer than its box.
     pub fn least(&self, p: Point, mut distance: impl FnMut(usize) -> f64) -> f64 {
         let mut least = f64::INFINITY;
-        // What the square of a distance is rounded by.
+        // Bound on the rounding of a squared distance.
         let slack = 1.0 + 1e-12;
         let mut see = |number, square: f64| {
             if square > least * least * slack {
@@ -59,7 +59,7 @@ impl BoxIndex {
     }
 }
 
-/// Segments that are asked from many points whether one of them is near.
+/// Segments, to test for many points whether a segment is near.
 #[derive(Debug, Default)]
 pub struct SegmentIndex {
     segments: Vec<Segment>,
@@ -123,7 +123,7 @@ impl GrowingIndex {
         }
     }
 
-    /// Whether `is` says so of the number of any box that shares a point with `zone`.
+    /// Whether `is` is true for the number of any box that shares a point with `zone`.
     pub fn any(&self, zone: &Bounds, mut is: impl FnMut(usize) -> bool) -> bool {
         let latest = self.boxes.iter().enumerate().skip(self.indexed);
         latest.filter(|(_, bounds)| zone.overlaps(bounds)).any(|(number, _)| is(number))

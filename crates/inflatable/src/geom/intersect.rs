@@ -1,8 +1,8 @@
-//! Where segments meet.
+//! Intersections of segments.
 
 use crate::geom::{Arc, Line, Path, Point, Segment};
 
-/// How far outside its ends, relative to its size, a segment still counts as touched: absorbs rounding only.
+/// Distance outside its ends, relative to its size, at which a segment still counts as touched: absorbs rounding only.
 const SLACK: f64 = 1e-12;
 
 /// The points that two segments share; none for parallel lines and equal circles, even where they overlap.

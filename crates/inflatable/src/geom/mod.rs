@@ -1,4 +1,4 @@
-//! Plane geometry of lines and circular arcs, exact in `f64`; it knows no grippers.
+//! Plane geometry of lines and circular arcs, exact in `f64`; it does not depend on grippers.
 //!
 //! A **segment** is a line or a circular arc; a **path** is a chain of segments, open or closed.
 //! Lengths are mm and angles rad by convention only: nothing here depends on the unit.

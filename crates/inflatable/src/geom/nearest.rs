@@ -59,7 +59,7 @@ impl Path {
     }
 }
 
-/// Whether `segment` may be within `far` of `p`, told without trigonometry: no point of an arc is nearer than its circle.
+/// Whether `segment` may be within `far` of `p`, without trigonometry: no point of an arc is nearer than its circle.
 fn may_be_within(segment: &Segment, p: Point, far: f64) -> bool {
     match segment {
         Segment::Line(_) => true,

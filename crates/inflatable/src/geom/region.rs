@@ -1,4 +1,4 @@
-//! What a closed path encloses.
+//! The region inside a closed path.
 
 use std::f64::consts::TAU;
 
@@ -24,7 +24,7 @@ impl Path {
             .sum()
     }
 
-    /// How often a closed path winds counterclockwise around `p` (which must not lie on the path).
+    /// The number of counterclockwise turns of a closed path around `p` (which must not lie on the path).
     pub fn winding_number(&self, p: Point) -> i32 {
         let turn: f64 = self.segments.iter().map(|segment| turn_around(segment, p)).sum();
         // A sum of a few dozen angles is a whole number of turns to about 1e-14.
@@ -33,7 +33,7 @@ impl Path {
         turns
     }
 
-    /// Whether a closed path encloses `p`.
+    /// Whether `p` lies inside a closed path.
     pub fn encloses(&self, p: Point) -> bool {
         self.bounds().contains(p) && self.winding_number(p) != 0
     }
@@ -52,7 +52,7 @@ fn turn_around(segment: &Segment, p: Point) -> f64 {
             let (a, b) = (part.start() - p, part.end() - p);
             let chord = libm::atan2(a.cross(b), a.dot(b));
             let Segment::Arc(arc) = part else { return chord };
-            // A point between chord and arc sees the chord pass on the wrong side: one turn is missing.
+            // For a point between chord and arc the chord passes on the wrong side: one turn is missing.
             let in_circle = p.distance(arc.center) < arc.radius;
             let beyond_chord = (part.end() - part.start()).cross(p - part.start()) * arc.sweep < 0.0;
             if in_circle && beyond_chord { chord + TAU * arc.sweep.signum() } else { chord }

@@ -97,7 +97,7 @@ impl Segment {
         self.bounds_of([self.start(), self.end()])
     }
 
-    /// The same for who knows its ends already: on an arc they cost more than all the rest.
+    /// The same with the ends given by the caller: on an arc they cost more than all the rest.
     pub fn bounds_of(&self, ends: [Point; 2]) -> Bounds {
         let ends = Bounds::of_points(ends);
         match self {

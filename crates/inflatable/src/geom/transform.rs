@@ -14,7 +14,7 @@ pub struct Isometry {
 }
 
 impl Isometry {
-    /// The motion that moves nothing.
+    /// The identity motion.
     pub const IDENTITY: Self = Self { mirrored: false, rotation: 0.0, shift: Vec2::new(0.0, 0.0) };
 
     /// A pure translation.

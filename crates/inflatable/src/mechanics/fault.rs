@@ -1,22 +1,22 @@
-//! Why a prediction is refused: what was found, and what is allowed.
+//! Reasons for a refused prediction: the found and the allowed value.
 
 use crate::numerics::RootFault;
 use crate::readable::Readable;
 use std::fmt;
 
-/// Why a hinge's state cannot be computed.
+/// Reason for a hinge's state that cannot be computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HingeFault {
     /// R* = R/W is not a number from 0 to `most`.
     RStar {
-        /// What was given.
+        /// The given value.
         found: f64,
         /// The model's largest R*.
         most: f64,
     },
     /// lambda is not a number in the model's range.
     Coiling {
-        /// What was given.
+        /// The given value.
         found: f64,
         /// The model's least lambda.
         least: f64,
@@ -27,7 +27,7 @@ pub enum HingeFault {
     Scale {
         /// Which.
         symbol: &'static str,
-        /// What was given.
+        /// The given value.
         found: f64,
         /// The model's least.
         least: f64,
@@ -72,21 +72,21 @@ impl fmt::Display for HingeFault {
 
 impl std::error::Error for HingeFault {}
 
-/// Why a star's response cannot be computed.
+/// Reason for a star's response that cannot be computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StarFault {
     /// A property of the fabric or the load is out of range.
     Dimension {
         /// Which: its symbol.
         symbol: &'static str,
-        /// What was given, in SI units.
+        /// The given value, in SI units.
         found: f64,
-        /// What is allowed, in words.
+        /// The allowed values, as text.
         allowed: &'static str,
     },
     /// The inflated star never has this inner radius.
     Radius {
-        /// What was asked for, m.
+        /// The requested radius, m.
         found: f64,
         /// Inner radius at rest, m.
         least: f64,

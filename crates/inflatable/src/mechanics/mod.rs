@@ -1,20 +1,20 @@
-//! Physics of an inflated star: how far it closes, how hard it grips, when its seal fails.
+//! Physics of an inflated star: how far it closes, how hard it grips, at which pressure its seal fails.
 //!
-//! All in SI units, without specs, sheets and files. From the hinge to the star, each stage a pure function of
+//! All in SI units, without specs, sheets and files. From the hinge to the star, each stage is a pure function of
 //! the one before:
 //!
-//! | stage | what it knows |
+//! | stage | subject |
 //! |---|---|
 //! | [`hinge`] | one bend: dimensionless volume V_bar(lambda) by R*; angle, moment, stiffness, seal load |
-//! | [`star`] | the mechanism: inner radius against the tip's angle, where it is open widest, and what shells add to it |
-//! | [`star::response`] | an inflated star: where it rests, with which preload and stiffness, force against radius |
+//! | [`star`] | the mechanism: inner radius against the tip's angle, its widest opening, and corrections from shells |
+//! | [`star::response`] | an inflated star: equilibrium, preload and stiffness, force against radius |
 //! | [`strength`] | fabric and friction: bendability, operating pressure, payload |
 //!
 //! Four models of the hinge share one trait, [`hinge::HingeModel`]: [`hinge::fit::Fit`], the published constants;
 //! [`hinge::ring::Ring`], the exact limit of a membrane that may wrinkle but not stretch; [`hinge::bvp::Bvp`], the
 //! paper's penalised boundary-value problem; [`hinge::section::Section`], a hinge at its pressure, with bending, stretch
-//! and hoop compression. All give finite numbers or an error that names what was found and what
-//! is allowed.
+//! and hoop compression. All give finite numbers or an error with the found and
+//! the allowed value.
 //!
 //! ```
 //! use inflatable::mechanics::hinge::ring::Ring;

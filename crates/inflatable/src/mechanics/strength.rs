@@ -1,11 +1,11 @@
-//! Pressure and weight: what the fabric and friction allow.
+//! Pressure and weight limits from fabric and friction.
 
 use crate::mechanics::fault::StarFault;
 
 /// The fabric of one sheet, in SI units.
 ///
-/// The mechanics know it by `B`, `Y` and nu alone. Where B and Y were measured, thickness and modulus are those of an even sheet that has
-/// both ([`ElasticSheet::of_stiffnesses`]).
+/// The mechanics depends on `B`, `Y` and nu alone. If B and Y were measured, thickness and modulus are those of a homogeneous sheet that
+/// has both ([`ElasticSheet::of_stiffnesses`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElasticSheet {
     /// Thickness t, m, above 0.

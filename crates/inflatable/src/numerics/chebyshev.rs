@@ -47,7 +47,7 @@ impl Chebyshev {
 
     /// Estimate of the largest error: the sum of the last four coefficients' sizes.
     ///
-    /// For an analytic function the coefficients fall geometrically, so what is cut off is about as large.
+    /// For an analytic function the coefficients fall geometrically, so the truncated part is about as large.
     pub fn error(&self) -> f64 {
         self.coefficients.iter().rev().take(4).map(|c| c.abs()).sum()
     }

@@ -3,7 +3,7 @@
 /// A symmetric matrix whose entries further than `WIDTH - 1` from the diagonal vanish; only its lower half is kept.
 ///
 /// Column `i` holds the entries of rows `i, i + 1, .., i + WIDTH - 1`, the diagonal first. Behind the last one there are
-/// `WIDTH - 1` columns of nothing, so that no column is shorter than others.
+/// `WIDTH - 1` columns of zeros, so that no column is shorter than others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SymmetricBand<const WIDTH: usize> {
     size: usize,
@@ -50,9 +50,9 @@ impl<const WIDTH: usize> SymmetricBand<WIDTH> {
         product
     }
 
-    /// Factors `matrix + shift * diagonal` into `self`, `L L^T`; whether it is positive definite.
+    /// Factors `matrix + shift * diagonal` into `self`, `L L^T`; returns whether it is positive definite.
     ///
-    /// If it is not, what `self` holds afterwards is of no use.
+    /// If it is not, the contents of `self` are meaningless.
     #[must_use]
     pub fn factor(&mut self, matrix: &Self, shift: f64, diagonal: &[f64]) -> bool {
         self.columns.copy_from_slice(&matrix.columns);
@@ -60,7 +60,7 @@ impl<const WIDTH: usize> SymmetricBand<WIDTH> {
             let (own, right) = self.columns[i..i + WIDTH].split_at_mut(1);
             let own = &mut own[0];
             let pivot = own[0] + shift * weight;
-            // Also false for what is not a number.
+            // Also false for NaN.
             if !(pivot > 0.0 && pivot.is_finite()) {
                 return false;
             }
@@ -82,7 +82,7 @@ impl<const WIDTH: usize> SymmetricBand<WIDTH> {
 
     /// Solves for the right-hand side in place; `self` holds factors.
     pub fn solve(&self, right: &mut [f64]) {
-        // Room for the columns of nothing: every step works on as many entries.
+        // Space for the columns of zeros: every step works on as many entries.
         let mut all = [&*right, &[0.0; WIDTH]].concat();
         let columns = &self.columns[..self.size];
         for (i, column) in columns.iter().enumerate() {

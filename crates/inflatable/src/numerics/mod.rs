@@ -1,7 +1,7 @@
 //! Numerical tools: forward derivatives, quadrature, Newton and bracketing roots, banded factors, Chebyshev series,
 //! collocation.
 //!
-//! This module knows no sheets and no grippers. What it returns is finite, or it is an error.
+//! This module does not depend on sheets or grippers. Its results are finite, or an error.
 
 pub mod band;
 pub mod chebyshev;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Const, DimMin, SMatrix, SVector};
 
-/// Why Newton's iteration found no root.
+/// Reason for a Newton iteration without a root.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NewtonFault {
     /// The Jacobian is singular at an iterate.

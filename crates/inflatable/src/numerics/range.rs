@@ -1,11 +1,12 @@
-//! Ranges whose ends count as inside however they were rounded.
+//! Ranges whose ends count as inside within rounding.
 
 use std::ops::RangeInclusive;
 
-/// By what part of an end a value may lie beyond it: a quotient of two numbers that people write is off by less.
+/// Relative distance beyond an end that still counts as inside: a quotient of two numbers that people write is off by
+/// less.
 const ROUNDING: f64 = 1e-12;
 
-/// Whether `found` is in `range` but for rounding: 0.9 mm / 30 mm is in 0 to 0.03. Not a number is in no range.
+/// Whether `found` is in `range` within rounding: 0.9 mm / 30 mm is in 0 to 0.03. NaN is in no range.
 pub fn spans(range: &RangeInclusive<f64>, found: f64) -> bool {
     let (least, most) = (*range.start(), *range.end());
     found >= least - ROUNDING * least.abs() && found <= most + ROUNDING * most.abs()

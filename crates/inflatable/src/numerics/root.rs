@@ -1,6 +1,6 @@
 //! Roots of one function of one variable, safeguarded by a bracket.
 
-/// Why no root was found.
+/// Reason for a search without a root.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RootFault {
     /// The function has the same sign at both ends.

@@ -16,7 +16,7 @@ pub(crate) fn tables() -> [String; 5] {
     [angles(), coiling(), stiffness_by_width(), stiffness_by_angle(), moment()]
 }
 
-/// What `section` says of a V-actuator; `None` where it does not know its arms, or is out of range.
+/// The prediction of a V-actuator by `section`; `None` where its arms are outside of the table, or it is out of range.
 pub(crate) fn section(case: &Case) -> Option<ActuatorPrediction> {
     let actuator = Actuator {
         width: 1e-3 * case.width,
@@ -106,12 +106,12 @@ fn coiling() -> String {
     out + "\n"
 }
 
-/// lambda of `section` against 1/eps, every hundred or so, as far as it is known; with 1/eps from 100 on.
+/// lambda of `section` against 1/eps, every hundred or so, within its range; with 1/eps from 100 on.
 fn smooth_coiling(width: f64) -> Vec<(f64, f64)> {
     smooth(width).into_iter().map(|(b, found)| (b, found.coiling)).collect()
 }
 
-/// What `section` says at 60 values of 1/eps up to 16,000, evenly on a logarithmic axis.
+/// The prediction of `section` at 60 values of 1/eps up to 16,000, evenly on a logarithmic axis.
 pub(crate) fn smooth(width: f64) -> Vec<(f64, ActuatorPrediction)> {
     let places = (0..=60_u8).map(|k| 100.0 * 160_f64.powf(f64::from(k) / 60.0));
     places.filter_map(|b| Some((b, section(&coiled(width, b)?)?))).collect()

@@ -52,7 +52,7 @@ impl Touch {
         self.bulge() / (1.0 / self.spring + 1.0 / self.dent())
     }
 
-    /// The same of a star whose arms are held in place.
+    /// The same of a star whose arms are fixed.
     pub(crate) fn held(&self) -> f64 {
         self.bulge() * self.dent()
     }

@@ -1,4 +1,4 @@
-//! What the paper's gripper lifts: friction, coating, mass; and its stars on coarse meshes.
+//! Payload of the paper's gripper: friction, coating, mass; and its stars on coarse meshes.
 
 use stargrip_cam::design::StarDesign;
 use stargrip_cam::mechanics::strength::GRAVITY;
@@ -14,7 +14,7 @@ const MASS: f64 = 60.0;
 const HELD: [f64; 2] = [2.2, 8.7];
 /// Density of VPS-32 by its maker, kg/m^3.
 const SILICONE: f64 = 1160.0;
-/// What a drained film holds over what it would if it were everywhere as thick as at its lower edge, where it grows like a root.
+/// Mass of a drained film over that of a film as thick as its lower edge everywhere; the thickness grows like a square root.
 const MEAN: f64 = 2.0 / 3.0;
 
 /// Friction that the payloads take.

@@ -1,7 +1,7 @@
-//! Every figure and number of the paper that the models can give: the tables of docs/paper.md.
+//! Every figure and number of the paper that the models can compute: the tables of docs/paper.md.
 //!
-//! `cargo run --release -p research --example paper`; with `-- --svg docs` it writes the pictures there, too. `-- --shells` computes what is kept in
-//! shells.txt, and prints it: minutes.
+//! `cargo run --release -p research --example paper`; with `-- --svg docs` it writes the pictures there, too. `-- --shells` computes the contents of
+//! shells.txt, and prints them, in minutes.
 
 mod actuator_pictures;
 mod actuators;

@@ -1,4 +1,4 @@
-//! What the limit of high pressure says: an inextensible membrane, the paper's own model.
+//! The limit of high pressure: an inextensible membrane, the paper's own model.
 
 use stargrip_cam::mechanics::hinge::bvp::Bvp;
 use stargrip_cam::mechanics::hinge::fit::target_curvature;
@@ -121,7 +121,7 @@ fn volume() -> String {
     out + "\n"
 }
 
-/// How stiffness scales with all lengths.
+/// Stiffness against the scale of all lengths.
 pub(crate) fn scale() -> String {
     let mut out = String::from("| lengths by 3 | K / K_0, n = 4 |\n|---|---|\n");
     let stiffness = |eta: f64, pressure: f64| {

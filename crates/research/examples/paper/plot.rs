@@ -1,6 +1,6 @@
-//! A plot as an SVG: lines, points with what is open about them, bands. The same bytes on every machine.
+//! A plot as an SVG: lines, points with their errors, bands. The same bytes on every machine.
 //!
-//! The plot of `stargrip-cam trade` has its logarithmic axes and its circles built in, and no lines; this one takes any.
+//! The plot of `stargrip-cam trade` has fixed logarithmic axes and circles, and no lines; this one takes any.
 
 use std::fmt::Write;
 
@@ -14,11 +14,11 @@ const FRAME: [f64; 4] = [62.0, 16.0, 420.0, 300.0];
 
 /// One axis.
 pub(crate) struct Axis {
-    /// What it shows, with its unit.
+    /// The quantity, with its unit.
     pub(crate) name: &'static str,
     /// Both ends.
     pub(crate) ends: [f64; 2],
-    /// Where numbers stand.
+    /// Values of the labelled ticks.
     pub(crate) ticks: Vec<f64>,
     /// Whether it is logarithmic.
     pub(crate) is_log: bool,
@@ -32,14 +32,14 @@ impl Axis {
         Self { name, ends, ticks: ticks.collect(), is_log: false }
     }
 
-    /// Where `value` lies on it, from 0 to 1.
+    /// Position of `value` on it, from 0 to 1.
     fn part(&self, value: f64) -> f64 {
         let by = |value: f64| if self.is_log { value.log10() } else { value };
         (by(value) - by(self.ends[0])) / (by(self.ends[1]) - by(self.ends[0]))
     }
 }
 
-/// What a series looks like.
+/// The style of a series.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Look {
     /// A thick line.
@@ -48,19 +48,19 @@ pub(crate) enum Look {
     Thin,
     /// A thin line of dashes.
     Dashed,
-    /// Discs; with bars as long as what is open.
+    /// Discs, with error bars.
     Discs,
     /// Rings.
     Rings,
 }
 
-/// One series: x, y, and from where to where y may be.
+/// One series: x, y, and the lower and upper end of y.
 pub(crate) struct Series {
-    /// What it is, for the key; empty if another says it.
+    /// Its name in the key; empty if another series has it.
     pub(crate) name: String,
     /// Its colour.
     pub(crate) colour: &'static str,
-    /// How it is drawn.
+    /// Its style.
     pub(crate) look: Look,
     /// Its points; a line's ends are a band, a disc's a bar.
     pub(crate) points: Vec<(f64, f64, Option<[f64; 2]>)>,
@@ -68,11 +68,11 @@ pub(crate) struct Series {
 
 /// A plot.
 pub(crate) struct Plot {
-    /// What a reader sees who cannot see it.
+    /// The alternative text, for readers who cannot see the picture.
     pub(crate) title: &'static str,
-    /// Along.
+    /// The horizontal axis.
     pub(crate) x: Axis,
-    /// Up.
+    /// The vertical axis.
     pub(crate) y: Axis,
     /// In the order in which they are drawn.
     pub(crate) series: Vec<Series>,

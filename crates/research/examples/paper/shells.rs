@@ -1,4 +1,4 @@
-//! What shells say of the paper's V-actuators and of its stars on coarse meshes: minutes of work, kept in shells.txt.
+//! Shells of the paper's V-actuators and of its stars on coarse meshes: they take minutes, and are kept in shells.txt.
 //!
 //! Lengths mm, angles deg, pressures kPa, stiffnesses and moments N m; each number is followed by its mesh error.
 
@@ -11,7 +11,7 @@ use stargrip_cam::shell::mesh::Sizes;
 
 use super::paper_fabric::{WIDTHS, sheet};
 
-/// What was computed before.
+/// Results computed before.
 const KEPT: &str = include_str!("shells.txt");
 /// Meshes of `stargrip-cam actuator --model shell --fineness fine`.
 const FINE: Fineness = Fineness { cells: 12.0, cuts: 3 };
@@ -25,7 +25,7 @@ pub(crate) const ANGLES: [f64; 6] = [30.0, 60.0, 75.0, 90.0, 120.0, 150.0];
 pub(crate) const ANGLE_PRESSURES: [f64; 2] = [14.0, 85.0];
 /// Pressures at which the stiffness of three widths is computed, kPa.
 pub(crate) const PRESSURES: [f64; 5] = [5.0, 10.0, 20.0, 37.0, 60.0];
-/// Where the hinge of the moments is held, deg.
+/// Fixed angles of the hinge for the moments, deg.
 pub(crate) const HELD: [f64; 11] = [10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0];
 
 /// One V-actuator of R* = 0.1.
@@ -43,7 +43,7 @@ pub(crate) struct Case {
     pub(crate) held: Vec<f64>,
 }
 
-/// What the shell says of it; each number with its mesh error.
+/// The shell's values; each number with its mesh error.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Computed {
     /// phi at rest.
@@ -67,17 +67,17 @@ pub(crate) fn case(width: f64, angle: f64, pressure: f64) -> Case {
     Case { width, arm: 4.0 * width, angle, pressure, held: Vec::new() }
 }
 
-/// The one of the figure of target angles, whose arms the paper gives: 15 cm.
+/// The case of the figure of target angles, whose arms the paper gives: 15 cm.
 pub(crate) fn long(angle: f64, pressure: f64) -> Case {
     Case { arm: 150.0, ..case(20.0, angle, pressure) }
 }
 
-/// The one of the moments.
+/// The case of the moments.
 pub(crate) fn held() -> Case {
     Case { held: HELD.to_vec(), ..case(20.0, 60.0, 13.8) }
 }
 
-/// The one whose coiling is computed at 1/eps = `b`; `None` where p W/Y is above 0.1.
+/// The case whose coiling is computed at 1/eps = `b`; `None` where p W/Y is above 0.1.
 pub(crate) fn coiled(width: f64, b: f64) -> Option<Case> {
     let pressure = pressure_at(b, width);
     (sheet().stretch(1e3 * pressure, 1e-3 * width) <= 0.1).then(|| case(width, 60.0, pressure))
@@ -99,7 +99,7 @@ impl Case {
         format!("W {width} l {arm} phi_0 {angle} p {pressure} held {}", self.held.len())
     }
 
-    /// What is kept of it; `None` where the shell refused it.
+    /// Its kept result; `None` where the shell refused it.
     pub(crate) fn kept(&self) -> Option<Computed> {
         let own = self.words();
         let line = KEPT.lines().find_map(|line| line.strip_prefix(&own)?.strip_prefix(": "));
@@ -130,7 +130,7 @@ impl Case {
         let said = |Value { value, error, .. }: Value| format!("{value:.5} {error:.5}");
         let degrees = found.angle.scaled(1.0_f64.to_degrees());
         let mut text = [degrees, found.coiling, found.stiffness].map(said).join(" ");
-        // What is applied opens; the hinge's own moment is against it.
+        // The applied moment opens; the hinge's own moment has the opposite sign.
         for (_, moment) in &found.moments {
             text.push(' ');
             text += &said(moment.scaled(-1.0));
@@ -144,7 +144,7 @@ fn fabric() -> Fabric {
     Fabric::isotropic(sheet.stretching_modulus(), sheet.bending_modulus(), sheet.poisson_ratio)
 }
 
-/// How the triangles of a coarse star are laid out.
+/// Layouts of the triangles of a coarse star.
 pub(crate) const GRADINGS: [&str; 2] = ["even", "graded"];
 /// Edges a width of its first mesh, W/12.5; each further mesh has twice as many.
 pub(crate) const COARSE: f64 = 12.5;

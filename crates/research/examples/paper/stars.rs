@@ -56,7 +56,7 @@ pub(crate) fn closed_form() -> String {
     out + "\n"
 }
 
-/// The paper's stars as shells, with what `section` says of them.
+/// The paper's stars as shells, with the prediction of `section`.
 pub(crate) fn stars() -> Vec<(ComputedStar, Option<Comparison>)> {
     let own = shipped().into_iter().filter(|star| star.star.set == Set::Paper);
     own.map(|star| (star.clone(), compare(&star))).collect()
@@ -100,7 +100,7 @@ pub(crate) fn case(points: u32, pressure: f64) -> (Case, f64) {
     case_of(&star.expect("it is in the set")).expect("it exists")
 }
 
-/// What `section` says of that star around an object of the radius `rho`, mm.
+/// The outcome of that star by `section` around an object of the radius `rho`, mm.
 pub(crate) fn around(points: u32, pressure: f64, rho: f64) -> Outcome {
     let (case, pascals) = case(points, pressure);
     let model = tabled(&case, pascals).expect("in range");

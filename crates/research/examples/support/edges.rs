@@ -1,4 +1,4 @@
-//! Stars by `section` from its table, at the edges of what it knows.
+//! Stars by `section` from its table, at the edges of its domain.
 
 use std::fmt::Write;
 
@@ -42,7 +42,7 @@ fn spec(edits: Edits) -> String {
     out
 }
 
-/// What `section` says of the star with `edits`.
+/// The prediction of the star with `edits` by `section`.
 fn said(edits: Edits) -> Result<String, String> {
     let spec = read(&Source::new("star", spec(edits))).map_err(|faults| faults.to_string())?.spec;
     let star = Star::new(&spec.stars[0]).map_err(|refusal| refusal.to_string())?;
@@ -79,7 +79,7 @@ fn table(head: &str, rows: &[(&str, Edits)]) -> String {
     out + "\n"
 }
 
-/// Stars at the edges of the tables and of what was tried.
+/// Stars at the edges of the tables and of the validated domain.
 pub(crate) fn edges() -> String {
     table(
         "the paper's star at 37 kPa, but",

@@ -1,4 +1,4 @@
-//! One star of a set as the shell computes it: a text that stands alone, with a checksum in its last line, and the line that
+//! One star of a set as the shell computes it: a self-contained text with a checksum in its last line, and the line that
 //! the shipped table keeps of it.
 
 use std::fmt::Write;
@@ -9,11 +9,11 @@ use inflatable::shell::cases::{Fineness, Objects, ShellFault, Value, Watch, star
 
 /// Meshes of some 2,500, 10,000 and 40,000 unknowns.
 pub const FINENESS: Fineness = Fineness { cells: 12.0, cuts: 2 };
-/// One mesh more for the paper's stars, up to some 160,000: they are what others are held against.
+/// One mesh more for the paper's stars, up to some 160,000: they are the reference for others.
 pub const PAPER_FINENESS: Fineness = Fineness { cells: 12.0, cuts: 3 };
 /// Meshes for forces, which take many more solves: some 6,000, 24,000 and 100,000, begun on one of 1,500.
 pub const FORCE_FINENESS: Fineness = Fineness { cells: 8.0, cuts: 3 };
-/// How far objects open a star, by W.
+/// Opening of a star by objects, by W.
 pub const OPENINGS: [f64; 3] = [0.15, 0.45, 0.9];
 
 /// A number of the shell, with its mesh error.
@@ -25,7 +25,7 @@ pub struct Number {
     pub error: f64,
 }
 
-/// What the shell found of a star at rest.
+/// The shell's numbers of a star at rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShellNumbers {
     /// rho_f, mm.
@@ -41,20 +41,20 @@ pub struct ShellNumbers {
     pub secants: Vec<(f64, Number)>,
 }
 
-/// A star with what the shell says of it.
+/// A star with the shell's numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComputedStar {
     /// Which one.
     pub star: DrawnStar,
-    /// What was found; `None` where the shell refuses.
+    /// The numbers; `None` where the shell refuses.
     pub found: Option<ShellNumbers>,
 }
 
 impl DrawnStar {
-    /// Computes it at rest and opened by `openings` (by W): its text. What the shell refuses is an answer too.
+    /// Computes it at rest and opened by `openings` (by W); returns its text. A refusal by the shell is written to the text, too.
     ///
     /// # Errors
-    /// If it was told to stop.
+    /// If it is cancelled.
     pub fn compute(
         &self,
         openings: &[f64],
@@ -94,7 +94,7 @@ impl DrawnStar {
         Ok(text)
     }
 
-    /// What it is, in one line.
+    /// Its description, in one line.
     pub fn words(&self) -> String {
         format!(
             "{} {} n {} W {} rho_0 {} phi_i0 {} R_i {} R_e {} t {} p {}",
@@ -125,7 +125,7 @@ impl DrawnStar {
         if lines.iter().any(|line| line.starts_with("refused ")) {
             return Some(ComputedStar { star: *self, found: None });
         }
-        // Value, mesh error, and what the three meshes gave.
+        // Value, mesh error, and the values of the three meshes.
         let numbers = |name: &str| {
             let rest = lines.iter().find_map(|line| line.strip_prefix(name)?.strip_prefix(' '))?;
             let numbers: Vec<f64> = rest.split(' ').filter_map(|word| word.parse().ok()).collect();
@@ -151,7 +151,7 @@ impl DrawnStar {
 }
 
 impl ComputedStar {
-    /// What the shipped table keeps of it.
+    /// Its line in the shipped table.
     pub fn line(&self) -> String {
         let mut line = self.star.words();
         let Some(found) = &self.found else { return line + " refused" };

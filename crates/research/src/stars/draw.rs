@@ -5,14 +5,14 @@ use std::f64::consts::PI;
 use inflatable::shell::cases::{FlatStar, Tube};
 use inflatable::shell::element::Fabric;
 
-/// What a star is computed for.
+/// The use of a star.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Set {
     /// To fit a correction.
     Fit,
-    /// To take ranges from.
+    /// To determine ranges.
     Range,
-    /// To try both on.
+    /// To test both.
     Test,
     /// The stars of the paper's figure of n = 3 to 8, at four pressures.
     Paper,
@@ -49,7 +49,7 @@ pub const YOUNG: f64 = 128.0;
 pub const POISSON: f64 = 0.39;
 /// t/W: as far as the arms' table goes.
 const SLENDERNESS: [f64; 2] = [0.0101, 0.03];
-/// 1/eps: from where that table begins to where the shell was tried.
+/// 1/eps: from the start of that table to the largest one tested with the shell.
 const BENDABILITY: [f64; 2] = [100.0, 5000.0];
 /// Largest p W / Y.
 const STRETCH: f64 = 0.1;
@@ -78,7 +78,7 @@ impl Set {
         }
     }
 
-    /// How many stars it has.
+    /// The number of its stars.
     pub const fn count(self) -> u32 {
         match self {
             Self::Fit => 36,
@@ -88,7 +88,7 @@ impl Set {
         }
     }
 
-    /// Of its dice; `None` if it is not drawn.
+    /// Seed of its random numbers; `None` if it is not drawn.
     const fn seed(self) -> Option<u64> {
         match self {
             Self::Fit => Some(1),
@@ -130,7 +130,7 @@ const fn paper(number: u32, points: u32, pressure: f64) -> DrawnStar {
     }
 }
 
-/// One throw; `None` if there is no such star, or it lies outside of what is asked about.
+/// One draw; `None` if there is no such star, or it lies outside of the studied domain.
 fn drawn(set: Set, number: u32, points: u32, dice: &mut Dice) -> Option<DrawnStar> {
     let width = rounded(dice.log([15.0, 60.0]), 10.0);
     let thickness = rounded(dice.log([0.1, 0.5]), 1000.0);
@@ -166,7 +166,7 @@ fn drawn(set: Set, number: u32, points: u32, dice: &mut Dice) -> Option<DrawnSta
 }
 
 impl DrawnStar {
-    /// As the shell takes it.
+    /// As the shell's input.
     pub fn flat(&self) -> FlatStar {
         let mm = |length: f64| 1e-3 * length;
         let (t, young) = (mm(self.thickness), 1e6 * YOUNG);

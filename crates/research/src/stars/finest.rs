@@ -4,7 +4,7 @@ use crate::stars::computed::{ComputedStar, Number};
 use crate::stars::draw::Set;
 use std::fmt::Write;
 
-/// How far the object of the comparison opens a star, by W.
+/// Opening of a star by the object of the comparison, by W.
 const OPENING: f64 = 0.45;
 
 /// The stars of the set `paper` among `stars`, as the text that the program ships.

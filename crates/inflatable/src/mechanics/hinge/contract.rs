@@ -82,7 +82,7 @@ fn moments_scale_with_pressure_and_volume(model: &dyn HingeModel) {
     close(hinge(small).stiffness(1e4, &at), hinge(large).stiffness(10.0, &at));
 }
 
-/// What is no hinge is refused.
+/// Invalid hinges are refused.
 fn nonsense_is_refused(model: &dyn HingeModel) {
     for r_star in [-1e-9, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert!(

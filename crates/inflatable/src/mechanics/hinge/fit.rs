@@ -2,7 +2,7 @@
 //!
 //! Source: Andrade-Silva & Marthelot, "Fabric-Based Star Soft Robotic Gripper": lambda_t is given for
 //! R* = 0.1 only; `V_bar''(lambda_t) = -(0.4659 R* + 0.3986)` is their fit, used from R* = 0.05 to 2.
-//! Outside of these the constants are still returned, and [`covers`] says that they do not apply.
+//! Outside of these the constants are still returned, and [`covers`] reports that they do not apply.
 
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::{HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star};

@@ -28,7 +28,7 @@ pub enum Level {
 }
 
 impl Level {
-    /// The word for it in specs and reports.
+    /// Its name in specs and reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Fit => "fit",
@@ -65,13 +65,13 @@ pub trait HingeModel: Sync {
     /// As for [`HingeModel::state`].
     fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault>;
 
-    /// What arms do to a hinge of the flat arc `arc` (rad); `None` if the model does not know it.
+    /// The effect of the arms on a hinge of the flat arc `arc` (rad); `None` if the model does not give it.
     fn arms(&self, _r_star: f64, _arc: f64) -> Option<Arms> {
         None
     }
 }
 
-/// What arms do to a hinge between them.
+/// The effect of arms on the hinge between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arms {
     /// By how much further it coils, because hoop compression is let out into them at both ends: to `lambda alpha_0` and that, rad.
@@ -85,19 +85,19 @@ pub struct Arms {
 pub struct HingeState {
     /// Coiling factor lambda.
     pub lambda: f64,
-    /// V_bar; `None` if the model does not know it.
+    /// V_bar; `None` if the model does not give it.
     pub volume: Option<f64>,
     /// dV_bar/dlambda.
     pub slope: f64,
     /// d2V_bar/dlambda2, from the right at a jump.
     pub curvature: f64,
-    /// The section's edges; `None` if the model does not know them.
+    /// The section's edges; `None` if the model does not give them.
     pub edges: Option<Edges>,
-    /// How well the equations were solved.
+    /// Work and accuracy of the solution.
     pub effort: HingeEffort,
 }
 
-/// What happens at the inner and outer edge of the inflated hinge.
+/// State of the inner and outer edge of the inflated hinge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edges {
     /// Meridional tension at the inner edge, per radian of the arc, in units of p W^2.
@@ -111,7 +111,7 @@ pub struct Edges {
     pub rim_force: f64,
 }
 
-/// How well a model's equations were solved.
+/// Work and accuracy of the solution of a model's equations.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HingeEffort {
     /// Largest residual of the equations, scaled to order one.
@@ -158,7 +158,7 @@ impl Hinge {
         PI - lambda * self.arc()
     }
 
-    /// By how much (rad) the arms let it coil further than `model`'s lambda says; 0 where that is not known.
+    /// The angle (rad) by which the arms let it coil further than `model`'s lambda gives; 0 where it is unknown.
     pub fn let_out(&self, model: &dyn HingeModel) -> f64 {
         model.arms(self.r_star, self.arc()).map_or(0.0, |arms| arms.angle)
     }

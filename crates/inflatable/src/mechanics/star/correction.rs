@@ -1,4 +1,4 @@
-//! What a star does beyond its hinges and rigid arms: a **correction** with few numbers, from stars computed as shells.
+//! The response of a star beyond its hinges and rigid arms: a **correction** with few numbers, from stars computed as shells.
 //!
 //! At its pressure a hinge stays wider than a cylinder, and arms keep that width at their ends: half the tip's and half the corner's
 //! between the centres of their arcs. Short bends are all end, and nearly as narrow as arms:
@@ -7,8 +7,8 @@
 //! w = W' + (w_section - W') tanh(alpha_0 / 0.469)        W' = 2 W / pi
 //! ```
 //!
-//! Fabric that stretches makes the whole star larger, a round corner's rim lies further out than its coil says, that of one that turns
-//! little, too, and the radius grows by
+//! Fabric that stretches makes the whole star larger. A round corner's rim lies further out than its coiling gives, as does that of a
+//! corner that turns little. The radius grows by
 //!
 //! ```text
 //! W / sin(pi/n) [-0.0461 + 0.0917 R_e/W + 1.092 p W / Y - 0.0096 ln(p W^3 / (1000 B)) + 0.0703 sin(pi/n) - 0.015 alpha_0e]
@@ -23,38 +23,38 @@
 //!
 //! Arms of an inflated tube of radius W / pi bend as beams of E I = pi (W/pi)^3 Y = W^3 Y / pi^2, which no constant was fitted to: hinges of
 //! stiffness C between arms that are longer than the 4 W of their table pull as if they had `1/C' = 1/C + (l - 4 W) / (E I)`. Arms narrow
-//! between their hinges, so those of a tip touch only where they are turned beyond parallel. And a corner gives way by itself, as if on
-//! a lever of about W of its own: where rho moves by s with phi_i, the star's stiffness is that of its hinges times
+//! between their hinges, so those of a tip touch only where they are turned beyond parallel. A corner also has a compliance of its own,
+//! with a lever of about W: where rho moves by s with phi_i, the star's stiffness is that of its hinges times
 //!
 //! ```text
 //! s^2 / (s^2 + (0.42 W / sin(pi/n))^2) exp(-0.598 + 0.073 l/W + 18.7 t/W + 6.07 p W / Y)
 //! ```
 //!
-//! What a round object meets is [`Grasp`](super::grasp::Grasp).
+//! The force on a round object is given by [`Grasp`](super::grasp::Grasp).
 
 use crate::mechanics::star::Mechanism;
 use std::f64::consts::{FRAC_2_PI, PI};
 
-/// What inflation does to a star beyond its hinges.
+/// Response of an inflated star beyond its hinges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correction {
     /// Inflated width over W between the centres of a tip's and a corner's arc.
     pub width: f64,
-    /// How much further from the axis of a corner's sector its inner rim lies, over W; times 1 / sin(pi/n) in radius.
+    /// Shift of a corner's inner rim away from the axis of its sector, over W; times 1 / sin(pi/n) in radius.
     pub rim_offset: f64,
     /// Angle of the tips at which the arms touch, rad, 0 or less.
     pub contact_angle: f64,
     /// By which part a hinge is stiffer with each rad that it is opened, and softer with each that it is closed.
     pub hinge_nonlinearity: f64,
-    /// By how much an arm's ends turn under a moment of p W^3, rad, beyond what the hinges' table holds; below 0 for short arms.
+    /// Turn of an arm's ends under a moment of p W^3, rad, beyond the one in the hinges' table; below 0 for short arms.
     pub arm_compliance: f64,
-    /// Radial stiffness over that of hinges and levers.
+    /// Radial stiffness over the one from hinges and levers.
     pub stiffness_factor: f64,
-    /// Whether corners give way where the object pushes.
+    /// Whether corners are compliant where the object pushes.
     pub corner_compliance: bool,
 }
 
-/// None: tubes as wide as cylinders, arms rigid, and touching when they are parallel.
+/// No correction: tubes as wide as cylinders, rigid arms that touch when they are parallel.
 impl Default for Correction {
     fn default() -> Self {
         Self {
@@ -69,7 +69,7 @@ impl Default for Correction {
     }
 }
 
-/// What a star's fabric is at its pressure.
+/// Dimensionless properties of a star's fabric at its pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ratios {
     /// t/W.
@@ -95,15 +95,16 @@ pub const TABLE_ARM: f64 = 4.0;
 const SHORT_ARM: f64 = 2.0;
 /// Least part of 1/C that is left where short arms stiffen hinges.
 const LEAST_LEFT: f64 = 0.3;
-/// On which lever a corner gives way by itself, over W / sin(pi/n).
+/// Lever of a corner's own compliance, over W / sin(pi/n).
 const LEVER: f64 = 0.42;
 /// Logarithm of the stiffness over that of hinges and levers: always, and by each l/W, t/W and p W / Y.
 const FIRM: [f64; 4] = [-0.598, 0.073, 18.7, 6.07];
-/// How hinges are stiffer opened than closed, per rad, in fabric that hardly stretches; and by which p W / Y that fades, as an exponent.
+/// Relative increase of a hinge's stiffness on opening, per rad, in fabric that hardly stretches; and the rate of its exponential decrease
+/// with p W / Y.
 const CURVED: [f64; 2] = [1.424, 20.8];
 
 impl Correction {
-    /// Of the star `star` with `ratios`, whose hinges, if they were endless, would be `width` W wide when inflated.
+    /// The correction of `star` with `ratios`, whose hinges, if they were endless, would be `width` W wide when inflated.
     pub fn new(star: &Mechanism, width: f64, ratios: Ratios) -> Self {
         let Ratios { thickness, stretch, bendability } = ratios;
         let own = |arc: f64| FRAC_2_PI + (width - FRAC_2_PI) * libm::tanh(arc / OWN_WIDTH);
@@ -132,8 +133,8 @@ impl Correction {
         }
     }
 
-    /// Where two hinges rest that pull against each other, rad, from where each would rest by itself as the tips' angle and how hard it
-    /// pulls: to the first order in what they curve.
+    /// The equilibrium of two hinges that pull against each other, rad, as the tips' angle. Inputs are the angle at which each rests alone
+    /// and its stiffness. To first order in the nonlinearity.
     pub fn balance(&self, [tip, corner]: [f64; 2], [c_tip, c_corner]: [f64; 2]) -> f64 {
         let part = c_tip / (c_tip + c_corner);
         let linear = part * tip + (1.0 - part) * corner;
@@ -142,7 +143,7 @@ impl Correction {
                 * (part * (linear - tip).powi(2) + (1.0 - part) * (linear - corner).powi(2))
     }
 
-    /// How hard a hinge between the star's arms pulls, from how hard one of the table's does; both over p W^3.
+    /// The stiffness of a hinge between the star's arms, from that of the table's hinge; both over p W^3.
     pub fn bent(&self, stiffness: f64) -> f64 {
         stiffness / (1.0 + stiffness * self.arm_compliance).max(LEAST_LEFT)
     }

@@ -1,6 +1,6 @@
 //! The radial force of a star at its pressure on a round object that opens it.
 //!
-//! Arms are rigid and hinges curve, as the [correction](super::correction) says: the moment of a hinge of stiffness C at the angle d
+//! Arms are rigid and hinges nonlinear, see [correction](super::correction): the moment of a hinge of stiffness C at the angle d
 //! beyond its rest is `C d (1 + c d)`. A tip rests at d_i and a corner at d_e when the star rests at phi_0. Both turn by D when an object
 //! opens it, and their moments grow by
 //!
@@ -8,7 +8,7 @@
 //! k(D) D = C_i [1 + 2 c d_i + c D] D + C_e [1 + 2 c d_e + c D] D
 //! ```
 //!
-//! By virtual work one corner presses with `F = k(D) D / rho'(phi_0 + D)`. The corner also gives way where it is pressed, like a hinge of
+//! By virtual work one corner presses with `F = k(D) D / rho'(phi_0 + D)`. The corner also yields where it is pressed, like a hinge of
 //! stiffness k(0) on a lever of mu W, in series with the hinges. The object that opens the star by o turns the hinges by the D at which
 //!
 //! ```text
@@ -28,9 +28,9 @@
 
 use crate::mechanics::star::Mechanism;
 
-/// a: how much harder the rim of a corner presses than K says, which is the stiffness against a load on the whole section.
+/// a: the rim of a corner is stiffer than K, which is the stiffness against a load on the whole section, by this factor.
 const RIM: f64 = 1.171;
-/// mu: lever on which a corner gives way where the object presses, over W / sin(pi/n).
+/// mu: lever of a corner's compliance where the object presses, over W / sin(pi/n).
 const LEVER: f64 = 0.2287;
 /// Curvature of a hinge under an object over that in the correction: c is 2.149 exp(-20.8 p W / Y) here.
 const CURVED: f64 = 1.509;
@@ -69,8 +69,8 @@ pub struct HingePair {
 }
 
 impl Grasp {
-    /// Of `star` with `hinges`, which rests at the tips' angle `angle` (rad) with the radial stiffness `stiffness` (N per m) and opens to the
-    /// angle `widest` (rad) at most.
+    /// The grasp of `star` with `hinges`, which rests at the tips' angle `angle` (rad) with the radial stiffness `stiffness` (N per m) and
+    /// opens to the angle `widest` (rad) at most.
     pub fn new(star: &Mechanism, hinges: HingePair, [angle, widest]: [f64; 2], stiffness: f64) -> Self {
         let c = CURVED * star.correction.hinge_nonlinearity;
         let HingePair { stiffness: [tip, corner], target: [of_tip, of_corner] } = hinges;
@@ -101,11 +101,11 @@ impl Grasp {
         let [angle, most] = self.angles;
         let [radius, slope] = self.rest;
         let tangent = slope * slope + self.lever;
-        // A star that does not open by rigid arms gives way at its corners alone.
+        // A star that does not open by rigid arms yields at its corners alone.
         if !(opening > 0.0 && most > 0.0 && slope > 0.0) {
             return 1.0;
         }
-        // Force over k(0), and what the opening is by it, with its derivative.
+        // Force over k(0), and the opening by that force, with its derivative.
         let at = |turned: f64| {
             let open = self.star.radius_of_sector(angle + turned, self.sector);
             let moment = turned * (1.0 + self.growth * turned);
@@ -131,7 +131,7 @@ impl Grasp {
             let next = turned + left / rises;
             turned = if next > low && next < high { next } else { 0.5 * (low + high) };
         }
-        // Where corners are straight before the arms lock, the last secant goes on.
+        // Where corners are straight before the arms lock, the last secant is extended.
         force * tangent / found
     }
 }

@@ -8,8 +8,8 @@
 //! (rho + w + r_e) sin(pi/n) = l sin(phi_i/2) + (w + r_i + r_e) cos(phi_i/2)
 //! ```
 //!
-//! Flat: `w = W`, `r = R`, `rho = rho_0`; this fixes l, which is given here. Inflated: `w = W'`, 2 W / pi as a cylinder or what a
-//! [`Correction`] says, and `r = R / lambda`, because a coiled hinge keeps the length of its inner arc.
+//! Flat: `w = W`, `r = R`, `rho = rho_0`; this fixes l, which is given here. Inflated: `w = W'`, 2 W / pi as a cylinder or the width of a
+//! [`Correction`], and `r = R / lambda`, because a coiled hinge keeps the length of its inner arc.
 //!
 //! On `[0, pi - 2 pi / n)` rho is **concave** in phi_i: sin and cos of half the angle are, and so are the terms of the
 //! coiled hinges, `R_i cos(phi/2) / (pi - phi)` and `R_e [cos(phi/2) - sin(pi/n)] / (pi - 2 pi/n - phi)`, which are
@@ -26,7 +26,7 @@ use crate::mechanics::hinge::Hinge;
 use crate::numerics::{RootFault, bracketed_root};
 use std::f64::consts::PI;
 
-/// What moves of a star; lengths in m, angles in rad. It is that of a flat star that exists: see each range.
+/// The dimensions of a star as a mechanism; lengths in m, angles in rad. They must be those of a possible flat star: see each range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mechanism {
     /// Number of points n, 3 or more.
@@ -41,7 +41,7 @@ pub struct Mechanism {
     pub tip_radius: f64,
     /// Flat inner radius of curvature R_e of the corners, 0 or more.
     pub corner_radius: f64,
-    /// What inflation does beyond hinges and rigid arms.
+    /// Corrections of inflation beyond hinges and rigid arms.
     pub correction: Correction,
 }
 
@@ -56,7 +56,7 @@ pub struct Radius {
     pub curvature: f64,
 }
 
-/// Where an inflated star is open widest.
+/// The widest opening of an inflated star.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Widest {
     /// The tips' angle, rad.
@@ -65,7 +65,7 @@ pub struct Widest {
     pub radius: f64,
 }
 
-/// How far towards the straight corner a star is followed, of the way from its rest: at the straight corner itself the
+/// Part of the way from its rest to the straight corner over which a star is followed: at the straight corner itself the
 /// corner's terms are 0 / 0, and a thousandth before it their slope is still good to 1e-9.
 const NEARLY_STRAIGHT: f64 = 0.999;
 /// Angle of the widest opening, rad: the radius is flat there, so 1e-9 moves it by less than rounding.
@@ -107,7 +107,7 @@ impl Mechanism {
         self.radius_of_sector(phi, self.sector_sine())
     }
 
-    /// [`Mechanism::radius`] where [`Mechanism::sector_sine`] is at hand: iterations ask for many radii of one star.
+    /// [`Mechanism::radius`] with [`Mechanism::sector_sine`] given: iterations need many radii of one star.
     fn radius_of_sector(&self, phi: f64, sector: f64) -> Radius {
         let (sin, cos) = libm::sincos(0.5 * phi);
         // r = R / lambda = R alpha_0 / (pi - phi) at both hinges, with derivatives r / (pi - phi), 2 r / (pi - phi)^2.
@@ -128,7 +128,7 @@ impl Mechanism {
         Radius { value: value / sector, slope: slope / sector, curvature: curvature / sector }
     }
 
-    /// Where the inner radius is largest, between the tip angle `from` (rad) and an almost straight corner.
+    /// The largest inner radius between the tip angle `from` (rad) and an almost straight corner.
     pub fn widest(&self, from: f64) -> Widest {
         let straight = PI - self.turn();
         let last = from + NEARLY_STRAIGHT * (straight - from);

@@ -1,4 +1,4 @@
-//! How an inflated star rests and resists: equilibrium, closing, force against radius.
+//! Equilibrium and response of an inflated star: closing, and force against radius.
 //!
 //! With E = -p (n V_tip + n V_corner) and the tip's angle as coordinate the **torque** that closes the star is
 //!
@@ -6,8 +6,8 @@
 //! dE/dphi = n p W^3 [V_bar'(lambda_i) + V_bar'(lambda_e)]
 //! ```
 //!
-//! and the radial force, summed over all n corners, `F = dE/drho = (dE/dphi) / (drho/dphi)`. Whatever the
-//! hinge model says of V_bar' is used as it is: with the published parabola this is the paper's star of linear
+//! and the radial force, summed over all n corners, `F = dE/drho = (dE/dphi) / (drho/dphi)`. The hinge
+//! model's V_bar' is used as it is: with the published parabola this is the paper's star of linear
 //! hinges, with the exact ring it is softer on closing than on opening.
 
 use crate::mechanics::fault::StarFault;
@@ -19,7 +19,7 @@ use crate::numerics::bracketed_root;
 /// Angles are found to this, rad: 1e-10 of a rad moves no radius by more than 1e-8 mm.
 const ANGLE_TOLERANCE: f64 = 1e-12;
 
-/// A star, inflated, as one hinge model sees it.
+/// An inflated star with its hinge model.
 #[derive(Clone, Copy)]
 pub struct Inflated<'a> {
     star: &'a Mechanism,
@@ -30,7 +30,7 @@ pub struct Inflated<'a> {
     corner: HingeState,
 }
 
-/// Where a star rests.
+/// The equilibrium of a star.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rest {
     /// Angle phi_i^eq at which the torque vanishes, rad; below [`Rest::angle`] the arms would cross.
@@ -43,7 +43,7 @@ pub struct Rest {
     pub preload: f64,
     /// Radial stiffness dF/drho there, N per m.
     pub stiffness: f64,
-    /// How far it can be opened from there.
+    /// The widest opening from there.
     pub widest: Widest,
 }
 
@@ -110,17 +110,17 @@ impl<'a> Inflated<'a> {
         (tip * phi_it + corner * (phi_et - self.star.turn())) / (tip + corner)
     }
 
-    /// How hard tip and corner pull in the equilibrium; the ratio does not depend on the pressure, which may be 0.
+    /// The stiffness of tip and corner in the equilibrium; the ratio does not depend on the pressure, which may be 0.
     fn weights(&self) -> [f64; 2] {
         let weight =
             |hinge: Hinge, state: &HingeState| self.star.correction.bent(-state.curvature / hinge.arc());
         [weight(self.star.tip(), &self.tip), weight(self.star.corner(), &self.corner)]
     }
 
-    /// Rest of linear hinges, in closed form, and with a correction of what that says of them: the paper's rho_f and radial stiffness
+    /// Equilibrium of linear hinges in closed form, with the correction if there is one: the paper's rho_f and radial stiffness
     /// `4 n (C_i + C_e) [sin(pi/n) / (l cos(phi/2) - W' sin(phi/2))]^2`.
     ///
-    /// Of a star that is pressed shut the stiffness is the one at the touching arms.
+    /// If the arms touch, the stiffness is the one at the touching arms.
     pub fn linear_rest(&self) -> Rest {
         let (phi_it, phi_et) = self.target_angles();
         let equilibrium = self.star.correction.balance([phi_it, phi_et - self.star.turn()], self.weights());
@@ -141,7 +141,7 @@ impl<'a> Inflated<'a> {
         let angle = equilibrium.max(self.star.correction.contact_angle);
         let (mut torque, spring) = self.torque(angle)?;
         if equilibrium >= self.star.correction.contact_angle {
-            // The root is only found to a tolerance; what is left of the torque is no preload.
+            // The root is only found to a tolerance; the remaining torque is not a preload.
             torque = 0.0;
         }
         Ok(rest([equilibrium, angle], torque, spring, &self.star.radius(angle), self.star.widest(angle)))
@@ -212,7 +212,7 @@ impl<'a> Inflated<'a> {
     }
 
     /// Radial force (N) of linear hinges on an object of radius `rho` (m): `n (C_i + C_e) (phi - phi_eq) dphi/drho`, and with a
-    /// correction what [`Grasp`] says.
+    /// correction that of [`Grasp`].
     ///
     /// # Errors
     /// As for [`Inflated::angle_at`].
@@ -227,7 +227,7 @@ impl<'a> Inflated<'a> {
         Ok(spring * (phi - rest.equilibrium) / self.star.radius(phi).slope)
     }
 
-    /// How the star, which rests at `rest`, presses on objects that open it.
+    /// The force law of the star, which rests at `rest`, on objects that open it.
     pub fn grasp(&self, rest: &Rest) -> Grasp {
         let ((tip, corner), (of_tip, of_corner)) = (self.hinge_stiffness(), self.target_angles());
         let hinges = HingePair { stiffness: [tip, corner], target: [of_tip, of_corner - self.star.turn()] };
@@ -246,7 +246,7 @@ impl<'a> Inflated<'a> {
     }
 }
 
-/// That a star which rests at `rest` opens to the radius `rho`, m.
+/// Checks that a star which rests at `rest` opens to the radius `rho`, m.
 fn check_reach(rho: f64, rest: &Rest) -> Result<(), StarFault> {
     let (least, most) = (rest.radius, rest.widest.radius);
     if (least..=most).contains(&rho) { Ok(()) } else { Err(StarFault::Radius { found: rho, least, most }) }

@@ -37,7 +37,7 @@ pub trait Problem<const N: usize> {
     fn right(&self) -> &[(usize, f64)];
 }
 
-/// Why no solution was found.
+/// Reason for a missing solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CollocationFault {
     /// Newton's matrix is singular or not finite.
@@ -151,7 +151,7 @@ impl<const N: usize> Profile<N> {
 }
 
 impl<const N: usize> Solution<N> {
-    /// How the solution's nodes change with a parameter, from the right-hand side's derivative with respect to it.
+    /// Derivatives of the solution's nodes by a parameter, from the right-hand side's derivative with respect to it.
     pub fn sensitivity(
         &self,
         problem: &impl Problem<N>,

@@ -1,4 +1,4 @@
-//! Where the mesh is too coarse, and a better one.
+//! Residuals of the mesh's intervals, and a better mesh.
 
 use crate::numerics::collocation::{Problem, Profile};
 

@@ -1,4 +1,4 @@
-//! Boundary-value problems with known solutions.
+//! Boundary-value problems with exact solutions.
 
 use super::*;
 

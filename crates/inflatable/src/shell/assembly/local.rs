@@ -61,7 +61,7 @@ impl Slopes {
     }
 }
 
-/// What the energy of a triangle's corners alone brings: membrane, pressure, and the moments `turning` on its folds.
+/// Energy of a triangle by its own corners alone: membrane, pressure, and the moments `turning` on its folds.
 fn own(sheet: &Sheet, piece: &Piece, x: [Vector; 3], facet: &Facet, loads: Loads) -> Square {
     let mut hessian = [[0.0; 9]; 9];
     let membrane = sheet.membrane(piece, x);
@@ -78,13 +78,13 @@ fn own(sheet: &Sheet, piece: &Piece, x: [Vector; 3], facet: &Facet, loads: Loads
     hessian
 }
 
-/// What acts on a triangle.
+/// Loads on a triangle.
 #[derive(Clone, Copy)]
 pub(crate) struct Loads {
     pub(crate) pressure: f64,
     /// Moments on the folds of its edges, this triangle's and its neighbours'.
     pub(crate) turning: [f64; 3],
-    /// Whether one of its unknowns is along an axis that is not of space.
+    /// Whether one of its unknowns is along an axis other than those of space.
     pub(crate) turned: bool,
 }
 

@@ -1,7 +1,7 @@
 //! The sheet's energy as a sum over its triangles, with gradient and Hessian by its unknowns.
 //!
-//! U = U_membrane + U_bending - p V. A `Sheet` never changes in a solve, `Supports` say what holds it, a `State` is a shape
-//! of it. An `Assembly` owns every buffer: nothing is allocated in an iteration. Sums run in the order of triangles.
+//! U = U_membrane + U_bending - p V. A `Sheet` never changes in a solve, `Supports` constrain its points, a `State` is a shape
+//! of it. An `Assembly` owns every buffer: no memory is allocated in an iteration. Sums run in the order of triangles.
 
 mod local;
 mod numbering;
@@ -25,18 +25,18 @@ use crate::shell::element::{LAST, NEXT, volume};
 /// The parts of a shape's energy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
-    /// Of stretching.
+    /// Energy of stretching.
     pub membrane: f64,
-    /// Of bending.
+    /// Energy of bending.
     pub bending: f64,
     /// Below the sheet, down to z = 0.
     pub volume: f64,
-    /// Of contact, in the augmented Lagrangian.
+    /// Energy of contact, in the augmented Lagrangian.
     pub contact: f64,
 }
 
 impl Energy {
-    /// U_membrane + U_bending - p V + what contact adds.
+    /// U_membrane + U_bending - p V + the contribution of contact.
     pub fn total(&self, pressure: f64) -> f64 {
         self.membrane + self.bending - pressure * self.volume + self.contact
     }
@@ -47,11 +47,11 @@ impl Energy {
 pub struct Assembly {
     /// The sheet.
     pub sheet: Sheet,
-    /// What holds it.
+    /// Its supports.
     pub supports: Supports,
     numbering: Numbering,
     pattern: Pattern,
-    /// Which triangles touch a point whose axes are not those of space.
+    /// Whether a triangle touches a point whose axes differ from those of space.
     turned: Vec<bool>,
     facets: Vec<Facet>,
     /// B's moments K alpha of each triangle's edges.
@@ -61,7 +61,7 @@ pub struct Assembly {
     forces: Vec<[f64; 3]>,
     leaning: Vec<f64>,
     gradient: Vec<f64>,
-    /// The lower triangle's values, and a last one that collects what is not asked for.
+    /// The lower triangle's values, and a last one that collects the unused entries.
     values: Vec<f64>,
     local: Box<Local>,
 }
@@ -101,7 +101,7 @@ impl Assembly {
         self.supports.turn_plane(number, plane);
     }
 
-    /// How many unknowns there are.
+    /// The number of unknowns.
     pub fn unknowns(&self) -> usize {
         self.numbering.count
     }
@@ -185,7 +185,7 @@ impl Assembly {
         energy
     }
 
-    /// The energy's slopes by each point, as [`Assembly::differentiate`] left them: also by what supports
+    /// The energy's derivatives by each point, as [`Assembly::differentiate`] left them: also by the coordinates that supports
     /// hold.
     pub fn forces(&self) -> &[[f64; 3]] {
         &self.forces

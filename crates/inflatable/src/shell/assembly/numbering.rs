@@ -3,7 +3,7 @@
 use crate::shell::assembly::sheet::{Beyond, Sheet};
 use crate::shell::assembly::supports::Supports;
 
-/// What is not an unknown.
+/// Number of a coordinate that is not an unknown.
 pub(crate) const NONE: u32 = u32::MAX;
 /// Unknowns that the energy of one triangle couples: its corners', its neighbours' far corners', its edges'.
 pub(crate) const LOCAL: usize = 21;
@@ -13,11 +13,11 @@ const PAIRS: usize = LOCAL * (LOCAL + 1) / 2;
 /// The numbers of the unknowns.
 #[derive(Clone, Debug)]
 pub(crate) struct Numbering {
-    /// Of each point, along each of its axes.
+    /// Unknowns of each point, along each of its axes.
     pub(crate) points: Vec<[u32; 3]>,
-    /// Of each edge's xi.
+    /// Unknown of each edge's xi.
     pub(crate) edges: Vec<u32>,
-    /// How many.
+    /// Number of unknowns.
     pub(crate) count: usize,
 }
 
@@ -74,7 +74,7 @@ impl Numbering {
 pub(crate) struct Pattern {
     pub(crate) starts: Vec<u32>,
     pub(crate) rows: Vec<u32>,
-    /// For each triangle the places of its pairs; what does not count goes to the place after the last.
+    /// For each triangle the places of its pairs; unused pairs go to the place after the last.
     pub(crate) places: Vec<[u32; PAIRS]>,
     /// For each point the places of its pairs of axes 00, 10, 11, 20, 21, 22.
     pub(crate) point_places: Vec<[u32; 6]>,

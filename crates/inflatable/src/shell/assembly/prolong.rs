@@ -1,4 +1,4 @@
-//! How triangles of a shape are bent, and the shape carried to the mesh whose every triangle is cut into four: a start for Newton's method there.
+//! Curvature of a shape's triangles, and its prolongation to the mesh whose every triangle is cut into four: a start for Newton's method there.
 
 use crate::shell::assembly::sheet::{Beyond, Piece, Sheet, State};
 use crate::shell::assembly::{Assembly, part_of_fold};
@@ -25,7 +25,7 @@ impl Assembly {
 
     /// `state` on the sheet `finer`, whose points are this sheet's and then the middle of each of its edges, in their order.
     ///
-    /// Middles lie off the edge by its bending, l^2 kappa/8; directors begin unleaned.
+    /// Middles lie off the edge by its bending, l^2 kappa/8; directors start at zero.
     pub fn prolong(&mut self, state: &State, finer: &Sheet) -> State {
         let _ = self.energy(state);
         let mut fine = finer.flat();

@@ -6,14 +6,14 @@ use crate::shell::element::vector::Vector;
 use crate::shell::element::{Fabric, LAST, NEXT};
 use crate::shell::mesh::{Border, Mesh};
 
-/// What lies beyond an edge of a triangle.
+/// The far side of an edge of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Beyond {
     /// The neighbour, which of its edges it is, and the neighbour's far corner.
     Neighbour { triangle: usize, edge: usize, corner: usize },
     /// The triangle's own image in this plane.
     Image(usize),
-    /// Nothing: the director there is free.
+    /// No triangle and no support: the director there is free.
     Nothing,
 }
 
@@ -43,17 +43,18 @@ pub struct Sheet {
     pub(crate) edge_count: usize,
     /// Points, then edges, in an order in which little fills in as they are eliminated.
     pub(crate) order: Vec<usize>,
-    /// How it bears compression within its plane.
+    /// Its response to compression within its plane.
     pub(crate) compression: Compression,
 }
 
-/// How a sheet bears compression within its plane.
+/// Response of a sheet to compression within its plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Compression {
-    /// As it bears tension, until it buckles in wrinkles that the mesh must resolve.
+    /// The same as to tension, until it buckles in wrinkles that the mesh must resolve.
     #[default]
     Elastic,
-    /// Hardly: it gives way in wrinkles that are too fine for the mesh, of which the shape is the mean. With this part of its stiffness.
+    /// Almost none: it buckles in wrinkles that are too fine for the mesh, and the shape is their mean. The value is the part of its
+    /// stiffness that it keeps.
     Wrinkled(f64),
 }
 
@@ -130,7 +131,7 @@ impl Sheet {
 /// A shape of the sheet.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
-    /// Where each point of the mesh is.
+    /// Position of each point of the mesh.
     pub points: Vec<[f64; 3]>,
     /// xi of each edge, rad.
     pub leans: Vec<f64>,

@@ -1,4 +1,4 @@
-//! What holds the sheet: which coordinates are unknowns, and in which axes.
+//! Supports of the sheet: which coordinates are unknowns, and in which axes.
 
 use crate::shell::element::vector::Vector;
 use crate::shell::mesh::{Border, Mesh};
@@ -6,7 +6,7 @@ use crate::shell::mesh::{Border, Mesh};
 /// An upright plane of symmetry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    /// A point of it, seen from above.
+    /// A point of it, in plan view.
     pub point: [f64; 2],
     /// Its unit normal, out of the sheet.
     pub normal: [f64; 2],
@@ -28,7 +28,7 @@ impl Plane {
         [self.normal[0], self.normal[1], 0.0]
     }
 
-    /// How far a point stands on the sheet's side of it.
+    /// Distance of a point from the plane, positive on the sheet's side.
     pub fn distance(&self, x: Vector) -> f64 {
         -((x[0] - self.point[0]) * self.normal[0] + (x[1] - self.point[1]) * self.normal[1])
     }
@@ -47,7 +47,7 @@ pub(crate) struct Hold {
 
 const SPACE: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// How each point of a mesh is held, and the planes of symmetry by their numbers in [`Border::Mirror`].
+/// The support of each point of a mesh, and the planes of symmetry by their numbers in [`Border::Mirror`].
 #[derive(Clone, Debug)]
 pub struct Supports {
     pub(crate) planes: Vec<Plane>,
@@ -55,7 +55,7 @@ pub struct Supports {
 }
 
 impl Supports {
-    /// The supports that the borders of `mesh` say. Rims stay at z = 0, mirrored points in their plane.
+    /// The supports of the borders of `mesh`. Rims stay at z = 0, mirrored points in their plane.
     ///
     /// A border on a plane that `planes` does not have is not held.
     pub fn new(mesh: &Mesh, planes: Vec<Plane>) -> Self {
@@ -72,7 +72,7 @@ impl Supports {
         supports
     }
 
-    /// What holds nothing of a sheet of `count` points.
+    /// The supports of a free sheet of `count` points.
     pub fn none(count: usize) -> Self {
         let free = Hold { axes: SPACE, fixed: [false; 3], plane: None };
         Self { planes: Vec::new(), holds: vec![free; count] }

@@ -68,7 +68,7 @@ fn the_gradient_is_that_of_the_energy() -> Result<(), MeshFault> {
                 assembly.energy(&moved).total(PRESSURE)
             };
             let step = 1e-3;
-            // Of sixth order.
+            // A difference of sixth order.
             let found = (45.0 * (at(step) - at(-step)) - 9.0 * (at(2.0 * step) - at(-2.0 * step))
                 + (at(3.0 * step) - at(-3.0 * step)))
                 / (60.0 * step);
@@ -224,7 +224,7 @@ fn leans(mesh: &Mesh, heights: &[f64], slope: impl Fn([f64; 2]) -> [f64; 2]) -> 
 
 #[test]
 fn a_constant_curvature_is_exact_on_every_mesh() -> Result<(), MeshFault> {
-    // So soft in its plane that only bending counts.
+    // So soft in its plane that only bending matters.
     let [xx, yy, xy] = [0.8, -0.5, 0.3];
     for (fabric, diagonal, turn) in fabrics_and_cuts() {
         let fabric = Fabric::isotropic(1e-6, 1.0, 0.3).woven(fabric.weave);
@@ -242,7 +242,7 @@ fn a_constant_curvature_is_exact_on_every_mesh() -> Result<(), MeshFault> {
             let energy = assembly.differentiate(&state, 0.0);
             (energy.bending, assembly.gradient().to_vec())
         };
-        // The linear plate: what is of higher order in the height goes out between two heights.
+        // The linear plate: differences between two heights cancel the terms of higher order in the height.
         let height = 1e-3;
         let ((once, first), (twice, second)) = (bent(height), bent(2.0 * height));
         // In the axes of warp and weft, where the stiffness against twist is G t^3 / 12 = shear B (1 - nu)/2.

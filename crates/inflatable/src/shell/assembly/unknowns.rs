@@ -1,4 +1,4 @@
-//! Between unknowns and points: steps, forces, what single points bring.
+//! Between unknowns and points: steps, forces, contributions of single points.
 
 use crate::shell::assembly::numbering::NONE;
 use crate::shell::assembly::{Assembly, Plane, State};
@@ -46,8 +46,8 @@ impl Assembly {
         row
     }
 
-    /// For each unknown a spring: the geometric mean of the flat area that its point stands for and of a mean point's; 0 for a
-    /// director. By area alone the smallest triangles, which bending makes the stiffest, would have next to nothing.
+    /// For each unknown a spring: the geometric mean of the flat area of its point and of a mean point's; 0 for a
+    /// director. By area alone the smallest triangles, which bending makes the stiffest, would have hardly any spring.
     pub fn springs(&self) -> Vec<f64> {
         let mut springs = vec![0.0; self.numbering.count];
         let areas = &self.sheet.areas;
@@ -61,7 +61,7 @@ impl Assembly {
         springs
     }
 
-    /// For each unknown the flat area that its point stands for; 0 for a director.
+    /// For each unknown the flat area around its point; 0 for a director.
     pub(crate) fn masses(&self) -> Vec<f64> {
         let mut masses = vec![0.0; self.numbering.count];
         for (numbers, area) in self.numbering.points.iter().zip(&self.sheet.areas) {
@@ -82,7 +82,7 @@ impl Assembly {
         areas.map(|(point, area)| if is_held(point) { 0.0 } else { *area }).collect()
     }
 
-    /// Adds to the last gradient and Hessian what one point brings: a force, and a symmetric matrix as it acts on a vector.
+    /// Adds the contribution of one point to the last gradient and Hessian: a force, and a symmetric matrix as a function of a vector.
     pub(crate) fn add_at_point(&mut self, point: usize, slope: Vector, matrix: impl Fn(Vector) -> Vector) {
         let axes = self.supports.holds[point].axes;
         let numbers = self.numbering.points[point];

@@ -36,26 +36,26 @@ pub struct Actuator {
     pub volume: Value,
     /// d2U/dphi2 at rest, N m per rad, whole tube.
     pub stiffness: Value,
-    /// Angles that were asked for, rad, and the applied moment dU/dphi that holds each, N m; positive opens.
+    /// Requested angles, rad, and the applied moment dU/dphi that holds each, N m; positive opens.
     pub moments: Vec<(f64, Value)>,
     /// Its modelled sheet at rest.
     pub shape: InflatedShape,
-    /// How it was come by.
+    /// The evidence for these values.
     pub evidence: Evidence,
 }
 
-/// Angles of one call: more are asked for in another.
+/// Largest number of angles of one call.
 pub const MOST_ANGLES: usize = 24;
 
 /// Numbers that each mesh gives, without moments.
 const NUMBERS: usize = 3;
 
-/// How fine the meshes of a case are.
+/// Fineness of the meshes of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fineness {
     /// Edges across a hinge of the coarsest mesh.
     pub cells: f64,
-    /// How often its triangles are cut into four.
+    /// Number of times that its triangles are cut into four.
     pub cuts: usize,
 }
 
@@ -68,11 +68,11 @@ impl Default for Fineness {
 
 /// Arms must leave a line to fit between one W behind the hinge and one W before the end.
 const SHORTEST_ARM: f64 = 2.5;
-/// Arms beyond which meshes get large and nothing new happens.
+/// Length of arms beyond which meshes get large and the result does not change.
 const LONGEST_ARM: f64 = 50.0;
 
 impl VActuator {
-    /// Its flat half by the scales of the shell.
+    /// Its flat half in the scales of the shell.
     fn half(&self) -> Result<HalfActuator, ShellFault> {
         self.tube.check()?;
         self.flat()
@@ -142,7 +142,7 @@ pub fn actuator(
     })
 }
 
-/// The plane of symmetry through the hinge, and what keeps the whole from sliding along it.
+/// The plane of symmetry through the hinge, and a support against sliding along it.
 pub(super) fn supports(mesh: &Mesh) -> Supports {
     let mut supports = Supports::new(mesh, vec![Plane::first()]);
     if let Some(inner) = mesh.innermost(Border::Mirror(plane::FIRST)) {
@@ -156,7 +156,7 @@ pub(super) fn arm_line(half: &HalfActuator, mesh: &Mesh) -> ArmLine {
     ArmLine::new(mesh, [-sine, cosine], [1.0, half.l - 1.0])
 }
 
-/// d2U/dphi2 of the whole, by one solve with the last factor: the angle gives way by g.H^-1 g to a moment of one.
+/// d2U/dphi2 of the whole, by one solve with the last factor: a unit moment turns the angle by g.H^-1 g.
 pub(super) fn stiffness(solver: &mut Solver, line: &ArmLine, equilibrium: &Equilibrium) -> f64 {
     let [x, y] = line.direction(&equilibrium.state);
     let square = x * x + y * y;

@@ -13,13 +13,13 @@ pub(crate) struct ArmLine {
 }
 
 impl ArmLine {
-    /// The arm whose flat rims run along `along` (a unit vector); s counts from the origin, and those points count for which it
-    /// lies in `reach`.
+    /// The arm whose flat rims run along `along` (a unit vector); s counts from the origin, and only points with s within
+    /// `reach` belong to it.
     pub(crate) fn new(mesh: &Mesh, along: [f64; 2], reach: [f64; 2]) -> Self {
         Self::within(mesh, along, reach, |_| true)
     }
 
-    /// The same of those edges whose middles on the flat sheet `is_own` accepts.
+    /// The same, of the edges whose middles on the flat sheet `is_own` accepts.
     pub(crate) fn within(
         mesh: &Mesh,
         along: [f64; 2],

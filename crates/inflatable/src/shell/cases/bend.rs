@@ -1,8 +1,8 @@
-//! A V-actuator held at angles that it would not take by itself, and the moment that holds it.
+//! A V-actuator held at angles other than its angle at rest, and the moment that holds it.
 //!
-//! That the arm's line, of direction d, makes the angle psi = pi - phi/2 with the x axis is linear in the points:
-//! n.d = 0 with n = (-sin psi, cos psi). With the multiplier mu of that, dU/dphi = mu |d|/2 of what is modelled, a quarter
-//! of the whole. Force control would snap near |M| = 0.08 p W^3; held, the sheet is stable beyond.
+//! The condition that the arm's line, of direction d, makes the angle psi = pi - phi/2 with the x axis is linear in the points:
+//! n.d = 0 with n = (-sin psi, cos psi). With its multiplier mu, dU/dphi = mu |d|/2 of the modelled quarter
+//! of the whole. Force control would snap near |M| = 0.08 p W^3; at a held angle, the sheet is stable beyond.
 
 use crate::shell::assembly::State;
 use crate::shell::cases::arm_line::ArmLine;

@@ -1,4 +1,4 @@
-//! Where a sheet is loaded hardest.
+//! The most loaded places of a sheet.
 
 use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::value::Value;
@@ -10,9 +10,10 @@ use std::collections::BTreeMap;
 pub struct Extremes {
     /// The fabric's largest tension at a rim, both across the seam's plane and within it, N a metre of flat rim.
     pub seal_tension: f64,
-    /// Its mesh error; a rim that turns on a point has no largest tension, and this says so by being as large.
+    /// Its mesh error; a rim that turns on a point has no largest tension, and then the mesh error is as large as the
+    /// value.
     pub seal_tension_error: f64,
-    /// Where on the flat sheet, m.
+    /// Its position on the flat sheet, m.
     pub seal_at: [f64; 2],
     /// Largest force across the seam's plane, of stretching, bending and pressure, N a metre of flat rim: the
     /// mean over a piece of rim as long as the seal's band is wide.
@@ -25,7 +26,7 @@ pub struct Extremes {
     pub stretch: f64,
     /// Its mesh error.
     pub stretch_error: f64,
-    /// Where on the flat sheet, m.
+    /// Its position on the flat sheet, m.
     pub stretch_at: [f64; 2],
 }
 

@@ -1,30 +1,30 @@
-//! Why a shell has no answer: what was found, what is allowed, what helps.
+//! Reasons for a shell without an answer: the found value, the allowed value, the remedy.
 
 use crate::shell::mesh::MeshFault;
 use crate::shell::solver::Stop;
 use std::fmt;
 
-/// Why a case has no answer.
+/// Reason for a case without an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShellFault {
     /// A number is out of the range that the shell is made for.
     Range {
-        /// What it is.
+        /// The input.
         name: Input,
-        /// What was given.
+        /// The given value.
         found: f64,
-        /// The least that is allowed.
+        /// The least allowed value.
         least: f64,
         /// The largest that is allowed.
         most: f64,
     },
     /// More of something than one call takes.
     TooMany {
-        /// What it is.
+        /// The name of the list.
         name: &'static str,
-        /// How many were given.
+        /// The given number of items.
         found: usize,
-        /// How many are allowed.
+        /// The largest allowed number of items.
         most: usize,
     },
     /// There is no mesh of the case.
@@ -36,7 +36,7 @@ pub enum ShellFault {
     },
     /// No stable equilibrium was found.
     Stopped {
-        /// What is missing.
+        /// The condition that is not met.
         why: Stop,
         /// 1/eps at which it happened.
         at: f64,
@@ -45,7 +45,7 @@ pub enum ShellFault {
         /// Triangles of the mesh.
         triangles: usize,
     },
-    /// It was told to stop.
+    /// The computation was cancelled.
     Cancelled,
 }
 
@@ -56,17 +56,17 @@ pub enum Input {
     Width,
     /// The fabric's Poisson ratio.
     Poisson,
-    /// Its stiffness against stretching.
+    /// Its stretching stiffness.
     Stretching,
-    /// Its stiffness against bending.
+    /// Its bending stiffness.
     Bending,
-    /// Its shear modulus by that of an isotropic sheet.
+    /// Its shear modulus over that of an isotropic sheet.
     Shear,
     /// Its thickness over the tube's width.
     Slenderness,
-    /// How much pressure there is against bending.
+    /// Bendability: pressure relative to bending stiffness.
     Bendability,
-    /// How much pressure there is against stretching.
+    /// Stretch: pressure relative to stretching stiffness.
     Stretch,
     /// The length of an actuator's arms.
     Arms,

@@ -1,5 +1,5 @@
-//! One whole star, both sheets and all sectors, put together from the shape of half a sector of one sheet: whether it is stable
-//! against what planes of symmetry forbid.
+//! One whole star, both sheets and all sectors, assembled from the shape of half a sector of one sheet: checks its stability
+//! against motions that planes of symmetry exclude.
 
 use super::tests::tube;
 use crate::shell::assembly::{Plane, Sheet, State, Supports};
@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// Flat places that are nearer are one point, W.
 const NEAR: f64 = 1e-7;
 
-/// A part of the whole, an image of the modelled half sector: which one, counted counterclockwise, and whether of the lower sheet.
+/// A part of the whole, an image of the modelled half sector: its number, counted counterclockwise, and whether it is of the lower sheet.
 #[derive(Clone, Copy)]
 struct Part {
     index: u32,
@@ -34,7 +34,7 @@ impl Part {
         self.index % 2 == 1
     }
 
-    /// Where it has what the half sector has at `[x, y, z]`.
+    /// The image of the half sector's point `[x, y, z]` in this part.
     fn place(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let turns = f64::from(self.index + u32::from(self.is_image()));
         let y = if self.is_image() { -y } else { y };
@@ -117,8 +117,8 @@ fn rims(mesh: &Mesh) -> Vec<bool> {
     rims
 }
 
-/// The sheets of `mesh`, of the fabric of `like`. Seen from above the lower one's triangles run clockwise; flat they are what
-/// they are from below.
+/// The sheets of `mesh`, of the fabric of `like`. Seen from above the lower one's triangles run clockwise; in the flat state they are those
+/// seen from below.
 fn both_sheets(mesh: &Mesh, like: &Sheet) -> Sheet {
     let mut sheet = Sheet::new(mesh, like.fabric);
     sheet.areas.fill(0.0);
@@ -135,7 +135,7 @@ fn both_sheets(mesh: &Mesh, like: &Sheet) -> Sheet {
     sheet
 }
 
-/// Six coordinates held, which is what keeps a body from moving as a whole and no more.
+/// Holds six coordinates, just enough to prevent rigid motions.
 fn held_in_space(mesh: &Mesh) -> Supports {
     let mut supports = Supports::new(mesh, Vec::new());
     let farthest = |along: [f64; 2]| {
@@ -159,7 +159,7 @@ fn half_a_sector(sector: &HalfSector, pressure: f64, cells: f64) -> (Mesh, Solve
     (mesh, solver, equilibrium)
 }
 
-/// What planes of symmetry forbid (one sheet against the other, one sector against the next) does not make a star unstable.
+/// Motions excluded by planes of symmetry (one sheet against the other, one sector against the next) do not make a star unstable.
 fn whole(points: u32, tip_angle: f64, pressure: f64, cells: f64) -> [f64; 2] {
     let sector =
         HalfSector { n: points, rho_0: 5.0 / 3.0, w: 1.0, phi_i: tip_angle.to_radians(), r_i: 0.0, r_e: 0.0 };
@@ -171,7 +171,7 @@ fn whole(points: u32, tip_angle: f64, pressure: f64, cells: f64) -> [f64; 2] {
     let of_half =
         half.lowest_eigenvalue(&equilibrium.state, equilibrium.pressure, &[]).expect("an eigenvalue");
     let mut solver = Solver::new(sheet, supports).expect("small");
-    // The copies fit together: what is at rest as half a sector is at rest as a whole, with as many times the volume.
+    // The copies fit together: an equilibrium of half a sector is an equilibrium of the whole, with a multiple of the volume.
     let energy = solver.assembly.differentiate(&state, equilibrium.pressure);
     let sheets = f64::from(4 * points);
     assert!(

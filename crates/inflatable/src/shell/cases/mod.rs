@@ -1,6 +1,6 @@
-//! Shells that have names: the V-actuator, the star, a chamber of any outline; in tests also the hinge without arms.
+//! The modelled cases: the V-actuator, the star, a chamber of any outline; in tests also the hinge without arms.
 //!
-//! Cases speak SI units and radians. Inside, lengths are divided by W and forces a unit of length by Y, so that Y = 1,
+//! Cases use SI units and radians. Internally, lengths are divided by W and forces a unit of length by Y, so that Y = 1,
 //! B = (t/W)^2 / (12 (1 - nu^2)) and p = p W/Y; energies are in Y W^2. One sheet is modelled; results are those of the whole
 //! tube, both sheets.
 //!

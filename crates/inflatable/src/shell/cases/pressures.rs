@@ -27,18 +27,18 @@ pub struct Inflation {
 
 /// Parts into which the way between two pressures is cut where it cannot be gone at once.
 const MOST_PARTS: u32 = 4;
-/// How often Newton's method may go on where its iterations are used up: thin sheets wrinkle, and wrinkles are slow to settle.
+/// Number of times that Newton's method may continue after its iterations are used up: thin sheets wrinkle, and wrinkles settle slowly.
 const MOST_ROUNDS: u32 = 6;
-/// Meshes that count.
+/// Number of meshes used.
 const MESHES: usize = 3;
 
 /// Inflates a V-actuator from flat to each of `pressures` (Pa, rising), whatever the pressure in `case` is. `None` from the
 /// first pressure on at which it has no equilibrium on one of its meshes.
 ///
-/// Pressures, t/W and p W/Y are the caller's to keep within reason: tables end a little beyond what [`Tube`] allows.
+/// The caller limits pressures, t/W and p W/Y: tables end a little beyond the limits of [`Tube`].
 ///
 /// # Errors
-/// If it has no mesh, or was told to stop.
+/// If it has no mesh, or is cancelled.
 pub fn inflations(
     case: &VActuator,
     pressures: &[f64],

@@ -10,13 +10,13 @@ use crate::shell::solver::{Aim, Broken, Effort, Equilibrium, NewtonResult, Solve
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// Told the part that is done, 0 to 1, and what is being done.
+/// Receives the completed part, 0 to 1, and the current step.
 pub type OnProgress<'a> = &'a dyn Fn(f64, &str);
 
-/// What looks on while a shell is computed, and may end it.
+/// Observer of a shell's computation, which may cancel it.
 #[derive(Clone, Default)]
 pub struct Watch<'a> {
-    /// Told how far it is.
+    /// Receives the progress.
     pub progress: Option<OnProgress<'a>>,
     /// Raised by another thread to end at the next Newton step.
     pub cancel: Arc<AtomicBool>,
@@ -30,12 +30,12 @@ impl Watch<'_> {
     }
 }
 
-/// How the numbers were come by.
+/// Meshes, effort and residuals behind the numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Evidence {
     /// Unknowns of each mesh, coarse to fine.
     pub unknowns: Vec<usize>,
-    /// What each mesh took.
+    /// The effort on each mesh.
     pub efforts: Vec<Effort>,
     /// The finest mesh's residual by p W^2.
     pub residual: f64,
@@ -45,13 +45,13 @@ pub struct Evidence {
 pub(crate) struct Family<'a> {
     pub(crate) tube: Tube,
     pub(crate) coarsest: Meshed,
-    /// How often its triangles are cut into four; at least 2.
+    /// Number of times that its triangles are cut into four; at least 2.
     pub(crate) cuts: usize,
-    /// What holds a mesh; it may change how the sheet bears what it bears.
+    /// The supports of a mesh; it may change the sheet's response to compression.
     pub(crate) hold: &'a dyn Fn(&Meshed, &mut Sheet) -> Supports,
     pub(crate) obstacles: &'a [Obstacle],
-    /// Whether each mesh begins at a pressure that stretches it, and is let down from there, instead of being pressurised from flat: what
-    /// suits sheets that bear no compression.
+    /// Whether each mesh starts at a pressure that stretches it, which is then lowered, instead of being pressurised from flat: suits
+    /// sheets that bear no compression.
     pub(crate) from_above: bool,
 }
 
@@ -207,7 +207,7 @@ impl Family<'_> {
             finer.hold(&mut state);
             match continuation.run_from(fine, state, pressure, |_| {}) {
                 Ok(equilibrium) => return Ok(equilibrium),
-                // Not even the first equilibrium: a gentler start may do.
+                // Not even the first equilibrium was found: a smaller first pressure may help.
                 Err(Broken { last: None, why, .. }) if why != Stop::Cancelled => {}
                 Err(broken) => return Err(self.broken(broken, fine.triangles())),
             }
@@ -241,7 +241,7 @@ const LEAST_DOWN: f64 = 0.95;
 /// Rounds of Newton's method for one of them.
 const MOST_ROUNDS: u32 = 4;
 
-/// How often a coarse sheet is let down to begin a finer one, and the factor of pressure each time.
+/// Number of times that the pressure of a coarse sheet is lowered to start a finer one, and the factor of pressure each time.
 const MOST_LET_DOWN: usize = 4;
 const LET_DOWN: f64 = 2.0;
 

@@ -8,9 +8,9 @@ use crate::shell::solver::Solver;
 /// The sheet that was modelled, on its finest mesh: the rest of the tube is its mirror images. SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct InflatedShape {
-    /// Where the points are, m.
+    /// Positions of the points, m.
     pub points: Vec<[f64; 3]>,
-    /// Where they were on the flat sheet, m.
+    /// Their positions on the flat sheet, m.
     pub flat: Vec<[f64; 2]>,
     /// The points of each triangle.
     pub triangles: Vec<[usize; 3]>,
@@ -23,7 +23,7 @@ pub struct InflatedShape {
 }
 
 impl InflatedShape {
-    /// `state`, as `solver` knows it.
+    /// `state` of `solver`.
     pub(crate) fn new(tube: &Tube, solver: &mut Solver, mesh: &Mesh, state: &State) -> Self {
         let w = tube.width;
         let kappa = solver.assembly.curvatures(state);

@@ -34,14 +34,14 @@ pub struct FlatStar {
     pub band: f64,
 }
 
-/// A star under pressure; what is per star counts both sheets and all sectors.
+/// A star under pressure; values per star count both sheets and all sectors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InflatedStar {
     /// From the axis to the apex of a corner's inner rim, m; of a whole star the mean of all corners, from the point in their middle.
     pub final_radius: Value,
     /// The least and the largest of all corners, m.
     pub corner_radii: [Value; 2],
-    /// How far the point in the middle of the corners lies beside that of the tips, m.
+    /// Distance of the point in the middle of the corners from that of the tips, m.
     pub off_center: Value,
     /// Twice the angle between a tip's plane and the line of its arm, rad; of a whole star the mean of all tips.
     pub tip_angle: Value,
@@ -55,13 +55,13 @@ pub struct InflatedStar {
     pub contact_area: Value,
     /// Sum of the radial forces on all corners by their radial displacement, N/m, where each corner's section moves as a whole.
     pub radial_stiffness: Value,
-    /// Each object that was asked for, by its radius or its opening, m, and the sum of the radial forces on it, N.
+    /// Each requested object, by its radius or its opening, m, and the sum of the radial forces on it, N.
     pub forces: Vec<(f64, Value)>,
     /// The hardest loaded places; on the finest mesh.
     pub extremes: Extremes,
     /// Its modelled sheet at rest.
     pub shape: InflatedShape,
-    /// How it was come by.
+    /// The evidence for these values.
     pub evidence: Evidence,
 }
 
@@ -70,7 +70,7 @@ pub(super) const WHOLE: usize = 10;
 const NUMBERS: usize = WHOLE + 3;
 /// The tip's plane of symmetry among the obstacles.
 const TIP: usize = 1;
-/// Objects of one call: more are asked for in another.
+/// Largest number of objects of one call.
 pub const MOST_OBJECTS: usize = 8;
 
 /// Largest growth of an object in one solve, by W, and how often it is halved where that is too much.
@@ -96,7 +96,7 @@ impl Objects<'_> {
 }
 
 impl FlatStar {
-    /// The least part of it that knows its weave.
+    /// The smallest part of it that is valid for its weave.
     pub fn part(&self) -> StarPart {
         let weave = self.tube.fabric.weave;
         let half_angle = std::f64::consts::PI / f64::from(self.points);
@@ -135,7 +135,7 @@ pub fn star(
 }
 
 /// As [`star`], of any part of it and on meshes of any grading: the edge lengths of the coarsest one, by W, and how often its triangles are
-/// cut into four. Half a sector of a weave without its planes of symmetry stands for a star that has none: each half sector of it is cut as
+/// cut into four. Half a sector of a weave without its planes of symmetry models a star that has none: each half sector of it is cut as
 /// the first one is, or as its mirror image.
 ///
 /// # Errors
@@ -235,8 +235,8 @@ pub(super) fn measure(
     (numbers, corners.middle)
 }
 
-/// Opens the star by each object in turn, and writes the force of one sheet of the modelled part on it. It begins from what the coarser mesh
-/// left of each, where there is such a one and it leads to an equilibrium; it leaves its own.
+/// Opens the star by each object in turn, and writes the force of one sheet of the modelled part on it. It starts from the coarser mesh's
+/// result for each, if there is one and it leads to an equilibrium; it keeps its own results.
 fn press(
     case: &FlatStar,
     objects: Objects<'_>,
@@ -272,7 +272,7 @@ fn press(
     Ok(())
 }
 
-/// As [`open`], but at once where what the coarser mesh left leads to an equilibrium.
+/// As [`open`], but at once where the coarser mesh's result leads to an equilibrium.
 fn open_from(
     Indented { state: mut own, contact }: Indented,
     (solver, post): (&mut Solver, usize),
@@ -314,7 +314,7 @@ fn open(
         match solver.rest(state, aim) {
             Ok(_) => {
                 radius = next;
-                // What was stiff enough for this step saves the next one rounds.
+                // A stiffness that was enough for this step saves the next one rounds.
                 if let Some(contact) = &mut solver.contact {
                     contact.floor = contact.stiffness / 4.0;
                 }

@@ -8,13 +8,13 @@ use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::contact::Obstacle;
 use crate::shell::mesh::{Border, HalfSector, Mesh, MeshFault, Meshed, Sizes, rim};
 
-/// What is modelled of a star.
+/// The modelled part of a star.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StarPart {
     /// Half a sector of one sheet; all others are its images. Right for isotropic fabric, and where the warp lies at a multiple of 45 deg to
     /// both planes.
     HalfSector,
-    /// One whole sheet, without planes of symmetry. Its arms do not know of each other.
+    /// One whole sheet, without planes of symmetry. Contact between its arms is not modelled.
     Whole,
 }
 
@@ -25,7 +25,7 @@ pub(super) struct ModelledPart {
     pub(super) sector: HalfSector,
 }
 
-/// Where the corners are.
+/// Places of the corners.
 pub(super) struct CornerPlaces {
     /// Mean distance of the corners' apexes from the point in their middle.
     pub(super) mean: f64,
@@ -36,7 +36,7 @@ pub(super) struct CornerPlaces {
     pub(super) aside: f64,
 }
 
-/// How far from a ray a flat point may lie and be on it, W.
+/// Distance from a ray within which a flat point counts as on it, W.
 const ON_RAY: f64 = 1e-7;
 
 impl ModelledPart {
@@ -78,7 +78,7 @@ impl ModelledPart {
         supports
     }
 
-    /// How often the modelled part is in the star.
+    /// The number of copies of the modelled part in the star.
     pub(super) fn count(&self) -> f64 {
         match self.part {
             StarPart::HalfSector => 4.0 * f64::from(self.sector.n),
@@ -95,7 +95,7 @@ impl ModelledPart {
         (0..count).map(move |corner| 2.0 * f64::from(corner) * half_angle)
     }
 
-    /// Where the corners of `state` are.
+    /// The places of the corners of `state`.
     pub(super) fn corner_places(&self, mesh: &Mesh, state: &State) -> CornerPlaces {
         let of = |angle: f64, radius: f64, border: u8| {
             let (sine, cosine) = libm::sincos(angle);
@@ -184,7 +184,7 @@ impl ModelledPart {
         [tips.iter().sum::<f64>() / f64::from(sector.n), least]
     }
 
-    /// Outward displacement of the sections of all modelled corners: points, and the direction by the flat length that each stands for.
+    /// Outward displacement of the sections of all modelled corners: points, and the direction times the flat length of each.
     pub(super) fn sections(&self, mesh: &Mesh) -> Vec<(usize, [f64; 3])> {
         let mut parts = Vec::new();
         for angle in self.corners() {
@@ -214,7 +214,7 @@ impl ModelledPart {
     }
 }
 
-/// The point of a rim whose flat place is nearest to `place`.
+/// The point of a rim that is nearest to `place` on the flat sheet.
 fn nearest(mesh: &Mesh, place: [f64; 2], border: u8) -> usize {
     let away = |point: &usize| {
         let [x, y] = mesh.points[*point];

@@ -1,4 +1,4 @@
-//! Cases on coarse meshes: laws that hold on every mesh, and numbers that are known.
+//! Cases on coarse meshes: laws that hold on every mesh, and published numbers.
 
 use super::arm_line::ArmLine;
 use super::bend::{Bend, angle_of};
@@ -165,7 +165,7 @@ fn a_rim_that_is_sharp_and_not_a_point_is_found() {
     assert!((0.015..0.025).contains(&found.final_radius.value), "{:?}", found.final_radius);
 }
 
-/// At 1/eps = 1 this thin sheet is stretched by a millionth, whose square is all that its energy feels of rounding.
+/// At 1/eps = 1 this thin sheet is stretched by a millionth, and its energy depends on the square of that: a test of rounding.
 #[test]
 fn a_sheet_that_is_hardly_stretched_comes_to_rest() {
     let fabric = Fabric::isotropic(8452.0, 3.8726e-6, 0.455);

@@ -16,17 +16,17 @@ pub struct Tube {
     pub pressure: f64,
 }
 
-/// t/W below which no tube was tried.
+/// Least t/W of the tubes tested.
 const THINNEST: f64 = 1e-4;
 /// t/W beyond which the sheet is no thin shell.
 const THICKEST: f64 = 0.03;
 /// p W/Y beyond which strains are no longer small.
 const MOST_STRETCHED: f64 = 0.1;
-/// 1/eps up to which the shell was tried.
+/// Largest 1/eps of the shells tested.
 pub(crate) const MOST_BENDABLE: f64 = 5000.0;
 /// Poisson's ratios that fabrics have.
 const MOST_POISSON: f64 = 0.499;
-/// Shear modulus by that of an isotropic sheet; the softest that was tried is 0.02.
+/// Shear modulus by that of an isotropic sheet; the least one tested is 0.02.
 const LEAST_SHEAR: f64 = 0.01;
 const MOST_SHEAR: f64 = 10.0;
 /// Least norm of residuals, by Y W: 1e-16 a force of order one, of a hundred thousand.
@@ -43,7 +43,7 @@ impl Tube {
         self.pressure * self.width / self.fabric.stretch
     }
 
-    /// t/W, of a sheet that bends as B and stretches as Y say.
+    /// t/W of an isotropic sheet with this bending and stretching stiffness.
     pub fn slenderness(&self) -> f64 {
         let Fabric { stretch, bending, poisson, .. } = self.fabric;
         (12.0 * (1.0 - poisson * poisson) * bending / stretch).sqrt() / self.width
@@ -74,7 +74,7 @@ impl Tube {
         range(Input::Stretch, self.stretch(), 0.0, MOST_STRETCHED)
     }
 
-    /// Its fabric by the scales of the shell.
+    /// Its fabric in the scales of the shell.
     pub(crate) fn scaled(&self) -> Fabric {
         let Fabric { stretch, bending, .. } = self.fabric;
         Fabric { stretch: 1.0, bending: bending / (stretch * self.width * self.width), ..self.fabric }
@@ -85,7 +85,7 @@ impl Tube {
         Continuation { first: self.scaled().bending, last: self.stretch(), scale: 1.0, floor: FLOOR }
     }
 
-    /// Why there is no equilibrium at its pressure where there was one before something else changed.
+    /// The fault of a tube without an equilibrium at its pressure, where there was one before another input changed.
     pub(crate) fn stopped(&self, why: Stop, triangles: usize) -> ShellFault {
         let at = self.bendability();
         if why == Stop::Cancelled {

@@ -5,10 +5,10 @@
 pub struct Value {
     /// Extrapolated to triangles of no size.
     pub value: f64,
-    /// How far it may be off: the difference between the last two meshes or from the finest to the extrapolated value,
+    /// Its mesh error: the difference between the last two meshes or from the finest to the extrapolated value,
     /// whichever is larger.
     pub error: f64,
-    /// As computed, coarse to fine.
+    /// Computed values, coarse to fine.
     pub meshes: [f64; 3],
 }
 

@@ -1,4 +1,4 @@
-//! Stars of woven fabric: half a sector and the whole sheet say the same where both are right.
+//! Stars of woven fabric: half a sector and the whole sheet agree where both are valid.
 
 use super::star::{WHOLE, measure};
 use super::star_part::ModelledPart;
@@ -25,7 +25,7 @@ fn flat(points: u32, shear: f64, warp: f64) -> FlatStar {
     }
 }
 
-/// What one coarse mesh of a part gives, pressurised from flat.
+/// The values of one coarse mesh of a part, pressurised from flat.
 fn measured(case: &FlatStar, part: StarPart) -> [f64; WHOLE] {
     let modelled = ModelledPart { part, sector: case.sector().expect("a star") };
     let meshed = modelled.meshed(&Sizes::across(1.0, 3.0)).expect("a mesh");

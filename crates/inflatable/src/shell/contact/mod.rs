@@ -1,14 +1,14 @@
 //! Contact of the sheet: with planes of symmetry, where an arm meets its image, and with a rigid round object.
 //!
-//! Each point of the mesh stands for the flat area a around it and must keep its **gap** g >= 0 to each **obstacle**. The
+//! Each point of the mesh has the flat area a around it and must keep its **gap** g >= 0 to each **obstacle**. The
 //! augmented Lagrangian is the sum of a/(2 k) (max(0, q - k g)^2 - q^2), with a contact pressure q kept for each pair and
-//! a stiffness k. A **round** minimises it and then sets q = max(0, q - k g); penetration falls by a large factor a round,
-//! whatever k is. Nocedal and Wright, "Numerical Optimization", section 17.4.
+//! a stiffness k. A **round** minimises it and then updates q = max(0, q - k g); penetration falls by a large factor a round,
+//! for any k. Nocedal and Wright, "Numerical Optimization", section 17.4.
 
 use crate::shell::assembly::{Assembly, Plane, State};
 use crate::shell::element::vector::{Vector, along, times};
 
-/// What the sheet cannot pass.
+/// An obstacle that the sheet must not penetrate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Obstacle {
     /// The far side of an upright plane.
@@ -55,7 +55,7 @@ pub struct Contact {
     pub floor: f64,
 }
 
-/// What is left to mend after a solve.
+/// Remaining error of contact after a solve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactError {
     /// Deepest penetration.
@@ -80,8 +80,8 @@ impl Contact {
         }
     }
 
-    /// What begins on the finer sheet of `finer`, whose points are these and then the middles of edges with these `ends`: middles are
-    /// pressed as their ends are on average, all points of an obstacle together as hard as before.
+    /// The start on the finer sheet of `finer`, whose points are these and then the middles of edges with these `ends`. The pressure on a
+    /// middle is the average of its ends', and the total force on an obstacle is as before.
     pub fn carried(&self, finer: &Assembly, ends: impl Iterator<Item = [usize; 2]>) -> Self {
         let mut fine = Self::new(finer, self.obstacles.clone());
         (fine.stiffness, fine.floor) = (self.stiffness, self.stiffness);
@@ -138,7 +138,7 @@ impl Contact {
         }
     }
 
-    /// Ends a round: keeps the contact pressures that `state` has, and says what was left to mend.
+    /// Ends a round: updates the contact pressures for `state`, and returns the error before the update.
     pub fn keep(&mut self, state: &State) -> ContactError {
         let mut worst = ContactError::default();
         let mut kept = Vec::new();

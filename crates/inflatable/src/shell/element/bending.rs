@@ -9,7 +9,8 @@
 use crate::shell::element::membrane::Flat;
 use crate::shell::element::{Fabric, weave};
 
-/// K of a triangle: its bending energy is alpha^T K alpha / 2 = A (B/2) [(1 - nu) tr kappa^2 + nu (tr kappa)^2], and what a weave adds.
+/// K of a triangle: its bending energy is alpha^T K alpha / 2 = A (B/2) [(1 - nu) tr kappa^2 + nu (tr kappa)^2], plus the contribution of a
+/// weave.
 pub fn stiffness(fabric: Fabric, flat: &Flat) -> [[f64; 3]; 3] {
     // The slope of corner i's linear function is -nu_i l_i / (2 A).
     let slopes = flat.slopes;

@@ -1,4 +1,4 @@
-//! How far a triangle stands above its edges: angles, gradients and Hessians of **folds**.
+//! Angles of a triangle against its edges, with gradients and Hessians: **folds**.
 //!
 //! The fold of an edge is the angle by which its two triangles are raised towards each other, theta = beta + beta',
 //! each triangle's own part beta growing when its far corner moves along its normal n. With the edge's direction e, its
@@ -14,7 +14,7 @@
 use crate::shell::element::vector::{Vector, along, cross, dot, minus, times};
 use crate::shell::element::{LAST, NEXT, Square};
 
-/// A triangle in space, seen from its three edges.
+/// A triangle in space, in the frames of its three edges.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Facet {
     /// Unit normal.
@@ -28,7 +28,7 @@ pub struct Facet {
 }
 
 impl Facet {
-    /// The triangle with these corners. Without area it has no normal, and what follows is not finite.
+    /// The triangle with these corners. Without area it has no normal, and derived values are not finite.
     pub fn new(corners: [Vector; 3]) -> Self {
         let sides: [Vector; 3] = std::array::from_fn(|i| minus(corners[LAST[i]], corners[NEXT[i]]));
         let twice = cross(sides[2], times(-1.0, sides[1]));

@@ -1,7 +1,7 @@
 //! A triangle stretched in its plane: constant strain, St Venant-Kirchhoff, plane stress.
 //!
 //! With the deformation gradient F = (f1, f2) and the strain E = (F^T F - I)/2 the energy is
-//! A Y/(1 - nu^2) [E11^2 + E22^2 + 2 nu E11 E22 + 2 (1 - nu) E12^2]/2, and what a weave adds.
+//! A Y/(1 - nu^2) [E11^2 + E22^2 + 2 nu E11 E22 + 2 (1 - nu) E12^2]/2, plus the contribution of a weave.
 
 use crate::shell::element::vector::{Vector, dot, minus};
 use crate::shell::element::{Fabric, Square, Weave, weave};
@@ -33,7 +33,7 @@ pub struct Membrane {
     pub strain: [f64; 3],
     /// Second Piola-Kirchhoff stress resultants S11, S22, S12, force a unit of flat length.
     pub stress: [f64; 3],
-    /// What the stress answers to changes of E11, E22, 2 E12 where that is not the elastic one.
+    /// Derivatives of the stress by E11, E22, 2 E12 if they differ from the elastic ones.
     tangent: Option<[[f64; 3]; 3]>,
 }
 
@@ -122,7 +122,7 @@ impl Membrane {
         }
     }
 
-    /// Gradients of E11, E22 and 2 E12, and what the stress answers to each: their products sum to the Hessian's first part.
+    /// Gradients of E11, E22 and 2 E12, and the change of the stress with each: their products sum to the Hessian's first part.
     pub fn rows(&self, fabric: Fabric, flat: &Flat) -> ([[f64; 9]; 3], [[f64; 9]; 3]) {
         let [plane, shear] = moduli(fabric).map(|modulus| modulus * flat.area);
         let nu = fabric.poisson;
@@ -188,7 +188,7 @@ impl Membrane {
     }
 }
 
-/// What the stress of an isotropic sheet answers to E11, E22, 2 E12.
+/// Derivatives of the stress of an isotropic sheet by E11, E22, 2 E12.
 fn isotropic([plane, shear]: [f64; 2], nu: f64) -> [[f64; 3]; 3] {
     [[plane, nu * plane, 0.0], [nu * plane, plane, 0.0], [0.0, 0.0, shear]]
 }

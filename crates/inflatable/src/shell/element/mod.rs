@@ -4,7 +4,7 @@
 //! Corners are numbered 0, 1, 2 counterclockwise; edge `i` lies opposite to corner `i` and runs from corner `i + 1` to
 //! corner `i + 2`. The three corners have nine coordinates: coordinate `3 k + c` is component `c` of corner `k`.
 //!
-//! Formulas are homogeneous: any consistent units do. `shell::cases` says which ones are used.
+//! Formulas are homogeneous, so any consistent units are valid. `shell::cases` defines its units.
 
 pub mod bending;
 pub mod fold;
@@ -24,7 +24,7 @@ pub struct Fabric {
     pub bending: f64,
     /// Poisson's ratio nu; of woven fabric along warp and weft.
     pub poisson: f64,
-    /// How it is woven.
+    /// Its weave.
     pub weave: Weave,
 }
 
@@ -34,7 +34,7 @@ impl Fabric {
         Self { stretch, bending, poisson, weave: Weave::ISOTROPIC }
     }
 
-    /// The same fabric woven as `weave` says.
+    /// The same fabric with the weave `weave`.
     #[must_use]
     pub const fn woven(self, weave: Weave) -> Self {
         Self { weave, ..self }

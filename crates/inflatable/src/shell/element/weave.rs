@@ -11,7 +11,7 @@
 
 use crate::shell::element::Fabric;
 
-/// How a sheet of fabric is woven.
+/// The weave of a sheet of fabric.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weave {
     /// Shear modulus between warp and weft by that of an isotropic sheet, E / [2 (1 + nu)]; above 0.
@@ -43,7 +43,7 @@ impl Weave {
     }
 }
 
-/// What the weave adds to the response of an isotropic sheet to E11, E22, 2 E12: `None` if there is none.
+/// The contribution of the weave to the stress of an isotropic sheet, by E11, E22, 2 E12: `None` if there is none.
 pub(super) fn membrane(fabric: Fabric) -> Option<[[f64; 3]; 3]> {
     let weave = fabric.weave;
     let row = (!weave.is_isotropic()).then(|| weave.shear_row())?;
@@ -51,7 +51,7 @@ pub(super) fn membrane(fabric: Fabric) -> Option<[[f64; 3]; 3]> {
     Some(row.map(|a| row.map(|b| added * a * b)))
 }
 
-/// What the weave adds to the moments of an isotropic sheet, by kappa_11, kappa_22, 2 kappa_12: `None` if there is none.
+/// The contribution of the weave to the moments of an isotropic sheet, by kappa_11, kappa_22, 2 kappa_12: `None` if there is none.
 pub(super) fn bending(fabric: Fabric) -> Option<[[f64; 3]; 3]> {
     let weave = fabric.weave;
     let row = (!weave.is_isotropic()).then(|| weave.shear_row())?;

@@ -8,7 +8,7 @@ use crate::shell::mesh::{Border, MeshFault, Meshed, Piece, Region, delaunay, rim
 /// One chamber between two sheets; lengths in any unit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FlatChamber {
-    /// Where it is sealed all around: closed, counterclockwise.
+    /// Its sealed outline: closed, counterclockwise.
     pub outline: Path,
     /// Rims around holes in the fabric: closed, clockwise. They slide in the plane as the outline does.
     pub holes: Vec<Path>,
@@ -41,7 +41,7 @@ impl FlatChamber {
         std::iter::once(&self.outline).chain(&self.holes).chain(&self.islands).chain(&self.welds)
     }
 
-    /// Whether `p` lies where there is fabric.
+    /// Whether there is fabric at `p`.
     fn has_fabric(&self, p: Point) -> bool {
         self.outline.encloses(p) && !self.holes.iter().any(|hole| hole.encloses(p))
     }
@@ -50,7 +50,7 @@ impl FlatChamber {
         ChamberWalls::new(self.curves().flat_map(|path| path.segments.iter().copied()))
     }
 
-    /// Whether `p` lies where there is air.
+    /// Whether there is air at `p`.
     pub fn has_air(&self, p: Point) -> bool {
         self.has_fabric(p) && !self.is_welded(p)
     }
@@ -60,7 +60,7 @@ impl FlatChamber {
         self.islands.iter().any(|island| island.encloses(p))
     }
 
-    /// Flat area of one sheet, with what lies on islands.
+    /// Flat area of one sheet, including islands.
     pub fn area(&self) -> f64 {
         self.outline.area() - self.holes.iter().map(|hole| hole.area().abs()).sum::<f64>()
     }
@@ -81,11 +81,11 @@ impl FlatChamber {
         }
     }
 
-    /// Its mesh with `cells` edges across the widest place, which is 1 wide. The numbers say of which curve, as
-    /// [`FlatChamber::curves`] counts, each piece is.
+    /// Its mesh with `cells` edges across the widest place, which is 1 wide. The numbers give the curve of each piece, in the order of
+    /// [`FlatChamber::curves`].
     ///
     /// # Errors
-    /// If curves cross, leave the outline, or ask for too many triangles.
+    /// If curves cross or leave the outline, or the mesh has too many triangles.
     pub fn mesh(&self, cells: f64) -> Result<(Meshed, Vec<usize>), MeshFault> {
         if !(1.0..=200.0).contains(&cells) {
             return Err(MeshFault::Dimension { name: "edges a width", found: cells, allowed: "1 to 200" });

@@ -1,4 +1,4 @@
-//! From triangles to a mesh: which edges there are, and what lies on their sides.
+//! From triangles to a mesh: its edges, and the triangle or border on each side of them.
 
 use crate::shell::mesh::{Border, Edge, Mesh, MeshFault, signed_area};
 
@@ -9,7 +9,7 @@ type BorderSide = ([usize; 2], bool, usize, usize);
 impl Mesh {
     /// The mesh of `triangles` over `points`. Its edges are sorted by their ends, so the triangles alone decide their order.
     ///
-    /// `name` says which border an edge between two points is that has a triangle on one side only.
+    /// `name` returns the border of an edge between two points that has a triangle on one side only.
     ///
     /// # Errors
     /// If a triangle is not counterclockwise, names a point that does not exist or overlaps its neighbour, if a point is
@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn a_hanging_point_is_seen() {
-        // Point 4 lies in the middle of the diagonal, and only one side knows it.
+        // Point 4 lies in the middle of the diagonal, and only the triangles on one side use it.
         let mut points = SQUARE.to_vec();
         points.push([0.5, 0.5]);
         let outer = |ends: [usize; 2]| (!ends.contains(&4) && ends != [0, 2]).then_some(Border::Free);

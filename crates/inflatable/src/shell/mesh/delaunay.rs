@@ -1,7 +1,7 @@
-//! A region filled with triangles: points on its border and welds as dense as the sizing asks for, **seeds** within by Delaunay insertion
+//! A region filled with triangles: points on its border and welds at the density of the sizing, **seeds** within by Delaunay insertion
 //! of circumcentres, evened out by moving each to the middle of its triangles.
 //!
-//! Everything goes by fixed order and exact predicates, so the same region gives the same bits.
+//! Order is fixed and predicates are exact, so the same region gives the same bits.
 
 use std::collections::BTreeMap;
 
@@ -17,11 +17,11 @@ type Triangles = ConstrainedDelaunayTriangulation<Point2<f64>>;
 /// More seeds or border points than this are no mesh to begin with: 200,000 unknowns before the first refinement.
 const MOST: usize = 30_000;
 
-/// Circumradius at which a triangle gets a point in its middle, by the size asked for; edges come out near that size, which a
-/// test holds.
+/// Circumradius above which a triangle gets a point in its middle, over the requested size; edges come out near that size, as a
+/// test asserts.
 const LARGE: f64 = 0.7;
 
-/// Distance of seeds from the border, by the size asked for: nearer, triangles at the border get flat.
+/// Distance of seeds from the border, over the requested size: nearer, triangles at the border get flat.
 const CLEAR: f64 = 0.5;
 
 /// Ends of welds that are nearer to a point, in the mesh's unit, are that point.
@@ -30,7 +30,7 @@ const SAME: f64 = 1e-6;
 /// Rounds of evening out. Chosen, not tuned.
 const ROUNDS: usize = 20;
 
-/// Triangles of `region` as small as `sizing` asks for.
+/// Fills `region` with triangles of the sizes in `sizing`.
 pub(super) fn fill(region: &Region, sizing: &Sizing) -> Result<Meshed, MeshFault> {
     let border = BorderPoints::new(region, sizing);
     if border.points.len() > MOST {
@@ -54,7 +54,7 @@ struct BorderPoints {
     points: Vec<Point>,
     /// Ends of each edge and the piece that it lies on; those of the border first, with the region on their left.
     edges: Vec<([usize; 2], usize)>,
-    /// How many edges are of the border.
+    /// The number of edges of the border.
     outer: usize,
 }
 
@@ -73,7 +73,7 @@ impl BorderPoints {
         border
     }
 
-    /// Adds a closed loop, of whose pieces `first` is the first.
+    /// Adds a closed loop, whose pieces are numbered from `first`.
     fn add_loop(&mut self, pieces: &[Piece], sizing: &Sizing, first: usize) {
         let start = self.points.len();
         let mut piece = Vec::new();
@@ -152,7 +152,7 @@ impl BorderPoints {
         Ok(self.inner(&found))
     }
 
-    /// The triangles to the left of the border and on both sides of welds, and all that are reached from them without crossing it. (To ask whether a
+    /// The triangles to the left of the border and on both sides of welds, and all that are reached from them without crossing it. (A test whether a
     /// triangle's middle lies within would fail for flat ones between points of one line.)
     fn inner(&self, found: &Triangles) -> Vec<[usize; 3]> {
         let vertices: Vec<_> = found.fixed_vertices().collect();
@@ -228,8 +228,8 @@ impl BorderPoints {
         }
     }
 
-    /// Moves each seed to the mean of its triangles' centres, weighed so that small triangles stay where they are asked for,
-    /// and says how small the smallest angle was before; if it was above `known`, `best` gets the seeds as they were.
+    /// Moves each seed to the mean of its triangles' centres, weighted so that small triangles stay at their places,
+    /// and returns the smallest angle before the move; if it was above `known`, `best` gets the seeds as they were.
     fn even_out(
         &self,
         seeds: &mut [Point],

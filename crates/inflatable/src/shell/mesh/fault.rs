@@ -1,8 +1,8 @@
-//! Why triangles are no mesh.
+//! Reasons for triangles that do not form a mesh.
 
 use std::fmt;
 
-/// What is wrong with points and triangles that should be a mesh.
+/// Fault of points and triangles that should form a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MeshFault {
     /// There is no triangle.
@@ -16,12 +16,12 @@ pub enum MeshFault {
     NoSuchPoint {
         /// The triangle.
         triangle: usize,
-        /// What it names.
+        /// The point that it names.
         found: usize,
-        /// How many points there are.
+        /// The number of points.
         points: usize,
     },
-    /// No triangle uses a point: nothing would hold it.
+    /// No triangle uses a point, so it would be free.
     Unused {
         /// The point.
         point: usize,
@@ -51,26 +51,26 @@ pub enum MeshFault {
     Pinched {
         /// The point.
         point: usize,
-        /// How many border edges end there.
+        /// The number of border edges that end there.
         borders: usize,
     },
     /// A length that must be positive and finite is not, or one that may be 0 is negative.
     Dimension {
         /// Which.
         name: &'static str,
-        /// What was given.
+        /// The given value.
         found: f64,
-        /// What is allowed, in words.
+        /// The allowed values, as text.
         allowed: &'static str,
     },
-    /// The region would need more points than allowed at the sizes asked for.
+    /// The region would need more points than allowed at the requested sizes.
     TooMany {
-        /// How many are allowed.
+        /// The allowed number.
         most: usize,
     },
     /// A weld or an island leaves the outline.
     Outside {
-        /// Where, in the mesh's unit.
+        /// The place, in the mesh's unit.
         at: [f64; 2],
     },
     /// An edge of the border is missing among the triangles: the border meets or crosses itself.

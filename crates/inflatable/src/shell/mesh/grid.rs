@@ -1,8 +1,8 @@
-//! A rectangle cut into a regular grid: for plates with known solutions.
+//! A rectangle cut into a regular grid: for plates with exact solutions.
 
 use crate::shell::mesh::{Border, Mesh, MeshFault};
 
-/// How the cells of a grid are cut into triangles.
+/// The division of a grid's cells into triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Diagonal {
     /// Along the diagonal that rises to the right.

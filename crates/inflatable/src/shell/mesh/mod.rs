@@ -1,7 +1,7 @@
 //! A flat sheet cut into triangles.
 //!
-//! A **region** is what lies within a closed border of exact lines and arcs; it is **meshed** with triangles as small as a
-//! **sizing** asks at each place, and **refined** by cutting every triangle into four, new border points on the exact curves.
+//! A **region** is the area inside a closed border of exact lines and arcs; it is **meshed** with triangles of the sizes of a
+//! **sizing** at each place, and **refined** by cutting every triangle into four, with new border points on the exact curves.
 //! All lengths of one mesh have the same unit, whatever it is; border numbers are those of [`rim`] and [`plane`].
 
 mod cases;
@@ -52,14 +52,14 @@ pub mod plane {
     pub const SECOND: u8 = 1;
 }
 
-/// What a border edge of the sheet is.
+/// The kind of a border edge of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Border {
-    /// Sealed: it stays in the plane z = 0, slides there, and its rotation is free. The number says which rim it is.
+    /// Sealed: it stays in the plane z = 0, slides there, and its rotation is free. The number is that of the rim.
     Rim(u8),
-    /// On a plane of symmetry, upright on the flat sheet: points and normals stay in it. The number says which plane.
+    /// On a plane of symmetry, upright on the flat sheet: points and normals stay in it. The number is that of the plane.
     Mirror(u8),
-    /// Nothing holds it.
+    /// Without support.
     Free,
 }
 
@@ -70,7 +70,7 @@ pub struct Edge {
     pub ends: [usize; 2],
     /// The triangle to its left as it runs from its first to its second end, and the one to its right.
     pub sides: [Option<usize>; 2],
-    /// What it is if it has only one side.
+    /// Its border if it has only one side.
     pub border: Option<Border>,
 }
 

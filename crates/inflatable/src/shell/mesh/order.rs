@@ -1,7 +1,7 @@
-//! In which order to eliminate: nested dissection by the nodes' places.
+//! The order of elimination: nested dissection by the nodes' places.
 //!
 //! A **node** is a point or an edge: point `i` is node `i`, edge `e` node `points + e`. Two nodes are coupled if one
-//! triangle's bending knows both: its points, its edges, and the points of its neighbours that lie opposite.
+//! triangle's bending depends on both: its points, its edges, and the points of its neighbours that lie opposite.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -41,7 +41,7 @@ impl Mesh {
 
 /// Nodes being divided.
 struct Dissection {
-    /// How many of the nodes are points.
+    /// The number of nodes that are points.
     points: usize,
     places: Vec<[f64; 2]>,
     separators: Separators,
@@ -52,9 +52,9 @@ struct Dissection {
 struct Cut {
     /// Across which direction.
     along: [f64; 2],
-    /// How many nodes lie before the cut.
+    /// The number of nodes before the cut.
     before: usize,
-    /// What has to be taken out, sorted.
+    /// The nodes to take out, sorted.
     separator: Vec<usize>,
 }
 

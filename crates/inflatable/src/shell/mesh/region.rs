@@ -1,4 +1,4 @@
-//! What lies within a closed border of lines and arcs, and a mesh of it that can be refined.
+//! The area inside a closed border of lines and arcs, and a mesh of it that can be refined.
 
 use std::collections::BTreeMap;
 
@@ -8,13 +8,13 @@ use crate::shell::mesh::{Border, Edge, Mesh, MeshFault};
 /// A piece of a region's border.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// Where it runs, exactly.
+    /// Its exact curve.
     pub curve: Segment,
-    /// What it is.
+    /// Its kind.
     pub border: Border,
 }
 
-/// What lies within a closed border.
+/// The area inside a closed border.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
     /// The outer border, counterclockwise, each piece beginning where the one before ends.
@@ -37,7 +37,7 @@ impl Region {
     }
 }
 
-/// A mesh whose edges on borders and welds know the curves they stand for.
+/// A mesh whose edges on borders and welds refer to their exact curves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meshed {
     /// The triangles.
@@ -49,7 +49,7 @@ pub struct Meshed {
 }
 
 impl Meshed {
-    /// The mesh of `triangles` whose edges, by their ends with the smaller index first, lie on pieces as `on` says: all of the
+    /// The mesh of `triangles` whose edges, by their ends with the smaller index first, lie on the pieces given by `on`: all of the
     /// border, and those on welds.
     ///
     /// # Errors

@@ -9,7 +9,7 @@ pub(super) struct Couplings {
 }
 
 impl Couplings {
-    /// Those of `count` nodes, of which all in one group are coupled.
+    /// The couplings of `count` nodes, of which all in one group are coupled.
     pub(super) fn new(count: usize, groups: impl Iterator<Item = Vec<usize>>) -> Self {
         let mut pairs: Vec<(usize, usize)> = Vec::new();
         for group in groups {
@@ -27,14 +27,14 @@ impl Couplings {
     }
 }
 
-/// Finds separators, one after another, without asking for memory each time.
+/// Finds separators, one after another, in the same buffers.
 pub(super) struct Separators {
     couplings: Couplings,
     /// Whether a node is in the second set; none is between two calls.
     in_second: Vec<bool>,
-    /// What a node is matched with.
+    /// The node to which a node is matched.
     partner: Vec<Option<usize>>,
-    /// In which search a node of the second set was reached last, and from where.
+    /// The last search that reached a node of the second set, and the node from which it was reached.
     reached: Vec<(usize, usize)>,
     searches: usize,
 }
@@ -100,7 +100,8 @@ impl Separators {
         }
     }
 
-    /// Of the first set what no alternating path from an unmatched node reaches, of the second what one reaches.
+    /// The nodes of the first set that no alternating path from an unmatched node reaches, and those of the second that
+    /// one reaches.
     fn cover(&mut self, rim: &[usize]) -> Vec<usize> {
         self.searches += 1;
         let mut open: Vec<usize> = rim.iter().copied().filter(|&node| self.partner[node].is_none()).collect();

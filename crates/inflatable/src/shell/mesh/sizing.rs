@@ -1,4 +1,4 @@
-//! How small triangles have to be, as a function of the place.
+//! Required size of triangles as a function of the place.
 
 use crate::geom::{Point, Segment};
 use crate::shell::mesh::{MeshFault, Region};
@@ -6,7 +6,7 @@ use crate::shell::mesh::{MeshFault, Region};
 /// Edge lengths that a mesh aims at, in the mesh's unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sizes {
-    /// Where a hinge folds: up to half a width around the rim that it turns on, and along its outer rim.
+    /// At the fold of a hinge: up to half a width around the rim that it turns on, and along its outer rim.
     pub hinge: f64,
     /// At the point on which a hinge of inner radius 0 turns.
     pub point: f64,
@@ -47,7 +47,7 @@ const GROWTH: f64 = 0.35;
 /// Turn of an arc along one edge, rad: 17 deg, which leaves the arc by 1 % of its radius and 4 % of the edge.
 const TURN: f64 = 0.3;
 
-/// Where edges must not be longer than a given length.
+/// A place where edges must not be longer than a given length.
 #[derive(Clone, Copy, Debug)]
 enum Place {
     /// Within a circle.
@@ -56,7 +56,7 @@ enum Place {
     Piece(Segment),
 }
 
-/// Edge length as a function of the place: the least that any place asks for, grown with the distance from it.
+/// Edge length as a function of the place: the least length of any place, grown with the distance from it.
 #[derive(Clone, Debug)]
 pub(super) struct Sizing {
     most: f64,
@@ -114,7 +114,7 @@ impl Sizing {
         })
     }
 
-    /// Points of `curve` from its start to before its end, as far apart as their places ask for.
+    /// Points of `curve` from its start to before its end, at the distances of their places.
     pub(super) fn along(&self, curve: &Segment) -> Vec<Point> {
         let length = curve.length();
         // Number of edges up to a place: the integral of ds/h, by steps that are short compared with h.

@@ -7,9 +7,9 @@ use crate::shell::mesh::{Border, Piece, Region, plane, rim};
 /// A tube under construction: it begins on the x axis, which is a plane of symmetry, and first runs along +y.
 pub(super) struct Strip {
     width: f64,
-    /// Where it began, on the left and on the right.
+    /// Its start, on the left and on the right.
     began: [Point; 2],
-    /// Where its rims have got to: the left one and the right one.
+    /// The current ends of its rims: the left one and the right one.
     left_end: Point,
     right_end: Point,
     /// Direction from the right rim to the left one.

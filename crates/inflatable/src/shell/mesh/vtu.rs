@@ -1,6 +1,6 @@
 //! An inflated sheet as a VTU file, which ParaView reads.
 //!
-//! Numbers stand in it as their own bits (base64), so nothing is rounded. Format: VTK, "XML File Formats", `UnstructuredGrid`.
+//! Numbers are written as their own bits (base64), so none is rounded. Format: VTK, "XML File Formats", `UnstructuredGrid`.
 
 use std::fmt::Write as _;
 
@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 pub struct VtuField<'a> {
     /// Its name, with its unit.
     pub name: &'a str,
-    /// How many numbers it has at each place.
+    /// The number of components at each place.
     pub components: usize,
     /// The numbers, place by place.
     pub values: &'a [f64],
@@ -20,9 +20,9 @@ pub struct VtuField<'a> {
 pub struct FieldFault {
     /// The field.
     pub name: String,
-    /// How many values it has.
+    /// The given number of values.
     pub found: usize,
-    /// How many it must have.
+    /// The required number of values.
     pub needed: usize,
 }
 

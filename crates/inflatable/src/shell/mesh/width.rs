@@ -1,4 +1,4 @@
-//! How wide a chamber is: at its widest, and along each of its walls.
+//! Width of a chamber: at its widest place, and along each of its walls.
 
 use crate::geom::{Bounds, Line, Point, Segment, Vec2, intersections};
 
@@ -19,9 +19,9 @@ impl ChamberWalls {
         Self { segments: segments.map(|segment| (segment, segment.bounds())).collect() }
     }
 
-    /// How far it is from `from` in the direction `along` to the first wall, at most `reach`.
+    /// The distance from `from` in the direction `along` to the first wall, at most `reach`.
     pub(super) fn across(&self, from: Point, along: Vec2, reach: f64) -> f64 {
-        // The wall that `from` lies on does not count.
+        // The wall on which `from` lies is left out.
         let start = from + along * (1e-6 * reach);
         let ray = Line::new(start, from + along * reach);
         let bounds = Segment::Line(ray).bounds();
@@ -37,7 +37,7 @@ impl ChamberWalls {
         })
     }
 
-    /// Diameter of the largest circle between the walls whose centre is in the chamber, as `holds` says, within [`ACCURACY`]. Squares are
+    /// Diameter of the largest circle between the walls whose centre is in the chamber, by `holds`, within [`ACCURACY`]. Squares are
     /// quartered as long as they may hold a better centre, the most promising first.
     pub(super) fn widest(&self, bounds: Bounds, holds: impl Fn(Point) -> bool) -> f64 {
         let half = bounds.width().max(bounds.height()) / f64::from(2 * SQUARES);

@@ -3,16 +3,16 @@
 use crate::shell::assembly::State;
 use crate::shell::solver::newton::{Aim, NewtonResult, Solver, Stop};
 
-/// How the pressure is raised.
+/// Schedule of rising pressures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Continuation {
     /// The first pressure above the flat sheet: 1/eps = 1, where a plate hardly bends.
     pub first: f64,
     /// The last one.
     pub last: f64,
-    /// p W^2 at unit pressure: what residuals are measured by.
+    /// p W^2 at unit pressure: the scale of residuals.
     pub scale: f64,
-    /// Least norm of a residual that rounding lets one ask for.
+    /// Least norm of a residual that rounding allows.
     pub floor: f64,
 }
 
@@ -23,16 +23,16 @@ pub struct Equilibrium {
     pub pressure: f64,
     /// Its shape.
     pub state: State,
-    /// Its energy, and what remains of its forces.
+    /// Its energy, and the residual of its forces.
     pub rest: NewtonResult,
 }
 
-/// Where a continuation ended too early.
+/// A continuation that ended too early.
 #[derive(Clone, Debug)]
 pub struct Broken {
     /// The pressure at which no equilibrium was found.
     pub pressure: f64,
-    /// Why.
+    /// The reason.
     pub why: Stop,
     /// The last equilibrium.
     pub last: Option<Box<Equilibrium>>,
@@ -42,13 +42,13 @@ pub struct Broken {
 const STEP: f64 = 0.25;
 /// Halvings of it where an equilibrium is not reached.
 const MOST_HALVINGS: i32 = 5;
-/// Residual relative to p W^2 that is asked for.
+/// Required residual relative to p W^2.
 const RESIDUAL: f64 = 1e-8;
 /// The same on the way: flat sheets of small triangles have no residual of 1e-8 at the first pressures, for rounding.
 const PASSING: f64 = 1e-6;
 
 impl Continuation {
-    /// What is asked of an equilibrium at `pressure`.
+    /// The conditions of an equilibrium at `pressure`.
     pub fn aim(&self, pressure: f64) -> Aim {
         Aim { pressure, tolerance: (RESIDUAL * pressure * self.scale).max(self.floor) }
     }
@@ -59,10 +59,10 @@ impl Continuation {
         Aim { pressure, tolerance: tolerance.max(PASSING * pressure * self.scale) }
     }
 
-    /// Climbs from the flat sheet. `on_equilibrium` sees every equilibrium.
+    /// Raises the pressure from the flat sheet. `on_equilibrium` receives every equilibrium.
     ///
     /// # Errors
-    /// Where it ended, and the last equilibrium.
+    /// The pressure at which it ended, the reason, and the last equilibrium.
     pub fn run(
         &self,
         solver: &mut Solver,
@@ -72,10 +72,10 @@ impl Continuation {
         self.run_from(solver, flat, self.first, on_equilibrium)
     }
 
-    /// Climbs from `state`, a shape near the equilibrium at the pressure `first`.
+    /// Raises the pressure from `state`, a shape near the equilibrium at the pressure `first`.
     ///
     /// # Errors
-    /// Where it ended, and the last equilibrium.
+    /// The pressure at which it ended, the reason, and the last equilibrium.
     pub fn run_from(
         &self,
         solver: &mut Solver,

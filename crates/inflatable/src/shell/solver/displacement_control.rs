@@ -3,14 +3,14 @@
 //! Where the sheet alone would snap, its Hessian H has one negative eigenvalue, and no Cholesky factor. A **brace**, a
 //! stiff spring s on one point along e, makes A = H + s e e^T positive definite, and Sherman and Morrison take it back out:
 //! H^-1 v = A^-1 v + s (e.A^-1 v)/(1 - s e.A^-1 e) A^-1 e. H has as many negative eigenvalues as 1 - s e.A^-1 e, none or
-//! one, and is positive definite where the lever c holds if c.H^-1 c has the sign of that.
+//! one, and is positive definite under the constraint c if c.H^-1 c has the sign of that.
 
 use crate::numerics;
 use crate::shell::assembly::Assembly;
 use crate::shell::element::vector::{Vector, dot, times};
 use crate::shell::solver::factor::Factor;
 
-/// What holds a linear function of the unknowns.
+/// Constraint on a linear function of the unknowns.
 #[derive(Clone, Debug)]
 pub struct DisplacementControl {
     /// c, by the unknowns.
@@ -57,7 +57,7 @@ impl DisplacementControl {
         (held.gives * left > 0.0).then_some(held)
     }
 
-    /// Turns A^-1 v, in `vector`, into H^-1 v without what the lever does not let through; the multiplier that takes it away.
+    /// Turns A^-1 v, in `vector`, into H^-1 v without the component that the constraint forbids; returns the multiplier of that component.
     pub(crate) fn constrain(&self, assembly: &Assembly, held: &ControlledSolve, vector: &mut [f64]) -> f64 {
         let brace = assembly.project(&[(self.point, self.direction)]);
         let back = held.taken_back * numerics::dot(&brace, vector);

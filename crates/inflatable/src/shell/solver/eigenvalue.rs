@@ -17,7 +17,7 @@ const CHANGE: f64 = 1e-5;
 
 impl Solver {
     /// The lowest eigenvalue of the Hessian of `state`: of twice the energy over the square of the displacement, summed over the flat area.
-    /// `motions` cost nothing and are left out. `None` if no shift makes the Hessian positive definite.
+    /// `motions` take no energy and are left out. `None` if no shift makes the Hessian positive definite.
     ///
     /// By inverse iteration from a field without any symmetry, with the least shift by areas that allows a Cholesky factor.
     pub(crate) fn lowest_eigenvalue(
@@ -67,7 +67,7 @@ impl Solver {
     }
 }
 
-/// Sum of products, each point counted by its area.
+/// Sum of products, each point weighted by its area.
 fn product(sheet: &Sheet, a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     let terms = sheet.areas.iter().zip(a.iter().zip(b));
     terms.map(|(area, (a, b))| area * (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])).sum()

@@ -8,7 +8,7 @@ use crate::shell::solver::factor::Factor;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What is loaded on the sheet, and what is asked of an equilibrium.
+/// The load on the sheet, and the tolerance of an equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aim {
     /// Pressure below the sheet.
@@ -17,7 +17,7 @@ pub struct Aim {
     pub tolerance: f64,
 }
 
-/// Why an equilibrium was not found.
+/// Reason for a missing equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stop {
     /// The iterations were used up.
@@ -28,20 +28,20 @@ pub enum Stop {
     Shift,
     /// Contact pressures do not come to rest.
     Contact,
-    /// It was told to stop.
+    /// The computation was cancelled.
     Cancelled,
     /// The forces vanish, but the shape is not stable: its Hessian is not positive definite.
     Unstable,
 }
 
-/// What it took.
+/// Number of operations of a solve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Effort {
     /// Newton steps.
     pub iterations: u32,
     /// Cholesky factors computed.
     pub factors: u32,
-    /// Shapes whose energy alone was computed.
+    /// Number of shapes whose energy alone was computed.
     pub energies: u32,
 }
 
@@ -50,7 +50,7 @@ pub struct Effort {
 pub struct NewtonResult {
     /// The parts of its energy.
     pub energy: Energy,
-    /// Norm of what remains of the forces.
+    /// Norm of the remaining forces.
     pub residual: f64,
 }
 
@@ -85,26 +85,26 @@ const STIFFEST: f64 = 1e6;
 pub struct Solver {
     /// Sums over its triangles.
     pub assembly: Assembly,
-    /// What it may touch.
+    /// Its contact, if there is any.
     pub contact: Option<Contact>,
-    /// What holds it besides its supports.
+    /// A constraint besides its supports.
     pub lever: Option<DisplacementControl>,
     held: ControlledSolve,
     /// The lever's multiplier at the last equilibrium: forces + multiplier c = 0.
     pub multiplier: f64,
     pub(super) factor: Factor,
     step: Vec<f64>,
-    /// What a shift adds to each unknown's diagonal.
+    /// Contribution of a shift to each unknown's diagonal.
     springs: Vec<f64>,
     /// The sheet's flat area.
     area: f64,
     shift: f64,
     trial: State,
-    /// What all solves took together.
+    /// Effort of all solves together.
     pub effort: Effort,
     /// Raised by another thread to stop at the next step.
     pub cancel: Arc<AtomicBool>,
-    /// Whether a sheet may travel far to its equilibrium.
+    /// Whether the equilibrium of a sheet may be far away.
     pub may_snap: bool,
 }
 
@@ -135,7 +135,7 @@ impl Solver {
     /// Moves `state` to an equilibrium near by.
     ///
     /// # Errors
-    /// Where it stopped, which `state` then is.
+    /// The reason of the stop; `state` is then the last shape.
     pub fn settle(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
         let mut energy = self.linearise(state, aim.pressure);
         let most = if self.may_snap { MOST_TO_SNAP } else { MOST_ITERATIONS };
@@ -158,10 +158,10 @@ impl Solver {
         Err(Stop::Iterations)
     }
 
-    /// As [`Solver::settle`], with what the sheet touches: rounds of contact until nothing penetrates.
+    /// As [`Solver::settle`], with contact: rounds until no point penetrates.
     ///
     /// # Errors
-    /// Where it stopped, which `state` then is.
+    /// The reason of the stop; `state` is then the last shape.
     pub fn rest(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
         let Some(contact) = &mut self.contact else { return self.settle(state, aim) };
         contact.stiffness = contact.floor.max(CONTACT * aim.pressure);
@@ -223,7 +223,7 @@ impl Solver {
         true
     }
 
-    /// The norm of the forces, without what the lever takes, whose multiplier it keeps.
+    /// The norm of the forces without the constraint's part, whose multiplier it keeps.
     fn residual(&mut self) -> f64 {
         let gradient = self.assembly.gradient();
         let Some(lever) = &self.lever else { return dot(gradient, gradient).sqrt() };
@@ -232,7 +232,7 @@ impl Solver {
         left.map(|x| x * x).sum::<f64>().sqrt()
     }
 
-    /// Moves an equilibrium to where the lever's function is `by` larger, as the sheet gives way.
+    /// Moves an equilibrium to where the lever's function is larger by `by`, along the sheet's compliance.
     pub fn pull(&mut self, state: &mut State, aim: Aim, by: f64) -> bool {
         let _ = self.linearise(state, aim.pressure);
         let is_stable = self.compute(0.0);
@@ -242,7 +242,7 @@ impl Solver {
         is_stable
     }
 
-    /// Leaves a direction of descent in `step`, and in `shift` what it took.
+    /// Writes a direction of descent to `step`, and its shift to `shift`.
     fn find_step(&mut self, aim: Aim) -> Result<(), Stop> {
         let least = 0.01 * aim.pressure;
         self.shift /= 6.0;
@@ -290,8 +290,8 @@ impl Solver {
         Err(Stop::Stalled)
     }
 
-    /// Begins anew at `state` with a larger shift, which shortens the next step. Only where wrinkles come and go: there the Hessian says little
-    /// about what lies one step ahead, elsewhere a larger one is of no use.
+    /// Restarts at `state` with a larger shift, which shortens the next step. Only where wrinkles come and go: there the Hessian is a poor
+    /// model one step ahead; elsewhere a larger shift does not help.
     fn shorten_step(&mut self, state: &State, aim: Aim) -> Option<Energy> {
         let least = 0.01 * aim.pressure;
         let comes_and_goes = matches!(self.assembly.sheet.compression, Compression::Wrinkled(_));
@@ -307,7 +307,7 @@ impl Solver {
         self.factor.solve(rhs);
     }
 
-    /// How far the last equilibrium gives way to a load of one on the sum of products of points with `parts`: g.H^-1 g,
+    /// Displacement of the last equilibrium under a unit load on the sum of products of points with `parts`: g.H^-1 g,
     /// along the same sum.
     pub fn compliance(&mut self, parts: &[(usize, [f64; 3])]) -> f64 {
         let load = self.assembly.project(parts);

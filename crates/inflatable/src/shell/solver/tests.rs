@@ -1,4 +1,4 @@
-//! Plates and strips whose solutions are known; laws that equilibria must obey.
+//! Plates and strips with exact solutions; laws that equilibria must obey.
 
 use super::*;
 use crate::shell::assembly::{Plane, Sheet, State, Supports};

@@ -15,7 +15,7 @@ fn fabric(shear: f64, degrees: f64) -> Fabric {
     Fabric::isotropic(STRETCH, 1e-3, POISSON).woven(weave)
 }
 
-/// A flat sheet that nothing holds but what keeps a body from moving.
+/// Supports of a flat sheet that prevent rigid motions only.
 fn free(mesh: &Mesh) -> Supports {
     let mut supports = Supports::none(mesh.points.len());
     let at = |place: [f64; 2]| mesh.points.iter().position(|point| *point == place).expect("a corner");
@@ -26,7 +26,7 @@ fn free(mesh: &Mesh) -> Supports {
     supports
 }
 
-/// How far a flat coupon gives way to stresses of one, normal and tangential, on its four sides: their work.
+/// Compliance of a flat coupon to unit stresses, normal and tangential, on its four sides: their work.
 fn compliance(fabric: Fabric, normal: [f64; 2], tangential: f64) -> f64 {
     let mesh = rectangle(SIZE, [9, 4], Diagonal::Alternating, 0.0, [Border::Free; 4]).expect("a rectangle");
     let mut solver = Solver::new(Sheet::new(&mesh, fabric), free(&mesh)).expect("small");
@@ -69,7 +69,7 @@ fn a_coupon_askew_stretches_as_an_orthotropic_one() {
     }
 }
 
-/// The stress is G gamma along warp and weft, and does not know of G half way between them, where shear is a pull and a push.
+/// The stress is G gamma along warp and weft, and does not depend on G half way between them, where shear is a pull and a push.
 #[test]
 fn a_shear_frame_feels_the_shear_modulus_alone() {
     for shear in [0.05, 0.2, 2.5] {
@@ -125,7 +125,7 @@ fn tube(compliance: [[f64; 3]; 3], pressure: f64) -> [f64; 3] {
     [a, b, k]
 }
 
-/// A long tube whose seams are straight: its length, and how far one seam shifts, which is nothing where the warp lies at 0 or 45 deg.
+/// A long tube with straight seams: its length, and the shift of one seam, which is zero where the warp lies at 0 or 45 deg.
 #[test]
 fn an_inflated_tube_changes_its_length_and_shifts_its_seams() -> Result<(), MeshFault> {
     let (shear, pressure, bending) = (0.2, 0.03, 1e-5);
@@ -160,7 +160,7 @@ fn an_inflated_tube_changes_its_length_and_shifts_its_seams() -> Result<(), Mesh
     Ok(())
 }
 
-/// How much stiffer than by 1/E(45 deg) a bias strip of so many widths seems between clamps, which hold its width at both ends.
+/// Factor by which a bias strip of `widths` widths seems stiffer than 1/E(45 deg) between clamps, which hold its width at both ends.
 fn clamped(shear: f64, widths: f64) -> f64 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few cells")]
     let cells = [(16.0 * widths) as usize, 16];

@@ -1,8 +1,8 @@
 //! The paper's method: the hoop inequality as a penalty `exp(beta u)`, solved by collocation.
 //!
-//! The potential of this model is the penalised volume, `V_bar - 2 lambda ∫ exp(beta u) ds`: it is what
-//! the equations make stationary, so its derivative is the moment (envelope theorem) and its second
-//! derivative one linear solution away. The bare volume is larger by the penalty, which is of order 1/beta.
+//! The potential of this model is the penalised volume, `V_bar - 2 lambda ∫ exp(beta u) ds`. The equations make
+//! it stationary, so its derivative is the moment (envelope theorem) and its second
+//! derivative takes one linear solution. The bare volume is larger by the penalty, which is of order 1/beta.
 //!
 //! As beta grows the model tends to the exact ring, by about 1/beta in V_bar where the section is free and
 //! ln(beta)/beta where there is hoop tension. The inner rim becomes a layer of width 1/beta in which phi

@@ -1,4 +1,4 @@
-//! The continuation that leads from the free section to the penalised one at the wanted beta.
+//! The continuation from the free section to the penalised one at the required beta.
 //!
 //! At small beta the penalty is no inequality: it pulls the whole section inwards (its force is of
 //! order beta everywhere) and turns it inside out for small R*. So beta does not grow from 0; the offset
@@ -9,13 +9,13 @@ use crate::mechanics::hinge::bvp::section::PenalisedSection;
 use crate::mechanics::hinge::ring::free_unknowns;
 use crate::numerics::collocation::{CollocationFault, Profile, Solution, solve};
 
-/// First beta: the penalty acts over 1/beta = 2 % of the width, which any R* in range stands.
+/// First beta: the penalty acts over 1/beta = 2 % of the width, which works for any R* in range.
 const FIRST_BETA: f64 = 50.0;
 /// First offset beyond the free section's largest u: exp(-50 * 0.1) makes the penalty a small correction.
 const FIRST_GAP: f64 = 0.1;
 /// Residual on the way: the profile only has to be a fair start for the next step.
 const ROUGH: f64 = 3e-2;
-/// Most intervals: three times what 1e-8 needs at beta = 1e6.
+/// Largest number of intervals: three times the number for 1e-8 at beta = 1e6.
 const MOST_INTERVALS: usize = 20_000;
 
 /// The end of the path.

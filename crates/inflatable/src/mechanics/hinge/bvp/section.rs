@@ -1,7 +1,7 @@
 //! The penalised section as a boundary-value problem in regular variables.
 //!
 //! `2 lambda ∫ [Q z cos(phi) - exp(beta (u - d))] ds` is to be largest, with `u = lambda r - s` and
-//! `Q = (R* + s + u) / lambda`. In the meridional tension T its equations divide by nothing that vanishes:
+//! `Q = (R* + s + u) / lambda`. In the meridional tension T its equations divide by no quantity that vanishes:
 //!
 //! ```text
 //! T' = h cos(phi)     phi' = -(Q + h sin(phi)) / T     u' = lambda cos(phi) - 1     z' = sin(phi)
@@ -9,8 +9,8 @@
 //! u(0) = z(0) = z(1) = 0     phi(1) = -pi/2
 //! ```
 //!
-//! The **offset** d is 0 in the paper's problem. A large one moves the wall that the penalty is away, so
-//! that the free section solves the problem; this is where the continuation starts.
+//! The **offset** d is 0 in the paper's problem. A large one moves the penalty's wall away, so
+//! that the free section solves the problem; the continuation starts there.
 
 use crate::numerics::Dual;
 use crate::numerics::collocation::Problem;

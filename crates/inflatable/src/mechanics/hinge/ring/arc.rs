@@ -25,7 +25,7 @@ const POINTS: usize = 24;
 
 static RULE: LazyLock<[(f64, f64); POINTS]> = LazyLock::new(gauss_legendre::<POINTS>);
 
-/// Where an arc begins, and under which tension.
+/// The start of an arc, with its tension.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ArcStart<const N: usize> {
     /// Slope angle phi there, rad.
@@ -38,7 +38,7 @@ pub(super) struct ArcStart<const N: usize> {
     pub(super) reach: Dual<N>,
 }
 
-/// What an arc adds, and where it ends.
+/// The contribution of an arc to the integrals, and its end.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TensionArc<const N: usize> {
     /// Its length, the integral of ds.

@@ -1,4 +1,4 @@
-//! The ring in some 30 digits, by means that share nothing with the solver: double-double numbers,
+//! The ring in some 30 digits, by code independent of the solver: double-double numbers,
 //! tanh-sinh quadrature in phi, volume by its definition, derivatives by differencing the volume.
 
 use crate::mechanics::hinge::ring::Ring;
@@ -271,7 +271,7 @@ fn free_sections_meet_the_table() {
     }
 }
 
-/// k = T lambda / R*: what `forecast` judges seals by.
+/// k = T lambda / R*: `forecast` uses it for the load on the seal.
 #[test]
 fn seal_loads_meet_the_table() {
     let rule = rule();

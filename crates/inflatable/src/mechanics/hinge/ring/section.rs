@@ -91,7 +91,7 @@ pub(super) fn cone_section(r_star: f64, unknowns: [f64; 4]) -> Option<RingSectio
     Some(assemble(r_star, lambda, &first, Some(&frustum), &second))
 }
 
-/// What the cone adds to the integrals; `hoop` is the integral of h r ds.
+/// The contribution of the cone to the integrals; `hoop` is the integral of h r ds.
 struct ConePart {
     length: Gradient,
     rise: Gradient,

@@ -20,7 +20,7 @@ const TOLERANCE: f64 = 1e-13;
 pub(super) struct Solved {
     pub(super) unknowns: [f64; 4],
     pub(super) section: RingSection,
-    /// How the unknowns change with lambda; its own entry is 1.
+    /// Derivatives of the unknowns by lambda; its own entry is 1.
     pub(super) tangent: [f64; 4],
     /// d2V_bar/dlambda2 on the branch.
     pub(super) curvature: f64,
@@ -86,7 +86,7 @@ pub(super) fn solve_cone(r_star: f64, lambda: f64, mut start: [f64; 4]) -> Resul
     finish::<3>(build, [PHI_0, TENSION, CONE], solved)
 }
 
-/// Where the cone begins to grow: `lambda = lambda_c`, L = 0.
+/// The start of the cone: `lambda = lambda_c`, L = 0.
 pub(super) fn solve_onset(r_star: f64, target: &Solved) -> Result<Solved, NewtonFault> {
     // On the branch with cone L is nearly linear in lambda between onset and target.
     let back = -target.unknowns[CONE] / target.tangent[CONE];
@@ -97,7 +97,7 @@ pub(super) fn solve_onset(r_star: f64, target: &Solved) -> Result<Solved, Newton
     finish::<3>(build, [PHI_0, TENSION, CONE], solved)
 }
 
-/// Where the volume is largest: `lambda = lambda_t`.
+/// The largest volume: `lambda = lambda_t`.
 pub(super) fn solve_target(r_star: f64) -> Result<Solved, NewtonFault> {
     // Within 2 % of the solution for every R* from 0 to infinity.
     let start = [

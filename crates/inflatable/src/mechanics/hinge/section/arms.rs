@@ -1,13 +1,13 @@
-//! What arms add to a hinge: the angle by which it coils further, and how much softer it is.
+//! Effect of arms on a hinge: the angle by which it coils further, and the loss of stiffness.
 //!
 //! At the two mouths of a hinge hoop compression is let out into the arms, so between arms it coils to `alpha = lambda
-//! alpha_0 + delta tanh(alpha_0 / 45 deg)`, with delta the **arms' angle**; and they give way as the **arms' give** g more of
-//! hinge would, `C = p W^3 |V_bar''| / (alpha_0 + g)`. No formulas are known for delta and g: they were taken from V-actuators
-//! with arms of 4 W, computed as shells (longer arms give way more, and coil no further).
+//! alpha_0 + delta tanh(alpha_0 / 45 deg)`, with delta the **arms' angle**; and their compliance, the **arms' give** g, is that of g more
+//! hinge, `C = p W^3 |V_bar''| / (alpha_0 + g)`. There are no formulas for delta and g: they were taken from V-actuators
+//! with arms of 4 W, computed as shells (longer arms are more compliant, with the same coiling).
 //!
 //! Both depend on the flat arc alpha_0, on 1/eps, on `tau = t / [W sqrt(12 (1 - nu^2))]`, so that `p W / Y = tau^2 / eps`, and on R*. The grid
 //! is regular in ln tau, in `ln(R* + 0.03)` and, from [`LEAST_BENDABILITY`] to where p W / Y is 0.1, in ln(1/eps); its arcs are [`ARCS`].
-//! Of more arc a hinge has the delta and g of the largest, its two mouths being apart; of less, those of the least.
+//! A hinge of more arc has the delta and g of the largest arc, its two mouths being apart; one of less arc, those of the least.
 
 use crate::mechanics::hinge::Arms;
 use std::f64::consts::FRAC_PI_4;
@@ -17,7 +17,7 @@ use std::sync::LazyLock;
 pub const ARCS: [f64; 3] = [120.0, 60.0, 30.0];
 /// tau of the grid: from t/W = 0.01 at nu = 0.39 to 0.03 at nu = 0.49. From the first on stretch ends the pressures, not 1/eps.
 pub const TAUS: [f64; 3] = [3.162e-3, 5.604e-3, 9.935e-3];
-/// How far beyond the first tau the table is still read, in logarithms: so that t/W = 0.01 at nu = 0.39 is inside.
+/// Distance beyond the first tau at which the table is still read, in logarithms: so that t/W = 0.01 at nu = 0.39 is inside.
 pub const SLACK: f64 = 0.01;
 /// R* of the grid.
 pub const R_STARS: [f64; 6] = [0.0, 0.02, 0.06, 0.15, 0.4, 1.0];
@@ -29,7 +29,7 @@ pub const LEAST_BENDABILITY: f64 = 100.0;
 pub const MOST_BENDABILITY: f64 = 1e4;
 /// Largest p W / Y.
 const MOST_STRETCH: f64 = 0.1;
-/// What is added to R* before its logarithm is taken.
+/// Offset of R* before its logarithm is taken.
 const SHARP: f64 = 0.03;
 /// nu of the grid; others enter by tau and by lambda.
 pub const POISSON: f64 = 0.39;
@@ -41,12 +41,12 @@ const SHIPPED: &str = include_str!("arms.txt");
 static LOGARITHMS: LazyLock<([f64; TAUS.len()], [f64; R_STARS.len()])> =
     LazyLock::new(|| (TAUS.map(libm::log), R_STARS.map(|r| libm::log(r + SHARP))));
 
-/// What arms do to hinges of any arc: delta and g, rad, at each of [`ARCS`].
+/// Effect of arms on hinges of any arc: delta and g, rad, at each of [`ARCS`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArmsByArc([[f64; 2]; ARCS.len()]);
 
 impl ArmsByArc {
-    /// Of a hinge with the flat arc `arc`, rad.
+    /// The effect on a hinge with the flat arc `arc`, rad.
     pub fn at(&self, arc: f64) -> Arms {
         let [most, .., least] = ARCS;
         let place = arc.to_degrees().clamp(least, most);
@@ -103,7 +103,7 @@ pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
     Some(ArmsByArc(all))
 }
 
-/// The lines of a table: phi_0, tau, R*, 1/eps, then in deg delta, its mesh error, g and its; what is read are delta and g.
+/// Reads the lines of a table: phi_0, tau, R*, 1/eps, then in deg delta, its mesh error, g and its mesh error; returns delta and g.
 fn read(text: &str) -> Option<Vec<[f64; 2]>> {
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     let numbers = lines.map(|line| {
@@ -117,7 +117,7 @@ fn read(text: &str) -> Option<Vec<[f64; 2]>> {
 /// The weights of the places in the cubic through the four around `x`, or in the parabola through all three; `None` where `x` is
 /// more than `slack` before the first or beyond the last.
 fn weights<const N: usize>(places: &[f64; N], x: f64, slack: f64) -> Option<[f64; N]> {
-    // What lies on an end but for rounding, also that of a text with three decimals, is inside.
+    // A value at an end within rounding, also that of a text with three decimals, is inside.
     let rounding = 1e-6 * (places[N - 1] - places[0]);
     if !(places[0] - slack - rounding..=places[N - 1] + rounding).contains(&x) {
         return None;
@@ -184,7 +184,7 @@ mod tests {
 
     #[test]
     fn it_leads_on_from_place_to_place() {
-        // Between the grid's places nothing jumps, and arms always let a hinge coil further.
+        // The table is continuous between the grid's places, and arms always let a hinge coil further.
         let mut before: Option<Arms> = None;
         for step in 0..=400 {
             let part = f64::from(step) / 400.0;

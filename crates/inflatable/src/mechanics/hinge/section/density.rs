@@ -12,12 +12,12 @@
 //! in units of p W. The first bracket is plane stress, the second a plate's bending, the last the pressure: integrated
 //! over `w ds` it is the potential Pi per flat angle in units of p W^3, with `y = Y / (p W)` and `b = 1/eps`.
 
-/// What happens to fabric that is compressed around the axis.
+/// Response of fabric to compression around the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Hoop {
     /// It resists, as a sheet does that has not wrinkled.
     Stiff,
-    /// It wrinkles for nothing: the tension field, whose limit is the ring.
+    /// It wrinkles without resistance: the tension field, whose limit is the ring.
     Slack,
 }
 
@@ -152,7 +152,7 @@ pub(super) fn density(scales: &Scales, w: f64, lambda: f64, jet: &Jet, exact: bo
     hessian[1][4] -= pull * s * c;
     hessian[4][4] += pull * c * c;
     if exact {
-        // Of k_s: phi's third derivatives along (Q'', z''), 2 (Q'' + i z'') / (Q' + i z')^3.
+        // Terms of k_s: phi's third derivatives along (Q'', z''), 2 (Q'' + i z'') / (Q' + i z')^3.
         let (re, im) = (
             2.0 * (b * (b * b - 3.0 * a * a) * q2 - a * (3.0 * b * b - a * a) * z2),
             2.0 * (b * (b * b - 3.0 * a * a) * z2 + a * (3.0 * b * b - a * a) * q2),

@@ -18,7 +18,7 @@ const FOLD: GradedLayer = GradedLayer { share: 0.15, reach: 0.05 };
 /// of the width is less than any fabric's thickness in range, and below that a sheet is none.
 const CORE: f64 = 1e-3;
 
-/// Where elements are drawn together.
+/// A place where elements are smaller.
 #[derive(Clone, Copy, Debug)]
 struct GradedLayer {
     share: f64,
@@ -34,8 +34,8 @@ pub(super) struct GaussPoint {
     pub(super) radius: f64,
     /// Its part of the integral of w ds.
     pub(super) area: f64,
-    /// What value and slope at the element's start, and then at its end, add to the function here, to its first and to
-    /// its second derivative.
+    /// Contributions of value and slope at the element's start, and then at its end, to the function here, to its first
+    /// and to its second derivative.
     pub(super) shape: [[f64; 4]; 3],
 }
 
@@ -44,7 +44,7 @@ pub(super) struct GaussPoint {
 pub(super) struct MeridianMesh {
     /// R*; at 0 the inner rim is a point on the axis.
     pub(super) r_star: f64,
-    /// Whether that point is none of a seal, but the middle of a disc, which rises.
+    /// Whether that point is not a seal, but the middle of a disc, which rises.
     pub(super) is_disc: bool,
     /// Places of the nodes, rising from 0 to 1.
     pub(super) nodes: Vec<f64>,

@@ -94,7 +94,7 @@ impl Section {
         Self { scales: Scales { bendability, stiffness, poisson, hoop: Hoop::Stiff }, elements: ELEMENTS }
     }
 
-    /// The same with hoop compression left out, as if the sheet wrinkled for nothing: the tension field, which tends to
+    /// The same without hoop compression, as if the sheet wrinkled without resistance: the tension field, which tends to
     /// the ring as B -> 0 and Y -> infinity. Real hinges at working pressures are nearer to the section as it is.
     #[must_use]
     pub fn slack(self) -> Self {
@@ -142,7 +142,7 @@ impl Section {
         Ok([shape[shape.len() - 4], shape[2]])
     }
 
-    /// What arms add to hinges; `None` outside of their table.
+    /// Effect of arms on hinges; `None` outside of their table.
     fn arms_by_arc(&self, r_star: f64) -> Option<ArmsByArc> {
         let Scales { bendability, stiffness, .. } = self.scales;
         arms::arms(bendability, (stiffness * bendability).sqrt().recip(), r_star)
@@ -194,7 +194,7 @@ fn state(search: &ShapeSearch) -> HingeState {
             tension: potential.reaction / lambda,
             angle: libm::atan2(shape[3], shape[1]),
             width: shape[shape.len() - 4] - shape[0],
-            // The rim is sheet like the rest, and carries nothing of its own.
+            // The rim is sheet like the rest, and carries no force of its own.
             rim_force: 0.0,
         }),
         effort: HingeEffort { residual: search.decrement, iterations: search.factorisations, error: ERROR },

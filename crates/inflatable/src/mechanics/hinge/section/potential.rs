@@ -29,7 +29,7 @@ pub(super) fn of_element(x: &[f64], element: usize) -> &[f64; WIDTH] {
     x[4 * element..].first_chunk().unwrap_or(&[0.0; WIDTH])
 }
 
-/// Pi at the shape `x`; `None` where the sheet would cross the axis, or nothing is finite.
+/// Pi at the shape `x`; `None` where the sheet would cross the axis, or a value is not finite.
 pub(super) fn value(scales: &Scales, mesh: &MeridianMesh, lambda: f64, x: &[f64]) -> Option<f64> {
     let mut sum = 0.0;
     for (element, points) in mesh.elements.iter().enumerate() {
@@ -60,14 +60,14 @@ pub(super) struct Potential {
     pub(super) mixed: Vec<f64>,
     /// By lambda twice, at a fixed shape.
     pub(super) curvature: f64,
-    /// Vertical force that holds the inner rim down, per flat angle, in units of p W^2: what opens the seal.
+    /// Vertical force that holds the inner rim down, per flat angle, in units of p W^2: the force that opens the seal.
     pub(super) reaction: f64,
 }
 
 /// A block of an element's Hessian, by its four unknowns of Q or of z.
 type Block = [[f64; 4]; 4];
 
-/// What one element adds: by Q and by z; of the Hessian the blocks of Q twice, of Q and z, of z twice.
+/// The contribution of one element: gradient by Q and by z; Hessian blocks of Q twice, of Q and z, of z twice.
 #[derive(Default)]
 struct Element {
     gradient: [[f64; 4]; 2],
@@ -112,7 +112,7 @@ impl Potential {
         }
     }
 
-    /// Adds what `element` says of the unknowns from number `first` on.
+    /// Adds the contribution of `element` to the unknowns from number `first` on.
     fn add(&mut self, first: usize, element: &Element) {
         let [qq, qz, zz] = &element.blocks;
         for (l, row) in OF_Q.into_iter().enumerate() {
@@ -154,7 +154,7 @@ impl Element {
     }
 }
 
-/// Three derivatives of Q or z, times what each of the four unknowns adds to them.
+/// Three derivatives of Q or z, times the contribution of each of the four unknowns to them.
 #[inline]
 fn by_unknowns(n: &[[f64; 4]; 3], [a, b, c]: [f64; 3]) -> [f64; 4] {
     let mut out = [0.0; 4];

@@ -1,4 +1,4 @@
-//! What the sheet bears along its meridian.
+//! Loads of the sheet along its meridian.
 
 use crate::mechanics::hinge::section::density::Strains;
 use crate::mechanics::hinge::section::potential::{jet, of_element};

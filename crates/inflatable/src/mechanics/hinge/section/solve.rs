@@ -10,7 +10,7 @@
 //!
 //! The Schur complement S is the second derivative of Pi along the branch of equilibria, which is the hinge's stiffness,
 //! and v the branch's tangent dx/dlambda. Where H is not positive definite the indefinite terms are left out, and then the
-//! diagonal shifted; steps are halved until Pi falls enough (Armijo). What is found is an answer only where the exact,
+//! diagonal shifted; steps are halved until Pi falls enough (Armijo). A solution is accepted only where the exact,
 //! unshifted H is positive definite. The buffers are made once.
 
 use crate::mechanics::hinge::section::density::Scales;
@@ -25,7 +25,7 @@ const STARTS: [f64; 5] = [0.2, 0.6, 1.0, 0.05, 1.4];
 const START_LAMBDA: f64 = 1.02;
 /// Elements of the mesh on which a hinge is searched first, in one: most of Newton's steps are taken there.
 const COARSER: usize = 4;
-/// Decrement at which the coarser mesh has done its part: what is left is less than what the finer one changes.
+/// Decrement at which the coarser mesh is solved well enough: the remaining error is less than the change to the finer mesh.
 const ENOUGH_TO_REFINE: f64 = 1e-6;
 /// Newton's decrement, relative to Pi, at which the last step is taken: that step squares it.
 const CONVERGED: f64 = 1e-10;
@@ -188,7 +188,7 @@ impl ShapeSearch {
             match self.descend(value, fall, turn) {
                 Some((next, part)) => {
                     value = next;
-                    // A full step means that the shift was not needed; 1e-3 is nothing against the pressure's stiffness.
+                    // A full step means that the shift was not needed; 1e-3 is negligible against the pressure's stiffness.
                     shift = if part < 1.0 {
                         shift
                     } else if shift < 1e-3 {

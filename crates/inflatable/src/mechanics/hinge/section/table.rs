@@ -7,7 +7,7 @@
 //!
 //! A series is summed over one dimension after the other: nu, tau, b, and R* last. Designs that follow one another in a study
 //! often share fabric and pressure, so each thread keeps the sums of its last hinge, and begins at the first dimension that
-//! changed. The order of summation is always the same, so an answer does not depend on what was asked before.
+//! changed. The order of summation is always the same, so an answer does not depend on earlier calls.
 
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::check_r_star;
@@ -17,15 +17,15 @@ use std::sync::LazyLock;
 
 /// Points of each series: b, tau, R*, nu.
 const COUNTS: [usize; 4] = [11, 7, 9, 3];
-/// Orders of what is summed first, second and third: nu, tau, b.
+/// Orders of the dimensions summed first, second and third: nu, tau, b.
 const ORDERS: [usize; 3] = [COUNTS[3], COUNTS[1], COUNTS[0]];
 /// Number of quantities.
 const QUANTITIES: usize = 8;
 /// tau at the ends of the series: t/W = 0.003 at nu = 0, and 0.03 at 0.49.
 const TAU: [f64; 2] = [8.660_254e-4, 9.934_52e-3];
-/// R* below which nothing changes any more.
+/// R* below which the hinge does not change any more.
 const SHARPEST: f64 = 1e-3;
-/// Where the moment is taken, as parts of lambda_t - 1 from lambda_t: from the flat angle to as far beyond.
+/// Places of the moment's samples, as parts of lambda_t - 1 from lambda_t: from the flat angle to as far beyond.
 pub const OFFSETS: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
 /// The series, as they are shipped.
@@ -38,14 +38,14 @@ pub struct SectionTable {
     coefficients: Vec<Quantities>,
 }
 
-/// The series at one fabric, width and pressure: what is left depends on R* alone.
+/// The series at one fabric, width and pressure: the rest depends on R* alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RadiusSeries([Quantities; COUNTS[2]]);
 
 /// The partial sums of the last hinge: over nu; over nu and tau; over nu, tau and b.
 #[derive(Debug, Default)]
 struct PartialSums {
-    /// Where the sums were taken: nu, tau and b, each 0 to 1.
+    /// The place of the sums: nu, tau and b, each 0 to 1.
     places: [f64; 3],
     sums: [Vec<Quantities>; 3],
 }
@@ -65,7 +65,7 @@ pub struct SectionEntry {
     secants: [f64; 4],
 }
 
-/// The eight numbers that are smooth: logarithms of what spans decades.
+/// The eight smooth quantities: logarithms of those that span decades.
 type Quantities = [f64; QUANTITIES];
 
 impl SectionEntry {
@@ -116,7 +116,7 @@ impl SectionTable {
     /// unfold on the way, and a quartic does not follow: there the moment is an estimate only.
     pub const MOMENT_ERROR: f64 = 3e-2;
 
-    /// The table that is shipped, the only one. It is read once, in a fraction of a millisecond.
+    /// The shipped table, the only one. It is read once, in a fraction of a millisecond.
     ///
     /// # Errors
     /// Never: a test reads it.
@@ -262,7 +262,7 @@ pub fn hinge_at([b, tau, r_star, poisson]: [f64; 4]) -> [f64; 4] {
     [bendability, tau, r_star, 0.49 * poisson]
 }
 
-/// Where a hinge is in nu, tau and b, each 0 to 1.
+/// Position of a hinge in nu, tau and b, each 0 to 1.
 fn place(bendability: f64, thickness: f64, poisson: f64) -> [f64; 3] {
     let tau = thickness / (12.0 * (1.0 - poisson * poisson)).sqrt();
     [
@@ -272,7 +272,7 @@ fn place(bendability: f64, thickness: f64, poisson: f64) -> [f64; 3] {
     ]
 }
 
-/// Where a hinge is in R*, 0 to 1.
+/// Position of a hinge in R*, 0 to 1.
 fn place_of_radius(r_star: f64) -> f64 {
     libm::log1p(r_star / SHARPEST) / libm::log1p(MOST_R_STAR / SHARPEST)
 }

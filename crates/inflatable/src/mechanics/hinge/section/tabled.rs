@@ -1,4 +1,4 @@
-//! The section at one pressure from its table, with its arms: what the solver says, in microseconds.
+//! The section at one pressure from its table, with its arms: the solver's answer in microseconds.
 
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::section::arms::{ArmsByArc, arms};
@@ -83,7 +83,7 @@ impl TabledState {
             curvature,
             edges: Some(Edges {
                 tension: entry.opening / entry.lambda,
-                // The table has no angle; whoever asks for the load on the seal needs none.
+                // The table has no angle; the load on the seal does not depend on it.
                 angle: 0.0,
                 width: entry.width,
                 rim_force: 0.0,

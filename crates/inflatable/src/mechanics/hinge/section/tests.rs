@@ -149,7 +149,7 @@ fn a_straight_tube_pulls_with_one_over_pi() {
     let load = crate::mechanics::hinge::seal_load(3.0, &rest).expect("R* > 0");
     assert!(load > 0.32 && load < 0.38, "{load}");
     let meridian = section.meridian(3.0).expect("found");
-    // Hoop compression stays small against what a cylinder of radius W / pi would bear.
+    // Hoop compression stays small against the tension of a cylinder of radius W / pi.
     assert!((meridian.most(|point| point.tension) - load).abs() < 0.02);
     assert!(meridian.most(|point| point.stretch) < 1.2 * section.stretch());
 }

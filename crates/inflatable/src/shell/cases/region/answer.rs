@@ -10,7 +10,7 @@ use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::{MOST_BENDABLE, Tube};
 use crate::shell::cases::value::Value;
 
-/// How a computation treats wrinkles.
+/// Treatment of wrinkles in a computation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wrinkles {
     /// The sheet bears compression until it buckles; the mesh shows the wrinkles.
@@ -24,7 +24,7 @@ pub enum Wrinkles {
 const LEFT: f64 = 1e-2;
 
 impl Wrinkles {
-    /// That of sheets like those of `tube`.
+    /// The treatment for sheets like those of `tube`.
     pub(super) fn of(tube: &Tube) -> Self {
         if tube.bendability() > MOST_BENDABLE { Self::Averaged } else { Self::Resolved }
     }
@@ -55,7 +55,7 @@ pub enum RegionSeam {
 pub struct SeamPull {
     /// Which seam.
     pub seam: RegionSeam,
-    /// Where on the flat sheet, m.
+    /// Its position on the flat sheet, m.
     pub at: [f64; 2],
     /// Force that parts the sheets by length of flat seam, N/m, the mean over a band's width around it.
     pub pull: Value,
@@ -68,11 +68,11 @@ pub struct InflatedRegion {
     pub width: f64,
     /// 1/eps = p W^3 / B.
     pub bendability: f64,
-    /// How wrinkles are treated.
+    /// Treatment of wrinkles.
     pub wrinkles: Wrinkles,
     /// Largest distance between the sheets, m.
     pub height: Value,
-    /// Where on the flat sheet, m.
+    /// Its position on the flat sheet, m.
     pub height_at: [f64; 2],
     /// Extents of the flat chamber along x and y, m.
     pub flat_extents: [f64; 2],
@@ -82,18 +82,18 @@ pub struct InflatedRegion {
     pub volume: Value,
     /// Largest pull on a seam, N/m.
     pub seal_pull: Value,
-    /// Its place on the finest mesh.
+    /// Its position on the finest mesh.
     pub pull_at: [f64; 2],
     /// The pull along each seam.
     pub seams: Vec<SeamPull>,
-    /// Largest principal stretch, and where on the flat sheet, m. At a sharp corner that points into the chamber it has no limit, and its mesh
-    /// error says so.
+    /// Largest principal stretch. At a sharp corner that points into the chamber it has no limit, and its mesh
+    /// error is then large.
     pub stretch: Value,
-    /// Where on the flat sheet, m.
+    /// Its position on the flat sheet, m.
     pub stretch_at: [f64; 2],
     /// Largest principal tension, N/m: the stress times the thickness. At sharp corners as the stretch.
     pub tension: Value,
-    /// Where on the flat sheet, m.
+    /// Its position on the flat sheet, m.
     pub tension_at: [f64; 2],
     /// Lowest eigenvalue of the energy's Hessian by p/W where both sheets stay images of each other; positive.
     pub symmetric_eigenvalue: Value,
@@ -103,20 +103,20 @@ pub struct InflatedRegion {
     pub shape: InflatedShape,
     /// Both sheets.
     pub surface: Surface,
-    /// How it was come by.
+    /// The evidence for these values.
     pub evidence: Evidence,
 }
 
 impl InflatedRegion {
-    /// Whether it leaves its plane as far as the computation can tell: the lowest eigenvalue is not above its mesh error.
+    /// Whether it may leave its plane: the lowest eigenvalue is not above its mesh error.
     pub fn may_leave_its_plane(&self) -> bool {
         let lowest = self.antisymmetric_eigenvalue;
-        // Not a number is no proof of stability.
+        // NaN does not prove stability.
         !(lowest.meshes[2] > 0.0 && lowest.value > 0.0)
     }
 }
 
-/// What the family of meshes of `case` gave.
+/// The results of the family of meshes of `case`.
 pub(super) fn answer(
     case: &FlatRegion,
     tube: &Tube,

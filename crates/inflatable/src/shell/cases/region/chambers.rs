@@ -7,7 +7,7 @@ use crate::shell::mesh::{FlatChamber, MeshFault};
 /// One flat chamber and its load, SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlatRegion {
-    /// Where it is sealed, m.
+    /// Its sealed outline, m.
     pub chamber: FlatChamber,
     /// Y, N/m, B, N m, and nu of one sheet.
     pub fabric: Fabric,
@@ -65,7 +65,7 @@ pub fn chambers(loops: &[Path], welds: &[Path], cuts: &[Path]) -> Result<Vec<Fla
     Ok(found.into_iter().map(|(_, chamber)| chamber).collect())
 }
 
-/// Whether a curve is one: finite, of some length, and without gaps.
+/// Whether a curve is valid: finite, of positive length, and without gaps.
 fn is_sound(path: &Path) -> bool {
     let length = path.length();
     length > 0.0 && length.is_finite() && path.largest_gap() <= 1e-6 * length

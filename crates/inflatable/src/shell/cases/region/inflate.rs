@@ -16,8 +16,8 @@ use crate::shell::element::Fabric;
 use crate::shell::mesh::Meshed;
 
 impl FlatRegion {
-    /// For a first look: some 800 unknowns on the coarsest mesh and 16 times as many on the finest, as far as that leaves one edge across the
-    /// chamber. Islands, corners and narrow places take more than the area says.
+    /// Coarse meshes: some 800 unknowns on the coarsest mesh and 16 times as many on the finest, if that leaves one edge across the
+    /// chamber. Islands, corners and narrow places take more than the area suggests.
     pub fn quick(&self) -> Fineness {
         let width = self.chamber.widest();
         let squares = self.chamber.area() / (width * width);
@@ -46,7 +46,7 @@ const UNKNOWNS_OF_SQUARE: f64 = 12.7;
 const MOST_QUICK: f64 = 6.0;
 /// Unknowns by triangles: three of each point, and one of each edge.
 const UNKNOWNS_OF_TRIANGLE: f64 = 3.0;
-/// How many times as many unknowns will do, and how often a mesh is looked at for that.
+/// Accepted factor on the number of unknowns, and number of trials for it.
 const ENOUGH: f64 = 1.3;
 const LOOKS: u32 = 4;
 
@@ -54,16 +54,16 @@ const LOOKS: u32 = 4;
 const THINNEST: f64 = 1e-6;
 const MOST_BENDABLE_REGION: f64 = 1e10;
 
-/// Where it comes to no rest on the meshes that are asked for, it is tried on others with so many times their edges across: which wrinkles a
-/// mesh shows is chance.
+/// Factors on the edges across for other meshes, tried where the requested meshes give no equilibrium: the wrinkles that a
+/// mesh shows depend on chance.
 const OTHER_MESHES: [f64; 4] = [0.85, 1.2, 0.7, 1.45];
 const LEAST_CELLS: f64 = 1.0;
 
-/// Inflates one chamber from flat, on meshes of about the fineness that is asked for.
+/// Inflates one chamber from flat, on meshes of about the requested fineness.
 ///
 /// # Errors
-/// If its curves cross or leave the outline, if it is out of range, or if it has no stable equilibrium that keeps z = 0 a plane of symmetry:
-/// where it stopped, and why.
+/// If its curves cross or leave the outline, if it is out of range, or if it has no stable equilibrium that keeps z = 0 a plane of symmetry;
+/// the fault gives the place and the reason of the stop.
 pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<InflatedRegion, ShellFault> {
     let mut found = on_meshes(case, fineness, watch);
     for times in OTHER_MESHES {
@@ -71,7 +71,7 @@ pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<In
             break;
         }
         let cells = (times * fineness.cells).max(LEAST_CELLS);
-        // The first reason is the one to tell.
+        // The first reason is the one to report.
         found = match on_meshes(case, Fineness { cells, ..fineness }, watch) {
             Err(ShellFault::Stopped { .. }) => found,
             other => other,

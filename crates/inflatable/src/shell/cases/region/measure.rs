@@ -1,4 +1,4 @@
-//! What each mesh of a chamber gives.
+//! Measurements of each mesh of a chamber.
 
 use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::region::stability;

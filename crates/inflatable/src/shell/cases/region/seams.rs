@@ -8,13 +8,13 @@ use crate::shell::mesh::{FlatChamber, Meshed};
 pub(super) struct Station {
     /// The curve, as [`FlatChamber::curves`] counts.
     pub(super) curve: usize,
-    /// Where, flat.
+    /// Its position on the flat sheet.
     pub(super) at: [f64; 2],
     /// Mean force by length over a band around it.
     pub(super) pull: f64,
 }
 
-/// The seams of a chamber, and where the pull on them is asked for.
+/// The seams of a chamber, and the places at which the pull on them is computed.
 pub(super) struct PullPlaces<'a> {
     chamber: &'a FlatChamber,
     band: f64,
@@ -22,7 +22,7 @@ pub(super) struct PullPlaces<'a> {
 
 /// Stations on one curve at most.
 const MOST_STATIONS: f64 = 400.0;
-/// Least length over which a pull is the mean, by W: shorter ones mean nothing on the meshes that there are.
+/// Least length over which a pull is averaged, by W: shorter ones are not resolved by the meshes.
 const SHORTEST_BAND: f64 = 0.02;
 
 impl<'a> PullPlaces<'a> {
@@ -30,8 +30,8 @@ impl<'a> PullPlaces<'a> {
         Self { chamber, band: if band > SHORTEST_BAND { band.min(1.0) } else { SHORTEST_BAND } }
     }
 
-    /// The pull at stations half a band apart, the same ones on every mesh, from the energy's slopes by each point. `curve_of` says of which
-    /// curve each piece of the mesh is.
+    /// The pull at stations half a band apart, the same ones on every mesh, from the energy's derivatives by each point. `curve_of` gives
+    /// the curve of each piece of the mesh.
     pub(super) fn pulls(&self, meshed: &Meshed, curve_of: &[usize], forces: &[[f64; 3]]) -> Vec<Station> {
         let curves = self.chamber.curves().enumerate();
         curves
@@ -60,7 +60,7 @@ impl<'a> PullPlaces<'a> {
 
 /// The force along one curve of a mesh, summed up from its start; lengths and places by the curve's length.
 struct ForceAlongCurve {
-    /// Where each edge ends, and the sums of force and of length there; from 0.
+    /// The end of each edge, and the sums of force and of length there; from 0.
     sums: Vec<[f64; 3]>,
 }
 

@@ -1,8 +1,8 @@
-//! Whether a chamber is stable: as long as z = 0 is its plane of symmetry, and where it leaves that plane.
+//! Stability of a chamber: with z = 0 as its plane of symmetry, and against leaving that plane.
 //!
-//! Let one sheet move by d and the other by the image of d, or by that of -d. Either way the energy of both is twice that of one sheet to second
-//! order, and the two kinds of motion do not mix. Where both sheets are one the first kind stays at z = 0, the second moves along z only. So the
-//! lowest eigenvalue of the whole is the lower of two of the same sheet with two kinds of supports.
+//! Let one sheet move by d and the other by the image of d, or by that of -d. In both cases the energy of both is twice that of one sheet
+//! to second order, and the two kinds of motion do not mix. Where both sheets are joined the first kind stays at z = 0, the second moves
+//! along z only. So the lowest eigenvalue of the whole is the lower of two of the same sheet with two kinds of supports.
 
 use crate::shell::assembly::State;
 use crate::shell::cases::region::supports::{SealedNodes, antisymmetric};

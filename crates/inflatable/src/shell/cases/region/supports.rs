@@ -1,10 +1,10 @@
-//! What holds a chamber: as long as z = 0 is its plane of symmetry, and where it leaves that plane.
+//! Supports of a chamber: with z = 0 as its plane of symmetry, and where it leaves that plane.
 
 use crate::geom::Point;
 use crate::shell::assembly::{Sheet, Supports};
 use crate::shell::mesh::{Border, FlatChamber, Meshed};
 
-/// Where both sheets are one.
+/// The nodes at which both sheets are joined.
 pub(super) struct SealedNodes {
     /// Points at z = 0.
     pub(super) points: Vec<bool>,
@@ -13,7 +13,7 @@ pub(super) struct SealedNodes {
 }
 
 impl SealedNodes {
-    /// Of a mesh of `chamber`.
+    /// The sealed nodes of a mesh of `chamber`.
     pub(super) fn new(chamber: &FlatChamber, meshed: &Meshed) -> Self {
         let mesh = &meshed.mesh;
         let middle = |corners: &[usize; 3]| {
@@ -34,7 +34,7 @@ impl SealedNodes {
     }
 }
 
-/// Holds what is sealed at z = 0 and the whole from sliding and turning there; `sheet` turns freely along welds.
+/// Holds the sealed nodes at z = 0 and prevents rigid motions in that plane; `sheet` turns freely along welds.
 pub(super) fn symmetric(meshed: &Meshed, sealed: &SealedNodes, sheet: &mut Sheet) -> Supports {
     let mesh = &meshed.mesh;
     sealed.welds.iter().for_each(|edge| sheet.release(*edge));
@@ -60,7 +60,7 @@ pub(super) fn symmetric(meshed: &Meshed, sealed: &SealedNodes, sheet: &mut Sheet
     supports
 }
 
-/// Lets what is sealed move up and down only: what remains of symmetric sheets where they move to the same side.
+/// Lets the sealed nodes move along z only: the remaining symmetry of sheets that move to the same side.
 pub(super) fn antisymmetric(sealed: &SealedNodes) -> Supports {
     let mut supports = Supports::none(sealed.points.len());
     for (point, _) in sealed.points.iter().enumerate().filter(|(_, is_sealed)| **is_sealed) {

@@ -6,9 +6,9 @@ use crate::shell::cases::shape::InflatedShape;
 /// The inflated surface to be looked at.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Surface {
-    /// Where the points are, m; sealed ones are there once, those of the lower sheet come last.
+    /// Positions of the points, m; sealed ones occur once, those of the lower sheet come last.
     pub points: Vec<[f64; 3]>,
-    /// Where each was on the flat sheets, m.
+    /// Position of each on the flat sheets, m.
     pub flat: Vec<[f64; 2]>,
     /// The points of each triangle, counterclockwise from outside; those of the upper sheet, then those of the lower one in the same order.
     pub triangles: Vec<[usize; 3]>,

@@ -1,4 +1,4 @@
-//! Regions whose inflated shape is known, and what must hold for all.
+//! Regions with a known inflated shape, and laws for all regions.
 
 use super::stability;
 use super::supports::{SealedNodes, antisymmetric, symmetric};
@@ -61,14 +61,14 @@ fn a_disc_closes_to_a_balloon() {
     }
     assert!(near(found.height.scaled(10.0), 0.4569, 0.03), "{:?}", found.height);
     assert!(near(found.volume.scaled(1e3), 0.1523, 0.03), "{:?}", found.volume);
-    // The force that parts the sheets is what the pressure has over half the flat area at least: each seam holds p A / length.
+    // The force that parts the sheets is the pressure on half the flat area: each seam bears p A / length.
     let mean = found.seams.iter().map(|seam| seam.pull.value).sum::<f64>() / 500.0;
     #[expect(clippy::cast_precision_loss, reason = "few stations")]
     let mean = mean / found.seams.len() as f64;
     let area = PI * (0.7627 * 0.05_f64).powi(2);
     assert!((mean * TAU * 0.05 / area - 1.0).abs() < 0.05, "{}", mean * TAU * 0.05 / area);
     assert!(!found.may_leave_its_plane(), "{:?}", found.antisymmetric_eigenvalue);
-    // Both sheets as one closed surface: each side of a triangle is that of another, the other way round.
+    // Both sheets as one closed surface: each side of a triangle belongs to another one in the opposite direction.
     let mut sides = std::collections::BTreeSet::new();
     for [a, b, c] in &found.surface.triangles {
         for side in [[a, b], [b, c], [c, a]] {
@@ -86,7 +86,7 @@ fn a_long_tube_is_as_high_as_a_circle_of_its_girth() {
     assert!(near(found.height.scaled(1.0 / 0.02), 2.0 / PI, 0.03), "{:?}", found.height);
 }
 
-/// Between what Robin's formula (0.1905) and Kepert's upper bound (0.217) say; computed values lie near 0.2055. This one stretches by 0.5 %.
+/// Between Robin's formula (0.1905) and Kepert's upper bound (0.217); computed values lie near 0.2055. This one stretches by 0.5 %.
 #[test]
 fn a_square_pillow_holds_a_fifth_of_a_cube() {
     let found = inflated(&one(&[rectangle(0.1, 0.1)], &[]), 0.05e-3, 500.0, 4.0);
@@ -140,7 +140,7 @@ fn welds_and_islands_hold_both_sheets_together() {
         two.seams.iter().filter(|seam| matches!(seam.seam, RegionSeam::Weld(0))).map(|seam| seam.pull.value);
     let largest = of_weld.fold(0.0, f64::max);
     assert!(largest > 1.2 * two.seams[0].pull.value, "{largest}");
-    // An island: what lies on it stays in the plane.
+    // An island: its points stay in the plane.
     let island = inflated(&one(&[square, circle(0.02, 0.02, 0.004)], &[]), 0.3e-3, 5e3, 3.0);
     assert!(island.volume.value < 0.9 * open.volume.value);
     let on = |flat: &[f64; 2]| (flat[0] - 0.02).hypot(flat[1] - 0.02) < 0.004 * 1.0001;
@@ -150,7 +150,7 @@ fn welds_and_islands_hold_both_sheets_together() {
 }
 
 /// Both kinds of supports on a mesh of `chamber` at the pressure `bendability`, as 1/eps: the solver of one sheet, its equilibrium, and
-/// where both sheets are one.
+/// the sealed nodes.
 fn at_rest(chamber: &FlatChamber, bendability: f64) -> (Solver, Equilibrium, SealedNodes) {
     let (meshed, _) = chamber.mesh(5.0).expect("a mesh");
     let sealed = SealedNodes::new(chamber, &meshed);
@@ -164,7 +164,7 @@ fn at_rest(chamber: &FlatChamber, bendability: f64) -> (Solver, Equilibrium, Sea
     (solver, equilibrium, sealed)
 }
 
-/// Moving and turning both sheets as a whole costs nothing, though one sheet alone is held otherwise.
+/// Rigid motions of both sheets take no energy, though one sheet alone is held otherwise.
 #[test]
 fn what_moves_the_whole_costs_nothing() {
     let chamber = one(&[rectangle(2.0, 1.0), circle(1.0, 0.5, 0.2)], &[]);
@@ -210,7 +210,7 @@ fn loops_are_chambers_islands_and_welds_whichever_way_they_run() {
     assert!(found.iter().all(|chamber| chamber.outline.area() > 0.0));
     assert_eq!((found[0].islands.len(), found[0].welds.len()), (0, 0));
     assert_eq!((found[1].islands.len(), found[1].welds.len()), (1, 1));
-    // Where fabric is cut out of an island it is a hole.
+    // Fabric cut out of an island is a hole.
     let found = chambers(&loops, &[], &[circle(0.5, 0.0, 0.05)]).expect("chambers");
     assert_eq!((found[1].islands.len(), found[1].holes.len()), (0, 1));
     assert!(found[1].holes[0].area() < 0.0);

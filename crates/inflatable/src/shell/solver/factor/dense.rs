@@ -11,7 +11,7 @@ type ViewMut<'a> = MatrixViewMut<'a, f64, Dyn, Dyn, Dyn, Dyn>;
 const SMALL: usize = 5;
 /// Columns of a panel that are computed one by one.
 const COLUMN_BY_COLUMN: usize = 12;
-/// Columns of a symmetric product that are computed together: what lies above its diagonal is for nothing.
+/// Columns of a symmetric product that are computed together; the entries above its diagonal are wasted work.
 const TOGETHER: usize = 128;
 
 /// Some rows and columns of a matrix that is kept by columns; `numbers` begins with the first of them.
@@ -35,8 +35,8 @@ impl<'a> Block<'a> {
     }
 }
 
-/// Takes the first `columns` columns of `factor` times its transpose from `kept` times `result`, on and below the diagonal; of what lies
-/// above it, some.
+/// Subtracts the first `columns` columns of `factor` times its transpose from `kept` times `result`, on and below the diagonal. Some
+/// entries above the diagonal change, too.
 pub(super) fn subtract_square(
     result: &mut [f64],
     stride: usize,
@@ -78,7 +78,7 @@ pub(super) fn subtract_times(result: &mut [f64], factor: f64, from: &[f64]) {
     }
 }
 
-/// Turns the lower triangle of the first `columns` rows of a panel, and what lies below, into the Cholesky factor; false if that is
+/// Turns the lower triangle of the first `columns` rows of a panel, and the rows below, into the Cholesky factor; false if that is
 /// not positive definite.
 pub(super) fn factor_panel(panel: &mut [f64], stride: usize, rows: usize, columns: usize) -> bool {
     if columns <= COLUMN_BY_COLUMN {

@@ -1,7 +1,7 @@
 //! The sparse Cholesky factor of the system: analysed once a mesh, computed again in the same buffers each iteration.
 //!
-//! Columns are computed from left to right, many at a time: a supernode collects what all those below it in the elimination tree take from
-//! its columns, as dense products. (Ng and Peyton, "Block sparse Cholesky algorithms on advanced uniprocessor computers", 1993.)
+//! Columns are computed from left to right, many at a time: a supernode collects the updates of all those below it in the elimination
+//! tree, as dense products. (Ng and Peyton, "Block sparse Cholesky algorithms on advanced uniprocessor computers", 1993.)
 
 mod dense;
 mod numeric;

@@ -4,12 +4,12 @@ use crate::shell::solver::factor::dense::{Block, factor_panel, subtract_square, 
 use crate::shell::solver::factor::symbolic::{Supernode, Symbolic};
 use crate::shell::solver::factor::tree::NONE;
 
-/// The factor's numbers, panel by panel, each by columns, and what it takes to compute them.
+/// The factor's numbers, panel by panel, each by columns, and the buffers to compute them.
 pub(super) struct Numeric {
     pub(super) numbers: Vec<f64>,
-    /// What one supernode takes from another, by columns.
+    /// The update of one supernode by another, by columns.
     update: Vec<f64>,
-    /// Where each row lies in the panel that is computed.
+    /// The index of each row in the current panel.
     local: Vec<usize>,
     /// Rows that follow each other in both: where they begin in the update and in the panel, and how many they are.
     runs: Vec<[usize; 3]>,
@@ -82,7 +82,7 @@ impl Numeric {
         }
     }
 
-    /// Takes from the panel of `node` what supernode `other` adds to it; up to which of its rows.
+    /// Subtracts the update of supernode `other` from the panel of `node`; returns up to which of its rows.
     fn subtract(&mut self, symbolic: &Symbolic, node: &Supernode, other: usize) -> usize {
         let from = self.from[other];
         let below = &symbolic.below.of(other)[from..];
@@ -105,7 +105,7 @@ impl Numeric {
         }
         for (update, column) in self.update.chunks(below.len()).zip(&below[..columns]) {
             let panel = &mut rest[(column - node.first) * node.height..][..node.height];
-            // What lies above the diagonal comes along, and nothing reads it.
+            // Entries above the diagonal are updated too; they are never read.
             for &[from, to, count] in &self.runs {
                 for (number, update) in panel[to..to + count].iter_mut().zip(&update[from..from + count]) {
                     *number += update;

@@ -2,7 +2,7 @@
 
 use crate::shell::solver::factor::tree::{Lists, NONE, Tree};
 
-/// Columns that follow each other, and whose rows below are the same.
+/// Consecutive columns with the same rows below.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Supernode {
     /// Its first column.
@@ -13,7 +13,7 @@ pub(super) struct Supernode {
     pub(super) height: usize,
     /// Numbers of its panel that are always zero.
     zeros: usize,
-    /// Where its panel begins among the numbers of the factor.
+    /// The start of its panel among the numbers of the factor.
     pub(super) start: usize,
 }
 
@@ -78,9 +78,9 @@ pub(super) struct Symbolic {
     pub(super) supernodes: Vec<Supernode>,
     /// The supernode of each column.
     pub(super) owners: Vec<usize>,
-    /// Of each supernode the rows below its own.
+    /// The rows below each supernode's own.
     pub(super) below: Lists,
-    /// Where each number of the matrix lies among those of the factor.
+    /// The place of each number of the matrix among those of the factor.
     pub(super) places: Vec<usize>,
     /// Numbers kept of the factor.
     pub(super) size: usize,
@@ -149,7 +149,7 @@ impl Symbolic {
         }
     }
 
-    /// Finds the places of a supernode's columns of the matrix, where `local` says which row of its panel a row is.
+    /// Finds the places of a supernode's columns of the matrix, where `local` gives the row of its panel for each row.
     fn place(&mut self, node: &Supernode, lower: &Lists, tree: &Tree, local: &[usize]) {
         for (column, &old) in tree.order[node.first..node.end].iter().enumerate() {
             let start = node.start + column * node.height;

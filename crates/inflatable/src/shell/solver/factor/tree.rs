@@ -9,7 +9,7 @@ pub(super) const NONE: usize = usize::MAX;
 /// Lists of numbers, one after the other.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lists {
-    /// Where each begins in `items`, and where the last one ends.
+    /// The start of each in `items`, and the end of the last one.
     pub(super) starts: Vec<usize>,
     pub(super) items: Vec<usize>,
 }
@@ -44,7 +44,7 @@ impl Lists {
     }
 }
 
-/// The tree, its columns numbered anew so that each comes after all that wait for nothing but it: in postorder.
+/// The tree, its columns renumbered so that each comes after all its descendants: in postorder.
 #[derive(Debug)]
 pub(super) struct Tree {
     /// The old number of each column.
