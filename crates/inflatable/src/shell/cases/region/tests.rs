@@ -5,7 +5,7 @@ use super::supports::{SealedNodes, antisymmetric, symmetric};
 use super::*;
 use crate::geom::{Arc, Line, Path, Point};
 use crate::shell::assembly::Sheet;
-use crate::shell::cases::{Fineness, ShellFault, VActuator, Value, Watch, actuator};
+use crate::shell::cases::{Fineness, Margin, ShellFault, VActuator, Value, Watch, actuator};
 use crate::shell::element::Fabric;
 use crate::shell::mesh::{FlatChamber, MeshFault};
 use crate::shell::solver::{Continuation, Equilibrium, Solver, rigid_motions};
