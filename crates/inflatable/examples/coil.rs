@@ -10,15 +10,16 @@ use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut words: Vec<String> = std::env::args().skip(1).collect();
-    let margin = match words.iter().position(|word| word == "--margin").map(|at| words.split_off(at)).as_deref() {
-        None => Margin::NONE,
-        Some([_, law, mm]) => {
-            let law = if law == "slack" { MarginLaw::Slack } else { MarginLaw::Plane };
-            let width = 1e-3 * mm.parse::<f64>()?;
-            Margin { inner: width, outer: width, law }
-        }
-        Some(_) => return Err("--margin takes a law and a width".into()),
-    };
+    let margin =
+        match words.iter().position(|word| word == "--margin").map(|at| words.split_off(at)).as_deref() {
+            None => Margin::NONE,
+            Some([_, law, mm]) => {
+                let law = if law == "slack" { MarginLaw::Slack } else { MarginLaw::Plane };
+                let width = 1e-3 * mm.parse::<f64>()?;
+                Margin { inner: width, outer: width, law }
+            }
+            Some(_) => return Err("--margin takes a law and a width".into()),
+        };
     let numbers: Vec<f64> = words.iter().map(|word| word.parse()).collect::<Result<_, _>>()?;
     let [shear, warp, cases @ ..] = numbers.as_slice() else {
         return Err("SHEAR and WARP are needed".into());

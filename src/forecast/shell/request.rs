@@ -5,7 +5,8 @@ use crate::forecast::predict::PredictFault;
 use crate::forecast::shell::{Detail, fabric};
 use crate::spec::{KeyPath, key};
 use inflatable::shell::cases::{
-    Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Margin, Objects, ShellFault, Tube, Value, Watch, star,
+    Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Margin, Objects, ShellFault, Tube, Value, Watch,
+    star,
 };
 use inflatable::shell::element::Weave;
 

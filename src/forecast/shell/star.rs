@@ -145,7 +145,10 @@ impl ShellAnswer<'_> {
             volume_mm3: Some(measured.volume.value),
             object_force_N: force,
             flap_edge_radius_mm: Some(measured.radius.value - mm(case.flap())),
-            flap_force_N: measured.object.and_then(|object| measured.force_at(object + case.flap())).map(|force| force.value),
+            flap_force_N: measured
+                .object
+                .and_then(|object| measured.force_at(object + case.flap()))
+                .map(|force| force.value),
             force_curve: (!radii.is_empty()).then(|| {
                 curve.iter().map(|(radius, force)| ForceAt(*radius, Some(force.value), None, None)).collect()
             }),

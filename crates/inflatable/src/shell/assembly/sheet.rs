@@ -199,7 +199,16 @@ fn piece(mesh: &Mesh, fabric: Fabric, t: usize) -> Piece {
         };
     }
     let twins = twins(&beyond);
-    Piece { corners, edges, beyond, lean, flat, stiffness: bending::stiffness(fabric, &flat), twins, margin: None }
+    Piece {
+        corners,
+        edges,
+        beyond,
+        lean,
+        flat,
+        stiffness: bending::stiffness(fabric, &flat),
+        twins,
+        margin: None,
+    }
 }
 
 fn twins(beyond: &[Beyond; 3]) -> [bool; 3] {

@@ -63,7 +63,8 @@ fn moved(assembly: &Assembly, state: &State, unknown: usize, by: f64) -> State {
 /// What gradients and Hessians are tried on.
 fn all_sheets() -> impl Iterator<Item = (Assembly, State)> {
     let margins = [None, Some(Compression::Elastic), Some(Compression::Wrinkled(0.01))];
-    let sheet = |(fabric, diagonal, turn), margin| with_margin(fabric, diagonal, turn, margin).expect("a mesh");
+    let sheet =
+        |(fabric, diagonal, turn), margin| with_margin(fabric, diagonal, turn, margin).expect("a mesh");
     fabrics_and_cuts().flat_map(move |cut| margins.map(|margin| sheet(cut, margin)))
 }
 
@@ -296,10 +297,16 @@ fn a_margin_bears_a_pull_as_the_tube_does() -> Result<(), MeshFault> {
             supports.keep_level(&mesh, first);
             let mut assembly = Assembly::new(sheet, supports);
             let mut state = assembly.sheet.flat();
-            state.points.iter_mut().for_each(|x| *x = [1.1 * x[0] + 0.02 * x[1], 0.05 * x[0] + 1.06 * x[1], 0.0]);
+            state
+                .points
+                .iter_mut()
+                .for_each(|x| *x = [1.1 * x[0] + 0.02 * x[1], 0.05 * x[0] + 1.06 * x[1], 0.0]);
             let _ = assembly.differentiate(&state, PRESSURE);
             for unknown in inner_unknowns(&mesh, &assembly).into_iter().flat_map(|[x, y, _]| [x, y]) {
-                assert!(assembly.gradient()[unknown as usize].abs() < 1e-12, "{law:?} {diagonal:?} {unknown}");
+                assert!(
+                    assembly.gradient()[unknown as usize].abs() < 1e-12,
+                    "{law:?} {diagonal:?} {unknown}"
+                );
             }
             // The pressure lifts the tube and not the margin.
             let lifted = |point: &usize| assembly.forces()[*point][2] < -1e-3;

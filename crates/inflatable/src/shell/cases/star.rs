@@ -151,7 +151,12 @@ pub fn star(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
-    star_by_sizes((case, case.part()), (objects, Friction::Free), (&Sizes::across(1.0, fineness.cells), fineness.cuts), watch)
+    star_by_sizes(
+        (case, case.part()),
+        (objects, Friction::Free),
+        (&Sizes::across(1.0, fineness.cells), fineness.cuts),
+        watch,
+    )
 }
 
 /// As [`star`], of any part of it and on meshes of any grading: the edge lengths of the coarsest one, by W, and how often its triangles are

@@ -22,7 +22,13 @@ pub(super) fn tube(width: f64, pressure: f64) -> Tube {
 }
 
 fn v_actuator() -> VActuator {
-    VActuator { tube: tube(0.02, 14e3), radius: 0.002, arm_length: 0.06, angle: PI / 3.0, margin: Margin::NONE }
+    VActuator {
+        tube: tube(0.02, 14e3),
+        radius: 0.002,
+        arm_length: 0.06,
+        angle: PI / 3.0,
+        margin: Margin::NONE,
+    }
 }
 
 #[test]

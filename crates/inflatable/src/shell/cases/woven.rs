@@ -28,7 +28,8 @@ fn flat(points: u32, shear: f64, warp: f64) -> FlatStar {
 
 /// What one coarse mesh of a part gives, pressurised from flat.
 fn measured(case: &FlatStar, part: StarPart) -> [f64; WHOLE] {
-    let modelled = ModelledPart { part, sector: case.sector().expect("a star"), margin: MarginWidths::default() };
+    let modelled =
+        ModelledPart { part, sector: case.sector().expect("a star"), margin: MarginWidths::default() };
     let meshed = modelled.meshed(&Sizes::across(1.0, 3.0)).expect("a mesh");
     let supports = modelled.supports(&meshed.mesh);
     let mut solver = Solver::new(Sheet::new(&meshed.mesh, case.tube.scaled()), supports).expect("small");

@@ -59,17 +59,24 @@ impl Meshed {
 
     /// This mesh with a margin of this `width` beyond one rim.
     fn widened(self, rim: &Rim, width: f64, sizing: &Sizing) -> Result<Self, MeshFault> {
-        let edge: Vec<Segment> = rim.pieces.iter().filter_map(|at| offset(&self.pieces[*at].curve, width)).collect();
+        let edge: Vec<Segment> =
+            rim.pieces.iter().filter_map(|at| offset(&self.pieces[*at].curve, width)).collect();
         let edge = trimmed(edge, rim.before).map(|edge| reversed(&edge));
         let edge = edge.and_then(|edge| trimmed(edge, rim.after)).map(|edge| reversed(&edge));
-        let too_wide = MeshFault::Dimension { name: "the margin's width", found: width, allowed: "less: it has no room" };
+        let too_wide = MeshFault::Dimension {
+            name: "the margin's width",
+            found: width,
+            allowed: "less: it has no room",
+        };
         let edge = edge.filter(|edge| !edge.is_empty()).ok_or(too_wide)?;
         // Counterclockwise: back along the rim, out, along the cut edge, in.
         let Self { mesh, mut pieces, piece_of, tube } = self;
         let (mut known, mut loop_pieces) = (Vec::new(), Vec::new());
         for at in rim.pieces.iter().rev() {
             let curve = pieces[*at].curve;
-            let fraction = |point: usize| curve.nearest_fraction(Point::new(mesh.points[point][0], mesh.points[point][1]));
+            let fraction = |point: usize| {
+                curve.nearest_fraction(Point::new(mesh.points[point][0], mesh.points[point][1]))
+            };
             let mut run: Vec<[usize; 2]> = (mesh.edges.iter().zip(&piece_of))
                 .filter(|(_, on)| **on == Some(*at))
                 .map(|(edge, _)| edge.ends)
@@ -85,7 +92,9 @@ impl Meshed {
         let place = |point: &usize| Point::new(mesh.points[*point][0], mesh.points[*point][1]);
         let mut points: Vec<Point> = known.iter().map(place).collect();
         let ends = [edge[0].start(), edge[edge.len() - 1].end()];
-        let beside = |piece: Piece| if matches!(piece.border, Border::Mirror(_)) { piece.border } else { Border::Free };
+        let beside = |piece: Piece| {
+            if matches!(piece.border, Border::Mirror(_)) { piece.border } else { Border::Free }
+        };
         let corners = [points[points.len() - 1], points[0]];
         let out = Piece { curve: Line::new(corners[0], ends[0]).into(), border: beside(rim.before) };
         let back = Piece { curve: Line::new(ends[1], corners[1]).into(), border: beside(rim.after) };
@@ -103,13 +112,18 @@ impl Meshed {
         let number = |at: usize| known.get(at).copied().unwrap_or(fresh + at.saturating_sub(known.len()));
         let mut all = mesh.points.clone();
         all.extend(&found[known.len()..]);
-        let mut on: BTreeMap<[usize; 2], usize> =
-            mesh.edges.iter().zip(&piece_of).filter_map(|(edge, piece)| Some((edge.ends, (*piece)?))).collect();
+        let mut on: BTreeMap<[usize; 2], usize> = mesh
+            .edges
+            .iter()
+            .zip(&piece_of)
+            .filter_map(|(edge, piece)| Some((edge.ends, (*piece)?)))
+            .collect();
         on.extend(border.pieces().into_iter().map(|(ends, piece)| {
             let [a, b] = ends.map(number);
             ([a.min(b), a.max(b)], piece)
         }));
-        let triangles = mesh.triangles.iter().copied().chain(triangles.iter().map(|corners| corners.map(number)));
+        let triangles =
+            mesh.triangles.iter().copied().chain(triangles.iter().map(|corners| corners.map(number)));
         let widened = Self::new(all, triangles.collect(), pieces, &on)?;
         Ok(Self { tube, ..widened })
     }
@@ -181,7 +195,10 @@ mod tests {
                 assert_eq!(with.mesh.triangles[..with.tube], bare.mesh.triangles[..]);
                 assert_eq!(with.mesh.points[..bare.mesh.points.len()], bare.mesh.points[..]);
                 let fine = with.refined().expect("a finer mesh");
-                assert_eq!((fine.tube, fine.mesh.triangles.len()), (4 * with.tube, 4 * with.mesh.triangles.len()));
+                assert_eq!(
+                    (fine.tube, fine.mesh.triangles.len()),
+                    (4 * with.tube, 4 * with.mesh.triangles.len())
+                );
                 let whole = with.unfolded(star.n, 2 * star.n).expect("a whole star");
                 assert_eq!(whole.tube, 2 * bare.tube * usize::try_from(star.n).expect("few"));
             }
@@ -195,7 +212,9 @@ mod tests {
         let star = stars()[0];
         let coarse = star.mesh_with(&Sizes::across(1.0, 8.0), WIDTHS).expect("a mesh");
         let fine = coarse.refined().expect("a finer mesh");
-        let of = |meshed: &Meshed| (meshed.tube..meshed.mesh.triangles.len()).map(|t| meshed.mesh.area(t)).sum::<f64>();
+        let of = |meshed: &Meshed| {
+            (meshed.tube..meshed.mesh.triangles.len()).map(|t| meshed.mesh.area(t)).sum::<f64>()
+        };
         let found = of(&fine) + (of(&fine) - of(&coarse)) / 3.0;
         let (corner, tip) = ((PI - star.phi_i - 2.0 * star.half_angle()) / 2.0, (PI - star.phi_i) / 2.0);
         let band = |width: f64, arc: f64, cut: f64| {
@@ -212,7 +231,8 @@ mod tests {
         let sizes = Sizes::across(1.0, 6.0);
         let with = half.mesh_with(&sizes, MarginWidths { inner: 0.1, outer: 0.1 }).expect("a mesh");
         assert!(with.tube < with.mesh.triangles.len());
-        for widths in [MarginWidths { inner: -1.0, outer: 0.0 }, MarginWidths { inner: 0.0, outer: f64::NAN }] {
+        for widths in [MarginWidths { inner: -1.0, outer: 0.0 }, MarginWidths { inner: 0.0, outer: f64::NAN }]
+        {
             assert!(half.mesh_with(&sizes, widths).is_err());
         }
         assert!(stars()[0].mesh_with(&sizes, MarginWidths { inner: 5.0, outer: 0.0 }).is_err());
