@@ -68,6 +68,11 @@ fn all_sheets() -> impl Iterator<Item = (Assembly, State)> {
     fabrics_and_cuts().flat_map(move |cut| margins.map(|margin| sheet(cut, margin)))
 }
 
+/// Steps of differences. The law of a slack margin, every third sheet, has kinks: steps as short as this meet none.
+fn step_of(index: usize) -> f64 {
+    if index % 3 == 2 { 1e-4 } else { 1e-3 }
+}
+
 fn fabrics_and_cuts() -> impl Iterator<Item = (Fabric, Diagonal, f64)> {
     [FABRIC, WOVEN].into_iter().flat_map(|fabric| CUTS.map(|(diagonal, turn)| (fabric, diagonal, turn)))
 }
@@ -90,7 +95,7 @@ fn the_gradient_is_that_of_the_energy() {
                 let moved = moved(&assembly, &state, unknown, by);
                 assembly.energy(&moved).total(PRESSURE)
             };
-            let step = 1e-3;
+            let step = step_of(index);
             // Of sixth order.
             let found = (45.0 * (at(step) - at(-step)) - 9.0 * (at(2.0 * step) - at(-2.0 * step))
                 + (at(3.0 * step) - at(-3.0 * step)))
@@ -121,7 +126,7 @@ fn the_hessian_is_that_of_the_gradient() {
                 let _ = assembly.differentiate(&moved, PRESSURE);
                 assembly.gradient().to_vec()
             };
-            let step = 1e-3;
+            let step = step_of(index);
             let sides =
                 [at(step), at(-step), at(2.0 * step), at(-2.0 * step), at(3.0 * step), at(-3.0 * step)];
             for (other, entry) in row.iter().enumerate() {

@@ -184,7 +184,7 @@ fn a_flap_buckles_under_eulers_load() -> Result<(), MeshFault> {
         supports.fix(k, 2);
     }
     // Two fused sheets, lengths by the depth; so stiff in its plane that it buckles before it is shortened.
-    let (stretch, bending) = (1e9, 8.0 * sheet.bending_modulus() / depth.powi(2));
+    let (stretch, bending) = (1e9, 8.0 * sheet.bending_modulus() / (depth * depth));
     let mut solver = Solver::new(Sheet::new(&mesh, Fabric::isotropic(stretch, bending, 0.39)), supports)
         .ok_or(MeshFault::Empty)?;
     let mut lowest = |load: f64| {
