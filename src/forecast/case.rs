@@ -108,6 +108,11 @@ impl Case {
         Self { object: metres(|one| one.radius), entering: metres(|one| one.entering), ..self }
     }
 
+    /// Depth of the flap in front of the gripping corners, m: band and `hole_allowance`.
+    pub fn flap(&self) -> f64 {
+        self.inner_radius - self.hole
+    }
+
     /// Pressure from which the hinges are fully coiled, Pa.
     pub fn operating_pressure(&self) -> f64 {
         self.sheet.operating_pressure(self.mechanism.width)

@@ -159,6 +159,12 @@ pub struct StarPrediction {
     pub graspable_radius_mm: Option<[f64; 2]>,
     /// Radius of the hole's cut edge: a wider object does not enter the flat star.
     pub hole_radius_mm: f64,
+    /// Radius of the hole's cut edge in front of the corners of the closed star, `final_radius_mm` less band and flap: objects touch it first.
+    pub flap_edge_radius_mm: Option<f64>,
+    /// Radial force on the object while the flap in front of the corners stays straight; `object_force_N` is that of a flap which gives way.
+    pub flap_force_N: Option<f64>,
+    /// Load per length of contact under which a flap of two fused sheets buckles (Euler); `None` without a flap.
+    pub flap_load_N_per_mm: Option<f64>,
     /// Radius of the object at the star's height; 0 where the star passes above or below it.
     pub object_radius_mm: Option<f64>,
     /// Clearance between the cut hole and the part of the object that must pass it, before inflation; the object does not enter if

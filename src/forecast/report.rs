@@ -111,6 +111,19 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         };
         line("holds objects across from, to", format!("{}, {}", end(least), end(most)));
         line("cut hole, across", show(2.0 * star.hole_radius_mm, "mm"));
+        if let Some(radius) = star.flap_edge_radius_mm {
+            line("flap's edge touches from", format!("{} across", end(radius)));
+        }
+        if let Some(force) = star.flap_force_N.filter(|force| *force > 0.0) {
+            let force = star
+                .ranges
+                .object_force_N
+                .map_or_else(|| show(force, "N"), |range| shown::as_exact_as(force, range, "N"));
+            let load = star
+                .flap_load_N_per_mm
+                .map_or(String::new(), |load| format!("; it folds at {load:.2} N per mm of contact"));
+            line("force if the flap holds", format!("up to {force}{load}"));
+        }
         if let Some(gap) = star.object_gap_mm {
             line("room around the object", show(gap, "mm"));
         }

@@ -51,6 +51,8 @@ impl StarAnswer<'_> {
             star.graspable_radius_mm = Some(outcome.graspable.map(mm));
             star.object_force_N = outcome.object_force();
             star.payload_kg = outcome.payload;
+            star.flap_edge_radius_mm = Some(mm(outcome.rest.radius - case.flap()));
+            star.flap_force_N = self.flap_force(case);
         }
         let evidence = &mut star.evidence;
         evidence.residual = tip.effort.residual.max(corner.effort.residual);
@@ -58,6 +60,19 @@ impl StarAnswer<'_> {
         evidence.numerical_error = Some(tip.effort.error.max(corner.effort.error));
         evidence.hinge_width = Hinges { tip: width_of(tip), corner: width_of(corner) };
         Ok(())
+    }
+
+    /// The force on the object while the flap between it and the tube stays straight, N: that on an object wider by the flap's depth. `None`
+    /// where the force is not known, or where a star that is opened so far locks.
+    fn flap_force(&self, case: &Case) -> Option<f64> {
+        let rest = &self.outcome.rest;
+        let _ = self.outcome.object_force()?;
+        let radius = case.object.filter(|object| *object > 0.0)? + case.flap();
+        match radius {
+            _ if radius <= rest.radius => Some(0.0),
+            _ if radius > rest.widest.radius => None,
+            _ => self.inflated.linear_force(radius, rest).ok(),
+        }
     }
 
     /// The star with the model's own V_bar; `None` for the fit, whose hinges are linear, for the section, whose linear hinges are nearer to
@@ -151,6 +166,9 @@ pub(super) fn bare(spec: &Spec, part: &StarDesign, case: &Case) -> StarPredictio
         volume_mm3: None,
         graspable_radius_mm: None,
         hole_radius_mm: mm(case.hole),
+        flap_edge_radius_mm: None,
+        flap_force_N: None,
+        flap_load_N_per_mm: (case.flap() > 0.0).then(|| 1e-3 * case.sheet.flap_load(case.flap())),
         object_radius_mm: case.object.map(mm),
         object_gap_mm: case.entering.map(|entering| mm(case.hole) - mm(entering)),
         object_force_N: None,

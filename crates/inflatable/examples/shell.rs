@@ -3,7 +3,7 @@
 //! W = 20 mm, R = 2 mm, arms of 80 mm, 60 deg, 14 kPa, t = 0.3 mm, E = 128 MPa, nu = 0.39. Prints each number with its mesh
 //! error and its last three meshes; further angles are held, and the moments that hold them printed.
 
-use inflatable::shell::cases::{Fineness, Tube, VActuator, Value, Watch, actuator};
+use inflatable::shell::cases::{Fineness, Margin, Tube, VActuator, Value, Watch, actuator};
 use inflatable::shell::element::Fabric;
 use std::error::Error;
 
@@ -17,7 +17,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (t, e, nu) = (0.3e-3_f64, 128e6, 0.39);
     let fabric = Fabric::isotropic(e * t, e * t.powi(3) / (12.0 * (1.0 - nu * nu)), nu);
     let tube = Tube { width: 0.02, fabric, pressure: 14e3 };
-    let case = VActuator { tube, radius: 0.002, arm_length: 0.08, angle: 60.0_f64.to_radians() };
+    let case = VActuator {
+        tube,
+        radius: 0.002,
+        arm_length: 0.08,
+        angle: 60.0_f64.to_radians(),
+        margin: Margin::NONE,
+    };
     let found = actuator(&case, &angles, Fineness { cells, cuts }, &Watch::default())?;
     let print = |name: &str, value: Value| {
         let Value { value, error, meshes: [a, b, c] } = value;

@@ -1,16 +1,24 @@
-//! The paper's stars of woven fabric: `cargo run --release --example weave -- PART POINTS CELLS CUTS [SHEAR WARP [NU [RADIUS ...]]]`.
+//! The paper's stars of woven fabric: `cargo run --release --example weave -- PART POINTS CELLS CUTS [SHEAR WARP [NU [RADIUS ...]]] [--stuck] [--margin LAW INNER OUTER]`.
 //!
 //! W = 30 mm, rho_0 = 50 mm, tips of 30 deg, sharp hinges, 37 kPa, t = 0.3 mm, E = 128 MPa. PART is "half" (half a sector, cut as the first
-//! corner's is) or "whole"; SHEAR is G by E / [2 (1 + nu)], WARP the angle to the first corner's ray, deg, RADIUS that of an object, mm.
+//! corner's is) or "whole"; --stuck lets no point slide that touches the object; LAW is that of the sealed margin, "plane" or "slack", INNER and
+//! OUTER its widths, mm. SHEAR is G by E / [2 (1 + nu)], WARP the angle to the first corner's ray, deg, RADIUS that of an object, mm.
 //! Prints each number with its mesh error and its last three meshes.
 
-use inflatable::shell::cases::{FlatStar, Objects, StarPart, Tube, Value, Watch, star_by_sizes};
+use inflatable::shell::cases::{
+    FlatStar, Friction, Margin, MarginLaw, Objects, StarPart, Tube, Value, Watch, star_by_sizes,
+};
 use inflatable::shell::element::{Fabric, Weave};
 use inflatable::shell::mesh::Sizes;
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut words = std::env::args().skip(1);
+    let mut words: Vec<String> = std::env::args().skip(1).collect();
+    let is_stuck = words.iter().position(|word| word == "--stuck").map(|at| words.remove(at)).is_some();
+    let friction = if is_stuck { Friction::Stuck } else { Friction::Free };
+    let margin = words.iter().position(|word| word == "--margin").map(|at| words.split_off(at));
+    let margin = margin.map_or(Ok(Margin::NONE), |words| margin_of(&words[1..]))?;
+    let mut words = words.into_iter();
     let part = match words.next().as_deref() {
         Some("half") => StarPart::HalfSector,
         Some("whole") => StarPart::Whole,
@@ -31,15 +39,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         tip_radius: 0.0,
         corner_radius: 0.0,
         band: 0.002,
+        margin,
     };
     let radii: Vec<f64> = numbers.iter().skip(6).map(|mm| 1e-3 * mm).collect();
     let sizes = (&Sizes::across(1.0, cells), cuts);
-    let found = star_by_sizes((&case, part), Objects::Radii(&radii), sizes, &Watch::default())?;
+    let found = star_by_sizes((&case, part), (Objects::Radii(&radii), friction), sizes, &Watch::default())?;
     let print = |name: &str, value: Value| {
         let Value { value, error, meshes: [a, b, c] } = value;
         println!("{name:24} {value:10.4} +- {error:.4}   meshes {a:.4} {b:.4} {c:.4}");
     };
     print("final radius, mm", found.final_radius.scaled(1e3));
+    print("cut edge, mm", found.edge_radius.scaled(1e3));
     print("least corner, mm", found.corner_radii[0].scaled(1e3));
     print("largest corner, mm", found.corner_radii[1].scaled(1e3));
     print("corners aside, mm", found.off_center.scaled(1e3));
@@ -53,4 +63,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     println!("unknowns {:?}, iterations {:?}", found.evidence.unknowns, found.evidence.efforts);
     Ok(())
+}
+
+/// A margin of its law and its widths in mm.
+fn margin_of(words: &[String]) -> Result<Margin, Box<dyn Error>> {
+    let [law, inner, outer] = words else { return Err("--margin takes a law and two widths".into()) };
+    let law = match law.as_str() {
+        "plane" => MarginLaw::Plane,
+        "slack" => MarginLaw::Slack,
+        _ => return Err("the margin's law is plane or slack".into()),
+    };
+    Ok(Margin { inner: 1e-3 * inner.parse::<f64>()?, outer: 1e-3 * outer.parse::<f64>()?, law })
 }

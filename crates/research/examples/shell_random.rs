@@ -8,7 +8,7 @@ mod dice;
 
 use dice::Dice;
 use stargrip_cam::shell::cases::{
-    Fineness, FlatStar, Objects, ShellFault, Tube, VActuator, Watch, actuator, star,
+    Fineness, FlatStar, Margin, Objects, ShellFault, Tube, VActuator, Watch, actuator, star,
 };
 use stargrip_cam::shell::element::Fabric;
 use std::env;
@@ -55,6 +55,7 @@ impl Dice {
             radius: self.radius(tube.width),
             arm_length: tube.width * self.log([2.5, 10.0]),
             angle,
+            margin: Margin::NONE,
         }
     }
 
@@ -78,6 +79,7 @@ impl Dice {
                     tip_radius,
                     corner_radius,
                     band: 0.0,
+                    margin: Margin::NONE,
                 };
             }
         }

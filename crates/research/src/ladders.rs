@@ -8,7 +8,9 @@ use inflatable::mechanics::fault::HingeFault;
 use inflatable::mechanics::hinge::HingeModel;
 use inflatable::mechanics::hinge::section::{Section, arms};
 use inflatable::mechanics::star::correction::TABLE_ARM;
-use inflatable::shell::cases::{Fineness, Inflation, ShellFault, Tube, VActuator, Value, Watch, inflations};
+use inflatable::shell::cases::{
+    Fineness, Inflation, Margin, ShellFault, Tube, VActuator, Value, Watch, inflations,
+};
 use inflatable::shell::element::Fabric;
 use std::f64::consts::{FRAC_PI_4, PI};
 use std::fmt;
@@ -85,6 +87,7 @@ impl Ladder {
             radius: self.r_star * WIDTH,
             arm_length: TABLE_ARM * WIDTH,
             angle: self.angle.to_radians(),
+            margin: Margin::NONE,
         };
         let found = inflations(&case, &pressures, fineness, watch)?;
         let mut text = String::from(

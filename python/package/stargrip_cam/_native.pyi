@@ -295,6 +295,15 @@ class Prediction:
     def hole_radius_mm(self) -> float | None:
         """Radius of the hole's cut edge, mm. A wider object does not enter the flat star."""
     @property
+    def flap_edge_radius_mm(self) -> float | None:
+        """Radius of the hole's cut edge in front of the corners of the closed star, mm: the final radius less band and flap. It touches first."""
+    @property
+    def flap_force_N(self) -> float | None:
+        """Radial force of one star on the object while the flap in front of its corners stays straight, N: the largest that it can be. `object_force_N` is that of a flap which gives way."""
+    @property
+    def flap_load_N_per_mm(self) -> float | None:
+        """Load under which the flap in front of the corners buckles, N per mm of contact, if both of its sheets are fused."""
+    @property
     def object_radius_mm(self) -> float | None:
         """Radius of the object at the star's height, mm; 0 if the star passes above or below it."""
     @property

@@ -4,7 +4,7 @@ use crate::forecast::actuator::{
     Actuator, ActuatorEvidence, ActuatorMeshErrors, ActuatorPrediction, ActuatorRanges, short_arms,
 };
 use crate::forecast::shell::{Detail, SHELL, fabric};
-use inflatable::shell::cases::{InflatedShape, ShellFault, Tube, VActuator, Value, Watch, actuator};
+use inflatable::shell::cases::{InflatedShape, Margin, ShellFault, Tube, VActuator, Value, Watch, actuator};
 use inflatable::shell::element::Weave;
 
 /// The prediction of `asked` as a shell, with the moments at `angles` (rad) if there are any, and its sheet at rest.
@@ -23,6 +23,7 @@ pub fn actuate(
         radius,
         arm_length: arm,
         angle,
+        margin: Margin::NONE,
     };
     let found = actuator(&case, angles, detail.fineness(), watch)?;
     let degrees = 1.0_f64.to_degrees();

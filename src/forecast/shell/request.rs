@@ -5,7 +5,8 @@ use crate::forecast::predict::PredictFault;
 use crate::forecast::shell::{Detail, fabric};
 use crate::spec::{KeyPath, key};
 use inflatable::shell::cases::{
-    Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Objects, ShellFault, Tube, Value, Watch, star,
+    Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Margin, Objects, ShellFault, Tube, Value, Watch,
+    star,
 };
 use inflatable::shell::element::Weave;
 
@@ -79,6 +80,7 @@ pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
         tip_radius: case.mechanism.tip_radius,
         corner_radius: case.mechanism.corner_radius,
         band: case.band,
+        margin: Margin::NONE,
     })
 }
 

@@ -42,6 +42,7 @@ pub fn star_text(out: &mut String, star: &StarPrediction) {
     let numbers = [
         known("tip angle at rest", show(star.tip_angle_deg, "deg", mesh.tip_angle_deg)),
         known("final radius", show(star.final_radius_mm, "mm", mesh.final_radius_mm)),
+        known("radius of the flap's edge", show(star.flap_edge_radius_mm, "mm", mesh.final_radius_mm)),
         known("contraction", show(percent(star.contraction), "%", 100.0 * mesh.contraction)),
         known("radial stiffness", show(star.radial_stiffness_N_per_m, "N/m", mesh.radial_stiffness_N_per_m)),
         known("volume", show(star.volume_mm3, "mm^3", mesh.volume_mm3)),

@@ -144,6 +144,11 @@ impl ShellAnswer<'_> {
             arm_contact_mm2: Some(measured.contact_area.value),
             volume_mm3: Some(measured.volume.value),
             object_force_N: force,
+            flap_edge_radius_mm: Some(measured.radius.value - mm(case.flap())),
+            flap_force_N: measured
+                .object
+                .and_then(|object| measured.force_at(object + case.flap()))
+                .map(|force| force.value),
             force_curve: (!radii.is_empty()).then(|| {
                 curve.iter().map(|(radius, force)| ForceAt(*radius, Some(force.value), None, None)).collect()
             }),
@@ -209,6 +214,15 @@ impl ShellAnswer<'_> {
             (
                 too_wide,
                 format!("the object is wider than the cut hole, {} mm across: it does not enter", Readable(2.0 * mm(case.hole))),
+            ),
+            (
+                object.is_some() && case.flap() > 0.0,
+                format!(
+                    "objects touch the flap first: until it folds, at {:.2} N per mm of contact, the force is that on an object {} mm \
+                     wider across (ask --radii for it)",
+                    1e-3 * case.sheet.flap_load(case.flap()),
+                    Readable(2.0 * mm(case.flap()))
+                ),
             ),
             (
                 object.is_some_and(|object| mm(object) < radius.value),

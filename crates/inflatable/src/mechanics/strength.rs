@@ -69,6 +69,12 @@ impl ElasticSheet {
         FULL_ACTUATION * self.bending_modulus() / width.powi(3)
     }
 
+    /// Load per length, N per m, under which a flap of two fused sheets buckles out of its plane: `pi^2 8 B / (4 L^2)`, clamped along one edge,
+    /// free along the other, of the depth `depth` (L, m) between them. A sheet of twice the thickness has 8 B. Euler's column.
+    pub fn flap_load(&self, depth: f64) -> f64 {
+        8.0 * self.bending_modulus() * (std::f64::consts::PI / (2.0 * depth)).powi(2)
+    }
+
     /// Stretch `p W / Y`: small while the fabric is quasi-inextensible.
     pub fn stretch(&self, p: f64, width: f64) -> f64 {
         p * width / self.stretching_modulus()
@@ -99,6 +105,7 @@ mod tests {
         // 37 kPa in a tube of 30 mm: bendability 2,900, stretch 3 %.
         assert!((paper_sheet().bendability(37e3, 0.03) / 2940.0 - 1.0).abs() < 0.01);
         assert!((paper_sheet().operating_pressure(0.03) / 12.6e3 - 1.0).abs() < 0.01);
+        assert!((paper_sheet().flap_load(3e-3) / 745.0 - 1.0).abs() < 0.01);
         assert!((paper_sheet().stretch(37e3, 0.03) - 0.0289).abs() < 1e-4);
     }
 

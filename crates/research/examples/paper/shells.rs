@@ -4,7 +4,7 @@
 
 use research::stars::draw::Set;
 use stargrip_cam::shell::cases::{
-    Fineness, Objects, ShellFault, Tube, VActuator, Value, Watch, actuator, star_by_sizes,
+    Fineness, Friction, Margin, Objects, ShellFault, Tube, VActuator, Value, Watch, actuator, star_by_sizes,
 };
 use stargrip_cam::shell::element::Fabric;
 use stargrip_cam::shell::mesh::Sizes;
@@ -122,6 +122,7 @@ impl Case {
             radius: mm(0.1 * self.width),
             arm_length: mm(self.arm),
             angle: self.angle.to_radians(),
+            margin: Margin::NONE,
         };
         let angles: Vec<f64> = self.held.iter().map(|angle| angle.to_radians()).collect();
         let wrinkles = self.width >= 40.0 && sheet().bendability(1e3 * self.pressure, mm(self.width)) > 900.0;
@@ -167,7 +168,12 @@ fn compute_coarse(points: u32, grading: &str) -> Result<String, ShellFault> {
         _ => Sizes::across(1.0, COARSE),
     };
     let flat = star.expect("it is in the set").flat();
-    let found = star_by_sizes((&flat, flat.part()), Objects::Radii(&[]), (&sizes, 2), &Watch::default())?;
+    let found = star_by_sizes(
+        (&flat, flat.part()),
+        (Objects::Radii(&[]), Friction::Free),
+        (&sizes, 2),
+        &Watch::default(),
+    )?;
     let radii = found.final_radius.meshes.map(|radius| format!("{:.3}", 1e3 * radius));
     let unknowns: Vec<String> = found.evidence.unknowns.iter().map(ToString::to_string).collect();
     Ok(format!("{} {}", radii.join(" "), unknowns.join(" ")))

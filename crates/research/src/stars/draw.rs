@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use inflatable::shell::cases::{FlatStar, Tube};
+use inflatable::shell::cases::{FlatStar, Margin, Tube};
 use inflatable::shell::element::Fabric;
 
 /// The use of a star.
@@ -180,6 +180,7 @@ impl DrawnStar {
             tip_radius: mm(self.tip_radius),
             corner_radius: mm(self.corner_radius),
             band: 0.0,
+            margin: Margin::NONE,
         }
     }
 }

@@ -123,7 +123,7 @@ impl Assembly {
             *moments = std::array::from_fn(|i| k[i][0] * alpha[0] + k[i][1] * alpha[1] + k[i][2] * alpha[2]);
             energy.membrane += self.sheet.membrane(piece, x).energy(&piece.flat);
             energy.bending += dot(alpha, *moments) / 2.0;
-            energy.volume += volume::volume(x);
+            energy.volume += piece.pressurised(volume::volume(x));
         }
         energy
     }
@@ -165,7 +165,7 @@ impl Assembly {
             let x = piece.corners.map(|corner| state.points[corner]);
             let mut gradient = [0.0; 9];
             self.sheet.membrane(piece, x).add_gradient(&piece.flat, &mut gradient);
-            volume::add_gradient(x, -pressure, &mut gradient);
+            volume::add_gradient(x, -piece.pressurised(pressure), &mut gradient);
             for i in 0..3 {
                 let weights = facet.weights(i);
                 for k in 0..3 {
@@ -210,7 +210,7 @@ impl Assembly {
         self.values.fill(0.0);
         for (t, piece) in self.sheet.pieces.iter().enumerate() {
             let turning = piece.edges.map(|edge| self.turning[edge]);
-            let loads = Loads { pressure, turning, turned: self.turned[t] };
+            let loads = Loads { pressure: piece.pressurised(pressure), turning, turned: self.turned[t] };
             let facets = (&self.facets[t], &self.facets[..]);
             local::fill((&self.sheet, &self.supports), piece, &state.points, facets, loads, &mut self.local);
             let mut places = self.pattern.places[t].iter();

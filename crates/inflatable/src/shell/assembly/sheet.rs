@@ -29,6 +29,15 @@ pub(crate) struct Piece {
     pub(crate) stiffness: [[f64; 3]; 3],
     /// Pairs of edges across which the same corner lies: around a point with only three triangles.
     pub(crate) twins: [bool; 3],
+    /// How it bears compression if it is of the margin, which no pressure acts on.
+    pub(crate) margin: Option<Compression>,
+}
+
+impl Piece {
+    /// The part of a tube's `pressure`, or of the volume below its sheet, that counts for it: all of it or nothing.
+    pub(crate) fn pressurised(&self, pressure: f64) -> f64 {
+        if self.margin.is_some() { 0.0 } else { pressure }
+    }
 }
 
 /// A flat sheet of fabric, ready to be inflated.
@@ -81,7 +90,7 @@ impl Sheet {
 
     /// The stretched triangle `piece` with its corners at `corners`.
     pub(crate) fn membrane(&self, piece: &Piece, corners: [Vector; 3]) -> Membrane {
-        match self.compression {
+        match piece.margin.unwrap_or(self.compression) {
             Compression::Elastic => Membrane::new(self.fabric, &piece.flat, corners),
             Compression::Wrinkled(left) => Membrane::wrinkled(self.fabric, &piece.flat, corners, left),
         }
@@ -109,6 +118,38 @@ impl Sheet {
             }
             piece.twins = twins(&piece.beyond);
         }
+    }
+
+    /// Makes the triangles from number `first` on a margin that stays in the plane of the rims, in which it bears compression as `law` says.
+    ///
+    /// Both sheets lie in the margin, and one of them belongs to the modelled half of the tube: per area it has the membrane energy of any
+    /// other triangle. It is not bent, and the tube's sheet turns freely along the rim.
+    pub fn set_margin(&mut self, first: usize, law: Compression) {
+        let (tube, margin) = self.pieces.split_at_mut(first);
+        for piece in margin {
+            (piece.beyond, piece.lean) = ([Beyond::Nothing; 3], [0.0; 3]);
+            (piece.stiffness, piece.twins) = ([[0.0; 3]; 3], [false; 3]);
+            piece.margin = Some(law);
+        }
+        for piece in tube {
+            for beyond in &mut piece.beyond {
+                if matches!(beyond, Beyond::Neighbour { triangle, .. } if *triangle >= first) {
+                    *beyond = Beyond::Nothing;
+                }
+            }
+            piece.twins = twins(&piece.beyond);
+        }
+    }
+
+    /// The flat area that each point stands for where the margin does not touch what the tube touches.
+    pub(crate) fn areas_of_tube(&self) -> Vec<f64> {
+        let mut areas = vec![0.0; self.points.len()];
+        for piece in self.pieces.iter().filter(|piece| piece.margin.is_none()) {
+            for corner in piece.corners {
+                areas[corner] += piece.flat.area / 3.0;
+            }
+        }
+        areas
     }
 
     /// Its fabric.
@@ -159,7 +200,16 @@ fn piece(mesh: &Mesh, fabric: Fabric, t: usize) -> Piece {
         };
     }
     let twins = twins(&beyond);
-    Piece { corners, edges, beyond, lean, flat, stiffness: bending::stiffness(fabric, &flat), twins }
+    Piece {
+        corners,
+        edges,
+        beyond,
+        lean,
+        flat,
+        stiffness: bending::stiffness(fabric, &flat),
+        twins,
+        margin: None,
+    }
 }
 
 fn twins(beyond: &[Beyond; 3]) -> [bool; 3] {

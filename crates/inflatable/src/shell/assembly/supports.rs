@@ -72,6 +72,13 @@ impl Supports {
         supports
     }
 
+    /// Keeps the triangles of `mesh` from number `first` on in the plane of the rims.
+    pub fn keep_level(&mut self, mesh: &Mesh, first: usize) {
+        for point in mesh.triangles[first..].iter().flatten() {
+            self.holds[*point].fixed[2] = true;
+        }
+    }
+
     /// The supports of a free sheet of `count` points.
     pub fn none(count: usize) -> Self {
         let free = Hold { axes: SPACE, fixed: [false; 3], plane: None };

@@ -1,7 +1,8 @@
 //! Between unknowns and points: steps, forces, contributions of single points.
 
 use crate::shell::assembly::numbering::NONE;
-use crate::shell::assembly::{Assembly, Plane, State};
+use crate::shell::assembly::sheet::Piece;
+use crate::shell::assembly::{Assembly, Compression, Plane, State};
 use crate::shell::element::vector::{Vector, along, dot};
 
 impl Assembly {
@@ -72,14 +73,20 @@ impl Assembly {
         masses
     }
 
-    /// Flat area of each point, 0 for those that are held in the plane `wall`.
+    /// Flat area of each point, 0 for those that are held in the plane `wall`; a margin that bears no compression gives way and does not count.
     pub(crate) fn contact_areas(&self, wall: Option<Plane>) -> Vec<f64> {
         let is_held = |point: usize| {
             let plane = self.supports.holds[point].plane.map(|plane| self.supports.planes[plane]);
             plane.is_some() && plane == wall
         };
-        let areas = self.sheet.areas.iter().enumerate();
-        areas.map(|(point, area)| if is_held(point) { 0.0 } else { *area }).collect()
+        let gives_way = |piece: &Piece| matches!(piece.margin, Some(Compression::Wrinkled(_)));
+        let areas = if self.sheet.pieces.iter().any(gives_way) {
+            self.sheet.areas_of_tube()
+        } else {
+            self.sheet.areas.clone()
+        };
+        let areas = areas.into_iter().enumerate();
+        areas.map(|(point, area)| if is_held(point) { 0.0 } else { area }).collect()
     }
 
     /// Adds the contribution of one point to the last gradient and Hessian: a force, and a symmetric matrix as a function of a vector.

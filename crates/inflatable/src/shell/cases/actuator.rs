@@ -4,6 +4,7 @@ use crate::shell::assembly::{Plane, Sheet, Supports};
 use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::cases::bend::{Bend, angle_of};
 use crate::shell::cases::fault::{Input, ShellFault};
+use crate::shell::cases::margin::Margin;
 use crate::shell::cases::refinement::{Evidence, Family, Watch};
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::Tube;
@@ -23,6 +24,8 @@ pub struct VActuator {
     pub arm_length: f64,
     /// Angle phi_0 between the arms when flat.
     pub angle: f64,
+    /// What of the sealed margin is modelled beyond its long rims.
+    pub margin: Margin,
 }
 
 /// A V-actuator under pressure.
@@ -104,8 +107,13 @@ pub fn actuator(
     if angles.len() > MOST_ANGLES {
         return Err(ShellFault::TooMany { name: "angles", found: angles.len(), most: MOST_ANGLES });
     }
-    let coarsest = half.mesh(&Sizes::across(1.0, fineness.cells))?;
-    let hold = |meshed: &Meshed, _: &mut Sheet| supports(&meshed.mesh);
+    let widths = case.margin.widths(case.tube.width);
+    let coarsest = half.mesh_with(&Sizes::across(1.0, fineness.cells), widths)?;
+    let hold = |meshed: &Meshed, sheet: &mut Sheet| {
+        let mut supports = supports(&meshed.mesh);
+        case.margin.apply(meshed, sheet, &mut supports);
+        supports
+    };
     let family = Family {
         tube: case.tube,
         coarsest,

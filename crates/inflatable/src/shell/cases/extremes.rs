@@ -2,7 +2,7 @@
 
 use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::value::Value;
-use crate::shell::mesh::{Border, Mesh};
+use crate::shell::mesh::{Border, Mesh, Meshed};
 use std::collections::BTreeMap;
 
 /// The hardest loaded places of a sheet.
@@ -47,10 +47,10 @@ impl Extremes {
     }
 }
 
-/// The extremes of `state`, each taken in the middle of a triangle.
-pub(crate) fn extremes(sheet: &Sheet, mesh: &Mesh, state: &State) -> Extremes {
+/// The extremes of `state`, each taken in the middle of a triangle of the tube.
+pub(crate) fn extremes(sheet: &Sheet, Meshed { mesh, tube, .. }: &Meshed, state: &State) -> Extremes {
     let mut worst = Extremes::default();
-    for (triangle, corners) in mesh.triangles.iter().enumerate() {
+    for (triangle, corners) in mesh.triangles[..*tube].iter().enumerate() {
         let flat = sheet.flat_triangle(triangle);
         let membrane = sheet.stretched(triangle, corners.map(|corner| state.points[corner]));
         let middle = [0, 1].map(|c| corners.iter().map(|corner| mesh.points[*corner][c]).sum::<f64>() / 3.0);

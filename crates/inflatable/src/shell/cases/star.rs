@@ -5,6 +5,7 @@ use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::extremes::{self, Extremes};
 use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::margin::Margin;
 use crate::shell::cases::refinement::{Evidence, Family, Indented, Watch};
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::star_part::{ModelledPart, StarPart};
@@ -32,6 +33,8 @@ pub struct FlatStar {
     /// Width of the band that seals its rims, m: over so long a piece of rim the pull on the seal is the
     /// mean.
     pub band: f64,
+    /// What of the sealed margin is modelled beyond its rims.
+    pub margin: Margin,
 }
 
 /// A star under pressure; values per star count both sheets and all sectors.
@@ -39,6 +42,8 @@ pub struct FlatStar {
 pub struct InflatedStar {
     /// From the axis to the apex of a corner's inner rim, m; of a whole star the mean of all corners, from the point in their middle.
     pub final_radius: Value,
+    /// From the axis to the cut edge in front of that apex, m: the apex itself without a margin.
+    pub edge_radius: Value,
     /// The least and the largest of all corners, m.
     pub corner_radii: [Value; 2],
     /// Distance of the point in the middle of the corners from that of the tips, m.
@@ -66,7 +71,7 @@ pub struct InflatedStar {
 }
 
 /// Numbers that each mesh gives of the whole star, and with those of its hardest loaded places.
-pub(super) const WHOLE: usize = 10;
+pub(super) const WHOLE: usize = 11;
 const NUMBERS: usize = WHOLE + 3;
 /// The tip's plane of symmetry among the obstacles.
 const TIP: usize = 1;
@@ -76,6 +81,21 @@ pub const MOST_OBJECTS: usize = 8;
 /// Largest growth of an object in one solve, by W, and how often it is halved where that is too much.
 const GROWTH: f64 = 0.15;
 const MOST_HALVINGS: i32 = 4;
+
+/// How the points of a star that touch an object move along it: the two bounds of friction.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Friction {
+    /// They slide.
+    #[default]
+    Free,
+    /// They stay where they first touch it, while the object widens.
+    Stuck,
+}
+
+/// Shear stress by the pressure that holds a stuck point W away from where it touched: contact pressures of 30 p move it by W/3000.
+const STICK: f64 = 1e5;
+/// Growth of an object in one solve where points stick: a point slides until the end of the solve in which it is first pressed.
+const STICKING_GROWTH: f64 = 0.03;
 
 /// Round objects that a star is pressed against, smallest first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,7 +151,12 @@ pub fn star(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
-    star_by_sizes((case, case.part()), objects, (&Sizes::across(1.0, fineness.cells), fineness.cuts), watch)
+    star_by_sizes(
+        (case, case.part()),
+        (objects, Friction::Free),
+        (&Sizes::across(1.0, fineness.cells), fineness.cuts),
+        watch,
+    )
 }
 
 /// As [`star`], of any part of it and on meshes of any grading: the edge lengths of the coarsest one, by W, and how often its triangles are
@@ -142,11 +167,11 @@ pub fn star(
 /// As of [`star`].
 pub fn star_by_sizes(
     (case, part): (&FlatStar, StarPart),
-    objects: Objects<'_>,
+    (objects, friction): (Objects<'_>, Friction),
     (sizes, cuts): (&Sizes, usize),
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
-    let modelled = ModelledPart { part, sector: case.sector()? };
+    let modelled = ModelledPart { part, sector: case.sector()?, margin: case.margin.widths(case.tube.width) };
     let count = objects.sizes().len();
     if count > MOST_OBJECTS {
         return Err(ShellFault::TooMany { name: "objects", found: count, most: MOST_OBJECTS });
@@ -154,13 +179,17 @@ pub fn star_by_sizes(
     let coarsest = modelled.meshed(sizes)?;
     let obstacles = modelled.obstacles();
     let post = obstacles.len() - 1;
-    let hold = |meshed: &Meshed, _: &mut Sheet| modelled.supports(&meshed.mesh);
+    let hold = |meshed: &Meshed, sheet: &mut Sheet| {
+        let mut supports = modelled.supports(&meshed.mesh);
+        case.margin.apply(meshed, sheet, &mut supports);
+        supports
+    };
     let family =
         Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles, from_above: false };
     let (mut worst, mut shape) = (Extremes::default(), InflatedShape::default());
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, beside| {
         let mut numbers = [0.0; NUMBERS + MOST_OBJECTS];
-        worst = extremes::extremes(&solver.assembly.sheet, &meshed.mesh, &equilibrium.state);
+        worst = extremes::extremes(&solver.assembly.sheet, meshed, &equilibrium.state);
         let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
         (worst.seal_pull, worst.pull_at) =
             extremes::pull(&meshed.mesh, solver.assembly.forces(), case.band / case.tube.width);
@@ -174,7 +203,7 @@ pub fn star_by_sizes(
         for x in &mut centered.state.points {
             *x = [x[0] - middle[0], x[1] - middle[1], x[2]];
         }
-        press(case, objects, (solver, post), &centered, (beside, &mut numbers[NUMBERS..]))?;
+        press(case, (objects, friction), (solver, post), &centered, (beside, &mut numbers[NUMBERS..]))?;
         solver.contact = alone;
         Ok(numbers)
     })?;
@@ -183,6 +212,7 @@ pub fn star_by_sizes(
     let sheets = modelled.count();
     Ok(InflatedStar {
         final_radius: values[0].scaled(w),
+        edge_radius: values[10].scaled(w),
         corner_radii: [values[6].scaled(w), values[7].scaled(w)],
         off_center: values[8].scaled(w),
         tip_angle: values[1],
@@ -208,7 +238,7 @@ pub fn star_by_sizes(
 }
 
 /// Radius, tip angle, volume, force and area of contact, stiffness, the least and the largest radius, how far the corners' middle lies
-/// aside, the least tip angle; and the corners' middle.
+/// aside, the least tip angle, the radius of the cut edge; and the corners' middle.
 pub(super) fn measure(
     modelled: &ModelledPart,
     solver: &mut Solver,
@@ -231,6 +261,7 @@ pub(super) fn measure(
         largest,
         corners.aside,
         least_angle,
+        corners.edge,
     ];
     (numbers, corners.middle)
 }
@@ -239,12 +270,22 @@ pub(super) fn measure(
 /// result for each, if there is one and it leads to an equilibrium; it keeps its own results.
 fn press(
     case: &FlatStar,
-    objects: Objects<'_>,
+    (objects, friction): (Objects<'_>, Friction),
     (solver, post): (&mut Solver, usize),
     equilibrium: &Equilibrium,
     (beside, forces): (&mut Vec<Indented>, &mut [f64]),
 ) -> Result<(), ShellFault> {
     let mut starts = std::mem::take(beside).into_iter();
+    // Where points stick depends on the way: every mesh goes all of it.
+    let most = if friction == Friction::Stuck {
+        starts = Vec::new().into_iter();
+        STICKING_GROWTH
+    } else {
+        GROWTH
+    };
+    if let Some(contact) = solver.contact.as_mut().filter(|_| friction == Friction::Stuck) {
+        contact.stick = STICK * equilibrium.pressure;
+    }
     let mut state = equilibrium.state.clone();
     let nearest = state.points.iter().map(|x| libm::hypot(x[0], x[1])).fold(f64::INFINITY, f64::min);
     let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
@@ -254,7 +295,7 @@ fn press(
         let last = (origin + size / case.tube.width).max(nearest);
         let found = match starts.next() {
             Some(start) => open_from(start, (solver, post), &mut state, aim, [radius, last]),
-            None => open((solver, post), &mut state, aim, [radius, last]),
+            None => open((solver, post), &mut state, aim, [radius, last], most),
         };
         match found {
             Ok(()) => beside.push(Indented { state: state.clone(), contact: solver.contact.clone() }),
@@ -292,19 +333,20 @@ fn open_from(
         Err(Stop::Cancelled) => Err(Stop::Cancelled),
         Err(_) => {
             solver.contact = before;
-            open((solver, post), state, aim, [from, to])
+            open((solver, post), state, aim, [from, to], GROWTH)
         }
     }
 }
 
-/// Widens the object from one radius to another, by W, as fast as the star follows.
+/// Widens the object from one radius to another, by W, as fast as the star follows, by at most `most` in one solve.
 fn open(
     (solver, post): (&mut Solver, usize),
     state: &mut State,
     aim: Aim,
     [from, to]: [f64; 2],
+    most: f64,
 ) -> Result<(), Stop> {
-    let (mut radius, mut growth) = (from, GROWTH);
+    let (mut radius, mut growth) = (from, most);
     while radius < to {
         let (before, pressed) = (state.clone(), solver.contact.clone());
         let next = if to - radius < 1.001 * growth { to } else { radius + growth };
@@ -319,7 +361,7 @@ fn open(
                     contact.floor = contact.stiffness / 4.0;
                 }
             }
-            Err(why) if why == Stop::Cancelled || growth < GROWTH * 0.5_f64.powi(MOST_HALVINGS) => {
+            Err(why) if why == Stop::Cancelled || growth < most * 0.5_f64.powi(MOST_HALVINGS) => {
                 return Err(why);
             }
             Err(_) => {

@@ -6,7 +6,7 @@
 use crate::shell::assembly::{Plane, State, Supports};
 use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::contact::Obstacle;
-use crate::shell::mesh::{Border, HalfSector, Mesh, MeshFault, Meshed, Sizes, rim};
+use crate::shell::mesh::{Border, HalfSector, MarginWidths, Mesh, MeshFault, Meshed, Sizes, rim};
 
 /// The modelled part of a star.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +23,8 @@ pub enum StarPart {
 pub(super) struct ModelledPart {
     pub(super) part: StarPart,
     pub(super) sector: HalfSector,
+    /// Width beyond its rims.
+    pub(super) margin: MarginWidths,
 }
 
 /// Places of the corners.
@@ -34,6 +36,8 @@ pub(super) struct CornerPlaces {
     /// The point in the middle of the corners, against that in the middle of the tips.
     pub(super) middle: [f64; 2],
     pub(super) aside: f64,
+    /// Mean distance of the cut edge in front of the apexes from there; of the apexes where there is no margin.
+    pub(super) edge: f64,
 }
 
 /// Distance from a ray within which a flat point counts as on it, W.
@@ -41,7 +45,7 @@ const ON_RAY: f64 = 1e-7;
 
 impl ModelledPart {
     pub(super) fn meshed(&self, sizes: &Sizes) -> Result<Meshed, MeshFault> {
-        let half = self.sector.mesh(sizes)?;
+        let half = self.sector.mesh_with(sizes, self.margin)?;
         match self.part {
             StarPart::HalfSector => Ok(half),
             StarPart::Whole => half.unfolded(self.sector.n, 2 * self.sector.n),
@@ -100,27 +104,44 @@ impl ModelledPart {
         let of = |angle: f64, radius: f64, border: u8| {
             let (sine, cosine) = libm::sincos(angle);
             let place = [radius * cosine, radius * sine];
-            let [x, y, _] = state.points[nearest(mesh, place, border)];
+            let [x, y, _] = state.points[nearest(mesh, place, Border::Rim(border))];
             [x, y]
         };
         let apexes: Vec<[f64; 2]> =
             self.corners().map(|angle| of(angle, self.sector.rho_0, rim::INNER)).collect();
         if self.part == StarPart::HalfSector {
             let radius = apexes[0][0];
-            return CornerPlaces { mean: radius, range: [radius; 2], middle: [0.0; 2], aside: 0.0 };
+            let edge = self.cut_edge(mesh, 0.0).map_or(radius, |point| state.points[point][0]);
+            return CornerPlaces { mean: radius, range: [radius; 2], middle: [0.0; 2], aside: 0.0, edge };
         }
         let half_angle = self.sector.half_angle();
         let tips: Vec<[f64; 2]> =
             self.corners().map(|angle| of(angle + half_angle, self.tip_radius(), rim::OUTER)).collect();
         let (middle, of_tips) = (mean(&apexes), mean(&tips));
-        let radii: Vec<f64> = apexes.iter().map(|[x, y]| libm::hypot(x - middle[0], y - middle[1])).collect();
+        let from_middle = |[x, y]: [f64; 2]| libm::hypot(x - middle[0], y - middle[1]);
+        let edges: Vec<f64> = self
+            .corners()
+            .filter_map(|angle| self.cut_edge(mesh, angle))
+            .map(|point| from_middle([state.points[point][0], state.points[point][1]]))
+            .collect();
+        let radii: Vec<f64> = apexes.iter().copied().map(from_middle).collect();
         let end = |pick: fn(f64, f64) -> f64| radii.iter().copied().reduce(pick).unwrap_or_default();
+        let mean = radii.iter().sum::<f64>() / f64::from(self.sector.n);
+        let edge = if edges.is_empty() { mean } else { edges.iter().sum::<f64>() / f64::from(self.sector.n) };
         CornerPlaces {
-            mean: radii.iter().sum::<f64>() / f64::from(self.sector.n),
+            mean,
+            edge,
             range: [end(f64::min), end(f64::max)],
             middle,
             aside: libm::hypot(middle[0] - of_tips[0], middle[1] - of_tips[1]),
         }
+    }
+
+    /// The point of the inner margin's cut edge on the ray of a corner, if there is a margin.
+    fn cut_edge(&self, mesh: &Mesh, angle: f64) -> Option<usize> {
+        let (sine, cosine) = libm::sincos(angle);
+        let radius = self.sector.rho_0 - self.margin.inner;
+        (self.margin.inner > 0.0).then(|| nearest(mesh, [radius * cosine, radius * sine], Border::Free))
     }
 
     /// From the axis to the outermost point of a flat tip.
@@ -187,11 +208,13 @@ impl ModelledPart {
     /// Outward displacement of the sections of all modelled corners: points, and the direction times the flat length of each.
     pub(super) fn sections(&self, mesh: &Mesh) -> Vec<(usize, [f64; 3])> {
         let mut parts = Vec::new();
+        let HalfSector { rho_0, w, .. } = self.sector;
         for angle in self.corners() {
             let (sine, cosine) = libm::sincos(angle);
+            // A margin beyond the rims is no part of the section.
             let is_on = |point: usize| {
                 let [along, across] = turned(mesh.points[point], -angle);
-                along > 0.0 && across.abs() < ON_RAY
+                (rho_0 - ON_RAY..=rho_0 + w + ON_RAY).contains(&along) && across.abs() < ON_RAY
             };
             for (edge, ends) in mesh.edges.iter().map(|edge| edge.ends).enumerate() {
                 if ends.into_iter().all(is_on) {
@@ -214,13 +237,13 @@ impl ModelledPart {
     }
 }
 
-/// The point of a rim that is nearest to `place` on the flat sheet.
-fn nearest(mesh: &Mesh, place: [f64; 2], border: u8) -> usize {
+/// The point of a border that is nearest to `place` on the flat sheet.
+fn nearest(mesh: &Mesh, place: [f64; 2], border: Border) -> usize {
     let away = |point: &usize| {
         let [x, y] = mesh.points[*point];
         libm::hypot(x - place[0], y - place[1])
     };
-    let rim = mesh.along(Border::Rim(border)).flat_map(|edge| mesh.edges[edge].ends);
+    let rim = mesh.along(border).flat_map(|edge| mesh.edges[edge].ends);
     rim.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or_default()
 }
 

@@ -23,7 +23,13 @@ pub(super) fn tube(width: f64, pressure: f64) -> Tube {
 }
 
 fn v_actuator() -> VActuator {
-    VActuator { tube: tube(0.02, 14e3), radius: 0.002, arm_length: 0.06, angle: PI / 3.0 }
+    VActuator {
+        tube: tube(0.02, 14e3),
+        radius: 0.002,
+        arm_length: 0.06,
+        angle: PI / 3.0,
+        margin: Margin::NONE,
+    }
 }
 
 #[test]
@@ -102,6 +108,7 @@ fn size_does_not_matter_at_the_same_ratios() {
         radius: 0.006,
         arm_length: 0.18,
         angle: case.angle,
+        margin: Margin::NONE,
     };
     let fineness = Fineness { cells: 3.0, cuts: 2 };
     let run = |case| actuator(case, &[], fineness, &Watch::default()).expect("an equilibrium");
@@ -157,6 +164,7 @@ fn a_rim_that_is_sharp_and_not_a_point_is_found() {
         tip_radius: 0.006,
         corner_radius: 0.0001,
         band: 0.002,
+        margin: Margin::NONE,
     };
     let fineness = Fineness { cells: 4.0, cuts: 2 };
     let found = star(&case, Objects::Radii(&[]), fineness, &Watch::default()).expect("an equilibrium");
@@ -174,6 +182,7 @@ fn a_sheet_that_is_hardly_stretched_comes_to_rest() {
         radius: 0.0,
         arm_length: 0.546,
         angle: 0.722,
+        margin: Margin::NONE,
     };
     let found = actuator(&case, &[], Fineness { cells: 4.0, cuts: 2 }, &Watch::default());
     let coiling = found.expect("an equilibrium").coiling.value;
@@ -191,6 +200,7 @@ fn objects_begun_from_a_coarser_mesh_push_as_those_opened_step_by_step() {
         tip_radius: 0.003,
         corner_radius: 0.003,
         band: 0.002,
+        margin: Margin::NONE,
     };
     let openings = [0.004];
     let run = |cuts| {

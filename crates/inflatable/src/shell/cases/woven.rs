@@ -6,7 +6,7 @@ use super::tests::tube;
 use super::*;
 use crate::shell::assembly::Sheet;
 use crate::shell::element::Weave;
-use crate::shell::mesh::Sizes;
+use crate::shell::mesh::{MarginWidths, Sizes};
 use crate::shell::solver::Solver;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -22,12 +22,14 @@ fn flat(points: u32, shear: f64, warp: f64) -> FlatStar {
         tip_radius: 0.003,
         corner_radius: 0.003,
         band: 0.002,
+        margin: Margin::NONE,
     }
 }
 
 /// The values of one coarse mesh of a part, pressurised from flat.
 fn measured(case: &FlatStar, part: StarPart) -> [f64; WHOLE] {
-    let modelled = ModelledPart { part, sector: case.sector().expect("a star") };
+    let modelled =
+        ModelledPart { part, sector: case.sector().expect("a star"), margin: MarginWidths::default() };
     let meshed = modelled.meshed(&Sizes::across(1.0, 3.0)).expect("a mesh");
     let supports = modelled.supports(&meshed.mesh);
     let mut solver = Solver::new(Sheet::new(&meshed.mesh, case.tube.scaled()), supports).expect("small");

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::shell::mesh::strip::{Strip, StripSide};
-use crate::shell::mesh::{Border, MeshFault, Meshed, Sizes, plane, rim};
+use crate::shell::mesh::{Border, MarginWidths, MeshFault, Meshed, Sizes, plane, rim};
 use crate::shell::mesh::{delaunay, sizing};
 
 /// A hinge without arms: the sector of an annulus between two planes of symmetry, its centre at the origin.
@@ -62,6 +62,7 @@ impl HingeSector {
             Strip::new(self.r, self.w).turn(StripSide::Left, self.r, self.arc),
             Border::Mirror(plane::SECOND),
             sizes,
+            MarginWidths::default(),
         )
     }
 }
@@ -72,13 +73,21 @@ impl HalfActuator {
     /// # Errors
     /// If a dimension is out of range.
     pub fn mesh(&self, sizes: &Sizes) -> Result<Meshed, MeshFault> {
+        self.mesh_with(sizes, MarginWidths::default())
+    }
+
+    /// Its mesh with the margin beyond both long rims. The sealed end has none.
+    ///
+    /// # Errors
+    /// If a dimension is out of range.
+    pub fn mesh_with(&self, sizes: &Sizes, margin: MarginWidths) -> Result<Meshed, MeshFault> {
         positive("the width W", self.w)?;
         sizes.check(self.w)?;
         radius("the inner radius R", self.r, self.w)?;
         arm(self.l, self.w)?;
         within("the angle phi_0", self.phi_0, PI)?;
         let strip = Strip::new(self.r, self.w).turn(StripSide::Left, self.r, 0.5 * (PI - self.phi_0));
-        mesh(strip.straight(self.l), Border::Rim(rim::END), sizes)
+        mesh(strip.straight(self.l), Border::Rim(rim::END), sizes, margin)
     }
 }
 
@@ -101,6 +110,14 @@ impl HalfSector {
     /// # Errors
     /// If a dimension is out of range, or there is no such star.
     pub fn mesh(&self, sizes: &Sizes) -> Result<Meshed, MeshFault> {
+        self.mesh_with(sizes, MarginWidths::default())
+    }
+
+    /// Its mesh with the margin beyond both rims.
+    ///
+    /// # Errors
+    /// If a dimension is out of range, or there is no such star.
+    pub fn mesh_with(&self, sizes: &Sizes, margin: MarginWidths) -> Result<Meshed, MeshFault> {
         if self.n < 3 {
             return Err(MeshFault::Dimension { name: "n", found: f64::from(self.n), allowed: "3 or more" });
         }
@@ -116,13 +133,14 @@ impl HalfSector {
             .turn(StripSide::Right, self.r_e, 0.5 * (PI - phi_e))
             .straight(self.l())
             .turn(StripSide::Left, self.r_i, 0.5 * (PI - self.phi_i));
-        mesh(strip, Border::Mirror(plane::SECOND), sizes)
+        mesh(strip, Border::Mirror(plane::SECOND), sizes, margin)
     }
 }
 
-fn mesh(strip: Strip, last: Border, sizes: &Sizes) -> Result<Meshed, MeshFault> {
+fn mesh(strip: Strip, last: Border, sizes: &Sizes, margin: MarginWidths) -> Result<Meshed, MeshFault> {
     let (region, hinges) = strip.end(last);
-    delaunay::fill(&region, &sizing::Sizing::new(&region, &hinges, sizes))
+    let sizing = sizing::Sizing::new(&region, &hinges, sizes);
+    delaunay::fill(&region, &sizing)?.with_margin(margin, &sizing)
 }
 
 fn positive(name: &'static str, found: f64) -> Result<(), MeshFault> {

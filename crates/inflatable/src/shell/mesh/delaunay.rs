@@ -33,6 +33,16 @@ const ROUNDS: usize = 20;
 /// Fills `region` with triangles of the sizes in `sizing`.
 pub(super) fn fill(region: &Region, sizing: &Sizing) -> Result<Meshed, MeshFault> {
     let border = BorderPoints::new(region, sizing);
+    let (points, triangles) = fill_border(&border, sizing)?;
+    let pieces = region.all().copied().collect();
+    Meshed::new(points, triangles, pieces, &border.pieces())
+}
+
+/// Points, those of the border first, and triangles within `border`, as small as `sizing` asks for.
+pub(super) fn fill_border(
+    border: &BorderPoints,
+    sizing: &Sizing,
+) -> Result<(Vec<[f64; 2]>, Vec<[usize; 3]>), MeshFault> {
     if border.points.len() > MOST {
         return Err(MeshFault::TooMany { most: MOST });
     }
@@ -44,13 +54,11 @@ pub(super) fn fill(region: &Region, sizing: &Sizing) -> Result<Meshed, MeshFault
         best.0 = smallest.max(best.0);
     }
     let seeds = best.1;
-    let (points, triangles) = (border.with(&seeds), border.triangles(&seeds)?);
-    let pieces = region.all().copied().collect();
-    Meshed::new(points, triangles, pieces, &border.pieces())
+    Ok((border.with(&seeds), border.triangles(&seeds)?))
 }
 
 /// The points of a border, counterclockwise, then those of the welds within it, and the edges between them.
-struct BorderPoints {
+pub(super) struct BorderPoints {
     points: Vec<Point>,
     /// Ends of each edge and the piece that it lies on; those of the border first, with the region on their left.
     edges: Vec<([usize; 2], usize)>,
@@ -59,6 +67,13 @@ struct BorderPoints {
 }
 
 impl BorderPoints {
+    /// One closed loop, counterclockwise: its points, and the piece that the edge from each to the next lies on.
+    pub(super) fn closed(points: Vec<Point>, pieces: &[usize]) -> Self {
+        let count = points.len();
+        let edges = pieces.iter().enumerate().map(|(at, piece)| ([at, (at + 1) % count], *piece)).collect();
+        Self { points, edges, outer: count }
+    }
+
     fn new(region: &Region, sizing: &Sizing) -> Self {
         let mut border = Self { points: Vec::new(), edges: Vec::new(), outer: 0 };
         let mut piece = 0;
@@ -110,7 +125,7 @@ impl BorderPoints {
         }
     }
 
-    fn pieces(&self) -> BTreeMap<[usize; 2], usize> {
+    pub(super) fn pieces(&self) -> BTreeMap<[usize; 2], usize> {
         self.edges.iter().map(|&([a, b], piece)| ([a.min(b), a.max(b)], piece)).collect()
     }
 

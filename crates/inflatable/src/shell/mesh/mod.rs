@@ -11,6 +11,7 @@ mod delaunay;
 mod fault;
 #[cfg(test)]
 mod grid;
+mod margin;
 mod order;
 mod region;
 mod separator;
@@ -27,6 +28,7 @@ pub use chamber::FlatChamber;
 pub use fault::MeshFault;
 #[cfg(test)]
 pub(crate) use grid::{Diagonal, rectangle};
+pub use margin::MarginWidths;
 pub use region::{Meshed, Piece, Region};
 pub use sizing::Sizes;
 pub use vtu::{FieldFault, VtuField, vtu};
@@ -70,7 +72,7 @@ pub struct Edge {
     pub ends: [usize; 2],
     /// The triangle to its left as it runs from its first to its second end, and the one to its right.
     pub sides: [Option<usize>; 2],
-    /// Its border if it has only one side.
+    /// Its border if it has only one side, or is the rim between tube and margin.
     pub border: Option<Border>,
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::geom::{Path, Point, Segment};
-use crate::shell::mesh::{Border, Edge, Mesh, MeshFault};
+use crate::shell::mesh::{Border, Edge, Mesh, MeshFault, rim};
 
 /// A piece of a region's border.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,6 +46,8 @@ pub struct Meshed {
     pub pieces: Vec<Piece>,
     /// The piece that each edge of the mesh lies on; none elsewhere within the sheet.
     pub piece_of: Vec<Option<usize>>,
+    /// How many triangles are of the tube: the others, of the margin beyond its rims, come after them.
+    pub tube: usize,
 }
 
 impl Meshed {
@@ -60,10 +62,16 @@ impl Meshed {
         pieces: Vec<Piece>,
         on: &BTreeMap<[usize; 2], usize>,
     ) -> Result<Self, MeshFault> {
-        let mesh = Mesh::from_triangles(points, triangles, |ends| Some(pieces[*on.get(&ends)?].border))?;
+        let mut mesh = Mesh::from_triangles(points, triangles, |ends| Some(pieces[*on.get(&ends)?].border))?;
         let piece = |edge: &Edge| on.get(&edge.ends).copied();
-        let piece_of = mesh.edges.iter().map(piece).collect();
-        Ok(Self { mesh, pieces, piece_of })
+        let piece_of: Vec<Option<usize>> = mesh.edges.iter().map(piece).collect();
+        for (edge, piece) in mesh.edges.iter_mut().zip(&piece_of) {
+            let border = piece.map(|piece| pieces[piece].border);
+            // A weld's edge is none of the border, a rim is one though the margin lies beyond it.
+            edge.border = edge.border.or(border.filter(|border| *border != Border::Rim(rim::WELD)));
+        }
+        let tube = mesh.triangles.len();
+        Ok(Self { mesh, pieces, piece_of, tube })
     }
 
     /// Every triangle cut into four. New points of borders and welds lie on the exact curves, old points keep their numbers, and the point
@@ -88,7 +96,8 @@ impl Meshed {
                 on.extend(old.edges[edge].ends.map(|end| ([end, first + edge], piece)));
             }
         }
-        Self::new(points, triangles, self.pieces.clone(), &on)
+        let finer = Self::new(points, triangles, self.pieces.clone(), &on)?;
+        Ok(Self { tube: 4 * self.tube, ..finer })
     }
 
     fn middle(&self, edge: usize) -> [f64; 2] {

@@ -22,7 +22,8 @@ impl Meshed {
         let numbers = self.numbers(&planes, count, closed);
         let fresh = numbers.iter().flatten().max().map_or(0, |last| last + 1);
         let mut points = vec![[0.0; 2]; fresh];
-        let (mut triangles, mut pieces, mut on) = (Vec::new(), Vec::new(), BTreeMap::new());
+        let (mut triangles, mut margin) = (Vec::new(), Vec::new());
+        let (mut pieces, mut on) = (Vec::new(), BTreeMap::new());
         for (copy, numbers) in (0..count).zip(&numbers) {
             let image = image(n, copy);
             let begins = if image.mirrored { plane::SECOND } else { plane::FIRST };
@@ -30,10 +31,13 @@ impl Meshed {
                 let Point { x, y } = image.point(Point::new(x, y));
                 points[number] = [x, y];
             }
-            triangles.extend(self.mesh.triangles.iter().map(|corners| {
+            let of_copy = |corners: &[usize; 3]| {
                 let [a, b, c] = corners.map(|point| numbers[point]);
                 if image.mirrored { [a, c, b] } else { [a, b, c] }
-            }));
+            };
+            let (own, beyond) = self.mesh.triangles.split_at(self.tube);
+            triangles.extend(own.iter().map(of_copy));
+            margin.extend(beyond.iter().map(of_copy));
             for (index, piece) in self.pieces.iter().enumerate() {
                 let border = match piece.border {
                     // The plane at which the copy begins, then the one at which it ends.
@@ -51,7 +55,9 @@ impl Meshed {
                 pieces.push(Piece { curve: image.segment(&piece.curve), border });
             }
         }
-        Self::new(points, triangles, pieces, &on)
+        let tube = triangles.len();
+        triangles.append(&mut margin);
+        Ok(Self { tube, ..Self::new(points, triangles, pieces, &on)? })
     }
 
     /// The edges on a piece of the border.

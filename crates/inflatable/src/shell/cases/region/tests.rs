@@ -5,7 +5,7 @@ use super::supports::{SealedNodes, antisymmetric, symmetric};
 use super::*;
 use crate::geom::{Arc, Line, Path, Point};
 use crate::shell::assembly::Sheet;
-use crate::shell::cases::{Fineness, ShellFault, VActuator, Value, Watch, actuator};
+use crate::shell::cases::{Fineness, Margin, ShellFault, VActuator, Value, Watch, actuator};
 use crate::shell::element::Fabric;
 use crate::shell::mesh::{FlatChamber, MeshFault};
 use crate::shell::solver::{Continuation, Equilibrium, Solver, rigid_motions};
@@ -99,7 +99,7 @@ fn a_square_pillow_holds_a_fifth_of_a_cube() {
 fn a_v_actuator_as_a_region_is_the_v_actuator() {
     let (w, l, angle) = (0.02, 0.06, PI / 2.0);
     let tube = crate::shell::cases::Tube { width: w, fabric: fabric(0.3e-3), pressure: 14e3 };
-    let case = VActuator { tube, radius: 0.0, arm_length: l, angle };
+    let case = VActuator { tube, radius: 0.0, arm_length: l, angle, margin: Margin::NONE };
     let known = actuator(&case, &[], Fineness { cells: 3.0, cuts: 2 }, &Watch::default()).expect("known");
     let outline = Path::closed(vec![
         Line::new(Point::new(0.0, 0.0), Point::new(0.0, l)).into(),

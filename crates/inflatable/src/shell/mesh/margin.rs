@@ -1,0 +1,240 @@
+//! The margin of a tube: the sealed band and the loose flap beyond it, which lie in the plane of its rims.
+//!
+//! The tube's own triangles stay as they are, so that numbers with and without a margin belong to the same mesh of the tube.
+
+use crate::geom::{Arc, Line, Point, Segment, Vec2};
+use crate::shell::mesh::delaunay::{BorderPoints, fill_border};
+use crate::shell::mesh::sizing::Sizing;
+use crate::shell::mesh::{Border, MeshFault, Meshed, Piece, rim};
+use std::collections::BTreeMap;
+
+/// How far the margin stands out from each rim, band and flap together, in the mesh's unit of length; 0 where there is none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MarginWidths {
+    /// From the inner rim.
+    pub inner: f64,
+    /// From the outer rim.
+    pub outer: f64,
+}
+
+/// Rounds of bisection for the place where an offset curve meets a plane of symmetry.
+const ROUNDS: usize = 60;
+
+/// One rim from its begin to its end, as the border of the tube runs, and what lies before and after it.
+struct Rim {
+    pieces: Vec<usize>,
+    before: Piece,
+    after: Piece,
+}
+
+impl Meshed {
+    /// This mesh of a tube alone with the margin beyond its rims, in triangles as small as `sizing` asks for.
+    ///
+    /// # Errors
+    /// If a width is negative or not finite, or if the margin has no room between the planes of symmetry.
+    pub(super) fn with_margin(self, widths: MarginWidths, sizing: &Sizing) -> Result<Self, MeshFault> {
+        let mut all = self;
+        let (tube, count) = (all.tube, all.pieces.len());
+        for (border, width) in [(rim::INNER, widths.inner), (rim::OUTER, widths.outer)] {
+            if !(width >= 0.0 && width.is_finite()) {
+                let (name, allowed) = ("the margin's width", "0 or more");
+                return Err(MeshFault::Dimension { name, found: width, allowed });
+            }
+            if width > 0.0 {
+                let rim = all.rim(border, count);
+                all = all.widened(&rim, width, sizing)?;
+            }
+        }
+        Ok(Self { tube, ..all })
+    }
+
+    /// The pieces of a rim. The first `count` pieces are the border of the tube alone: one loop, and a rim is one run of it.
+    fn rim(&self, border: u8, count: usize) -> Rim {
+        let is_own = |at: &usize| self.pieces[*at].border == Border::Rim(border);
+        let pieces: Vec<usize> = (0..count).filter(is_own).collect();
+        let (first, last) = (pieces.first().copied().unwrap_or(0), pieces.last().copied().unwrap_or(0));
+        let neighbours = [(first + count - 1) % count, (last + 1) % count].map(|at| self.pieces[at]);
+        Rim { pieces, before: neighbours[0], after: neighbours[1] }
+    }
+
+    /// This mesh with a margin of this `width` beyond one rim.
+    fn widened(self, rim: &Rim, width: f64, sizing: &Sizing) -> Result<Self, MeshFault> {
+        let edge: Vec<Segment> =
+            rim.pieces.iter().filter_map(|at| offset(&self.pieces[*at].curve, width)).collect();
+        let edge = trimmed(edge, rim.before).map(|edge| reversed(&edge));
+        let edge = edge.and_then(|edge| trimmed(edge, rim.after)).map(|edge| reversed(&edge));
+        let too_wide = MeshFault::Dimension {
+            name: "the margin's width",
+            found: width,
+            allowed: "less: it has no room",
+        };
+        let edge = edge.filter(|edge| !edge.is_empty()).ok_or(too_wide)?;
+        // Counterclockwise: back along the rim, out, along the cut edge, in.
+        let Self { mesh, mut pieces, piece_of, tube } = self;
+        let (mut known, mut loop_pieces) = (Vec::new(), Vec::new());
+        for at in rim.pieces.iter().rev() {
+            let curve = pieces[*at].curve;
+            let fraction = |point: usize| {
+                curve.nearest_fraction(Point::new(mesh.points[point][0], mesh.points[point][1]))
+            };
+            let mut run: Vec<[usize; 2]> = (mesh.edges.iter().zip(&piece_of))
+                .filter(|(_, on)| **on == Some(*at))
+                .map(|(edge, _)| edge.ends)
+                .map(|[a, b]| if fraction(a) > fraction(b) { [a, b] } else { [b, a] })
+                .collect();
+            run.sort_by(|a, b| fraction(b[0]).total_cmp(&fraction(a[0])));
+            known.extend(run.iter().map(|[from, _]| *from));
+            loop_pieces.extend(run.iter().map(|_| *at));
+            if *at == rim.pieces[0] {
+                known.extend(run.last().map(|[_, to]| *to));
+            }
+        }
+        let place = |point: &usize| Point::new(mesh.points[*point][0], mesh.points[*point][1]);
+        let mut points: Vec<Point> = known.iter().map(place).collect();
+        let ends = [edge[0].start(), edge[edge.len() - 1].end()];
+        let beside = |piece: Piece| {
+            if matches!(piece.border, Border::Mirror(_)) { piece.border } else { Border::Free }
+        };
+        let corners = [points[points.len() - 1], points[0]];
+        let out = Piece { curve: Line::new(corners[0], ends[0]).into(), border: beside(rim.before) };
+        let back = Piece { curve: Line::new(ends[1], corners[1]).into(), border: beside(rim.after) };
+        let cut = edge.into_iter().map(|curve| Piece { curve, border: Border::Free });
+        for (at, piece) in [out].into_iter().chain(cut).chain([back]).enumerate() {
+            let run = sizing.along(&piece.curve);
+            // The first point of the way out is the rim's.
+            loop_pieces.extend(run.iter().map(|_| pieces.len()));
+            points.extend(run.into_iter().skip(usize::from(at == 0)));
+            pieces.push(piece);
+        }
+        let border = BorderPoints::closed(points, &loop_pieces);
+        let (found, triangles) = fill_border(&border, sizing)?;
+        let fresh = mesh.points.len();
+        let number = |at: usize| known.get(at).copied().unwrap_or(fresh + at.saturating_sub(known.len()));
+        let mut all = mesh.points.clone();
+        all.extend(&found[known.len()..]);
+        let mut on: BTreeMap<[usize; 2], usize> = mesh
+            .edges
+            .iter()
+            .zip(&piece_of)
+            .filter_map(|(edge, piece)| Some((edge.ends, (*piece)?)))
+            .collect();
+        on.extend(border.pieces().into_iter().map(|(ends, piece)| {
+            let [a, b] = ends.map(number);
+            ([a.min(b), a.max(b)], piece)
+        }));
+        let triangles =
+            mesh.triangles.iter().copied().chain(triangles.iter().map(|corners| corners.map(number)));
+        let widened = Self::new(all, triangles.collect(), pieces, &on)?;
+        Ok(Self { tube, ..widened })
+    }
+}
+
+/// `curve` moved by `by` to its right; `None` if it is an arc around a centre that lies nearer.
+fn offset(curve: &Segment, by: f64) -> Option<Segment> {
+    match curve {
+        Segment::Line(line) => {
+            let aside = line.direction().perp() * -by;
+            Some(Line::new(line.start + aside, line.end + aside).into())
+        }
+        Segment::Arc(arc) => {
+            let radius = arc.radius + if arc.is_ccw() { by } else { -by };
+            (radius > 1e-9 * by).then(|| Arc { radius, ..*arc }.into())
+        }
+    }
+}
+
+/// The part of a run of curves that lies on the left of the border's piece `before` it, if that is a plane of symmetry; `None` if none does.
+fn trimmed(edge: Vec<Segment>, beside: Piece) -> Option<Vec<Segment>> {
+    let (Border::Mirror(_), Segment::Line(line)) = (beside.border, beside.curve) else { return Some(edge) };
+    let direction: Vec2 = line.direction();
+    let side = |p: Point| direction.cross(p - line.start);
+    let slack = 1e-12 * line.length();
+    let first = edge.iter().position(|curve| side(curve.end()) > slack)?;
+    let curve = edge[first];
+    let (mut low, mut high) = (0.0, 1.0);
+    if side(curve.start()) < -slack {
+        for _ in 0..ROUNDS {
+            let middle = f64::midpoint(low, high);
+            if side(curve.point(middle)) < 0.0 { low = middle } else { high = middle }
+        }
+    } else {
+        high = 0.0;
+    }
+    Some([curve.part(high, 1.0)].into_iter().chain(edge.into_iter().skip(first + 1)).collect())
+}
+
+fn reversed(edge: &[Segment]) -> Vec<Segment> {
+    edge.iter().rev().map(Segment::reversed).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shell::mesh::{HalfActuator, HalfSector, Sizes};
+    use std::f64::consts::PI;
+
+    const SIZES: [f64; 2] = [3.0, 6.0];
+    const WIDTHS: MarginWidths = MarginWidths { inner: 0.1, outer: 0.3 };
+
+    /// Stars with sharp and round hinges, and one whose short arms leave the inner margin no straight part.
+    fn stars() -> [HalfSector; 3] {
+        let paper = HalfSector { n: 5, rho_0: 5.0 / 3.0, w: 1.0, phi_i: PI / 6.0, r_i: 0.0, r_e: 0.0 };
+        [paper, HalfSector { r_i: 0.05, r_e: 0.4, ..paper }, HalfSector { n: 8, ..paper }]
+    }
+
+    #[test]
+    fn a_margin_leaves_the_tube_as_it_is() {
+        for star in stars() {
+            for cells in SIZES {
+                let sizes = Sizes::across(1.0, cells);
+                let bare = star.mesh(&sizes).expect("a mesh");
+                let with = star.mesh_with(&sizes, WIDTHS).expect("a mesh");
+                assert_eq!(bare, star.mesh_with(&sizes, MarginWidths::default()).expect("a mesh"));
+                assert_eq!(bare.tube, bare.mesh.triangles.len());
+                assert_eq!(with.tube, bare.tube);
+                assert_eq!(with.mesh.triangles[..with.tube], bare.mesh.triangles[..]);
+                assert_eq!(with.mesh.points[..bare.mesh.points.len()], bare.mesh.points[..]);
+                let fine = with.refined().expect("a finer mesh");
+                assert_eq!(
+                    (fine.tube, fine.mesh.triangles.len()),
+                    (4 * with.tube, 4 * with.mesh.triangles.len())
+                );
+                let whole = with.unfolded(star.n, 2 * star.n).expect("a whole star");
+                assert_eq!(whole.tube, 2 * bare.tube * usize::try_from(star.n).expect("few"));
+            }
+        }
+    }
+
+    /// The margin's area, from two meshes, is that between the rims and the curves offset from them, by Pappus' rule: width times the length in
+    /// its middle, and at a sharp hinge the kite that is cut by the plane of symmetry.
+    #[test]
+    fn the_margin_has_its_area() {
+        let star = stars()[0];
+        let coarse = star.mesh_with(&Sizes::across(1.0, 8.0), WIDTHS).expect("a mesh");
+        let fine = coarse.refined().expect("a finer mesh");
+        let of = |meshed: &Meshed| {
+            (meshed.tube..meshed.mesh.triangles.len()).map(|t| meshed.mesh.area(t)).sum::<f64>()
+        };
+        let found = of(&fine) + (of(&fine) - of(&coarse)) / 3.0;
+        let (corner, tip) = ((PI - star.phi_i - 2.0 * star.half_angle()) / 2.0, (PI - star.phi_i) / 2.0);
+        let band = |width: f64, arc: f64, cut: f64| {
+            // Around an arc of radius 1, along the arm, less what lies beyond the plane that halves the sharp hinge's angle.
+            width * (arc * (1.0 + width / 2.0) + star.l()) - width * width / (2.0 * cut.tan())
+        };
+        let exact = band(WIDTHS.inner, corner, PI / 2.0 - tip) + band(WIDTHS.outer, tip, PI / 2.0 - corner);
+        assert!((found / exact - 1.0).abs() < 1e-4, "{found} {exact}");
+    }
+
+    #[test]
+    fn an_actuator_has_a_margin_too_and_one_without_room_is_refused() {
+        let half = HalfActuator { r: 0.1, w: 1.0, l: 4.0, phi_0: PI / 3.0 };
+        let sizes = Sizes::across(1.0, 6.0);
+        let with = half.mesh_with(&sizes, MarginWidths { inner: 0.1, outer: 0.1 }).expect("a mesh");
+        assert!(with.tube < with.mesh.triangles.len());
+        for widths in [MarginWidths { inner: -1.0, outer: 0.0 }, MarginWidths { inner: 0.0, outer: f64::NAN }]
+        {
+            assert!(half.mesh_with(&sizes, widths).is_err());
+        }
+        assert!(stars()[0].mesh_with(&sizes, MarginWidths { inner: 5.0, outer: 0.0 }).is_err());
+    }
+}
