@@ -27,7 +27,9 @@ pub fn in_words(forecast: &Forecast) -> String {
     let pressure = load.pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
     let payload = prediction.first.payload_kg.zip(prediction.first.ranges.payload_kg);
     let payload = payload.zip(load.friction).map_or_else(String::new, |((kg, range), friction)| {
-        format!("; with a friction of {friction} it carries {}", with(kg, range, "kg"))
+        let within = load.friction_range().filter(|[least, most]| least < most);
+        let within = within.map_or_else(String::new, |[least, most]| format!(", {least} to {most},"));
+        format!("; with a friction of {friction}{within} it carries {}", with(kg, range, "kg"))
     });
     let why =
         if verdict.reasons.is_empty() { String::new() } else { format!(": {}", verdict.reasons.join("; ")) };

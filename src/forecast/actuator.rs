@@ -232,13 +232,15 @@ fn ranges(
     let tried = within(arm / width, errors::ACTUATOR_ARM)
         && within(hinge.arc().to_degrees(), errors::ARC)
         && model.level() == Level::Section
-        && model.arms(hinge.r_star, hinge.arc()).is_some();
-    let angles = errors::ACTUATOR.map(|error| angle + error);
+        && model.arms(hinge.r_star, hinge.arc()).is_some()
+        && actuator.sheet.thickness / width >= errors::SLENDERNESS_REACHED[0];
+    let slender = actuator.sheet.thickness / width;
+    let angles = errors::actuator(slender).map(|error| angle + error);
     let stiffness = hinge.stiffness(pressure, rest);
     tried.then(|| ActuatorRanges {
         angle_deg: Some(angles.map(f64::to_degrees)),
         coiling: Some([angles[1], angles[0]].map(|angle| hinge.coiling(angle))),
-        stiffness_Nm: Some(scaled(errors::HINGE, stiffness)),
+        stiffness_Nm: Some(scaled(errors::hinge(slender), stiffness)),
         ..ActuatorRanges::default()
     })
 }

@@ -1,6 +1,7 @@
 //! The inputs of a spec for one star, in SI units: the only conversion from mm to m and from kPa to Pa.
 
 use crate::design::{Meeting, Star};
+use crate::forecast::ranges::Interval;
 use crate::spec::{Fabric, Load, Seal, Spec};
 use crate::units::{BendingStiffness, Length, LineForce, Pressure};
 use inflatable::mechanics::fault::StarFault;
@@ -43,6 +44,8 @@ pub struct Case {
     pub entering: Option<f64>,
     /// Friction with the object.
     pub friction: Option<f64>,
+    /// Within which it lies.
+    pub friction_range: Option<Interval>,
 }
 
 impl Case {
@@ -66,6 +69,7 @@ impl Case {
             object: load.and_then(|load| load.object_radius).map(Length::metres),
             entering: load.and_then(|load| load.object_radius).map(Length::metres),
             friction: load.and_then(|load| load.friction),
+            friction_range: load.and_then(Load::friction_range),
         })
     }
 
@@ -84,6 +88,7 @@ impl Case {
             object: None,
             entering: None,
             friction: None,
+            friction_range: None,
         }
     }
 

@@ -121,13 +121,13 @@ pub(super) fn too_hard([low, high]: Interval, bears: f64) -> Refusal {
 pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64) -> Refusal {
     let found = format!("friction needs {needed:.1} N, and there are {high:.1} N at most");
     let mut ways = Vec::new();
-    if let Some(friction) = load.friction {
-        // Rounding down to the gram keeps the bound.
+    if let Some(([friction, _], mass)) = load.friction_range().zip(load.mass) {
+        // What is rounded to the gram still holds.
         let grams = (1e3 * low * friction / GRAVITY).floor();
         if grams > 0.0 {
             ways.push(format!("a mass of at most {}", Mass(grams / 1e3)));
         }
-        let wanted = if low > 0.0 { (100.0 * friction * needed / low).ceil() / 100.0 } else { f64::INFINITY };
+        let wanted = if low > 0.0 { (100.0 * mass.0 * GRAVITY / low).ceil() / 100.0 } else { f64::INFINITY };
         if wanted <= COATED {
             ways.push(format!("a friction of at least {wanted}: silicone-coated corners reach about 1"));
         }

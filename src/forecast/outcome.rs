@@ -2,7 +2,7 @@
 
 use crate::forecast::case::Case;
 use crate::forecast::model_selection::{corrected, tabled};
-use crate::forecast::ranges::{Domain, Interval, Ranges, errors, pressure_edge, scaled};
+use crate::forecast::ranges::{Domain, Interval, Ranges, pressure_edge};
 use crate::units::Length;
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::HingeModel;
@@ -10,7 +10,7 @@ use inflatable::mechanics::star::response::{Inflated, Rest};
 use inflatable::mechanics::strength::payload;
 
 /// Shortest arm over tube width: shorter ones are no straight tube any more, and the model's hinges would overlap.
-pub const SHORTEST_ARM: f64 = errors::ARM[0];
+pub const SHORTEST_ARM: f64 = 0.5;
 /// The last part of the way from rest to the widest opening, where the arms lock. The radius is a parabola there, so at a
 /// sixteenth its slope has fallen to a quarter: the same torque makes four times the force.
 const LOCKING: f64 = 1.0 / 16.0;
@@ -94,8 +94,11 @@ impl Outcome {
         let held = own.object_force();
         let force_range = held.and(case.object).and_then(|rho| ranges.force(inflated, rho, &own.rest));
         let force_range = force_range.map(|range| own.at_least_as_at(edge.as_ref(), range));
-        let payload_range =
-            case.friction.zip(force_range).map(|(mu, range)| scaled(range, payload(mu, [1.0])));
+        // The friction does not depend on the force, and either may be at its end: at least what the lower ends hold, at most what the upper.
+        let payload_range = case
+            .friction_range
+            .zip(force_range)
+            .map(|(friction, force)| [0, 1].map(|end: usize| payload(friction[end], [1.0]) * force[end]));
         let own = Self { ranges, force_range, payload_range, ..own };
         if case.mechanism.correction.corner_compliance { own.as_far_as_known() } else { own }
     }

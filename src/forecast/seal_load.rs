@@ -11,7 +11,7 @@
 
 use crate::design::StarDesign;
 use crate::forecast::case::{Case, Hinges};
-use crate::forecast::ranges::{Interval, errors, scaled, widening};
+use crate::forecast::ranges::{Interval, TriedRatio, errors, scaled, widening};
 use crate::units::{Length, LineForce, Pressure, Readable};
 use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::mechanics::hinge::{HingeModel, seal_load};
@@ -83,7 +83,8 @@ pub fn pull(case: &Case, k: f64, (hinge, radius): (LoadedHinge, f64), pressure: 
 fn range(case: &Case, radius: f64, pressure: f64) -> Option<Interval> {
     let width = case.mechanism.width;
     let bendability = case.sheet.bendability(pressure, width);
-    let wider = widening([(radius / width, R_STAR), (bendability, errors::BENDABILITY)])?;
+    let places = [("", radius / width, R_STAR), ("", bendability, errors::BENDABILITY)];
+    let wider = widening(&places.map(|(what, x, tried)| TriedRatio::new(what, x, tried)))?;
     Some(RANGE.map(|part| libm::pow(part, wider)))
 }
 

@@ -70,7 +70,7 @@ impl fmt::Display for BenchFault {
             ),
             Self::Beyond => {
                 f.write_str(
-                    "no fabric of the table of arms makes such a hinge at this pressure: it holds for t/W of 0.01 to 0.03, R* up to 1, 1/eps of \
+                    "no fabric of the table of arms makes such a hinge at this pressure: it holds for t/W of 0.005 to 0.03, R* up to 1, 1/eps of \
                      100 to 10,000 and p W / Y up to 0.1; another pressure may do",
                 )
             }

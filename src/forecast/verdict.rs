@@ -63,7 +63,11 @@ fn force_range(stars: &[StarPrediction]) -> Option<Interval> {
 
 /// m g / mu, N.
 fn needed_force(load: &Load) -> Option<f64> {
-    let (Mass(mass), friction) = load.mass.zip(load.friction)?;
+    needed_at(load, load.friction?)
+}
+
+fn needed_at(load: &Load, friction: f64) -> Option<f64> {
+    let Mass(mass) = load.mass?;
     Some(mass * GRAVITY / friction)
 }
 
@@ -206,12 +210,17 @@ impl VerdictLines {
 
     fn mass(&mut self, load: &Load, stars: &[StarPrediction]) {
         let needed = needed_force(load);
-        let (weight, what) = match (needed, force_range(stars), force(stars)) {
-            (Some(needed), Some(range), _) if range[1] < needed => {
+        // The least friction needs most.
+        let ends = load.friction_range().map(|range| range.map(|friction| needed_at(load, friction)));
+        let ends = ends.and_then(|[most, least]| Some([least?, most?]));
+        let (weight, what) = match (ends, force_range(stars), force(stars)) {
+            (Some([needed, _]), Some(range), _) if range[1] < needed => {
                 (Weight::Refuted, VerdictText::Refusal(too_heavy(load, range, needed)))
             }
-            (Some(needed), Some([low, _]), _) if low < needed => {
-                let text = format!("friction needs {needed:.1} N, and there may be {low:.1} N only");
+            (Some([_, needed]), Some([low, _]), _) if low < needed => {
+                let least = load.friction_range().map_or(0.0, |[least, _]| least);
+                let of = if load.friction == Some(least) { String::new() } else { format!(" of {least}") };
+                let text = format!("friction{of} needs {needed:.1} N, and there may be {low:.1} N only");
                 (Weight::Doubted, VerdictText::Reason(text))
             }
             (_, None, Some(force)) => {

@@ -108,7 +108,8 @@ keys! {
     machine "machine" { PROFILE "profile", PROGRAM "program", FEED_FLOOR "feed_floor" }
     load "load" {
         PRESSURE "pressure", OBJECT_DIAMETER "object_diameter", OBJECT_RADIUS "object_radius", OBJECT_HEIGHT "object_height",
-        OBJECT_SHAPE "object_shape", FRICTION "friction", MASS "mass", LARGEST_FORCE "largest_force",
+        OBJECT_SHAPE "object_shape", FRICTION "friction", FRICTION_LEAST "friction_least", FRICTION_MOST "friction_most",
+        MASS "mass", LARGEST_FORCE "largest_force",
     }
     accuracy "accuracy" { PATH "path", MODEL "model", RESPONSE "response" }
     build "build" { WITH "with", LINK "link" }

@@ -319,6 +319,10 @@ pub struct Load {
     pub object_shape: Option<ObjectShape>,
     /// Friction coefficient mu between corner and object.
     pub friction: Option<f64>,
+    /// Least that mu may be; absent: mu.
+    pub friction_least: Option<f64>,
+    /// Most that mu may be; absent: mu.
+    pub friction_most: Option<f64>,
     /// Mass of the object that friction shall hold.
     pub mass: Option<Mass>,
     /// Largest radial force of one star that the object bears.
@@ -326,6 +330,12 @@ pub struct Load {
 }
 
 impl Load {
+    /// Within which mu lies: mu itself where no more is said. It always contains mu, which a study may vary alone.
+    pub fn friction_range(&self) -> Option<[f64; 2]> {
+        let mu = self.friction?;
+        Some([self.friction_least.unwrap_or(mu).min(mu), self.friction_most.unwrap_or(mu).max(mu)])
+    }
+
     /// The key that gave the object's size, or the documented one.
     pub fn size_key(&self) -> KeyPath {
         match self.object_size {

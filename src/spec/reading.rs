@@ -313,6 +313,8 @@ fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
         object_height: s.quantity("object_height", SIZE),
         object_shape: s.choice("object_shape", &ObjectShape::ALL),
         friction: s.number("friction", Allowed::above(0.0, 10.0)),
+        friction_least: s.number("friction_least", Allowed::above(0.0, 10.0)),
+        friction_most: s.number("friction_most", Allowed::above(0.0, 10.0)),
         mass: s.quantity("mass", Allowed::above(0.0, 1e4)),
         largest_force: s.quantity("largest_force", Allowed::above(0.0, 1e6)),
     };

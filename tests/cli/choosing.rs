@@ -25,7 +25,10 @@ fn holds(dir: &Path, mass: f64, width: f64, asked: &str) {
     let predicted = run(dir, &["predict", "wish.toml", "--json"]);
     let value: Value = serde_json::from_slice(&predicted.stdout).expect("JSON");
     let low = value["ranges"]["payload_kg"][0].as_f64().expect("known");
-    assert!(low >= 1.15 * mass, "{asked}: {low} kg of {mass}: {value}");
+    // A friction that is assumed may be two thirds of it: by itself it has half as much again, and at its least all of the mass.
+    let spec = fs::read_to_string(dir.join("wish.toml")).expect("written");
+    let margin = if spec.contains("friction_least = 0.2 ") { 1.0 } else { 1.15 };
+    assert!(low >= margin * mass, "{asked}: {low} kg of {mass}: {value}");
     let ends = value["graspable_radius_mm"].as_array().expect("ends");
     assert!(ends[1].as_f64() > Some(0.5 * width) && value["model"] == "section", "{asked}: {value}");
     let closes = &value["ranges"]["final_radius_mm"];
@@ -223,6 +226,7 @@ fn the_answer_says_what_was_chosen_and_what_was_assumed() {
     }
     assert!(said.contains("wrote f0.2.toml, and beside it stargrip-cam.schema.json for editors"), "{said}");
     let spec = fs::read_to_string(dir.path().join("f0.2.toml")).expect("written");
+    assert!(spec.contains("friction_least = 0.2 ") && spec.contains("friction_most = 0.42 "), "{spec}");
     assert!(spec.contains("friction = 0.3 ") && spec.contains("width = \"420 mm\""), "{spec}");
     let check = run(dir.path(), &["check", "f0.2.toml"]);
     let heard = text(&check.stderr);

@@ -73,7 +73,7 @@ fn whole(study: &Study) -> RowBatch {
 }
 
 /// `sweep spec.toml --vary star.points=3,5,9 --vary "star.tube_width=20 mm..40 mm/3" --vary "load.pressure=0.001 kPa,37 kPa,600 kPa"`
-/// of the version before there were study files; forces as they are reckoned now.
+/// of the version before there were study files; forces, and what is known, as they are reckoned now.
 #[test]
 fn what_was_swept_before_is_swept_the_same() {
     let spec = Source::new("spec.toml", PAPER.replace("[seal]\nband = \"1 mm\"\n", ""));
@@ -240,6 +240,8 @@ fn any_key_of_the_spec_varies_and_means_what_it_means_there() {
             "frame.posts" => "5",
             "inlet.tip" | "stack.count" => "2",
             "fabric.poisson_ratio" | "load.friction" => "0.3",
+            "load.friction_least" => "0.2",
+            "load.friction_most" => "0.9",
             "accuracy.response" => "7 %",
             "accuracy.path" => "0.01 mm",
             "seal.temperature" => "190 C",

@@ -81,6 +81,35 @@ fn verdicts_are_monotone_in_mass() {
     assert!([0, 1, 2].iter().all(|rank| ranks.contains(rank)), "{ranks:?}");
 }
 
+/// The payload's range is that of the force at the two ends of the friction's, and the verdict follows it.
+#[test]
+fn an_uncertain_friction_widens_the_payload_and_the_verdict() {
+    let with = |least: Option<f64>, most: Option<f64>, kilograms: f64| {
+        let mut spec = gripper(5);
+        spec.fabric.seal_strength = Some(LineForce(60.0));
+        let load = spec.load.as_mut().expect("given");
+        (load.friction, load.friction_least, load.friction_most) = (Some(0.3), least, most);
+        load.mass = Some(Mass(kilograms));
+        predict(&spec)
+    };
+    let exact = with(None, None, 1.0).first.ranges.payload_kg.expect("known");
+    let wide = with(Some(0.2), Some(0.42), 1.0).first;
+    let found = wide.ranges.payload_kg.expect("known");
+    assert!((found[0] / exact[0] - 0.2 / 0.3).abs() < 1e-12 && (found[1] / exact[1] - 1.4).abs() < 1e-12);
+    let holds = |least, most, kilograms| with(least, most, kilograms).verdict.expect("an object").holds;
+    for (kilograms, sure, unsure) in [
+        (0.99 * found[0], Holds::Yes, Holds::Yes),
+        (1.01 * found[0], Holds::Yes, Holds::Unknown),
+        (1.01 * exact[1], Holds::No, Holds::Unknown),
+        (1.01 * found[1], Holds::No, Holds::No),
+    ] {
+        assert_eq!(holds(None, None, kilograms), sure, "{kilograms}");
+        assert_eq!(holds(Some(0.2), Some(0.42), kilograms), unsure, "{kilograms}");
+        // Ends on the wrong side of the friction itself say nothing.
+        assert_eq!(holds(Some(0.4), Some(0.2), kilograms), sure, "{kilograms}");
+    }
+}
+
 #[test]
 fn what_is_proposed_for_too_much_mass_holds() {
     let mut spec = gripper(5);

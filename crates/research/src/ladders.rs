@@ -59,6 +59,9 @@ pub fn ladders() -> Vec<Ladder> {
             push(arms::ARCS[0], arms::TAUS[tau], arms::R_STARS[r_star], poisson);
         }
     }
+    for r_star in arms::THIN_R_STARS {
+        push(arms::THIN_ARC, arms::THIN_TAU, r_star, arms::POISSON);
+    }
     all
 }
 
@@ -70,7 +73,18 @@ impl Ladder {
 
     /// Whether it is one of the table's own.
     pub fn is_in_table(&self) -> bool {
-        self.poisson == arms::POISSON
+        self.poisson == arms::POISSON && !self.is_thin()
+    }
+
+    /// Whether it is of the table of thin fabric.
+    pub fn is_thin(&self) -> bool {
+        self.tau == arms::THIN_TAU
+    }
+
+    /// 1/eps of its pressures.
+    fn bendabilities(&self) -> Vec<f64> {
+        let all = arms::bendabilities(self.tau);
+        all[if self.is_thin() { arms::PRESSURES - arms::THIN_PRESSURES } else { 0 }..].to_vec()
     }
 
     /// Computes it; returns its text with the results.
@@ -78,10 +92,10 @@ impl Ladder {
     /// # Errors
     /// If the shell refuses, or is cancelled.
     pub fn compute(&self, fineness: Fineness, watch: &Watch<'_>) -> Result<String, ShellFault> {
-        let bendabilities = arms::bendabilities(self.tau);
+        let bendabilities = self.bendabilities();
         let bending = STRETCH * (self.tau * WIDTH).powi(2);
         let fabric = Fabric::isotropic(STRETCH, bending, self.poisson);
-        let pressures = bendabilities.map(|b| b * bending / WIDTH.powi(3));
+        let pressures: Vec<f64> = bendabilities.iter().map(|b| b * bending / WIDTH.powi(3)).collect();
         let case = VActuator {
             tube: Tube { width: WIDTH, fabric, pressure: pressures[0] },
             radius: self.r_star * WIDTH,
@@ -198,17 +212,18 @@ impl fmt::Display for JoinFault {
 
 impl std::error::Error for JoinFault {}
 
-/// The table of all its ladders, as the text that is shipped.
+/// The table of all its ladders, or that of `thin` fabric, as the text that is shipped.
 ///
 /// # Errors
 /// If one of them is missing or incomplete.
-pub fn join(climbed: &[LadderTable]) -> Result<String, JoinFault> {
+pub fn join(climbed: &[LadderTable], thin: bool) -> Result<String, JoinFault> {
     let mut body = String::new();
-    for ladder in ladders().into_iter().filter(Ladder::is_in_table) {
+    let of_table = |ladder: &Ladder| if thin { ladder.is_thin() } else { ladder.is_in_table() };
+    for ladder in ladders().into_iter().filter(of_table) {
         let number = ladder.number;
         let own = climbed.iter().find(|climbed| climbed.ladder.number == number);
         let points = own.ok_or(JoinFault::Missing(number))?.arms().map_err(JoinFault::Hinge)?;
-        if points.len() != arms::PRESSURES {
+        if points.len() != ladder.bendabilities().len() {
             return Err(JoinFault::Short(number));
         }
         for [b, angle, angle_error, give, give_error] in points {
@@ -220,9 +235,10 @@ pub fn join(climbed: &[LadderTable]) -> Result<String, JoinFault> {
         }
     }
     let hash = sha256(&body);
+    let option = if thin { " --thin" } else { "" };
     Ok(format!(
         "# What arms add to a hinge; read by crates/inflatable/src/mechanics/hinge/section/arms.rs.\n\
-         # Made by `research ladders DIR` and `research ladders DIR --join` (crates/research). SHA-256 of the lines below: {hash}\n\
+         # Made by `research ladders DIR` and `research ladders DIR --join{option}` (crates/research). SHA-256 of the lines below: {hash}\n\
          # phi_0, deg, tau, R*, 1/eps; delta and its mesh error, the arms' give and its mesh error, deg.\n{body}"
     ))
 }
@@ -261,7 +277,7 @@ mod tests {
                 );
                 assert!((give - g).abs() < give_error.max(open), "{b}: {give} +- {give_error}, {g}");
             }
-            assert_eq!(join(&[climbed]), Err(JoinFault::Missing(1)));
+            assert_eq!(join(&[climbed], false), Err(JoinFault::Missing(1)));
         }
     }
 

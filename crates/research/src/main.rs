@@ -22,13 +22,19 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Table {
-    /// V-actuators at rising pressures: the effect of arms on a hinge.
-    Ladders(Work),
+    /// V-actuators at rising pressures: what arms add to a hinge.
+    Ladders {
+        #[command(flatten)]
+        work: Work,
+        /// Join the table of thin fabric.
+        #[arg(long, requires = "join")]
+        thin: bool,
+    },
     /// Stars of the drawn sets.
     Stars {
         #[command(flatten)]
         work: Work,
-        /// Which set: fit, range, test, paper or all.
+        /// Which set: fit, range, test, paper, wide or all.
         #[arg(long, default_value = "all", value_parser = sets)]
         set: Sets,
         /// Open the stars by round objects, too.
@@ -52,6 +58,12 @@ struct Work {
     /// Edges across the hinge of the coarsest mesh, in place of those of the shipped tables.
     #[arg(long)]
     cells: Option<f64>,
+    /// How often triangles are cut into four, in place of those of the shipped tables.
+    #[arg(long)]
+    cuts: Option<usize>,
+    /// Compute only the results from this number on.
+    #[arg(long, default_value_t = 1)]
+    from: u32,
 }
 
 #[derive(Clone)]
@@ -60,7 +72,7 @@ struct Sets(Vec<Set>);
 fn sets(text: &str) -> Result<Sets, String> {
     let meant: Vec<Set> = Set::ALL.into_iter().filter(|set| text == "all" || text == set.name()).collect();
     if meant.is_empty() {
-        Err("allowed are fit, range, test, paper and all".to_owned())
+        Err("allowed are fit, range, test, paper, wide and all".to_owned())
     } else {
         Ok(Sets(meant))
     }
@@ -93,12 +105,12 @@ fn main() -> ExitCode {
 
 fn run(table: Table) -> Result<(), Box<dyn Error>> {
     match table {
-        Table::Ladders(work) if work.join => {
+        Table::Ladders { work, thin } if work.join => {
             let found = |ladder: &Ladder| LadderTable::read(&text_of(&ladder_file(&work.dir, ladder))?);
             let found: Vec<LadderTable> = ladders().iter().filter_map(found).collect();
-            print!("{}", ladders::join(&found)?);
+            print!("{}", ladders::join(&found, thin)?);
         }
-        Table::Ladders(work) => all_ladders(&work)?,
+        Table::Ladders { work, .. } => all_ladders(&work)?,
         Table::Stars { work, set, .. } if work.join => {
             let known = shipped::shipped();
             let of_set = in_turn().into_iter().filter(|star| set.0.contains(&star.set));
@@ -120,13 +132,13 @@ impl Work {
     }
 
     fn fineness(&self, shipped: Fineness) -> Fineness {
-        Fineness { cells: self.cells.unwrap_or(shipped.cells), ..shipped }
+        Fineness { cells: self.cells.unwrap_or(shipped.cells), cuts: self.cuts.unwrap_or(shipped.cuts) }
     }
 }
 
 fn all_ladders(work: &Work) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&work.dir)?;
-    for ladder in work.of_part(ladders()) {
+    for ladder in work.of_part(ladders().into_iter().skip(work.from as usize - 1).collect()) {
         let path = ladder_file(&work.dir, &ladder);
         if text_of(&path).and_then(|text| LadderTable::read(&text)).is_none() {
             replace(&path, &ladder.compute(work.fineness(ladders::FINENESS), &Watch::default())?)?;
@@ -143,6 +155,7 @@ fn stars(work: &Work, sets: &[Set], forces: bool) -> Result<(), Box<dyn Error>> 
         let (openings, fineness) = match star.set {
             _ if forces => (&OPENINGS[..], FORCE_FINENESS),
             Set::Paper => (&[][..], computed::PAPER_FINENESS),
+            Set::Wide => (&[][..], Fineness::default()),
             Set::Fit | Set::Range | Set::Test => (&[][..], computed::FINENESS),
         };
         let path = star_file(&work.dir, &star, forces);

@@ -18,7 +18,12 @@ pub const STIFFNESS: Interval = [0.835, 1.197];
 pub const HINGE: Interval = [0.86, 1.03];
 /// The shell's angle of a V-actuator less the predicted one, rad.
 pub const ACTUATOR: Interval = [-0.0105, 0.0105];
-/// Validated flat arcs of V-actuators, deg.
+/// [`HINGE`] of the thinnest fabric. Seven V-actuators with t/W = 0.0075, of which the table of arms has none (docs/paper.md), have 0.79 to 1.32
+/// times the predicted stiffness, of which their meshes leave up to 0.3 open.
+const THIN_HINGE: Interval = [0.6, 1.9];
+/// By how much [`ACTUATOR`] is wider of the thinnest fabric: those seven are off by up to 1.6 deg, of which their meshes leave up to 2 open.
+const THIN_ACTUATOR: f64 = 7.0;
+/// Flat arcs of the V-actuators that were tried, deg.
 pub const ARC: Interval = [60.0, 150.0];
 /// Validated arms of V-actuators by W; with 3 W their sealed ends make them softer by a third.
 pub const ACTUATOR_ARM: Interval = [4.0, 7.5];
@@ -51,25 +56,41 @@ pub fn stiffness_unit(points: u32, arm: f64) -> f64 {
         + SHORT_STIFFNESS * libm::log(1.0 / arm).max(0.0)
 }
 
+/// Where `points` lies among those that were tried, from -1 to 1; more are as far out as the most.
 fn from_middle(points: u32) -> f64 {
     let [middle, ends] = POINTS_ABOUT;
-    (f64::from(points) - middle) / ends
+    ((f64::from(points) - middle) / ends).min(1.0)
 }
 
-/// By how much ranges are wider where they end: it grows in proportion to the logarithm of the factor by which a star lies outside.
+/// By how much ranges are wider where they end: it grows in proportion to the logarithm of the factor by which a star lies outside of what was
+/// tried.
 pub const BEYOND: f64 = 4.0;
-/// End of the ranges: a factor beyond the validated interval of any of the quantities below.
+/// The same for thin fabric: stars 1 to 13 of the set `wide` need up to 2.2, at 0.8 of the way.
+pub const BEYOND_THIN: f64 = 3.0;
+/// The same for points, arms and holes: stars 1 to 13 and 17 of the set `wide` need up to 1.3 for the radius and 1.5 for the stiffness.
+pub const BEYOND_SIZES: f64 = 2.0;
+/// Where ranges end in a quantity of which nothing was computed further out: outside of what was tried by this factor.
 pub const NOT_FAR: f64 = 1.5;
 /// Validated numbers of points.
 pub const POINTS: Interval = [3.0, 8.0];
-/// Validated 1/eps.
+/// Points of the stars of the set `wide`, where ranges end; what follows with this name is of them, too.
+pub const POINTS_REACHED: Interval = [2.0, 12.0];
+/// 1/eps that was tried.
 pub const BENDABILITY: Interval = correction::BENDABILITY;
-/// Validated arms by W.
+/// Least 1/eps that was tried of the thinnest fabric.
+const THIN_BENDABILITY: f64 = 631.0;
+/// Arms by W that were tried.
 pub const ARM: Interval = [0.5, 5.0];
-/// Validated rho_0 by W.
+/// Arms by W of the set `wide`.
+pub const ARM_REACHED: Interval = [0.2, 8.0];
+/// rho_0 by W that was tried.
 pub const HOLE: Interval = [0.5, 6.0];
-/// t/W of the table of arms.
+/// rho_0 by W of the set `wide`.
+pub const HOLE_REACHED: Interval = [0.33, 12.0];
+/// t/W that were tried, to the end of the table of arms.
 pub const SLENDERNESS: Interval = [0.01, 0.0316];
+/// t/W of the set `wide`.
+pub const SLENDERNESS_REACHED: Interval = [0.005, 0.04];
 /// Largest p W / Y of the table of arms.
 pub const STRETCH: Interval = [0.0, 0.1];
 /// Validated R*, including 0.
@@ -78,7 +99,29 @@ pub const R_STAR: Interval = [0.0, 0.3];
 pub const TIP_ANGLE: Interval = [15.0, 70.0];
 /// Validated flat arcs of corners, deg.
 pub const CORNER_ARC: Interval = [20.0, 120.0];
-/// Message for a star far beyond the validated domain, or whose hinges' arms are not in their table.
+/// What is said of a star that lies far beyond it, or whose hinges' arms are not in their tables.
 pub const UNKNOWN_WORDS: &str = "nothing is known of stars like this one, none was computed as a shell";
-/// Message for a star beyond the validated domain.
-pub const BEYOND_WORDS: &str = "stars like this one were not computed as shells";
+/// What is said of a star that lies beyond what was tried.
+pub const BEYOND_WORDS: &str = "few stars like this one, or none, were computed as shells";
+
+/// 1/eps that was tried of fabric of t/W = `slender`: from 100 on, of thin fabric from more on.
+pub fn bendability(slender: f64) -> Interval {
+    let [least, most] = BENDABILITY;
+    [least * libm::pow(THIN_BENDABILITY / least, thinness(slender)), most]
+}
+
+/// [`HINGE`] of fabric of t/W = `slender`, wider where that is thin.
+pub fn hinge(slender: f64) -> Interval {
+    [0, 1].map(|end: usize| HINGE[end] * libm::pow(THIN_HINGE[end] / HINGE[end], thinness(slender)))
+}
+
+/// [`ACTUATOR`] of fabric of t/W = `slender`, wider where that is thin.
+pub fn actuator(slender: f64) -> Interval {
+    ACTUATOR.map(|error| error * (1.0 + (THIN_ACTUATOR - 1.0) * thinness(slender)))
+}
+
+/// How thin fabric is, by its logarithm: from 0 at t/W = 0.01 to 1 where ranges end.
+fn thinness(slender: f64) -> f64 {
+    let [thick, thin] = [SLENDERNESS[0], SLENDERNESS_REACHED[0]];
+    (libm::log(thick / slender) / libm::log(thick / thin)).clamp(0.0, 1.0)
+}

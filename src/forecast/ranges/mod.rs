@@ -61,12 +61,14 @@ impl Ranges {
         let free = rest.equilibrium > star.correction.contact_angle;
         let radius = about(rest.radius, errors::RADIUS, unit).map(|end| end.max(0.0));
         let angle = about(rest.equilibrium, errors::ANGLE, angle_unit(long));
+        let [low, high] = errors::HINGE.map(|part| libm::pow(part, wider));
+        let thin = errors::hinge(case.sheet.thickness / star.width);
         Self {
             domain,
             wider,
             radius: Some(radius),
             angle: (angle[0] > star.correction.contact_angle).then_some(angle),
-            hinge: Some(errors::HINGE.map(|part| libm::pow(part, wider))),
+            hinge: Some([low.min(thin[0]), high.max(thin[1])]),
             stiffness: free.then(|| errors::STIFFNESS.map(|part| rest.stiffness * libm::pow(part, stiffer))),
         }
     }
@@ -122,17 +124,58 @@ fn domain(case: &Case, model: &dyn HingeModel) -> Option<(Domain, f64)> {
     let hinges = [star.tip(), star.corner()];
     let arms = hinges.iter().all(|hinge| model.arms(hinge.r_star, hinge.arc()).is_some());
     let pressure = case.pressure.filter(|_| arms && model.level() == Level::Section)?;
-    let wider = widening(place(case, pressure).map(|(_, x, tried)| (x, tried)))?;
+    let wider = widening(&places(case, pressure))?;
     Some((if wider > 1.0 { Domain::Extrapolated } else { Domain::Validated }, wider))
 }
 
-/// Factor on the width of ranges for numbers outside of their validated intervals: in proportion to
-/// the logarithm of the largest factor by which a number is outside, so that no end of a range jumps at the edge of the
-/// validated domain; `None` if too far outside.
-pub(super) fn widening(numbers: impl IntoIterator<Item = (f64, Interval)>) -> Option<f64> {
-    let factor = numbers.into_iter().map(|(x, tried)| factor_outside(x, tried)).fold(1.0, f64::max);
-    let far = if factor > EXACT { libm::log(factor) / libm::log(errors::NOT_FAR) } else { 0.0 };
-    (factor <= errors::NOT_FAR).then_some(1.0 + (errors::BEYOND - 1.0) * far)
+/// A number by which a star lies inside or outside of what was tried.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TriedRatio {
+    what: &'static str,
+    x: f64,
+    /// Where many stars were computed.
+    tried: Interval,
+    /// Where ranges end.
+    reached: Interval,
+    /// By how much they are wider there.
+    wider: f64,
+}
+
+impl TriedRatio {
+    /// A number of which nothing was computed outside of `tried`: ranges reach a little further.
+    pub(super) fn new(what: &'static str, x: f64, tried: Interval) -> Self {
+        let reached = [tried[0] / errors::NOT_FAR, tried[1] * errors::NOT_FAR];
+        Self { what, x, tried, reached, wider: errors::BEYOND }
+    }
+
+    /// A number with the stars of the set `wide` between `tried` and `reached`.
+    fn reaching(self, reached: Interval, wider: f64) -> Self {
+        Self { reached, wider, ..self }
+    }
+
+    /// How far it lies outside, from 0 where many stars were tried to 1 where ranges end: by its logarithm.
+    fn far(&self) -> f64 {
+        let ([low, high], [least, most]) = (self.tried, self.reached);
+        let part =
+            |factor: f64, end: f64| if factor > EXACT { libm::log(factor) / libm::log(end) } else { 0.0 };
+        match self.x {
+            x if x.is_nan() => f64::INFINITY,
+            x if x >= low => part(x / high, most / high),
+            x => part(low / x.max(0.0), low / least),
+        }
+    }
+
+    /// By how much ranges are wider for it; `None` too far out.
+    fn widens(&self) -> Option<f64> {
+        let far = self.far();
+        (far <= EXACT).then_some(1.0 + (self.wider - 1.0) * far)
+    }
+}
+
+/// By how much ranges are wider where numbers lie outside of the intervals that were tried: as for the one that widens them most, and no end
+/// of a range jumps where nothing was tried any more; `None` too far out.
+pub(super) fn widening(places: &[TriedRatio]) -> Option<f64> {
+    places.iter().try_fold(1.0, |most, place| Some(f64::max(most, place.widens()?)))
 }
 
 /// The largest pressure, Pa, at which the ranges of `case` are not wider for its pressure; `None` if its
@@ -143,16 +186,11 @@ pub(super) fn widening(numbers: impl IntoIterator<Item = (f64, Interval)>) -> Op
 pub fn pressure_edge(case: &Case) -> Option<f64> {
     let pressure = case.pressure?;
     let (by_pressure, by_sizes): (Vec<_>, Vec<_>) =
-        place(case, pressure).into_iter().partition(|(what, ..)| *what == BENDABILITY);
-    let sizes = by_sizes.into_iter().map(|(_, x, tried)| factor_outside(x, tried)).fold(1.0, f64::max);
-    let factor = by_pressure.first().map(|(_, x, [_, most])| x / most)?;
-    (factor > EXACT * sizes && factor.is_finite()).then(|| pressure * sizes / factor)
-}
-
-/// By which factor `x` lies outside of an interval; 1 or less inside, infinite where it is no multiple of the interval's end.
-fn factor_outside(x: f64, [low, high]: Interval) -> f64 {
-    let below = if x >= low { 1.0 } else { low / x.max(0.0) };
-    if x.is_nan() { f64::INFINITY } else { below.max(x / high) }
+        places(case, pressure).into_iter().partition(|place| place.what == BENDABILITY);
+    let own = by_pressure.first().filter(|place| place.x > place.tried[1])?;
+    let far = (widening(&by_sizes)? - 1.0) / (own.wider - 1.0);
+    let edge = own.tried[1] * libm::pow(own.reached[1] / own.tried[1], far);
+    (own.x > EXACT * edge && own.x.is_finite()).then(|| pressure * edge / own.x)
 }
 
 /// The name of 1/eps among the numbers by which a star lies inside or outside.
@@ -161,46 +199,52 @@ const BENDABILITY: &str = "bendability";
 /// Slack for rounding at the ends of the validated intervals.
 const EXACT: f64 = 1.0 + 1e-9;
 
-/// Position of `case` at `pressure` (Pa) in the validated domain: for each quantity its name, value and validated interval.
-fn place(case: &Case, pressure: f64) -> [(&'static str, f64, Interval); 8] {
+/// Where `case` lies at `pressure` (Pa) among the stars that were tried.
+fn places(case: &Case, pressure: f64) -> [TriedRatio; 9] {
     let star = &case.mechanism;
+    let slender = case.sheet.thickness / star.width;
+    let bendability = case.sheet.bendability(pressure, star.width);
     [
-        ("points", f64::from(star.points), errors::POINTS),
-        (BENDABILITY, case.sheet.bendability(pressure, star.width), errors::BENDABILITY),
-        ("arm length over tube_width", star.arm / star.width, errors::ARM),
-        ("inner_radius over tube_width", case.inner_radius / star.width, errors::HOLE),
-        ("tip_radius over tube_width", star.tip().r_star, errors::R_STAR),
-        ("corner_radius over tube_width", star.corner().r_star, errors::R_STAR),
-        ("tip_angle in deg", star.tip_angle.to_degrees(), errors::TIP_ANGLE),
-        ("flat arc of a corner in deg", star.corner().arc().to_degrees(), errors::CORNER_ARC),
+        TriedRatio::new("points", f64::from(star.points), errors::POINTS)
+            .reaching(errors::POINTS_REACHED, errors::BEYOND_SIZES),
+        TriedRatio::new(BENDABILITY, bendability, errors::bendability(slender)),
+        TriedRatio::new("arm length over tube_width", star.arm / star.width, errors::ARM)
+            .reaching(errors::ARM_REACHED, errors::BEYOND_SIZES),
+        TriedRatio::new("inner_radius over tube_width", case.inner_radius / star.width, errors::HOLE)
+            .reaching(errors::HOLE_REACHED, errors::BEYOND_SIZES),
+        TriedRatio::new("tip_radius over tube_width", star.tip().r_star, errors::R_STAR),
+        TriedRatio::new("corner_radius over tube_width", star.corner().r_star, errors::R_STAR),
+        TriedRatio::new("tip_angle in deg", star.tip_angle.to_degrees(), errors::TIP_ANGLE),
+        TriedRatio::new("flat arc of a corner in deg", star.corner().arc().to_degrees(), errors::CORNER_ARC),
+        TriedRatio::new("thickness over tube_width", slender, errors::SLENDERNESS)
+            .reaching(errors::SLENDERNESS_REACHED, errors::BEYOND_THIN),
     ]
 }
 
 /// Distance of `case` from the validated domain, as a sum over the quantities: 0 inside. A search uses it to get inside.
 pub fn outside_by(case: &Case) -> f64 {
     let Some(pressure) = case.pressure else { return 0.0 };
-    let width = case.mechanism.width;
-    let table = [
-        ("", case.sheet.thickness / width, errors::SLENDERNESS),
-        ("", case.sheet.stretch(pressure, width), errors::STRETCH),
-    ];
-    let all = place(case, pressure).into_iter().chain(table);
-    all.map(|(_, x, [low, high])| (low - x).max(0.0) / low.max(1e-9) + (x - high).max(0.0) / high).sum()
+    let stretch = TriedRatio::new("", case.sheet.stretch(pressure, case.mechanism.width), errors::STRETCH);
+    let part = |TriedRatio { x, tried: [low, high], .. }: TriedRatio| {
+        (low - x).max(0.0) / low.max(1e-9) + (x - high).max(0.0) / high
+    };
+    places(case, pressure).into_iter().chain([stretch]).map(part).sum()
 }
 
 /// A message with the quantity of `case` outside of the validated domain: "arm length over tube_width is 0.21 (tried: 0.5 to 5)".
 pub fn outside(case: &Case) -> String {
     let Some(pressure) = case.pressure else { return String::new() };
-    let out = place(case, pressure).into_iter().filter(|(_, x, tried)| factor_outside(*x, *tried) > EXACT);
+    let out = places(case, pressure).into_iter().filter(|place| place.far() > 0.0);
     let mut out: Vec<String> = out
-        .map(|(what, x, [low, high])| {
-            format!("{what} is {} (tried: {low} to {high})", Readable((1e3 * x).round() / 1e3))
+        .map(|TriedRatio { what, x, tried: [low, high], .. }| {
+            let [x, low, high] = [x, low, high].map(|x| Readable((1e4 * x).round() / 1e4));
+            format!("{what} is {x} (tried: {low} to {high})")
         })
         .collect();
     if out.is_empty() {
         let slender = case.sheet.thickness / case.mechanism.width;
         out.push(format!(
-            "the table of arms ends before hinges with t/W of {slender:.4} at a stretch of {:.1} % (it has t/W of 0.01 to 0.03)",
+            "the tables of arms end before hinges with t/W of {slender:.4} at a stretch of {:.1} % (they have t/W of 0.005 to 0.03)",
             100.0 * case.sheet.stretch(pressure, case.mechanism.width)
         ));
     }

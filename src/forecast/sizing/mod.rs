@@ -71,7 +71,10 @@ impl Workspace {
 /// (0.20 to 0.42, by the object's radius: docs/paper.md); coated, 8.7 kg and about 1.1 (0.79 to 1.65). A larger default promises
 /// payloads that no measurement supports; a smaller one makes every gripper larger than the paper's needed to be.
 pub const FRICTION: f64 = 0.3;
-/// Required ratio of the design payload to the mass.
+/// Within which that lies, by the same measurement.
+pub const FRICTION_RANGE: [f64; 2] = [0.2, 0.42];
+/// The payload that can be counted on, over the mass. As a search counts on 80 % of a payload's lower end, it has 1.5 times the mass there, and
+/// the mass if friction is at the lower end of [`FRICTION_RANGE`].
 pub const MARGIN: f64 = 1.2;
 /// The same for the search, whose values are rounded afterwards.
 const SEARCHED_MARGIN: f64 = 1.25;
@@ -179,7 +182,10 @@ impl Requirements {
             object_size: ObjectSize::Diameter,
             object_height: self.height,
             object_shape: self.shape,
+            // What it may be less by is part of the margins that are searched with.
             friction: Some(self.friction),
+            friction_least: None,
+            friction_most: None,
             mass: Some(self.mass),
             largest_force: self.largest_force,
         }

@@ -4,7 +4,7 @@ use crate::design::inflated_height;
 use crate::forecast::case::sheet;
 use crate::forecast::optimize::{SEARCHED, sure_payload};
 use crate::forecast::ranges::{Interval, mm, scaled, shown};
-use crate::forecast::sizing::{Choice, FRICTION, MARGIN};
+use crate::forecast::sizing::{Choice, FRICTION, FRICTION_RANGE, MARGIN};
 use crate::spec::{FeedFloor, NameFault, Spec, quoted};
 use crate::units::{Length, Readable};
 use inflatable::mechanics::strength::GRAVITY;
@@ -220,12 +220,18 @@ impl Lines {
         if let Some(shape) = requirements.shape {
             self.quantity("object_shape", shape.word(), "of the object");
         }
-        let friction = if requirements.friction.total_cmp(&FRICTION).is_eq() {
+        let is_assumed = requirements.friction.total_cmp(&FRICTION).is_eq();
+        let friction = if is_assumed {
             "bare fabric on a smooth object: 0.20 to 0.42 measured; coated corners about 1.1"
         } else {
             "between the corners and the object"
         };
         self.value("friction", &format!("{}", requirements.friction), friction);
+        if is_assumed {
+            let [least, most] = FRICTION_RANGE;
+            self.value("friction_least", &format!("{least}"), "least that it may be");
+            self.value("friction_most", &format!("{most}"), "most that it may be");
+        }
         self.quantity("mass", requirements.mass, &payload(sure_payload(point, answer), answer.payload_range));
         if let Some(force) = requirements.largest_force {
             self.quantity(

@@ -1,4 +1,4 @@
-//! Which stars are computed: drawn by seed, the same on every machine, in three sets that have no star in common; and the paper's.
+//! Which stars are computed: drawn by seed, the same on every machine, in four sets that have no star in common; and the paper's.
 
 use std::f64::consts::PI;
 
@@ -16,6 +16,8 @@ pub enum Set {
     Test,
     /// The stars of the paper's figure of n = 3 to 8, at four pressures.
     Paper,
+    /// Thinner fabric, more points, shorter and longer arms than the sets before have: to take wider ranges from, and to try them on.
+    Wide,
 }
 
 /// One star of a set.
@@ -47,26 +49,49 @@ pub struct DrawnStar {
 pub const YOUNG: f64 = 128.0;
 /// nu of all of them.
 pub const POISSON: f64 = 0.39;
-/// t/W: as far as the arms' table goes.
-const SLENDERNESS: [f64; 2] = [0.0101, 0.03];
-/// 1/eps: from the start of that table to the largest one tested with the shell.
-const BENDABILITY: [f64; 2] = [100.0, 5000.0];
 /// Largest p W / Y.
 const STRETCH: f64 = 0.1;
-/// Arms by W.
-const ARM: [f64; 2] = [0.5, 5.0];
-/// rho_0 by W.
-const HOLE: [f64; 2] = [0.5, 6.0];
 /// Largest phi_e0, deg: a corner turns by 20 deg at least.
 const MOST_OPEN: f64 = 160.0;
-/// Points of the stars: each in turn.
-const POINTS: [u32; 6] = [3, 4, 5, 6, 7, 8];
+
+/// Within which a star is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Bounds {
+    /// t/W: as far as the arms' tables go.
+    slenderness: [f64; 2],
+    /// 1/eps: from where those tables begin to where the shell was tried.
+    bendability: [f64; 2],
+    /// Arms by W.
+    arm: [f64; 2],
+    /// rho_0 by W.
+    hole: [f64; 2],
+    /// Points of the stars: each in turn.
+    points: &'static [u32],
+}
+
+/// Of the sets before `wide`.
+const USUAL: Bounds = Bounds {
+    slenderness: [0.0101, 0.03],
+    bendability: [100.0, 5000.0],
+    arm: [0.5, 5.0],
+    hole: [0.5, 6.0],
+    points: &[3, 4, 5, 6, 7, 8],
+};
+/// Of the set `wide`: every other star of thin fabric, the others not among the usual ones for their sizes.
+const THIN: Bounds = Bounds {
+    slenderness: [0.005, 0.0101],
+    bendability: [631.0, 5000.0],
+    arm: [0.2, 8.0],
+    hole: [0.5, 12.0],
+    points: &[3, 4, 5, 6, 7, 8, 9, 10, 11, 12],
+};
+const ODD: Bounds = Bounds { slenderness: USUAL.slenderness, bendability: USUAL.bendability, ..THIN };
 /// Pressures at which the paper's stars are computed, kPa.
 pub const PAPER_PRESSURES: [f64; 4] = [14.0, 20.0, 37.0, 60.0];
 
 impl Set {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Fit, Self::Range, Self::Test, Self::Paper];
+    pub const ALL: [Self; 5] = [Self::Fit, Self::Range, Self::Test, Self::Paper, Self::Wide];
 
     /// Its name.
     pub const fn name(self) -> &'static str {
@@ -75,6 +100,7 @@ impl Set {
             Self::Range => "range",
             Self::Test => "test",
             Self::Paper => "paper",
+            Self::Wide => "wide",
         }
     }
 
@@ -85,6 +111,7 @@ impl Set {
             Self::Range => 48,
             Self::Test => 300,
             Self::Paper => 24,
+            Self::Wide => 40,
         }
     }
 
@@ -94,20 +121,30 @@ impl Set {
             Self::Fit => Some(1),
             Self::Range => Some(2),
             Self::Test => Some(3),
+            Self::Wide => Some(4),
             Self::Paper => None,
         }
     }
 
-    /// Its star number `number`, from 1: the points go round from 3 to 8, the rest is drawn, or the paper's.
+    /// Its star number `number`, from 1: the points go round, the rest is drawn, or the paper's.
     pub fn star(self, number: u32) -> DrawnStar {
         let place = number as usize - 1;
-        let points = POINTS[place % POINTS.len()];
+        let bounds = match self {
+            Self::Wide if place % 2 == place / 10 % 2 => THIN,
+            Self::Wide => ODD,
+            Self::Fit | Self::Range | Self::Test | Self::Paper => USUAL,
+        };
+        let points = bounds.points[place % bounds.points.len()];
         let Some(seed) = self.seed() else {
-            return paper(number, points, PAPER_PRESSURES[place / POINTS.len() % PAPER_PRESSURES.len()]);
+            return paper(
+                number,
+                points,
+                PAPER_PRESSURES[place / bounds.points.len() % PAPER_PRESSURES.len()],
+            );
         };
         let mut dice = Dice((seed << 40) + (u64::from(number) << 20));
         loop {
-            if let Some(star) = drawn(self, number, points, &mut dice) {
+            if let Some(star) = drawn((self, number), points, &bounds, &mut dice) {
                 return star;
             }
         }
@@ -130,8 +167,8 @@ const fn paper(number: u32, points: u32, pressure: f64) -> DrawnStar {
     }
 }
 
-/// One draw; `None` if there is no such star, or it lies outside of the studied domain.
-fn drawn(set: Set, number: u32, points: u32, dice: &mut Dice) -> Option<DrawnStar> {
+/// One throw; `None` if there is no such star, or it lies outside of what is asked about.
+fn drawn((set, number): (Set, u32), points: u32, bounds: &Bounds, dice: &mut Dice) -> Option<DrawnStar> {
     let width = rounded(dice.log([15.0, 60.0]), 10.0);
     let thickness = rounded(dice.log([0.1, 0.5]), 1000.0);
     let tip_angle = rounded(dice.even([15.0, 70.0]), 10.0);
@@ -139,7 +176,7 @@ fn drawn(set: Set, number: u32, points: u32, dice: &mut Dice) -> Option<DrawnSta
     let sharp = dice.even([0.0, 1.0]) < 0.3;
     let mut radius = || if sharp { 0.0 } else { rounded(dice.even([0.0, 0.3]) * width, 10.0) };
     let (tip_radius, corner_radius) = (radius(), radius());
-    let arm = width * dice.log(ARM);
+    let arm = width * dice.log(bounds.arm);
     let (sine, cosine) = (0.5 * tip_angle.to_radians()).sin_cos();
     let reach = arm * sine + (width + tip_radius + corner_radius) * cosine;
     let inner_radius = rounded(reach / (PI / f64::from(points)).sin() - width - corner_radius, 10.0);
@@ -157,12 +194,16 @@ fn drawn(set: Set, number: u32, points: u32, dice: &mut Dice) -> Option<DrawnSta
     };
     let tube = star.flat().tube;
     let within = |value: f64, [least, most]: [f64; 2]| (least..=most).contains(&value);
-    let good = within(thickness / width, SLENDERNESS)
-        && within(tube.bendability(), BENDABILITY)
-        && tube.stretch() < STRETCH
-        && tip_angle + 360.0 / f64::from(points) <= MOST_OPEN
-        && within(inner_radius / width, HOLE);
-    good.then_some(star)
+    let good = |bounds: &Bounds| {
+        within(thickness / width, bounds.slenderness)
+            && within(tube.bendability(), bounds.bendability)
+            && tube.stretch() < STRETCH
+            && tip_angle + 360.0 / f64::from(points) <= MOST_OPEN
+            && within(inner_radius / width, bounds.hole)
+            && within(arm / width, bounds.arm)
+            && bounds.points.contains(&points)
+    };
+    (good(bounds) && (set != Set::Wide || !good(&USUAL))).then_some(star)
 }
 
 impl DrawnStar {

@@ -7,7 +7,10 @@
 //!
 //! Both depend on the flat arc alpha_0, on 1/eps, on `tau = t / [W sqrt(12 (1 - nu^2))]`, so that `p W / Y = tau^2 / eps`, and on R*. The grid
 //! is regular in ln tau, in `ln(R* + 0.03)` and, from [`LEAST_BENDABILITY`] to where p W / Y is 0.1, in ln(1/eps); its arcs are [`ARCS`].
-//! A hinge of more arc has the delta and g of the largest arc, its two mouths being apart; one of less arc, those of the least.
+//! Of more arc a hinge has the delta and g of the largest, its two mouths being apart; of less, those of the least.
+//!
+//! Fabric thinner than that of the grid has a coarser table at [`THIN_TAU`], of one arc. By how much it differs from the grid's edge is read between
+//! its places and goes for all arcs, in proportion to the logarithm of tau.
 
 use crate::mechanics::hinge::Arms;
 use std::f64::consts::FRAC_PI_4;
@@ -17,7 +20,15 @@ use std::sync::LazyLock;
 pub const ARCS: [f64; 3] = [120.0, 60.0, 30.0];
 /// tau of the grid: from t/W = 0.01 at nu = 0.39 to 0.03 at nu = 0.49. From the first on stretch ends the pressures, not 1/eps.
 pub const TAUS: [f64; 3] = [3.162e-3, 5.604e-3, 9.935e-3];
-/// Distance beyond the first tau at which the table is still read, in logarithms: so that t/W = 0.01 at nu = 0.39 is inside.
+/// tau of thin fabric, with a table of its own: t/W = 0.0048 at nu = 0.39. Wrinkles leave so much open there that fewer places are as good.
+pub const THIN_TAU: f64 = 1.5e-3;
+/// The arc of that table, deg: delta and `alpha_0 + g` of hinges with other arcs differ from the grid's edge by as much, or by the same part.
+pub const THIN_ARC: f64 = ARCS[0];
+/// R* of that table.
+pub const THIN_R_STARS: [f64; 2] = [0.0, 0.15];
+/// Pressures of that table: the last of the grid's, from 1/eps = 631 on. Below, no mesh follows the folds of so thin a sheet.
+pub const THIN_PRESSURES: usize = 4;
+/// How far beyond the first tau the table is still read, in logarithms: so that t/W = 0.01 at nu = 0.39 is inside.
 pub const SLACK: f64 = 0.01;
 /// R* of the grid.
 pub const R_STARS: [f64; 6] = [0.0, 0.02, 0.06, 0.15, 0.4, 1.0];
@@ -34,8 +45,17 @@ const SHARP: f64 = 0.03;
 /// nu of the grid; others enter by tau and by lambda.
 pub const POISSON: f64 = 0.39;
 
+/// Least 1/eps that is read at [`THIN_TAU`]; at the grid's edge it is [`LEAST_BENDABILITY`], and between them follows the logarithms.
+const THIN_LEAST_BENDABILITY: f64 = 400.0;
+/// Largest R* that is read of thin fabric: from the last place of its table on the difference stays.
+const THIN_MOST_R_STAR: f64 = 0.45;
+/// By which factor beyond [`THIN_TAU`] the table is still read, as it is there.
+const THINNER: f64 = 1.05;
+
 /// The grid's values, as they are shipped.
 const SHIPPED: &str = include_str!("arms.txt");
+/// Those of thin fabric.
+const SHIPPED_THIN: &str = include_str!("arms-thin.txt");
 
 /// Logarithms of the grid's tau and R*.
 static LOGARITHMS: LazyLock<([f64; TAUS.len()], [f64; R_STARS.len()])> =
@@ -74,8 +94,81 @@ fn most_bendability(tau: f64) -> f64 {
     (MOST_STRETCH / (tau * tau)).min(MOST_BENDABILITY)
 }
 
-/// The arms of hinges at 1/eps = `bendability`, tau and R*; `None` outside of the table.
+/// The arms of hinges at 1/eps = `bendability`, tau and R*; `None` outside of the tables.
 pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
+    let edge = edge();
+    // Rounding is the grid's.
+    if tau >= edge * (1.0 - 1e-6) {
+        on_grid(bendability, tau, r_star)
+    } else {
+        of_thin(bendability, tau, r_star, edge)
+    }
+}
+
+/// The least tau that the grid is read at.
+fn edge() -> f64 {
+    TAUS[0] * libm::exp(-SLACK)
+}
+
+/// What thin fabric does beyond the grid's edge at each place of its table, by R* and pressure: what is added to delta, and the logarithm of the
+/// factor on `alpha_0 + g`, so that stiffnesses stay above 0 whatever the arc.
+type ThinDifferences = [[[f64; 2]; THIN_PRESSURES]; THIN_R_STARS.len()];
+
+fn thin_differences() -> Option<ThinDifferences> {
+    let values = read(SHIPPED_THIN)?;
+    let bendabilities = bendabilities(THIN_TAU);
+    let mut all = ThinDifferences::default();
+    let mut of_line = values.iter();
+    for (by_pressure, r_star) in all.iter_mut().zip(THIN_R_STARS) {
+        for (difference, b) in by_pressure.iter_mut().zip(&bendabilities[PRESSURES - THIN_PRESSURES..]) {
+            let (value, at_edge) = (of_line.next()?, on_grid(*b, edge(), r_star)?);
+            let [[angle, give], [angle_at_edge, give_at_edge]] = [value, &at_edge.0[0]];
+            let softer = (THIN_ARC.to_radians() + give) / (THIN_ARC.to_radians() + give_at_edge);
+            *difference = [angle - angle_at_edge, libm::log(softer)];
+        }
+    }
+    // What meshes leave open of the give of a sharp hinge in thin fabric is more than the give: it is that of the round one.
+    let [sharp, round] = &mut all;
+    for (one, other) in sharp.iter_mut().zip(round) {
+        one[1] = other[1];
+    }
+    of_line.next().is_none().then_some(all)
+}
+
+/// The same below the grid's edge.
+fn of_thin(bendability: f64, tau: f64, r_star: f64, edge: f64) -> Option<ArmsByArc> {
+    static DIFFERENCES: LazyLock<Option<ThinDifferences>> = LazyLock::new(thin_differences);
+    let differences = DIFFERENCES.as_ref()?;
+    if tau.is_nan() || tau < THIN_TAU / THINNER || r_star > THIN_MOST_R_STAR {
+        return None;
+    }
+    let part = (libm::log(edge / tau) / libm::log(edge / THIN_TAU)).min(1.0);
+    let least = LEAST_BENDABILITY * libm::pow(THIN_LEAST_BENDABILITY / LEAST_BENDABILITY, part);
+    if bendability < least {
+        return None;
+    }
+    let mut all = on_grid(bendability, edge, r_star)?;
+    let bendabilities = bendabilities(THIN_TAU);
+    let places: [f64; THIN_PRESSURES] =
+        std::array::from_fn(|k| libm::log(bendabilities[PRESSURES - THIN_PRESSURES + k]));
+    let along_b = weights(&places, libm::log(bendability).max(places[0]), 0.0)?;
+    let [sharp, round] = THIN_R_STARS.map(|r| libm::log(r + SHARP));
+    let rounder = ((libm::log(r_star + SHARP) - sharp) / (round - sharp)).min(1.0);
+    let mut sum = [0.0; 2];
+    for (weight, by_pressure) in [1.0 - rounder, rounder].iter().zip(differences) {
+        for (along, difference) in along_b.iter().zip(by_pressure) {
+            sum.iter_mut().zip(difference).for_each(|(sum, d)| *sum += part * weight * along * d);
+        }
+    }
+    for ([angle, give], arc) in all.0.iter_mut().zip(ARCS.map(f64::to_radians)) {
+        *angle += sum[0];
+        *give = libm::exp(sum[1]) * (arc + *give) - arc;
+    }
+    Some(all)
+}
+
+/// The arms by the grid; `None` outside of it.
+fn on_grid(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
     static TABLE: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| read(SHIPPED).unwrap_or_default());
     let one_arc = TAUS.len() * R_STARS.len() * PRESSURES;
     if TABLE.len() != ARCS.len() * one_arc {
@@ -172,7 +265,10 @@ mod tests {
         for (b, tau, r_star) in [
             (99.0, tau, 0.1),
             (6260.0, tau, 0.1),
-            (500.0, 3.12e-3, 0.1),
+            (390.0, THIN_TAU, 0.1),
+            (1000.0, 1.42e-3, 0.1),
+            (1000.0, 2e-3, 0.46),
+            (1.01e4, 2e-3, 0.1),
             (500.0, 0.01, 0.1),
             (500.0, tau, 1.01),
         ] {
@@ -180,6 +276,39 @@ mod tests {
         }
         assert_eq!(arms(f64::NAN, tau, 0.1), None);
         assert_eq!(arms(500.0, f64::NAN, 0.1), None);
+    }
+
+    #[test]
+    fn thin_fabric_has_its_own_table_which_meets_the_grid() {
+        let body: String = SHIPPED_THIN
+            .lines()
+            .filter(|line| !line.starts_with('#'))
+            .flat_map(|line| [line, "\n"])
+            .collect();
+        let hash = Sha256::digest(body.as_bytes())
+            .iter()
+            .fold(String::new(), |text, byte| text + &format!("{byte:02x}"));
+        assert!(SHIPPED_THIN.contains(&hash), "{hash}");
+        let mut lines = body.lines();
+        for r_star in THIN_R_STARS {
+            for b in &bendabilities(THIN_TAU)[PRESSURES - THIN_PRESSURES..] {
+                let words: Vec<f64> = (lines.next().expect("a line").split(' '))
+                    .map(|word| word.parse().expect("a number"))
+                    .collect();
+                assert_eq!((180.0 - words[0], words[1], words[2]), (THIN_ARC, THIN_TAU, r_star));
+                let arms = arms(*b, THIN_TAU, r_star).expect("in the table").at(THIN_ARC.to_radians());
+                let delta = arms.angle.to_degrees() / (THIN_ARC / 45.0).tanh();
+                assert!((delta - words[4]).abs() < 2e-3, "{arms:?} {words:?}");
+                let is_round = r_star == THIN_R_STARS[1];
+                assert!(!is_round || (arms.give.to_degrees() - words[6]).abs() < 1e-2, "{arms:?} {words:?}");
+            }
+        }
+        assert_eq!(lines.next(), None);
+        for (b, r_star, arc) in [(150.0, 0.0, 2.0), (800.0, 0.1, 1.0), (9e3, 0.4, 2.6)] {
+            let [thin, grid] = [1.0 - 1e-5, 1.0 - 1e-7].map(|part| arms(b, part * edge(), r_star));
+            let (thin, grid) = (thin.expect("thin").at(arc), grid.expect("grid").at(arc));
+            assert!((thin.angle - grid.angle).abs() < 1e-5 && (thin.give - grid.give).abs() < 1e-3);
+        }
     }
 
     #[test]

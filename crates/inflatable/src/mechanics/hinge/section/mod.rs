@@ -44,8 +44,8 @@ pub const BENDABILITY: RangeInclusive<f64> = 10.0..=1e4;
 pub const THICKNESS: RangeInclusive<f64> = 0.003..=0.03;
 /// nu that is covered.
 pub const POISSON: RangeInclusive<f64> = 0.0..=0.49;
-/// Largest R*.
-pub const MOST_R_STAR: f64 = 3.0;
+/// Largest R*. A hinge of a hundred widths is a bent tube: its lambda is within 2e-4 of the one at 50.
+pub const MOST_R_STAR: f64 = 100.0;
 /// Largest p W / Y: beyond, fabric stretches by more than a tenth, and the linear law of stretch is none of it.
 pub const MOST_STRETCH: f64 = 0.1;
 /// Least lambda.

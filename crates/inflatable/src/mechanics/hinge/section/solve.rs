@@ -16,6 +16,7 @@
 use crate::mechanics::hinge::section::density::Scales;
 use crate::mechanics::hinge::section::mesh::MeridianMesh;
 use crate::mechanics::hinge::section::potential::{Potential, WIDTH, value};
+use crate::mechanics::hinge::section::table::MOST_TABLED_R_STAR;
 use crate::numerics::{SymmetricBand, dot};
 
 /// Half the opening angles (rad) of the arcs from which a hinge is searched, one after the other, and their coiling. The
@@ -211,6 +212,11 @@ impl ShapeSearch {
     fn settle(&mut self) -> Result<(), Lost> {
         let exact = self.factor(&mut 0.0).ok_or_else(|| self.lost())?;
         let _ = self.direction(false);
+        if self.mesh.r_star > MOST_TABLED_R_STAR {
+            // S is a small difference of large numbers in a slender bend. This form errs by the square of the tangent's error.
+            let bent = self.potential.hessian.times(&self.tangent);
+            self.stiffness += dot(&self.potential.mixed, &self.tangent) + dot(&self.tangent, &bent);
+        }
         if exact { Ok(()) } else { Err(self.lost()) }
     }
 

@@ -11,7 +11,7 @@
 
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::check_r_star;
-use crate::mechanics::hinge::section::{MOST_R_STAR, Section};
+use crate::mechanics::hinge::section::Section;
 use std::cell::RefCell;
 use std::sync::LazyLock;
 
@@ -23,7 +23,9 @@ const ORDERS: [usize; 3] = [COUNTS[3], COUNTS[1], COUNTS[0]];
 const QUANTITIES: usize = 8;
 /// tau at the ends of the series: t/W = 0.003 at nu = 0, and 0.03 at 0.49.
 const TAU: [f64; 2] = [8.660_254e-4, 9.934_52e-3];
-/// R* below which the hinge does not change any more.
+/// Largest R*: that of stars and actuators. The solver goes further.
+pub(super) const MOST_TABLED_R_STAR: f64 = 3.0;
+/// R* below which nothing changes any more.
 const SHARPEST: f64 = 1e-3;
 /// Places of the moment's samples, as parts of lambda_t - 1 from lambda_t: from the flat angle to as far beyond.
 pub const OFFSETS: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
@@ -136,7 +138,7 @@ impl SectionTable {
         Some(Self { coefficients })
     }
 
-    /// The hinge at rest: the same arguments and ranges as [`Section::new`], and R*.
+    /// The hinge at rest: the same arguments and ranges as [`Section::new`], and R* up to 3.
     ///
     /// # Errors
     /// As for [`Section::new`] and [`HingeModel::target`](crate::mechanics::hinge::HingeModel::target).
@@ -196,7 +198,7 @@ impl RadiusSeries {
     /// # Errors
     /// As for [`HingeModel::target`](crate::mechanics::hinge::HingeModel::target).
     pub fn at(&self, r_star: f64) -> Result<SectionEntry, HingeFault> {
-        check_r_star(r_star, MOST_R_STAR)?;
+        check_r_star(r_star, MOST_TABLED_R_STAR)?;
         let mut sum = [0.0; QUANTITIES];
         let polynomials = polynomials(place_of_radius(r_star));
         for (polynomial, coefficients) in polynomials.iter().zip(&self.0) {
@@ -258,7 +260,7 @@ fn most_bendability(tau: f64) -> f64 {
 pub fn hinge_at([b, tau, r_star, poisson]: [f64; 4]) -> [f64; 4] {
     let tau = TAU[0] * libm::pow(TAU[1] / TAU[0], tau);
     let bendability = 10.0 * libm::pow(most_bendability(tau) / 10.0, b);
-    let r_star = SHARPEST * libm::expm1(libm::log1p(MOST_R_STAR / SHARPEST) * r_star);
+    let r_star = SHARPEST * libm::expm1(libm::log1p(MOST_TABLED_R_STAR / SHARPEST) * r_star);
     [bendability, tau, r_star, 0.49 * poisson]
 }
 
@@ -274,5 +276,5 @@ fn place(bendability: f64, thickness: f64, poisson: f64) -> [f64; 3] {
 
 /// Position of a hinge in R*, 0 to 1.
 fn place_of_radius(r_star: f64) -> f64 {
-    libm::log1p(r_star / SHARPEST) / libm::log1p(MOST_R_STAR / SHARPEST)
+    libm::log1p(r_star / SHARPEST) / libm::log1p(MOST_TABLED_R_STAR / SHARPEST)
 }

@@ -1,9 +1,9 @@
 //! The section at one pressure from its table, with its arms: the solver's answer in microseconds.
 
 use crate::mechanics::fault::HingeFault;
+use crate::mechanics::hinge::section::LEAST_LAMBDA;
 use crate::mechanics::hinge::section::arms::{ArmsByArc, arms};
-use crate::mechanics::hinge::section::table::{RadiusSeries, SectionEntry, SectionTable};
-use crate::mechanics::hinge::section::{LEAST_LAMBDA, MOST_R_STAR};
+use crate::mechanics::hinge::section::table::{MOST_TABLED_R_STAR, RadiusSeries, SectionEntry, SectionTable};
 use crate::mechanics::hinge::{
     Arms, Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star,
 };
@@ -109,7 +109,7 @@ impl HingeModel for Tabled {
     }
 
     fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
-        check_r_star(r_star, MOST_R_STAR).map(|()| None)
+        check_r_star(r_star, MOST_TABLED_R_STAR).map(|()| None)
     }
 
     fn arms(&self, r_star: f64, arc: f64) -> Option<Arms> {
