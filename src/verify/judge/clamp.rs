@@ -103,12 +103,13 @@ mod tests {
     use super::*;
     use crate::units::Length;
     use crate::verify::Finding;
-    use crate::verify::judge::judged;
-    use crate::verify::read::gcode::Dialect;
+    use crate::verify::read::gcode::{Dialect, each_line};
 
     fn found(text: &str, zones: &[KeepOut], reach: f64) -> Vec<Finding> {
-        let mut judge = Clamps::new(zones, reach);
-        judged(text.split_inclusive('\n'), Dialect::GENERIC, &mut [&mut judge]).into_vec()
+        let (mut judge, mut findings) = (Clamps::new(zones, reach), Findings::default());
+        let _ =
+            each_line(text.split_inclusive('\n'), Dialect::GENERIC, |line| judge.see(line, &mut findings));
+        findings.into_vec()
     }
 
     /// The lines that are found in `body`, with a clamp from (10, 20) to (18, 25).
