@@ -71,7 +71,6 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     let mut line = |what: &str, value: String| {
         let _ = writeln!(out, "  {what:30}{value}");
     };
-    let show = |value: f64, unit: &str| format!("{} {unit}", Readable(value)).trim_end().to_owned();
     let pair = |of: Hinges<Option<f64>>| of.tip.zip(of.corner);
     // The reason why no model applies is printed with the warnings.
     let why = Some(&star.evidence.choice).filter(|choice| !star.evidence.warnings.contains(choice));
@@ -103,30 +102,8 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         ("burst margin", star.burst_margin, ""),
         ("mass", star.mass_g, "g"),
     ];
-    if let Some([least, most]) = star.graspable_radius_mm {
-        // The second value has no better range than the first.
-        let end = |radius: f64| match star.ranges.final_radius_mm {
-            Some(range) => shown::as_exact_as(2.0 * radius, scaled(range, 2.0), "mm"),
-            None => show(2.0 * radius, "mm"),
-        };
-        line("holds objects across from, to", format!("{}, {}", end(least), end(most)));
-        line("cut hole, across", show(2.0 * star.hole_radius_mm, "mm"));
-        if let Some(radius) = star.flap_edge_radius_mm {
-            line("flap's edge touches from", format!("{} across", end(radius)));
-        }
-        if let Some(force) = star.flap_force_N.filter(|force| *force > 0.0) {
-            let force = star
-                .ranges
-                .object_force_N
-                .map_or_else(|| show(force, "N"), |range| shown::as_exact_as(force, range, "N"));
-            let load = star
-                .flap_load_N_per_mm
-                .map_or(String::new(), |load| format!("; it folds at {load:.2} N per mm of contact"));
-            line("force if the flap holds", format!("up to {force}{load}"));
-        }
-        if let Some(gap) = star.object_gap_mm {
-            line("room around the object", show(gap, "mm"));
-        }
+    for (what, value) in grip_rows(star) {
+        line(what, value);
     }
     let of_the_seal = [
         ("largest pull on the seal", star.seal_pull_N_per_mm, star.ranges.seal_pull_N_per_mm, "N/mm"),
@@ -159,7 +136,42 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     for warning in &star.evidence.warnings {
         line("warning", warning.clone());
     }
-    let rows = star.pressures.as_deref().unwrap_or_default();
+    pressure_table(out, star.pressures.as_deref().unwrap_or_default());
+}
+
+fn show(value: f64, unit: &str) -> String {
+    format!("{} {unit}", Readable(value)).trim_end().to_owned()
+}
+
+/// The objects that fit the star, and what its flap adds: labels and values.
+fn grip_rows(star: &StarPrediction) -> Vec<(&'static str, String)> {
+    let Some([least, most]) = star.graspable_radius_mm else { return Vec::new() };
+    // The second value has no better range than the first.
+    let end = |radius: f64| match star.ranges.final_radius_mm {
+        Some(range) => shown::as_exact_as(2.0 * radius, scaled(range, 2.0), "mm"),
+        None => show(2.0 * radius, "mm"),
+    };
+    let mut rows = vec![
+        ("holds objects across from, to", format!("{}, {}", end(least), end(most))),
+        ("cut hole, across", show(2.0 * star.hole_radius_mm, "mm")),
+    ];
+    if let Some(radius) = star.flap_edge_radius_mm {
+        rows.push(("flap's edge touches from", format!("{} across", end(radius))));
+    }
+    if let Some(force) = star.flap_force_N.filter(|force| *force > 0.0) {
+        let range = star.ranges.object_force_N;
+        let force = range.map_or_else(|| show(force, "N"), |range| shown::as_exact_as(force, range, "N"));
+        let load = star.flap_load_N_per_mm.map(|load| format!("; it folds at {load:.2} N per mm of contact"));
+        rows.push(("force if the flap holds", format!("up to {force}{}", load.unwrap_or_default())));
+    }
+    if let Some(gap) = star.object_gap_mm {
+        rows.push(("room around the object", show(gap, "mm")));
+    }
+    rows
+}
+
+/// The table of pressures, if there are any.
+fn pressure_table(out: &mut String, rows: &[PressureRow]) {
     let held = rows.iter().any(|row| row.object_force_N.is_some());
     if !rows.is_empty() {
         let force = if held { "force on the object       " } else { "" };

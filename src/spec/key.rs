@@ -5,6 +5,8 @@
 
 use std::fmt;
 
+use crate::spec::unknown::nearest;
+
 /// One key of a spec, of one star where stars can have it of their own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct KeyPath {
@@ -115,6 +117,17 @@ keys! {
     build "build" { WITH "with", LINK "link" }
 }
 
+/// The key called `name`, "star.points".
+///
+/// # Errors
+/// If there is no such key: the name of the nearest one, if one is near.
+pub fn named(name: &str) -> Result<KeyPath, Option<String>> {
+    ALL.iter().find(|key| key.to_string() == name).copied().ok_or_else(|| {
+        let names: Vec<String> = ALL.iter().map(ToString::to_string).collect();
+        nearest(name, names.iter().map(String::as_str)).map(str::to_owned)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -134,6 +147,13 @@ mod tests {
         assert_eq!(taken, ALL.iter().map(|key| (key.section(), key.key())).collect());
         let names = ALL.iter().filter_map(|key| key.own_name()).chain(["index"]);
         assert_eq!(own, names.map(|name| ("stack.star", name)).collect());
+    }
+
+    #[test]
+    fn a_key_is_found_by_its_name_or_the_nearest_is_named() {
+        assert!(ALL.iter().all(|key| named(&key.to_string()) == Ok(*key)));
+        assert_eq!(named("star.poinst"), Err(Some("star.points".to_owned())));
+        assert_eq!(named("colour"), Err(None));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use stargrip_cam::forecast::keys::DRAWN;
 use stargrip_cam::forecast::shell::Detail;
 use stargrip_cam::forecast::shell::star::ShellRefusal;
 use stargrip_cam::shell::cases::{
-    Fineness, FlatRegion, FlatStar, Objects, Tube, Watch, Wrinkles, chambers, region, star,
+    Fineness, FlatRegion, FlatStar, Margin, Objects, Tube, Watch, Wrinkles, chambers, region, star,
 };
 use stargrip_cam::shell::element::Fabric;
 use stargrip_cam::spec::{Machine, Source, Spec, read};
@@ -129,6 +129,7 @@ fn a_star_drawn_as_a_region_is_the_star() {
         tip_radius: mm * part.star.r_i,
         corner_radius: mm * part.star.r_e,
         band,
+        margin: Margin::NONE,
     };
     let fineness = Fineness { cells: 4.0, cuts: 2 };
     let watch = Watch::default();

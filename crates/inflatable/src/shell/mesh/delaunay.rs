@@ -38,11 +38,11 @@ pub(super) fn fill(region: &Region, sizing: &Sizing) -> Result<Meshed, MeshFault
     Meshed::new(points, triangles, pieces, &border.pieces())
 }
 
+/// Points, and the corners of triangles by the numbers of those.
+pub(super) type PointsAndTriangles = (Vec<[f64; 2]>, Vec<[usize; 3]>);
+
 /// Points, those of the border first, and triangles within `border`, as small as `sizing` asks for.
-pub(super) fn fill_border(
-    border: &BorderPoints,
-    sizing: &Sizing,
-) -> Result<(Vec<[f64; 2]>, Vec<[usize; 3]>), MeshFault> {
+pub(super) fn fill_border(border: &BorderPoints, sizing: &Sizing) -> Result<PointsAndTriangles, MeshFault> {
     if border.points.len() > MOST {
         return Err(MeshFault::TooMany { most: MOST });
     }
