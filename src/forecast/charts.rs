@@ -19,7 +19,7 @@ use inflatable::mechanics::star::response::Inflated;
 
 /// Pressures of a table: up to one and a half times the spec's own, which is one of them, so that every picture has it.
 const PRESSURES: u32 = 24;
-/// Which of them is the spec's own.
+/// Index of the spec's own pressure.
 const OWN: u32 = 16;
 /// Radii of a curve of forces.
 const RADII: u32 = 40;

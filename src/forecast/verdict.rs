@@ -89,7 +89,7 @@ struct VerdictLine {
     what: VerdictText,
 }
 
-/// In words alone, or as a refusal.
+/// As text alone, or as a refusal.
 #[derive(Debug)]
 enum VerdictText {
     Reason(String),
