@@ -101,8 +101,7 @@ impl Outcome {
     }
 
     /// `range` of the force. If the model's force has grown since the edge of the validated domain, its lower end is at least the one
-    /// there; if it
-    /// has fallen, that end is scaled in proportion.
+    /// there; if it has fallen, that end is scaled in proportion.
     fn at_least_as_at(&self, edge: Option<&Self>, [low, high]: Interval) -> Interval {
         let known = edge.and_then(|edge| edge.force_range.zip(edge.object_force()));
         let floor = known.zip(self.object_force()).map_or(0.0, |(([floor, _], there), here)| {
