@@ -55,7 +55,7 @@ pub struct ActuatorPrediction {
     /// Angles (deg) and the moments dU/dphi (N m) that hold them; a positive one opens.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moment: Option<Vec<[f64; 2]>>,
-    /// In which intervals a shell's values lie.
+    /// Intervals that contain a shell's values.
     pub ranges: ActuatorRanges,
     /// The evidence for these values.
     pub evidence: ActuatorEvidence,
@@ -122,7 +122,7 @@ impl ActuatorPrediction {
         serde_json::to_string_pretty(self).expect("plain data") + "\n"
     }
 
-    /// The answer as a person reads it.
+    /// The answer as a text for people.
     pub fn to_text(&self) -> String {
         let mut lines = vec![
             format!("model                 {}", self.model),

@@ -68,7 +68,7 @@ pub struct Candidate {
     pub stars: u32,
     /// Thickness of the frame's plates, between which they lie.
     pub plate: Length,
-    /// Which model answers: `ring` and `fit` as limits, for all others `section`.
+    /// The model: `ring` and `fit` as limits, for all others `section`.
     pub model: ModelChoice,
 }
 

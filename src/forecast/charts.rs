@@ -19,7 +19,7 @@ use inflatable::mechanics::star::response::Inflated;
 
 /// Pressures of a table: up to one and a half times the spec's own, which is one of them, so that every picture has it.
 const PRESSURES: u32 = 24;
-/// Which of them is the spec's own.
+/// Index of the spec's own pressure.
 const OWN: u32 = 16;
 /// Radii of a curve of forces.
 const RADII: u32 = 40;
@@ -85,8 +85,8 @@ pub struct AtPoints {
     pub object_force_N: Option<f64>,
 }
 
-/// The curves of every distinct star of `design`, in the order of [`Design::firsts`], by the model that `spec` selects. Empty for a drawing, and without a
-/// pressure, which every curve needs.
+/// The curves of every distinct star of `design`, in the order of [`Design::firsts`], by the model that `spec` selects. Empty for a
+/// drawing, and without a pressure, which every curve needs.
 pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
     let Some(design) = design.assembly() else { return Vec::new() };
     if spec.load.as_ref().and_then(|load| load.pressure).is_none() {

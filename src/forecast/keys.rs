@@ -19,7 +19,7 @@ pub enum KeyKind {
     List,
     /// Rows of numbers.
     Rows,
-    /// One thing or another, as the model has it.
+    /// A value whose type depends on the model.
     Variant,
 }
 

@@ -15,7 +15,7 @@ pub const SHORTEST_ARM: f64 = 0.5;
 /// sixteenth its slope has fallen to a quarter: the same torque makes four times the force.
 const LOCKING: f64 = 1.0 / 16.0;
 
-/// One star's answer in SI units; `None` where something is missing that it needs.
+/// One star's outcome in SI units; `None` where a required input is missing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
     /// The equilibrium, and the widest opening.
@@ -39,7 +39,7 @@ pub struct Outcome {
     pub bendability: Option<f64>,
     /// Stretch p W / Y of the fabric.
     pub stretch: Option<f64>,
-    /// In which intervals a shell's values lie; none of a limit, and none with the model's own V_bar.
+    /// Intervals that contain a shell's values; none for a limit, and none with the model's own V_bar.
     pub ranges: Ranges,
     /// Range of the force on the object, N.
     pub force_range: Option<Interval>,
@@ -104,8 +104,7 @@ impl Outcome {
     }
 
     /// `range` of the force. If the model's force has grown since the edge of the validated domain, its lower end is at least the one
-    /// there; if it
-    /// has fallen, that end is scaled in proportion.
+    /// there; if it has fallen, that end is scaled in proportion.
     fn at_least_as_at(&self, edge: Option<&Self>, [low, high]: Interval) -> Interval {
         let known = edge.and_then(|edge| edge.force_range.zip(edge.object_force()));
         let floor = known.zip(self.object_force()).map_or(0.0, |(([floor, _], there), here)| {

@@ -1,4 +1,4 @@
-//! The shape of an inflated star: for all pictures, flat or in three dimensions, and for who proves them.
+//! The shape of an inflated star: for all pictures, flat or in three dimensions, and for their checks.
 //!
 //! It is the mechanism of the prediction: arms stay straight and as long as they are, the tube is everywhere as wide as the prediction has
 //! it between the centres of a tip's and a corner's arc, and a coiled hinge keeps the length of its inner arc.
@@ -21,7 +21,7 @@ use serde::Serialize;
 pub struct Pose {
     /// Inner radius.
     pub inner_radius_mm: f64,
-    /// Width of the tube as seen from above.
+    /// Width of the tube in plan view.
     pub width_mm: f64,
     /// Angle between the arms of a tip.
     pub tip_angle_deg: f64,

@@ -26,9 +26,9 @@ pub struct Prediction {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Holds {
-    /// Over all of its ranges.
+    /// Yes, over all of its ranges.
     Yes,
-    /// Nowhere in them, or it cannot be.
+    /// Nowhere in its ranges, or it is impossible.
     No,
     /// It depends on the position within the ranges, or no range is available.
     Unknown,
@@ -328,7 +328,7 @@ pub struct ModelEvidence {
     /// Index of the warning about a bursting seal.
     #[serde(skip)]
     pub of_burst: Option<String>,
-    /// Which of the warnings is of an object that is not held.
+    /// Index of the warning about an object that is not held.
     #[serde(skip)]
     pub of_object: Option<String>,
 }

@@ -341,8 +341,7 @@ impl DrawnSeal {
     /// N per m. `None` without a peel strength, or without a pull.
     ///
     /// The value assumes a pull in proportion to the pressure. The range includes the mesh error and a pull that grows with p^(1 -
-    /// `BENDABILITY`) only,
-    /// as at the hinges of stars.
+    /// `BENDABILITY`) only, as at the hinges of stars.
     pub fn burst(&self, pull: f64, error: f64) -> Option<(f64, Interval)> {
         let peel = self.peel?;
         let bound = |pull: f64| {

@@ -38,8 +38,7 @@ pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
 }
 
 /// The reasons of `check` and `build` to refuse the gripper of `spec`: it bursts, no star of it can hold the object, it cannot carry the
-/// mass, breaks the
-/// object, or no model covers it. Empty if none of this is certain, or without a load.
+/// mass, breaks the object, or no model covers it. Empty if none of this is certain, or without a load.
 pub fn refusals(spec: &Spec, stars: &[StarPrediction]) -> Vec<Refusal> {
     let Some(load) = spec.load.as_ref().filter(|load| load.pressure.is_some()) else { return Vec::new() };
     let judged = VerdictLines::of(spec, load, stars);
@@ -93,7 +92,7 @@ struct VerdictLine {
     what: VerdictText,
 }
 
-/// In words alone, or as a refusal.
+/// As text alone, or as a refusal.
 #[derive(Debug)]
 enum VerdictText {
     Reason(String),

@@ -1,4 +1,4 @@
-//! Which model answers, and where each is outside of its validity.
+//! The choice of a model, and its limits of validity.
 
 use crate::{case, gripper, paper, predict};
 use stargrip_cam::forecast::model_selection::{hinge_model, limits_of_validity};

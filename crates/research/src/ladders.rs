@@ -134,7 +134,7 @@ fn value(value: Value, decimals: usize) -> String {
 /// A ladder's text as it is read back.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LadderTable {
-    /// Which one it is.
+    /// The ladder.
     pub ladder: Ladder,
     /// 1/eps; alpha, deg, and its mesh error; C alpha_0 / (p W^3) and its mesh error.
     pub points: Vec<[f64; 5]>,

@@ -12,7 +12,7 @@ pub mod validation;
 fn sha256(text: impl AsRef<[u8]>) -> String {
     let mut out = String::new();
     for byte in Sha256::digest(text) {
-        // A String takes everything.
+        // Writing to a String never fails.
         let _ = write!(out, "{byte:02x}");
     }
     out

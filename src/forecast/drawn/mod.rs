@@ -61,8 +61,7 @@ impl DrawnSurface {
 }
 
 /// The prediction of `piece`, made from `spec`, for `check` and `build`: the shell's on coarse meshes if the spec selects the shell by
-/// name, else
-/// the flat quantities only. `watch` receives the shell's progress.
+/// name, else the flat quantities only. `watch` receives the shell's progress.
 ///
 /// # Errors
 /// If the spec selects a model of stars, or the shell refuses or is cancelled.

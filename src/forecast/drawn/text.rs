@@ -1,4 +1,4 @@
-//! The answer about a drawn piece as a person reads it: each number with its mesh error.
+//! The prediction of a drawn piece as a text for people: each number with its mesh error.
 
 use crate::forecast::drawn::prediction::{ChamberPrediction, DrawnPrediction, MeshedPlace, MeshedValue};
 use crate::forecast::ranges::shown;
@@ -98,7 +98,7 @@ fn of_chamber(out: &mut String, chamber: &ChamberPrediction) {
 }
 
 fn line(out: &mut String, what: &str, value: &str) {
-    // A String takes everything.
+    // Writing to a String never fails.
     let _ = writeln!(out, "  {what:30}{value}");
 }
 

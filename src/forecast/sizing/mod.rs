@@ -42,14 +42,14 @@ pub struct Requirements {
     pub friction: f64,
     /// Largest radial force of one star that the object bears.
     pub largest_force: Option<Force>,
-    /// On which it has to lie.
+    /// The space available for the gripper.
     pub room: Workspace,
 }
 
 /// The sheet and the machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Workspace {
-    /// Smaller side of the sheet, if there is an end to it.
+    /// Smaller side of the sheet, if it is limited.
     pub sheet: Option<Length>,
     /// Smaller side of what the machine reaches, if it is known.
     pub machine: Option<Length>,
@@ -58,7 +58,7 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// The side that is free for the star, if there is an end to it.
+    /// The side that is available to the star, if it is limited.
     fn free(&self) -> Option<Length> {
         let sides = [self.sheet, self.machine].into_iter().flatten();
         sides.map(|side| side.0).reduce(f64::min).map(|side| Length(side - self.edge.0))

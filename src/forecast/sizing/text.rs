@@ -48,7 +48,7 @@ pub fn is_result(comment: &str) -> bool {
     RESULTS.iter().any(|begin| comment.starts_with(begin))
 }
 
-/// The text so far. A String takes everything.
+/// The text so far. Writing to a String never fails.
 struct Lines {
     text: String,
 }

@@ -13,7 +13,7 @@ pub(super) fn write(out: &mut Vec<u8>, value: f64) {
             return whole(out, part.into());
         }
     }
-    // A Vec takes everything.
+    // Writing to a Vec never fails.
     if !(1e-3..1e9).contains(&size) {
         let _ = write!(out, "{x:.8e}");
         return;

@@ -1,4 +1,4 @@
-//! Which columns a study has.
+//! The columns of a study.
 
 use crate::forecast::study::output::{ModelKinds, OutputColumn};
 use crate::forecast::study::outputs::OUTPUTS;

@@ -137,8 +137,8 @@ fn raise(most: &mut Option<f64>, value: f64, exact: f64) {
     *most = Some(most.unwrap_or(0.0).max((value / exact - 1.0).abs()));
 }
 
-/// Mean time of one target, and the targets; repeated until it takes a tenth of a second, so that the clock's grain
-/// does not count.
+/// Mean time of one target, and the targets; repeated until it takes a tenth of a second, so that the clock's resolution
+/// does not matter.
 fn time_of(model: &dyn HingeModel, clock: &dyn Fn() -> f64) -> Result<(f64, TargetTable), StarFault> {
     let mut repeats = 1_u32;
     loop {

@@ -54,8 +54,7 @@ pub struct ShellRow {
     /// Time for a star, s: at rest, its hinges included; of shells the mean user time, the force included; 0 if none was timed.
     pub time: f64,
     /// Error of the V-actuator's angle at rest, deg, and relative error of its stiffness, against the finest shell; `None` for the table,
-    /// which is
-    /// for stars only.
+    /// which is for stars only.
     pub actuator: Option<[f64; 2]>,
     /// Its stars.
     pub stars: Vec<StarErrors>,

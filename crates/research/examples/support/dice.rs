@@ -1,4 +1,4 @@
-//! Numbers by chance, the same on every machine.
+//! Random numbers, the same on every machine.
 
 /// Numbers between 0 and 1.
 pub(crate) struct Dice(pub(crate) u64);

@@ -44,7 +44,7 @@ pub struct ShellNumbers {
 /// A star with the shell's numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComputedStar {
-    /// Which one.
+    /// The star.
     pub star: DrawnStar,
     /// The numbers; `None` where the shell refuses.
     pub found: Option<ShellNumbers>,

@@ -1,4 +1,4 @@
-//! Which stars are computed: drawn by seed, the same on every machine, in four sets that have no star in common; and the paper's.
+//! The computed stars: drawn by seed, the same on every machine, in four sets that have no star in common; and the paper's.
 
 use std::f64::consts::PI;
 
