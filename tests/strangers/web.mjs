@@ -28,7 +28,8 @@ async function opened(browser, what, viewport, url, { ready = "#zip:not([disable
     const context = await browser.newContext({ viewport, acceptDownloads: true, hasTouch: viewport.width < 500, offline, colorScheme, reducedMotion: "reduce" });
     await context.addInitScript(() => {
         window.shift = 0;
-        new PerformanceObserver((list) => list.getEntries().forEach((entry) => (window.shift += entry.hadRecentInput ? 0 : entry.value))).observe({ type: "layout-shift", buffered: true });
+        window.shifts = new PerformanceObserver((list) => list.getEntries().forEach((entry) => (window.shift += entry.hadRecentInput ? 0 : entry.value)));
+        window.shifts.observe({ type: "layout-shift", buffered: true });
     });
     const page = await context.newPage();
     page.on("console", (message) => must(!["error", "warning"].includes(message.type()) || message.text().includes("GPU stall"), `${what}: console says ${message.text()}`));
@@ -187,9 +188,13 @@ async function printed(page, what) {
     const [opened] = await Promise.all([page.context().waitForEvent("page"), page.locator("#files .print").first().click()]);
     must(opened.url() === "" || /^(blob|about):/.test(opened.url()), `${what}: the PDF opens as ${opened.url()}`);
     await opened.close();
+    const shift = await page.evaluate(() => window.shift);
     await page.emulateMedia({ media: "print" });
     must(await page.isVisible("#preview") && !(await page.isVisible("#spec")), `${what}: the printed page is not the result`);
     await page.emulateMedia({ media: "screen" });
+    // That the printed page is another one is no shift.
+    await page.evaluate(() => new Promise((painted) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(painted, 100)))));
+    await page.evaluate((shift) => [window.shifts.takeRecords(), (window.shift = shift)], shift);
 }
 
 async function dropped(page, name, content) {

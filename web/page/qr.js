@@ -23,7 +23,9 @@ export async function showCode(address, ask) {
     qrPart("-note").textContent = `It opens this spec in the page, without comment lines.${onDisk} It is printed with the preview.`;
     // Its room at once, so that nothing moves later.
     qrPart("").hidden = qrPart("-picture").hidden = qrPart("-save").hidden = false;
+    qrPart("-save").disabled = true;
     const code = await ask({ ask: "qr", address });
+    qrPart("-save").disabled = false;
     if (!code.path) {
         qrPart("-picture").hidden = qrPart("-save").hidden = true;
         qrPart("-note").textContent = "The link is too long for a QR code: it holds at most 2953 letters. Copy the link.";
