@@ -75,7 +75,8 @@ mod tests {
         let soft = forecast("[load]\npressure = \"0.1 kPa\"\nobject_radius = \"30 mm\"\n");
         assert_eq!((holds(&soft), codes(&soft)), (Some(Holds::Unknown), vec!["outside-models".to_owned()]));
         // Without an object, a star outside all models is still made.
-        let text = starter("x").expect("a name").replace("tube_width = \"30 mm\"", "tube_width = \"45 mm\"");
+        let text =
+            starter("x").expect("a name").replace("# thickness = \"0.3 mm\"", "thickness = \"0.1 mm\"");
         let with = |more: &str| {
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\n{more}");
             let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;

@@ -81,7 +81,7 @@ fn curves_meet_the_prediction() {
 /// Values that `predict` calls unknown are not drawn, and the page is proven all the same.
 #[test]
 fn what_is_unknown_has_no_curve_and_no_pose() {
-    let wide = support::PAPER.replace("50 mm", "120 mm");
+    let wide = support::PAPER.replace("50 mm", "130 mm");
     let text = format!("{wide}\n[load]\npressure = \"37 kPa\"\nobject_radius = \"100 mm\"\n");
     let made = built(&text);
     assert_eq!(made.proof().findings, []);

@@ -410,7 +410,8 @@ proptest! {
             nulls("", &json(&prediction), &mut found);
             // Values that may be absent: those that the fit does not give, and those that the object or the seal make impossible.
             let allowed = [
-                "lambda_c", "nonlinear", "hinge_width", "safe_radius_mm", "payload_kg", "object_force_N", "ranges", "verdict",
+                "lambda_c", "nonlinear", "hinge_width", "safe_radius_mm", "payload_kg", "object_force_N", "flap_force_N", "ranges",
+                "verdict",
             ];
             found.retain(|path| !allowed.iter().any(|key| path.contains(key)));
             prop_assert!(found.is_empty(), "{found:?}");

@@ -262,6 +262,7 @@ fn any_key_of_the_spec_varies_and_means_what_it_means_there() {
             "star.tube_width" => "28 mm",
             "load.object_radius" => "29 mm",
             "load.object_shape" => "ball",
+            "build.link" => "https://example.org/page",
             _ => "3.5 mm",
         };
         let spec = Source::new("spec.toml", PAPER);

@@ -21,7 +21,7 @@ pub struct MarginWidths {
 const ROUNDS: usize = 60;
 
 /// One rim from its begin to its end, as the border of the tube runs, and what lies before and after it.
-struct Rim {
+struct RimPieces {
     pieces: Vec<usize>,
     before: Piece,
     after: Piece,
@@ -49,16 +49,16 @@ impl Meshed {
     }
 
     /// The pieces of a rim. The first `count` pieces are the border of the tube alone: one loop, and a rim is one run of it.
-    fn rim(&self, border: u8, count: usize) -> Rim {
+    fn rim(&self, border: u8, count: usize) -> RimPieces {
         let is_own = |at: &usize| self.pieces[*at].border == Border::Rim(border);
         let pieces: Vec<usize> = (0..count).filter(is_own).collect();
         let (first, last) = (pieces.first().copied().unwrap_or(0), pieces.last().copied().unwrap_or(0));
         let neighbours = [(first + count - 1) % count, (last + 1) % count].map(|at| self.pieces[at]);
-        Rim { pieces, before: neighbours[0], after: neighbours[1] }
+        RimPieces { pieces, before: neighbours[0], after: neighbours[1] }
     }
 
     /// This mesh with a margin of this `width` beyond one rim.
-    fn widened(self, rim: &Rim, width: f64, sizing: &Sizing) -> Result<Self, MeshFault> {
+    fn widened(self, rim: &RimPieces, width: f64, sizing: &Sizing) -> Result<Self, MeshFault> {
         let edge: Vec<Segment> =
             rim.pieces.iter().filter_map(|at| offset(&self.pieces[*at].curve, width)).collect();
         let edge = trimmed(edge, rim.before).map(|edge| reversed(&edge));
