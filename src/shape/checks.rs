@@ -150,7 +150,7 @@ pub(super) fn sharp_corners(lines: &Layout, rules: &Rules, notes: &mut SealingNo
             told.push(place);
             let names = lines.lines[line].names.clone();
             let what = format!(
-                "a hinge of {} is sharper than the iron, {found:.3} mm stay unsealed",
+                "a hinge of {} is sharper than the iron, {found:.3} mm or more stay unsealed",
                 quoted(&names)
             );
             let remedy = format!("round it with at least {half} mm");
