@@ -20,7 +20,7 @@ _Interval = Union[tuple[float, float], None]
 
 @final
 class Spec:
-    """The specification of a gripper: TOML, read and valid. It never changes; `replace` makes another.
+    """The specification of a gripper: valid TOML. It never changes; `replace` makes another.
 
     Quantities are strings with a unit, "50 mm"; a bare number where a unit is needed is refused.
     """
@@ -33,7 +33,7 @@ class Spec:
         """
     @classmethod
     def from_dict(cls, sections: Mapping[str, Any]) -> Spec:
-        """Makes a spec of a dict, as `to_dict` gives it: sections are dicts, `stack["star"]` a list of dicts.
+        """Makes a spec from a dict, as `to_dict` returns it: sections are dicts, `stack["star"]` a list of dicts.
 
         Raises SpecError with all faults at once; their lines are those of `to_toml()`.
         """
@@ -49,15 +49,15 @@ class Spec:
     def to_toml(self) -> str:
         """The text."""
     def to_dict(self) -> dict[str, Any]:
-        """The keys that are written, as a dict of sections."""
+        """The keys in the text, as a dict of sections."""
     def settings(self) -> dict[str, str | None]:
         """Every key with its value, defaults included, as strings: {"star.points": "5", ...}; None where a key has no default."""
     @property
     def name(self) -> str:
-        """What the spec calls the gripper."""
+        """Name of the gripper in the spec."""
     @property
     def warnings(self) -> list[Fault]:
-        """What a person should know although the spec is valid: Faults."""
+        """Warnings about the valid spec: Faults."""
 
 @final
 class Line:
@@ -118,7 +118,7 @@ class Contour:
         """
     @property
     def __geo_interface__(self) -> dict[str, Any]:
-        """As GeoJSON, within 0.01 mm: what shapely.geometry.shape and others take."""
+        """As GeoJSON, within 0.01 mm, for shapely.geometry.shape and other readers."""
 
 @final
 class Star:
@@ -172,7 +172,7 @@ class Star:
         """The iron's paths, inner and outer loop: the centre lines of the bands, without overlap."""
     @property
     def outline(self) -> tuple[Contour, Contour]:
-        """Where the fabric is cut: around the star and around the hole."""
+        """The cut edges: around the star and around the hole."""
     @property
     def windows(self) -> list[Contour]:
         """The windows of the coating mask."""
@@ -196,21 +196,21 @@ class Design:
         """The sheets: dicts of `index`, `width_mm` and `height_mm`."""
     @property
     def warnings(self) -> list[dict[str, Any]]:
-        """What a person should know before making it: dicts of code, key, found and remedy."""
+        """Warnings before it is made: dicts of code, key, found and remedy."""
     def _repr_svg_(self) -> str | None:
-        """The preview of its first sheet, for notebooks: None where the machine cannot seal it."""
+        """The preview of its first sheet, for notebooks: None if the machine cannot seal it."""
 
 @final
 class Mesh:
-    """The sheet that a shell has modelled, at rest under pressure, on its finest mesh: N nodes, M triangles. Of a star it is one of the
-    two sheets of half a sector beside corner 1, of a V-actuator one of half: the rest of the tube is its mirror images.
+    """The sheet of a shell model, at rest under pressure, on its finest mesh: N nodes, M triangles. For a star it is one of the two sheets of
+    half a sector beside corner 1, for a V-actuator one sheet of half: the rest of the tube is its mirror images.
     """
     @property
     def nodes_mm(self) -> _Floats:
-        """Where the nodes are: (N, 3), mm; the axis of a star is z."""
+        """Positions of the nodes: (N, 3), mm; the axis of a star is z."""
     @property
     def flat_mm(self) -> _Floats:
-        """Where the nodes were on the flat sheet: (N, 2), mm."""
+        """Positions of the nodes on the flat sheet: (N, 2), mm."""
     @property
     def triangles(self) -> NDArray[np.int64]:
         """The nodes of each triangle: (M, 3), int64, from 0."""
@@ -377,9 +377,9 @@ class Prediction:
         """The same keys for each star, bottom first. Those at the top are star 1's, except `payload_kg`."""
     @property
     def mesh(self) -> Mesh | None:
-        """The sheet as the shell found it; None by every other model."""
+        """The sheet in the shell model; None for every other model."""
     def to_dict(self) -> dict[str, Any]:
-        """All of it, as the command prints it with `--json`."""
+        """All keys, equal to the JSON of the command's `--json`."""
     def _repr_html_(self) -> str:
         """The answer as a table of its numbers with their ranges, for notebooks."""
 
@@ -418,30 +418,30 @@ class ActuatorPrediction:
         """Residuals, iterations, error estimates and `warnings`."""
     @property
     def mesh(self) -> Mesh | None:
-        """The sheet as the shell found it; None by every other model."""
+        """The sheet in the shell model; None for every other model."""
     def to_dict(self) -> dict[str, Any]:
-        """All of it, as the command prints it with `--json`."""
+        """All keys, equal to the JSON of the command's `--json`."""
     def _repr_html_(self) -> str:
         """The answer as a table of its numbers with their ranges, for notebooks."""
 
 @final
 class Build:
-    """All files of a gripper, in memory. They have been read back and say what the design says: nothing else can be written."""
+    """All files of a gripper, in memory. They have been read back and agree with the design; other files cannot be written."""
     @property
     def files(self) -> dict[str, bytes]:
         """Name and content of every file, the manifest last: the bytes that the command writes."""
     @property
     def manifest(self) -> dict[str, Any]:
-        """The manifest, as `manifest.json` has it."""
+        """The manifest, as in `manifest.json`."""
     @property
     def prediction(self) -> Prediction | None:
-        """What the gripper does; None if the spec has no [load]."""
+        """The prediction; None if the spec has no [load]."""
     @property
     def deviation_mm(self) -> dict[str, float | None]:
-        """Of every file that was measured, how far it is from the exact design at most, mm."""
+        """Largest deviation of every measured file from the exact design, mm."""
     def write(self, path: str | os.PathLike[str]) -> str:
-        """Writes the files into the directory `path`, whole or not at all, as the command does. Returns what a person should know: a line
-        each, "" if all is as usual. Raises PublishError, and leaves what was there as it was.
+        """Writes the files into the directory `path`, completely or not at all, as the command does. Returns notes, one a line; "" without
+        any. Raises PublishError, and then leaves the directory unchanged.
         """
     def _repr_svg_(self) -> str | None:
         """The preview of its first sheet; None if none was built."""
@@ -463,7 +463,7 @@ class Optimum:
         """
     @property
     def short(self) -> list[dict[str, float]]:
-        """For each design in `best` the constraints that it misses, and by which part."""
+        """For each design in `best` the constraints that it violates, and by which fraction."""
     @property
     def front(self) -> dict[str, _Floats]:
         """The designs that meet all constraints, and that none beats in contraction, stiffness and fabric at once: a dict of arrays, one
@@ -480,12 +480,12 @@ def predict(
     fineness: _Fineness | None = None,
     progress: _Progress = None,
 ) -> Prediction:
-    """Predicts what the gripper of `spec` does.
+    """Predicts the behaviour of the gripper of `spec`.
 
     model: "fit", "ring", "bvp", "section", "shell" or "auto"; default: the spec's own.
     radii: also the force on round objects of these radii, "20 mm..40 mm/5".
     fineness: of the shell's meshes: "coarse" (default for drawings), "medium" (default for stars) or "fine".
-    The answer about a drawing has keys of its own, `chambers` among them: read it by to_dict().
+    The answer about a drawing has its own keys, `chambers` among them: read it by to_dict().
     progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
 
     Raises DesignError if there is no such gripper, PredictionError if the model has no answer, UsageError for wrong arguments.
@@ -568,7 +568,7 @@ def actuator(
     pressure: gauge pressure.
     thickness, young_modulus, poisson_ratio: of the fabric; default: those of a spec.
     model: "fit", "ring", "bvp", "section", "shell" or "auto", which is section.
-    angles: also the moment that holds it at each of these angles, "30 deg..90 deg/7".
+    angles: also the moment that holds the hinge at each of these angles, "30 deg..90 deg/7".
     fineness: of the shell's meshes: "coarse", "medium" (default) or "fine".
     progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
 
@@ -603,13 +603,13 @@ def sweep_columns(
     study: str | None = None,
     outputs: Sequence[str] | None = None,
 ) -> tuple[int, str, list[tuple[str, str | None, str]]]:
-    """What a sweep with these arguments computes: (number of rows, fingerprint, columns), each column as (name, unit, meaning)."""
+    """The columns of a sweep with these arguments: (number of rows, fingerprint, columns), each column as (name, unit, meaning)."""
 
 def keys() -> dict[str, list[tuple[str, str]]]:
-    """Name and type of every key of each class: what `python/stubs` writes into `_native.pyi`."""
+    """Name and type of every key of each class, for `python/stubs.py`."""
 def repeat(spec: Spec, model: _Model | None, times: int) -> None:
-    """Computes what `predict` does `times` times, without Python: what tests/overhead.py compares its calls with."""
+    """Repeats the computation of `predict` `times` times, without Python: the reference of tests/overhead.py."""
 def prove(path: str, progress: _Progress) -> dict[str, Any]:
     """The proof of the build in the directory `path`, as `verify --json` prints it."""
 def run(args: Sequence[str], file: str) -> int:
-    """Runs the command with `args`, of which the first is its name; returns the exit code. `file` is where this code is."""
+    """Runs the command with `args`, of which the first is its name; returns the exit code. `file` is the library with this code."""
