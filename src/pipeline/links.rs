@@ -1,4 +1,4 @@
-//! The link to a spec that previews and report carry as a QR code, where `link` in [build] asks for it.
+//! The link to a spec that previews and report carry as a QR code, where `link` in `[build]` requests it.
 
 use crate::design::{RefusalCode, Warning};
 use crate::link::{LinkCode, LinkedSpec, MOST_LETTERS};
