@@ -53,13 +53,13 @@ test:
 	$(CARGO) test --locked --tests $(TESTED)
 	$(CARGO) test --locked --doc $(TESTED)
 
-# The first part of CI: format, dependencies, lints, debug tests, the lock file of the fuzz targets, the files of the release program, documentation.
+# The first part of CI: format, dependencies, the lock file of the fuzz targets, lints, debug tests, the files of the release program, documentation.
 check:
 	$(CARGO) fmt --all --check
 	$(MAKE) deny
+	$(CARGO) tree --manifest-path fuzz/Cargo.toml --locked >/dev/null
 	$(NO_PYTHON) $(CARGO) clippy --locked --workspace --all-targets -- -D warnings
 	$(MAKE) test
-	$(CARGO) tree --manifest-path fuzz/Cargo.toml --locked >/dev/null
 	$(RELEASE)
 	$(CARGO) test --locked --test golden -- --ignored
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --document-private-items $(TESTED)
