@@ -62,7 +62,7 @@ pub enum Grip {
     TooWideToOpen,
     /// The model has no force there.
     Unknown(StarFault),
-    /// It is held with an unknown force: arms touch, or no shell was opened this far.
+    /// It is held with an unknown force: the star is unlike those that were tried, or no shell was opened this far.
     Untried,
 }
 
@@ -196,10 +196,6 @@ impl Outcome {
                 across(most)
             )),
             Grip::Unknown(fault) => Some(format!("no force on the object: {fault}")),
-            Grip::Untried if self.ranges.stiffness.is_none() => Some(
-                "the arms touch: how hard the star presses on the object is not known; a wider tip_angle keeps them apart"
-                    .to_owned(),
-            ),
             Grip::Untried => Some(
                 "the object opens the star further than any that was computed as a shell: how hard it presses is not known; a \
                  larger inner_radius closes less far"

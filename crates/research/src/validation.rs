@@ -3,6 +3,7 @@
 
 use crate::stars::computed::{ComputedStar, Number, ShellNumbers};
 use crate::stars::draw::{DrawnStar, POISSON, Set, YOUNG};
+use crate::stars::shipped::shipped;
 use inflatable::mechanics::star::response::Inflated;
 use inflatable::mechanics::strength::ElasticSheet;
 use stargrip_cam::design::Star;
@@ -129,4 +130,47 @@ impl Pair {
     pub fn holds(&self) -> bool {
         self.shell + self.mesh >= self.range[0] && self.shell - self.mesh <= self.range[1]
     }
+}
+
+/// Forces of coarse shells on objects, among them those within stars whose arms touch: a star a line.
+const OPENED: &str = include_str!("stars/opened.txt");
+
+/// A force of a coarse shell on an object.
+#[derive(Clone, Copy, Debug)]
+pub struct Opened {
+    /// Set and number of the star.
+    pub star: (Set, u32),
+    /// Whether its arms touch while it is empty, by the prediction.
+    pub touches: bool,
+    /// By how much the object opens the shell, over W.
+    pub opening: f64,
+    /// Radial forces, N, on the same object. The error is their ratio.
+    pub force: Pair,
+}
+
+/// The forces of `opened.txt` whose meshes leave less than a quarter open, where there is a range.
+pub fn opened() -> Vec<Opened> {
+    let stars = shipped();
+    OPENED.lines().filter(|line| !line.starts_with('#')).filter_map(|line| one_opened(&stars, line)).collect()
+}
+
+fn one_opened(stars: &[ComputedStar], line: &str) -> Option<Opened> {
+    let (names, numbers) = line.split_once(' ').and_then(|(set, rest)| Some((set, rest.split_once(' ')?)))?;
+    let drawn = &stars.iter().find(|one| one.star.set.name() == names && one.star.number.to_string() == numbers.0)?.star;
+    let numbers: Vec<f64> = numbers.1.split(' ').filter_map(|number| number.parse().ok()).collect();
+    let [object, shell, mesh, radius] = numbers[..] else { return None };
+    let (case, pressure) = case_of(drawn)?;
+    let model = tabled(&case, pressure).ok()?;
+    let case = corrected(&case, &model).ok()?;
+    let inflated = Inflated::new(&case.mechanism, &model, pressure).ok()?;
+    let own = Outcome::linear(&case, &inflated);
+    let object = 1e-3 * object;
+    let predicted = inflated.linear_force(object, &own.rest).ok()?;
+    let range = own.ranges.force(&inflated, object, &own.rest)?;
+    (mesh < SETTLED * shell && object <= case.hole).then_some(Opened {
+        star: (drawn.set, drawn.number),
+        touches: own.rest.equilibrium < own.rest.angle,
+        opening: (object - 1e-3 * radius) / case.mechanism.width,
+        force: Pair { shell, mesh, predicted, range, error: shell / predicted },
+    })
 }

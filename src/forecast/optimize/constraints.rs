@@ -31,7 +31,7 @@ pub struct Constraints {
     pub sheet: Option<Length>,
     /// Burst pressure over pressure.
     pub burst_margin: Option<f64>,
-    /// Whether arms must not touch. Required with a force, because the force of a star with touching arms is unknown.
+    /// Whether arms must not touch. Required with a force: forces of stars whose arms touch were compared with coarse shells only.
     pub apart: bool,
 }
 

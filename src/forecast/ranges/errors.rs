@@ -33,6 +33,10 @@ pub const FORCE: Interval = [0.66, 1.36];
 /// Largest validated opening by W: 0.9 from the shell's own rest, which may be a little further out than the predicted one.
 pub const OPENING: f64 = 0.95;
 
+/// Largest opening by W at which shells were compared, those of `opened.txt` in the research crate; beyond [`OPENING`] the range of a force is
+/// wider.
+pub const OPENING_REACHED: f64 = 1.6;
+
 /// Arms shorter than W: the error of the angle grows as this power of W / l. A star of eight points with l / W of 0.69, computed by two
 /// independent shells, is off by 1.2 times what W / l alone allows.
 pub const SHORT_ARM: f64 = 1.75;

@@ -88,14 +88,13 @@ impl Ranges {
         }
     }
 
-    /// Range of the radial force on an object of radius `rho` (m) within the star `inflated`, which rests at `rest`; `None` where arms
-    /// touch, and
-    /// where shells were not opened so far.
+    /// Range of the radial force on an object of radius `rho` (m) within the star `inflated`, which rests at `rest`; `None` where shells
+    /// were not opened so far.
     pub fn force(&self, inflated: &Inflated<'_>, rho: f64, rest: &Rest) -> Option<Interval> {
         let star = inflated.star();
-        let ([near, far], _) = self.radius.zip(self.stiffness)?;
+        let [near, far] = self.radius?;
         let opened = (rho - rest.radius) / star.width;
-        if opened > errors::NOT_FAR * errors::OPENING {
+        if opened > errors::OPENING_REACHED {
             return None;
         }
         // An opening beyond the validated one widens the range continuously: a jump would mislead a search.
@@ -105,7 +104,10 @@ impl Ranges {
         // The start of contact is as uncertain as the radius. Both errors are treated as independent, so
         // they are added in quadrature; ranges made so hold (docs/ranges.md).
         let grasp = inflated.grasp(rest);
-        let [least, force, most] = [far, rest.radius, near].map(|from| grasp.force(rho, from));
+        // Arms that touch: the radius without contact is as uncertain.
+        let free = inflated.free_radius(rest);
+        let [least, force, most] =
+            [far, rest.radius, near].map(|from| grasp.force(rho, free + (from - rest.radius)));
         Some([
             (force - libm::hypot(force - least, force * (1.0 - low))).max(0.0),
             force + libm::hypot(most - force, force * (high - 1.0)),

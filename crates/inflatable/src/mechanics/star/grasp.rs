@@ -19,10 +19,11 @@
 //! own tangent `k(0) / [rho'(phi_0)^2 + (mu W / sin(pi/n))^2]` at o = 0 by a factor, and with the radial stiffness K of the star
 //!
 //! ```text
-//! F_star = F_0 + a K o S(o)        S(o) = F [rho'(phi_0)^2 + (mu W / sin(pi/n))^2] / [k(0) o]        S(0) = 1
+//! F_star = a K o S(o)        S(o) = F [rho'(phi_0)^2 + (mu W / sin(pi/n))^2] / [k(0) o]        S(0) = 1
 //! ```
 //!
-//! F_0 is the force of arms that touch. The fit has three constants: `RIM` a, `LEVER` mu and `CURVED`, the c above over that of the
+//! Arms that touch keep phi_0 at contact, and an object separates them at once. So o, K and rho' are those of phi_0 at which the hinges
+//! alone would rest, where the arms would cross. The fit has three constants: `RIM` a, `LEVER` mu and `CURVED`, the c above over that of the
 //! correction. They come from the 189 forces of the stars of the sets `fit`, `range`, `paper` and `test` 1 to 180 by least squares of the
 //! logarithm of force over K o, both of the shell: 11.5 % rms. On stars 181 to 240, which were not used, it is 11.6 %.
 
