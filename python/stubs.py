@@ -83,7 +83,7 @@ def documented(module: ast.Module) -> "list[tuple[Documented, Any]]":
         found.append((node, of))
         if isinstance(node, ast.ClassDef):
             members = [member for member in node.body if isinstance(member, ast.FunctionDef)]
-            # What every object has says nothing about this one.
+            # Members that every object has are left out.
             found += [(member, getattr(of, member.name)) for member in members if not hasattr(object, member.name)]
     return found
 

@@ -197,11 +197,11 @@ impl Outcome {
             )),
             Grip::Unknown(fault) => Some(format!("no force on the object: {fault}")),
             Grip::Untried if self.ranges.stiffness.is_none() => Some(
-                "the arms touch: how hard the star presses on the object is not known; a wider tip_angle keeps them apart"
+                "the arms touch: the force on the object is unknown; a wider tip_angle keeps them apart"
                     .to_owned(),
             ),
             Grip::Untried => Some(
-                "the object opens the star further than any that was computed as a shell: how hard it presses is not known; a \
+                "the object opens the star further than any that was computed as a shell: its force is unknown; a \
                  larger inner_radius closes less far"
                     .to_owned(),
             ),

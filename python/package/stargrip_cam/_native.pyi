@@ -236,7 +236,7 @@ class Prediction:
     """
     @property
     def model(self) -> str:
-        """Model that answered: fit, ring, bvp, section or shell."""
+        """Model used: fit, ring, bvp, section or shell."""
     @property
     def verdict(self) -> dict[str, Any] | None:
         """Whether the gripper holds the object: `holds` (yes, no or unknown), the force with its range, the needed force and reasons."""
@@ -314,7 +314,7 @@ class Prediction:
         """Radial force of one star on the object, N. Needs a pressure and an object."""
     @property
     def force_curve(self) -> list[tuple[float | None, ...]] | None:
-        """Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were asked for; null where the star does not hold such an object."""
+        """Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were requested; null where the star does not hold such an object."""
     @property
     def bendability(self) -> float | None:
         """Pressure over the fabric's resistance to bending, 1/eps = p W^3 / B. Needs a pressure."""
@@ -356,19 +356,19 @@ class Prediction:
         """Burst pressure over the pressure. Needs both."""
     @property
     def ranges_of(self) -> str | None:
-        """Whose values the ranges hold: those of computed shells. No gripper was measured."""
+        """Source of the ranges: computed shells. No gripper was measured."""
     @property
     def ranges(self) -> dict[str, Any]:
         """For each number that depends on a model the interval that holds a computed shell's value in at least 95 % of cases. Some may be unknown."""
     @property
     def pressures(self) -> list[dict[str, Any]] | None:
-        """What the star does at several pressures. Only if the spec has no pressure."""
+        """Predictions at several pressures. Only if the spec has no pressure."""
     @property
     def nonlinear(self) -> dict[str, Any] | None:
         """The same star with the model's own, asymmetric hinges instead of linear ones. By ring and bvp only."""
     @property
     def evidence(self) -> dict[str, Any]:
-        """Why this model answered, residuals, iterations, error estimates and `warnings`."""
+        """Why this model was used, residuals, iterations, error estimates and `warnings`."""
     @property
     def stack_mass_g(self) -> float | None:
         """Mass of the fabric of all stars, g. Needs `areal_density`."""
@@ -388,7 +388,7 @@ class ActuatorPrediction:
     """The predicted behaviour of a V-actuator. Every key of `actuator --json` is an attribute, None where the value is unknown."""
     @property
     def model(self) -> str:
-        """Model that answered: fit, ring, bvp, section or shell."""
+        """Model used: fit, ring, bvp, section or shell."""
     @property
     def bendability(self) -> float:
         """Pressure over the fabric's resistance to bending, 1/eps = p W^3 / B."""
@@ -403,13 +403,13 @@ class ActuatorPrediction:
         """Coiling factor (pi - phi) / (pi - phi_0) at rest."""
     @property
     def volume_mm3(self) -> float | None:
-        """Volume of the whole actuator, mm^3. Unknown to models of the hinge alone."""
+        """Volume of the whole actuator, mm^3. Models of the hinge alone do not have it."""
     @property
     def stiffness_Nm(self) -> float:
         """Stiffness d2U/dphi2 at rest, whole tube, N m per rad."""
     @property
     def moment(self) -> list[tuple[float | None, ...]] | None:
-        """Rows of an angle (deg) and the applied moment dU/dphi (N m) that holds it, for the angles that were asked for. A positive one opens."""
+        """Rows of an angle (deg) and the applied moment dU/dphi (N m) that holds it, for the requested angles. A positive one opens."""
     @property
     def ranges(self) -> dict[str, Any]:
         """For each of these numbers the interval that holds a computed shell's value in at least 95 % of cases. Some may be unknown."""

@@ -278,7 +278,7 @@ impl Requirements {
                 format!("its cut hole is {percent:.1} % too narrow for the object and room around it")
             }
             "opening" | "object" => format!("it opens {percent:.1} % short of the object"),
-            "touching" => "its arms would touch, and how hard it presses then is not known".to_owned(),
+            "touching" => "its arms would touch, and its force is then unknown".to_owned(),
             "arms" => format!("arms would be {percent:.1} % shorter than half a tube's width"),
             _ => "no star that was tried is like it: another pressure, or another fabric".to_owned(),
         }
