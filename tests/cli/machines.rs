@@ -275,7 +275,7 @@ fn resume_refuses_what_is_not_ours_or_is_damaged() {
     let forged = job.replacen("; seal:", strokes, 1);
     assert!(forged != job);
     for (name, bytes, word) in [
-        ("empty.gcode", &b""[..], "no sealing program of stargrip-cam"),
+        ("empty.gcode", &b""[..], "not a sealing program of stargrip-cam"),
         ("other.gcode", b"G28\nG1 X5 F100\n", "build it again"),
         ("binary.gcode", b"\x00\xff\xfe", "UTF-8"),
         ("half.gcode", &job.as_bytes()[..job.len() / 2], "damaged"),

@@ -375,5 +375,5 @@ fn predict_takes_the_section_only_with_a_pressure() {
     assert!(text(&thin.stdout).contains("without arms"), "{}", text(&thin.stdout));
     fs::write(dir.path().join("spec.toml"), GRIPPER.split("[load]").next().expect("text")).expect("written");
     let refused = run(dir.path(), &["predict", "spec.toml", "--model", "section"]);
-    assert!(refused.status.code() == Some(1) && text(&refused.stderr).contains("none is given"));
+    assert!(refused.status.code() == Some(1) && text(&refused.stderr).contains("needs a pressure"));
 }

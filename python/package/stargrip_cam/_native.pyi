@@ -238,9 +238,6 @@ class Prediction:
     def model(self) -> str:
         """Model used: fit, ring, bvp, section or shell."""
     @property
-    def verdict(self) -> dict[str, Any] | None:
-        """Whether the gripper holds the object: `holds` (yes, no or unknown), the force with its range, the needed force and reasons."""
-    @property
     def lambda_t(self) -> dict[str, float | None]:
         """Target coiling factor of the hinges. By hinges' models only."""
     @property
@@ -290,9 +287,9 @@ class Prediction:
         """Volume of the inflated star, mm^3. By the shell only."""
     @property
     def graspable_radius_mm(self) -> tuple[float, float] | None:
-        """Smallest and largest radius of a round object that the star can hold, mm."""
+        """Smallest and largest radius of a round object that the star can hold, mm; at most `hole_radius_mm`, since wider ones do not enter."""
     @property
-    def hole_radius_mm(self) -> float | None:
+    def hole_radius_mm(self) -> float:
         """Radius of the hole's cut edge, mm. A wider object does not enter the flat star."""
     @property
     def flap_edge_radius_mm(self) -> float | None:
@@ -325,11 +322,11 @@ class Prediction:
     def realised_radius_mm(self) -> dict[str, float | None]:
         """Inner radius of curvature of the hinges as the sealed band makes them, mm."""
     @property
-    def seal_load(self) -> dict[str, float | None] | None:
-        """Seal load k at the realised radius: the inner edge carries k p W per length."""
+    def seal_load(self) -> dict[str, float | None]:
+        """Tension of the ring over p W at the realised radius, at an inner rim that cannot stretch. `seal_pull_N_per_mm` is the seal's own load."""
     @property
     def seal_pull_N_per_mm(self) -> float | None:
-        """Largest force that pulls one sheet off the seam's plane, N per mm of seam, as a T-peel test measures it. Needs a pressure."""
+        """Largest force that pulls one sheet off the seam's plane, N per mm of seam, as a T-peel test measures it: averaged over the width of the band. Needs a pressure."""
     @property
     def seal_pull_at(self) -> str | None:
         """The hinges at which the seal's pull is largest: tips or corners."""
@@ -355,7 +352,7 @@ class Prediction:
     def burst_margin(self) -> float | None:
         """Burst pressure over the pressure. Needs both."""
     @property
-    def ranges_of(self) -> str | None:
+    def ranges_of(self) -> str:
         """Source of the ranges: computed shells. No gripper was measured."""
     @property
     def ranges(self) -> dict[str, Any]:
@@ -369,6 +366,9 @@ class Prediction:
     @property
     def evidence(self) -> dict[str, Any]:
         """Why this model was used, residuals, iterations, error estimates and `warnings`."""
+    @property
+    def verdict(self) -> dict[str, Any] | None:
+        """Whether the gripper holds the object: `holds` (yes, no or unknown), the force with its range, the needed force and reasons."""
     @property
     def stack_mass_g(self) -> float | None:
         """Mass of the fabric of all stars, g. Needs `areal_density`."""

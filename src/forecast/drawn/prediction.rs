@@ -31,7 +31,7 @@ keyed! {
         pub burst_margin: Option<f64>,
         /// Whether a chamber may leave the plane of the drawing. By the shell only.
         pub leaves_plane: Option<bool>,
-        /// Of each chamber: size and area when flat, `bendability` and `stretch`; by the shell `extents_mm`, `height_mm`, `volume_mm3`,
+        /// Chambers, each with flat size and area, `bendability` and `stretch`; by the shell `extents_mm`, `height_mm`, `volume_mm3`,
         /// `seal_pull_N_per_mm`, `largest_stretch`, `largest_tension_N_per_mm` and `plane_eigenvalue`, each with its mesh error, and
         /// `seams`: the largest pull on each, with rows of x, y, pull and mesh error along it.
         pub chambers: Vec<ChamberPrediction>,
