@@ -139,7 +139,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
                 }
             }
             Ok(Reading::Tilted) => {
-                self.lost(place, "It lies in another plane than the drawing and is left out.")
+                self.lost(place, "It lies in another plane than the drawing and is left out.");
             }
             Ok(Reading::Unknown) => {
                 let text = format!("Entities of type {} are not read; it is left out.", record.kind);
