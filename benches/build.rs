@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use stargrip_cam::artifact::Asked;
+use stargrip_cam::artifact::KindRequest;
 use stargrip_cam::design::{CutEdge, Design, Drawing};
 use stargrip_cam::pipeline::Sources;
 use stargrip_cam::spec::{Machine, Source, Spec};
@@ -82,8 +82,9 @@ fn design(bencher: divan::Bencher) {
 fn build(bencher: divan::Bencher) {
     let (spec, machine) = (paper(), machine());
     let sources = Sources { spec: PAPER, machine: generic() };
-    bencher
-        .bench(|| pipeline::build(black_box(&spec), &machine, sources, &Asked::default()).expect("a design"));
+    bencher.bench(|| {
+        pipeline::build(black_box(&spec), &machine, sources, &KindRequest::default()).expect("a design")
+    });
 }
 
 /// Reading every file back and comparing it with the exact geometry.
@@ -91,6 +92,6 @@ fn build(bencher: divan::Bencher) {
 fn prove(bencher: divan::Bencher) {
     let (spec, machine) = (paper(), machine());
     let sources = Sources { spec: PAPER, machine: generic() };
-    let build = pipeline::build(&spec, &machine, sources, &Asked::default()).expect("a design");
+    let build = pipeline::build(&spec, &machine, sources, &KindRequest::default()).expect("a design");
     bencher.bench(|| build.proof());
 }

@@ -1,7 +1,7 @@
 """Writes the meanings and the keys of answers into the stubs, where editors read them: `python stubs.py`, with the package installed.
 
 Types of arguments and results are written in the stubs by hand. Docstrings are those of the compiled code. The attributes of predictions
-are the keys that the crate lists (src/forecast/keys.rs). A test holds the stubs to what this writes.
+are the keys of the crate's answers (src/forecast/keys.rs). A test holds the stubs to what this writes.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def documented(module: ast.Module) -> "list[tuple[Documented, Any]]":
         found.append((node, of))
         if isinstance(node, ast.ClassDef):
             members = [member for member in node.body if isinstance(member, ast.FunctionDef)]
-            # What every object has says nothing about this one.
+            # Members that every object has are left out.
             found += [(member, getattr(of, member.name)) for member in members if not hasattr(object, member.name)]
     return found
 

@@ -10,7 +10,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::artifact::{Artifact, Asked, Format, Kind, NGC, Output};
+use crate::artifact::{Artifact, Format, Kind, KindRequest, NGC, Output};
 use crate::design::{Design, Paper, StarAssembly};
 use crate::forecast::prediction::Prediction;
 use crate::manifest::bill::thousandths;
@@ -188,16 +188,16 @@ impl Manifest {
         Self { prediction: at_pressure.map(ManifestPrediction::of), ..self }
     }
 
-    /// The same manifest with the list `files`, which were requested by `asked`.
+    /// The same manifest with the list `files`, which `request` selects.
     #[must_use]
-    pub fn with_files(self, files: Vec<ManifestFile>, asked: &Asked) -> Self {
-        let Asked { only, with } = asked.clone();
+    pub fn with_files(self, files: Vec<ManifestFile>, request: &KindRequest) -> Self {
+        let KindRequest { only, with } = request.clone();
         Self { files, only, with, ..self }
     }
 
     /// The requested kinds.
-    pub fn asked(&self) -> Asked {
-        Asked { only: self.only.clone(), with: self.with.clone() }
+    pub fn request(&self) -> KindRequest {
+        KindRequest { only: self.only.clone(), with: self.with.clone() }
     }
 
     /// The manifest as the bytes of `manifest.json`.

@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::geom::{Bounds, Path as Curve};
 use stargrip_cam::manifest::sha256;
 use stargrip_cam::pipeline::{Built, Sources};
@@ -75,8 +75,9 @@ fn build_with(text: &str, with: &[Kind]) -> (Built, Machine) {
     let machine_text = spec::builtin_machine(&reading.spec.machine.profile).expect("a built-in profile");
     let machine = spec::read_machine(&Source::new("machine", machine_text)).expect("a valid profile");
     let sources = Sources { spec: text, machine: machine_text };
-    let asked = Asked { with: with.to_vec(), ..Asked::default() };
-    let build = pipeline::build(&reading.spec, &machine, sources, &asked).expect("a design that can be made");
+    let request = KindRequest { with: with.to_vec(), ..KindRequest::default() };
+    let build =
+        pipeline::build(&reading.spec, &machine, sources, &request).expect("a design that can be made");
     let proof = build.proof();
     assert_eq!(proof.findings, []);
     (build, machine)
@@ -118,8 +119,8 @@ fn a_picture_of_pixels_is_golden() {
     let generic = spec::builtin_machine("generic").expect("built in");
     let machine = spec::read_machine(&Source::new("machine", generic)).expect("a valid profile");
     let sources = Sources { spec: &text, machine: generic };
-    let asked = Asked::only(&[Kind::PreviewPng]);
-    let build = pipeline::build(&reading.spec, &machine, sources, &asked).expect("a design");
+    let request = KindRequest::only(&[Kind::PreviewPng]);
+    let build = pipeline::build(&reading.spec, &machine, sources, &request).expect("a design");
     let pictures = build.artifacts.iter().filter(|file| file.output.kind == Kind::PreviewPng);
     let digests: Vec<String> =
         pictures.map(|file| format!("{} {}", file.name, sha256(&file.bytes))).collect();

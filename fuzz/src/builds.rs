@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use stargrip_cam::artifact::{Asked, Format, Kind};
+use stargrip_cam::artifact::{Format, Kind, KindRequest};
 use stargrip_cam::pipeline::{Built, Sources, build};
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Machine, Source};
@@ -30,7 +30,7 @@ pub(super) fn built(spec_text: &str, name: &str, kinds: &[Kind]) -> Built {
     let spec_text = format!("{spec_text}{section}profile = \"{name}\"\n");
     let sources = Sources { spec: &spec_text, machine: spec::builtin_machine(name).expect("built in") };
     let spec = spec::read(&Source::new("spec.toml", spec_text.as_str())).expect("valid").spec;
-    build(&spec, &machine, sources, &Asked::only(kinds)).expect("a gripper")
+    build(&spec, &machine, sources, &KindRequest::only(kinds)).expect("a gripper")
 }
 
 /// Directories that hold the programs of every dialect, chopped ones too, then the drawings, then the printed parts, then all.

@@ -77,7 +77,7 @@ pub(super) fn accepted(files: &Directory, proof: &Proof) {
     let spec = spec::read(&Source::new("spec.toml", spec_text)).expect("a spec").spec;
     let machine = spec::read_machine(&Source::new("machine.toml", machine_text)).expect("a profile");
     let sources = Sources { spec: spec_text, machine: machine_text };
-    let built = build(&spec, &machine, sources, &manifest.asked()).expect("a gripper");
+    let built = build(&spec, &machine, sources, &manifest.request()).expect("a gripper");
     if manifest.tool != built.manifest.tool {
         assert!(proof.files.iter().all(|file| file.by != Method::Bytes), "{:?}", manifest.tool);
         return;

@@ -12,8 +12,8 @@ use stargrip_cam::cli::embedded::Given;
 use stargrip_cam::forecast::actuator::ActuatorPrediction as Actuated;
 use stargrip_cam::forecast::drawn::prediction::DrawnPrediction;
 use stargrip_cam::forecast::drawn::text::text;
-use stargrip_cam::forecast::keys::{ACTUATOR, Key, KeyKind, PREDICTION};
-use stargrip_cam::forecast::prediction as said;
+use stargrip_cam::forecast::keys::{Key, KeyKind};
+use stargrip_cam::forecast::prediction as answers;
 use stargrip_cam::forecast::report;
 use stargrip_cam::shell::cases::InflatedShape;
 
@@ -21,7 +21,7 @@ use crate::mesh::Mesh;
 
 /// An answer: the crate's own structure, or the content of a pickle.
 pub(crate) enum Answer {
-    Star(Arc<Given>, Box<said::Prediction>),
+    Star(Arc<Given>, Box<answers::Prediction>),
     Drawn(Arc<Given>, Box<DrawnPrediction>),
     Actuator(Box<Actuated>),
     Restored { fields: Py<PyDict>, page: String, shown: String },
@@ -62,13 +62,13 @@ impl Answer {
 }
 
 /// The content of both classes: an answer, its dict, which is made at the first access, and the shell's mesh.
-pub(crate) struct Said {
+pub(crate) struct PythonAnswer {
     answer: Answer,
     fields: PyOnceLock<Py<PyDict>>,
     mesh: Option<Py<Mesh>>,
 }
 
-impl Said {
+impl PythonAnswer {
     fn new(py: Python<'_>, answer: Answer, shape: Option<InflatedShape>) -> PyResult<Self> {
         let mesh = shape.map(|shape| Py::new(py, Mesh(shape))).transpose()?;
         Ok(Self { answer, fields: PyOnceLock::new(), mesh })
@@ -83,19 +83,19 @@ impl Said {
 
 /// A class whose attributes are the keys of an answer.
 pub(crate) trait Keyed: PyClass<Frozen = True> + Sync {
-    /// The keys.
-    const KEYS: &'static [Key];
+    /// The keys, in lists.
+    const KEYS: &'static [&'static [Key]];
     /// The content of the object.
-    fn said(&self) -> &Said;
+    fn answer_object(&self) -> &PythonAnswer;
 }
 
 /// Adds to the class `T` a property with a docstring for each of its keys.
 pub(crate) fn add_properties<T: Keyed>(py: Python<'_>) -> PyResult<()> {
     let class = py.get_type::<T>();
     let property = py.import("builtins")?.getattr("property")?;
-    for key in T::KEYS {
+    for key in T::KEYS.iter().copied().flatten() {
         let get = move |of: &Bound<'_, PyTuple>, _: Option<&Bound<'_, PyDict>>| -> PyResult<Py<PyAny>> {
-            of.get_item(0)?.cast::<T>()?.get().said().value(of.py(), key.name)
+            of.get_item(0)?.cast::<T>()?.get().answer_object().value(of.py(), key.name)
         };
         let get = PyCFunction::new_closure(py, None, None, get)?;
         class.setattr(key.name, property.call1((get, py.None(), py.None(), key.about))?)?;
@@ -121,7 +121,9 @@ fn spelled(key: &Key) -> String {
 /// Name and type of every key of each class, for `python/stubs.py`.
 #[pyfunction]
 pub(crate) fn keys() -> BTreeMap<&'static str, Vec<(&'static str, String)>> {
-    let typed = |keys: &'static [Key]| keys.iter().map(|key| (key.name, spelled(key))).collect();
+    let typed = |keys: &'static [&'static [Key]]| {
+        keys.iter().copied().flatten().map(|key| (key.name, spelled(key))).collect()
+    };
     BTreeMap::from([
         ("Prediction", typed(Prediction::KEYS)),
         ("ActuatorPrediction", typed(ActuatorPrediction::KEYS)),
@@ -132,9 +134,9 @@ pub(crate) fn keys() -> BTreeMap<&'static str, Vec<(&'static str, String)>> {
 macro_rules! answer {
     ($class:ident, $keys:expr) => {
         impl Keyed for $class {
-            const KEYS: &'static [Key] = $keys;
+            const KEYS: &'static [&'static [Key]] = $keys;
 
-            fn said(&self) -> &Said {
+            fn answer_object(&self) -> &PythonAnswer {
                 &self.0
             }
         }
@@ -174,11 +176,11 @@ macro_rules! answer {
                 mesh: Option<Py<Mesh>>,
             ) -> Self {
                 let answer = Answer::Restored { fields, page, shown };
-                Self(Said { answer, fields: PyOnceLock::new(), mesh })
+                Self(PythonAnswer { answer, fields: PyOnceLock::new(), mesh })
             }
 
             fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-                let (py, Said { answer, mesh, .. }) = (slf.py(), &slf.get().0);
+                let (py, PythonAnswer { answer, mesh, .. }) = (slf.py(), &slf.get().0);
                 let kept = (answer.dict(py)?, answer.page(), answer.shown(), mesh.as_ref());
                 Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(py)?))
             }
@@ -189,31 +191,31 @@ macro_rules! answer {
 /// The predicted behaviour of a gripper. Every key of `predict --json` is an attribute: lengths in mm, angles in degrees, forces in N,
 /// with the unit in the name. None where the value is unknown, or needs something that the spec does not give.
 #[pyclass(frozen, module = "stargrip_cam")]
-pub(crate) struct Prediction(Said);
+pub(crate) struct Prediction(PythonAnswer);
 
 impl Prediction {
     /// The answer of any model; only the shell's has a `shape`.
     pub(crate) fn new(py: Python<'_>, answer: Answer, shape: Option<InflatedShape>) -> PyResult<Self> {
-        Said::new(py, answer, shape).map(Self)
+        PythonAnswer::new(py, answer, shape).map(Self)
     }
 
     /// The answer of a hinge model.
-    pub(crate) fn of_star(given: Arc<Given>, prediction: said::Prediction) -> Self {
+    pub(crate) fn of_star(given: Arc<Given>, prediction: answers::Prediction) -> Self {
         let answer = Answer::Star(given, Box::new(prediction));
-        Self(Said { answer, fields: PyOnceLock::new(), mesh: None })
+        Self(PythonAnswer { answer, fields: PyOnceLock::new(), mesh: None })
     }
 }
 
-answer!(Prediction, PREDICTION);
+answer!(Prediction, answers::Prediction::KEYS);
 
 /// The predicted behaviour of a V-actuator. Every key of `actuator --json` is an attribute, None where the value is unknown.
 #[pyclass(frozen, module = "stargrip_cam")]
-pub(crate) struct ActuatorPrediction(Said);
+pub(crate) struct ActuatorPrediction(PythonAnswer);
 
 impl ActuatorPrediction {
     pub(crate) fn new(py: Python<'_>, answer: Actuated, shape: Option<InflatedShape>) -> PyResult<Self> {
-        Said::new(py, Answer::Actuator(Box::new(answer)), shape).map(Self)
+        PythonAnswer::new(py, Answer::Actuator(Box::new(answer)), shape).map(Self)
     }
 }
 
-answer!(ActuatorPrediction, ACTUATOR);
+answer!(ActuatorPrediction, &[Actuated::KEYS]);

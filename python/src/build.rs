@@ -6,7 +6,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBytes, PyDict, PyTuple, PyType};
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::cli::embedded;
 use stargrip_cam::cli::embedded::Given;
 use stargrip_cam::cli::publish;
@@ -26,7 +26,7 @@ use crate::waiting::{Line, wait};
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct Build {
     given: Arc<Given>,
-    asked: Asked,
+    request: KindRequest,
     anyway: bool,
     proven: Proven,
     files: PyOnceLock<Py<PyDict>>,
@@ -57,21 +57,21 @@ pub(crate) fn build(
     anyway: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Build> {
-    let asked = Asked { only: only.unwrap_or_default(), with: with_.unwrap_or_default() };
+    let request = KindRequest { only: only.unwrap_or_default(), with: with_.unwrap_or_default() };
     let made = {
-        let (given, asked) = (Arc::clone(&spec.given), asked.clone());
-        wait(py, progress, move |line| made(&given, &asked, anyway, line))?
+        let (given, request) = (Arc::clone(&spec.given), request.clone());
+        wait(py, progress, move |line| made(&given, &request, anyway, line))?
     };
     let given = Arc::clone(&spec.given);
     match made {
-        Ok(proven) => Ok(Build { given, asked, anyway, proven, files: PyOnceLock::new() }),
+        Ok(proven) => Ok(Build { given, request, anyway, proven, files: PyOnceLock::new() }),
         Err(Stopped::Refused(refusals)) => Err(of_design(py, &given, refusals)),
         Err(Stopped::Wrong(findings)) => Err(of_findings(py, &findings)),
         Err(Stopped::Cancelled) => Err(of_failure(py, &embedded::Failure::Interrupted)),
     }
 }
 
-fn made(given: &Given, asked: &Asked, anyway: bool, line: &Line) -> Result<Proven, Stopped> {
+fn made(given: &Given, request: &KindRequest, anyway: bool, line: &Line) -> Result<Proven, Stopped> {
     line.tell(0.0, "design, plan and prediction");
     let forecast =
         Forecast::of(given.reading.spec.clone(), given.machine.clone()).map_err(Stopped::Refused)?;
@@ -80,7 +80,7 @@ fn made(given: &Given, asked: &Asked, anyway: bool, line: &Line) -> Result<Prove
     }
     line.goes_on().ok_or(Stopped::Cancelled)?;
     line.tell(0.2, "files");
-    let built = forecast.build(Sources { spec: &given.source.text, machine: &given.machine_text }, asked);
+    let built = forecast.build(Sources { spec: &given.source.text, machine: &given.machine_text }, request);
     line.goes_on().ok_or(Stopped::Cancelled)?;
     line.tell(0.5, "reading them back");
     built.prove().map_err(Stopped::Wrong)
@@ -165,10 +165,10 @@ impl Build {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let Self { given, asked, anyway, .. } = slf.get();
+        let Self { given, request, anyway, .. } = slf.get();
         let names = |kinds: &[Kind]| kinds.iter().map(|kind| kind.name()).collect::<Vec<_>>();
         let spec = Spec { given: Arc::clone(given) };
-        let kept = (spec, names(&asked.only), names(&asked.with), *anyway, Tool::this().version);
+        let kept = (spec, names(&request.only), names(&request.with), *anyway, Tool::this().version);
         Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(slf.py())?))
     }
 

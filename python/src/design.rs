@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple, PyType};
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::cli::embedded::Given;
 use stargrip_cam::design as exact;
 use stargrip_cam::design::{Contour as Trimmed, Part, PlacedPart, Side, StarDesign};
@@ -80,7 +80,7 @@ impl Design {
         let Given { source, reading, machine, machine_text, .. } = self.given.as_ref();
         let forecast = Forecast::of(reading.spec.clone(), machine.clone()).ok()?;
         let sources = Sources { spec: &source.text, machine: machine_text };
-        let built = forecast.build(sources, &Asked::only(&[Kind::PreviewSvg]));
+        let built = forecast.build(sources, &KindRequest::only(&[Kind::PreviewSvg]));
         let preview = built.artifacts.into_iter().find(|file| file.output.kind == Kind::PreviewSvg)?;
         String::from_utf8(preview.bytes).ok()
     }

@@ -97,7 +97,7 @@ pub(crate) fn of_failure(py: Python<'_>, failure: &Failure) -> PyErr {
         Failure::Usage(text) => usage(py, text),
         Failure::Interrupted | Failure::Stopped(_) => pyo3::exceptions::PyKeyboardInterrupt::new_err(()),
         // Only a command that prints can end with them, and none does here.
-        Failure::Said | Failure::NotCompared | Failure::Pipe => {
+        Failure::Reported | Failure::NotCompared | Failure::Pipe => {
             plain(py, "Error", "refused", "the output is closed")
         }
     }

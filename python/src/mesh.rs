@@ -37,7 +37,7 @@ impl Mesh {
 
     /// Principal tensions of each triangle, the larger first: (M, 2), N/mm. Below 0 it is compressed.
     #[getter]
-    #[expect(non_snake_case, reason = "units stand in names as people write them")]
+    #[expect(non_snake_case, reason = "names contain units in their usual spelling")]
     fn tension_N_per_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         rows(py, &self.0.tension, 1e-3)
     }

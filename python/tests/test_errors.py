@@ -114,7 +114,7 @@ def test_files_that_are_not_there_are_pythons_own_errors(tmp_path: Path) -> None
         sg.Spec.from_toml(tmp_path / "none.toml")
     with pytest.raises(FileNotFoundError):
         sg.verify(tmp_path / "none")
-    with pytest.raises(sg.Error, match="is no build"):
+    with pytest.raises(sg.Error, match="is not a build"):
         sg.verify(tmp_path)
 
 

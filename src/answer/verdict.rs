@@ -20,7 +20,7 @@ pub fn in_words(forecast: &Forecast) -> String {
     };
     let Some(verdict) = forecast.verdict() else {
         let missing = if load.pressure.is_none() { key::load::PRESSURE } else { key::load::OBJECT_DIAMETER };
-        return format!("no verdict: [load] does not say `{}`", missing.key());
+        return format!("no verdict: [load] has no `{}`", missing.key());
     };
     let across = |radius: Length| format!(", {} across,", Length(2.0 * radius.0));
     let object = load.object_radius.map_or_else(String::new, across);
@@ -74,7 +74,7 @@ pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
     let sizes: Vec<String> =
         prediction.chambers.iter().filter_map(|one| Some(across(one.extents_mm?, one.height_mm?))).collect();
     if sizes.is_empty() {
-        return vec![("predicts", format!("nothing yet: {}", prediction.evidence.choice))];
+        return vec![("predicts", format!("no inflated size: {}", prediction.evidence.choice))];
     }
     let pressure = forecast.spec.load.as_ref().and_then(|load| load.pressure);
     let at = pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));

@@ -1,12 +1,12 @@
 //! Artifacts: output files as bytes, between the emitters that make them and the verifier that reads them.
 
-mod asked;
 mod kind;
 mod output;
+mod request;
 
-pub use asked::Asked;
 pub use kind::{Format, Kind, Subject};
 pub use output::{NGC, Output, outputs, program_ending};
+pub use request::KindRequest;
 
 /// One output file.
 #[derive(Clone, Debug, PartialEq, Eq)]

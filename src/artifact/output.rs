@@ -1,7 +1,7 @@
 //! Outputs: the list of a design's files, which both the builder and the verifier use.
 
-use crate::artifact::asked::Asked;
 use crate::artifact::kind::{Format, Kind, Subject};
+use crate::artifact::request::KindRequest;
 use crate::design::{CutEdge, Design, Drawing, MaskPlate, Paper, PlacedPart, StarAssembly};
 use crate::spec::{Dialect, DrawingSpec, ProgramScope, Spec};
 
@@ -163,8 +163,8 @@ pub fn program_ending(dialect: Dialect) -> &'static str {
     if dialect == Dialect::LinuxCnc { NGC } else { Format::Gcode.ending() }
 }
 
-/// All files of `design`, described by `spec` for a machine of `dialect`, of the kinds in `asked`, in the order of the manifest.
-pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, asked: &Asked) -> Vec<Output> {
+/// All files of `design`, described by `spec` for a machine of `dialect`, of the kinds in `request`, in the order of the manifest.
+pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest) -> Vec<Output> {
     let mut out = vec![Output::of(Kind::Spec), Output::of(Kind::Machine)];
     out.extend(spec.drawing.as_ref().map(|drawing| Output::of(drawing_kind(drawing))));
     for kind in [Kind::SealGcode, Kind::TraceGcode] {
@@ -191,28 +191,28 @@ pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, asked: &Asked) ->
         out.extend(papers(
             Output { sheet: Some(sheet.index), ..Output::of(Kind::OutlinePdf) },
             design,
-            asked,
+            request,
         ));
     }
     if let Some(assembly) = design.assembly() {
-        of_assembly(spec, (design, assembly), asked, &mut out);
+        of_assembly(spec, (design, assembly), request, &mut out);
     }
-    separators(design, asked, &mut out);
+    separators(design, request, &mut out);
     if spec.load.is_some() {
         out.push(Output::of(Kind::Prediction));
     }
     out.extend([Kind::SceneGlb, Kind::Report].map(Output::of));
-    out.retain(|output| asked.takes(output.kind));
+    out.retain(|output| request.takes(output.kind));
     out
 }
 
 /// The separator of a drawn piece: one file, because all copies are equal.
-fn separators(design: &Design, asked: &Asked, out: &mut Vec<Output>) {
+fn separators(design: &Design, request: &KindRequest, out: &mut Vec<Output>) {
     let Some(first) = design.firsts().next() else { return };
     if design.drawn().is_some_and(|piece| piece.separator.is_some()) {
         let of_mask = |kind| Output { copy: Some(first.index), ..Output::of(kind) };
         out.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
-        out.extend(papers(of_mask(Kind::MaskPdf), design, asked));
+        out.extend(papers(of_mask(Kind::MaskPdf), design, request));
     }
 }
 
@@ -225,17 +225,17 @@ fn drawing_kind(drawing: &DrawingSpec) -> Kind {
 fn of_assembly(
     spec: &Spec,
     (design, assembly): (&Design, &StarAssembly),
-    asked: &Asked,
+    request: &KindRequest,
     out: &mut Vec<Output>,
 ) {
     for placed in assembly.firsts() {
-        masks(spec, (design, assembly), placed, asked, out);
+        masks(spec, (design, assembly), placed, request, out);
     }
     for plate in &assembly.frame.plates {
         let plate = plate.numbers.first().copied();
         let of_plate = |kind| Output { plate, ..Output::of(kind) };
         out.extend([Kind::FrameSvg, Kind::FrameDxf, Kind::FrameStl].map(of_plate));
-        out.extend(papers(of_plate(Kind::FramePdf), design, asked));
+        out.extend(papers(of_plate(Kind::FramePdf), design, request));
     }
 }
 
@@ -247,8 +247,8 @@ fn programs<'a>(spec: &Spec, design: &'a Design) -> impl Iterator<Item = (usize,
 }
 
 /// One file for each paper that fits; empty if the kind is not requested.
-fn papers(output: Output, design: &Design, asked: &Asked) -> impl Iterator<Item = Output> {
-    let wanted = Some(output).filter(|output| asked.takes(output.kind));
+fn papers(output: Output, design: &Design, request: &KindRequest) -> impl Iterator<Item = Output> {
+    let wanted = Some(output).filter(|output| request.takes(output.kind));
     wanted.into_iter().flat_map(|output| output.on_paper(design))
 }
 
@@ -257,7 +257,7 @@ fn masks(
     spec: &Spec,
     (design, assembly): (&Design, &StarAssembly),
     placed: &PlacedPart,
-    asked: &Asked,
+    request: &KindRequest,
     out: &mut Vec<Output>,
 ) {
     let pieces = &assembly.part(placed).pieces;
@@ -271,6 +271,6 @@ fn masks(
         } else {
             out.push(of_mask(Kind::MaskStl));
         }
-        out.extend(papers(of_mask(Kind::MaskPdf), design, asked));
+        out.extend(papers(of_mask(Kind::MaskPdf), design, request));
     }
 }

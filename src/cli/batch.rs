@@ -43,5 +43,5 @@ pub(super) fn run(
         }
         say(&pretty(&said))?;
     }
-    if failed { Err(Failure::Said) } else { Ok(()) }
+    if failed { Err(Failure::Reported) } else { Ok(()) }
 }

@@ -7,7 +7,7 @@ use std::time::Instant;
 use jiff::Zoned;
 use serde_json::Value;
 
-use crate::artifact::{Asked, Kind};
+use crate::artifact::{Kind, KindRequest};
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
@@ -160,10 +160,10 @@ fn made(
     let forecast = loaded.forecast()?;
     let named = || Path::new("out").join(new::file_stem(&forecast.spec.name));
     let target = targets.get(spec).cloned().unwrap_or_else(named);
-    let asked = asked(args, &forecast, &target, verbosity);
+    let request = request(args, &forecast, &target, verbosity);
     loaded.fit(&forecast, args.anyway)?;
     let notes = forecast.precautions(&shown(spec));
-    let proven = loaded.proven(forecast, &asked)?;
+    let proven = loaded.proven(forecast, &request)?;
     args.kinds.tell_missing(&proven.built().manifest.files);
     // The fate of earlier files is reported even with --quiet.
     tell(&publish(&target, &proven)?.to_string());
@@ -207,15 +207,15 @@ fn answered(args: &Args, made: &PublishedOutput) -> Result<Option<Value>, Failur
 
 /// The kinds to build: those of the options and the spec, and without `--with` and `--only` also those of the build that is replaced.
 /// Reports the kinds that are kept or left out.
-fn asked(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity) -> Asked {
-    let mut asked = args.kinds.asked().of_spec(&forecast.spec);
-    let before: Vec<Kind> = extras_of(target).into_iter().filter(|kind| !asked.takes(*kind)).collect();
+fn request(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity) -> KindRequest {
+    let mut request = args.kinds.request().of_spec(&forecast.spec);
+    let before: Vec<Kind> = extras_of(target).into_iter().filter(|kind| !request.takes(*kind)).collect();
     if before.is_empty() {
-        return asked;
+        return request;
     }
     let names = before.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(",");
     if args.kinds.is_default() {
-        asked.add(before);
+        request.add(before);
         if !verbosity.quiet {
             tell(&format!(
                 "note: {names} comes again, as {} had it; `--with` names other kinds",
@@ -225,7 +225,7 @@ fn asked(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity) 
     } else {
         tell(&format!("note: {names} was in {} and is not built again: `--with {names}`", shown(target)));
     }
-    asked
+    request
 }
 
 /// The default output directory: `out/` and the spec's file name without its ending.

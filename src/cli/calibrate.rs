@@ -21,8 +21,8 @@ use crate::units::LineForce;
 /// Arguments of `calibrate`.
 #[derive(clap::Args, Debug)]
 #[command(
-    after_help = "Without --needed and without --spec nothing is chosen: every setting is listed with what it holds, and the exit code is 1. \
-    Without RESULTS it is the bench alone that tells: the V-actuator, the disc, the bias strip."
+    after_help = "Without --needed and --spec every setting is listed with its strength, no setting is chosen, and the exit code is 1. \
+    Without RESULTS only the bench tests are evaluated: V-actuator, disc, bias strip."
 )]
 pub(super) struct Args {
     /// The filled-in table that `coupon` wrote: CSV with temperature_C, speed_mm_s, height_mm and peel_N.
@@ -87,7 +87,7 @@ impl BenchResult<'_> {
         };
         let Some((needed, why)) = need else {
             let _ = steady(settings).map_err(refused)?;
-            let why = "no setting is chosen: what must the seal hold? --needed FORCE, or --spec SPEC with a pressure in [load]"
+            let why = "no setting is chosen: give the required strength by --needed FORCE, or by --spec SPEC with a pressure in [load]"
                 .to_owned();
             if args.verbosity.json {
                 return Err(Failure::answered(self.json(None, None), &why));

@@ -25,12 +25,12 @@ pub(super) struct Best {
 }
 
 /// All results of a search.
-pub(super) struct Said<'a> {
+pub(super) struct SearchReport<'a> {
     pub(super) found: &'a SearchResult,
     pub(super) constraints: &'a Constraints,
 }
 
-impl Said<'_> {
+impl SearchReport<'_> {
     /// The printed text; every line begins with "# ", so that it can precede a spec in one file.
     pub(super) fn text(&self) -> String {
         let SearchResult { best, front, computed } = self.found;

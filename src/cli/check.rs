@@ -69,8 +69,8 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     })?;
     loaded.fit(&forecast, args.anyway)?;
     let list = forecast.precautions(&shown(spec));
-    let asked = args.kinds.asked().of_spec(&forecast.spec);
-    let proven = loaded.proven(forecast, &asked)?;
+    let request = args.kinds.request().of_spec(&forecast.spec);
+    let proven = loaded.proven(forecast, &request)?;
     args.kinds.tell_missing(&proven.built().manifest.files);
     let forecast = &proven.built().forecast;
     if verbosity.json {

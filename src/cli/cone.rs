@@ -79,7 +79,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let model = of_spec(spec.accuracy.model, &case, pressure.pascals()).map_err(fault)?;
     let (_, own) = Outcome::of(&case, model.as_ref()).map_err(fault)?;
     let first = contact.or(own.known.then_some(own.rest.radius)).ok_or_else(|| {
-        message(format!("{}: give --contact-radius, or another accuracy.model", errors::UNKNOWN_WORDS))
+        message(format!("{}: give --contact-radius, or another accuracy.model", errors::UNKNOWN_MESSAGE))
     })?;
     let overlay = |rho: f64| {
         let opened = Outcome::of(&Case { object: Some(rho), ..case }, model.as_ref()).ok();

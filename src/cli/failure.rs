@@ -34,7 +34,7 @@ pub enum Failure {
     /// Ctrl-C or SIGTERM, with the state of the work.
     Stopped(String),
     /// The failure has been printed already, on standard output.
-    Said,
+    Reported,
     /// Another version wrote the directory, and its files agree with the design as far as they can be read; printed on standard output.
     NotCompared,
     /// The reader of standard output has closed it; no further output is possible.
@@ -70,7 +70,7 @@ impl Failure {
             Self::Usage(_)
             | Self::Interrupted
             | Self::Stopped(_)
-            | Self::Said
+            | Self::Reported
             | Self::NotCompared
             | Self::Pipe => None,
         }
@@ -79,7 +79,7 @@ impl Failure {
     /// Prints a JSON `answer` that contains the refusal `text`, as one object.
     pub(super) fn answered(mut answer: Value, text: &str) -> Self {
         answer["refused"] = json!([refusal(CommandCode::Failed.as_str(), text)]);
-        say(&format!("{answer:#}\n")).err().unwrap_or(Self::Said)
+        say(&format!("{answer:#}\n")).err().unwrap_or(Self::Reported)
     }
 
     /// Prints the failure to standard error, and returns the exit code.
@@ -107,7 +107,7 @@ impl Failure {
                 tell(&text);
                 return 130;
             }
-            Self::Said => return 1,
+            Self::Reported => return 1,
             Self::NotCompared => return 3,
             Self::Pipe => return 0,
         };

@@ -68,8 +68,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     };
     let text = format!(
         "wrote {}\neach of its {ways} must take {seconds:.0} s; if one is faster, the \
-         machine cannot go at {}: {remedy}\nat each {} it must stop and wait, at the X, Y and Z that the comment before it \
-         says; if it runs on, or stands elsewhere, do not seal with this profile\n",
+         machine cannot go at {}: {remedy}\nat each {} it must stop and wait, at the X, Y and Z in the comment before it; \
+         if it runs on, or stops elsewhere, do not seal with this profile\n",
         shown(&output),
         spec.seal.speed,
         machine.script.pause

@@ -37,13 +37,13 @@ impl Listening {
     }
 
     /// Whether a signal has arrived.
-    #[expect(clippy::unused_self, reason = "only who listens may ask")]
+    #[expect(clippy::unused_self, reason = "only a listener may read the signal")]
     pub(super) fn has_heard(&self) -> bool {
         HEARD.load(Ordering::SeqCst)
     }
 
     /// The flag that a signal sets.
-    #[expect(clippy::unused_self, reason = "only who listens may ask")]
+    #[expect(clippy::unused_self, reason = "only a listener may read the signal")]
     pub(super) fn flag(&self) -> Arc<AtomicBool> {
         Arc::clone(&HEARD)
     }

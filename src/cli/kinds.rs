@@ -2,7 +2,7 @@
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use crate::artifact::{Asked, Kind};
+use crate::artifact::{Kind, KindRequest};
 use crate::cli::failure::tell;
 use crate::manifest::ManifestFile;
 
@@ -19,8 +19,8 @@ pub(super) struct Kinds {
 
 impl Kinds {
     /// The kinds as the request that `artifact` reads.
-    pub(super) fn asked(&self) -> Asked {
-        Asked { only: self.only.clone(), with: self.with.clone() }
+    pub(super) fn request(&self) -> KindRequest {
+        KindRequest { only: self.only.clone(), with: self.with.clone() }
     }
 
     /// Reports the requested kinds that no file of `made` has.

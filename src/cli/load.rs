@@ -5,7 +5,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crate::answer::refused::at_keys;
-use crate::artifact::Asked;
+use crate::artifact::KindRequest;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell, warn};
 use crate::cli::progress;
@@ -104,10 +104,10 @@ impl Loaded {
         if anyway { Ok(()) } else { unfit.or(()).map_err(|refusals| self.refused(refusals)) }
     }
 
-    /// Makes the files that are `asked` for and reads them back, in memory, for `check` and `build`.
-    pub(super) fn proven(&self, forecast: Forecast, asked: &Asked) -> Result<Proven, Failure> {
+    /// Makes the files of `request` and reads them back, in memory, for `check` and `build`.
+    pub(super) fn proven(&self, forecast: Forecast, request: &KindRequest) -> Result<Proven, Failure> {
         progress::during(self.verbosity, "making the files", |progress| {
-            let built = forecast.build(self.sources(), asked);
+            let built = forecast.build(self.sources(), request);
             progress.tell("proving the files");
             built.prove()
         })

@@ -6,7 +6,7 @@ use serde_json::json;
 
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say};
-use crate::cli::verbosity::{Verbosity, pretty};
+use crate::cli::verbosity::{Quiet, Verbosity, pretty};
 use crate::spec;
 use crate::spec::{Machine, Motion};
 
@@ -26,12 +26,15 @@ enum MachinesCommand {
     Show {
         /// Name of a built-in profile.
         name: String,
+        /// Has no effect: only the answer is printed.
+        #[command(flatten)]
+        _quiet: Quiet,
     },
 }
 
 /// Lists the built-in profiles, or prints one.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let Some(MachinesCommand::Show { name }) = &args.command else {
+    let Some(MachinesCommand::Show { name, .. }) = &args.command else {
         let machines = machines()?;
         return match args.verbosity {
             Verbosity { json: true, .. } => say(&json(&machines)),

@@ -32,6 +32,11 @@ pub(super) struct Args {
 
 /// Writes a starter spec into the current directory; an existing file is never overwritten.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    if !args.name.chars().any(char::is_alphanumeric) {
+        let text =
+            format!("the name {} has no letter or digit; a name is such as my-star", shown(&args.name));
+        return Err(Failure::Message(text));
+    }
     if let Some(drawing) = &args.drawing {
         return by_drawing(args, drawing);
     }
@@ -82,7 +87,7 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
         lines.push_str("no layer looks like a port: draw a short line across an edge where a hose goes in\n");
     }
     if !has_unit {
-        lines.push_str("the file states no unit, and mm are taken: correct `units` if the size is wrong\n");
+        lines.push_str("the file states no unit; mm are assumed: correct `units` if the size is wrong\n");
     }
     let path = shown(&path);
     let (number, each) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });

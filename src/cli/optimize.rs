@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use crate::answer::quantity::{EXTRA, SIZE, number, quantity_or_number, range};
-use crate::cli::candidates::{Best, Said};
+use crate::cli::candidates::{Best, SearchReport};
 use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
 use crate::cli::progress;
@@ -139,10 +139,10 @@ pub(super) fn answer(
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?.with_stars("optimize")?;
     let (found, constraints) = answer(args, &loaded, None)?;
-    let said = Said { found: &found, constraints: &constraints };
+    let result = SearchReport { found: &found, constraints: &constraints };
     let best = best(args, &loaded, &found, &constraints)?;
     match (best, args.verbosity) {
-        (Some(best), Verbosity { json: true, .. }) => say(&pretty(&said.json(Some(&best)))),
+        (Some(best), Verbosity { json: true, .. }) => say(&pretty(&result.json(Some(&best)))),
         (Some(best), Verbosity { quiet: true, .. }) => say(&best.spec),
         (Some(Best { spec, confirmed }), _) => {
             let mut lines = String::new();
@@ -151,18 +151,18 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
                 lines += &line;
                 lines.push('\n');
             }
-            say(&format!("{}{lines}# the best that can be built:\n{spec}\n", said.text()))
+            say(&format!("{}{lines}# the best that can be built:\n{spec}\n", result.text()))
         }
         (None, verbosity) => {
             if verbosity.is_heard() {
-                tell(&said.text());
+                tell(&result.text());
             }
             let why = if found.front.is_empty() {
                 "no design meets all constraints; `short` lists by how much each misses which"
             } else {
-                "none of the best designs can be sealed and cut as the spec asks for"
+                "none of the best designs can be sealed and cut as the spec requires"
             };
-            Err(if verbosity.json { Failure::answered(said.json(None), why) } else { message(why) })
+            Err(if verbosity.json { Failure::answered(result.json(None), why) } else { message(why) })
         }
     }
 }

@@ -160,7 +160,7 @@ pub(super) fn proven_json(proven: &Proven) -> Value {
 
 /// The kinds that were not made because they were not requested.
 fn left_out(proven: &Proven) -> Vec<Kind> {
-    let asked = proven.built().manifest.asked();
+    let asked = proven.built().manifest.request();
     Kind::ALL.iter().copied().filter(|kind| !asked.takes(*kind)).collect()
 }
 

@@ -144,6 +144,6 @@ fn is_published(job: &Path, manifest: &Path, text: &str) -> Result<(), Failure> 
         Some(_) => "was changed after it was built: its hash is not the one in manifest.json",
         None => "is not named in the manifest.json beside it",
     };
-    let remedy = "build again, or resume a copy elsewhere if you know what was changed";
+    let remedy = "build again, or resume a copy elsewhere if you made the change yourself";
     Err(Failure::Message(format!("{} {fault}; {remedy}", shown(job))))
 }

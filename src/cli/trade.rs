@@ -13,7 +13,7 @@ use crate::cli::progress::Progress;
 use crate::cli::verbosity::Verbosity;
 use crate::forecast::trade;
 use crate::forecast::trade::TradeRow;
-use crate::forecast::trade::picture::picture;
+use crate::forecast::trade::picture;
 use crate::forecast::trade::shells::{ShellRow, StarErrors, against_shells};
 use crate::forecast::trade::shown;
 use crate::spec::StarSpec;
@@ -52,9 +52,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         path.with_file_name(format!("{stem}-shells.svg"))
     });
-    for (path, text) in
-        [(&args.csv, trade::csv(&rows)), (&args.svg, trade::plot(&rows)), (&beside, picture(&shells))]
-    {
+    for (path, text) in [
+        (&args.csv, trade::csv(&rows)),
+        (&args.svg, picture::against_ring(&rows)),
+        (&beside, picture::against_shells(&shells)),
+    ] {
         if let Some(path) = path {
             fs::write(path, text).map_err(|error| Failure::file("write", path, &error))?;
         }

@@ -59,7 +59,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         _ => say(&fitted(&text(&args.dir, &proof), width(&stdout())))?,
     }
     match (right, accepted) {
-        (false, _) => Err(Failure::Said),
+        (false, _) => Err(Failure::Reported),
         (true, false) => Err(Failure::NotCompared),
         (true, true) => Ok(()),
     }
@@ -91,7 +91,7 @@ pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
     if builds.is_empty() {
         let wanted = "name the directory that `build` or `coupon` published";
         return Err(Failure::Message(format!(
-            "{} is no build: no spec.toml, machine.toml or {MANIFEST} is in it; {wanted}",
+            "{} is not a build: it has no spec.toml, machine.toml or {MANIFEST}; {wanted}",
             shown(dir)
         )));
     }
@@ -107,7 +107,7 @@ pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
         .filter(|more| *more > 0)
         .map_or_else(String::new, |more| format!("\n  and {more} more"));
     let what = if number == 1 { "a build is in it".to_owned() } else { format!("{number} builds are in it") };
-    Err(Failure::Message(format!("{} is no build, but {what}:{}{more}", shown(dir), list.concat())))
+    Err(Failure::Message(format!("{} is not a build, but {what}:{}{more}", shown(dir), list.concat())))
 }
 
 fn text(dir: &Path, proof: &Proof) -> String {

@@ -158,7 +158,7 @@ impl<'a> Table<'a> {
         let mut places = [0; N];
         let known = |cell: &str| columns.iter().any(|column| column.unit_in(cell).is_some());
         if !record.iter().any(known) {
-            let fault = Fault::error(FaultCode::NoHeader, line.clone(), "this line is no header")
+            let fault = Fault::error(FaultCode::NoHeader, line.clone(), "this line is not a header")
                 .label(format!("must name {}", headers(columns)))
                 .help("write the names above the numbers, with these units");
             self.faults.push(fault);

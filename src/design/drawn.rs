@@ -5,11 +5,11 @@
 
 mod clearance;
 mod cut;
+mod faults;
 mod inner;
 mod label;
 mod marks;
 mod roles;
-mod said;
 
 use std::sync::Arc;
 
@@ -77,12 +77,12 @@ impl DrawnPiece {
         let rules = rules(spec, drawing);
         let sealing = sealed_shape(&sketch, &rules);
         let Sealing { shape, air, inner, holes, repairs, warnings: warned } =
-            sealing.map_err(|faults| faults.iter().map(said::refusal).collect::<Refusals>())?;
+            sealing.map_err(|faults| faults.iter().map(faults::refusal).collect::<Refusals>())?;
         let inner = inner.iter().flat_map(|path| within_air(path, air.closed(), drawing.join.0)).collect();
-        notes.extend(repairs.iter().map(said::repair));
-        let narrow = warned.iter().filter(|warning| said::is_passage(warning)).map(|warning| warning.found);
+        notes.extend(repairs.iter().map(faults::repair));
+        let narrow = warned.iter().filter(|warning| faults::is_passage(warning)).map(|warning| warning.found);
         let passage = narrow.reduce(f64::min);
-        let mut warnings: Vec<Warning> = warned.iter().map(said::warning).collect();
+        let mut warnings: Vec<Warning> = warned.iter().map(faults::warning).collect();
         let part = DrawnCut::new(&shape, &holes)?;
         let diameter = spec.sheet.hole_diameter.0;
         let allowance = rules.allowance;
@@ -159,7 +159,7 @@ fn read(spec: &Spec, drawing: &DrawingSpec) -> Result<Arc<Drawing>, Refusals> {
         return Err(Refusal::new(key::drawing::FILE, RefusalCode::DrawingUnread, found, remedy).into());
     };
     let options = Options { unit: drawing.units, ..Options::new(0.5 * spec.accuracy.path.0) };
-    content.read(&drawing.file, &options).map_err(|faults| faults.iter().map(said::unreadable).collect())
+    content.read(&drawing.file, &options).map_err(|faults| faults.iter().map(faults::unreadable).collect())
 }
 
 /// Layers of a file with roles that suit them.
@@ -181,7 +181,7 @@ pub fn propose_layers(name: &str, bytes: &[u8]) -> Result<LayerProposal, Refusal
     let has_unit = own.is_ok();
     let read = own
         .or_else(|faults| drawings::read(name, bytes, &options(Some(Unit::Millimetre))).map_err(|_| faults));
-    let read = read.map_err(|faults| faults.iter().map(said::unreadable).collect::<Refusals>())?;
+    let read = read.map_err(|faults| faults.iter().map(faults::unreadable).collect::<Refusals>())?;
     Ok(LayerProposal { layers: roles::proposed(&read), has_unit })
 }
 

@@ -174,7 +174,7 @@ fn meets_hose(posts: u32, free: f64, needed: f64) -> Refusal {
         key::frame::POSTS,
         RefusalCode::PostMeetsHose,
         format!(
-            "with {posts} posts one would stand {} mm from the middle of a hose that needs {} mm",
+            "with {posts} posts one would be {} mm from the middle of a hose that needs {} mm",
             Readable(free),
             Readable(needed)
         ),

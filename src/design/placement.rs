@@ -87,7 +87,7 @@ impl FreeArea {
         bounds.width() <= self.width && bounds.height() <= self.height
     }
 
-    /// Says which of sheet and machine is too small for a part, if one is.
+    /// Whether the sheet or the machine is too small for a part.
     fn refuse(self, part: &Bounds, sheet: &Sheet, machine: &Machine) -> Result<(), Refusal> {
         if self.takes(part) || sheet.turn && self.takes(&turned(part)) {
             return Ok(());

@@ -3,6 +3,7 @@
 //! All models of a hinge answer here through [`HingeModel`]. They have no arms, so the volume of the whole
 //! actuator is `None`.
 
+use crate::forecast::keys::{keyed, kinds};
 use crate::forecast::model_selection::{ARMS_LET_OUT, hinge_model};
 use crate::forecast::ranges::{Interval, errors, scaled, shown};
 use inflatable::mechanics::fault::StarFault;
@@ -34,36 +35,40 @@ impl Actuator {
     }
 }
 
-/// The predicted values. `None` where the model does not give them.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
-pub struct ActuatorPrediction {
-    /// The model that answered.
-    pub model: &'static str,
-    /// 1/eps = p W^3 / B.
-    pub bendability: f64,
-    /// p W / Y.
-    pub stretch: f64,
-    /// Angle between the arms at rest under pressure.
-    pub angle_deg: f64,
-    /// (pi - phi) / (pi - phi_0) at rest.
-    pub coiling: f64,
-    /// Volume of the whole actuator.
-    pub volume_mm3: Option<f64>,
-    /// d2U/dphi2 at rest, whole tube, N m per rad.
-    pub stiffness_Nm: f64,
-    /// Angles (deg) and the moments dU/dphi (N m) that hold them; a positive one opens.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub moment: Option<Vec<[f64; 2]>>,
-    /// Intervals that contain a shell's values.
-    pub ranges: ActuatorRanges,
-    /// The evidence for these values.
-    pub evidence: ActuatorEvidence,
+keyed! {
+    /// The predicted values. `None` where the model does not give them.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+    pub struct ActuatorPrediction {
+        /// Model used: fit, ring, bvp, section or shell.
+        pub model: &'static str,
+        /// Pressure over the fabric's resistance to bending, 1/eps = p W^3 / B.
+        pub bendability: f64,
+        /// Stretch p W / Y of the fabric.
+        pub stretch: f64,
+        /// Angle between the arms at rest under pressure, degrees.
+        pub angle_deg: f64,
+        /// Coiling factor (pi - phi) / (pi - phi_0) at rest.
+        pub coiling: f64,
+        /// Volume of the whole actuator, mm^3. Models of the hinge alone do not have it.
+        pub volume_mm3: Option<f64>,
+        /// Stiffness d2U/dphi2 at rest, whole tube, N m per rad.
+        pub stiffness_Nm: f64,
+        /// Rows of an angle (deg) and the applied moment dU/dphi (N m) that holds it, for the requested angles. A positive one opens.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub moment: Option<Vec<[f64; 2]>>,
+        /// For each of these numbers the interval that holds a computed shell's value in at least 95 % of cases. Some may be unknown.
+        pub ranges: ActuatorRanges,
+        /// Residuals, iterations, error estimates and `warnings`.
+        pub evidence: ActuatorEvidence,
+    }
 }
+
+kinds! { Object: ActuatorRanges, ActuatorEvidence; }
 
 /// Intervals in which a shell's values lie in at least 95 % of cases; `None` where no range is available.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct ActuatorRanges {
     /// Range of the angle.
     pub angle_deg: Option<[f64; 2]>,
@@ -98,7 +103,7 @@ pub struct ActuatorEvidence {
 
 /// Mesh errors of a shell's numbers, in their units: the difference of the last two meshes, or the extrapolation's change if it is larger.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct ActuatorMeshErrors {
     /// Error of the angle.
     pub angle_deg: f64,

@@ -45,7 +45,7 @@ pub struct Charts {
 
 /// A star at one pressure.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct AtPressure {
     /// Gauge pressure.
     pub pressure_kPa: f64,
@@ -61,7 +61,7 @@ pub struct AtPressure {
 
 /// A star around one object.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct AtRadius {
     /// Radius of the object.
     pub radius_mm: f64,
@@ -73,7 +73,7 @@ pub struct AtRadius {
 
 /// A star of another number of points.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct AtPoints {
     /// Number of points.
     pub points: u32,

@@ -138,7 +138,7 @@ fn of_a_limit(level: Level, bendability: f64) -> String {
         );
     }
     format!(
-        "{} is a limit that no gripper works at: how far it is from this one is not known; section and shell say more",
+        "{} is a limit case in which no gripper works; its error for this one is unknown: use section or shell",
         level.name()
     )
 }

@@ -197,7 +197,7 @@ impl Outcome {
             )),
             Grip::Unknown(fault) => Some(format!("no force on the object: {fault}")),
             Grip::Untried => Some(
-                "the object opens the star further than any that was computed as a shell: how hard it presses is not known; a \
+                "the object opens the star further than any that was computed as a shell: its force is unknown; a \
                  larger inner_radius closes less far"
                     .to_owned(),
             ),

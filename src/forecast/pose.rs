@@ -17,7 +17,7 @@ use serde::Serialize;
 
 /// The dimensions needed to draw a star: its tube lies between r and r + w around the centres of tips and corners.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct Pose {
     /// Inner radius.
     pub inner_radius_mm: f64,

@@ -79,9 +79,7 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
 
 /// The stars of `design`: no model covers another product.
 pub(super) fn stars_of(design: &Design) -> Result<&StarAssembly, PredictFault> {
-    let what =
-        "a drawn shape is no star, and no model but the shell knows it: `stargrip-cam predict` asks it"
-            .to_owned();
+    let what = "a drawn shape is not a star; only the shell models it: use `stargrip-cam predict`".to_owned();
     design.assembly().ok_or(PredictFault { star: None, key: key::drawing::FILE, what })
 }
 
@@ -135,27 +133,27 @@ fn predict_star(
     let width = case.mechanism.width;
     let Some(level) = named(spec.accuracy.model) else { return asked.automatic() };
     let model = hinge_model(level, &case.sheet, case.pressure, width)?;
-    asked.by(model.as_ref(), format!("{} was asked for", level.name()))
+    asked.by(model.as_ref(), format!("{} was requested", level.name()))
 }
 
 impl PlacedCase<'_> {
     /// The cheapest model that covers a star at its pressure: `section`, from its table.
     fn automatic(&self) -> Result<StarPrediction, StarFault> {
         let Some(pressure) = self.case.pressure else {
-            let why = "what it does depends on the pressure, and none is given";
+            let why = "the prediction depends on the pressure, and none is given";
             let rows = rows(&self.case, self.seal.burst);
             let mut star = self.unknown(why.to_owned());
             if rows.is_empty() {
                 star.evidence.warnings.push(format!(
-                    "at no pressure from {LEAST} to {MOST} kPa is anything known of this star: {}",
-                    errors::UNKNOWN_WORDS
+                    "no pressure from {LEAST} to {MOST} kPa has a prediction for this star: {}",
+                    errors::UNKNOWN_MESSAGE
                 ));
             }
             return Ok(StarPrediction { pressures: Some(rows), ..star });
         };
         match tabled(&self.case, pressure) {
             Ok(model) => {
-                self.by(&model, "section knows stars at their pressure, here from its table".to_owned())
+                self.by(&model, "section covers this star at its pressure, from its table".to_owned())
             }
             Err(fault @ StarFault::Hinge(HingeFault::Scale { .. } | HingeFault::RStar { .. })) => {
                 let why = format!("no model covers this star at this pressure: {fault}");
@@ -201,7 +199,7 @@ impl PlacedCase<'_> {
         if spec.accuracy.model == ModelChoice::Shell {
             warnings.push(
                 "shells are left to `predict --model shell`: files are the same on every machine, and a shell's last digits are \
-                 not; section answers here"
+                 not; section is used here"
                     .to_owned(),
             );
         }
@@ -237,7 +235,7 @@ impl PlacedCase<'_> {
                 let outside = outside(&self.case);
                 Some(format!(
                     "{}, {outside}: ranges are {:.1} times as wide",
-                    errors::BEYOND_WORDS,
+                    errors::EXTRAPOLATED_MESSAGE,
                     outcome.ranges.wider
                 ))
             }
@@ -257,7 +255,7 @@ impl PlacedCase<'_> {
                     .collect();
                 (!wide.is_empty()).then(|| {
                     format!(
-                        "{}, more than the accepted {accepted}: `predict --model shell` may say more",
+                        "{}, more than the accepted {accepted}: `predict --model shell` may narrow it",
                         wide.join(", ")
                     )
                 })
@@ -268,7 +266,7 @@ impl PlacedCase<'_> {
 
 /// A message that the star of `case` is outside the validated domain, with the reason.
 fn unlike(case: &Case) -> String {
-    format!("{}: {}", errors::UNKNOWN_WORDS, outside(case))
+    format!("{}: {}", errors::UNKNOWN_MESSAGE, outside(case))
 }
 
 /// A message that no hinge model uses the weave of `fabric`, if there is one.

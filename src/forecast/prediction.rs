@@ -1,6 +1,7 @@
 //! The prediction of one spec's stars, with its evidence. Lengths in mm, angles in deg.
 
 pub use crate::forecast::case::Hinges;
+use crate::forecast::keys::{Key, KeyKind, KeyType, keyed, kinds};
 use crate::forecast::outcome::Grip;
 use crate::forecast::pressures::PressureRow;
 use crate::forecast::ranges::{Interval, StarRanges, shown};
@@ -9,7 +10,7 @@ use serde::Serialize;
 
 /// The prediction of a gripper. The keys at the top describe star 1, `stars` each star.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct Prediction {
     /// Star 1, and so is its `mass_g`; only `payload_kg` is the whole stack's.
     #[serde(flatten)]
@@ -47,7 +48,7 @@ impl Holds {
 
 /// Whether the gripper holds the object, with reasons.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct Verdict {
     /// The verdict.
     pub holds: Holds,
@@ -112,120 +113,137 @@ impl Verdict {
     }
 }
 
-/// The prediction of one star. `None` where a required input is missing.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
-pub struct StarPrediction {
-    /// The model that answered: fit, ring, bvp, section or shell.
-    pub model: &'static str,
-    /// Target coiling factor lambda_t.
-    pub lambda_t: Hinges<Option<f64>>,
-    /// Onset lambda_c of hoop tension away from the rim.
-    pub lambda_c: Hinges<Option<f64>>,
-    /// d2V_bar/dlambda2 at the target.
-    pub d2v_dlambda2: Hinges<Option<f64>>,
-    /// Arm length l.
-    pub arm_length_mm: f64,
-    /// Target angle phi_it of a free tip; below 0 its arms would cross.
-    pub tip_target_angle_deg: Option<f64>,
-    /// Target angle phi_et of a free corner.
-    pub corner_target_angle_deg: Option<f64>,
-    /// Equilibrium angle phi_i^eq of the star's tips, linear hinges, not clamped.
-    pub tip_equilibrium_angle_deg: Option<f64>,
-    /// Angle of the tips between the lines of their arms, contact or not; by the shell.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub tip_angle_deg: Option<f64>,
-    /// Final inner radius rho_f: of hinges' models with linear hinges.
-    pub final_radius_mm: Option<f64>,
-    /// 1 - rho_f / rho_0.
-    pub contraction: Option<f64>,
-    /// Hinge stiffness C at the target; needs a pressure.
-    pub hinge_stiffness_Nm: Option<Hinges<f64>>,
-    /// Radial stiffness K at rest, all corners together; needs a pressure.
-    pub radial_stiffness_N_per_m: Option<f64>,
-    /// Radial force stored in a star that is pressed shut; 0 for one that is free; needs a pressure.
-    pub preload_N: Option<f64>,
-    /// Force with which the two arms of a tip press on each other, 0 where they do not touch; by the shell.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub arm_contact_N: Option<f64>,
-    /// Flat area of an arm's sheet that touches the next arm; by the shell.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub arm_contact_mm2: Option<f64>,
-    /// Volume of the star; by the shell.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub volume_mm3: Option<f64>,
-    /// Radii that the star can hold: from rho_f to the largest that the inflated star opens to, or to hole_radius_mm where that is
-    /// less, because a wider object does not enter the flat star.
-    pub graspable_radius_mm: Option<[f64; 2]>,
-    /// Radius of the hole's cut edge: a wider object does not enter the flat star.
-    pub hole_radius_mm: f64,
-    /// Radius of the hole's cut edge in front of the corners of the closed star, `final_radius_mm` less band and flap: objects touch it first.
-    pub flap_edge_radius_mm: Option<f64>,
-    /// Radial force on the object while the flap in front of the corners stays straight; `object_force_N` is that of a flap which gives way.
-    pub flap_force_N: Option<f64>,
-    /// Load per length of contact under which a flap of two fused sheets buckles (Euler); `None` without a flap.
-    pub flap_load_N_per_mm: Option<f64>,
-    /// Radius of the object at the star's height; 0 where the star passes above or below it.
-    pub object_radius_mm: Option<f64>,
-    /// Clearance between the cut hole and the part of the object that must pass it, before inflation; the object does not enter if
-    /// negative.
-    pub object_gap_mm: Option<f64>,
-    /// Radial force on the object; needs pressure and object_diameter.
-    pub object_force_N: Option<f64>,
-    /// Radius, mm, and radial force, N, of a round object, with its range, for each requested radius; no force where the star does not hold it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub force_curve: Option<Vec<ForceAt>>,
-    /// Bendability 1/eps; needs a pressure.
-    pub bendability: Option<f64>,
-    /// Pressure from which the hinges are fully coiled.
-    pub operating_pressure_kPa: f64,
-    /// Inner radius of curvature that the band makes of a hinge, at least half the band.
-    pub realised_radius_mm: Hinges<f64>,
-    /// The ring's tension over p W at the realised radius: of the fabric at an inner rim that cannot stretch. The seal's own load is
-    /// `seal_pull_N_per_mm`.
-    pub seal_load: Hinges<Option<f64>>,
-    /// Largest force with which one sheet pulls away from the seam's plane, per length of seam, averaged over the width of the band: the
-    /// quantity of a T-peel test. Needs a pressure.
-    pub seal_pull_N_per_mm: Option<f64>,
-    /// The kind of hinge with the largest pull: tips or corners.
-    pub seal_pull_at: Option<&'static str>,
-    /// Its position on the flat star, as in `seal_tension`; by the shell.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub seal_pull_at_mm: Option<[f64; 2]>,
-    /// Pressure at which the pull on the seal is seal_strength; needs it.
-    pub burst_pressure_kPa: Option<f64>,
-    /// The fabric's largest tension at the rim, at one point; its component across the seam's plane peels the seal,
-    /// see docs/models.md; by the shell.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub seal_tension: Option<LoadedPlace>,
-    /// Mass of the two sheets that are cut for the star; needs areal_density.
-    pub mass_g: Option<f64>,
-    /// Mass that friction holds; needs pressure, object_radius and friction.
-    pub payload_kg: Option<f64>,
-    /// Stretch of the fabric; needs a pressure.
-    pub stretch: FabricStretch,
-    /// Burst pressure over the pressure; needs both.
-    pub burst_margin: Option<f64>,
-    /// The source of the values in `ranges`: computed shells; no gripper was measured.
-    pub ranges_of: &'static str,
-    /// Intervals that contain the shells' values in at least 95 % of cases.
-    pub ranges: StarRanges,
-    /// Values at several pressures, if the spec gives none.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub pressures: Option<Vec<PressureRow>>,
-    /// The star with a limit's own, asymmetric V_bar in place of linear hinges; of `section` linear ones are nearer to shells.
-    pub nonlinear: Option<Nonlinear>,
-    /// The evidence for these values.
-    pub evidence: ModelEvidence,
-    /// The object's state; needs pressure and object_diameter.
-    #[serde(skip)]
-    pub hold: Option<Grip>,
-    /// The pressures, kPa, at which a model covers the star, if none does at its own pressure.
-    #[serde(skip)]
-    pub modelled_kPa: Option<Interval>,
-    /// Corrections of the inflated star beyond hinges and rigid arms.
-    #[serde(skip)]
-    pub correction: Correction,
+keyed! {
+    /// The prediction of one star. `None` where a required input is missing.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+    pub struct StarPrediction {
+        /// Model used: fit, ring, bvp, section or shell.
+        pub model: &'static str,
+        /// Target coiling factor of the hinges. By hinges' models only.
+        pub lambda_t: Hinges<Option<f64>>,
+        /// Coiling factor at the onset of hoop tension away from the rim. Some models have none.
+        pub lambda_c: Hinges<Option<f64>>,
+        /// Second derivative of the dimensionless volume by the coiling factor, at the target. By hinges' models only.
+        pub d2v_dlambda2: Hinges<Option<f64>>,
+        /// Length of the straight arms, mm.
+        pub arm_length_mm: f64,
+        /// Target angle of a free tip, degrees. Below 0 its arms would cross.
+        pub tip_target_angle_deg: Option<f64>,
+        /// Target angle of a free corner, degrees.
+        pub corner_target_angle_deg: Option<f64>,
+        /// Angle of the star's tips at equilibrium, degrees, not clamped where arms touch.
+        pub tip_equilibrium_angle_deg: Option<f64>,
+        /// Angle between the arms of a tip, degrees, with or without contact. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub tip_angle_deg: Option<f64>,
+        /// Inner radius of the inflated, empty star, mm: from the axis to the apex of a corner's inner rim.
+        pub final_radius_mm: Option<f64>,
+        /// 1 - final radius / inner radius of the flat star.
+        pub contraction: Option<f64>,
+        /// Stiffness of the hinges at the target, N m per rad. Needs a pressure.
+        pub hinge_stiffness_Nm: Option<Hinges<f64>>,
+        /// Radial stiffness at rest, all corners together, N/m. Needs a pressure.
+        pub radial_stiffness_N_per_m: Option<f64>,
+        /// Radial force stored in a star whose arms press on each other, N; 0 if they are free. Needs a pressure.
+        pub preload_N: Option<f64>,
+        /// Force with which the two arms of a tip press on each other, N; 0 if they do not touch. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub arm_contact_N: Option<f64>,
+        /// Flat area of an arm's sheet that touches the next arm, mm^2. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub arm_contact_mm2: Option<f64>,
+        /// Volume of the inflated star, mm^3. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub volume_mm3: Option<f64>,
+        /// Smallest and largest radius of a round object that the star can hold, mm; at most `hole_radius_mm`, since wider ones do not
+        /// enter.
+        pub graspable_radius_mm: Option<[f64; 2]>,
+        /// Radius of the hole's cut edge, mm. A wider object does not enter the flat star.
+        pub hole_radius_mm: f64,
+        /// Radius of the hole's cut edge in front of the corners of the closed star, mm: the final radius less band and flap. It touches
+        /// first.
+        pub flap_edge_radius_mm: Option<f64>,
+        /// Radial force of one star on the object while the flap in front of its corners stays straight, N: the largest that it can be.
+        /// `object_force_N` is that of a flap which gives way.
+        pub flap_force_N: Option<f64>,
+        /// Load under which the flap in front of the corners buckles, N per mm of contact, if both of its sheets are fused.
+        pub flap_load_N_per_mm: Option<f64>,
+        /// Radius of the object at the star's height, mm; 0 if the star passes above or below it.
+        pub object_radius_mm: Option<f64>,
+        /// Room between the cut hole and the object before inflation, mm. Below 0 the object does not enter.
+        pub object_gap_mm: Option<f64>,
+        /// Radial force of one star on the object, N. Needs a pressure and an object.
+        pub object_force_N: Option<f64>,
+        /// Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were
+        /// requested; null where the star does not hold such an object.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub force_curve: Option<Vec<ForceAt>>,
+        /// Pressure over the fabric's resistance to bending, 1/eps = p W^3 / B. Needs a pressure.
+        pub bendability: Option<f64>,
+        /// Pressure from which the hinges are fully coiled, kPa.
+        pub operating_pressure_kPa: f64,
+        /// Inner radius of curvature of the hinges as the sealed band makes them, mm.
+        pub realised_radius_mm: Hinges<f64>,
+        /// Tension of the ring over p W at the realised radius, at an inner rim that cannot stretch. `seal_pull_N_per_mm` is the seal's
+        /// own load.
+        pub seal_load: Hinges<Option<f64>>,
+        /// Largest force that pulls one sheet off the seam's plane, N per mm of seam, as a T-peel test measures it: averaged over the
+        /// width of the band. Needs a pressure.
+        pub seal_pull_N_per_mm: Option<f64>,
+        /// The hinges at which the seal's pull is largest: tips or corners.
+        pub seal_pull_at: Option<&'static str>,
+        /// Where on the flat star the seal's pull is largest, mm. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub seal_pull_at_mm: Option<[f64; 2]>,
+        /// Pressure at which the pull on the seal is `seal_strength`, kPa. Needs `seal_strength`.
+        pub burst_pressure_kPa: Option<f64>,
+        /// Largest pull across the rim: `value` in N/mm, its mesh error and its place on the flat star. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub seal_tension: Option<LoadedPlace>,
+        /// Mass of the fabric of one star, both sheets, g. Needs `areal_density`.
+        pub mass_g: Option<f64>,
+        /// Mass that friction holds, kg: of the whole stack, in `stars` of each star. Needs a pressure, an object and friction.
+        pub payload_kg: Option<f64>,
+        /// Stretch p W / Y of the fabric. By the shell the largest principal stretch with mesh error and place. Needs a pressure.
+        pub stretch: FabricStretch,
+        /// Burst pressure over the pressure. Needs both.
+        pub burst_margin: Option<f64>,
+        /// Source of the ranges: computed shells. No gripper was measured.
+        pub ranges_of: &'static str,
+        /// For each number that depends on a model the interval that holds a computed shell's value in at least 95 % of cases. Some may
+        /// be unknown.
+        pub ranges: StarRanges,
+        /// Predictions at several pressures. Only if the spec has no pressure.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub pressures: Option<Vec<PressureRow>>,
+        /// The same star with the model's own, asymmetric hinges instead of linear ones. By ring and bvp only.
+        pub nonlinear: Option<Nonlinear>,
+        /// Why this model was used, residuals, iterations, error estimates and `warnings`.
+        pub evidence: ModelEvidence,
+    } and {
+        /// The object's state; needs pressure and object_diameter.
+        #[serde(skip)]
+        pub hold: Option<Grip>,
+        /// The pressures, kPa, at which a model covers the star, if none does at its own pressure.
+        #[serde(skip)]
+        pub modelled_kPa: Option<Interval>,
+        /// Corrections of the inflated star beyond hinges and rigid arms.
+        #[serde(skip)]
+        pub correction: Correction,
+    }
+}
+
+kinds! {
+    Hinges: Hinges<f64>, Hinges<Option<f64>>;
+    Object: Verdict, LoadedPlace, StarRanges, Nonlinear, ModelEvidence;
+    List: Vec<PressureRow>, Vec<StarPrediction>;
+    Rows: Vec<ForceAt>;
+}
+
+impl KeyType for FabricStretch {
+    const KIND: KeyKind = KeyKind::Variant;
+    const ALWAYS: bool = false;
 }
 
 /// Stretch of the fabric.
@@ -266,7 +284,7 @@ pub struct ForceAt(pub f64, pub Option<f64>, pub Option<f64>, pub Option<f64>);
 
 /// The same star with the model's own V_bar.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct Nonlinear {
     /// Equilibrium angle of the tips, not clamped.
     pub tip_equilibrium_angle_deg: f64,
@@ -283,6 +301,25 @@ pub struct Nonlinear {
 }
 
 impl Prediction {
+    /// The keys of its JSON: those of star 1, then the others.
+    pub const KEYS: &'static [&'static [Key]] = &[
+        StarPrediction::KEYS,
+        &[
+            Key::new::<Option<Verdict>>(
+                "verdict",
+                "Whether the gripper holds the object: `holds` (yes, no or unknown), the force with its range, the needed force and reasons.",
+            ),
+            Key::new::<Option<f64>>(
+                "stack_mass_g",
+                "Mass of the fabric of all stars, g. Needs `areal_density`.",
+            ),
+            Key::new::<Vec<StarPrediction>>(
+                "stars",
+                "The same keys for each star, bottom first. Those at the top are star 1's, except `payload_kg`.",
+            ),
+        ],
+    ];
+
     /// The answer as one JSON object with a trailing newline.
     ///
     /// # Panics
@@ -335,7 +372,7 @@ pub struct ModelEvidence {
 
 /// Mesh errors: the difference of the last two meshes, or the extrapolation's change if it is larger.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct MeshErrors {
     /// Error of the final radius.
     pub final_radius_mm: f64,

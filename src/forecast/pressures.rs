@@ -10,7 +10,7 @@ use serde::Serialize;
 
 /// One pressure, with the star's values there.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct PressureRow {
     /// Gauge pressure.
     pub pressure_kPa: f64,

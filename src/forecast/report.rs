@@ -185,7 +185,7 @@ fn pressure_table(out: &mut String, rows: &[PressureRow]) {
     }
     if let Some(best) = rows.iter().position(|row| row.best) {
         let most = if held { "the largest force that is sure" } else { "the least final radius" };
-        let end = if best + 1 == rows.len() { "; what more pressure does is not known" } else { "" };
+        let end = if best + 1 == rows.len() { "; higher pressures have no prediction" } else { "" };
         let _ = writeln!(out, "  best: {most}, without bursting{end}");
     }
 }

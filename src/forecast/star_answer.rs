@@ -233,8 +233,8 @@ pub(super) fn of_the_shape(case: &Case, outcome: &Outcome) -> Vec<String> {
     }
     if star.arm < SHORTEST_ARM * star.width {
         warnings.push(format!(
-            "the arms are {} mm long, less than half the tube's width of {} mm: they are no straight tubes, and the \
-             hinges at their ends overlap",
+            "the arms are {} mm long, less than half the tube's width of {} mm: they are not straight tubes, and \
+             the hinges at their ends overlap",
             Readable(mm(star.arm)),
             Readable(mm(star.width))
         ));

@@ -58,8 +58,8 @@ impl fmt::Display for BenchFault {
                 let [low, high] = range.map(f64::to_degrees);
                 write!(
                     f,
-                    "the V-actuator's {:.1} deg is no fabric's: at this pressure it closes to between {low:.1} and {high:.1} \
-                     deg; is the pressure right, and were both angles measured at the arms' middle?",
+                    "no fabric gives the V-actuator's {:.1} deg: at this pressure it closes to between {low:.1} and \
+                     {high:.1} deg; is the pressure right, and were both angles measured at the arms' middle?",
                     found.to_degrees()
                 )
             }

@@ -225,9 +225,7 @@ impl VerdictLines {
             (_, None, Some(force)) => {
                 let needs =
                     needed.map_or(String::new(), |needed| format!(" and friction needs {needed:.1} N,"));
-                let text = format!(
-                    "by the model it presses with {force:.1} N,{needs} but how far that is off is not known"
-                );
+                let text = format!("the model's force is {force:.1} N,{needs} but its error is unknown");
                 (Weight::Doubted, VerdictText::Reason(text))
             }
             _ => return,
@@ -264,7 +262,7 @@ fn doubts(load: &Load, star: &StarPrediction, object: f64) -> Vec<String> {
         reasons.push(format!("it may close to {:.1} mm across only, and not reach the object", 2.0 * high));
     }
     if star.hold == Some(Grip::Untried) {
-        reasons.push("how hard it presses on the object is not known".to_owned());
+        reasons.push("the force on the object is unknown".to_owned());
     }
     match (load.largest_force, star.ranges.object_force_N, star.object_force_N) {
         (Some(Force(bears)), Some([low, high]), _) if low <= bears && high > bears => {

@@ -7,7 +7,7 @@ use qrcodegen::{QrCode, QrCodeEcc};
 /// Most letters of a link in a code: 40-L, bytes.
 pub const MOST_LETTERS: usize = 2953;
 
-/// Light modules around a code, which readers want (9.1).
+/// Light modules around a code, which readers need (9.1).
 const QUIET: i32 = 4;
 
 /// A link as a QR code.

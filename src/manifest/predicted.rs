@@ -7,7 +7,7 @@ use crate::forecast::ranges::Interval;
 
 /// The gripper at the pressure of `[load]`. The values equal those in `prediction.json`, without rounding; null if unknown.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct ManifestPrediction {
     /// Whether it holds the object; null if uncertain, or without an object.
     pub holds: Option<bool>,
@@ -21,7 +21,7 @@ pub struct ManifestPrediction {
 
 /// One star.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct ManifestStarPrediction {
     /// The model that answered.
     pub model: String,

@@ -12,7 +12,7 @@ codes! {
         MachineRequires "machine-requires" "The profile requires this of the machine; make sure of it.",
         MayNotHold "may-not-hold" "The object may not be held; see the numbers, and what would do.",
         Prediction "prediction" "The prediction has a wide range, or omits an effect; see the message.",
-        Unfit "unfit" "The gripper does not do what its `load` asks, and was taken with `--anyway`.",
+        Unfit "unfit" "The gripper does not meet its `load` section, and was accepted with `--anyway`.",
         UnknownFeed "unknown-feed" "Whether the machine goes as slowly as the seal is unknown; time what `feedcheck` writes.",
         UnknownReach "unknown-reach" "Whether the machine reaches all of the sheet is unknown; write `work_area` into its profile.",
         UnknownStrength "unknown-strength" "The burst pressure is unknown; measure `seal_strength` with `coupon`, and write it.",
@@ -23,7 +23,7 @@ codes! {
 codes! {
     /// The reason why a command fails although neither a spec nor a design is refused.
     CommandCode {
-        Failed "failed" "The command cannot do this; the message says why.",
+        Failed "failed" "The command cannot do this; the message gives the reason.",
         Infeasible "infeasible" "No gripper meets the request; the message names a request near it that can be met.",
         NotPublished "not-published" "The files could not be put in place; nothing was replaced.",
     }

@@ -1,6 +1,6 @@
 //! Makes the files of a forecast gripper: one match arm for every subject and format.
 
-use crate::artifact::{Artifact, Asked, Format, Output, Subject, outputs};
+use crate::artifact::{Artifact, Format, KindRequest, Output, Subject, outputs};
 use crate::design::{Star, engraved_depth};
 use crate::emit;
 use crate::forecast::charts::charts;
@@ -16,28 +16,28 @@ const SPEC: &str = "spec.toml";
 impl Forecast {
     /// Makes the requested files.
     ///
-    /// The kinds in the spec's `[build]` are included, unless `asked` names the only kinds.
-    pub fn build(self, sources: Sources<'_>, asked: &Asked) -> Built {
-        let asked = asked.clone().of_spec(&self.spec);
+    /// The kinds in the spec's `[build]` are included, unless `request` names the only kinds.
+    pub fn build(self, sources: Sources<'_>, request: &KindRequest) -> Built {
+        let request = request.clone().of_spec(&self.spec);
         let mut artifacts = Vec::new();
-        self.make(sources, &asked, |artifact| artifacts.push(artifact));
+        self.make(sources, &request, |artifact| artifacts.push(artifact));
         let entries = artifacts.iter().map(ManifestFile::of).collect();
-        Built { manifest: self.manifest(entries, &asked), forecast: self, artifacts }
+        Built { manifest: self.manifest(entries, &request), forecast: self, artifacts }
     }
 
     /// Makes the requested files one after the other, and passes each to `take` at once.
-    pub(super) fn make(&self, sources: Sources<'_>, asked: &Asked, mut take: impl FnMut(Artifact)) {
-        for output in outputs(&self.spec, self.machine.controller.dialect, &self.design, asked) {
+    pub(super) fn make(&self, sources: Sources<'_>, request: &KindRequest, mut take: impl FnMut(Artifact)) {
+        for output in outputs(&self.spec, self.machine.controller.dialect, &self.design, request) {
             if let Some(bytes) = content(self, sources, &output) {
                 take(Artifact::new(output, bytes));
             }
         }
     }
 
-    /// The manifest of `files`, which were requested by `asked`.
-    pub(super) fn manifest(&self, files: Vec<ManifestFile>, asked: &Asked) -> Manifest {
+    /// The manifest of `files`, which `request` selects.
+    pub(super) fn manifest(&self, files: Vec<ManifestFile>, request: &KindRequest) -> Manifest {
         let bill = Manifest::new(&self.spec, &self.design, &self.programs);
-        bill.with_prediction(self.prediction.as_ref()).with_files(files, asked)
+        bill.with_prediction(self.prediction.as_ref()).with_files(files, request)
     }
 }
 

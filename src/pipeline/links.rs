@@ -25,7 +25,7 @@ impl<'a> Sources<'a> {
 }
 
 impl Forecast {
-    /// What a person should know of the design and of its files.
+    /// Notes for the user about the design and its files.
     pub fn warnings(&self, sources: Sources<'_>) -> Vec<Warning> {
         let mut all = self.design.warnings.clone();
         all.extend(long_link(&self.spec, sources));

@@ -20,7 +20,7 @@ mod precautions;
 mod proven;
 
 use crate::airtight;
-use crate::artifact::{Artifact, Asked};
+use crate::artifact::{Artifact, KindRequest};
 use crate::design::{Design, Refusal, RefusalCode, Refusals};
 use crate::forecast::drawn::{InflatedDrawing, Watch, of_spec};
 use crate::forecast::predict::{PredictFault, predict};
@@ -167,7 +167,12 @@ impl Forecast {
 ///
 /// # Errors
 /// The refusals of the first step that fails.
-pub fn build(spec: &Spec, machine: &Machine, sources: Sources<'_>, asked: &Asked) -> Result<Built, Refusals> {
+pub fn build(
+    spec: &Spec,
+    machine: &Machine,
+    sources: Sources<'_>,
+    asked: &KindRequest,
+) -> Result<Built, Refusals> {
     Ok(Forecast::of(spec.clone(), machine.clone())?.build(sources, asked))
 }
 

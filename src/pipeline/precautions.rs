@@ -207,7 +207,7 @@ fn speed(forecast: &Forecast, path: &str) -> Vec<Precaution> {
 fn fast(forecast: &Forecast, path: &str) -> Option<Precaution> {
     let speed = forecast.spec.seal.speed;
     let text = format!(
-        "the paper sealed at 0.1 mm/s: only a peel test tells whether this fabric is tight when sealed at {speed}; \
+        "the paper sealed at 0.1 mm/s: only a peel test shows whether this fabric is tight when sealed at {speed}; \
          `stargrip-cam coupon {path}` writes one"
     );
     (speed > FAST).then(|| Precaution::new(PrecautionCode::FastSeal, text))

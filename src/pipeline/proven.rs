@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::artifact::{Asked, Kind, Subject, outputs};
+use crate::artifact::{Kind, KindRequest, Subject, outputs};
 use crate::manifest::{CouponManifest, MANIFEST, Manifest, ManifestFile, Tool, sha256};
 use crate::pipeline::coupons::prove_coupons;
 use crate::pipeline::directory::{refused, sources_of};
@@ -90,9 +90,9 @@ impl PublishedBuild {
         if let Some(coupons) = &self.coupons {
             return coupons.files.iter().map(|entry| entry.path.clone()).collect();
         }
-        let asked = self.written.as_ref().map_or(Asked::default(), Manifest::asked);
+        let request = self.written.as_ref().map_or(KindRequest::default(), Manifest::request);
         let outputs = |forecast: &Forecast| {
-            outputs(&forecast.spec, forecast.machine.controller.dialect, &forecast.design, &asked)
+            outputs(&forecast.spec, forecast.machine.controller.dialect, &forecast.design, &request)
         };
         self.forecast.iter().flat_map(outputs).map(|output| output.name()).collect()
     }
@@ -128,7 +128,7 @@ impl PublishedBuild {
         {
             let sources = Sources { spec, machine };
             if written.tool == Tool::this() {
-                compare_anew(&forecast, sources, &written.asked(), files, &mut proof);
+                compare_anew(&forecast, sources, &written.request(), files, &mut proof);
             } else {
                 compare_with_other(&forecast, sources, &written, files, &mut proof);
             }
@@ -145,7 +145,7 @@ impl PublishedBuild {
         let wanted = self.wanted();
         let is_ours = |name: &str| name == MANIFEST || wanted.iter().any(|wanted| wanted == name);
         let foreign = files.files.iter().filter(|(name, _)| !is_ours(name)).map(|(name, _)| {
-            Finding::new(FindingCode::UnnamedFile, "no build makes it", "the files of the build")
+            Finding::new(FindingCode::UnnamedFile, "it belongs to no build", "the files of the build")
                 .in_file(name)
         });
         let findings = [finding.in_file(MANIFEST)].into_iter().chain(foreign).collect();
@@ -168,17 +168,17 @@ impl PublishedBuild {
 fn compare_anew(
     forecast: &Forecast,
     sources: Sources<'_>,
-    asked: &Asked,
+    request: &KindRequest,
     files: &OutputFiles<'_>,
     proof: &mut Proof,
 ) {
     let mut entries = Vec::new();
-    forecast.make(sources, asked, |made| {
+    forecast.make(sources, request, |made| {
         // Equal bytes have equal hashes, and one has been computed already.
         let known = verify::compare_bytes(&made.name, &made.bytes, files, proof);
         entries.push(ManifestFile::with_hash(&made, known.unwrap_or_else(|| sha256(&made.bytes))));
     });
-    let manifest = forecast.manifest(entries, asked).to_json();
+    let manifest = forecast.manifest(entries, request).to_json();
     let _ = verify::compare_bytes(MANIFEST, &manifest, files, proof);
 }
 
@@ -198,8 +198,8 @@ fn compare_with_other(
     let this = Tool::this();
     let writer = if *name == this.name { version.clone() } else { format!("{name} {version}") };
     proof.written_by = Some(writer.chars().take(VERSION_LENGTH).collect());
-    let asked = written.asked();
-    forecast.make(sources, &asked, |made| {
+    let request = written.request();
+    forecast.make(sources, &request, |made| {
         let _ = verify::mark_equal(&made.name, &made.bytes, files, proof);
     });
     let is_shown = |kind: Kind| matches!(kind.subject(), Subject::Preview | Subject::Report | Subject::Scene);
@@ -208,7 +208,7 @@ fn compare_with_other(
     if other_profile(forecast, files).is_some() {
         unproven.push(format!("machine.toml as the profile {:?}", forecast.spec.machine.profile));
     }
-    if forecast.manifest(Vec::new(), &asked).prediction != written.prediction {
+    if forecast.manifest(Vec::new(), &request).prediction != written.prediction {
         unproven.push(format!("the prediction in {MANIFEST}"));
     }
     proof.unproven = unproven;

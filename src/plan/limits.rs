@@ -16,10 +16,7 @@ pub fn contradictions(spec: &Spec, machine: &Machine, programs: &[Program]) -> R
     };
     if let Some(top) = limits.top_speed.filter(|top| top.0 < spec.seal.speed.0) {
         refuse(
-            format!(
-                "`start` of the profile lets no move be faster than {top}, the seal is told {}",
-                spec.seal.speed
-            ),
+            format!("`start` of the profile limits moves to {top}, the seal's speed is {}", spec.seal.speed),
             "VELOCITY must be at least the seal's speed: change that line".to_owned(),
         );
     }

@@ -32,14 +32,14 @@ impl fmt::Display for ResumeFault {
         match self {
             Self::NotOurs(what) => write!(
                 f,
-                "this is no sealing program of stargrip-cam, or an old one: no comment \"{what}: ...\"; build it again"
+                "this is not a sealing program of stargrip-cam, or an old one: it has no comment \"{what}: ...\"; build it again"
             ),
             Self::Damaged(finding) => {
                 write!(f, "the file is damaged, take it from the published directory again: {finding}")
             }
             Self::Disagrees(finding) => write!(
                 f,
-                "the file does not do what its comments say, take it from the published directory again: {finding}"
+                "the moves of the file contradict its comments; copy it from the published directory again: {finding}"
             ),
             Self::TooHot(t) => write!(
                 f,

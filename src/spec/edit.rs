@@ -61,13 +61,9 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
     let own = entries.iter().filter_map(|(key, _)| {
         let span = raw.span_of(key.of_star(1));
         let fault = || {
-            Fault::error(
-                FaultCode::OwnValue,
-                span.clone(),
-                format!("star 1 has a `{}` of its own", key.key()),
-            )
-            .label("a value in [star] does not reach it")
-            .help("move it into [star]")
+            Fault::error(FaultCode::OwnValue, span.clone(), format!("star 1 has its own `{}`", key.key()))
+                .label("a value in [star] does not reach it")
+                .help("move it into [star]")
         };
         (span != raw.span_of(*key)).then(fault)
     });

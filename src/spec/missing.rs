@@ -51,14 +51,14 @@ impl Missing {
         let list = keys.iter().map(|(key, _)| format!("`{key}`")).collect::<Vec<_>>().join(", ");
         let lines = keys.iter().map(|(key, example)| format!("{key} = {example}")).collect::<Vec<_>>();
         let (message, help) = match (section, is_written) {
-            ("", _) => (format!("the file does not say {list}"), lines.join("\n")),
-            (name, true) => (format!("{} does not say {list}", header(name)), lines.join("\n")),
+            ("", _) => (format!("the file has no {list}"), lines.join("\n")),
+            (name, true) => (format!("{} has no {list}", header(name)), lines.join("\n")),
             ("star", false) => (
-                format!("there is neither [star] nor [drawing]; a [star] must say {list}"),
+                format!("there is neither [star] nor [drawing]; a [star] needs {list}"),
                 format!("[star]\n{}\n{DRAWING}", lines.join("\n")),
             ),
             (name, false) => (
-                format!("there is no [{name}], which must say {list}"),
+                format!("there is no [{name}], which needs {list}"),
                 format!("[{name}]\n{}", lines.join("\n")),
             ),
         };

@@ -29,7 +29,7 @@ const EITHER: [&str; 2] = ["star", "drawing"];
 const CLAMPS: &str = "keep_out";
 
 /// Keys that the starter leaves out, because they exclude a key that is shown.
-const INSTEAD: &str = r#"
+pub(super) const INSTEAD: &str = r#"
 [load]
 object_radius = "30 mm"  # half of object_diameter, which it replaces; set one of the two
 # A shape by your own drawing, in place of [star], [stack] and [frame].
@@ -53,15 +53,15 @@ description = "GRBL on a router"  # one line for `stargrip-cam machines`
 # arcs = true
 # ramp = "3 mm"
 [work_area]
-x = "unknown"  # along X; say both, or none
-y = "unknown"  # along Y; say both, or none
+x = "unknown"  # along X; set both, or none
+y = "unknown"  # along Y; set both, or none
 [speeds]
 # travel = "20 mm/s"
 # trace = "20 mm/s"
 [motion]
-x_steps_per_mm = 80  # steps of this axis for a millimetre; say all three axes, or none
-y_steps_per_mm = 80  # steps of this axis for a millimetre; say all three axes, or none
-z_steps_per_mm = 400  # steps of this axis for a millimetre; say all three axes, or none
+x_steps_per_mm = 80  # steps of this axis for a millimetre; set all three axes, or none
+y_steps_per_mm = 80  # steps of this axis for a millimetre; set all three axes, or none
+z_steps_per_mm = 400  # steps of this axis for a millimetre; set all three axes, or none
 # min_feed = "0 mm/s"  # the controller raises any lower feed to this
 acceleration = "10 mm/s^2"  # of X and Y; chopping counts with it
 # start_delay = "0 s"
@@ -91,7 +91,10 @@ pub fn schema() -> String {
     text_of(
         sections,
         &notes,
-        ("A specification for stargrip-cam", "What a fabric star gripper is, for stargrip-cam."),
+        (
+            "A specification for stargrip-cam",
+            "A heat-sealed inflatable: a fabric star gripper or a drawn shape.",
+        ),
     )
 }
 
@@ -108,11 +111,7 @@ pub fn machine_schema() -> String {
     let list = json!({ "type": "array", "description": about, "items": clamps });
     let _ = root.keys.insert(CLAMPS, list);
     let _ = sections.insert("", root);
-    text_of(
-        sections,
-        &notes,
-        ("A machine profile for stargrip-cam", "What stargrip-cam must know of one controller and its iron."),
-    )
+    text_of(sections, &notes, ("A machine profile for stargrip-cam", "One controller and its iron."))
 }
 
 /// The notes on a profile's keys.

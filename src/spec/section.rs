@@ -178,12 +178,12 @@ impl<'r> Section<'_, 'r> {
         }
     }
 
-    /// Says that `key` takes less than it was taken as.
+    /// Narrows the allowed values of `key`.
     pub(super) fn narrow(&mut self, key: &'static str, shape: ValueShape) {
         self.reader.shapes.push((self.name, key, shape));
     }
 
-    /// Says that `key`, which was taken, takes `word` as well.
+    /// Allows `word` for `key`, which was taken, as well.
     pub(super) fn or_word(&mut self, key: &'static str, word: &'static str) {
         let name = self.name;
         let found =

@@ -86,7 +86,7 @@ fn read_inlet(s: &mut Section<'_, '_>) -> (Option<Inlet>, Option<u32>) {
     }
     let others: Vec<_> = s.other_keys("none").into_iter().map(|key| format!("`{key}`")).collect();
     if !others.is_empty() {
-        let message = format!("[inlet] says `none = true` beside {}", others.join(", "));
+        let message = format!("[inlet] has `none = true` beside {}", others.join(", "));
         let fault = Fault::error(FaultCode::Conflict, s.place_of("none"), message)
             .label("no inlet, so no other key is allowed here")
             .help("delete the other keys, or this one");
@@ -129,7 +129,7 @@ fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32,
                 section.place_of("inlet_tip"),
                 "`inlet_tip` without an inlet",
             )
-            .label("[inlet] says `none = true`");
+            .label("[inlet] has `none = true`");
             section.report(fault);
         }
         let Some(slot) = slot else { continue };

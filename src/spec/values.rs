@@ -4,8 +4,8 @@
 
 use serde::Serialize;
 
-use crate::spec::key;
 use crate::spec::raw::RawSpec;
+use crate::spec::schema::INSTEAD;
 use crate::spec::source::Source;
 use crate::spec::starter::TEMPLATE;
 use crate::spec::value::{RawKind, RawTable, RawValue};
@@ -34,12 +34,21 @@ impl Setting {
 
 /// The settings of `source`, which must be a valid spec: all keys in the starter's order, then those of single stars.
 pub fn settings(source: &Source) -> Vec<Setting> {
+    settings_of(source, known(TEMPLATE))
+}
+
+/// [`settings`] for a form, with the keys that exclude one of the starter's: those of `[drawing]`, and `object_radius`.
+pub fn form_settings(source: &Source) -> Vec<Setting> {
+    settings_of(source, known(TEMPLATE).chain(known(INSTEAD)))
+}
+
+fn settings_of(source: &Source, keys: impl Iterator<Item = KnownKey>) -> Vec<Setting> {
     let (raw, _) = RawSpec::parse(&source.text);
     let written = |section: &str, key: &str| -> Option<String> {
         let table = if section.is_empty() { Some(raw.root()) } else { raw.root().get(section)?.as_table() };
         Some(shown(table?.get(key)?))
     };
-    let mut out: Vec<Setting> = known()
+    let mut out: Vec<Setting> = keys
         .map(|KnownKey { section, key, default, meaning }| {
             let own = written(section, key);
             let given = own.is_some();
@@ -58,22 +67,6 @@ pub fn settings(source: &Source) -> Vec<Setting> {
         out.extend(of_star(star));
     }
     out
-}
-
-/// [`settings`] for a form, with the keys that exclude one of the starter's: those of `[drawing]`, and `object_radius`.
-pub fn form_settings(source: &Source) -> Vec<Setting> {
-    let mut all = settings(source);
-    let (raw, _) = RawSpec::parse(&source.text);
-    for key in key::ALL {
-        let (section, key) = (key.section(), key.key());
-        if all.iter().any(|setting| (setting.section.as_str(), setting.key.as_str()) == (section, key)) {
-            continue;
-        }
-        let value = raw.root().get(section).and_then(|table| table.as_table()?.get(key)).map(shown);
-        let (given, section, key) = (value.is_some(), section.to_owned(), key.to_owned());
-        all.push(Setting { section, key, value, given, meaning: String::new() });
-    }
-    all
 }
 
 /// The settings of a `[[stack.star]]`.
@@ -108,10 +101,10 @@ struct KnownKey {
     meaning: &'static str,
 }
 
-/// The keys of the starter but those of single stars.
-fn known() -> impl Iterator<Item = KnownKey> {
+/// The keys in `notes`, written as the starter, but those of single stars.
+fn known(notes: &'static str) -> impl Iterator<Item = KnownKey> {
     let mut section = "";
-    TEMPLATE.lines().filter_map(move |line| {
+    notes.lines().filter_map(move |line| {
         let (line, has_default) = match (line.strip_prefix("## "), line.strip_prefix("# ")) {
             (Some(absent), _) => (absent, false),
             (_, Some(default)) => (default, true),
@@ -135,6 +128,7 @@ fn known() -> impl Iterator<Item = KnownKey> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spec::key;
     use crate::spec::reading::read;
     use crate::spec::starter::starter;
 
@@ -175,7 +169,12 @@ mod tests {
                 .filter(|one| (one.section.as_str(), one.key.as_str()) == (key.section(), key.key()))
                 .count()
         };
-        assert!(key::ALL.iter().filter(|key| key.key() != "schema").all(|key| named(key) == 1));
+        // A form has no field for the version and for the list of single stars.
+        let missing: Vec<_> =
+            key::ALL.iter().filter(|key| named(key) != 1).map(ToString::to_string).collect();
+        assert_eq!(missing, ["schema", "stack.star"]);
+        let join = all.iter().find(|one| one.key == "join").expect("a drawing's key");
+        assert_eq!((join.value.as_deref(), join.given), (Some("0.02 mm"), false));
         let radius = all.iter().find(|one| one.key == "object_radius").expect("its own key");
         assert_eq!((radius.value.as_deref(), radius.given), (Some("30 mm"), true));
     }

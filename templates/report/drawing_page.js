@@ -16,7 +16,7 @@ function meshedAt(value, unit) {
 }
 
 function drawingVerdict() {
-  if (!drawn) return ["plain", "Nothing is predicted", "The spec has no [load]: write a `pressure` there, and the shell can say what the shape does."];
+  if (!drawn) return ["plain", "Nothing is predicted", "The spec has no [load]: set a `pressure` there to inflate the shape by the shell."];
   if (drawn.model === "none") return ["plain", "Not predicted yet", `${drawn.evidence.choice.charAt(0).toUpperCase()}${drawn.evidence.choice.slice(1)}.`];
   const warnings = drawn.evidence.warnings.map((text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`).join(" ");
   const pressure = figure(drawn.pressure_kPa, "kPa");
@@ -24,7 +24,7 @@ function drawingVerdict() {
   if (range && drawn.pressure_kPa > range[1]) return ["bad", "The seal bursts at this pressure", warnings];
   if (range && drawn.pressure_kPa > range[0]) return ["fair", "The seal may burst", warnings];
   if (warnings) return ["fair", `Inflated at ${pressure}`, warnings];
-  if (!range) return ["fair", `Inflated at ${pressure}`, "At which pressure the seal bursts is unknown until a coupon says what it bears."];
+  if (!range) return ["fair", `Inflated at ${pressure}`, "Burst pressure unknown: measure the seal with a coupon."];
   return ["good", `Holds ${pressure}`, "The seal holds all over the range of its burst pressure."];
 }
 
@@ -32,10 +32,10 @@ function drawingFigures() {
   if (!drawn) return [];
   const out = [["Pressure", figure(drawn.pressure_kPa, "kPa"), "above that outside"]];
   const volume = drawn.volume_mm3;
-  out.push(["Volume of a piece", figure(volume ? volume.value / 1000 : null, "cm³"), volume ? `mesh error ${number(volume.mesh_error / 1000, 2)} cm³` : "the shell was not asked"]);
+  out.push(["Volume of a piece", figure(volume ? volume.value / 1000 : null, "cm³"), volume ? `mesh error ${number(volume.mesh_error / 1000, 2)} cm³` : "the shell was not computed"]);
   const pulls = drawn.chambers.map((one) => one.seal_pull_N_per_mm).filter(Boolean);
   const most = pulls.reduce((a, b) => (a && a.value >= b.value ? a : b), null);
-  out.push(["Largest pull on the seal", figure(most ? most.value : null, "N/mm"), most ? `mesh error ${number(most.mesh_error, 2)} N/mm` : "the shell was not asked"]);
+  out.push(["Largest pull on the seal", figure(most ? most.value : null, "N/mm"), most ? `mesh error ${number(most.mesh_error, 2)} N/mm` : "the shell was not computed"]);
   out.push(["Bursts at", figure(drawn.burst_pressure_kPa, "kPa"), span(drawn.burst_range_kPa, "kPa") || "needs the shell and a seal_strength"]);
   return out;
 }

@@ -51,7 +51,7 @@ const job = {
   view: null,
 };
 
-/** What the seam of a move is called, and what is known of it. */
+/** The name and the data of a move's seam. */
 function seamOf(move) {
   const program = data.programs[move.program];
   const seam = program.seams[move.seam];

@@ -124,7 +124,7 @@ function showPlots() {
     return;
   }
   const several_stars = data.parts.length > 1 ? " Star 1; the others differ." : "";
-  at("curves-lead").textContent = `One star at ${figure(load.pressure_kPa, "kPa")} unless stated.${several_stars} Dot: this design; bar: its range. Where nothing is known there is no line.`;
+  at("curves-lead").textContent = `One star at ${figure(load.pressure_kPa, "kPa")} unless stated.${several_stars} Dot: this design; bar: its range. Unknown values have no line.`;
   const own = data.prediction.stars[0];
   const force = own.object_force_N;
   const object = objectOf(0);

@@ -192,7 +192,7 @@ function showGroups() {
   );
 }
 
-/** Shows the scene, or says why it cannot be shown. */
+/** Shows the scene, or the reason why it cannot be shown. */
 async function showSolid() {
   const canvas = at("solid-view");
   try {

@@ -14,7 +14,7 @@ function poseAt(which, pressure) {
   const i = rows.findIndex((row) => row.pressure_kPa >= pressure);
   if (i <= 0) return i === 0 ? rows[0] : rows[rows.length - 1];
   const [a, b] = [rows[i - 1], rows[i]];
-  // Between two pressures of the table that are no neighbours nothing is known.
+  // Between two pressures of the table that are no neighbours the pose is unknown.
   if (b.pressure_kPa - a.pressure_kPa > 1.5 * stepOf()) return pressure - a.pressure_kPa < b.pressure_kPa - pressure ? a : b;
   const share = (pressure - a.pressure_kPa) / (b.pressure_kPa - a.pressure_kPa);
   const mix = (key) => (a[key] === null || b[key] === null ? b[key] : a[key] + (b[key] - a[key]) * share);
@@ -85,19 +85,19 @@ function showStar(which) {
   showPressure(Math.min(most, Math.max(least, data.load.pressure_kPa)));
 }
 
-/** The pressures between which a star is known. */
+/** The pressures between which a star's pose is predicted. */
 function knownOf(which) {
   const rows = chartOf(which).by_pressure;
   return [rows[0].pressure_kPa, rows[rows.length - 1].pressure_kPa];
 }
 
-/** Whether it is known at the spec's own pressure. */
+/** Whether it is predicted at the spec's own pressure. */
 function isKnown(which) {
   const [least, most] = knownOf(which);
   return data.load.pressure_kPa >= least && data.load.pressure_kPa <= most;
 }
 
-/** From the least pressure that is known to the spec's own in two seconds. */
+/** From the least predicted pressure to the spec's own in two seconds. */
 function pump() {
   if (star.pumping !== null) cancelAnimationFrame(star.pumping);
   let first = null;
@@ -116,7 +116,7 @@ function showStars() {
   const chart = chartOf(0);
   at("star-lead").textContent = chart
     ? "Simplified: straight arms, round tubes; real hinges wrinkle."
-    : data.load && data.load.pressure_kPa ? "What this star does at this pressure is unknown, so only the flat star is shown." : "The spec has no pressure in [load], so only the flat star is known.";
+    : data.load && data.load.pressure_kPa ? "This star has no prediction at this pressure; only the flat star is shown." : "The spec has no pressure in [load], so only the flat star is known.";
   if (data.parts.length > 1) {
     at("star-which").hidden = false;
     const names = data.parts.map((part, i) => make("option", { value: i }, stars(data.sheets.flatMap((sheet) => sheet.stars).filter((other) => other.part === i).map((other) => other.star))));

@@ -1,4 +1,4 @@
-// Tables: what it takes, what was asked for, where the numbers come from, and what the checklists say.
+// Tables: material, spec, evidence, and the checklists' texts.
 
 "use strict";
 
@@ -78,14 +78,14 @@ function showEvidence() {
   } else {
     rows.push(["Predictions", "none", "the spec has no [load]"]);
   }
-  if (KIND === "drawing") at("evidence-lead").textContent = "Geometry and times are exact. Numbers of the shell stand with their mesh error; no drawn piece was measured for them.";
+  if (KIND === "drawing") at("evidence-lead").textContent = "Geometry and times are exact. Numbers of the shell have their mesh error; no drawn piece was measured for them.";
   else at("evidence-lead").textContent = prediction
     ? "Ranges come from computed shells, in which 95 of 100 simulated grippers lay. No gripper was measured for them; where none is given, nothing was compared."
     : "Geometry and times are exact; nothing is predicted without [load].";
   table("sources", ["Figure", "Comes from", "How good it is"], rows.map((row) => row.map(prose)));
 }
 
-/** What the checklists say of this design. */
+/** The checklists' texts for this design. */
 function sayings() {
   const { bill, seal, hose, load, machine, prediction } = data;
   const speed = Number.parseFloat(seal.speed);

@@ -32,7 +32,7 @@ function verdict() {
   const { prediction, load } = data;
   if (KIND === "drawing") return drawingVerdict();
   if (!prediction) {
-    return ["plain", "Nothing is predicted", "The spec has no [load]: write a pressure, and the diameter of an object, and this page says whether it is held."];
+    return ["plain", "Nothing is predicted", "The spec has no [load]: set a pressure and the diameter of an object to see here whether it is held."];
   }
   const { pressure_kPa: pressure, object_radius_mm: object } = load;
   const found = prediction.verdict;
@@ -41,8 +41,8 @@ function verdict() {
   }
   if (!found) {
     const closed = prediction.final_radius_mm;
-    const title = closed === null ? "Nothing is known at this pressure" : `Closes to ${figure(2 * closed, "mm")} across`;
-    return ["plain", title, `At ${figure(pressure, "kPa")}. Write an \`object_diameter\` in [load], and this page says whether it is held.`];
+    const title = closed === null ? "No prediction at this pressure" : `Closes to ${figure(2 * closed, "mm")} across`;
+    return ["plain", title, `At ${figure(pressure, "kPa")}. Set an \`object_diameter\` in [load] to see here whether it is held.`];
   }
   const reasons = found.reasons.map((reason) => `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`).join(" ");
   const friction = load.friction === null ? "" : `Counted with a friction of ${number(load.friction)}. `;
@@ -51,9 +51,9 @@ function verdict() {
   const force = found.force_N === null || found.holds !== "yes" ? "" : `${several(data.bill.stars.length, "star")} press${data.bill.stars.length === 1 ? "es" : ""} on an object ${figure(2 * object, "mm")} across with ${figure(found.force_N, "N")}${simulated(found.force_range_N, "N")} at ${figure(pressure, "kPa")}. `;
   const needed = found.needed_N === null ? friction : `With a friction of ${number(load.friction)}, ${figure(found.needed_N, "N")} are needed to hold its ${figure(load.mass_kg, "kg")}. `;
   if (found.holds !== "yes") return ["fair", "May hold the object", `${force}${needed}${reasons}`];
-  // Green means that nothing stands against it: not with a seal of which nobody knows what it bears.
+  // Green requires a known seal strength.
   const strength = prediction.stars.every((star) => star.burst_pressure_kPa !== null);
-  if (!strength) return ["fair", "Holds the object, if the seal holds", `${force}${needed}At which pressure the seal bursts is unknown until a coupon says what it bears. ${reasons}`];
+  if (!strength) return ["fair", "Holds the object, if the seal holds", `${force}${needed}Burst pressure unknown: measure the seal with a coupon. ${reasons}`];
   return ["good", "Holds the object", `${force}${needed}${reasons}`];
 }
 

@@ -1,4 +1,4 @@
-// Words: figures as people read them, and the elements that say them.
+// Words: rounded figures, and the elements that show them.
 
 "use strict";
 
@@ -6,7 +6,7 @@ const data = JSON.parse(document.getElementById("data").textContent);
 const UNKNOWN = "unknown";
 // A manifest leaves out what a product does not have.
 for (const key of ["stars", "plates", "posts", "masks"]) data.bill[key] = data.bill[key] || [];
-/** What is made: a page about a drawing has a block of its own. */
+/** The kind of product: a page about a drawing has its own block. */
 const KIND = data.drawing ? "drawing" : "star";
 const PIECE = data.drawing ? "piece" : "star";
 
@@ -33,7 +33,7 @@ function filled(element, attributes, children) {
   return element;
 }
 
-/** A number to `digits` significant digits; what is said exactly by fewer, as 0.3, has no zeros behind it. */
+/** A number to `digits` significant digits; a value that is exact with fewer, as 0.3, has no trailing zeros. */
 function number(value, digits = 3) {
   if (value === 0) return "0";
   const size = Math.floor(Math.log10(Math.abs(value)));
@@ -49,7 +49,7 @@ function figure(value, unit, digits) {
   return unit ? `${number(value, digits)} ${unit}` : number(value, digits);
 }
 
-/** From ... to ..., with the unit once; `null` where nothing is known. */
+/** From ... to ..., with the unit once; `null` where it is unknown. */
 function span(range, unit, digits = 3) {
   if (!range || range.some((end) => end === null)) return null;
   return `${number(range[0], digits)} to ${figure(range[1], unit, digits)}`;
@@ -88,7 +88,7 @@ function rangeOf(prediction, quantity, hinge) {
   return hinge ? range[hinge] || null : range;
 }
 
-/** The radius of the object where a star of the stack meets it, mm, as its prediction says; `null` where it passes it, or without an object. */
+/** The radius of the object where a star of the stack meets it, mm, from its prediction; `null` where it passes it, or without an object. */
 function objectOf(which) {
   if (!data.load || !data.load.object_radius_mm) return null;
   const placed = data.sheets.flatMap((sheet) => sheet.stars).find((other) => other.part === which);
@@ -121,7 +121,7 @@ function table(id, head, rows) {
   );
 }
 
-/** Says of every box that scrolls sideways that it does, as long as something is hidden. */
+/** Marks every box that scrolls sideways, as long as part of it is hidden. */
 function hintScrolling() {
   for (const box of document.querySelectorAll(".scroll")) {
     const look = () => box.classList.toggle("more", box.scrollLeft + box.clientWidth < box.scrollWidth - 8);

@@ -98,9 +98,9 @@ fn wished(seed: u64, count: usize) -> usize {
 
 #[test]
 fn a_wish_is_granted_or_refused_with_what_comes_nearest() {
-    let held = wished(1, 40);
+    let held = wished(1, 12);
     // The random numbers are the same on every machine, so another count is a changed result.
-    assert_eq!(held, 25);
+    assert_eq!(held, 9);
 }
 
 #[test]

@@ -203,7 +203,7 @@ fn a_typo_is_told_once() {
     // Missing keys are reported as well.
     let two = plain.replace("tube_width", "tube_widht").replace("points = 5\n", "");
     let said = refused(&two);
-    assert!(said.matches("error[").count() == 2 && said.contains("does not say `points`\n"), "{said}");
+    assert!(said.matches("error[").count() == 2 && said.contains("has no `points`\n"), "{said}");
 }
 
 #[test]

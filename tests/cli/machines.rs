@@ -275,7 +275,7 @@ fn resume_refuses_what_is_not_ours_or_is_damaged() {
     let forged = job.replacen("; seal:", strokes, 1);
     assert!(forged != job);
     for (name, bytes, word) in [
-        ("empty.gcode", &b""[..], "no sealing program of stargrip-cam"),
+        ("empty.gcode", &b""[..], "not a sealing program of stargrip-cam"),
         ("other.gcode", b"G28\nG1 X5 F100\n", "build it again"),
         ("binary.gcode", b"\x00\xff\xfe", "UTF-8"),
         ("half.gcode", &job.as_bytes()[..job.len() / 2], "damaged"),
@@ -527,7 +527,7 @@ fn calibrate_takes_the_need_from_the_spec_or_asks() {
     let holds: Vec<_> = said.lines().filter_map(|line| line.split_whitespace().last()).collect();
     assert_eq!(holds, ["holds/(N/mm)", "1.920", "5.920"], "{said}");
     assert!(said.lines().all(|line| line.starts_with("# ")), "{said}");
-    assert!(stderr(&asked).contains("what must the seal hold? --needed FORCE, or --spec SPEC"));
+    assert!(stderr(&asked).contains("give the required strength by --needed FORCE, or by --spec SPEC"));
     // At 30 kPa the corners of the paper's star pull with k p W = 3.8 * 0.03 * 30 = 3.4 N/mm; 1 kPa is held by every seal.
     for (pressure, speed) in [("30 kPa", "0.1 mm/s"), ("1 kPa", "0.5 mm/s")] {
         let spec = format!("{}[load]\npressure = \"{pressure}\"\n", support::PAPER);
@@ -705,7 +705,7 @@ fn calibrate_refuses_what_no_bench_shows() {
     };
     refused(&["--flat-angle", "30", "--inflated-angle", "31"], 1, &["at most the flat one, 30 deg"]);
     let wide = ["--flat-angle", "60", "--inflated-angle", "59", "--angle-pressure", "20 kPa"];
-    refused(&wide, 1, &["--inflated-angle", "is no fabric's", "closes to between"]);
+    refused(&wide, 1, &["--inflated-angle", "no fabric gives", "closes to between"]);
     refused(&["--angle-pressure", "20 kPa"], 2, &["--inflated-angle"]);
     let _ = fails(dir.path(), &["calibrate"], 2, &["<RESULTS>"]);
     let needless = ["calibrate", "--flat-angle", "30", "--inflated-angle", "9", "--needed", "1 N/mm"];

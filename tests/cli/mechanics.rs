@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use crate::support::asked::{ACTUATOR, GRIPPER};
+use crate::support::inputs::{ACTUATOR, GRIPPER};
 
 fn run(dir: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_stargrip-cam")).current_dir(dir).args(args).output().expect("it runs")
@@ -375,5 +375,5 @@ fn predict_takes_the_section_only_with_a_pressure() {
     assert!(text(&thin.stdout).contains("without arms"), "{}", text(&thin.stdout));
     fs::write(dir.path().join("spec.toml"), GRIPPER.split("[load]").next().expect("text")).expect("written");
     let refused = run(dir.path(), &["predict", "spec.toml", "--model", "section"]);
-    assert!(refused.status.code() == Some(1) && text(&refused.stderr).contains("none is given"));
+    assert!(refused.status.code() == Some(1) && text(&refused.stderr).contains("needs a pressure"));
 }

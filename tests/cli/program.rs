@@ -168,7 +168,12 @@ fn wrong_usage_is_told_apart_from_refusal() {
     assert_code(&run(dir.path(), &["--help"]), 0);
     assert_code(&run(dir.path(), &["machines"]), 0);
     assert_code(&run(dir.path(), &["machines", "show", "generic"]), 0);
+    assert_code(&run(dir.path(), &["machines", "show", "generic", "-q"]), 0);
     assert_code(&run(dir.path(), &["machines", "show", "teapot"]), 1);
+    let empty = tempfile::tempdir().expect("a directory");
+    for name in ["..", "", "-.-"] {
+        assert_code(&run(empty.path(), &["new", "--", name]), 1);
+    }
 }
 
 #[test]

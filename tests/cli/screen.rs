@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use crate::support::asked::ACTUATOR;
+use crate::support::inputs::ACTUATOR;
 use crate::support::program::{run, stderr, stdout};
 
 const GRIPPER: &str = include_str!("../../designs/paper-gripper.toml");

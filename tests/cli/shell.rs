@@ -4,8 +4,9 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use crate::support::asked::ACTUATOR;
-use stargrip_cam::forecast::keys as documented;
+use crate::support::inputs::ACTUATOR;
+use stargrip_cam::forecast::actuator::ActuatorPrediction;
+use stargrip_cam::forecast::prediction::Prediction;
 
 use crate::support::keys;
 
@@ -67,7 +68,7 @@ fn an_actuator_is_a_shell_with_its_mesh_errors() {
     let first = run(dir.path(), &args);
     let found = json(&first);
     assert!(found["model"] == "shell" && found["ranges"]["angle_deg"].is_null(), "{found}");
-    assert_eq!(keys::misfits(&found, documented::ACTUATOR), Vec::<String>::new());
+    assert_eq!(keys::misfits(&found, &[ActuatorPrediction::KEYS]), Vec::<String>::new());
     let number = |key: &str| found[key].as_f64().unwrap_or_else(|| panic!("{key}: {found}"));
     let error = |key: &str| {
         found["evidence"]["mesh_errors"][key].as_f64().unwrap_or_else(|| panic!("{key}: {found}"))
@@ -127,7 +128,7 @@ fn a_star_is_a_shell_with_its_mesh_errors() {
     let dir = folder();
     let args = ["predict", "spec.toml", "--model", "shell", "--fineness", "coarse"];
     let found = json(&run(dir.path(), &[&args[..], &["--radii", "38 mm", "--json"]].concat()));
-    assert_eq!(keys::misfits(&found, documented::PREDICTION), Vec::<String>::new());
+    assert_eq!(keys::misfits(&found, Prediction::KEYS), Vec::<String>::new());
     let number = |key: &str| found[key].as_f64().unwrap_or_else(|| panic!("{key}: {found}"));
     assert!(found["model"] == "shell" && found["lambda_t"]["tip"].is_null(), "{found}");
     assert!((25.0..35.0).contains(&number("final_radius_mm")), "{found}");
@@ -160,7 +161,7 @@ fn what_no_shell_answers_is_refused_in_words() {
         text(&output.stderr)
     };
     let without = predict("pressure = \"20 kPa\"", "");
-    assert!(without.contains("none is given"), "{without}");
+    assert!(without.contains("needs a pressure"), "{without}");
     let pressed = predict("20 kPa", "400 kPa");
     assert!(pressed.contains("the shell is made for") && pressed.contains("other.toml:13"), "{pressed}");
     let pointed = predict("points = 5\ninner_radius = \"50 mm\"", "points = 18\ninner_radius = \"400 mm\"");

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path as File;
 
 use stargrip_cam::answer::overview_json;
-use stargrip_cam::artifact::Asked;
+use stargrip_cam::artifact::KindRequest;
 use stargrip_cam::design::{Design, StarDesign, propose_layers};
 use stargrip_cam::geom::{Enclosures, Isometry, Path, Point, Segment, Vec2};
 use stargrip_cam::pipeline::{Built, Sources, build, prove_files};
@@ -21,7 +21,7 @@ fn drawn(text: &str, bytes: &[u8]) -> Result<Built, stargrip_cam::design::Refusa
     let reading = spec::read(&Source::new("drawn", text)).unwrap_or_else(|faults| panic!("{faults}"));
     let spec = reading.with_drawing(bytes).spec;
     let sources = Sources { spec: text, machine: support::generic() };
-    build(&spec, &support::machine(), sources, &Asked::default())
+    build(&spec, &support::machine(), sources, &KindRequest::default())
 }
 
 /// A quarter of a turn at most, so that no arc's centre is lost in rounding.

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 use proptest::prelude::*;
 use serde_json::Value;
 
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::pipeline::{self, Built, Sources};
 use stargrip_cam::spec::{self, Source};
 
@@ -86,7 +86,7 @@ fn built(name: &str, machine: &str, clamp: &str) -> Option<Built> {
     let known = spec::read_machine(&Source::new("y", profile.clone())).ok()?;
     let (only, with) = KINDS.into_iter().partition(|kind| !kind.is_extra());
     let sources = Sources { spec: &spec, machine: &profile };
-    Some(pipeline::build(&read, &known, sources, &Asked { only, with }).expect("a gripper"))
+    Some(pipeline::build(&read, &known, sources, &KindRequest { only, with }).expect("a gripper"))
 }
 
 /// The structure of a file without its words: a list of its marks.

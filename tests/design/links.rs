@@ -1,6 +1,6 @@
 //! `link` in [build]: previews and report lead back to their spec. Codes are read by someone else's reader in tests/strangers/web.mjs.
 
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::pipeline::{Built, Forecast, Sources};
 use stargrip_cam::spec;
 use stargrip_cam::spec::Source;
@@ -17,8 +17,9 @@ fn built(text: &str) -> (Built, Vec<String>) {
     let sources = Sources { spec: text, machine: support::generic() };
     let forecast = Forecast::of(reading.spec, support::machine()).expect("a design");
     let codes = forecast.warnings(sources).iter().map(|warning| warning.code.to_string()).collect();
-    let asked = Asked { only: vec![Kind::PreviewSvg, Kind::PreviewPng, Kind::Report], with: Vec::new() };
-    (forecast.build(sources, &asked), codes)
+    let request =
+        KindRequest { only: vec![Kind::PreviewSvg, Kind::PreviewPng, Kind::Report], with: Vec::new() };
+    (forecast.build(sources, &request), codes)
 }
 
 fn text_of(built: &Built, ending: &str) -> String {

@@ -6,7 +6,7 @@ use std::path::Path as File;
 use proptest::prelude::*;
 use roxmltree::{Document, Node};
 
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::design::Design;
 use stargrip_cam::geom::{Bounds, Line, Path, Point, Segment, segment_distance};
 use stargrip_cam::pipeline::{Built, Sources, build};
@@ -31,8 +31,8 @@ fn built(text: &str, profile: &str) -> Built {
     let machine = Machine::builtin(profile).expect("built in");
     let sources = Sources { spec: text, machine: spec::builtin_machine(profile).expect("built in") };
     let spec = spec::read(&Source::new("spec", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
-    let asked = Asked { only: vec![Kind::PreviewSvg], with: vec![Kind::PreviewPng] };
-    build(&spec, &machine, sources, &asked).unwrap_or_else(|refusals| panic!("{refusals:?}"))
+    let request = KindRequest { only: vec![Kind::PreviewSvg], with: vec![Kind::PreviewPng] };
+    build(&spec, &machine, sources, &request).unwrap_or_else(|refusals| panic!("{refusals:?}"))
 }
 
 /// Every sheet's number and picture.
@@ -194,7 +194,7 @@ fn clamps_work_area_object_and_the_closed_star_are_shown() {
     let machine =
         spec::read_machine(&Source::new("machine", &profile)).unwrap_or_else(|faults| panic!("{faults}"));
     let sources = Sources { spec: &text, machine: &profile };
-    let build = build(&support::read(&text), &machine, sources, &Asked::default()).expect("a gripper");
+    let build = build(&support::read(&text), &machine, sources, &KindRequest::default()).expect("a gripper");
     assert_eq!(faults(&build), Vec::<String>::new());
     let (_, picture) = pictures(&build).swap_remove(0);
     let said = words(&picture, build.forecast.design.sheets[0].height);
@@ -290,8 +290,8 @@ proptest! {
         let text = format!("{}[stack]\ncount = {count}\npitch = \"{} mm\"\n", shape.toml(), shape.w.max(20.0));
         let spec = support::read(&text);
         let sources = Sources { spec: &text, machine: support::generic() };
-        let asked = Asked::only(&[Kind::PreviewSvg]);
-        if let Ok(build) = build(&spec, &support::machine(), sources, &asked) {
+        let request = KindRequest::only(&[Kind::PreviewSvg]);
+        if let Ok(build) = build(&spec, &support::machine(), sources, &request) {
             let faults = faults(&build);
             prop_assert!(faults.is_empty(), "{text}\n{faults:#?}");
         }

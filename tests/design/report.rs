@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use serde_json::Value;
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::forecast::charts::{AtRadius, charts};
 use stargrip_cam::geom::Point;
 use stargrip_cam::pipeline::{self, Built, Sources};
@@ -16,8 +16,8 @@ const GRIPPER: &str = include_str!("../../designs/paper-gripper.toml");
 
 fn built(text: &str) -> Built {
     let sources = Sources { spec: text, machine: support::generic() };
-    let asked = Asked { only: vec![Kind::Prediction], with: vec![Kind::Report] };
-    pipeline::build(&support::read(text), &support::machine(), sources, &asked).expect("a gripper")
+    let request = KindRequest { only: vec![Kind::Prediction], with: vec![Kind::Report] };
+    pipeline::build(&support::read(text), &support::machine(), sources, &request).expect("a gripper")
 }
 
 fn page(built: &Built) -> String {
@@ -247,8 +247,9 @@ fn a_drawing_has_a_report_and_a_scene_of_its_own() {
         let reading =
             stargrip_cam::spec::read(&stargrip_cam::spec::Source::new("x", text.as_str())).expect("a spec");
         let sources = Sources { spec: &text, machine: support::generic() };
-        let asked = Asked { only: vec![Kind::Prediction], with: vec![Kind::Report, Kind::SceneGlb] };
-        let made = pipeline::build(&reading.with_drawing(drawing).spec, &support::machine(), sources, &asked);
+        let request = KindRequest { only: vec![Kind::Prediction], with: vec![Kind::Report, Kind::SceneGlb] };
+        let made =
+            pipeline::build(&reading.with_drawing(drawing).spec, &support::machine(), sources, &request);
         let made = made.unwrap_or_else(|refusals| panic!("{refusals}"));
         assert_eq!(made.proof().findings, []);
         assert_eq!(read_html(&page(&made)).map(|report| report.title), Ok("pillow".to_owned()));

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::readers::glb::{GlbNode, GlbPart, read_glb};
 use serde_json::Value;
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::design::round_tube;
 use stargrip_cam::forecast::charts::charts;
 use stargrip_cam::forecast::pose::{self, Pose};
@@ -17,8 +17,8 @@ const GRIPPER: &str = include_str!("../../designs/paper-gripper.toml");
 
 fn built(text: &str) -> Built {
     let sources = Sources { spec: text, machine: support::generic() };
-    let asked = Asked { only: vec![Kind::Prediction], with: vec![Kind::SceneGlb] };
-    pipeline::build(&support::read(text), &support::machine(), sources, &asked).expect("a gripper")
+    let request = KindRequest { only: vec![Kind::Prediction], with: vec![Kind::SceneGlb] };
+    pipeline::build(&support::read(text), &support::machine(), sources, &request).expect("a gripper")
 }
 
 fn bytes(built: &Built) -> Vec<u8> {

@@ -16,8 +16,8 @@ fn auto_takes_the_section_at_a_pressure_and_says_what_the_solver_says() {
         let [fast, slow] = [&auto, &solved].map(|star| star.final_radius_mm.expect("at a pressure"));
         assert!((fast / slow - 1.0).abs() < 0.03, "n = {points}: {fast} {slow}");
         // A selection by name is not a warning.
-        assert!(solved.evidence.choice.contains("asked for"));
-        assert!(solved.evidence.warnings.iter().all(|warning| !warning.contains("asked for")));
+        assert!(solved.evidence.choice.contains("requested"));
+        assert!(solved.evidence.warnings.iter().all(|warning| !warning.contains("requested")));
         assert!(auto.nonlinear.is_none() && solved.nonlinear.is_none());
     }
 }
@@ -37,7 +37,7 @@ fn limits_are_named_once_and_only_beyond_them() {
         low.len() == 1 && low[0].starts_with("bendability 95") && low[0].contains("below 1000"),
         "{low:?}"
     );
-    assert!(said(Level::Ring, [0.1; 2], 13.0)[0].contains("a limit that no gripper works at"));
+    assert!(said(Level::Ring, [0.1; 2], 13.0)[0].contains("a limit case in which no gripper works"));
     let stretched = said(Level::Ring, [0.1; 2], 37.0);
     assert!(stretched.len() == 2 && stretched[1].starts_with("p W / Y is 0.029"), "{stretched:?}");
     // Two equal hinges are one warning, two that differ are two, and only the fit has them.

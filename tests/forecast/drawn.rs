@@ -3,8 +3,8 @@
 use stargrip_cam::design::{Design, DrawnPiece};
 use stargrip_cam::forecast::drawn::chambers::drawn_chambers;
 use stargrip_cam::forecast::drawn::prediction::ChamberPrediction;
+use stargrip_cam::forecast::drawn::prediction::DrawnPrediction;
 use stargrip_cam::forecast::drawn::{InflatedDrawing, inflate, of_spec};
-use stargrip_cam::forecast::keys::DRAWN;
 use stargrip_cam::forecast::shell::Detail;
 use stargrip_cam::forecast::shell::star::ShellRefusal;
 use stargrip_cam::shell::cases::{
@@ -56,7 +56,7 @@ fn a_drawn_disc_is_a_balloon_each_time() {
     let asked = spec(DISC, "seal_strength = \"2 N/mm\"\n[load]\npressure = \"3 kPa\"\n");
     let found = coarse(&asked);
     assert_eq!(
-        keys::misfits(&serde_json::to_value(&found.prediction).expect("plain"), DRAWN),
+        keys::misfits(&serde_json::to_value(&found.prediction).expect("plain"), &[DrawnPrediction::KEYS]),
         Vec::<String>::new()
     );
     let one = only(&found);
@@ -186,7 +186,10 @@ fn what_is_missing_or_for_stars_is_said() {
     let flat = of_spec(&asked.0, &asked.1, &Watch::default()).expect("what is flat").prediction;
     assert_eq!((flat.model, flat.volume_mm3), ("none", None));
     assert!(flat.evidence.choice.contains("model = \"shell\""), "{}", flat.evidence.choice);
-    assert_eq!(keys::misfits(&serde_json::to_value(&flat).expect("plain"), DRAWN), Vec::<String>::new());
+    assert_eq!(
+        keys::misfits(&serde_json::to_value(&flat).expect("plain"), &[DrawnPrediction::KEYS]),
+        Vec::<String>::new()
+    );
     let asked = spec(DISC, "[load]\npressure = \"3 kPa\"\n[accuracy]\nmodel = \"ring\"\n");
     let fault = of_spec(&asked.0, &asked.1, &Watch::default()).expect_err("a model of stars");
     assert!(fault.to_string().contains("ring is a model of a star's hinges"), "{fault}");

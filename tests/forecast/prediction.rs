@@ -1,10 +1,9 @@
 //! Predictions from specs: the keys that scripts rely on, the extremes, agreement with the design stage.
 
-use crate::support::asked::GRIPPER as PAPER;
+use crate::support::inputs::GRIPPER as PAPER;
 use proptest::prelude::*;
 use serde_json::Value;
 use stargrip_cam::design::{Design, Refusals};
-use stargrip_cam::forecast::keys::PREDICTION;
 use stargrip_cam::forecast::predict;
 use stargrip_cam::forecast::predict::PredictFault;
 use stargrip_cam::forecast::prediction::{Prediction, StarPrediction};
@@ -118,7 +117,7 @@ fn every_key_has_its_meaning() {
         let mut spec = spec(text);
         spec.accuracy.model = model;
         let Ok(prediction) = predict(&spec) else { continue };
-        let found = keys::misfits(&json(&prediction), PREDICTION);
+        let found = keys::misfits(&json(&prediction), Prediction::KEYS);
         assert_eq!(found, Vec::<String>::new(), "{model:?}");
     }
 }

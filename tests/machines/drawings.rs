@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::coupon::{CouponGroup, StripGrid};
 use stargrip_cam::pipeline::{Built, MadeCoupons, Sources, build, read_back};
 use stargrip_cam::resume::{ResumeAt, resume};
@@ -24,9 +24,9 @@ fn pillow(rest: &str) -> (String, Spec) {
 }
 
 fn made(text: &str, spec: &Spec, machine: &Machine, name: &str) -> Built {
-    let asked = Asked { with: vec![Kind::OutlinePdf, Kind::PreviewPng], ..Asked::default() };
+    let request = KindRequest { with: vec![Kind::OutlinePdf, Kind::PreviewPng], ..KindRequest::default() };
     let sources = Sources { spec: text, machine: profile(name) };
-    build(spec, machine, sources, &asked).unwrap_or_else(|refusals| panic!("{name}: {refusals}"))
+    build(spec, machine, sources, &request).unwrap_or_else(|refusals| panic!("{name}: {refusals}"))
 }
 
 #[test]

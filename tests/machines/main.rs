@@ -19,7 +19,7 @@ mod speed;
 mod thumbnails;
 mod told;
 
-use stargrip_cam::artifact::Asked;
+use stargrip_cam::artifact::KindRequest;
 use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::read_back;
 use stargrip_cam::pipeline::{Built, Sources, build};
@@ -71,7 +71,7 @@ fn try_built(spec_text: &str, machine_text: &str) -> Result<Built, Refusals> {
         None => format!("{spec_text}{own}"),
     };
     let sources = Sources { spec: &spec_text, machine: machine_text };
-    build(&spec(&spec_text), &machine(machine_text), sources, &Asked::default())
+    build(&spec(&spec_text), &machine(machine_text), sources, &KindRequest::default())
 }
 
 fn built(spec_text: &str, machine_text: &str) -> Built {

@@ -1,6 +1,6 @@
 //! The profile's own lines and the header: their content is proven like every other line.
 
-use stargrip_cam::artifact::Asked;
+use stargrip_cam::artifact::KindRequest;
 use stargrip_cam::pipeline::{Sources, build};
 use stargrip_cam::verify::Finding;
 
@@ -257,7 +257,7 @@ fn a_profile_is_the_one_that_the_spec_names() {
     let grbl = profile("grbl");
     let build_of = |text: &str| {
         let sources = Sources { spec: text, machine: grbl };
-        build(&crate::spec(text), &crate::machine(grbl), sources, &Asked::default()).expect("a gripper")
+        build(&crate::spec(text), &crate::machine(grbl), sources, &KindRequest::default()).expect("a gripper")
     };
     let (named, own) = (build_of(&name("grbl")), build_of(&name("mine.toml")));
     let without =

@@ -6,15 +6,16 @@
 //! - `toml` that begins with `# name.toml`: the content of the file of that name.
 //! - `csv` that begins with `# name.csv`: a file that the reader of the page fills in; it is written.
 //!
-//! The directory contains only designs/.
+//! Predictions with their ranges in prose must be among the output of the page's commands. The directory contains only designs/.
 
 use std::fs;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use crate::figures::unprinted;
+use crate::output::{BlockOutput, matches};
 use crate::page::{Block, Page, Piece};
-use crate::said::{Said, matches};
 use crate::{home, renews};
 
 /// The blocks that are not run: page, beginning of the first line.
@@ -109,29 +110,31 @@ fn run(page: &Page) -> Vec<String> {
     }
     let mut faults = Vec::new();
     // The output of the block above, if it was run.
-    let mut said: Option<Said> = None;
+    let mut output: Option<BlockOutput> = None;
+    let mut printed = String::new();
     for piece in &pieces {
         let Piece::Block(block) = piece else {
             if matches!(piece, Piece::Heading(_)) {
-                faults.extend(said.take().and_then(|said| said.unexpected(page)));
+                faults.extend(output.take().and_then(|output| output.unexpected(page)));
             }
             continue;
         };
         let at = format!("{}:{}", page.name, block.line);
         match block.kind.as_str() {
             "sh" => {
-                faults.extend(said.take().and_then(|said| said.unexpected(page)));
+                faults.extend(output.take().and_then(|output| output.unexpected(page)));
                 if block.not_run.is_none() {
-                    said = Some(Said::of(block, dir.path()));
+                    output =
+                        Some(BlockOutput::of(block, dir.path())).inspect(|output| printed += &output.text);
                 }
             }
             "text" => {
-                if let Some(said) = said.take() {
+                if let Some(output) = output.take() {
                     let is_fault = block.body.lines().any(|line| line.starts_with("error"));
-                    if is_fault == said.is_done || !matches(&block.body, &said.text) {
+                    if is_fault == output.is_done || !matches(&block.body, &output.text) {
                         faults.push(format!(
                             "{at}: the page says\n{}and the commands\n{}",
-                            block.body, said.text
+                            block.body, output.text
                         ));
                     }
                 }
@@ -154,7 +157,9 @@ fn run(page: &Page) -> Vec<String> {
             _ => {}
         }
     }
-    faults.extend(said.and_then(|said| said.unexpected(page)));
+    faults.extend(output.and_then(|output| output.unexpected(page)));
+    let unprinted = unprinted(&page.text, &printed).into_iter();
+    faults.extend(unprinted.map(|one| format!("{}: no command prints {one}", page.name)));
     for piece in &pieces {
         if let Piece::Picture { file, from, .. } = piece {
             faults.extend(compare(page, file, from.as_deref(), dir.path()));

@@ -7,10 +7,12 @@ mod book;
 mod codes;
 #[cfg(unix)]
 mod commands;
+#[cfg(unix)]
+mod figures;
+#[cfg(unix)]
+mod output;
 mod page;
 mod reference;
-#[cfg(unix)]
-mod said;
 mod trade;
 
 use std::path::{Path, PathBuf};

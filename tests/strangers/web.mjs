@@ -250,13 +250,13 @@ async function hostile(page, what) {
     const bomb = deflateRawSync(Buffer.alloc(1 << 26)).toString("base64url");
     for (const link of ["%", "AAAA", bomb]) {
         await page.evaluate((fragment) => (location.hash = fragment), `spec=${link}`);
-        await noted(page, "This broke off");
+        await noted(page, "Stopped by an error");
         must((await page.inputValue("#spec")).includes("[star]"), `${what}: a bad link takes the text`);
         await page.evaluate(() => (document.getElementById("note").textContent = ""));
     }
     for (const worker of page.workers()) await worker.evaluate("program = null");
     await page.fill("#spec", `${shipped}\n# more\n`);
-    await noted(page, "This broke off");
+    await noted(page, "Stopped by an error");
     must((await page.inputValue("#spec")).endsWith("# more\n"), `${what}: the text is lost with the instance`);
     await page.fill("#spec", shipped);
     await page.waitForSelector("#preview:not([hidden])");

@@ -4,14 +4,11 @@ use serde_json::Value;
 use stargrip_cam::forecast::keys::{Key, KeyKind};
 
 /// Every key of `answer` that `keys` does not have, with an entry to copy, and every key whose value is of another kind.
-pub fn misfits(answer: &Value, keys: &[Key]) -> Vec<String> {
+pub fn misfits(answer: &Value, keys: &[&[Key]]) -> Vec<String> {
+    let keys = keys.concat();
     let answer = answer.as_object().expect("an object");
     let unknown = answer.iter().filter(|(name, _)| keys.iter().all(|key| key.name != name.as_str()));
-    let unknown = unknown.map(|(name, value)| {
-        format!(
-            "add to src/forecast/keys.rs: maybe(\"{name}\", ..., \"its meaning, unit.\"), such as {value}"
-        )
-    });
+    let unknown = unknown.map(|(name, value)| format!("{name} is not among the keys: {value}"));
     let wrong = keys.iter().filter(|key| match answer.get(key.name) {
         None | Some(Value::Null) => key.always,
         Some(value) => !is_of(key.kind, value),

@@ -1,8 +1,8 @@
 //! Code that the tests of whole designs share: random stars, and builds of them.
 #![allow(dead_code, unreachable_pub, reason = "every test binary uses some of it")]
 
-pub mod asked;
 pub mod dice;
+pub mod inputs;
 pub mod keys;
 pub mod program;
 
@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::{Built, Sources};
 use stargrip_cam::spec::{Machine, Source, Spec};
@@ -75,13 +75,18 @@ pub fn machine() -> Machine {
 
 /// Builds a spec that must be valid; the design may be refused.
 pub fn build(text: &str) -> Result<Built, Refusals> {
-    pipeline::build(&read(text), &machine(), Sources { spec: text, machine: generic() }, &Asked::default())
+    pipeline::build(
+        &read(text),
+        &machine(),
+        Sources { spec: text, machine: generic() },
+        &KindRequest::default(),
+    )
 }
 
 /// Builds a spec that must have a design, with these kinds beside those that come by default.
 pub fn build_with(text: &str, with: &[Kind]) -> Built {
-    let asked = Asked { with: with.to_vec(), ..Asked::default() };
-    pipeline::build(&read(text), &machine(), Sources { spec: text, machine: generic() }, &asked)
+    let request = KindRequest { with: with.to_vec(), ..KindRequest::default() };
+    pipeline::build(&read(text), &machine(), Sources { spec: text, machine: generic() }, &request)
         .expect("a design")
 }
 

@@ -27,6 +27,8 @@ function quantity(text) {
 /** Ends and step of a slider around `number`: values to try; the reader of the spec checks the allowed range. */
 function around(number, unit) {
     const size = Math.abs(number);
+    // Celsius has no natural zero: 100 to 260 C for an iron of 200 C. Above 260 C PTFE decomposes.
+    if (unit.endsWith("C") && number > 0) return { min: Math.round(size / 2), max: Math.round(1.3 * size), step: 1 };
     const most = size === 0 ? (unit === "deg" ? 90 : 10) : Number((size * 2.5).toPrecision(1));
     const step = 10 ** (Math.floor(Math.log10(most)) - 2);
     return { min: number < 0 ? -most : 0, max: most, step };

@@ -32,7 +32,7 @@ async function safely(work) {
         return await work();
     } catch (error) {
         if (error instanceof Dropped) return undefined;
-        say(`This broke off: ${error.message}. Your text is kept.`, true);
+        say(`Stopped by an error: ${error.message}. Your text is kept.`, true);
         return undefined;
     }
 }
@@ -137,7 +137,7 @@ async function change(key, value) {
             editor.text = answer.spec;
             refresh();
         } else if (answer?.faults) {
-            say(`The value cannot be taken: ${answer.faults[0]?.found}. Mend the spec first.`, true);
+            say(`The value is not accepted: ${answer.faults[0]?.found}. Mend the spec first.`, true);
         }
     }
 }

@@ -68,7 +68,7 @@ export async function unzipped(bytes) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
     let end = bytes.length - 22;
     while (end >= 0 && view.getUint32(end, true) !== END) end--;
-    if (end < 0) throw new Error("this is no ZIP archive");
+    if (end < 0) throw new Error("this is not a ZIP archive");
     const count = view.getUint16(end + 10, true);
     if (count > MOST_FILES) throw new Error(`the archive has more than ${MOST_FILES} files`);
     const files = [];

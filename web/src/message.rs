@@ -30,7 +30,7 @@ impl Message {
         let length = usize::try_from(u32::from_le_bytes(*head)).map_err(|_| short())?;
         let (text, mut rest) = rest.split_at_checked(length).ok_or_else(short)?;
         let json: Value =
-            serde_json::from_slice(text).map_err(|error| format!("the question is no JSON: {error}"))?;
+            serde_json::from_slice(text).map_err(|error| format!("the question is not JSON: {error}"))?;
         let mut files = Vec::new();
         for file in json["files"].as_array().into_iter().flatten() {
             let length = file["bytes"].as_u64().and_then(|length| usize::try_from(length).ok());

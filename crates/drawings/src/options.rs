@@ -42,7 +42,7 @@ impl Default for Limits {
 
 /// A unit of length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "the names say it")]
+#[expect(missing_docs, reason = "the names define the units")]
 pub enum Unit {
     Micrometre,
     Millimetre,

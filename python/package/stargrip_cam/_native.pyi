@@ -236,10 +236,7 @@ class Prediction:
     """
     @property
     def model(self) -> str:
-        """Model that answered: fit, ring, bvp, section or shell."""
-    @property
-    def verdict(self) -> dict[str, Any] | None:
-        """Whether the gripper holds the object: `holds` (yes, no or unknown), the force with its range, the needed force and reasons."""
+        """Model used: fit, ring, bvp, section or shell."""
     @property
     def lambda_t(self) -> dict[str, float | None]:
         """Target coiling factor of the hinges. By hinges' models only."""
@@ -290,9 +287,9 @@ class Prediction:
         """Volume of the inflated star, mm^3. By the shell only."""
     @property
     def graspable_radius_mm(self) -> tuple[float, float] | None:
-        """Smallest and largest radius of a round object that the star can hold, mm."""
+        """Smallest and largest radius of a round object that the star can hold, mm; at most `hole_radius_mm`, since wider ones do not enter."""
     @property
-    def hole_radius_mm(self) -> float | None:
+    def hole_radius_mm(self) -> float:
         """Radius of the hole's cut edge, mm. A wider object does not enter the flat star."""
     @property
     def flap_edge_radius_mm(self) -> float | None:
@@ -314,7 +311,7 @@ class Prediction:
         """Radial force of one star on the object, N. Needs a pressure and an object."""
     @property
     def force_curve(self) -> list[tuple[float | None, ...]] | None:
-        """Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were asked for; null where the star does not hold such an object."""
+        """Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were requested; null where the star does not hold such an object."""
     @property
     def bendability(self) -> float | None:
         """Pressure over the fabric's resistance to bending, 1/eps = p W^3 / B. Needs a pressure."""
@@ -325,11 +322,11 @@ class Prediction:
     def realised_radius_mm(self) -> dict[str, float | None]:
         """Inner radius of curvature of the hinges as the sealed band makes them, mm."""
     @property
-    def seal_load(self) -> dict[str, float | None] | None:
-        """Seal load k at the realised radius: the inner edge carries k p W per length."""
+    def seal_load(self) -> dict[str, float | None]:
+        """Tension of the ring over p W at the realised radius, at an inner rim that cannot stretch. `seal_pull_N_per_mm` is the seal's own load."""
     @property
     def seal_pull_N_per_mm(self) -> float | None:
-        """Largest force that pulls one sheet off the seam's plane, N per mm of seam, as a T-peel test measures it. Needs a pressure."""
+        """Largest force that pulls one sheet off the seam's plane, N per mm of seam, as a T-peel test measures it: averaged over the width of the band. Needs a pressure."""
     @property
     def seal_pull_at(self) -> str | None:
         """The hinges at which the seal's pull is largest: tips or corners."""
@@ -355,20 +352,23 @@ class Prediction:
     def burst_margin(self) -> float | None:
         """Burst pressure over the pressure. Needs both."""
     @property
-    def ranges_of(self) -> str | None:
-        """Whose values the ranges hold: those of computed shells. No gripper was measured."""
+    def ranges_of(self) -> str:
+        """Source of the ranges: computed shells. No gripper was measured."""
     @property
     def ranges(self) -> dict[str, Any]:
         """For each number that depends on a model the interval that holds a computed shell's value in at least 95 % of cases. Some may be unknown."""
     @property
     def pressures(self) -> list[dict[str, Any]] | None:
-        """What the star does at several pressures. Only if the spec has no pressure."""
+        """Predictions at several pressures. Only if the spec has no pressure."""
     @property
     def nonlinear(self) -> dict[str, Any] | None:
         """The same star with the model's own, asymmetric hinges instead of linear ones. By ring and bvp only."""
     @property
     def evidence(self) -> dict[str, Any]:
-        """Why this model answered, residuals, iterations, error estimates and `warnings`."""
+        """Why this model was used, residuals, iterations, error estimates and `warnings`."""
+    @property
+    def verdict(self) -> dict[str, Any] | None:
+        """Whether the gripper holds the object: `holds` (yes, no or unknown), the force with its range, the needed force and reasons."""
     @property
     def stack_mass_g(self) -> float | None:
         """Mass of the fabric of all stars, g. Needs `areal_density`."""
@@ -388,7 +388,7 @@ class ActuatorPrediction:
     """The predicted behaviour of a V-actuator. Every key of `actuator --json` is an attribute, None where the value is unknown."""
     @property
     def model(self) -> str:
-        """Model that answered: fit, ring, bvp, section or shell."""
+        """Model used: fit, ring, bvp, section or shell."""
     @property
     def bendability(self) -> float:
         """Pressure over the fabric's resistance to bending, 1/eps = p W^3 / B."""
@@ -403,13 +403,13 @@ class ActuatorPrediction:
         """Coiling factor (pi - phi) / (pi - phi_0) at rest."""
     @property
     def volume_mm3(self) -> float | None:
-        """Volume of the whole actuator, mm^3. Unknown to models of the hinge alone."""
+        """Volume of the whole actuator, mm^3. Models of the hinge alone do not have it."""
     @property
     def stiffness_Nm(self) -> float:
         """Stiffness d2U/dphi2 at rest, whole tube, N m per rad."""
     @property
     def moment(self) -> list[tuple[float | None, ...]] | None:
-        """Rows of an angle (deg) and the applied moment dU/dphi (N m) that holds it, for the angles that were asked for. A positive one opens."""
+        """Rows of an angle (deg) and the applied moment dU/dphi (N m) that holds it, for the requested angles. A positive one opens."""
     @property
     def ranges(self) -> dict[str, Any]:
         """For each of these numbers the interval that holds a computed shell's value in at least 95 % of cases. Some may be unknown."""

@@ -13,7 +13,7 @@ use crate::spec::study::{Axis, read_study};
 pub(in crate::cli) fn loaded(path: &Path, verbosity: Verbosity) -> Result<Study, Failure> {
     let source = read_source(path)?;
     if spec::read(&source).is_ok() {
-        let text = "this is a spec, and nothing is varied: add --vary KEY=VALUES, or name a study file";
+        let text = "this is a spec and varies no key: add --vary KEY=VALUES, or name a study file";
         return Err(Failure::Usage(text.to_owned()));
     }
     let file = read_study(&source)?;

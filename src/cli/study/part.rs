@@ -77,7 +77,7 @@ impl Parts<'_> {
                 PartState::Foreign => {
                     let path = shown(self.path(part));
                     let text = format!(
-                        "{path} is no part of this study, and is not written over; choose another directory"
+                        "{path} is not a part of this study and is not overwritten; choose another directory"
                     );
                     return Err(Failure::Message(text));
                 }

@@ -70,7 +70,7 @@ pub(super) fn refuse_foreign(path: &Path) -> Result<(), Failure> {
     if start.is_empty() || start == b"row," {
         return Ok(());
     }
-    let text = format!("{} exists and is no table of a study: name another file with -o", shown(path));
+    let text = format!("{} exists and is not a table of a study: name another file with -o", shown(path));
     Err(Failure::Message(text))
 }
 

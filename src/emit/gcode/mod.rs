@@ -192,7 +192,7 @@ impl<'a, W: fmt::Write> Job<'a, W> {
         written
     }
 
-    /// Says how far the job is, at every whole per cent of its time.
+    /// Writes the progress of the job, at every whole per cent of its time.
     fn progress(&mut self) -> fmt::Result {
         let Some(whole) = &mut self.whole else { return Ok(()) };
         let Some((percent, left)) = whole.next_percent() else { return Ok(()) };

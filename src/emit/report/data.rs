@@ -10,7 +10,7 @@ use crate::forecast::charts::Charts;
 use crate::forecast::drawn::HOW;
 use crate::forecast::pose::Pose;
 use crate::forecast::seal_load::{SealLoad, seal_loads};
-use crate::spec::{Heating, Machine, Setting, Source, key, settings};
+use crate::spec::{Heating, Machine, Source, settings};
 
 /// Decimals that are kept of curves: for the eye, and few enough to be the same on every machine.
 const DIGITS: i32 = 6;
@@ -40,7 +40,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         "bill": bill,
         "prediction": prediction,
         "load": load,
-        "settings": given_settings(report),
+        "settings": settings(&Source::new("spec.toml", report.source)),
         "machine": machine(report.machine),
         "seal": {
             "temperature": spec.seal.temperature.to_string(), "speed": spec.seal.speed.to_string(),
@@ -67,14 +67,6 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         data["drawing"] = json!({ "prediction": report.drawn, "how": HOW });
     }
     data
-}
-
-/// The settings; an absent `link` is not among them, so that a report without a code is the one that it was before there were codes.
-fn given_settings(report: &Report<'_>) -> Vec<Setting> {
-    let mut all = settings(&Source::new("spec.toml", report.source));
-    let (section, key) = (key::build::LINK.section(), key::build::LINK.key());
-    all.retain(|setting| setting.given || (setting.section.as_str(), setting.key.as_str()) != (section, key));
-    all
 }
 
 /// The distinct stars.

@@ -26,7 +26,7 @@ pub const NONE: &str = "none";
 
 /// How to select the shell, in terms of commands and specs.
 pub const HOW: &str =
-    "`predict` asks the shell; `model = \"shell\"` in [accuracy] has `check` and `build` ask it, too";
+    "`predict` computes the shell; with `model = \"shell\"` in [accuracy] `check` and `build` do so, too";
 
 /// A drawn piece under pressure.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,7 +70,7 @@ pub fn of_spec(spec: &Spec, piece: &DrawnPiece, watch: &Watch<'_>) -> Result<Inf
     if asked && spec.load.as_ref().is_some_and(|load| load.pressure.is_some()) {
         return inflate(spec, piece, Detail::Coarse, watch).map_err(|refusal| match refusal {
             ShellRefusal::Fault(fault) => fault,
-            ShellRefusal::Cancelled => stars_only("the shell was told to stop".to_owned()),
+            ShellRefusal::Cancelled => stars_only("the computation of the shell was stopped".to_owned()),
         });
     }
     let found = drawn_chambers(spec, piece).map_err(refused)?;
@@ -94,7 +94,7 @@ pub fn inflate(
     let found = drawn_chambers(spec, piece).map_err(|why| ShellRefusal::Fault(refused(why)))?;
     let mut prediction = flat(spec, piece, &found).map_err(ShellRefusal::Fault)?;
     let Some(pressure) = spec.load.as_ref().and_then(|load| load.pressure) else {
-        let what = "a shell is computed at its pressure, and none is given: write `pressure` in [load]";
+        let what = "model shell needs a pressure: set `pressure` in [load]";
         return Err(fault(key::load::PRESSURE, what.to_owned()));
     };
     let peel = spec.fabric.seal_strength.map(LineForce::newtons_per_metre);
@@ -119,7 +119,7 @@ pub fn inflate(
         shapes.push(inflated.shape);
     }
     prediction.model = SHELL;
-    "only the shell knows drawn shapes".clone_into(&mut prediction.evidence.choice);
+    "only the shell models drawn shapes".clone_into(&mut prediction.evidence.choice);
     prediction.of_all(pressure);
     if is_weave_left_out {
         let what =
@@ -141,18 +141,13 @@ fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<Drawn
     let model = spec.accuracy.model;
     if !matches!(model, ModelChoice::Shell | ModelChoice::Auto) {
         let word = ModelChoice::ALL.iter().find(|(_, own)| *own == model).map_or("this", |(word, _)| word);
-        let what = format!(
-            "{word} is a model of a star's hinges, and no model but the shell knows drawn shapes: {HOW}"
-        );
+        let what = format!("{word} is a model of a star's hinges; only the shell models drawn shapes: {HOW}");
         return Err(stars_only(what));
     }
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
     let choice = match pressure {
-        None => {
-            "what a drawn shape does depends on the pressure, and none is given: write `pressure` in [load]"
-                .to_owned()
-        }
-        Some(_) => format!("the shell was not asked, which takes seconds to minutes: {HOW}"),
+        None => "the inflated shape depends on the pressure: set `pressure` in [load]".to_owned(),
+        Some(_) => format!("the shell was not computed, which takes seconds to minutes: {HOW}"),
     };
     let chambers =
         (1..).zip(found).map(|(number, chamber)| ChamberPrediction::flat(number, chamber, pressure));

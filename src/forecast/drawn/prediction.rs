@@ -2,6 +2,7 @@
 
 use crate::design::{Refusal, RefusalCode};
 use crate::forecast::drawn::chambers::DrawnChamber;
+use crate::forecast::keys::{keyed, kinds};
 use crate::forecast::ranges::Interval;
 use crate::forecast::seal_load::{Bursting, DrawnSeal};
 use crate::spec::key;
@@ -9,30 +10,39 @@ use crate::units::{Length, LineForce, Most, Pressure};
 use inflatable::shell::cases::{InflatedRegion, RegionSeam, SeamPull, Value, Wrinkles};
 use serde::Serialize;
 
-/// The prediction of each copy of a drawn piece. `None` where a required input is missing: a pressure, or the shell.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
-pub struct DrawnPrediction {
-    /// The model that answered: shell, or none.
-    pub model: &'static str,
-    /// Gauge pressure.
-    pub pressure_kPa: Option<f64>,
-    /// Mass of the fabric of one piece, both sheets; needs areal_density.
-    pub mass_g: Option<f64>,
-    /// Volume of all chambers.
-    pub volume_mm3: Option<MeshedValue>,
-    /// The least pressure at which a chamber's seal peels; needs `seal_strength`.
-    pub burst_pressure_kPa: Option<f64>,
-    /// Its range.
-    pub burst_range_kPa: Option<Interval>,
-    /// Burst pressure over the pressure.
-    pub burst_margin: Option<f64>,
-    /// Whether a chamber leaves its plane.
-    pub leaves_plane: Option<bool>,
-    /// The chambers.
-    pub chambers: Vec<ChamberPrediction>,
-    /// The evidence for these values.
-    pub evidence: DrawnEvidence,
+keyed! {
+    /// The prediction of each copy of a drawn piece. `None` where a required input is missing: a pressure, or the shell.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+    pub struct DrawnPrediction {
+        /// Model used: shell, or none: flat sizes only.
+        pub model: &'static str,
+        /// Gauge pressure, kPa.
+        pub pressure_kPa: Option<f64>,
+        /// Mass of the fabric of one piece, both sheets, g. Needs `areal_density`.
+        pub mass_g: Option<f64>,
+        /// Volume of all chambers of a piece, mm^3: `value` and `mesh_error`. By the shell only.
+        pub volume_mm3: Option<MeshedValue>,
+        /// Least pressure at which a chamber's seal peels, kPa. Needs `seal_strength` and the shell.
+        pub burst_pressure_kPa: Option<f64>,
+        /// Its range: mesh errors, and how the pull may grow with the pressure.
+        pub burst_range_kPa: Option<Interval>,
+        /// Burst pressure over the pressure. Needs both.
+        pub burst_margin: Option<f64>,
+        /// Whether a chamber may leave the plane of the drawing. By the shell only.
+        pub leaves_plane: Option<bool>,
+        /// Chambers, each with flat size and area, `bendability` and `stretch`; by the shell `extents_mm`, `height_mm`, `volume_mm3`,
+        /// `seal_pull_N_per_mm`, `largest_stretch`, `largest_tension_N_per_mm` and `plane_eigenvalue`, each with its mesh error, and
+        /// `seams`: the largest pull on each, with rows of x, y, pull and mesh error along it.
+        pub chambers: Vec<ChamberPrediction>,
+        /// Why this model was used, and `warnings`.
+        pub evidence: DrawnEvidence,
+    }
+}
+
+kinds! {
+    Object: MeshedValue, DrawnEvidence;
+    List: Vec<ChamberPrediction>;
 }
 
 /// Model, choice and warnings behind a prediction.
@@ -66,7 +76,7 @@ pub struct MeshedPlace {
 
 /// The pull on one seam of a chamber.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct SeamPrediction {
     /// Which: outline, hole 1, island 1, weld 1.
     pub seam: String,
@@ -78,7 +88,7 @@ pub struct SeamPrediction {
 
 /// One chamber.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct ChamberPrediction {
     /// Its number, from 1.
     pub chamber: usize,

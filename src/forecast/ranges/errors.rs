@@ -103,10 +103,11 @@ pub const R_STAR: Interval = [0.0, 0.3];
 pub const TIP_ANGLE: Interval = [15.0, 70.0];
 /// Validated flat arcs of corners, deg.
 pub const CORNER_ARC: Interval = [20.0, 120.0];
-/// What is said of a star that lies far beyond it, or whose hinges' arms are not in their tables.
-pub const UNKNOWN_WORDS: &str = "nothing is known of stars like this one, none was computed as a shell";
-/// What is said of a star that lies beyond what was tried.
-pub const BEYOND_WORDS: &str = "few stars like this one, or none, were computed as shells";
+/// The message for a star far beyond the validated ranges, or with hinges whose arms are not in their tables.
+pub const UNKNOWN_MESSAGE: &str =
+    "no star like this one was computed as a shell, so its prediction is unknown";
+/// The message for a star beyond the validated ranges.
+pub const EXTRAPOLATED_MESSAGE: &str = "few stars like this one, or none, were computed as shells";
 
 /// 1/eps that was tried of fabric of t/W = `slender`: from 100 on, of thin fabric from more on.
 pub fn bendability(slender: f64) -> Interval {

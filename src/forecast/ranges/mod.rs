@@ -255,7 +255,7 @@ pub fn outside(case: &Case) -> String {
 
 /// The ranges of a prediction, in its units: `None` if unknown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct StarRanges {
     /// Range of the final radius.
     pub final_radius_mm: Option<Interval>,

@@ -31,7 +31,7 @@ pub fn actuate(
     let touches = found.angle.value < 0.0 || angles.iter().any(|angle| *angle < 0.0);
     let warnings = [
         short_arms(asked),
-        touches.then(|| "the arms would touch, and this shell does not know that they do".to_owned()),
+        touches.then(|| "the arms would touch, and this shell has no contact between them".to_owned()),
     ];
     let prediction = ActuatorPrediction {
         model: SHELL,

@@ -64,7 +64,7 @@ pub(in crate::forecast) struct Measurements {
 /// If no pressure is given, or it has too many points.
 pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
     let Some(pressure) = case.pressure else {
-        let what = "a shell is computed at its pressure, and none is given: give one, or take ring";
+        let what = "model shell needs a pressure: give one, or use model ring";
         return Err(fault(key::load::PRESSURE, what.to_owned()));
     };
     let points = case.mechanism.points;
@@ -100,7 +100,7 @@ pub(in crate::forecast) fn ask(
     objects.sort_by(f64::total_cmp);
     objects.dedup();
     if objects.len() > MOST_OBJECTS {
-        let what = format!("{} radii, and one call takes {MOST_OBJECTS}: ask for fewer", objects.len());
+        let what = format!("{} radii; one call takes at most {MOST_OBJECTS}: give fewer", objects.len());
         return Err(fault(key::load::OBJECT_DIAMETER, what));
     }
     let found = star(&flat, Objects::Radii(&objects), detail.fineness_of(flat.part()), watch)

@@ -166,7 +166,7 @@ impl ShellAnswer<'_> {
                 at_mm: extremes.stretch_at.map(mm),
             }),
             evidence: ModelEvidence {
-                choice: format!("{SHELL} was asked for"),
+                choice: format!("{SHELL} was requested"),
                 residual: found.evidence.residual,
                 iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
                 weave: spec.fabric.shear_modulus.map(|_| IN_THE_MESH),
@@ -209,7 +209,7 @@ impl ShellAnswer<'_> {
             ),
             (
                 flat.part() == StarPart::Whole && finest(&measured.least_tip_angle) < 0.0,
-                "two arms pass through each other: the shell of a whole star does not know that they touch".to_owned(),
+                "two arms pass through each other: the shell of a whole star has no contact between arms".to_owned(),
             ),
             (
                 too_wide,
@@ -219,7 +219,7 @@ impl ShellAnswer<'_> {
                 object.is_some() && case.flap() > 0.0,
                 format!(
                     "objects touch the flap first: until it folds, at {:.2} N per mm of contact, the force is that on an object {} mm \
-                     wider across (ask --radii for it)",
+                     wider across (see --radii)",
                     1e-3 * case.sheet.flap_load(case.flap()),
                     Readable(2.0 * mm(case.flap()))
                 ),

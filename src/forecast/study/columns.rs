@@ -42,10 +42,10 @@ pub(super) fn columns(blocks: &[Block], outputs: &[&'static OutputColumn], codes
     columns
         .extend(outputs.iter().map(|output| text(output.name, output.unit, ColumnKind::Real, output.about)));
     if codes {
-        let about = "the code of the refusal, a word of docs/codes.md; none for a design that was answered";
+        let about = "the code of the refusal, a word of docs/codes.md; none for a design with a prediction";
         columns.push(text("refused_code", None, ColumnKind::Text, about));
     }
-    columns.push(text("refused", None, ColumnKind::Text, "why there is no such design, and what to do"));
+    columns.push(text("refused", None, ColumnKind::Text, "why this design cannot be made, and the remedy"));
     columns
 }
 

@@ -72,7 +72,7 @@ impl Study {
         let asked = ModelKinds::of(&models);
         if let Some((_, place)) = file.fineness.as_ref().filter(|_| !asked.shells) {
             let fault = Fault::error(FaultCode::Conflict, place.clone(), "`fineness` is the shell's")
-                .label("no row of this study asks a shell")
+                .label("no row of this study computes a shell")
                 .help("write model = \"shell\", or delete it");
             return Err(Faults::new(&file.source, vec![fault]));
         }
@@ -175,7 +175,7 @@ fn model_setting(model: ModelChoice) -> (Field, KeyValue) {
     let known = ModelChoice::ALL.iter().find(|(_, own)| *own == model);
     let word = known.map_or("auto", |(word, _)| word);
     let field = Field::of(&key::accuracy::MODEL.to_string());
-    #[expect(clippy::expect_used, reason = "a test asks every key")]
+    #[expect(clippy::expect_used, reason = "a test reads every key")]
     let field = field.expect("a key");
     (field, KeyValue::Word(word.to_owned()))
 }

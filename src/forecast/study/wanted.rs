@@ -40,9 +40,9 @@ pub(super) fn chosen(
             }
             Some(output) if !output.is_known(asked) => {
                 let (who, help) = if asked.shells {
-                    ("shells do not know it", "ask another model for it, or leave it out")
+                    ("shells have no such column", "use another model, or leave it out")
                 } else {
-                    ("only shells know it", "write model = \"shell\", or leave it out")
+                    ("only shells have this column", "write model = \"shell\", or leave it out")
                 };
                 faults.push(fault(FaultCode::NoColumn, who).help(help));
             }

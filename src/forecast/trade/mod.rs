@@ -194,65 +194,6 @@ pub fn csv(rows: &[TradeRow]) -> String {
     out
 }
 
-/// The rows as a plot: error against time, both logarithmic.
-pub fn plot(rows: &[TradeRow]) -> String {
-    let (width, height, left, top) = (640.0, 400.0, 70.0, 30.0);
-    // Decades shown: 10 ns to 1 s, 1e-16 to 1.
-    let x = |time: f64| left + (libm::log10(time.max(1e-9)) + 8.0) / 8.0 * width;
-    let y = |error: f64| top - libm::log10(error.clamp(1e-16, 1.0)) / 16.0 * height;
-    let colours = ["#1b6ca8", "#c0392b", "#27865c", "#8e44ad", "#b7791f"];
-    let mut out = String::from(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 860 480\" width=\"860\" height=\"480\" \
-         font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"860\" height=\"480\" fill=\"white\"/>\n",
-    );
-    for decade in (-8..=0).step_by(2) {
-        let at = x(10_f64.powi(decade));
-        let bottom = top + height;
-        let _ = writeln!(out, "<path d=\"M{at:.1} {top}V{bottom}\" stroke=\"#ddd\"/>");
-        let _ = writeln!(
-            out,
-            "<text x=\"{at:.1}\" y=\"{}\" text-anchor=\"middle\">1e{decade} s</text>",
-            bottom + 18.0
-        );
-    }
-    for decade in (-16..=0).step_by(4) {
-        let at = y(10_f64.powi(decade));
-        let _ = writeln!(out, "<path d=\"M{left} {at:.1}h{width}\" stroke=\"#ddd\"/>");
-        let _ = writeln!(
-            out,
-            "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">1e{decade}</text>",
-            left - 8.0,
-            at + 4.0
-        );
-    }
-    for row in rows {
-        for (error, colour) in row.errors.iter().zip(colours) {
-            if let Some(error) = error {
-                let (cx, cy) = (x(row.time), y(*error));
-                let _ = writeln!(out, "<circle cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"4\" fill=\"{colour}\"/>");
-            }
-        }
-        let _ = writeln!(
-            out,
-            "<text x=\"{:.1}\" y=\"{}\" text-anchor=\"start\" transform=\"rotate(-50 {:.1} {})\">{}</text>",
-            x(row.time),
-            top - 6.0,
-            x(row.time),
-            top - 6.0,
-            row.model
-        );
-    }
-    for ((quantity, colour), i) in QUANTITIES.iter().zip(colours).zip(0_u8..) {
-        let at = top + 20.0 * f64::from(i) + 20.0;
-        let _ = writeln!(out, "<circle cx=\"730\" cy=\"{}\" r=\"4\" fill=\"{colour}\"/>", at - 4.0);
-        let _ = writeln!(out, "<text x=\"740\" y=\"{at}\">{quantity}</text>");
-    }
-    let _ =
-        writeln!(out, "<text x=\"390\" y=\"475\" text-anchor=\"middle\">time of one hinge's target</text>");
-    out.push_str("</svg>\n");
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -275,6 +216,6 @@ mod tests {
         assert!(coarse.iter().zip(fine).all(|(a, b)| b < *a), "{coarse:?} {fine:?}");
         assert!(of("ring, table").iter().all(|e| *e < 1e-9));
         assert_eq!(csv(&rows).lines().count(), rows.len() + 1);
-        assert!(table(&rows).contains("ring") && plot(&rows).ends_with("</svg>\n"));
+        assert!(table(&rows).contains("ring") && picture::against_ring(&rows).ends_with("</svg>\n"));
     }
 }

@@ -8,7 +8,7 @@ pub fn tables(rows: &[ShellRow]) -> String {
     format!(
         "Closing: errors of rho_f in %, against the finest shells of the paper's stars (those of `shell, fine`: its own mesh errors).\n\n\
          {}\nForce: errors in % of radial stiffness K, and of the force F on an object 0.45 W wider than the finest shell's rho_f.\n\n{}\n\
-         V-actuator: against its finest shell.\n\n{}\nMesh errors: how often a shell is as near to the finest as both say.\n\n{}\n\
+         V-actuator: against its finest shell.\n\n{}\nMesh errors: how often a shell lies within both mesh errors of the finest.\n\n{}\n\
          Cost of shells of stars, each a process, the force on one object included.\n\n{}",
         closing(rows),
         force(rows),

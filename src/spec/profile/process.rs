@@ -51,7 +51,7 @@ fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights
             s.place_of("contact"),
             format!("`contact` is {}", Length(contact)),
         )
-        .label("must be 0 mm or above for a tip without a spring, which `spring_loaded = false` says it is");
+        .label("must be 0 mm or above for a tip without a spring (`spring_loaded = false`)");
         s.report(fault);
     }
     for (low, low_key, high, high_key) in

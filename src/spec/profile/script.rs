@@ -171,7 +171,7 @@ fn read_line(s: &mut Section<'_, '_>, key: &str, line: &str, span: Range<usize>,
     let label = if !is_plain(line) {
         "must be one line of printable ASCII".to_owned()
     } else if line.len() > length {
-        format!("must be at most {length} characters, as `line_length` says; this line has {}", line.len())
+        format!("must be at most {length} characters (`line_length`); this line has {}", line.len())
     } else if line.trim().is_empty() {
         "must not be empty".to_owned()
     } else {

@@ -110,9 +110,9 @@ impl<'a> WantedLine<'a> {
     }
 
     fn end(&self, findings: &mut Findings) {
-        let wanted = self.lines.get(self.come).map(|line| format!("{}, as the profile says", quote(line)));
+        let wanted = self.lines.get(self.come).map(|line| format!("{}, as in the profile", quote(line)));
         if let Some(line) = self.wrong {
-            let allowed = wanted.unwrap_or_else(|| "no further line, as the profile says".to_owned());
+            let allowed = wanted.unwrap_or_else(|| "no further line, as in the profile".to_owned());
             findings.add_at(FindingCode::ProfileLine, line, quote(&self.text), allowed);
         } else if let Some(wanted) = wanted {
             findings.add_at(FindingCode::ProfileLine, self.last, "nothing more", wanted);

@@ -243,12 +243,12 @@ impl DxfReader {
             vertices.iter().map(|(x, y, bulge)| y.map(|y| (Point::new(*x, y), *bulge))).collect();
         let points = points.filter(|p| p.len() > 1 && whole(90).is_some_and(|n| n as usize == p.len()));
         let (Some(points), Some(flags)) = (points, whole(70)) else {
-            let found = format!("{} vertices, {} said", vertices.len(), whole(90).unwrap_or(0));
+            let found = format!("{} vertices, {} declared", vertices.len(), whole(90).unwrap_or(0));
             self.findings.add_at(
                 FindingCode::BadDxf,
                 head.line,
                 found,
-                "2 or more whole ones, as many as said, and flags",
+                "2 or more whole ones, as many as declared, and flags",
             );
             return None;
         };

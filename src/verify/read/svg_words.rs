@@ -156,7 +156,7 @@ impl WordReader<'_> {
         };
         let missing = attributes.iter().find(|(name, _)| !says(name));
         if let Some((missing, _)) = missing {
-            self.refuse(node, &format!("<{name}> without {missing}"), &format!("{missing} said"));
+            self.refuse(node, &format!("<{name}> without {missing}"), &format!("with {missing}"));
         }
     }
 

@@ -130,14 +130,14 @@ fn what_only_shells_know_is_asked_of_shells() {
         (
             with(&format!("fineness = \"coarse\"\n{vary}")),
             "conflict",
-            "`fineness` is the shell's: no row of this study asks a shell",
+            "`fineness` is the shell's: no row of this study computes a shell",
         ),
         (with(&format!("model = \"shell\"\nfineness = \"finest\"\n{vary}")), "unknown-choice", "\"fine\""),
-        (with(&format!("outputs = [\"volume_mm3\"]\n{vary}")), "no-column", "only shells know it"),
+        (with(&format!("outputs = [\"volume_mm3\"]\n{vary}")), "no-column", "only shells have this column"),
         (
             with(&format!("model = \"shell\"\noutputs = [\"final_radius_lo_mm\"]\n{vary}")),
             "no-column",
-            "shells do not know it",
+            "shells have no such column",
         ),
     ]);
 }
@@ -156,7 +156,7 @@ fn faults_show_the_line_and_the_place() {
     assert!(said.contains("study.toml:4:22") && said.contains("must be from 3 to 64"), "{said}");
     assert!(said.contains("star.points = [4, 5, 66]") && said.contains("^^"), "{said}");
     let said = refused(dir.path(), &["sweep", "spec.toml"], 2);
-    assert!(said.contains("nothing is varied: add --vary KEY=VALUES, or name a study file"), "{said}");
+    assert!(said.contains("varies no key: add --vary KEY=VALUES, or name a study file"), "{said}");
     let said = refused(dir.path(), &["sweep", "spec.toml", "--vary", "star.pionts=4"], 1);
     assert!(said.contains("did you mean `star.points`?"), "{said}");
 }

@@ -10,7 +10,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use crate::support::asked::GRIPPER as SPEC;
+use crate::support::inputs::GRIPPER as SPEC;
 use tempfile::TempDir;
 
 /// Its 216 rows include refusals, words, whole numbers and unknown values.

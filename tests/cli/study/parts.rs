@@ -53,7 +53,7 @@ fn a_file_that_is_no_table_is_not_replaced() {
     let before = fs::read_to_string(at.join("study.toml")).expect("it");
     for args in [&["study", "run", "study.toml"][..], &["study", "join", "parts"]] {
         let said = refused(at, &[args, &["-o", "study.toml"]].concat(), 1);
-        assert!(said.contains("study.toml exists and is no table of a study"), "{said}");
+        assert!(said.contains("study.toml exists and is not a table of a study"), "{said}");
         let _ = done(at, &[args, &["-o", "table.csv"]].concat());
         let _ = done(at, &[args, &["-o", "table.csv"]].concat());
     }
@@ -87,7 +87,7 @@ fn parts_of_another_study_are_neither_joined_nor_written_over() {
     // Another study of the same shape.
     fs::write(at.join("other.toml"), STUDY.replace("20 kPa", "21 kPa")).expect("written");
     let said = refused(at, &["sweep", "other.toml", "--parts", "2", "-o", "parts"], 1);
-    assert!(said.contains("part-1-of-2.csv is no part of this study, and is not written over"), "{said}");
+    assert!(said.contains("part-1-of-2.csv is not a part of this study and is not overwritten"), "{said}");
     let _ = done(at, &["sweep", "other.toml", "--parts", "2", "-o", "others"]);
     for ending in ["csv", "json"] {
         let name = format!("part-2-of-2.{ending}");

@@ -1,6 +1,6 @@
 //! Specs that `check` once passed and `build` refused, each with the fault that it found.
 
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::pipeline::{Forecast, Sources, prove_files};
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Machine, Source};
@@ -24,7 +24,7 @@ fn findings(text: &str, profile: &str, with: &[Kind]) -> Vec<String> {
     let machine =
         spec::read_machine(&Source::new("own", profile)).unwrap_or_else(|faults| panic!("{faults}"));
     let forecast = Forecast::of(reading.spec, machine).unwrap_or_else(|refusals| panic!("{refusals}"));
-    let asked = Asked { with: with.to_vec(), ..Asked::default() };
+    let asked = KindRequest { with: with.to_vec(), ..KindRequest::default() };
     let built = forecast.build(Sources { spec: text, machine: profile }, &asked);
     prove_files(&built.output_files()).findings.iter().map(ToString::to_string).collect()
 }

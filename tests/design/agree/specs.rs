@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::spec;
 
 use crate::support::dice::Dice;
@@ -12,7 +12,7 @@ use crate::support::dice::Dice;
 pub(crate) struct Case {
     pub(crate) spec: String,
     pub(crate) machine: String,
-    pub(crate) asked: Asked,
+    pub(crate) asked: KindRequest,
 }
 
 /// Case `number`; always the same one.
@@ -322,18 +322,18 @@ fn changed(dice: &mut Dice, text: &str) -> String {
     text
 }
 
-fn asked(dice: &mut Dice) -> Asked {
+fn asked(dice: &mut Dice) -> KindRequest {
     let extras: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| kind.is_extra()).collect();
     match dice.below(10) {
-        0 => Asked { with: extras, ..Asked::default() },
+        0 => KindRequest { with: extras, ..KindRequest::default() },
         1 | 2 => {
             let only: Vec<Kind> = (0..=dice.below(3)).map(|_| dice.one_of(Kind::ALL)).collect();
-            Asked::only(&only)
+            KindRequest::only(&only)
         }
         3..=6 => {
             let with = (0..=dice.below(2)).map(|_| dice.one_of(&extras)).collect();
-            Asked { with, ..Asked::default() }
+            KindRequest { with, ..KindRequest::default() }
         }
-        _ => Asked::default(),
+        _ => KindRequest::default(),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{SEAL, TRACE, archive_of, assert_found, forged, forged_in, output_files, replace, reseal};
 use crate::support::{self, PAPER};
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::manifest::{MANIFEST, Manifest, ManifestFile};
 use stargrip_cam::pipeline::{Sources, prove_files, read_back};
 use stargrip_cam::verify::{Method, OutputFiles};
@@ -171,8 +171,9 @@ fn a_manifest_does_not_decide_what_is_proven() {
 fn what_was_not_asked_for_is_not_missed_and_all_else_is() {
     let (spec, machine) = (support::read(PAPER), support::machine());
     let sources = Sources { spec: PAPER, machine: support::generic() };
-    let some = stargrip_cam::pipeline::build(&spec, &machine, sources, &Asked::only(&[Kind::PreviewSvg]))
-        .expect("a design");
+    let some =
+        stargrip_cam::pipeline::build(&spec, &machine, sources, &KindRequest::only(&[Kind::PreviewSvg]))
+            .expect("a design");
     let proof = prove_files(&some.output_files());
     assert_eq!(proof.findings, []);
     assert_eq!(proof.files.len(), 3);

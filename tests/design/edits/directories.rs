@@ -1,6 +1,6 @@
 //! The directories that are edited: together every kind of file, steady and chopped, in five dialects.
 
-use stargrip_cam::artifact::Asked;
+use stargrip_cam::artifact::KindRequest;
 use stargrip_cam::manifest::MANIFEST;
 use stargrip_cam::pipeline::{Sources, build};
 use stargrip_cam::spec;
@@ -35,7 +35,8 @@ pub(crate) fn directories() -> Vec<Directory> {
         let profile = spec::builtin_machine(machine).expect("built in");
         let sources = Sources { spec: &text, machine: profile };
         let machine = Machine::builtin(machine).expect("built in");
-        let built = build(&support::read(&text), &machine, sources, &Asked::default()).expect("a gripper");
+        let built =
+            build(&support::read(&text), &machine, sources, &KindRequest::default()).expect("a gripper");
         built.files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
     };
     specs.into_iter().map(published).collect()

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use stargrip_cam::artifact::Asked;
+use stargrip_cam::artifact::KindRequest;
 use stargrip_cam::pipeline::{Built, Sources, build, prove_files, read_back};
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Machine, Source};
@@ -148,7 +148,7 @@ fn built(base: Base) -> Built {
     let read = spec::read(&Source::new("spec.toml", text.as_str())).expect("valid").spec;
     let (name, machine) = (&read.machine.profile, Machine::builtin(&read.machine.profile).expect("built in"));
     let sources = Sources { spec: &text, machine: spec::builtin_machine(name).expect("built in") };
-    build(&read, &machine, sources, &Asked::default()).unwrap_or_else(|refusals| panic!("{refusals}"))
+    build(&read, &machine, sources, &KindRequest::default()).unwrap_or_else(|refusals| panic!("{refusals}"))
 }
 
 /// The findings in a build with a changed file, with a missing file, and with an extra one.

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 use stargrip_cam::answer::{overview_json, proof, verdict};
-use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::design::Refusals;
 use stargrip_cam::forecast::drawn::Watch;
 use stargrip_cam::manifest::ManifestFile;
@@ -39,7 +39,7 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Message {
     let is_taken = unfit.is_empty() || question["anyway"] == true;
     answer["unfit"] = (!unfit.is_empty()).into();
     faults.extend(unfit);
-    let built = forecast.build(sources, &asked(question));
+    let built = forecast.build(sources, &request(question));
     let files = if question["prove"] == false || !is_taken {
         let shown = |kind: Kind| matches!(kind, Kind::PreviewSvg | Kind::Report);
         let files = built.artifacts.into_iter().filter(|file| is_taken || shown(file.output.kind));
@@ -87,12 +87,12 @@ fn overview(forecast: &Forecast) -> Value {
 }
 
 /// The kinds of `only` and `with`.
-fn asked(question: &Value) -> Asked {
+fn request(question: &Value) -> KindRequest {
     let kinds = |name: &str| {
         let names = question[name].as_array().into_iter().flatten().filter_map(Value::as_str);
         names.filter_map(Kind::from_name).collect()
     };
-    Asked { only: kinds("only"), with: kinds("with") }
+    KindRequest { only: kinds("only"), with: kinds("with") }
 }
 
 /// Proves the files of a directory.

@@ -138,7 +138,9 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
                     Shape::Chain(chain) => self.out.chain(place, &map, &chain)?,
                 }
             }
-            Ok(Reading::Tilted) => self.lost(place, "Its plane is not that of the drawing; it is left out."),
+            Ok(Reading::Tilted) => {
+                self.lost(place, "It lies in another plane than the drawing and is left out.");
+            }
             Ok(Reading::Unknown) => {
                 let text = format!("Entities of type {} are not read; it is left out.", record.kind);
                 self.lost(place, text);
@@ -192,7 +194,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         let placement = match Placement::read(record, block) {
             Ok(Some(placement)) => placement,
             Ok(None) => {
-                self.lost(place, "Its plane is not that of the drawing; it is left out.");
+                self.lost(place, "It lies in another plane than the drawing and is left out.");
                 return Ok(Ok(()));
             }
             Err(flaw) => return Ok(Err(flaw)),

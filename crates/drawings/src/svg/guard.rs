@@ -30,7 +30,7 @@ pub(super) fn admit(text: &str) -> Result<(), Vec<Fault>> {
         let subset = &text[at..text[at..].find("]>").map_or(text.len(), |end| at + end)];
         let references = text.bytes().filter(|&byte| byte == b'&').count();
         if subset.contains('&') || subset.len().saturating_mul(references) > EXPANDED {
-            let found = "Its entities stand within one another, or for too much text.".to_owned();
+            let found = "Its entities are nested, or expand to too much text.".to_owned();
             return Err(fault(at, found));
         }
     }

@@ -123,7 +123,7 @@ fn is_svg(node: Node<'_, '_>) -> bool {
     node.is_element() && node.tag_name().namespace().is_none_or(|namespace| namespace == SVG)
 }
 
-/// The names by which a user knows an element, the label of its program before the id.
+/// The user's names for an element, the label of its program before the id.
 fn names<'a>(node: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
     // Inkscape writes inkscape:label, Illustrator data-name, Affinity serif:id.
     let label = |name: &str, namespace: Option<&str>| match (name, namespace) {

@@ -114,9 +114,7 @@ impl fmt::Display for StarFault {
                     "the radius is {found} mm, and the inflated star goes from {least} mm to {most} mm only"
                 )
             }
-            Self::NoPressure => f.write_str(
-                "the section is a hinge at its pressure, and none is given: give one, or take ring",
-            ),
+            Self::NoPressure => f.write_str("model section needs a pressure: give one, or use model ring"),
             Self::Hinge(fault) => fault.fmt(f),
             Self::Root(RootFault::NoSignChange { low, high }) => {
                 let (low, high) = (Readable(low), Readable(high));

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::artifact::{Asked, Format, Output, Subject, outputs};
+use crate::artifact::{Format, KindRequest, Output, Subject, outputs};
 use crate::design::engraved_depth;
 use crate::forecast::drawn::prediction::DrawnPrediction;
 use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
@@ -73,8 +73,8 @@ pub enum Method {
 pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = Proof::default();
     let manifest = names::read(files).map_err(|finding| proof.findings.push(finding)).ok();
-    let asked = manifest.as_ref().map_or(Asked::default(), Manifest::asked);
-    let wanted = outputs(expected.spec, expected.machine.controller.dialect, expected.design, &asked);
+    let request = manifest.as_ref().map_or(KindRequest::default(), Manifest::request);
+    let wanted = outputs(expected.spec, expected.machine.controller.dialect, expected.design, &request);
     let entries = names::check(files, manifest.as_ref(), &wanted, &mut proof.findings);
     let mut cross = CrossChecks::default();
     for output in wanted {

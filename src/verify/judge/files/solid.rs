@@ -116,7 +116,7 @@ fn normals(facets: &[StlFacet], normals: &[[f32; 3]], thickness: f64, findings: 
     });
     let count = wrong.count();
     if count > 0 {
-        let found = format!("{count} normals that are not those of their corners");
+        let found = format!("{count} normals that differ from their corners'");
         findings.add(FindingCode::BadStl, found, "none");
     }
 }

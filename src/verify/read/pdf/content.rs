@@ -71,7 +71,7 @@ pub(in crate::verify) fn read(
             }
             _ => pen.findings.add(
                 FindingCode::UnknownWord,
-                "an operand that is no number",
+                "an operand that is not a number",
                 "numbers and names",
             ),
         }
@@ -185,7 +185,7 @@ impl PdfPen<'_> {
             None => {
                 self.findings.add(
                     FindingCode::BadArc,
-                    "a curve that is no arc of a circle",
+                    "a curve that is not an arc of a circle",
                     "lines and arcs",
                 );
             }

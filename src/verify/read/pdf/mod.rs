@@ -71,7 +71,7 @@ pub(in crate::verify) fn read_document<'a>(
     let (count, size) = (kids.len() as f64, objects.len() as f64 + 1.0);
     let says = |object: &PdfObject<'_>, key: &str| object.get(key).and_then(PdfObject::number);
     if says(&tree.value, "Count") != Some(count) || says(&trailer, "Size") != Some(size) {
-        walk.refuse("another number of pages or objects than said");
+        walk.refuse("another number of pages or objects than declared");
     }
     let pages = kids.iter().filter_map(|kid| walk.page(kid)).collect();
     if walk.seen.len() != objects.len() {
@@ -214,7 +214,7 @@ impl<'a> PdfFile<'a> {
         let trailer = (scan.word().1 == "trailer").then(|| scan.object()).flatten().ok_or("no trailer")?;
         let start = (scan.word().1 == "startxref").then(|| scan.word().1.parse()).ok_or("no startxref")?;
         if start != Ok(table) {
-            return Err("a startxref that is not where xref stands");
+            return Err("a startxref that does not point to xref");
         }
         if scan.is_done() { Ok(Self { objects, trailer }) } else { Err("something after the end") }
     }
@@ -251,14 +251,14 @@ fn offsets(scan: &mut PdfScan<'_>, objects: &PdfObjects<'_>) -> Result<(), &'sta
         let right =
             *object.0 == number && word().parse() == Ok(object.1.at) && [word(), word()] == ["00000", "n"];
         if !right {
-            return Err("an object that is not where xref says");
+            return Err("an object that is not at its place in xref");
         }
     }
     Ok(())
 }
 
 fn whole(x: f64) -> Option<usize> {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the guard says so")]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked by the guard")]
     let n = (x >= 0.0 && x.fract() == 0.0).then_some(x as usize);
     n
 }

@@ -103,14 +103,14 @@ impl fmt::Display for ShellFault {
             Self::TooMany { name, found, most } => {
                 write!(
                     f,
-                    "{found} {name} are asked for, one call takes {most}: ask for the others in another"
+                    "{found} {name} are requested; one call computes at most {most}: request the others in another call"
                 )
             }
             Self::Mesh(fault) => fault.fmt(f),
             Self::TooLarge { triangles } => {
                 write!(
                     f,
-                    "a mesh of {triangles} triangles is too large for this machine; ask for fewer levels"
+                    "a mesh of {triangles} triangles is too large for this machine; request fewer levels"
                 )
             }
             Self::Stopped { why, at, last, triangles } => {
@@ -120,15 +120,15 @@ impl fmt::Display for ShellFault {
                     Stop::Shift => "no shift makes the Hessian positive definite",
                     Stop::Unstable => "the forces vanish, but the shape is not stable",
                     Stop::Contact => "contact pressures do not come to rest",
-                    Stop::Cancelled => "it was told to stop",
+                    Stop::Cancelled => "it was stopped",
                 };
                 write!(
                     f,
                     "no equilibrium at 1/eps = {at:.4} on {triangles} triangles: {reason}; the last one was at \
-                     1/eps = {last:.4}: ask for less pressure"
+                     1/eps = {last:.4}: use a lower pressure"
                 )
             }
-            Self::Cancelled => write!(f, "the shell was told to stop"),
+            Self::Cancelled => write!(f, "the computation of the shell was stopped"),
         }
     }
 }

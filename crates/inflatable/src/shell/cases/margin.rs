@@ -39,7 +39,7 @@ impl Margin {
         MarginWidths { inner: self.inner / w, outer: self.outer / w }
     }
 
-    /// Lets `sheet` and `supports` know the margin of `meshed`.
+    /// Adds the margin of `meshed` to `sheet` and `supports`.
     pub(super) fn apply(&self, meshed: &Meshed, sheet: &mut Sheet, supports: &mut Supports) {
         if meshed.tube == meshed.mesh.triangles.len() {
             return;

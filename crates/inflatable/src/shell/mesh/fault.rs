@@ -108,7 +108,7 @@ impl fmt::Display for MeshFault {
             }
             Self::Dimension { name, found, allowed } => write!(f, "{name} is {found}, allowed is {allowed}"),
             Self::TooMany { most } => {
-                write!(f, "the mesh would have more than {most} points: ask for larger triangles")
+                write!(f, "the mesh would have more than {most} points: request larger triangles")
             }
             Self::Outside { at: [x, y] } => write!(
                 f,

@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::page::{Block, Page};
 
 /// The output of a block of commands.
-pub(crate) struct Said {
+pub(crate) struct BlockOutput {
     /// Both streams in their order.
     pub(crate) text: String,
     /// Whether the last command succeeded.
@@ -14,7 +14,7 @@ pub(crate) struct Said {
     line: usize,
 }
 
-impl Said {
+impl BlockOutput {
     /// Runs `block` in `dir`, which is also its home, without a terminal.
     pub(crate) fn of(block: &Block, dir: &Path) -> Self {
         let program = Path::new(env!("CARGO_BIN_EXE_stargrip-cam")).parent().expect("a directory");
@@ -42,18 +42,18 @@ impl Said {
     }
 }
 
-/// Whether `said` matches `pattern`.
-pub(crate) fn matches(pattern: &str, said: &str) -> bool {
+/// Whether `found` matches `pattern`.
+pub(crate) fn matches(pattern: &str, found: &str) -> bool {
     let pattern: Vec<&str> = pattern.lines().collect();
-    let said: Vec<&str> = said.lines().collect();
-    lines_match(&pattern, &said)
+    let found: Vec<&str> = found.lines().collect();
+    lines_match(&pattern, &found)
 }
 
-fn lines_match(pattern: &[&str], said: &[&str]) -> bool {
+fn lines_match(pattern: &[&str], found: &[&str]) -> bool {
     match pattern.split_first() {
-        None => said.is_empty(),
-        Some((&"...", rest)) => (0..=said.len()).any(|skipped| lines_match(rest, &said[skipped..])),
-        Some((line, rest)) => said.split_first().is_some_and(|(found, others)| {
+        None => found.is_empty(),
+        Some((&"...", rest)) => (0..=found.len()).any(|skipped| lines_match(rest, &found[skipped..])),
+        Some((line, rest)) => found.split_first().is_some_and(|(found, others)| {
             let is_same = line.strip_suffix(" ...").map_or(found == line, |start| found.starts_with(start));
             is_same && lines_match(rest, others)
         }),

@@ -6,14 +6,14 @@ use crate::spec::Spec;
 /// The kinds of files that a build makes. Its manifest records them, so that `verify` knows the expected files. Their number and names
 /// follow from the design.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Asked {
+pub struct KindRequest {
     /// The only kinds to make; empty: all that come by default.
     pub only: Vec<Kind>,
     /// Kinds to make in addition.
     pub with: Vec<Kind>,
 }
 
-impl Asked {
+impl KindRequest {
     /// These kinds and no others; all default kinds if `kinds` is empty.
     pub fn only(kinds: &[Kind]) -> Self {
         Self { only: kinds.to_vec(), with: Vec::new() }
@@ -50,19 +50,22 @@ mod tests {
 
     #[test]
     fn extras_come_where_they_are_named_and_sources_always() {
-        let kinds = |asked: &Asked| -> Vec<Kind> {
-            Kind::ALL.iter().copied().filter(|kind| asked.takes(*kind)).collect()
+        let kinds = |request: &KindRequest| -> Vec<Kind> {
+            Kind::ALL.iter().copied().filter(|kind| request.takes(*kind)).collect()
         };
         let extras: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| kind.is_extra()).collect();
         assert!(extras.contains(&Kind::PreviewPng), "{extras:?}");
-        let all = kinds(&Asked::default());
+        let all = kinds(&KindRequest::default());
         assert_eq!(all.len() + extras.len(), Kind::ALL.len());
         assert!(extras.iter().all(|extra| !all.contains(extra)));
-        let with = Asked { with: extras, ..Asked::default() };
+        let with = KindRequest { with: extras, ..KindRequest::default() };
         assert_eq!(kinds(&with), Kind::ALL);
-        let some = Asked { only: vec![Kind::SealGcode], with: vec![Kind::PreviewPng] };
+        let some = KindRequest { only: vec![Kind::SealGcode], with: vec![Kind::PreviewPng] };
         let sources: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| kind.is_source()).collect();
         assert_eq!(kinds(&some), [&sources[..], &[Kind::SealGcode, Kind::PreviewPng]].concat());
-        assert_eq!(kinds(&Asked::only(&[Kind::PreviewPng])), [&sources[..], &[Kind::PreviewPng]].concat());
+        assert_eq!(
+            kinds(&KindRequest::only(&[Kind::PreviewPng])),
+            [&sources[..], &[Kind::PreviewPng]].concat()
+        );
     }
 }

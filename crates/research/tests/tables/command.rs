@@ -29,5 +29,5 @@ fn a_table_is_joined_only_of_all_its_ladders() {
 fn without_files_the_shipped_stars_are_joined() {
     let dir = tempfile::tempdir().expect("a directory");
     let joined = run(dir.path(), &["stars", "stars", "--join"]);
-    assert_eq!(text(&joined.stdout), include_str!("../src/stars/stars.txt"));
+    assert_eq!(text(&joined.stdout), include_str!("../../src/stars/stars.txt"));
 }

@@ -1,14 +1,16 @@
-//! Tables and pictures of docs/ against the output of the examples.
+//! Tables and pictures of docs/ against the output of the examples; the command; predictions against shells.
 
+mod command;
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
-#[path = "../examples/extremes.rs"]
+#[path = "../../examples/extremes.rs"]
 mod extremes;
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
-#[path = "../examples/paper/main.rs"]
+#[path = "../../examples/paper/main.rs"]
 mod paper;
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
-#[path = "../examples/ranges.rs"]
+#[path = "../../examples/ranges.rs"]
 mod ranges;
+mod validation;
 
 use std::path::Path;
 
@@ -48,12 +50,12 @@ fn a_row_that_is_not_printed_is_found() {
 
 #[test]
 fn the_papers_numbers_are_ours() {
-    shows(include_str!("../../../docs/paper.md"), &paper::tables());
+    shows(include_str!("../../../../docs/paper.md"), &paper::tables());
 }
 
 #[test]
 fn the_papers_pictures_are_ours() {
-    let page = include_str!("../../../docs/paper.md");
+    let page = include_str!("../../../../docs/paper.md");
     for (name, drawn) in paper::pictures() {
         assert!(page.contains(&format!("({name})")), "{name} is not shown");
         let file =
@@ -65,10 +67,10 @@ fn the_papers_pictures_are_ours() {
 
 #[test]
 fn the_map_of_extremes_is_true() {
-    shows(include_str!("../../../docs/stability.md"), &extremes::tables());
+    shows(include_str!("../../../../docs/stability.md"), &extremes::tables());
 }
 
 #[test]
 fn the_ranges_are_those_of_the_stars() {
-    shows(include_str!("../../../docs/ranges.md"), &ranges::tables());
+    shows(include_str!("../../../../docs/ranges.md"), &ranges::tables());
 }

@@ -1,0 +1,5 @@
+//! Both readers of drawings: every dialect, laws, refused files.
+
+mod dialects;
+mod laws;
+mod refusals;
