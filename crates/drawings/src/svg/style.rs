@@ -6,6 +6,27 @@ use std::str::FromStr;
 use roxmltree::Node;
 use svgtypes::Color;
 
+/// Properties by which a style sheet of SVG 2 can change geometry.
+pub(super) const GEOMETRY: [&str; 17] = [
+    "transform",
+    "translate",
+    "rotate",
+    "scale",
+    "offset-path",
+    "zoom",
+    "d",
+    "x",
+    "y",
+    "cx",
+    "cy",
+    "r",
+    "rx",
+    "ry",
+    "width",
+    "height",
+    "transform-origin",
+];
+
 /// Declarations by selector: "*", "tag", ".class", "tag.class", "#id", "tag#id".
 ///
 /// Each property of a selector keeps its last value, so looking up is linear in an element's classes.
