@@ -196,6 +196,7 @@ pub(super) fn proposed(drawing: &Drawing) -> Vec<(String, LayerRole, String)> {
         let named = WORDS.iter().find(|(_, words)| words.iter().any(|word| small.contains(word)));
         let (role, reason) = match named {
             Some((role, _)) => (*role, format!("by its name; {figures}")),
+            None if layer == "fill #ffffff" => (LayerRole::Ignore, format!("a white background; {figures}")),
             None if own.iter().all(|figure| is_port(figure, &enclosures)) => {
                 (LayerRole::Port, format!("points or short lines across an edge; {figures}"))
             }
@@ -216,7 +217,10 @@ fn colour_of(element: &Element) -> Option<&str> {
 
 /// Words in the names of layers, and the roles that they suggest.
 const WORDS: [(LayerRole, &[&str]); 6] = [
-    (LayerRole::Ignore, &["note", "text", "dim", "guide", "construction", "ignore", "label"]),
+    (
+        LayerRole::Ignore,
+        &["note", "text", "dim", "guide", "construction", "ignore", "label", "artboard", "background"],
+    ),
     (LayerRole::Port, &["port", "inlet", "hose", "valve"]),
     (LayerRole::Hole, &["hole", "punch", "drill"]),
     (LayerRole::Cut, &["cut", "outline", "contour"]),
