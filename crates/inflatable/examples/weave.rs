@@ -31,16 +31,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let weave = Weave { shear: number(3, 1.0), warp: number(4, 0.0).to_radians() };
     let (t, e, nu) = (0.3e-3_f64, 128e6, number(5, 0.39));
     let fabric = Fabric::isotropic(e * t, e * t.powi(3) / (12.0 * (1.0 - nu * nu)), nu).woven(weave);
-    let case = FlatStar {
-        tube: Tube { width: 0.03, fabric, pressure: 37e3 },
-        points,
-        inner_radius: 0.05,
-        tip_angle: 30.0_f64.to_radians(),
-        tip_radius: 0.0,
-        corner_radius: 0.0,
-        band: 0.002,
-        margin,
-    };
+    let tube = Tube { width: 0.03, fabric, pressure: 37e3 };
+    let case = FlatStar { band: 0.002, margin, ..FlatStar::sharp(tube, points, 0.05, 30.0_f64.to_radians()) };
     let radii: Vec<f64> = numbers.iter().skip(6).map(|mm| 1e-3 * mm).collect();
     let sizes = (&Sizes::across(1.0, cells), cuts);
     let found = star_by_sizes((&case, part), (Objects::Radii(&radii), friction), sizes, &Watch::default())?;

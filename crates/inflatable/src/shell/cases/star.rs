@@ -116,6 +116,12 @@ impl Objects<'_> {
 }
 
 impl FlatStar {
+    /// A star whose hinges turn on points, without band and margin.
+    pub fn sharp(tube: Tube, points: u32, inner_radius: f64, tip_angle: f64) -> Self {
+        let (tip_radius, corner_radius, band, margin) = (0.0, 0.0, 0.0, Margin::NONE);
+        Self { tube, points, inner_radius, tip_angle, tip_radius, corner_radius, band, margin }
+    }
+
     /// The smallest part of it that is valid for its weave.
     pub fn part(&self) -> StarPart {
         let weave = self.tube.fabric.weave;
