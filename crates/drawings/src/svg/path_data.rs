@@ -142,7 +142,7 @@ const ROUNDED: f64 = 2e-3;
 pub(super) fn full_turn(chain: &Chain) -> Option<Chain> {
     let [
         Piece::Ellipse { center, u, v, start, sweep },
-        Piece::Ellipse { center: c, u: u2, v: v2, start: s, sweep: turn },
+        Piece::Ellipse { center: second, u: u2, v: v2, start: begin, sweep: turn },
     ] = &chain.pieces[..]
     else {
         return None;
@@ -154,18 +154,18 @@ pub(super) fn full_turn(chain: &Chain) -> Option<Chain> {
     let near = ROUNDED * u.length().min(v.length());
     let alike =
         (*u - *u2).length().max((*v - *v2).length()) <= 1e-9 * near && sweep.signum() == turn.signum();
-    let [from, to, back] = [at(*center, *start), at(*center, start + sweep), at(*c, s + turn)];
+    let [from, to, back] = [at(*center, *start), at(*center, start + sweep), at(*second, begin + turn)];
     let half = (from - to) * 0.5;
-    let (x, y) = (half.dot(*u) / u.dot(*u), half.dot(*v) / v.dot(*v));
-    let factor = libm::hypot(x, y);
+    let (along, across) = (half.dot(*u) / u.dot(*u), half.dot(*v) / v.dot(*v));
+    let factor = libm::hypot(along, across);
     let is_rounded =
-        center.distance(*c) > 1e-9 * near && factor > 1.0 - ROUNDED && from.distance(back) <= near;
+        center.distance(*second) > 1e-9 * near && factor > 1.0 - ROUNDED && from.distance(back) <= near;
     (alike && is_rounded).then(|| Chain {
         pieces: vec![Piece::Ellipse {
             center: from.midpoint(to),
             u: *u * factor,
             v: *v * factor,
-            start: libm::atan2(y, x),
+            start: libm::atan2(across, along),
             sweep: sweep.signum() * std::f64::consts::TAU,
         }],
         closed: true,
