@@ -70,15 +70,12 @@ fn unescaped(text: &str) -> Cow<'_, str> {
     out.push_str(first);
     for part in parts {
         let code = part.get(..4).and_then(|digits| u32::from_str_radix(digits, 16).ok());
-        match code.and_then(char::from_u32).filter(|c| !c.is_control()) {
-            Some(c) => {
-                out.push(c);
-                out.push_str(&part[4..]);
-            }
-            None => {
-                out.push_str(MARK);
-                out.push_str(part);
-            }
+        if let Some(c) = code.and_then(char::from_u32).filter(|c| !c.is_control()) {
+            out.push(c);
+            out.push_str(&part[4..]);
+        } else {
+            out.push_str(MARK);
+            out.push_str(part);
         }
     }
     Cow::Owned(out)
