@@ -149,9 +149,9 @@ fn aspect_ratios_nested_frames_and_symbols() {
 fn clips_around_all_that_they_clip_are_idle() {
     let page = |clip: &str, more: &str| {
         svg(&format!(
-            r##"<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="100mm" height="50mm" viewBox="0 0 100 50">
+            r#"<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="100mm" height="50mm" viewBox="0 0 100 50">
 <defs><rect id="page" width="100" height="50"/><clipPath id="c">{clip}</clipPath></defs>
-<g id="g" transform="scale(2)" clip-path="url(#c)"><path id="p" d="M1 1H40"/>{more}</g></svg>"##
+<g id="g" transform="scale(2)" clip-path="url(#c)"><path id="p" d="M1 1H40"/>{more}</g></svg>"#
         ))
     };
     for clip in [
