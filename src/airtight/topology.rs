@@ -200,14 +200,11 @@ impl fmt::Display for Passage {
             }
         }
         let starts = self.starts_apart.map_or(String::new(), |apart| format!("starts {apart:.1} mm apart; "));
-        match self.channel {
-            Some(channel) => {
-                writeln!(f, "    {starts}tube {channel:.2} mm wide between the bands at its narrowest")?;
-            }
-            None => {
-                let least = Readable(self.least_passage.unwrap_or(0.0));
-                writeln!(f, "    no passage is narrower than {least} mm")?;
-            }
+        if let Some(channel) = self.channel {
+            writeln!(f, "    {starts}tube {channel:.2} mm wide between the bands at its narrowest")?;
+        } else {
+            let least = Readable(self.least_passage.unwrap_or(0.0));
+            writeln!(f, "    no passage is narrower than {least} mm")?;
         }
         if let Some(inlet) = self.inlet {
             writeln!(f, "    inlet {inlet:.2} mm wide between its bands")?;
