@@ -6,6 +6,7 @@ use crate::airtight::shape_leaks;
 use crate::design::{Design, FlatPiece, Refusal, RefusalCode, Refusals};
 use crate::shape::{Role, Seam};
 use crate::spec::{KeyPath, Machine, Spec, key};
+use crate::units::Readable;
 use inflatable::geom::{Bounds, Segment, path_distance, segment_distance};
 
 /// The passages of one piece. Lengths in mm, times in s.
@@ -15,8 +16,10 @@ pub struct Passage {
     pub loops: Vec<Loop>,
     /// Distance between the starts of the two loops of a star.
     pub starts_apart: Option<f64>,
-    /// Least width of the tube between the bands; `None` if a drawing has no width below 15 mm.
+    /// Least width of the tube between the bands; `None` if a drawing has no width below `least_passage`.
     pub channel: Option<f64>,
+    /// Width below which a drawing's passages are warned of.
+    pub least_passage: Option<f64>,
     /// Width of the inlet's channel between its bands.
     pub inlet: Option<f64>,
     /// Loss of radius at a tip and a corner by the band's width: drawn radius, made radius; for stars only.
@@ -97,8 +100,12 @@ pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
         ]),
         FlatPiece::Drawn(_) => None,
     };
+    let least_passage = match part {
+        FlatPiece::Star(_) => None,
+        FlatPiece::Drawn(piece) => Some(piece.least_passage),
+    };
     let Found { leaks, weaknesses } = found;
-    Passage { loops, starts_apart, channel, inlet, eaten, leaks, weaknesses }
+    Passage { loops, starts_apart, channel, least_passage, inlet, eaten, leaks, weaknesses }
 }
 
 fn closure(spec: &Spec, machine: &Machine, (seam, is_star): (&Seam, bool), found: &mut Found) -> Loop {
@@ -193,11 +200,11 @@ impl fmt::Display for Passage {
             }
         }
         let starts = self.starts_apart.map_or(String::new(), |apart| format!("starts {apart:.1} mm apart; "));
-        match self.channel {
-            Some(channel) => {
-                writeln!(f, "    {starts}tube {channel:.2} mm wide between the bands at its narrowest")?;
-            }
-            None => writeln!(f, "    no passage is narrower than 15 mm")?,
+        if let Some(channel) = self.channel {
+            writeln!(f, "    {starts}tube {channel:.2} mm wide between the bands at its narrowest")?;
+        } else {
+            let least = Readable(self.least_passage.unwrap_or(0.0));
+            writeln!(f, "    no passage is narrower than {least} mm")?;
         }
         if let Some(inlet) = self.inlet {
             writeln!(f, "    inlet {inlet:.2} mm wide between its bands")?;

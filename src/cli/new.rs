@@ -14,6 +14,7 @@ use crate::cli::verbosity::Verbosity;
 use crate::cli::{defaults, progress, schema};
 use crate::design::{LayerProposal, Refusals, propose_layers};
 use crate::spec::{self, LayerRole};
+use crate::units::Readable;
 
 /// Arguments of `new`.
 #[derive(clap::Args, Debug)]
@@ -68,8 +69,9 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let file = drawing.to_string_lossy();
     let bytes = read_drawing(drawing)?;
     let refused = |refusals: Refusals| Failure::Message(format!("{}: {refusals}", shown(drawing)));
-    let LayerProposal { layers, has_unit } = propose_layers(&file, &bytes).map_err(refused)?;
-    let text = spec::drawing_starter(name, &file, &layers, has_unit);
+    let LayerProposal { layers, size: [width, height], no_unit } =
+        propose_layers(&file, &bytes).map_err(refused)?;
+    let text = spec::drawing_starter(name, &file, &layers, no_unit.is_none());
     let text = text.map_err(|fault| Failure::Message(fault.to_string()))?;
     let path = PathBuf::from(format!("{}.toml", file_stem(name)));
     write_new(&path, &text)?;
@@ -86,8 +88,9 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     if layers.iter().all(|(_, role, _)| *role != LayerRole::Port) {
         lines.push_str("no layer looks like a port: draw a short line across an edge where a hose goes in\n");
     }
-    if !has_unit {
-        lines.push_str("the file states no unit; mm are assumed: correct `units` if the size is wrong\n");
+    let _ = writeln!(lines, "all figures together are {} x {} mm", Readable(width), Readable(height));
+    if let Some(finding) = no_unit {
+        let _ = writeln!(lines, "mm are assumed: correct `units` if the size is wrong. {finding}");
     }
     let path = shown(&path);
     let (number, each) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });

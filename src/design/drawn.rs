@@ -26,8 +26,8 @@ use crate::spec::{DrawingSpec, LayerRole, Machine, MaskKind, Spec, key};
 use drawings::{Drawing, Figure, Options, Unit};
 use inflatable::geom::{Bounds, Path};
 
-/// A passage narrower than this is a warning, mm: the least width that makers report to inflate well.
-const LEAST_PASSAGE: f64 = 15.0;
+/// Width of the tube by which labels are sized where no passage is narrow, mm.
+const LABEL_WIDTH: f64 = 15.0;
 
 /// A drawn piece, and its copies on sheets.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,8 +52,10 @@ pub struct DrawnPiece {
     pub labels: DrawnLabels,
     /// The paper that keeps the air from welding, if the spec has it.
     pub separator: Option<DrawnSeparator>,
-    /// Width of the narrowest passage, mm; `None` where none is narrower than 15 mm.
+    /// Width of the narrowest passage, mm; `None` where none is narrower than `least_passage`.
     pub passage: Option<f64>,
+    /// A narrower passage is warned of, mm.
+    pub least_passage: f64,
     /// The repairs and choices made as the drawing was read, a sentence each.
     pub notes: Vec<String>,
     /// Its copies where they lie.
@@ -115,6 +117,7 @@ impl DrawnPiece {
             labels,
             separator,
             passage,
+            least_passage: rules.least_passage,
             notes,
             copies,
         };
@@ -123,7 +126,7 @@ impl DrawnPiece {
 
     /// Width of the tube by which labels are sized, mm.
     pub fn label_width(&self) -> f64 {
-        self.passage.unwrap_or(LEAST_PASSAGE)
+        self.passage.unwrap_or(LABEL_WIDTH)
     }
 }
 
@@ -147,7 +150,7 @@ fn rules(spec: &Spec, drawing: &DrawingSpec) -> Rules {
         // A hose of diameter d lies flat in a channel half as wide as its circumference.
         port_width: std::f64::consts::FRAC_PI_2 * hose,
         overrun: MOUTH_OVERRUN,
-        least_passage: LEAST_PASSAGE,
+        least_passage: drawing.passage.0,
     }
 }
 
@@ -167,8 +170,10 @@ fn read(spec: &Spec, drawing: &DrawingSpec) -> Result<Arc<Drawing>, Refusals> {
 pub struct LayerProposal {
     /// Every layer with a role and the reason for it, in the order of the file.
     pub layers: Vec<(String, LayerRole, String)>,
-    /// Whether the file states the unit of its numbers; else mm were taken.
-    pub has_unit: bool,
+    /// Width and height of all figures, mm.
+    pub size: [f64; 2],
+    /// The reason for which mm were taken as the unit of its numbers, and the remedy; `None` if the file states its unit.
+    pub no_unit: Option<String>,
 }
 
 /// The layers of the drawing `bytes`, a file called `name`, with roles that suit them.
@@ -177,12 +182,18 @@ pub struct LayerProposal {
 /// Every reason for which it cannot be read.
 pub fn propose_layers(name: &str, bytes: &[u8]) -> Result<LayerProposal, Refusals> {
     let options = |unit| Options { unit, ..Options::new(0.001) };
-    let own = drawings::read(name, bytes, &options(None));
-    let has_unit = own.is_ok();
-    let read = own
-        .or_else(|faults| drawings::read(name, bytes, &options(Some(Unit::Millimetre))).map_err(|_| faults));
+    let mut no_unit = None;
+    let read = drawings::read(name, bytes, &options(None)).or_else(|faults| {
+        no_unit = faults.first().map(|fault| format!("{} {}", fault.text, fault.remedy));
+        drawings::read(name, bytes, &options(Some(Unit::Millimetre))).map_err(|_| faults)
+    });
     let read = read.map_err(|faults| faults.iter().map(faults::unreadable).collect::<Refusals>())?;
-    Ok(LayerProposal { layers: roles::proposed(&read), has_unit })
+    let bounds = read.elements.iter().fold(Bounds::EMPTY, |all, element| match &element.figure {
+        Figure::Path(path) => all.union(path.bounds()),
+        Figure::Point(_) => all,
+    });
+    let size = [bounds.width(), bounds.height()].map(|length| length.max(0.0));
+    Ok(LayerProposal { layers: roles::proposed(&read), size, no_unit })
 }
 
 /// The figures of the drawing of `spec`, as far as the file can be read; none of a spec without one.

@@ -51,7 +51,10 @@ pub(super) fn checked(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
                 ShapeCode::NarrowPassage,
                 (
                     what(format!("a passage of {tube:.3} mm")),
-                    format!("air may pass slowly: {} mm and more are common", rules.least_passage),
+                    format!(
+                        "air may pass slowly: {} mm and more are wanted (`passage`)",
+                        rules.least_passage
+                    ),
                 ),
                 [tube, rules.least_passage],
             )

@@ -13,6 +13,9 @@ use crate::spec::value::{RawKind, RawValue};
 use crate::units::Length;
 use drawings::{Drawing, Format, Options, Unit};
 
+/// The least width of a passage that makers report to inflate well.
+const LEAST_PASSAGE: Length = Length(15.0);
+
 /// `[drawing]`
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawingSpec {
@@ -22,6 +25,8 @@ pub struct DrawingSpec {
     pub units: Option<Unit>,
     /// Ends of curves up to this far apart are joined.
     pub join: Length,
+    /// A narrower passage of the air is warned of.
+    pub passage: Length,
     /// Names of layers with their roles, in the order of the spec.
     pub layers: Vec<(String, LayerRole)>,
     /// The content of the file; `None` until it is read.
@@ -211,8 +216,16 @@ fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
     });
     let units = s.choice("units", &Unit::named());
     let join = s.quantity("join", Allowed::closed(0.0, 10.0)).unwrap_or(Length(0.02));
+    let passage = s.quantity("passage", Allowed::closed(0.0, 1000.0)).unwrap_or(LEAST_PASSAGE);
     let layers = read_layers(s);
-    s.is_written().then(|| DrawingSpec { file: file.unwrap_or_default(), units, join, layers, content: None })
+    s.is_written().then(|| DrawingSpec {
+        file: file.unwrap_or_default(),
+        units,
+        join,
+        passage,
+        layers,
+        content: None,
+    })
 }
 
 /// The table of roles.

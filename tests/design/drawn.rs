@@ -223,6 +223,26 @@ fn repairs_are_told_and_colours_are_layers() {
     );
 }
 
+/// A DXF without a unit, whose figures lie on one layer, with texts on another.
+#[test]
+fn colours_texts_and_a_missing_unit_of_a_dxf_are_told() {
+    let dxf = "0|SECTION|2|ENTITIES|0|CIRCLE|5|A|8|0|62|5|10|100|20|100|40|50|0|LINE|5|B|8|0|62|1|10|146|20|100|11|154|21|100|\
+        0|TEXT|5|C|8|Notes|10|0|20|0|1|cushion|0|ENDSEC|0|EOF|"
+        .replace('|', "\n");
+    let found = propose_layers("a.dxf", dxf.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let roles: Vec<(&str, LayerRole)> =
+        found.layers.iter().map(|(layer, role, _)| (layer.as_str(), *role)).collect();
+    let wanted = [("color 5", LayerRole::Air), ("color 1", LayerRole::Port), ("Notes", LayerRole::Ignore)];
+    assert_eq!(roles, wanted);
+    assert!((found.size[0] - 104.0).abs() < 1e-9 && (found.size[1] - 100.0).abs() < 1e-9, "{:?}", found.size);
+    assert!(found.no_unit.is_some_and(|finding| finding.contains("$INSUNITS is missing")));
+    let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.dxf\"\nunits = \"mm\"\npassage = \"5 mm\"\n[drawing.layers]\n\
+        air = [\"color 5\"]\nport = [\"color 1\"]\nignore = [\"Notes\"]\n";
+    let made = drawn(text, dxf.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let piece = made.forecast.design.drawn().expect("a drawing");
+    assert_eq!((piece.shape.ports.len(), piece.passage, piece.least_passage), (1, None, 5.0));
+}
+
 /// Holes and labels keep off the air, the bands and the cuts, and the holes fit in one position only.
 #[test]
 fn holes_and_labels_lie_on_the_flap() {

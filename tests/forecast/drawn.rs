@@ -112,7 +112,7 @@ fn walls_welds_and_islands_are_the_drawings() {
 /// The edges of a star as a region, on meshes that know nothing of its symmetry, inflate as the star does.
 #[test]
 fn a_star_drawn_as_a_region_is_the_star() {
-    let text = "schema = 1\nname = \"x\"\n[star]\npoints = 4\ninner_radius = \"50 mm\"\ntube_width = \"30 mm\"\ntip_angle = \"40 deg\"\n\
+    let text = "schema = 1\nname = \"x\"\n[star]\npoints = 3\ninner_radius = \"30 mm\"\ntube_width = \"30 mm\"\ntip_angle = \"40 deg\"\n\
         tip_radius = \"4 mm\"\ncorner_radius = \"4 mm\"\n[inlet]\nnone = true\n";
     let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
     let machine = Machine::builtin("generic").expect("built in");

@@ -1,16 +1,23 @@
 """Large drawings for docs/benchmarks.md: `drawn_many.py KIND COUNT NAME` writes NAME.svg and NAME.toml.
 
-Kinds: `outline`, one edge of COUNT short lines; `chambers`, COUNT of them side by side, each with a port; `islands`, COUNT in one cushion.
+Kinds: `outline`, one edge of COUNT short lines; `ring`, the same on a ring of 60 mm; `chambers`, COUNT of them side by side, each with a port; `islands`, COUNT in one cushion.
 """
 import math
 import sys
 
 
+def ring(count):
+    return around(count, 30)
+
+
 def outline(count):
-    r = max(150, count / (2 * math.pi))
+    return around(count, max(150, count / (2 * math.pi)))
+
+
+def around(count, r):
     turns = [2 * math.pi * i / count for i in range(count)]
     points = [(1.2 * r + r * (1 + 0.1 * math.sin(5 * a)) * math.cos(a), 1.2 * r + r * (1 + 0.1 * math.sin(5 * a)) * math.sin(a)) for a in turns]
-    data = " ".join(f"{x:.4f},{y:.4f}" for x, y in points)
+    data = " ".join(f"{x:.6f},{y:.6f}" for x, y in points)
     x, y = points[0]
     return 2.4 * r, 2.4 * r, f'<path id="rim" d="M{data}z"/>', f'<path id="hose" d="M{x - 4},{y} H{x + 4}"/>'
 
@@ -35,7 +42,7 @@ def islands(count):
 
 
 kind, count, name = sys.argv[1:]
-width, height, air, port = {"outline": outline, "chambers": chambers, "islands": islands}[kind](int(count))
+width, height, air, port = {"outline": outline, "ring": ring, "chambers": chambers, "islands": islands}[kind](int(count))
 with open(f"{name}.svg", "w", encoding="utf-8") as file:
     file.write(f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}">')
     file.write(f'<g id="air">{air}</g><g id="port">{port}</g></svg>\n')

@@ -59,6 +59,11 @@ impl<'o> Collector<'o> {
         self.options
     }
 
+    /// The elements up to now.
+    pub(crate) fn elements(&self) -> &[Element] {
+        &self.drawing.elements
+    }
+
     pub(crate) fn set_unit(&mut self, unit_mm: f64) {
         self.drawing.unit_mm = unit_mm;
     }

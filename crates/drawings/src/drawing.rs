@@ -22,8 +22,8 @@ pub struct Element {
     /// All names by which a role may be given to the element, innermost first and each once.
     ///
     /// SVG: its own id and label, its stroke as "#rrggbb" (without a stroke: its fill as "fill #rrggbb"), then ids and
-    /// labels of the groups and references around it. DXF: its layer, then the layers of the blocks around it; an
-    /// entity on layer 0 in a block has the layer of the block alone.
+    /// labels of the groups and references around it. DXF: the colour of its own as "#rrggbb" or "color 1", its layer,
+    /// then the layers of the blocks around it; an entity on layer 0 in a block has the layer of the block alone.
     pub layers: Vec<String>,
     /// Its geometry.
     pub figure: Figure,

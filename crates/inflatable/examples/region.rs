@@ -4,8 +4,7 @@
 
 use inflatable::geom::{Arc, Line, Path, Point, Segment, Vec2};
 use inflatable::shell::cases::{
-    Fineness, FlatRegion, FlatStar, InflatedRegion, Margin, Objects, Tube, Value, Watch, chambers, region,
-    star,
+    Fineness, FlatRegion, FlatStar, InflatedRegion, Objects, Tube, Value, Watch, chambers, region, star,
 };
 use inflatable::shell::element::Fabric;
 use std::error::Error;
@@ -30,17 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let found = run("star of five points, 14 kPa, t = 0.3 mm", &star_loops(), (0.3e-3, 14e3), cells)?;
     print("volume, cm^3", found.volume.scaled(1e6));
     let tube = Tube { width, fabric: fabric(0.3e-3), pressure: 14e3 };
-    let (tip_radius, corner_radius, band) = (0.0, 0.0, 0.003);
-    let case = FlatStar {
-        tube,
-        points,
-        inner_radius,
-        tip_angle,
-        tip_radius,
-        corner_radius,
-        band,
-        margin: Margin::NONE,
-    };
+    let case = FlatStar::sharp(tube, points, inner_radius, tip_angle);
     let fineness = Fineness { cells: 4.0, cuts: 2 };
     let known = star(&case, Objects::Radii(&[]), fineness, &Watch::default())?;
     print("  of half a sector", known.volume.scaled(1e6));

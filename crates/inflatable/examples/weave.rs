@@ -1,12 +1,12 @@
-//! The paper's stars of woven fabric: `cargo run --release --example weave -- PART POINTS CELLS CUTS [SHEAR WARP [NU [RADIUS ...]]] [--stuck] [--margin LAW INNER OUTER]`.
+//! The paper's stars of woven fabric: `cargo run --release --example weave -- PART POINTS CELLS CUTS [SHEAR WARP [NU [RADIUS ...]]] [--margin LAW INNER OUTER]`.
 //!
 //! W = 30 mm, rho_0 = 50 mm, tips of 30 deg, sharp hinges, 37 kPa, t = 0.3 mm, E = 128 MPa. PART is "half" (half a sector, cut as the first
-//! corner's is) or "whole"; --stuck lets no point slide that touches the object; LAW is that of the sealed margin, "plane" or "slack", INNER and
+//! corner's is) or "whole"; LAW is that of the sealed margin, "plane" or "slack", INNER and
 //! OUTER its widths, mm. SHEAR is G by E / [2 (1 + nu)], WARP the angle to the first corner's ray, deg, RADIUS that of an object, mm.
 //! Prints each number with its mesh error and its last three meshes.
 
 use inflatable::shell::cases::{
-    FlatStar, Friction, Margin, MarginLaw, Objects, StarPart, Tube, Value, Watch, star_by_sizes,
+    FlatStar, Margin, MarginLaw, Objects, StarPart, Tube, Value, Watch, star_by_sizes,
 };
 use inflatable::shell::element::{Fabric, Weave};
 use inflatable::shell::mesh::Sizes;
@@ -14,8 +14,6 @@ use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut words: Vec<String> = std::env::args().skip(1).collect();
-    let is_stuck = words.iter().position(|word| word == "--stuck").map(|at| words.remove(at)).is_some();
-    let friction = if is_stuck { Friction::Stuck } else { Friction::Free };
     let margin = words.iter().position(|word| word == "--margin").map(|at| words.split_off(at));
     let margin = margin.map_or(Ok(Margin::NONE), |words| margin_of(&words[1..]))?;
     let mut words = words.into_iter();
@@ -31,19 +29,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let weave = Weave { shear: number(3, 1.0), warp: number(4, 0.0).to_radians() };
     let (t, e, nu) = (0.3e-3_f64, 128e6, number(5, 0.39));
     let fabric = Fabric::isotropic(e * t, e * t.powi(3) / (12.0 * (1.0 - nu * nu)), nu).woven(weave);
-    let case = FlatStar {
-        tube: Tube { width: 0.03, fabric, pressure: 37e3 },
-        points,
-        inner_radius: 0.05,
-        tip_angle: 30.0_f64.to_radians(),
-        tip_radius: 0.0,
-        corner_radius: 0.0,
-        band: 0.002,
-        margin,
-    };
+    let tube = Tube { width: 0.03, fabric, pressure: 37e3 };
+    let case = FlatStar { band: 0.002, margin, ..FlatStar::sharp(tube, points, 0.05, 30.0_f64.to_radians()) };
     let radii: Vec<f64> = numbers.iter().skip(6).map(|mm| 1e-3 * mm).collect();
     let sizes = (&Sizes::across(1.0, cells), cuts);
-    let found = star_by_sizes((&case, part), (Objects::Radii(&radii), friction), sizes, &Watch::default())?;
+    let found = star_by_sizes((&case, part), Objects::Radii(&radii), sizes, &Watch::default())?;
     let print = |name: &str, value: Value| {
         let Value { value, error, meshes: [a, b, c] } = value;
         println!("{name:24} {value:10.4} +- {error:.4}   meshes {a:.4} {b:.4} {c:.4}");

@@ -4,7 +4,7 @@
 
 use research::stars::draw::Set;
 use research::stars::shipped::shipped;
-use research::validation::{Comparison, Pair, compare};
+use research::validation::{Comparison, Opened, Pair, compare, opened};
 use std::fmt::Write;
 
 fn main() {
@@ -74,6 +74,8 @@ pub fn tables() -> String {
     }
     out.push('\n');
     out += &forces(&all);
+    out.push('\n');
+    out += &coarse_forces();
     out
 }
 
@@ -109,6 +111,36 @@ fn forces(all: &[Comparison]) -> String {
         for n in 3..=8 {
             row(format!("{n} points"), &|points, _| points == n);
         }
+    }
+    out
+}
+
+/// Forces of coarse shells on the same object: of stars whose arms touch, and on objects that open a star by more than 0.95 W.
+fn coarse_forces() -> String {
+    let (touching, apart): (Vec<Opened>, Vec<Opened>) = opened().into_iter().partition(|one| one.touches);
+    let (wide, others): (Vec<Opened>, Vec<Opened>) = apart.into_iter().partition(|one| one.opening > 0.95);
+    let mut out = String::from(
+        "| coarse shells | stars | forces | rms | within 15 % | in range | strictly |\n|---|---|---|---|---|---|---|\n",
+    );
+    for (what, group) in [
+        ("arms touch", touching),
+        ("arms apart, 0.95 to 1.6 W open", wide),
+        ("arms apart, less open", others),
+    ] {
+        let mut stars: Vec<_> = group.iter().map(|one| (one.star.0.name(), one.star.1)).collect();
+        stars.dedup();
+        let off: Vec<f64> = group.iter().map(|one| one.force.predicted / one.force.shell - 1.0).collect();
+        let near = off.iter().filter(|off| off.abs() <= NEAR).count();
+        let count = |holds: fn(&Pair) -> bool| group.iter().filter(|one| holds(&one.force)).count();
+        let _ = writeln!(
+            out,
+            "| {what} | {} | {} | {:.0} % | {near} | {} | {} |",
+            stars.len(),
+            group.len(),
+            100.0 * rms(&off),
+            count(Pair::holds),
+            count(Pair::holds_strictly)
+        );
     }
     out
 }

@@ -71,16 +71,8 @@ impl Dice {
             let reach = (inner_radius + tube.width + corner_radius) * (PI / f64::from(points)).sin();
             let arm = (reach - (tube.width + tip_radius + corner_radius) * cosine) / sine;
             if (0.5..10.0).contains(&(arm / tube.width)) {
-                return FlatStar {
-                    tube,
-                    points,
-                    inner_radius,
-                    tip_angle,
-                    tip_radius,
-                    corner_radius,
-                    band: 0.0,
-                    margin: Margin::NONE,
-                };
+                let sharp = FlatStar::sharp(tube, points, inner_radius, tip_angle);
+                return FlatStar { tip_radius, corner_radius, ..sharp };
             }
         }
     }

@@ -156,7 +156,10 @@ pub fn opened() -> Vec<Opened> {
 
 fn one_opened(stars: &[ComputedStar], line: &str) -> Option<Opened> {
     let (names, numbers) = line.split_once(' ').and_then(|(set, rest)| Some((set, rest.split_once(' ')?)))?;
-    let drawn = &stars.iter().find(|one| one.star.set.name() == names && one.star.number.to_string() == numbers.0)?.star;
+    let drawn = &stars
+        .iter()
+        .find(|one| one.star.set.name() == names && one.star.number.to_string() == numbers.0)?
+        .star;
     let numbers: Vec<f64> = numbers.1.split(' ').filter_map(|number| number.parse().ok()).collect();
     let [object, shell, mesh, radius] = numbers[..] else { return None };
     let (case, pressure) = case_of(drawn)?;

@@ -6,7 +6,7 @@ use crate::design::{Refusal, RefusalCode, Refusals};
 use crate::shape::{DrawnCurve, DrawnPort, PortPlace, Sketch};
 use crate::spec::{DrawingSpec, DrawnPlace, LayerRole, key, nearest};
 use drawings::{Drawing, Element, Figure, NO_LENGTH, Note, Weight};
-use inflatable::geom::{Enclosures, Point};
+use inflatable::geom::{Bounds, Enclosures, Point};
 
 /// Names of elements that a message lists; the others are counted.
 const LISTED: usize = 3;
@@ -125,7 +125,11 @@ fn lost(note: &Note, spec: &DrawingSpec) -> Option<Refusal> {
     }
     let elements = note.place.element.iter().cloned().collect();
     let place = DrawnPlace { elements, at: note.place.at.map(|at| [at.x, at.y]) };
-    let remedy = "convert it to a path, remove it, or name its layer in `ignore`".to_owned();
+    let remedy = match note.place.element {
+        Some(_) => "convert it to a path, remove it, or name its layer in `ignore`",
+        None => "remove it, or save the drawing as plain SVG",
+    };
+    let remedy = remedy.to_owned();
     let found = note.to_string().trim_end_matches('.').to_owned();
     Some(Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, found, remedy).drawn_at(place))
 }
@@ -178,6 +182,8 @@ pub(super) fn proposed(drawing: &Drawing) -> Vec<(String, LayerRole, String)> {
         Figure::Path(path) if path.closed => Some(path),
         _ => None,
     });
+    let all = closed.clone().fold(Bounds::EMPTY, |all, path| all.union(path.bounds()));
+    let longest = LONGEST_MARK.max(MARK_OF_ALL * all.width().max(all.height()));
     let enclosures = Enclosures::new(closed);
     let mut by_layer: Vec<(&str, Vec<&Figure>)> = Vec::new();
     for element in &drawing.elements {
@@ -196,7 +202,8 @@ pub(super) fn proposed(drawing: &Drawing) -> Vec<(String, LayerRole, String)> {
         let named = WORDS.iter().find(|(_, words)| words.iter().any(|word| small.contains(word)));
         let (role, reason) = match named {
             Some((role, _)) => (*role, format!("by its name; {figures}")),
-            None if own.iter().all(|figure| is_port(figure, &enclosures)) => {
+            None if layer == "fill #ffffff" => (LayerRole::Ignore, format!("a white background; {figures}")),
+            None if own.iter().all(|figure| is_port(figure, &enclosures, longest)) => {
                 (LayerRole::Port, format!("points or short lines across an edge; {figures}"))
             }
             None if closed > 0 => (LayerRole::Air, format!("closed curves; {figures}")),
@@ -204,19 +211,43 @@ pub(super) fn proposed(drawing: &Drawing) -> Vec<(String, LayerRole, String)> {
         };
         out.push((layer.to_owned(), role, reason));
     }
+    out.extend(unread(drawing));
+    out
+}
+
+/// The layers on which nothing could be read, each to be ignored.
+fn unread(drawing: &Drawing) -> Vec<(String, LayerRole, String)> {
+    let read: BTreeSet<&str> =
+        drawing.elements.iter().flat_map(|element| element.layers.iter().map(String::as_str)).collect();
+    let mut out: Vec<(String, LayerRole, String)> = Vec::new();
+    for note in drawing.notes.iter().filter(|note| note.weight == Weight::Lost) {
+        let Some(layer) = note.place.layers.last().filter(|layer| !read.contains(layer.as_str())) else {
+            continue;
+        };
+        if !out.iter().any(|(known, ..)| known == layer) {
+            out.push((layer.clone(), LayerRole::Ignore, "nothing on it can be read".to_owned()));
+        }
+    }
     out
 }
 
 /// The colour among the names of an element.
 fn colour_of(element: &Element) -> Option<&str> {
     let hex = |digits: &str| digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
-    let is_colour = |name: &&str| name.trim_start_matches("fill ").strip_prefix('#').is_some_and(hex);
+    let number = |digits: &str| digits.parse::<u8>().is_ok();
+    let is_colour = |name: &&str| {
+        name.trim_start_matches("fill ").strip_prefix('#').is_some_and(hex)
+            || name.strip_prefix("color ").is_some_and(number)
+    };
     element.layers.iter().map(String::as_str).find(is_colour)
 }
 
 /// Words in the names of layers, and the roles that they suggest.
 const WORDS: [(LayerRole, &[&str]); 6] = [
-    (LayerRole::Ignore, &["note", "text", "dim", "guide", "construction", "ignore", "label"]),
+    (
+        LayerRole::Ignore,
+        &["note", "text", "dim", "guide", "construction", "ignore", "label", "artboard", "background"],
+    ),
     (LayerRole::Port, &["port", "inlet", "hose", "valve"]),
     (LayerRole::Hole, &["hole", "punch", "drill"]),
     (LayerRole::Cut, &["cut", "outline", "contour"]),
@@ -224,12 +255,15 @@ const WORDS: [(LayerRole, &[&str]); 6] = [
     (LayerRole::Air, &["air", "chamber", "tube", "bladder", "pouch"]),
 ];
 
-/// Whether a figure is a mark for a port: a point, a speck, or a short line with one end in a closed curve that the other is not in.
-fn is_port(figure: &Figure, closed: &Enclosures) -> bool {
+/// Whether a figure is a mark for a port: a point, a speck, or a line up to `longest` with one end in a closed curve that the other is
+/// not in.
+fn is_port(figure: &Figure, closed: &Enclosures, longest: f64) -> bool {
     let Figure::Path(path) = figure else { return true };
-    let ends = path.start().zip(path.end()).filter(|_| !path.closed && path.length() <= LONGEST_MARK);
+    let ends = path.start().zip(path.end()).filter(|_| !path.closed && path.length() <= longest);
     path.length() < 5.0 || ends.is_some_and(|(a, b)| closed.around(a).len() != closed.around(b).len())
 }
 
 /// Lines across an edge that are longer are no marks, mm.
 const LONGEST_MARK: f64 = 20.0;
+/// The same by the larger side of all closed curves: the unit may be a guess.
+const MARK_OF_ALL: f64 = 0.1;

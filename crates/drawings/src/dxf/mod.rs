@@ -22,11 +22,12 @@ use crate::{Drawing, Fault, Options, Place, Unit, Weight};
 /// exceeded limits.
 pub fn read_dxf(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
     crate::admit::admit(bytes, crate::Format::Dxf, options)?;
-    let text = decoded(bytes);
+    let decoded = decoded(bytes);
+    let text = unescaped(&decoded);
     let groups = group::groups(&text, options.limits.visits.saturating_mul(16))?;
     let sections = tables::sections(&groups);
     let mut collector = Collector::new(options);
-    if matches!(text, Cow::Owned(_)) {
+    if matches!(decoded, Cow::Owned(_)) {
         collector.note(
             Weight::Information,
             Place::default(),
@@ -55,6 +56,29 @@ fn decoded(bytes: &[u8]) -> Cow<'_, str> {
         Ok(text) => Cow::Borrowed(text),
         Err(_) => Cow::Owned(bytes.iter().map(|&byte| char::from(byte)).collect()),
     }
+}
+
+/// The text with the characters that `\U+XXXX` stands for, as programs write those outside of the code page.
+fn unescaped(text: &str) -> Cow<'_, str> {
+    const MARK: &str = "\\U+";
+    let mut parts = text.split(MARK);
+    let first = parts.next().unwrap_or_default();
+    if first.len() == text.len() {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len());
+    out.push_str(first);
+    for part in parts {
+        let code = part.get(..4).and_then(|digits| u32::from_str_radix(digits, 16).ok());
+        if let Some(c) = code.and_then(char::from_u32).filter(|c| !c.is_control()) {
+            out.push(c);
+            out.push_str(&part[4..]);
+        } else {
+            out.push_str(MARK);
+            out.push_str(part);
+        }
+    }
+    Cow::Owned(out)
 }
 
 /// Length of the file's unit, mm: the user's, or $INSUNITS.

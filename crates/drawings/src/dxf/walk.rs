@@ -81,7 +81,10 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         };
         let layer = record.text(8).unwrap_or("0");
         let inherits = layer == "0" && !context.layers.is_empty();
-        let mut layers: Vec<String> = if inherits { Vec::new() } else { vec![layer.to_owned()] };
+        let mut layers: Vec<String> = colour(record).into_iter().collect();
+        if !inherits {
+            layers.push(layer.to_owned());
+        }
         layers.extend(context.layers.iter().filter(|name| inherits || **name != layer).cloned());
         let id = format!("{}{own}", context.path);
         self.out.text(id.len() + layers.iter().map(|name| 24 + name.len()).sum::<usize>())?;
@@ -97,7 +100,8 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
 
     /// Notes an entity that the drawing does not show: on paper, invisible, or on a layer that is off or frozen.
     fn is_hidden(&mut self, record: &Record<'_, '_>, place: &Place) -> bool {
-        let name = place.layers.first().map_or("0", String::as_str);
+        let is_name = |name: &&String| colour(record).as_ref() != Some(*name);
+        let name = place.layers.iter().find(is_name).map_or("0", String::as_str);
         let layer = self.layer(name);
         let flag = |code| record.flags(code).unwrap_or(0) == 1;
         let reason = if flag(67) {
@@ -214,6 +218,18 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
             }
         }
         Ok(Ok(()))
+    }
+}
+
+/// The name of the colour that an entity has of its own: "#rrggbb", or "color 1" by its number; `None` of one with its layer's colour.
+fn colour(record: &Record<'_, '_>) -> Option<String> {
+    let rgb = |code: i64| (0..=0xff_ff_ff).contains(&code).then(|| format!("#{code:06x}"));
+    match record.flags(420) {
+        Ok(code) if record.text(420).is_some() => rgb(code),
+        _ => {
+            let number = record.flags(62).ok().filter(|number| (1..=255).contains(number))?;
+            Some(format!("color {number}"))
+        }
     }
 }
 

@@ -3,10 +3,12 @@
 //! [`guard`] limits the parser's work, [`viewport`] finds the page in mm, [`walk`] goes through the tree with its transforms,
 //! styles and references, and [`shapes`] and [`path_data`] give the pieces.
 
+mod clip;
 mod guard;
 mod path_data;
 mod shapes;
 mod style;
+mod transform;
 mod viewport;
 mod walk;
 

@@ -133,6 +133,46 @@ fn elliptical(
     Piece::Ellipse { center, u, v, start, sweep }
 }
 
+/// Excess of a radius over half the chord, relative, that the rounding of a file explains.
+const ROUNDED: f64 = 2e-3;
+
+/// The full circle or ellipse that a subpath of two arcs means whose numbers have few decimals; `None` for any other subpath.
+///
+/// A radius that is too long by 0.1 % moves the centre of a half turn by 4 % of the radius, to opposite sides in both halves.
+pub(super) fn full_turn(chain: &Chain) -> Option<Chain> {
+    let [
+        Piece::Ellipse { center, u, v, start, sweep },
+        Piece::Ellipse { center: second, u: u2, v: v2, start: begin, sweep: turn },
+    ] = &chain.pieces[..]
+    else {
+        return None;
+    };
+    let at = |center: Point, angle: f64| {
+        let (sin, cos) = libm::sincos(angle);
+        center + *u * cos + *v * sin
+    };
+    let near = ROUNDED * u.length().min(v.length());
+    let alike =
+        (*u - *u2).length().max((*v - *v2).length()) <= 1e-9 * near && sweep.signum() == turn.signum();
+    let [from, to, back] = [at(*center, *start), at(*center, start + sweep), at(*second, begin + turn)];
+    let half = (from - to) * 0.5;
+    let (along, across) = (half.dot(*u) / u.dot(*u), half.dot(*v) / v.dot(*v));
+    let factor = libm::hypot(along, across);
+    let is_rounded =
+        center.distance(*second) > 1e-9 * near && factor > 1.0 - ROUNDED && from.distance(back) <= near;
+    (alike && is_rounded).then(|| Chain {
+        pieces: vec![Piece::Ellipse {
+            center: from.midpoint(to),
+            u: *u * factor,
+            v: *v * factor,
+            start: libm::atan2(across, along),
+            sweep: sweep.signum() * std::f64::consts::TAU,
+        }],
+        closed: true,
+        start: from,
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -162,6 +202,27 @@ mod tests {
         let [Piece::Ellipse { center, u, sweep, .. }] = pieces[..] else { panic!("{pieces:?}") };
         assert!((u.length() - 10.0).abs() < 1e-12 && center.distance(Point::ORIGIN) < 1e-12);
         assert!((sweep - std::f64::consts::PI).abs() < 1e-12);
+    }
+
+    /// Radii of 30.015 mm, written with two decimals: read literally the centres are 1.1 mm apart.
+    #[test]
+    fn two_half_arcs_with_rounded_ends_are_a_full_circle() {
+        for flags in ["0 1", "1 1"] {
+            let data = format!("M34.87 50A30.02 30.02 0 {flags} 94.9 50A30.02 30.02 0 {flags} 34.87 50Z");
+            let read = chains(&data).expect("path data");
+            let whole = full_turn(&read[0]).expect("a circle");
+            let [Piece::Ellipse { center, u, sweep, .. }] = whole.pieces[..] else { panic!("{whole:?}") };
+            assert!(center.distance(Point::new(64.885, 50.0)) < 1e-9 && (u.length() - 30.015).abs() < 1e-9);
+            assert!((sweep - std::f64::consts::TAU).abs() < 1e-12);
+        }
+        // A lens, a circle whose two arcs have one centre, and an arc with its chord are what they are.
+        for data in [
+            "M0 0A30 30 0 0 1 50 0A30 30 0 0 1 0 0Z",
+            "M34.87 50A30.02 30.02 0 0 1 94.9 50A30.02 30.02 0 1 1 34.87 50Z",
+            "M34.87 50A30.02 30.02 0 0 1 94.9 50Z",
+        ] {
+            assert!(full_turn(&chains(data).expect("path data")[0]).is_none(), "{data}");
+        }
     }
 
     #[test]

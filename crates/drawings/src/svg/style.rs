@@ -6,6 +6,27 @@ use std::str::FromStr;
 use roxmltree::Node;
 use svgtypes::Color;
 
+/// Properties by which a style sheet of SVG 2 can change geometry.
+pub(super) const GEOMETRY: [&str; 17] = [
+    "transform",
+    "translate",
+    "rotate",
+    "scale",
+    "offset-path",
+    "zoom",
+    "d",
+    "x",
+    "y",
+    "cx",
+    "cy",
+    "r",
+    "rx",
+    "ry",
+    "width",
+    "height",
+    "transform-origin",
+];
+
 /// Declarations by selector: "*", "tag", ".class", "tag.class", "#id", "tag#id".
 ///
 /// Each property of a selector keeps its last value, so looking up is linear in an element's classes.
@@ -38,7 +59,7 @@ impl Sheet {
             let end = block_end(&rest[brace..]);
             let body = rest[brace..brace + end].trim_start_matches('{').trim_end_matches('}');
             if selectors.starts_with('@') {
-                if !selectors.starts_with("@font-face") {
+                if !["@font-face", "@page", "@media print"].iter().any(|rule| selectors.starts_with(rule)) {
                     self.unread.push(selectors.to_owned());
                 }
             } else {
@@ -53,7 +74,10 @@ impl Sheet {
 
     fn rule(&mut self, selector: &str, body: &str) {
         let Some(specificity) = specificity(selector) else {
-            self.unread.push(selector.to_owned());
+            // Widths of strokes and fonts change nothing that is read.
+            if declarations(body).any(|(name, _)| matters(name)) {
+                self.unread.push(selector.to_owned());
+            }
             return;
         };
         let values = self.rules.entry(selector.to_owned()).or_default();
@@ -89,6 +113,13 @@ impl Sheet {
         }
         found
     }
+}
+
+/// Whether a property changes what is read: geometry, visibility, clips, markers, or the colour that names a layer.
+fn matters(name: &str) -> bool {
+    const OTHERS: [&str; 8] =
+        ["stroke", "fill", "color", "display", "visibility", "clip-path", "mask", "filter"];
+    GEOMETRY.contains(&name) || OTHERS.contains(&name) || name.starts_with("marker")
 }
 
 /// Rank of a selector; `None` if it is not one of the supported ones.
@@ -233,8 +264,8 @@ mod tests {
     #[test]
     fn rules_rank_by_importance_specificity_and_order() {
         let mut sheet = Sheet::default();
-        sheet.add("/* x{} */ .a, path{stroke:red} path.a{stroke:#0F0} .a{stroke:blue} #p{stroke:gray} g > .a{fill:none} @media print{.a{x:y}} *{stroke:black !important}");
-        assert_eq!(sheet.unread, ["g > .a", "@media print"]);
+        sheet.add("/* x{} */ .a, path{stroke:red} path.a{stroke:#0F0} .a{stroke:blue} #p{stroke:gray} g > .a{fill:none} g > .b{stroke-width:1} @media print{.a{x:y}} @media screen{} *{stroke:black !important}");
+        assert_eq!(sheet.unread, ["g > .a", "@media screen"]);
         let text =
             "<svg><path id='p' class='b a'/><path class='a' style='stroke: pink'/><rect class='a'/></svg>";
         let document = roxmltree::Document::parse(text).expect("xml");

@@ -118,7 +118,7 @@ fn measured(
         let names: Vec<_> = Unit::names().collect();
         let text = "The drawing has no physical size: width and height have no unit.".to_owned();
         let remedy = format!(
-            "Set width and height with a unit, such as 210mm, or give the unit: {}.",
+            "Set width and height with a unit, such as 210mm, or give the unit: {}. Exports of Illustrator have pt, those of web programs px.",
             names.join(", ")
         );
         return Err((text, remedy));

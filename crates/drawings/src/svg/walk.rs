@@ -3,11 +3,10 @@
 use std::collections::BTreeMap;
 
 use roxmltree::{Document, Node, NodeId};
-use svgtypes::{TransformListParser, TransformListToken as Token};
 
-use super::style::{Cascade, Paint, Style};
+use super::style::{Cascade, GEOMETRY, Paint, Style};
 use super::viewport::{Viewport, fitted, view_box};
-use super::{Source, is_svg, names, shapes};
+use super::{Source, clip, is_svg, names, path_data, shapes, transform};
 use inflatable::geom::Point;
 
 use crate::affine::Affine;
@@ -32,26 +31,6 @@ const UNSEEN: [&str; 15] = [
     "view",
     "font",
 ];
-/// Properties by which a style sheet of SVG 2 can change geometry.
-const GEOMETRY: [&str; 17] = [
-    "transform",
-    "translate",
-    "rotate",
-    "scale",
-    "offset-path",
-    "zoom",
-    "d",
-    "x",
-    "y",
-    "cx",
-    "cy",
-    "r",
-    "rx",
-    "ry",
-    "width",
-    "height",
-    "transform-origin",
-];
 
 /// The state that an element inherits.
 #[derive(Clone)]
@@ -66,6 +45,12 @@ struct Context<'a> {
     /// Targets of the references around.
     targets: Vec<NodeId>,
     depth: usize,
+}
+
+/// The text of the note on a clip or a mask.
+fn unapplied(name: &str, value: &str) -> String {
+    let value: String = value.chars().take(60).collect();
+    format!("The {name} {value} is not applied; the whole outlines are read.")
 }
 
 /// The state of the walk.
@@ -132,6 +117,28 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     fn element(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+        let from = self.out.elements().len();
+        self.unclipped(node, context)?;
+        self.clipped(node, context, from);
+        Ok(())
+    }
+
+    /// Notes a clip that hides a part of an element, whose figures are those from number `from` on.
+    fn clipped(&mut self, node: Node<'a, 'd>, context: &Context<'a>, from: usize) {
+        let cascade = self.cascade(node);
+        let Some(value) = cascade.value("clip-path").filter(|value| !matches!(*value, "none" | "inherit"))
+        else {
+            return;
+        };
+        let find = |id: &str| self.ids.get(id).copied();
+        let clip = clip::of(node, value, (&context.map, context.viewport), find);
+        if !clip.is_some_and(|clip| clip.holds(&self.out.elements()[from..])) {
+            let text = unapplied("clip-path", value);
+            self.out.note(Weight::Lost, self.place(node, context), text);
+        }
+    }
+
+    fn unclipped(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
         self.out.visit()?;
         self.out.text(node.attributes().map(|attribute| 16 + attribute.value().len()).sum())?;
         let tag = node.tag_name().name();
@@ -284,7 +291,13 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         for (i, chain) in chains.iter().enumerate() {
             self.out.text(names + id.len())?;
             let element = if i == 0 { id.clone() } else { format!("{id}#{}", i + 1) };
-            self.out.chain(Place { element: Some(element), ..place.clone() }, &inner.map, chain)?;
+            let place = Place { element: Some(element), ..place.clone() };
+            let whole = path_data::full_turn(chain);
+            if whole.is_some() {
+                let text = "Its two half arcs have rounded ends; they are read as one full turn.";
+                self.out.note(Weight::Information, place.clone(), text);
+            }
+            self.out.chain(place, &inner.map, whole.as_ref().unwrap_or(chain))?;
         }
         Ok(())
     }
@@ -319,18 +332,16 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             );
             return None;
         }
-        for name in ["clip-path", "mask", "filter", "marker", "marker-start", "marker-mid", "marker-end"] {
+        for name in ["mask", "filter", "marker", "marker-start", "marker-mid", "marker-end"] {
             let Some(value) = cascade.value(name).filter(|value| !matches!(*value, "none" | "inherit"))
             else {
                 continue;
             };
-            let value: String = value.chars().take(60).collect();
+            let short: String = value.chars().take(60).collect();
             let (weight, text) = match name {
-                "clip-path" | "mask" => {
-                    (Weight::Lost, format!("The {name} {value} is not applied; the whole outlines are read."))
-                }
-                "filter" => (Weight::Information, format!("The filter {value} is not applied.")),
-                _ => (Weight::Lost, format!("The markers {value} are not read.")),
+                "mask" => (Weight::Lost, unapplied(name, value)),
+                "filter" => (Weight::Information, format!("The filter {short} is not applied.")),
+                _ => (Weight::Lost, format!("The markers {short} are not read.")),
             };
             let place = self.place(node, &context);
             self.out.note(weight, place, text);
@@ -343,28 +354,12 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
 
     /// The transform of an element; `None` with a fault recorded.
     fn transform(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Option<Affine> {
-        let text = node.attribute("transform").unwrap_or_default();
-        let mut map = Affine::IDENTITY;
-        for token in TransformListParser::from(text) {
-            let Ok(token) = token else {
-                let place = self.place(node, context);
-                self.out.fault(place, "Its transform is faulty.", "Correct or remove it.");
-                return None;
-            };
-            map = map.after(&match token {
-                Token::Matrix { a, b, c, d, e, f } => Affine::new([a, b, c, d, e, f]),
-                Token::Translate { tx, ty } => Affine::translate(tx, ty),
-                Token::Scale { sx, sy } => Affine::scale(sx, sy),
-                Token::Rotate { angle } => Affine::rotate(angle),
-                Token::SkewX { angle } => {
-                    Affine::new([1.0, 0.0, libm::tan(angle.to_radians()), 1.0, 0.0, 0.0])
-                }
-                Token::SkewY { angle } => {
-                    Affine::new([1.0, libm::tan(angle.to_radians()), 0.0, 1.0, 0.0, 0.0])
-                }
-            });
+        let map = transform::of(node);
+        if map.is_none() {
+            let place = self.place(node, context);
+            self.out.fault(place, "Its transform is faulty.", "Correct or remove it.");
         }
-        Some(map)
+        map
     }
 
     fn cascade(&self, node: Node<'a, 'd>) -> Cascade<'s, 'a, 'd> {

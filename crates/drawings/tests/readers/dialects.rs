@@ -144,6 +144,35 @@ fn aspect_ratios_nested_frames_and_symbols() {
     assert!(near(path(&drawing, "m").end().unwrap(), 20.8, 0.0));
 }
 
+/// Figma, Affinity and Illustrator clip by the page or the artboard, which hides nothing.
+#[test]
+fn clips_around_all_that_they_clip_are_idle() {
+    let page = |clip: &str, more: &str| {
+        svg(&format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="100mm" height="50mm" viewBox="0 0 100 50">
+<defs><rect id="page" width="100" height="50"/><clipPath id="c">{clip}</clipPath></defs>
+<g id="g" transform="scale(2)" clip-path="url(#c)"><path id="p" d="M1 1H40"/>{more}</g></svg>"#
+        ))
+    };
+    for clip in [
+        r#"<rect width="50" height="25"/>"#,
+        r#"<path d="M0 0V25H50V0z"/>"#,
+        r##"<use xlink:href="#page" transform="scale(.5)"/>"##,
+    ] {
+        assert_eq!(lost(&page(clip, "")), [], "{clip}");
+        let text = lost(&page(clip, r#"<path id="q" d="M1 1H51"/>"#));
+        assert!(text.len() == 1 && text[0].0 == "g" && text[0].1.contains("clip-path url(#c)"), "{text:?}");
+    }
+    for clip in [
+        r#"<rect width="50" height="0.5"/>"#,
+        r#"<circle r="90"/>"#,
+        r#"<path d="M0 0H50V25H30V2H20V25H0z"/>"#,
+        r#"<rect width="50" height="25"/><rect width="50" height="25"/>"#,
+    ] {
+        assert_eq!(lost(&page(clip, "")).len(), 1, "{clip}");
+    }
+}
+
 /// A DXF file with the given header variables, tables, blocks and entities, from "code value" pairs separated by bars.
 fn file(sections: &[(&str, &str)]) -> String {
     let mut text = String::new();
@@ -203,6 +232,10 @@ fn rhino_rational_circles_bulges_and_layers() {
     assert!((slot.length() - (60.0 + 10.0 * PI)).abs() < 1e-9 && slot.largest_gap() < 1e-12);
     assert!((slot.bounds().max.x - 35.0).abs() < 1e-12);
     assert_eq!(element(&drawing, "LWPOLYLINE 4B").layers, ["Cut"]);
+    // Characters outside of the code page.
+    let text = "0|LINE|5|4C|8|K\\U+00F6rper \\U+4E2D\\U+|10|0|20|0|11|9|21|0";
+    let drawing = dxf(&file(&[MM, ("ENTITIES", text)]));
+    assert_eq!(element(&drawing, "LINE 4C").layers, ["K\u{f6}rper \u{4e2d}\\U+"]);
 }
 
 #[test]

@@ -38,7 +38,7 @@ pub use pressures::{Inflation, inflations};
 pub use refinement::{Evidence, OnProgress, Watch};
 pub use region::{FlatRegion, InflatedRegion, RegionSeam, SeamPull, Surface, Wrinkles, chambers, region};
 pub use shape::InflatedShape;
-pub use star::{FlatStar, Friction, InflatedStar, MOST_OBJECTS, Objects, star, star_by_sizes};
+pub use star::{FlatStar, InflatedStar, MOST_OBJECTS, Objects, star, star_by_sizes};
 pub use star_part::StarPart;
 pub use tube::Tube;
 pub use value::Value;

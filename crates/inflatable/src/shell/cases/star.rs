@@ -82,21 +82,6 @@ pub const MOST_OBJECTS: usize = 8;
 const GROWTH: f64 = 0.15;
 const MOST_HALVINGS: i32 = 4;
 
-/// How the points of a star that touch an object move along it: the two bounds of friction.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Friction {
-    /// They slide.
-    #[default]
-    Free,
-    /// They stay where they first touch it, while the object widens.
-    Stuck,
-}
-
-/// Shear stress by the pressure that holds a stuck point W away from where it touched: contact pressures of 30 p move it by W/3000.
-const STICK: f64 = 1e5;
-/// Growth of an object in one solve where points stick: a point slides until the end of the solve in which it is first pressed.
-const STICKING_GROWTH: f64 = 0.03;
-
 /// Round objects that a star is pressed against, smallest first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Objects<'a> {
@@ -116,6 +101,12 @@ impl Objects<'_> {
 }
 
 impl FlatStar {
+    /// A star whose hinges turn on points, without band and margin.
+    pub fn sharp(tube: Tube, points: u32, inner_radius: f64, tip_angle: f64) -> Self {
+        let (tip_radius, corner_radius, band, margin) = (0.0, 0.0, 0.0, Margin::NONE);
+        Self { tube, points, inner_radius, tip_angle, tip_radius, corner_radius, band, margin }
+    }
+
     /// The smallest part of it that is valid for its weave.
     pub fn part(&self) -> StarPart {
         let weave = self.tube.fabric.weave;
@@ -151,12 +142,7 @@ pub fn star(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
-    star_by_sizes(
-        (case, case.part()),
-        (objects, Friction::Free),
-        (&Sizes::across(1.0, fineness.cells), fineness.cuts),
-        watch,
-    )
+    star_by_sizes((case, case.part()), objects, (&Sizes::across(1.0, fineness.cells), fineness.cuts), watch)
 }
 
 /// As [`star`], of any part of it and on meshes of any grading: the edge lengths of the coarsest one, by W, and how often its triangles are
@@ -167,7 +153,7 @@ pub fn star(
 /// As of [`star`].
 pub fn star_by_sizes(
     (case, part): (&FlatStar, StarPart),
-    (objects, friction): (Objects<'_>, Friction),
+    objects: Objects<'_>,
     (sizes, cuts): (&Sizes, usize),
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
@@ -203,7 +189,7 @@ pub fn star_by_sizes(
         for x in &mut centered.state.points {
             *x = [x[0] - middle[0], x[1] - middle[1], x[2]];
         }
-        press(case, (objects, friction), (solver, post), &centered, (beside, &mut numbers[NUMBERS..]))?;
+        press(case, objects, (solver, post), &centered, (beside, &mut numbers[NUMBERS..]))?;
         solver.contact = alone;
         Ok(numbers)
     })?;
@@ -270,22 +256,12 @@ pub(super) fn measure(
 /// result for each, if there is one and it leads to an equilibrium; it keeps its own results.
 fn press(
     case: &FlatStar,
-    (objects, friction): (Objects<'_>, Friction),
+    objects: Objects<'_>,
     (solver, post): (&mut Solver, usize),
     equilibrium: &Equilibrium,
     (beside, forces): (&mut Vec<Indented>, &mut [f64]),
 ) -> Result<(), ShellFault> {
     let mut starts = std::mem::take(beside).into_iter();
-    // Where points stick depends on the way: every mesh goes all of it.
-    let most = if friction == Friction::Stuck {
-        starts = Vec::new().into_iter();
-        STICKING_GROWTH
-    } else {
-        GROWTH
-    };
-    if let Some(contact) = solver.contact.as_mut().filter(|_| friction == Friction::Stuck) {
-        contact.stick = STICK * equilibrium.pressure;
-    }
     let mut state = equilibrium.state.clone();
     let nearest = state.points.iter().map(|x| libm::hypot(x[0], x[1])).fold(f64::INFINITY, f64::min);
     let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
@@ -295,7 +271,7 @@ fn press(
         let last = (origin + size / case.tube.width).max(nearest);
         let found = match starts.next() {
             Some(start) => open_from(start, (solver, post), &mut state, aim, [radius, last]),
-            None => open((solver, post), &mut state, aim, [radius, last], most),
+            None => open((solver, post), &mut state, aim, [radius, last]),
         };
         match found {
             Ok(()) => beside.push(Indented { state: state.clone(), contact: solver.contact.clone() }),
@@ -333,20 +309,19 @@ fn open_from(
         Err(Stop::Cancelled) => Err(Stop::Cancelled),
         Err(_) => {
             solver.contact = before;
-            open((solver, post), state, aim, [from, to], GROWTH)
+            open((solver, post), state, aim, [from, to])
         }
     }
 }
 
-/// Widens the object from one radius to another, by W, as fast as the star follows, by at most `most` in one solve.
+/// Widens the object from one radius to another, by W, as fast as the star follows, by at most [`GROWTH`] in one solve.
 fn open(
     (solver, post): (&mut Solver, usize),
     state: &mut State,
     aim: Aim,
     [from, to]: [f64; 2],
-    most: f64,
 ) -> Result<(), Stop> {
-    let (mut radius, mut growth) = (from, most);
+    let (mut radius, mut growth) = (from, GROWTH);
     while radius < to {
         let (before, pressed) = (state.clone(), solver.contact.clone());
         let next = if to - radius < 1.001 * growth { to } else { radius + growth };
@@ -361,7 +336,7 @@ fn open(
                     contact.floor = contact.stiffness / 4.0;
                 }
             }
-            Err(why) if why == Stop::Cancelled || growth < most * 0.5_f64.powi(MOST_HALVINGS) => {
+            Err(why) if why == Stop::Cancelled || growth < GROWTH * 0.5_f64.powi(MOST_HALVINGS) => {
                 return Err(why);
             }
             Err(_) => {

@@ -5,8 +5,7 @@
 //! a stiffness k. A **round** minimises it and then updates q = max(0, q - k g); penetration falls by a large factor a round,
 //! for any k. Nocedal and Wright, "Numerical Optimization", section 17.4.
 //!
-//! Points slide along an obstacle without friction. The other bound of friction is an object to which points **stick**: each that touches it
-//! keeps the angle and the height at which it was first pressed, by a stiff spring along the object, as long as it is pressed.
+//! Points slide along an obstacle without friction.
 
 use crate::shell::assembly::{Assembly, Plane, State};
 use crate::shell::element::vector::{Vector, along, times};
@@ -56,10 +55,6 @@ pub struct Contact {
     pub stiffness: f64,
     /// Least k with which a solve begins.
     pub floor: f64,
-    /// Shear stress on the round object a unit of displacement along it; 0 where points slide on it.
-    pub stick: f64,
-    /// Where each point sticks to the round object: cosine and sine of the angle, and the height.
-    anchors: Vec<Option<Vector>>,
 }
 
 /// Remaining error of contact after a solve.
@@ -84,8 +79,6 @@ impl Contact {
             areas,
             stiffness: 0.0,
             floor: 0.0,
-            stick: 0.0,
-            anchors: vec![None; count],
         }
     }
 
@@ -93,7 +86,7 @@ impl Contact {
     /// middle is the average of its ends', and the total force on an obstacle is as before.
     pub fn carried(&self, finer: &Assembly, ends: impl Iterator<Item = [usize; 2]>) -> Self {
         let mut fine = Self::new(finer, self.obstacles.clone());
-        (fine.stiffness, fine.floor, fine.stick) = (self.stiffness, self.stiffness, self.stick);
+        (fine.stiffness, fine.floor) = (self.stiffness, self.stiffness);
         let ends: Vec<[usize; 2]> = ends.collect();
         for (index, pressures) in self.pressures.iter().enumerate() {
             let middles = ends.iter().map(|[a, b]| f64::midpoint(pressures[*a], pressures[*b]));
@@ -117,23 +110,7 @@ impl Contact {
         self.each(state, |area, kept, push, _, _, _| {
             energy += area * (push * push - kept * kept) / (2.0 * self.stiffness);
         });
-        self.each_stuck(|area, point, [cosine, sine, height]| {
-            let [x, y, z] = state.points[point];
-            let (aside, up) = (cosine * y - sine * x, z - height);
-            energy += area * self.stick * (aside * aside + up * up) / 2.0;
-        });
         energy
-    }
-
-    /// Calls `see` with area, point and anchor of every point that sticks to the round object.
-    fn each_stuck(&self, mut see: impl FnMut(f64, usize, Vector)) {
-        let post = self.obstacles.iter().position(|obstacle| matches!(obstacle, Obstacle::Post { .. }));
-        let Some(post) = post.filter(|_| self.stick > 0.0) else { return };
-        for (point, (anchor, area)) in self.anchors.iter().zip(&self.areas[post]).enumerate() {
-            if let Some(anchor) = anchor {
-                see(*area, point, *anchor);
-            }
-        }
     }
 
     /// Adds gradient and Hessian of that part to those of `assembly`.
@@ -148,14 +125,6 @@ impl Contact {
                 let own = area * self.stiffness * (normal[0] * v[0] + normal[1] * v[1]);
                 let turned = bent * (across[0] * v[0] + across[1] * v[1]);
                 along(times(own, normal), turned, across)
-            });
-        });
-        self.each_stuck(|area, point, [cosine, sine, height]| {
-            let [x, y, z] = state.points[point];
-            let (k, along_it) = (area * self.stick, [-sine, cosine, 0.0]);
-            let slope = along([0.0, 0.0, k * (z - height)], k * (cosine * y - sine * x), along_it);
-            assembly.add_at_point(point, slope, |v| {
-                along([0.0, 0.0, k * v[2]], k * (cosine * v[1] - sine * v[0]), along_it)
             });
         });
     }
@@ -184,12 +153,6 @@ impl Contact {
         });
         for (index, point, push) in kept {
             self.pressures[index][point] = push;
-            if matches!(self.obstacles[index], Obstacle::Post { .. }) {
-                let [x, y, z] = state.points[point];
-                let distance = libm::hypot(x, y);
-                let anchor = self.anchors[point].unwrap_or([x / distance, y / distance, z]);
-                self.anchors[point] = (push > 0.0).then_some(anchor);
-            }
         }
         worst
     }
