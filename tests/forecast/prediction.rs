@@ -211,6 +211,18 @@ fn where_no_model_covers_a_star_nothing_is_said_of_it() {
     assert!(page.contains("final radius                  unknown\n"), "{page}");
 }
 
+/// A coarse shell of this star, whose arms touch while it is empty, presses with 21 +- 3 N (docs/ranges.md).
+#[test]
+fn arms_that_touch_have_a_force_once_an_object_separates_them() {
+    let text = include_str!("../../designs/basketball.toml");
+    let load = "\n[load]\npressure = \"7 kPa\"\nobject_radius = \"120 mm\"\n";
+    let star = predict(&spec(&format!("{text}{load}"))).expect("predicted").stars.remove(0);
+    let force = star.object_force_N.expect("a force");
+    let [low, high] = star.ranges.object_force_N.expect("a range");
+    assert!((18.0..24.0).contains(&force) && low < 18.0 && high > 24.0, "{low} {force} {high}");
+    assert!(star.radial_stiffness_N_per_m.is_none() && star.preload_N.is_none());
+}
+
 #[test]
 fn the_fit_gives_the_papers_final_radii() {
     for (points, radius) in (3..).zip([27.8, 15.8, 14.7, 19.1, 24.9, 30.8]) {
