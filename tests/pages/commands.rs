@@ -23,7 +23,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("README.md", "cargo install --locked --path .    # or `make install`: docs"),
     ("README.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
     ("docs/benchmarks.md", "valgrind --tool=callgrind target/release/stargrip-cam build"),
-    ("docs/benchmarks.md", "python3 tests/strangers/drawn_many.py outline 20000 many"),
+    ("docs/benchmarks.md", "cargo build --release --locked -p stargrip-cam --bin stargri"),
     ("docs/benchmarks.md", "cargo bench --bench build --no-run"),
     ("docs/benchmarks.md", "cargo bench --bench mechanics -- section"),
     ("docs/benchmarks.md", "/usr/bin/time -f \"%U s %M kB\" stargrip-cam actuator --tube-w"),
@@ -55,6 +55,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/trade.md", "python3 crates/research/by_shell.py target/release/stargrip-"),
     ("docs/weave.md", "stargrip-cam predict woven.toml --model shell --fineness coa"),
     ("docs/weave.md", "cargo run --release -p inflatable --example weave -- half 5"),
+    ("docs/weave.md", "cargo run --release -p inflatable --example weave -- whole 5"),
     ("docs/web.md", "rustup target add wasm32-unknown-unknown"),
     ("docs/web.md", "export NODE_PATH=target/strangers-npm/node_modules"),
 ];

@@ -146,7 +146,10 @@ fn a_star_outside_of_what_was_tried_is_short_the_more_the_further_out() {
 
 #[test]
 fn a_force_of_which_nothing_is_known_counts_for_nothing() {
-    let (point, answer) = at_pressure(16.0, 25.0);
+    // The arms touch, and the object opens the star by 1.7 W.
+    let (mut point, _) = at_pressure(17.0, 20.0);
+    point.load.object_radius = Some(Length(46.0));
+    let answer = point.answer(&table()).expect("there is such a star");
     let own = answer.outcome.expect("a radius");
     assert!(own.known && own.stiffness.is_none() && own.object_force().is_none(), "{own:?}");
     assert_eq!((sure_payload(&point, &answer), answer.payload), (None, None));

@@ -238,6 +238,7 @@ mod tests {
             "drawing.file",
             "drawing.units",
             "drawing.join",
+            "drawing.passage",
             "drawing.layers",
             "mask.kind",
             "sheet.copies",
