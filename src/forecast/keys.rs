@@ -1,6 +1,6 @@
 //! Every key of an answer with its type and its meaning, for those who read answers elsewhere: Python's attributes are made of it.
 //!
-//! [`keyed`] makes both of an answer's struct: a field's type is the key's, its docs are the meaning.
+//! `keyed` makes both of an answer's struct: a field's type is the key's, its docs are the meaning.
 
 /// The type of a key's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
