@@ -3,7 +3,7 @@
 
     python3 crates/research/opened.py target/release/stargrip-cam crates/research/src/stars/opened.txt
 
-What stands in the file is not computed again. Of the touching stars those are left out that no object opens by 0.5 W.
+Stars in the file are not computed again. Touching stars that no object opens by 0.5 W are left out.
 """
 import json, pathlib, subprocess, sys, tempfile
 

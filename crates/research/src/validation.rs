@@ -58,11 +58,27 @@ const SETTLED: f64 = 0.25;
 /// Compares `star` with its prediction; `None` where the shell refuses it, or there is no prediction.
 pub fn compare(star: &ComputedStar) -> Option<Comparison> {
     let found = star.found.as_ref()?;
-    let (case, pressure) = case_of(&star.star)?;
+    predicted(&star.star, |case, inflated, own| compared(star, found, (case, inflated, own)))
+}
+
+/// What `see` makes of the prediction of a drawn star: its corrected case, the inflated star, and its outcome; `None` without a prediction.
+fn predicted<T>(
+    drawn: &DrawnStar,
+    see: impl FnOnce(&Case, &Inflated<'_>, &Outcome) -> Option<T>,
+) -> Option<T> {
+    let (case, pressure) = case_of(drawn)?;
     let model = tabled(&case, pressure).ok()?;
     let case = corrected(&case, &model).ok()?;
     let inflated = Inflated::new(&case.mechanism, &model, pressure).ok()?;
     let own = Outcome::linear(&case, &inflated);
+    see(&case, &inflated, &own)
+}
+
+fn compared(
+    star: &ComputedStar,
+    found: &ShellNumbers,
+    (case, inflated, own): (&Case, &Inflated<'_>, &Outcome),
+) -> Option<Comparison> {
     let moves = &case.mechanism;
     let unit = moves.width / (PI / f64::from(moves.points)).sin();
     let pair = |shell: f64, mesh: f64, predicted: f64, range: Option<Interval>| {
@@ -85,7 +101,7 @@ pub fn compare(star: &ComputedStar) -> Option<Comparison> {
         let reached = secant.value * stiffness.value * radius.error;
         let predicted =
             if object < own.rest.radius { 0.0 } else { inflated.linear_force(object, &own.rest).ok()? };
-        let range = own.ranges.force(&inflated, object, &own.rest)?;
+        let range = own.ranges.force(inflated, object, &own.rest)?;
         let pair = Pair { shell, mesh: open * shell + reached, predicted, range, error: shell / same };
         (open < SETTLED && shell > 0.0 && object <= case.inner_radius).then_some((*part, pair))
     };
@@ -162,18 +178,15 @@ fn one_opened(stars: &[ComputedStar], line: &str) -> Option<Opened> {
         .star;
     let numbers: Vec<f64> = numbers.1.split(' ').filter_map(|number| number.parse().ok()).collect();
     let [object, shell, mesh, radius] = numbers[..] else { return None };
-    let (case, pressure) = case_of(drawn)?;
-    let model = tabled(&case, pressure).ok()?;
-    let case = corrected(&case, &model).ok()?;
-    let inflated = Inflated::new(&case.mechanism, &model, pressure).ok()?;
-    let own = Outcome::linear(&case, &inflated);
-    let object = 1e-3 * object;
-    let predicted = inflated.linear_force(object, &own.rest).ok()?;
-    let range = own.ranges.force(&inflated, object, &own.rest)?;
-    (mesh < SETTLED * shell && object <= case.hole).then_some(Opened {
-        star: (drawn.set, drawn.number),
-        touches: own.rest.equilibrium < own.rest.angle,
-        opening: (object - 1e-3 * radius) / case.mechanism.width,
-        force: Pair { shell, mesh, predicted, range, error: shell / predicted },
+    predicted(drawn, |case, inflated, own| {
+        let object = 1e-3 * object;
+        let predicted = inflated.linear_force(object, &own.rest).ok()?;
+        let range = own.ranges.force(inflated, object, &own.rest)?;
+        (mesh < SETTLED * shell && object <= case.hole).then_some(Opened {
+            star: (drawn.set, drawn.number),
+            touches: own.rest.equilibrium < own.rest.angle,
+            opening: (object - 1e-3 * radius) / case.mechanism.width,
+            force: Pair { shell, mesh, predicted, range, error: shell / predicted },
+        })
     })
 }

@@ -73,7 +73,7 @@ pub const BEYOND: f64 = 4.0;
 pub const BEYOND_THIN: f64 = 3.0;
 /// The same for points, arms and holes: stars 1 to 13 and 17 of the set `wide` need up to 1.3 for the radius and 1.5 for the stiffness.
 pub const BEYOND_SIZES: f64 = 2.0;
-/// Where ranges end in a quantity of which nothing was computed further out: outside of what was tried by this factor.
+/// Where ranges end in a quantity without computed stars further out: outside of what was tried by this factor.
 pub const NOT_FAR: f64 = 1.5;
 /// Validated numbers of points.
 pub const POINTS: Interval = [3.0, 8.0];

@@ -105,9 +105,8 @@ impl Ranges {
         // they are added in quadrature; ranges made so hold (docs/ranges.md).
         let grasp = inflated.grasp(rest);
         // Arms that touch: the radius without contact is as uncertain.
-        let free = inflated.free_radius(rest);
         let [least, force, most] =
-            [far, rest.radius, near].map(|from| grasp.force(rho, free + (from - rest.radius)));
+            [far, rest.radius, near].map(|from| grasp.force(rho, grasp.free_radius() + (from - rest.radius)));
         Some([
             (force - libm::hypot(force - least, force * (1.0 - low))).max(0.0),
             force + libm::hypot(most - force, force * (high - 1.0)),
@@ -144,7 +143,7 @@ pub(super) struct TriedRatio {
 }
 
 impl TriedRatio {
-    /// A number of which nothing was computed outside of `tried`: ranges reach a little further.
+    /// A number without computed stars outside of `tried`: ranges reach a little further.
     pub(super) fn new(what: &'static str, x: f64, tried: Interval) -> Self {
         let reached = [tried[0] / errors::NOT_FAR, tried[1] * errors::NOT_FAR];
         Self { what, x, tried, reached, wider: errors::BEYOND }

@@ -93,6 +93,11 @@ impl Grasp {
         }
     }
 
+    /// Radius from which on the star presses, m: where its hinges alone would rest.
+    pub fn free_radius(&self) -> f64 {
+        self.rest[0]
+    }
+
     /// Radial force (N, all corners together) on an object of radius `rho` (m), if it is met from the radius `from` (m) on.
     pub fn force(&self, rho: f64, from: f64) -> f64 {
         let opening = (rho - from).max(0.0);

@@ -219,7 +219,8 @@ impl<'a> Inflated<'a> {
     pub fn linear_force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
         if self.star.correction.corner_compliance {
             check_reach(rho, rest)?;
-            return Ok(self.grasp(rest).force(rho, self.free_radius(rest)));
+            let grasp = self.grasp(rest);
+            return Ok(grasp.force(rho, grasp.free_radius()));
         }
         let phi = self.angle_at(rho, rest)?;
         let (tip, corner) = self.hinge_stiffness();
@@ -230,18 +231,13 @@ impl<'a> Inflated<'a> {
     /// The force law of the star, which rests at `rest`, on objects that open it.
     ///
     /// Arms that touch press on each other only until an object keeps them apart. Then its force is that of a star whose arms cross, and
-    /// which rests at the equilibrium's angle: openings count from [`Inflated::free_radius`].
+    /// which rests at the equilibrium's angle: openings count from [`Grasp::free_radius`].
     pub fn grasp(&self, rest: &Rest) -> Grasp {
         let ((tip, corner), (of_tip, of_corner)) = (self.hinge_stiffness(), self.target_angles());
         let hinges = HingePair { stiffness: [tip, corner], target: [of_tip, of_corner - self.star.turn()] };
         let stiffness =
             if rest.equilibrium < rest.angle { self.free_stiffness(rest) } else { rest.stiffness };
         Grasp::new(self.star, hinges, [rest.equilibrium, rest.widest.angle], stiffness)
-    }
-
-    /// Radius at the equilibrium's angle, m: [`Rest::radius`], and less where arms touch.
-    pub fn free_radius(&self, rest: &Rest) -> f64 {
-        if rest.equilibrium < rest.angle { self.star.radius(rest.equilibrium).value } else { rest.radius }
     }
 
     /// Radial stiffness at the equilibrium's angle, N per m.
