@@ -74,7 +74,9 @@ fn own(sheet: &Sheet, piece: &Piece, x: [Vector; 3], facet: &Facet, loads: Loads
     }
     membrane.add_geometric(&piece.flat, &mut hessian);
     volume::add_hessian(x, -loads.pressure, &mut hessian);
-    facet.add_hessian(x, loads.turning, &mut hessian);
+    if piece.bends {
+        facet.add_hessian(x, loads.turning, &mut hessian);
+    }
     hessian
 }
 

@@ -3,6 +3,7 @@
 //! U = U_membrane + U_bending - p V. A `Sheet` never changes in a solve, `Supports` constrain its points, a `State` is a shape
 //! of it. An `Assembly` owns every buffer: no memory is allocated in an iteration. Sums run in the order of triangles.
 
+mod kinks;
 mod local;
 mod numbering;
 mod prolong;
@@ -125,6 +126,7 @@ impl Assembly {
             energy.bending += dot(alpha, *moments) / 2.0;
             energy.volume += piece.pressurised(volume::volume(x));
         }
+        energy.bending += self.sheet.kinks.iter().map(|kink| kink.energy(state)).sum::<f64>();
         energy
     }
 
@@ -166,7 +168,7 @@ impl Assembly {
             let mut gradient = [0.0; 9];
             self.sheet.membrane(piece, x).add_gradient(&piece.flat, &mut gradient);
             volume::add_gradient(x, -piece.pressurised(pressure), &mut gradient);
-            for i in 0..3 {
+            for i in (0..3).filter(|_| piece.bends) {
                 let weights = facet.weights(i);
                 for k in 0..3 {
                     let force = self.turning[piece.edges[i]] * facet.lift[i] * weights[k];
@@ -181,6 +183,7 @@ impl Assembly {
                 }
             }
         }
+        self.sheet.kinks.iter().for_each(|kink| kink.add_forces(state, &mut self.forces));
         self.gather();
         energy
     }
@@ -220,6 +223,7 @@ impl Assembly {
                 }
             }
         }
+        self.add_kinks();
         energy
     }
 

@@ -7,8 +7,15 @@ use crate::shell::assembly::supports::Supports;
 pub(crate) const NONE: u32 = u32::MAX;
 /// Unknowns that the energy of one triangle couples: its corners', its neighbours' far corners', its edges'.
 pub(crate) const LOCAL: usize = 21;
+/// Unknowns that the energy of one kink couples.
+pub(crate) const KINK: usize = 12;
 /// Pairs of them, each once.
-const PAIRS: usize = LOCAL * (LOCAL + 1) / 2;
+const PAIRS: usize = pairs_of(LOCAL);
+const KINK_PAIRS: usize = pairs_of(KINK);
+
+const fn pairs_of(unknowns: usize) -> usize {
+    unknowns * (unknowns + 1) / 2
+}
 
 /// The numbers of the unknowns.
 #[derive(Clone, Debug)]
@@ -76,6 +83,8 @@ pub(crate) struct Pattern {
     pub(crate) rows: Vec<u32>,
     /// For each triangle the places of its pairs; unused pairs go to the place after the last.
     pub(crate) places: Vec<[u32; PAIRS]>,
+    /// The same for each kink.
+    pub(crate) kinks: Vec<[u32; KINK_PAIRS]>,
     /// For each point the places of its pairs of axes 00, 10, 11, 20, 21, 22.
     pub(crate) point_places: Vec<[u32; 6]>,
 }
@@ -85,7 +94,10 @@ impl Pattern {
         let locals: Vec<[u32; LOCAL]> =
             (0..sheet.pieces.len()).map(|t| numbering.of_piece(sheet, t)).collect();
         let mut columns: Vec<Vec<u32>> = vec![Vec::new(); numbering.count];
-        for (row, column) in locals.iter().flat_map(|local| pairs(local)).filter(|pair| pair.0 != NONE) {
+        let kinks: Vec<[u32; KINK]> = sheet.kinks.iter().map(|kink| kink.unknowns(numbering)).collect();
+        let of_kinks = kinks.iter().flat_map(|local| pairs(local));
+        let coupled = locals.iter().flat_map(|local| pairs(local)).chain(of_kinks);
+        for (row, column) in coupled.filter(|pair| pair.0 != NONE) {
             columns[column as usize].push(row);
         }
         let mut starts = vec![0];
@@ -108,7 +120,8 @@ impl Pattern {
         let places = locals.iter().map(|local| collect(pairs(local).map(place))).collect();
         let point_places =
             numbering.points.iter().map(|numbers| collect(pairs(numbers).map(place))).collect();
-        Self { starts, rows, places, point_places }
+        let kinks = kinks.iter().map(|local| collect(pairs(local).map(place))).collect();
+        Self { starts, rows, places, kinks, point_places }
     }
 }
 

@@ -1,5 +1,6 @@
 //! A mesh as the sums over its triangles see it: everything that no solve changes.
 
+use crate::shell::assembly::kinks::Kink;
 use crate::shell::element::bending;
 use crate::shell::element::membrane::{Flat, Membrane};
 use crate::shell::element::vector::Vector;
@@ -31,12 +32,21 @@ pub(crate) struct Piece {
     pub(crate) twins: [bool; 3],
     /// How it bears compression if it is of the margin, which no pressure acts on.
     pub(crate) margin: Option<Compression>,
+    /// Whether it and its neighbours resist being turned against each other.
+    pub(crate) bends: bool,
 }
 
 impl Piece {
     /// The part of a tube's `pressure`, or of the volume below its sheet, that counts for it: all of it or nothing.
     pub(crate) fn pressurised(&self, pressure: f64) -> f64 {
         if self.margin.is_some() { 0.0 } else { pressure }
+    }
+
+    /// Takes its bending from it.
+    fn flatten(&mut self) {
+        (self.beyond, self.lean) = ([Beyond::Nothing; 3], [0.0; 3]);
+        (self.stiffness, self.twins) = ([[0.0; 3]; 3], [false; 3]);
+        self.bends = false;
     }
 }
 
@@ -54,6 +64,8 @@ pub struct Sheet {
     pub(crate) order: Vec<usize>,
     /// Its response to compression within its plane.
     pub(crate) compression: Compression,
+    /// The edges whose kinks stand for the bending of a wrinkled sheet.
+    pub(crate) kinks: Vec<Kink>,
 }
 
 /// Response of a sheet to compression within its plane.
@@ -85,6 +97,7 @@ impl Sheet {
             edge_count: mesh.edges.len(),
             order: mesh.elimination_order(),
             compression: Compression::Elastic,
+            kinks: Vec::new(),
         }
     }
 
@@ -120,6 +133,14 @@ impl Sheet {
         }
     }
 
+    /// Lets the sheet give way to compression in fine wrinkles; `left` is the part of its stiffness against it that remains. Kinks across
+    /// edges that are not released stand for its bending, with at least `least` times the square of an edge's length as stiffness.
+    pub fn wrinkle(&mut self, left: f64, least: f64) {
+        self.compression = Compression::Wrinkled(left);
+        self.kinks = Kink::all(&self.pieces, &self.points, self.fabric.bending, least);
+        self.pieces.iter_mut().for_each(Piece::flatten);
+    }
+
     /// Makes the triangles from number `first` on a margin that stays in the plane of the rims, in which it bears compression as `law` says.
     ///
     /// Both sheets lie in the margin, and one of them belongs to the modelled half of the tube: per area it has the membrane energy of any
@@ -127,8 +148,7 @@ impl Sheet {
     pub fn set_margin(&mut self, first: usize, law: Compression) {
         let (tube, margin) = self.pieces.split_at_mut(first);
         for piece in margin {
-            (piece.beyond, piece.lean) = ([Beyond::Nothing; 3], [0.0; 3]);
-            (piece.stiffness, piece.twins) = ([[0.0; 3]; 3], [false; 3]);
+            piece.flatten();
             piece.margin = Some(law);
         }
         for piece in tube {
@@ -209,6 +229,7 @@ fn piece(mesh: &Mesh, fabric: Fabric, t: usize) -> Piece {
         stiffness: bending::stiffness(fabric, &flat),
         twins,
         margin: None,
+        bends: true,
     }
 }
 

@@ -22,12 +22,18 @@ impl FlatRegion {
         let width = self.chamber.widest();
         let squares = self.chamber.area() / (width * width);
         let chamber = self.chamber.by(width);
-        let mut cells = (QUICK / (UNKNOWNS_OF_SQUARE * squares)).sqrt().clamp(LEAST_CELLS, MOST_QUICK);
+        let tube = Tube { width, fabric: self.fabric, pressure: self.pressure };
+        let of_triangle = match Wrinkles::of(&tube) {
+            Wrinkles::Resolved => 3.0,
+            Wrinkles::Averaged => 1.5,
+        };
+        let of_squares = TRIANGLES_OF_SQUARE * of_triangle * squares;
+        let mut cells = (QUICK / of_squares).sqrt().clamp(LEAST_CELLS, MOST_QUICK);
         let mut best = (f64::INFINITY, cells);
         for _ in 0..LOOKS {
             let Ok((meshed, _)) = chamber.mesh(cells) else { break };
             #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
-            let unknowns = UNKNOWNS_OF_TRIANGLE * meshed.mesh.triangles.len() as f64;
+            let unknowns = of_triangle * meshed.mesh.triangles.len() as f64;
             if unknowns < best.0 {
                 best = (unknowns, cells);
             }
@@ -40,12 +46,11 @@ impl FlatRegion {
     }
 }
 
-/// Unknowns of a quick look's coarsest mesh, those of a square of the chamber's width with one edge across, and the most edges across.
+/// Unknowns of a quick look's coarsest mesh, triangles of a square of the chamber's width with one edge across, and the most edges across.
+/// Three unknowns of each point and one of each edge are three by triangle; a sheet whose wrinkles are averaged has those of points only.
 const QUICK: f64 = 800.0;
-const UNKNOWNS_OF_SQUARE: f64 = 12.7;
+const TRIANGLES_OF_SQUARE: f64 = 4.2;
 const MOST_QUICK: f64 = 6.0;
-/// Unknowns by triangles: three of each point, and one of each edge.
-const UNKNOWNS_OF_TRIANGLE: f64 = 3.0;
 /// Accepted factor on the number of unknowns, and number of trials for it.
 const ENOUGH: f64 = 1.3;
 const LOOKS: u32 = 4;
@@ -88,10 +93,10 @@ fn on_meshes(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<Inf
     let tube = softened(tube);
     let chamber = case.chamber.by(width);
     let (coarsest, curve_of) = chamber.mesh(fineness.cells)?;
-    let compression = Wrinkles::of(&tube).compression(&tube);
     let hold = |meshed: &Meshed, sheet: &mut Sheet| {
-        sheet.compression = compression;
-        supports::symmetric(meshed, &SealedNodes::new(&chamber, meshed), sheet)
+        let supports = supports::symmetric(meshed, &SealedNodes::new(&chamber, meshed), sheet);
+        Wrinkles::of(&tube).prepare(sheet, &tube);
+        supports
     };
     let family = Family {
         tube,

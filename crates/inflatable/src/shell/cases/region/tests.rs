@@ -86,13 +86,52 @@ fn a_long_tube_is_as_high_as_a_circle_of_its_girth() {
     assert!(near(found.height.scaled(1.0 / 0.02), 2.0 / PI, 0.03), "{:?}", found.height);
 }
 
+/// Where wrinkles begin to be averaged a tube, which has hardly any, keeps its shape.
+#[test]
+fn a_tube_is_the_same_with_resolved_and_with_averaged_wrinkles() {
+    let tube = one(&[rectangle(0.12, 0.02)], &[]);
+    let [resolved, averaged] = [5400.0, 5500.0].map(|pressure| inflated(&tube, 0.12e-3, pressure, 2.5));
+    assert_eq!([resolved.wrinkles, averaged.wrinkles], [Wrinkles::Resolved, Wrinkles::Averaged]);
+    assert!(
+        near(averaged.height, resolved.height.value, 0.025),
+        "{:?} {:?}",
+        averaged.height,
+        resolved.height
+    );
+    assert!(
+        near(averaged.volume, resolved.volume.value, 0.01),
+        "{:?} {:?}",
+        averaged.volume,
+        resolved.volume
+    );
+    let [a, b] = [averaged, resolved].map(|found| found.extents[0]);
+    assert!(near(a, b.value, 0.02), "{a:?} {b:?}");
+}
+
+/// Pouches beside a chamber's narrow side: each weld ends within. The sheets wrinkle around it.
+#[test]
+fn pouches_between_welds_come_to_rest() {
+    let weld = |x: f64| line([x, 0.0], [x, 0.028]);
+    let welds = [weld(0.04), weld(0.08), weld(0.12)];
+    let chamber = one(&[rectangle(0.16, 0.045)], &welds);
+    let mut heights = Vec::new();
+    for cells in [1.5, 3.0] {
+        let found = inflated(&chamber, 0.1e-3, 10e3, cells);
+        assert_eq!(found.wrinkles, Wrinkles::Averaged);
+        assert!(found.extents[0].value < 0.95 * 0.16, "{:?}", found.extents);
+        heights.push((found.height, found.volume));
+    }
+    let [(a, v), (b, w)] = heights[..] else { panic!("{heights:?}") };
+    assert!(near(a, b.value, 0.02) && near(v, w.value, 0.03), "{a:?} {b:?} {v:?} {w:?}");
+}
+
 /// Between Robin's formula (0.1905) and Kepert's upper bound (0.217); computed values lie near 0.2055. This one stretches by 0.5 %.
 #[test]
 fn a_square_pillow_holds_a_fifth_of_a_cube() {
     let found = inflated(&one(&[rectangle(0.1, 0.1)], &[]), 0.05e-3, 500.0, 4.0);
     assert!(near(found.volume.scaled(1e3), 0.205, 0.04), "{:?}", found.volume);
     let [x, y] = found.extents;
-    assert!((x.value / y.value - 1.0).abs() < 1e-3, "{x:?} {y:?}");
+    assert!((x.value - y.value).abs() < x.error + y.error, "{x:?} {y:?}");
 }
 
 #[test]
