@@ -72,12 +72,25 @@ fn own(sheet: &Sheet, piece: &Piece, x: [Vector; 3], facet: &Facet, loads: Loads
                 strain[0][a] * stress[0][b] + strain[1][a] * stress[1][b] + strain[2][a] * stress[2][b];
         }
     }
-    membrane.add_geometric(&piece.flat, &mut hessian);
+    let resisting = match loads.tangent {
+        Tangent::Exact => membrane,
+        Tangent::Tensile => membrane.tensile(),
+    };
+    resisting.add_geometric(&piece.flat, &mut hessian);
     volume::add_hessian(x, -loads.pressure, &mut hessian);
     if piece.bends {
         facet.add_hessian(x, loads.turning, &mut hessian);
     }
     hessian
+}
+
+/// A Hessian.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tangent {
+    /// The energy's.
+    Exact,
+    /// The same as if compressive stresses did not make the sheet buckle.
+    Tensile,
 }
 
 /// Loads on a triangle.
@@ -88,6 +101,7 @@ pub(crate) struct Loads {
     pub(crate) turning: [f64; 3],
     /// Whether one of its unknowns is along an axis other than those of space.
     pub(crate) turned: bool,
+    pub(crate) tangent: Tangent,
 }
 
 /// Fills the lower triangle of `local`.

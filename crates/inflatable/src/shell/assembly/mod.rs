@@ -16,6 +16,7 @@ mod unknowns;
 pub use sheet::{Compression, Sheet, State};
 pub use supports::{Plane, Supports};
 
+pub use crate::shell::assembly::local::Tangent;
 use crate::shell::assembly::local::{Loads, Local};
 use crate::shell::assembly::numbering::{LOCAL, NONE, Numbering, Pattern};
 use crate::shell::assembly::sheet::{Beyond, Piece};
@@ -208,12 +209,13 @@ impl Assembly {
     }
 
     /// The energy of `state` under `pressure`, its gradient and its Hessian.
-    pub fn linearise(&mut self, state: &State, pressure: f64) -> Energy {
+    pub fn linearise(&mut self, state: &State, pressure: f64, tangent: Tangent) -> Energy {
         let energy = self.differentiate(state, pressure);
         self.values.fill(0.0);
         for (t, piece) in self.sheet.pieces.iter().enumerate() {
             let turning = piece.edges.map(|edge| self.turning[edge]);
-            let loads = Loads { pressure: piece.pressurised(pressure), turning, turned: self.turned[t] };
+            let loads =
+                Loads { pressure: piece.pressurised(pressure), turning, turned: self.turned[t], tangent };
             let facets = (&self.facets[t], &self.facets[..]);
             local::fill((&self.sheet, &self.supports), piece, &state.points, facets, loads, &mut self.local);
             let mut places = self.pattern.places[t].iter();

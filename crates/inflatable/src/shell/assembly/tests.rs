@@ -118,7 +118,7 @@ fn the_gradient_is_that_of_the_energy() {
 #[test]
 fn the_hessian_is_that_of_the_gradient() {
     for (index, (mut assembly, state)) in all_sheets().enumerate() {
-        let _ = assembly.linearise(&state, PRESSURE);
+        let _ = assembly.linearise(&state, PRESSURE, Tangent::Exact);
         let count = assembly.unknowns();
         let mut hessian = vec![vec![0.0; count]; count];
         let (starts, rows, values) = assembly.hessian();
@@ -152,7 +152,7 @@ fn the_hessian_is_that_of_the_gradient() {
 fn a_weave_as_stiff_in_shear_as_isotropic_fabric_changes_no_bit() -> Result<(), MeshFault> {
     let numbers = |fabric: Fabric| -> Result<_, MeshFault> {
         let (mut assembly, state) = crumpled(fabric, Diagonal::Falling, 0.7)?;
-        let energy = assembly.linearise(&state, PRESSURE);
+        let energy = assembly.linearise(&state, PRESSURE, Tangent::Exact);
         Ok((energy, assembly.gradient().to_vec(), assembly.hessian().2.to_vec()))
     };
     let isotropic = numbers(FABRIC)?;
@@ -330,6 +330,40 @@ fn a_margin_bears_a_pull_as_the_tube_does() -> Result<(), MeshFault> {
         }
     }
     Ok(())
+}
+
+/// Without compression a sheet resists every motion at least as much as with it, and a taut one as much.
+#[test]
+fn a_sheet_without_compression_is_nowhere_softer() {
+    for (index, (mut assembly, mut state)) in all_sheets().enumerate() {
+        let flat = assembly.sheet.flat();
+        let mut along = |state: &State, tangent, seed: usize| {
+            let _ = assembly.linearise(state, PRESSURE, tangent);
+            let (starts, rows, values) = assembly.hessian();
+            let x = |k: u32| noise(seed + k as usize);
+            let mut sum = 0.0;
+            for (column, start) in (0..).zip(starts.windows(2)) {
+                for at in start[0]..start[1] {
+                    let (row, value) = (rows[at as usize], values[at as usize]);
+                    sum += if row == column { 1.0 } else { 2.0 } * value * x(row) * x(column);
+                }
+            }
+            sum
+        };
+        let mut gains = 0;
+        for seed in 0..20 {
+            let [tensile, exact] =
+                [Tangent::Tensile, Tangent::Exact].map(|tangent| along(&state, tangent, seed));
+            assert!(tensile >= exact - 1e-9 * exact.abs(), "sheet {index}: {tensile} {exact}");
+            gains += usize::from(tensile > exact);
+        }
+        assert!(gains > 0, "sheet {index}");
+        for (x, flat) in state.points.iter_mut().zip(&flat.points) {
+            *x = [1.3 * flat[0], 1.2 * flat[1], 0.0];
+        }
+        let [tensile, exact] = [Tangent::Tensile, Tangent::Exact].map(|tangent| along(&state, tangent, 7));
+        assert!((tensile / exact - 1.0).abs() < 1e-12, "sheet {index}: {tensile} {exact}");
+    }
 }
 
 /// On equilateral triangles the kinks of a shape of one small curvature, in whatever direction, have a plate's energy; only the edges of the

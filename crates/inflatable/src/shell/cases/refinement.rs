@@ -205,6 +205,7 @@ impl Family<'_> {
             let finer: &Assembly = &fine.assembly;
             let mut state = coarse.assembly.prolong(&lower, &finer.sheet);
             finer.hold(&mut state);
+            fine.is_rough = true;
             match continuation.run_from(fine, state, pressure, |_| {}) {
                 Ok(equilibrium) => return Ok(equilibrium),
                 // Not even the first equilibrium was found: a smaller first pressure may help.

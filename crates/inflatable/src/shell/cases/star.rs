@@ -301,6 +301,7 @@ fn open_from(
     if let Some(contact) = &mut solver.contact {
         contact.replace(post, Obstacle::Post { radius: to });
     }
+    solver.is_rough = true;
     match solver.rest(&mut own, aim) {
         Ok(_) => {
             *state = own;

@@ -147,6 +147,19 @@ impl Membrane {
         (strain, stress)
     }
 
+    /// The same without compression: principal stresses below zero are zero.
+    #[must_use]
+    pub fn tensile(self) -> Self {
+        let [s11, s22, s12] = self.stress;
+        let (mean, half) = (f64::midpoint(s11, s22), libm::hypot((s11 - s22) / 2.0, s12));
+        if mean >= half {
+            return self;
+        }
+        let part = if half > 0.0 { (mean + half).max(0.0) / (2.0 * half) } else { 0.0 };
+        let apart = (s11 - s22) / 2.0;
+        Self { stress: [part * (half + apart), part * (half - apart), part * s12], ..self }
+    }
+
     /// Adds the Hessian's second part: the present stress on changes of the strain of second order.
     pub fn add_geometric(&self, flat: &Flat, hessian: &mut Square) {
         let [s11, s22, s12] = self.stress;

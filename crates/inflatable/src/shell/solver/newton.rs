@@ -1,7 +1,7 @@
 //! One equilibrium: Newton's method on the energy, with the full Hessian.
 
 use crate::numerics::dot;
-use crate::shell::assembly::{Assembly, Compression, Energy, Sheet, State, Supports};
+use crate::shell::assembly::{Assembly, Compression, Energy, Sheet, State, Supports, Tangent};
 use crate::shell::contact::{Contact, ContactError};
 use crate::shell::solver::displacement_control::{ControlledSolve, DisplacementControl};
 use crate::shell::solver::factor::Factor;
@@ -65,6 +65,8 @@ const ARMIJO: f64 = 1e-4;
 const MOST_SHIFT: f64 = 1e14;
 /// Shift over the least one from which on no shorter step is tried.
 const MOST_SHORTENED: f64 = 1e8;
+/// Part of the energy that a step of a rough state gains at least, for the next one to be taken alike.
+const ROUGH: f64 = 1e-3;
 /// Rounding of a sum of energies, relative to its largest part.
 const ROUNDING: f64 = 1e-14;
 /// Rounding of a strain, which is a difference of squares of order one: sheets that are hardly stretched feel it.
@@ -106,6 +108,9 @@ pub struct Solver {
     pub cancel: Arc<AtomicBool>,
     /// Whether the equilibrium of a sheet may be far away.
     pub may_snap: bool,
+    /// Whether the state comes from a coarser mesh. Interpolation compresses some of its triangles, and a shift that outweighs them takes many
+    /// factors to find and then holds everything; so compression does not enter the Hessian until a step gains little.
+    pub is_rough: bool,
 }
 
 impl Solver {
@@ -123,6 +128,7 @@ impl Solver {
             effort: Effort::default(),
             cancel: Arc::default(),
             may_snap: false,
+            is_rough: false,
             factor,
             contact: None,
             lever: None,
@@ -137,6 +143,12 @@ impl Solver {
     /// # Errors
     /// The reason of the stop; `state` is then the last shape.
     pub fn settle(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
+        let found = self.iterate(state, aim);
+        self.is_rough = false;
+        found
+    }
+
+    fn iterate(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
         let mut energy = self.linearise(state, aim.pressure);
         let most = if self.may_snap { MOST_TO_SNAP } else { MOST_ITERATIONS };
         for _ in 0..most {
@@ -144,14 +156,23 @@ impl Solver {
                 return Err(Stop::Cancelled);
             }
             let residual = self.residual();
-            if residual <= aim.tolerance && self.shift == 0.0 {
+            if residual <= aim.tolerance && self.shift == 0.0 && !self.is_rough {
                 let stable = self.compute(0.0);
                 return if stable { Ok(NewtonResult { energy, residual }) } else { Err(Stop::Unstable) };
             }
             self.find_step(aim)?;
+            let was_rough = self.is_rough;
             match self.take_step(state, energy, aim) {
-                Ok(next) => energy = next,
+                Ok(next) => {
+                    let gain = energy.total(aim.pressure) - next.total(aim.pressure);
+                    self.is_rough &= gain > ROUGH * next.total(aim.pressure).abs();
+                    energy = next;
+                }
+                Err(_) if was_rough => self.is_rough = false,
                 Err(why) => energy = self.shorten_step(state, aim).ok_or(why)?,
+            }
+            if was_rough && !self.is_rough {
+                energy = self.linearise(state, aim.pressure);
             }
             self.effort.iterations += 1;
         }
@@ -184,7 +205,8 @@ impl Solver {
     }
 
     pub(super) fn linearise(&mut self, state: &State, pressure: f64) -> Energy {
-        let mut energy = self.assembly.linearise(state, pressure);
+        let tangent = if self.is_rough { Tangent::Tensile } else { Tangent::Exact };
+        let mut energy = self.assembly.linearise(state, pressure, tangent);
         if let Some(contact) = &self.contact {
             contact.add(state, &mut self.assembly);
             energy.contact = contact.energy(state);
