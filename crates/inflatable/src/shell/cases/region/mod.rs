@@ -2,7 +2,7 @@
 //!
 //! One sheet is modelled; the other is its image in the plane z = 0. The outline slides in that plane and turns freely, islands and welds lie
 //! in it, and supports prevent rigid motions. Sheets that buckle in wrinkles which no mesh resolves (1/eps above
-//! 5,000 by the widest place) are computed as sheets that bear no compression: the shape is then the mean of the wrinkles.
+//! 1,000 by the widest place) are computed as sheets that bear no compression: the shape is then the mean of the wrinkles.
 //!
 //! Left out: contact of the shape with itself, the bands outside the outline, and the connections between chambers.
 
