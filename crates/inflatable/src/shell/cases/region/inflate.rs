@@ -50,7 +50,7 @@ impl FlatRegion {
 /// Three unknowns of each point and one of each edge are three by triangle; a sheet whose wrinkles are averaged has those of points only.
 const QUICK: f64 = 800.0;
 const TRIANGLES_OF_SQUARE: f64 = 4.2;
-const MOST_QUICK: f64 = 6.0;
+const MOST_QUICK: f64 = 8.0;
 /// Accepted factor on the number of unknowns, and number of trials for it.
 const ENOUGH: f64 = 1.3;
 const LOOKS: u32 = 4;
