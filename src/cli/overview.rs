@@ -44,7 +44,7 @@ pub(super) fn head(forecast: &Forecast) -> Vec<OverviewRow> {
     rows
 }
 
-/// What was mended in a drawing, or resolved: the first of it.
+/// The first notes on repairs and choices in a drawing.
 fn noted(notes: &[String]) -> Vec<OverviewRow> {
     let mut rows: Vec<OverviewRow> = notes.iter().take(2).map(|note| ("drawing", note.clone())).collect();
     if notes.len() > 2 {

@@ -192,29 +192,43 @@ impl Star {
 }
 
 impl Trimmed {
-    /// Area of one sector of `star` of angle 2 pi / n inside the contour, mm^2: the sum of half of x dy - y dx along it.
-    pub(super) fn sector_area(&self, star: &Star) -> f64 {
+    /// Area of one sector of angle 2 pi / n of the star of `turns` inside the contour, mm^2: the sum of half of x dy - y dx along it.
+    pub(super) fn sector_area(&self, turns: &Turns) -> f64 {
         // An arc around a point at the distance c that turns by 2 h: r^2 h + c r sin h if it bulges outwards.
-        let swept = |hinge: &ContourHinge, sign: f64| {
+        let swept = |hinge: &ContourHinge, sign: f64, sin: f64| {
             let ContourHinge { center, radius, half } = *hinge;
-            sign * radius * radius * half + center * radius * libm::sin(half)
+            sign * radius * radius * half + center * radius * sin
         };
         match self {
-            Self::Tips(tip) => swept(tip, 1.0),
-            Self::Corners(corner) => swept(corner, -1.0),
+            Self::Tips(tip) => swept(tip, 1.0, libm::sin(tip.half)),
+            Self::Corners(corner) => swept(corner, -1.0, libm::sin(corner.half)),
             Self::Arms { corner, tip, .. } => {
+                let Turns { corner: (sin_corner, cos_corner), tip: (sin_tip, cos_tip), sector: (sin, cos) } =
+                    turns;
                 // From the corner's end to the tip's start; the other arm is its mirror image.
-                let from = Point::new(
-                    corner.center - corner.radius * libm::cos(corner.half),
-                    corner.radius * libm::sin(corner.half),
-                );
-                let (along, across) =
-                    (tip.center + tip.radius * libm::cos(tip.half), -tip.radius * libm::sin(tip.half));
-                let (sin, cos) = libm::sincos(star.half_sector());
+                let from = Point::new(corner.center - corner.radius * cos_corner, corner.radius * sin_corner);
+                let (along, across) = (tip.center + tip.radius * cos_tip, -tip.radius * sin_tip);
                 let to = Point::new(along * cos - across * sin, along * sin + across * cos);
-                swept(tip, 1.0) + swept(corner, -1.0) + from.x * to.y - from.y * to.x
+                swept(tip, 1.0, *sin_tip) + swept(corner, -1.0, *sin_corner) + from.x * to.y - from.y * to.x
             }
         }
+    }
+}
+
+/// Sines and cosines of half the angles of a star: the same for all of its contours that have arms.
+pub(super) struct Turns {
+    /// Of a corner's arc.
+    corner: (f64, f64),
+    /// Of a tip's arc.
+    tip: (f64, f64),
+    /// Of a sector.
+    sector: (f64, f64),
+}
+
+impl Turns {
+    pub(super) fn new(star: &Star) -> Self {
+        let [corner, tip] = [star.phi_e, star.phi_i].map(|phi| libm::sincos((PI - phi) / 2.0));
+        Self { corner, tip, sector: libm::sincos(star.half_sector()) }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The outline: where the fabric is cut, and the registration holes.
 
-use crate::design::contour::Trimmed;
+use crate::design::contour::{Trimmed, Turns};
 use crate::design::star_seam::hole_closed;
 use crate::design::{Channel, Contour, Part, Refusal, Refusals, Side, Star, registration};
 use crate::spec::{Inlet, Seal};
@@ -105,7 +105,8 @@ pub fn cut_area(
     let hole = star.trimmed(Side::Hole, seal.band.0 + seal.hole_allowance.0, 0.0)?;
     let delta = seal.band.0 + seal.allowance.0;
     let flap = star.trimmed(Side::Outside, delta, 0.0)?;
-    let mut area = n * (flap.sector_area(star) - hole.sector_area(star));
+    let turns = Turns::new(star);
+    let mut area = n * (flap.sector_area(&turns) - hole.sector_area(&turns));
     let (Trimmed::Arms { tip, .. } | Trimmed::Tips(tip)) = flap else { return None };
     if hole_diameter > 0.0 {
         let sites = registration::sites(star, tip.half, inlet_tip, seal, hole_diameter).ok()?;

@@ -186,7 +186,8 @@ impl Candidate {
             fabric: area.map(|area| SHEETS * area),
         };
         if met.is_empty() {
-            return Ok(one.of_stars(self.stars));
+            one.count(self.stars);
+            return Ok(one);
         }
         let mut all = Vec::with_capacity(met.len());
         for (meeting, count) in &met {
@@ -237,14 +238,17 @@ impl Candidate {
 impl Answer {
     /// The same of a stack of `count` stars that all meet the object as this one does.
     #[must_use]
-    pub fn of_stars(self, count: u32) -> Self {
+    pub fn of_stars(mut self, count: u32) -> Self {
+        self.count(count);
+        self
+    }
+
+    /// Makes it the answer of a stack of `stars` stars that all meet the object as this one does.
+    fn count(&mut self, stars: u32) {
         let own = self.grip.as_ref();
-        let count = f64::from(count);
-        Self {
-            payload: own.and_then(|own| own.payload).map(|of_one| count * of_one),
-            payload_range: own.and_then(|own| own.payload_range).map(|of_one| scaled(of_one, count)),
-            ..self
-        }
+        let count = f64::from(stars);
+        self.payload = own.and_then(|own| own.payload).map(|of_one| count * of_one);
+        self.payload_range = own.and_then(|own| own.payload_range).map(|of_one| scaled(of_one, count));
     }
 }
 

@@ -6,7 +6,7 @@ use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::bvp::Bvp;
 use inflatable::mechanics::hinge::fit::Fit;
 use inflatable::mechanics::hinge::ring::Ring;
-use inflatable::mechanics::hinge::section::{Section, SectionTable, Tabled};
+use inflatable::mechanics::hinge::section::{Section, Tabled};
 use inflatable::mechanics::hinge::{HingeModel, Level, fit};
 use inflatable::mechanics::star::Correction;
 use inflatable::mechanics::star::correction::Ratios;
@@ -27,7 +27,7 @@ pub fn tabled(case: &Case, pressure: f64) -> Result<Tabled, StarFault> {
     let (star, sheet) = (&case.mechanism, &case.sheet);
     let scales = [sheet.bendability(pressure, star.width), sheet.thickness / star.width, sheet.poisson_ratio];
     let r_stars = [star.tip().r_star, star.corner().r_star];
-    Ok(Tabled::new(SectionTable::shipped()?, scales, r_stars)?)
+    Ok(Tabled::new(scales, r_stars)?)
 }
 
 /// `case` with the corrections of `model`: `section` gives the width of hinges at pressure and the corrections from shells of stars.

@@ -6,6 +6,7 @@ use crate::forecast::ranges::{Domain, Interval, Ranges, pressure_edge};
 use crate::units::Length;
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::HingeModel;
+use inflatable::mechanics::star::grasp::Grasp;
 use inflatable::mechanics::star::response::{Inflated, Rest};
 use inflatable::mechanics::strength::payload;
 
@@ -86,13 +87,14 @@ impl Outcome {
 
     /// With linear hinges, and with ranges where there are any.
     pub fn linear(case: &Case, inflated: &Inflated<'_>) -> Self {
-        let own = Self::at(case, inflated.linear_rest(), |rho, rest| inflated.linear_force(rho, rest));
+        let rest = inflated.linear_rest();
+        let grasp = case.object.and_then(|_| inflated.grasp(&rest));
+        let own = Self::at(case, rest, |rho, rest| inflated.linear_force_by(grasp.as_ref(), rho, rest));
         let ranges = Ranges::new(case, inflated, &own.rest);
         let edge = if ranges.domain == Domain::Extrapolated { at_the_edge(case) } else { None };
         let ranges =
             edge.map_or(ranges, |edge| ranges.bounded(&edge.ranges, [own.rest.radius, edge.rest.radius]));
-        let held = own.object_force();
-        let force_range = held.and(case.object).and_then(|rho| ranges.force(inflated, rho, &own.rest));
+        let force_range = own.force_range(case, grasp.as_ref(), &ranges);
         let force_range = force_range.map(|range| own.at_least_as_at(edge.as_ref(), range));
         // The friction does not depend on the force, and either may be at its end: at least what the lower ends hold, at most what the upper.
         let payload_range = case
@@ -101,6 +103,17 @@ impl Outcome {
             .map(|(friction, force)| [0, 1].map(|end: usize| payload(friction[end], [1.0]) * force[end]));
         let own = Self { ranges, force_range, payload_range, ..own };
         if case.mechanism.correction.corner_compliance { own.as_far_as_known() } else { own }
+    }
+
+    /// The range of the force on the object by `grasp`; `None` for a limit, or without a force.
+    fn force_range(&self, case: &Case, grasp: Option<&Grasp>, ranges: &Ranges) -> Option<Interval> {
+        let (grasp, rho, _) = (grasp?, case.object?, self.object_force()?);
+        let force = match self.hold {
+            Some(Grip::Held(force)) => force,
+            // Where arms touch, also an object that the star does not reach may lie beyond the radius without contact.
+            _ => grasp.force(rho),
+        };
+        ranges.force(grasp, force, rho, &self.rest)
     }
 
     /// `range` of the force. If the model's force has grown since the edge of the validated domain, its lower end is at least the one

@@ -125,7 +125,8 @@ impl StarAnswer<'_> {
 /// The ranges of `outcome` in the units of a prediction; `stiffness` is that of the hinges.
 fn ranges(case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) -> StarRanges {
     let own = &outcome.ranges;
-    let hinge = |of: fn(&Hinges<f64>) -> f64| Some(scaled(own.hinge?, of(stiffness.as_ref()?)));
+    let factors = own.hinge(case);
+    let hinge = |of: fn(&Hinges<f64>) -> f64| Some(scaled(factors?, of(stiffness.as_ref()?)));
     StarRanges {
         final_radius_mm: own.radius.map(|range| range.map(mm)),
         contraction: outcome.contraction_range(case),

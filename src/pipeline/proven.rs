@@ -136,7 +136,7 @@ impl PublishedBuild {
         proof
     }
 
-    /// The findings for an unreadable manifest: the fault itself, and the files that no build makes. Without the manifest's lengths no
+    /// The findings for an unreadable manifest: the fault itself, and files that are not outputs of a build. Without the manifest's lengths no
     /// other file was read, so each would seem empty.
     fn without_manifest(&self, files: &OutputFiles<'_>) -> Proof {
         let what = "it is damaged, or another program wrote it";

@@ -330,7 +330,7 @@ pub struct Load {
 }
 
 impl Load {
-    /// Within which mu lies: mu itself where no more is said. It always contains mu, which a study may vary alone.
+    /// Range of mu: mu itself at both ends unless the spec gives others. It always contains mu, which a study may vary alone.
     pub fn friction_range(&self) -> Option<[f64; 2]> {
         let mu = self.friction?;
         Some([self.friction_least.unwrap_or(mu).min(mu), self.friction_most.unwrap_or(mu).max(mu)])

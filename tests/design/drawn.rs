@@ -200,7 +200,7 @@ fn shipped_drawings_are_proven_from_their_directory() {
     assert!(number >= 3, "{number}");
 }
 
-/// What was mended is said, and colours get roles where all lies on one layer.
+/// The report lists repairs, and colours get roles where all lies on one layer.
 #[test]
 fn repairs_are_told_and_colours_are_layers() {
     let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"200mm\" viewBox=\"0 0 200 200\"><g id=\"Layer 1\" fill=\"none\">\

@@ -101,7 +101,8 @@ fn compared(
         let reached = secant.value * stiffness.value * radius.error;
         let predicted =
             if object < own.rest.radius { 0.0 } else { inflated.linear_force(object, &own.rest).ok()? };
-        let range = own.ranges.force(inflated, object, &own.rest)?;
+        let grasp = inflated.grasp(&own.rest)?;
+        let range = own.ranges.force(&grasp, grasp.force(object), object, &own.rest)?;
         let pair = Pair { shell, mesh: open * shell + reached, predicted, range, error: shell / same };
         (open < SETTLED && shell > 0.0 && object <= case.inner_radius).then_some((*part, pair))
     };
@@ -181,7 +182,7 @@ fn one_opened(stars: &[ComputedStar], line: &str) -> Option<Opened> {
     predicted(drawn, |case, inflated, own| {
         let object = 1e-3 * object;
         let predicted = inflated.linear_force(object, &own.rest).ok()?;
-        let range = own.ranges.force(inflated, object, &own.rest)?;
+        let range = own.ranges.force(&inflated.grasp(&own.rest)?, predicted, object, &own.rest)?;
         (mesh < SETTLED * shell && object <= case.hole).then_some(Opened {
             star: (drawn.set, drawn.number),
             touches: own.rest.equilibrium < own.rest.angle,

@@ -117,7 +117,8 @@ pub fn bendability(slender: f64) -> Interval {
 
 /// [`HINGE`] of fabric of t/W = `slender`, wider where that is thin.
 pub fn hinge(slender: f64) -> Interval {
-    [0, 1].map(|end: usize| HINGE[end] * libm::pow(THIN_HINGE[end] / HINGE[end], thinness(slender)))
+    let thin = thinness(slender);
+    [0, 1].map(|end: usize| HINGE[end] * libm::pow(THIN_HINGE[end] / HINGE[end], thin))
 }
 
 /// [`ACTUATOR`] of fabric of t/W = `slender`, wider where that is thin.
@@ -128,5 +129,8 @@ pub fn actuator(slender: f64) -> Interval {
 /// How thin fabric is, by its logarithm: from 0 at t/W = 0.01 to 1 where ranges end.
 fn thinness(slender: f64) -> f64 {
     let [thick, thin] = [SLENDERNESS[0], SLENDERNESS_REACHED[0]];
+    if slender >= thick {
+        return 0.0;
+    }
     (libm::log(thick / slender) / libm::log(thick / thin)).clamp(0.0, 1.0)
 }

@@ -13,7 +13,8 @@ pub use interval::{Interval, mm, scaled, sum};
 
 use crate::forecast::case::{Case, Hinges};
 use crate::units::Readable;
-use inflatable::mechanics::hinge::{HingeModel, Level};
+use inflatable::mechanics::hinge::Level;
+use inflatable::mechanics::star::grasp::Grasp;
 use inflatable::mechanics::star::response::{Inflated, Rest};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -41,8 +42,6 @@ pub struct Ranges {
     pub radius: Option<Interval>,
     /// Range of the tips' angle at rest, rad; `None` also where arms touch, because contact is part of that equilibrium.
     pub angle: Option<Interval>,
-    /// Range of the hinges' stiffness, as factors of it.
-    pub hinge: Option<Interval>,
     /// Range of the radial stiffness, N per m; `None` also where arms touch.
     pub stiffness: Option<Interval>,
 }
@@ -50,7 +49,7 @@ pub struct Ranges {
 impl Ranges {
     /// Ranges of a star that rests at `rest`.
     pub fn new(case: &Case, inflated: &Inflated<'_>, rest: &Rest) -> Self {
-        let Some((domain, wider)) = domain(case, inflated.model()) else { return Self::default() };
+        let Some((domain, wider)) = domain(case, inflated) else { return Self::default() };
         let about =
             |value: f64, errors: Interval, scale: f64| errors.map(|error| value + wider * error * scale);
         let star = &case.mechanism;
@@ -61,16 +60,23 @@ impl Ranges {
         let free = rest.equilibrium > star.correction.contact_angle;
         let radius = about(rest.radius, errors::RADIUS, unit).map(|end| end.max(0.0));
         let angle = about(rest.equilibrium, errors::ANGLE, angle_unit(long));
-        let [low, high] = errors::HINGE.map(|part| libm::pow(part, wider));
-        let thin = errors::hinge(case.sheet.thickness / star.width);
         Self {
             domain,
             wider,
             radius: Some(radius),
             angle: (angle[0] > star.correction.contact_angle).then_some(angle),
-            hinge: Some([low.min(thin[0]), high.max(thin[1])]),
             stiffness: free.then(|| errors::STIFFNESS.map(|part| rest.stiffness * libm::pow(part, stiffer))),
         }
+    }
+
+    /// Range of the stiffness of the hinges of `case`, as factors of it.
+    pub fn hinge(&self, case: &Case) -> Option<Interval> {
+        if self.domain == Domain::Unknown {
+            return None;
+        }
+        let [low, high] = errors::HINGE.map(|part| libm::pow(part, self.wider));
+        let thin = errors::hinge(case.sheet.thickness / case.mechanism.width);
+        Some([low.min(thin[0]), high.max(thin[1])])
     }
 
     /// The same bounded by `edge`, the ranges of the star at its [`pressure_edge`]; `rests` are the final
@@ -88,12 +94,11 @@ impl Ranges {
         }
     }
 
-    /// Range of the radial force on an object of radius `rho` (m) within the star `inflated`, which rests at `rest`; `None` where shells
-    /// were not opened so far.
-    pub fn force(&self, inflated: &Inflated<'_>, rho: f64, rest: &Rest) -> Option<Interval> {
-        let star = inflated.star();
+    /// Range of the radial force `force` (N) of `grasp` on an object of radius `rho` (m) within the star that rests at `rest`; `None`
+    /// where shells were not opened so far.
+    pub fn force(&self, grasp: &Grasp, force: f64, rho: f64, rest: &Rest) -> Option<Interval> {
         let [near, far] = self.radius?;
-        let opened = (rho - rest.radius) / star.width;
+        let opened = (rho - rest.radius) / grasp.width();
         if opened > errors::OPENING_REACHED {
             return None;
         }
@@ -103,10 +108,9 @@ impl Ranges {
             errors::FORCE.map(|part| libm::pow(part, self.wider * (1.0 + further.clamp(0.0, 1.0))));
         // The start of contact is as uncertain as the radius. Both errors are treated as independent, so
         // they are added in quadrature; ranges made so hold (docs/ranges.md).
-        let grasp = inflated.grasp(rest);
         // Arms that touch: the radius without contact is as uncertain.
-        let [least, force, most] =
-            [far, rest.radius, near].map(|from| grasp.force(rho, grasp.free_radius() + (from - rest.radius)));
+        let [least, most] =
+            [far, near].map(|from| grasp.force_from(rho, grasp.free_radius() + (from - rest.radius)));
         Some([
             (force - libm::hypot(force - least, force * (1.0 - low))).max(0.0),
             force + libm::hypot(most - force, force * (high - 1.0)),
@@ -120,11 +124,9 @@ pub fn angle_unit(arm: f64) -> f64 {
 }
 
 /// Whether stars like `case` were computed as shells, and the factor on the width of its ranges; `None` if too far outside.
-fn domain(case: &Case, model: &dyn HingeModel) -> Option<(Domain, f64)> {
-    let star = &case.mechanism;
-    let hinges = [star.tip(), star.corner()];
-    let arms = hinges.iter().all(|hinge| model.arms(hinge.r_star, hinge.arc()).is_some());
-    let pressure = case.pressure.filter(|_| arms && model.level() == Level::Section)?;
+fn domain(case: &Case, inflated: &Inflated<'_>) -> Option<(Domain, f64)> {
+    let known = inflated.has_arms() && inflated.level() == Level::Section;
+    let pressure = case.pressure.filter(|_| known)?;
     let wider = widening(&places(case, pressure))?;
     Some((if wider > 1.0 { Domain::Extrapolated } else { Domain::Validated }, wider))
 }
@@ -157,6 +159,9 @@ impl TriedRatio {
     /// How far it lies outside, from 0 where many stars were tried to 1 where ranges end: by its logarithm.
     fn far(&self) -> f64 {
         let ([low, high], [least, most]) = (self.tried, self.reached);
+        if self.x >= low && self.x <= high {
+            return 0.0;
+        }
         let part =
             |factor: f64, end: f64| if factor > EXACT { libm::log(factor) / libm::log(end) } else { 0.0 };
         match self.x {
@@ -175,8 +180,8 @@ impl TriedRatio {
 
 /// By how much ranges are wider where numbers lie outside of the intervals that were tried: as for the one that widens them most, and no end
 /// of a range jumps where nothing was tried any more; `None` too far out.
-pub(super) fn widening(places: &[TriedRatio]) -> Option<f64> {
-    places.iter().try_fold(1.0, |most, place| Some(f64::max(most, place.widens()?)))
+pub(super) fn widening<'a>(places: impl IntoIterator<Item = &'a TriedRatio>) -> Option<f64> {
+    places.into_iter().try_fold(1.0, |most, place| Some(f64::max(most, place.widens()?)))
 }
 
 /// The largest pressure, Pa, at which the ranges of `case` are not wider for its pressure; `None` if its
@@ -186,10 +191,10 @@ pub(super) fn widening(places: &[TriedRatio]) -> Option<f64> {
 /// change correctly: see [`Ranges::bounded`].
 pub fn pressure_edge(case: &Case) -> Option<f64> {
     let pressure = case.pressure?;
-    let (by_pressure, by_sizes): (Vec<_>, Vec<_>) =
-        places(case, pressure).into_iter().partition(|place| place.what == BENDABILITY);
-    let own = by_pressure.first().filter(|place| place.x > place.tried[1])?;
-    let far = (widening(&by_sizes)? - 1.0) / (own.wider - 1.0);
+    let places = places(case, pressure);
+    let own = places.iter().find(|place| place.what == BENDABILITY && place.x > place.tried[1])?;
+    let by_sizes = places.iter().filter(|place| place.what != BENDABILITY);
+    let far = (widening(by_sizes)? - 1.0) / (own.wider - 1.0);
     let edge = own.tried[1] * libm::pow(own.reached[1] / own.tried[1], far);
     (own.x > EXACT * edge && own.x.is_finite()).then(|| pressure * edge / own.x)
 }

@@ -1,5 +1,6 @@
 //! Rows as columns of numbers, computed in parallel, in order.
 
+use crate::forecast::candidate::Candidate;
 use crate::forecast::study::Study;
 use crate::forecast::study::answers::RowRefusal;
 use crate::forecast::study::columns::ColumnKind;
@@ -149,21 +150,23 @@ impl Study {
         let mut columns: Vec<ColumnValues> =
             self.columns.iter().map(|column| ColumnValues::new(column.kind, rows.len())).collect();
         let mut place = Vec::new();
+        let mut point = self.designs.base();
         for row in rows.clone() {
             if cancel.load(Ordering::Relaxed) {
                 return None;
             }
             self.designs.place(row, &mut place);
-            self.fill(row, &place, &mut columns, cancel)?;
+            self.fill(row, &place, &mut point, &mut columns, cancel)?;
         }
         Some(RowBatch { rows, columns })
     }
 
-    /// Adds a row; `None` if its answer was cancelled.
+    /// Adds a row, and makes `point` its design; `None` if its answer was cancelled.
     fn fill(
         &self,
         row: usize,
         place: &[usize],
+        point: &mut Candidate,
         columns: &mut [ColumnValues],
         cancel: &Arc<AtomicBool>,
     ) -> Option<()> {
@@ -178,12 +181,10 @@ impl Study {
         for (b, axis) in self.designs.axes() {
             next(&|column| column.push(&axis.value(place[b])));
         }
-        let answered = self.designs.at(place).map_err(RowRefusal::from).and_then(|point| {
-            let answered = self.models.answer(&point, cancel)?;
-            Ok((point, answered))
-        });
+        let designed = self.designs.set(point, place).map_err(RowRefusal::from);
+        let answered = designed.and_then(|()| self.models.answer(point, cancel));
         let refused = match &answered {
-            Ok((point, answered)) => {
+            Ok(answered) => {
                 let (answer, shell) = (&answered.answer, answered.shell.as_deref());
                 let row = StudyRow { point, answer, shell, all: self.codes };
                 for output in &self.outputs {

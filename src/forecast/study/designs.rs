@@ -116,15 +116,23 @@ impl Designs {
     pub(super) fn design(&self, row: usize) -> Result<Candidate, RefusedDesign> {
         let mut place = Vec::with_capacity(self.blocks.len());
         self.place(row, &mut place);
-        self.at(&place)
+        let mut point = self.base();
+        self.set(&mut point, &place).map(|()| point)
     }
 
-    /// The design at a place in each block.
-    pub(super) fn at(&self, place: &[usize]) -> Result<Candidate, RefusedDesign> {
-        let mut point = self.slowly(place)?;
+    /// A design whose keys [`Designs::set`] sets.
+    pub(super) fn base(&self) -> Candidate {
+        self.base.clone()
+    }
+
+    /// Makes `point`, a [`Designs::base`] or the design of another place, the design at a place in each block.
+    pub(super) fn set(&self, point: &mut Candidate, place: &[usize]) -> Result<(), RefusedDesign> {
+        if !self.slow.is_empty() {
+            *point = self.slowly(place)?;
+        }
         for (b, l, set) in &self.quick {
             if let KeyValue::Number(number) = *self.blocks[*b].axes()[*l].value(place[*b]) {
-                set(&mut point, number);
+                set(point, number);
             }
         }
         if point.inlet.is_some() && point.star.inlet_tip > point.star.points {
@@ -134,14 +142,11 @@ impl Designs {
             );
             return Err(RefusedDesign { code: "out-of-range", text });
         }
-        Ok(point)
+        Ok(())
     }
 
     /// The design of the slow keys' combination at `place`.
     fn slowly(&self, place: &[usize]) -> Result<Candidate, RefusedDesign> {
-        if self.slow.is_empty() {
-            return Ok(self.base.clone());
-        }
         let number = self.slow_blocks().fold(0, |number, b| number * self.blocks[b].len() + place[b]);
         match self.kept.get(number) {
             Some(kept) => kept.get_or_init(|| self.read(place)).clone(),

@@ -18,17 +18,14 @@ pub(super) fn write(out: &mut Vec<u8>, value: f64) {
         let _ = write!(out, "{x:.8e}");
         return;
     }
-    // Decimals so that nine significant digits are shown; the chain is faster than a logarithm.
-    let mut decimals = 11;
-    let mut bound = 1e-2;
-    while size >= bound {
-        decimals -= 1;
-        bound *= 10.0;
-    }
+    let decimals = 11 - BOUNDS.iter().filter(|bound| size >= **bound).count();
     if !quick(out, x, decimals) {
         let _ = write!(out, "{x:.decimals$}");
     }
 }
+
+/// From each of these sizes on, nine significant digits have one decimal less; 11 below.
+const BOUNDS: [f64; 11] = [1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8];
 
 /// Powers of ten, all exact.
 const TENS: [f64; 12] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11];
@@ -50,39 +47,51 @@ fn quick(out: &mut Vec<u8>, x: f64, decimals: usize) -> bool {
 
 /// Adds a whole number.
 pub(super) fn whole(out: &mut Vec<u8>, value: i64) {
-    decimal(out, value < 0, value.unsigned_abs(), 0);
+    if value.unsigned_abs() < 10_u64.pow(16) {
+        decimal(out, value < 0, value.unsigned_abs(), 0);
+    } else {
+        // Writing to a Vec never fails.
+        let _ = write!(out, "{value}");
+    }
 }
 
-/// Adds `digits` with the last `decimals` behind the point.
-fn decimal(out: &mut Vec<u8>, is_negative: bool, mut digits: u64, decimals: usize) {
-    let mut text = [0; 24];
-    let mut at = text.len();
-    let mut put = |byte| {
-        at -= 1;
-        text[at] = byte;
-    };
-    let mut last = || {
-        let digit = u8::try_from(digits % 10).unwrap_or(0);
-        digits /= 10;
-        (b'0' + digit, digits == 0)
-    };
-    for _ in 0..decimals {
-        put(last().0);
-    }
+/// Adds `digits`, less than 1e16, with the last `decimals`, at most 15, behind the point.
+fn decimal(out: &mut Vec<u8>, is_negative: bool, digits: u64, decimals: usize) {
+    const EIGHT: u64 = 100_000_000;
+    let (high, low) = (digits / EIGHT, eight(digits % EIGHT));
+    // Mostly the first of nine digits: the last of eight bytes.
+    let high = if high < 10 { high << 56 } else { eight(high) };
+    let zeros = if high == 0 { 8 + low.trailing_zeros() / 8 } else { high.trailing_zeros() / 8 };
+    // The digits as one number, the first in its lowest byte, so that a shift cuts them.
+    let digits = u128::from(high | ASCII) | (u128::from(low | ASCII) << 64);
+    let point = 16 - decimals;
+    let first = (zeros as usize).min(point - 1);
+    let mut text = [b'-'; 40];
+    text[1..17].copy_from_slice(&(digits >> (8 * first)).to_le_bytes());
+    let mut end = 1 + point - first;
     if decimals > 0 {
-        put(b'.');
+        text[end] = b'.';
+        text[end + 1..end + 17].copy_from_slice(&(digits >> (8 * point)).to_le_bytes());
+        end += 1 + decimals;
     }
-    loop {
-        let (digit, is_first) = last();
-        put(digit);
-        if is_first {
-            break;
-        }
-    }
-    if is_negative {
-        put(b'-');
-    }
-    out.extend_from_slice(&text[at..]);
+    let start = usize::from(!is_negative);
+    let len = out.len() + end - start;
+    // A copy of a length that the compiler knows needs no call.
+    out.extend_from_slice(&text[start..start + 32]);
+    out.truncate(len);
+}
+
+/// The character 0 in each byte.
+const ASCII: u64 = 0x3030_3030_3030_3030;
+
+/// The eight digits of a number below 1e8, a byte each, the first in the lowest: halved three times, all parts at once.
+fn eight(number: u64) -> u64 {
+    let fours = (number / 10_000) | ((number % 10_000) << 32);
+    // n / 100 of n below 10,000, and n / 10 of n below 100: the rounded reciprocals are exact as far as that.
+    let hundreds = ((fours * 5243) >> 19) & 0x7f_0000_007f;
+    let twos = hundreds | ((fours - 100 * hundreds) << 16);
+    let tens = ((twos * 103) >> 10) & 0x000f_000f_000f_000f;
+    tens | ((twos - 10 * tens) << 8)
 }
 
 #[cfg(test)]
@@ -145,6 +154,18 @@ mod tests {
             bound *= 10.0;
         }
         format!("{x:.decimals$}")
+    }
+
+    #[test]
+    fn whole_numbers_have_all_their_digits() {
+        let ends = (0..19).flat_map(|k| [10_i64.pow(k) - 1, 10_i64.pow(k), 7 * (10_i64.pow(k) / 3)]);
+        for value in ends.chain(0..20_000).chain([i64::MAX, i64::MIN]) {
+            for value in [value, value.wrapping_neg()] {
+                let mut out = Vec::new();
+                whole(&mut out, value);
+                assert_eq!(String::from_utf8(out).expect("digits"), value.to_string());
+            }
+        }
     }
 
     proptest! {

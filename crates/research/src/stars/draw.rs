@@ -167,7 +167,7 @@ const fn paper(number: u32, points: u32, pressure: f64) -> DrawnStar {
     }
 }
 
-/// One throw; `None` if there is no such star, or it lies outside of what is asked about.
+/// One throw; `None` if there is no such star, or it lies outside of `bounds`.
 fn drawn((set, number): (Set, u32), points: u32, bounds: &Bounds, dice: &mut Dice) -> Option<DrawnStar> {
     let width = rounded(dice.log([15.0, 60.0]), 10.0);
     let thickness = rounded(dice.log([0.1, 0.5]), 1000.0);

@@ -158,14 +158,19 @@ impl Hinge {
         PI - lambda * self.arc()
     }
 
-    /// The angle (rad) by which the arms let it coil further than `model`'s lambda gives; 0 where it is unknown.
-    pub fn let_out(&self, model: &dyn HingeModel) -> f64 {
-        model.arms(self.r_star, self.arc()).map_or(0.0, |arms| arms.angle)
+    /// The effect of the arms by `model`; `None` where it is unknown.
+    pub fn arms(&self, model: &dyn HingeModel) -> Option<Arms> {
+        model.arms(self.r_star, self.arc())
     }
 
     /// The angle phi (rad) at which `model`'s state `state` is, arms included.
     pub fn angle_of(&self, model: &dyn HingeModel, state: &HingeState) -> f64 {
-        self.angle(state.lambda) - self.let_out(model)
+        self.angle_between(self.arms(model), state)
+    }
+
+    /// The same with the effect of the arms given.
+    pub(super) fn angle_between(&self, arms: Option<Arms>, state: &HingeState) -> f64 {
+        self.angle(state.lambda) - let_out(arms)
     }
 
     /// `model`'s state at the angle `phi` (rad), arms included.
@@ -173,8 +178,9 @@ impl Hinge {
     /// # Errors
     /// As for [`HingeModel::state`].
     pub fn state_at(&self, model: &dyn HingeModel, phi: f64) -> Result<HingeState, HingeFault> {
-        let alone = model.state(self.r_star, self.coiling(phi + self.let_out(model)))?;
-        Ok(self.between_arms(model, alone))
+        let arms = self.arms(model);
+        let alone = model.state(self.r_star, self.coiling(phi + let_out(arms)))?;
+        Ok(self.between_arms(arms, alone))
     }
 
     /// `model`'s state at rest, arms included.
@@ -182,13 +188,21 @@ impl Hinge {
     /// # Errors
     /// As for [`HingeModel::target`].
     pub fn rest(&self, model: &dyn HingeModel) -> Result<HingeState, HingeFault> {
-        Ok(self.between_arms(model, model.target(self.r_star)?))
+        self.rest_between(self.arms(model), model)
+    }
+
+    /// The same with the effect of the arms given.
+    pub(super) fn rest_between(
+        &self,
+        arms: Option<Arms>,
+        model: &dyn HingeModel,
+    ) -> Result<HingeState, HingeFault> {
+        Ok(self.between_arms(arms, model.target(self.r_star)?))
     }
 
     /// The hinge made softer by its arms, in the same part at all angles: the shell is up to a tenth off that on either side.
-    fn between_arms(&self, model: &dyn HingeModel, alone: HingeState) -> HingeState {
-        let part =
-            model.arms(self.r_star, self.arc()).map_or(1.0, |arms| self.arc() / (self.arc() + arms.give));
+    fn between_arms(&self, arms: Option<Arms>, alone: HingeState) -> HingeState {
+        let part = arms.map_or(1.0, |arms| self.arc() / (self.arc() + arms.give));
         HingeState { slope: part * alone.slope, curvature: part * alone.curvature, ..alone }
     }
 
@@ -205,6 +219,11 @@ impl Hinge {
     pub fn stiffness(&self, p: f64, state: &HingeState) -> f64 {
         -p * self.width.powi(3) * state.curvature / self.arc()
     }
+}
+
+/// The angle (rad) by which `arms` let a hinge coil further than its model's lambda gives; 0 where it is unknown.
+fn let_out(arms: Option<Arms>) -> f64 {
+    arms.map_or(0.0, |arms| arms.angle)
 }
 
 /// Refuses an `R*` that is not a number from 0 to `most`.

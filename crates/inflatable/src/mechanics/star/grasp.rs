@@ -98,8 +98,18 @@ impl Grasp {
         self.rest[0]
     }
 
+    /// The star's tube width W, m.
+    pub fn width(&self) -> f64 {
+        self.star.width
+    }
+
+    /// Radial force (N, all corners together) on an object of radius `rho`, m.
+    pub fn force(&self, rho: f64) -> f64 {
+        self.force_from(rho, self.free_radius())
+    }
+
     /// Radial force (N, all corners together) on an object of radius `rho` (m), if it is met from the radius `from` (m) on.
-    pub fn force(&self, rho: f64, from: f64) -> f64 {
+    pub fn force_from(&self, rho: f64, from: f64) -> f64 {
         let opening = (rho - from).max(0.0);
         RIM * self.stiffness * opening * self.secant(opening)
     }
@@ -164,9 +174,9 @@ mod tests {
     fn the_first_force_is_that_of_the_stiffness() {
         for points in 3..=8 {
             let one = grasp(points, 0.8);
-            let first = one.force(0.02 + 1e-9, 0.02) / 1e-9;
+            let first = one.force_from(0.02 + 1e-9, 0.02) / 1e-9;
             assert!((first / (RIM * 600.0) - 1.0).abs() < 1e-4, "{points}: {first}");
-            assert!(one.force(0.02, 0.02) == 0.0 && one.force(0.01, 0.02) == 0.0);
+            assert!(one.force_from(0.02, 0.02) == 0.0 && one.force_from(0.01, 0.02) == 0.0);
         }
     }
 
@@ -190,7 +200,7 @@ mod tests {
             let one = grasp(points, curved);
             let mut before = 0.0;
             for step in 1..=2000 {
-                let force = one.force(0.02 + 1e-4 * f64::from(step), 0.02);
+                let force = one.force_from(0.02 + 1e-4 * f64::from(step), 0.02);
                 assert!(force > before && force.is_finite(), "{points} {curved} {step}: {before} {force}");
                 before = force;
             }
@@ -202,12 +212,12 @@ mod tests {
     fn a_star_that_cannot_open_or_has_no_stiffness_has_a_finite_force() {
         let star = paper(8);
         let locked = Grasp::new(&star, HINGES, [1.4, 1.4], 600.0);
-        assert!((locked.force(0.03, 0.02) / (RIM * 600.0 * 0.01) - 1.0).abs() < 1e-12);
-        assert_eq!(Grasp { stiffness: 0.0, ..locked }.force(0.03, 0.02), 0.0);
+        assert!((locked.force_from(0.03, 0.02) / (RIM * 600.0 * 0.01) - 1.0).abs() < 1e-12);
+        assert_eq!(Grasp { stiffness: 0.0, ..locked }.force_from(0.03, 0.02), 0.0);
         // Hinges that pull against each other more than they hold.
         let wild = HingePair { target: [2.0; 2], ..HINGES };
         let bent = Correction { hinge_nonlinearity: 1.4, ..Correction::default() };
         let wild = Grasp::new(&Mechanism { correction: bent, ..star }, wild, [0.0, 0.5], 600.0);
-        assert!(wild.force(0.03, 0.02) > 0.0 && wild.force(0.03, 0.02).is_finite());
+        assert!(wild.force_from(0.03, 0.02) > 0.0 && wild.force_from(0.03, 0.02).is_finite());
     }
 }

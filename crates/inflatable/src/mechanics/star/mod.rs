@@ -112,6 +112,9 @@ impl Mechanism {
         let (sin, cos) = libm::sincos(0.5 * phi);
         // r = R / lambda = R alpha_0 / (pi - phi) at both hinges, with derivatives r / (pi - phi), 2 r / (pi - phi)^2.
         let coiled = |radius: f64, hinge: Hinge, angle: f64| {
+            if radius == 0.0 {
+                return [0.0; 3];
+            }
             let r = radius * hinge.arc() / (PI - angle);
             [r, r / (PI - angle), 2.0 * r / (PI - angle).powi(2)]
         };
@@ -130,13 +133,19 @@ impl Mechanism {
 
     /// The largest inner radius between the tip angle `from` (rad) and an almost straight corner.
     pub fn widest(&self, from: f64) -> Widest {
+        let sector = self.sector_sine();
+        self.widest_from(from, &self.radius_of_sector(from, sector), sector)
+    }
+
+    /// [`Mechanism::widest`] with the radius at `from` and [`Mechanism::sector_sine`] given.
+    fn widest_from(&self, from: f64, start: &Radius, sector: f64) -> Widest {
+        if start.slope <= 0.0 {
+            return Widest { angle: from, radius: start.value };
+        }
         let straight = PI - self.turn();
         let last = from + NEARLY_STRAIGHT * (straight - from);
-        let sector = self.sector_sine();
         let slope = |phi: f64| self.radius_of_sector(phi, sector).slope;
-        let angle = if slope(from) <= 0.0 {
-            from
-        } else if slope(last) >= 0.0 {
+        let angle = if slope(last) >= 0.0 {
             last
         } else if self.tip_radius == 0.0 && self.corner_radius == 0.0 {
             // l cos(phi/2) = W' sin(phi/2).

@@ -11,7 +11,7 @@
 //! hinges, with the exact ring it is softer on closing than on opening.
 
 use crate::mechanics::fault::StarFault;
-use crate::mechanics::hinge::{Hinge, HingeModel, HingeState, Level};
+use crate::mechanics::hinge::{Arms, Hinge, HingeModel, HingeState, Level};
 use crate::mechanics::star::grasp::{Grasp, HingePair};
 use crate::mechanics::star::{Mechanism, Radius, Widest};
 use crate::numerics::bracketed_root;
@@ -28,6 +28,8 @@ pub struct Inflated<'a> {
     pressure: f64,
     tip: HingeState,
     corner: HingeState,
+    /// The effect of the arms on tip and corner.
+    arms: [Option<Arms>; 2],
 }
 
 /// The equilibrium of a star.
@@ -53,11 +55,13 @@ impl<'a> Inflated<'a> {
     /// # Errors
     /// If the model refuses one of the hinges.
     pub fn new(star: &'a Mechanism, model: &'a dyn HingeModel, pressure: f64) -> Result<Self, StarFault> {
-        let (tip, corner) = (star.tip().rest(model)?, star.corner().rest(model)?);
+        let arms = [star.tip(), star.corner()].map(|hinge| hinge.arms(model));
+        let tip = star.tip().rest_between(arms[0], model)?;
+        let corner = star.corner().rest_between(arms[1], model)?;
         if !(pressure >= 0.0 && pressure.is_finite()) {
             return Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "0 or more" });
         }
-        let inflated = Self { star, model, pressure, tip, corner };
+        let inflated = Self { star, model, pressure, tip, corner, arms };
         let (c_i, c_e) = inflated.hinge_stiffness();
         if (c_i + c_e).is_finite() {
             Ok(inflated)
@@ -99,8 +103,14 @@ impl<'a> Inflated<'a> {
 
     /// Target angles phi_it and phi_et of tip and corner, rad.
     pub fn target_angles(&self) -> (f64, f64) {
-        let angle = |hinge: Hinge, state: &HingeState| hinge.angle_of(self.model, state);
-        (angle(self.star.tip(), &self.tip), angle(self.star.corner(), &self.corner))
+        let [of_tip, of_corner] = self.arms;
+        let corner = self.star.corner().angle_between(of_corner, &self.corner);
+        (self.star.tip().angle_between(of_tip, &self.tip), corner)
+    }
+
+    /// Whether the model gives the effect of the arms on both hinges.
+    pub fn has_arms(&self) -> bool {
+        self.arms.iter().all(Option::is_some)
     }
 
     /// Equilibrium of linear hinges: `(C_i phi_it + C_e (phi_et - 2 pi / n)) / (C_i + C_e)`, rad.
@@ -126,10 +136,12 @@ impl<'a> Inflated<'a> {
         let equilibrium = self.star.correction.balance([phi_it, phi_et - self.star.turn()], self.weights());
         let (tip, corner) = self.hinge_stiffness();
         let angle = equilibrium.max(self.star.correction.contact_angle);
-        let softness = self.star.correction.softness(self.star, angle);
+        let sector = self.star.sector_sine();
+        let radius = self.star.radius_of_sector(angle, sector);
+        let softness = self.star.correction.softness(self.star, radius.slope, sector);
         let spring = softness * f64::from(self.star.points) * (tip + corner);
-        let radius = self.star.radius(angle);
-        rest([equilibrium, angle], spring * (angle - equilibrium), spring, &radius, self.star.widest(angle))
+        let widest = self.star.widest_from(angle, &radius, sector);
+        rest([equilibrium, angle], spring * (angle - equilibrium), spring, &radius, widest)
     }
 
     /// Rest with the model's own V_bar'.
@@ -217,10 +229,17 @@ impl<'a> Inflated<'a> {
     /// # Errors
     /// As for [`Inflated::angle_at`].
     pub fn linear_force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
-        if self.star.correction.corner_compliance {
+        self.linear_force_by(self.grasp(rest).as_ref(), rho, rest)
+    }
+
+    /// [`Inflated::linear_force`] with [`Inflated::grasp`] given: a prediction and its range use the same.
+    ///
+    /// # Errors
+    /// As for [`Inflated::angle_at`].
+    pub fn linear_force_by(&self, grasp: Option<&Grasp>, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
+        if let Some(grasp) = grasp {
             check_reach(rho, rest)?;
-            let grasp = self.grasp(rest);
-            return Ok(grasp.force(rho, grasp.free_radius()));
+            return Ok(grasp.force(rho));
         }
         let phi = self.angle_at(rho, rest)?;
         let (tip, corner) = self.hinge_stiffness();
@@ -228,23 +247,27 @@ impl<'a> Inflated<'a> {
         Ok(spring * (phi - rest.equilibrium) / self.star.radius(phi).slope)
     }
 
-    /// The force law of the star, which rests at `rest`, on objects that open it.
+    /// The force law of a star with a correction, which rests at `rest`, on objects that open it; `None` without a correction.
     ///
     /// Arms that touch press on each other only until an object keeps them apart. Then its force is that of a star whose arms cross, and
     /// which rests at the equilibrium's angle: openings count from [`Grasp::free_radius`].
-    pub fn grasp(&self, rest: &Rest) -> Grasp {
+    pub fn grasp(&self, rest: &Rest) -> Option<Grasp> {
+        if !self.star.correction.corner_compliance {
+            return None;
+        }
         let ((tip, corner), (of_tip, of_corner)) = (self.hinge_stiffness(), self.target_angles());
         let hinges = HingePair { stiffness: [tip, corner], target: [of_tip, of_corner - self.star.turn()] };
         let stiffness =
             if rest.equilibrium < rest.angle { self.free_stiffness(rest) } else { rest.stiffness };
-        Grasp::new(self.star, hinges, [rest.equilibrium, rest.widest.angle], stiffness)
+        Some(Grasp::new(self.star, hinges, [rest.equilibrium, rest.widest.angle], stiffness))
     }
 
     /// Radial stiffness at the equilibrium's angle, N per m.
     fn free_stiffness(&self, rest: &Rest) -> f64 {
         let (tip, corner) = self.hinge_stiffness();
-        let slope = self.star.radius(rest.equilibrium).slope;
-        let softness = self.star.correction.softness(self.star, rest.equilibrium);
+        let sector = self.star.sector_sine();
+        let slope = self.star.radius_of_sector(rest.equilibrium, sector).slope;
+        let softness = self.star.correction.softness(self.star, slope, sector);
         softness * f64::from(self.star.points) * (tip + corner) / (slope * slope)
     }
 

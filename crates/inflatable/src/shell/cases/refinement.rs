@@ -35,7 +35,7 @@ impl Watch<'_> {
 pub struct Evidence {
     /// Unknowns of each mesh, coarse to fine.
     pub unknowns: Vec<usize>,
-    /// The effort on each mesh.
+    /// The whole effort on each mesh: pressurising it, measuring its numbers, and starting the finer one.
     pub efforts: Vec<Effort>,
     /// The finest mesh's residual by p W^2.
     pub residual: f64,
@@ -99,16 +99,17 @@ impl Family<'_> {
                 for one in &mut beside {
                     *one = one.carried(&mut solver.assembly, &meshed.mesh, &finer.assembly);
                 }
+                evidence.efforts.push(solver.effort);
                 (meshed, solver) = (refined, finer);
             }
             evidence.unknowns.push(solver.assembly.unknowns());
-            evidence.efforts.push(solver.effort);
             evidence.residual = equilibrium.rest.residual / continuation.last;
             if cut + 3 > self.cuts {
                 found.push(measure(&mut solver, &meshed, &equilibrium, &mut beside)?);
             }
             watch.tell(part(self.cuts - cut), &format!("mesh {} of {}", cut + 1, self.cuts + 1));
         }
+        evidence.efforts.push(solver.effort);
         let values = std::array::from_fn(|k| {
             Value::new(std::array::from_fn(|mesh| found[mesh.min(found.len() - 1)][k]))
         });

@@ -185,7 +185,7 @@ fn on_grid(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
     let mut all = [[0.0; 2]; ARCS.len()];
     for (i, a) in along_tau.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
         for (j, b) in along_r.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
-            for (k, c) in along_b.iter().enumerate() {
+            for (k, c) in along_b.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
                 for (arc, sum) in all.iter_mut().enumerate() {
                     let point = &TABLE[arc * one_arc + (i * R_STARS.len() + j) * PRESSURES + k];
                     sum.iter_mut().zip(point).for_each(|(sum, value)| *sum += a * b * c * value);

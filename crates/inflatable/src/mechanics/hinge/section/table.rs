@@ -17,8 +17,6 @@ use std::sync::LazyLock;
 
 /// Points of each series: b, tau, R*, nu.
 const COUNTS: [usize; 4] = [11, 7, 9, 3];
-/// Orders of the dimensions summed first, second and third: nu, tau, b.
-const ORDERS: [usize; 3] = [COUNTS[3], COUNTS[1], COUNTS[0]];
 /// Number of quantities.
 const QUANTITIES: usize = 8;
 /// tau at the ends of the series: t/W = 0.003 at nu = 0, and 0.03 at 0.49.
@@ -36,7 +34,8 @@ const SHIPPED: &str = include_str!("table.txt");
 /// The section's table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionTable {
-    /// The coefficients of the eight quantities by the orders of nu, tau, b and R*, the last one fastest.
+    /// The coefficients of the eight quantities by the orders of R*, b, tau and nu, the last one fastest: in each sum the next
+    /// dimension is the last one.
     coefficients: Vec<Quantities>,
 }
 
@@ -133,7 +132,7 @@ impl SectionTable {
         let mut coefficients = vec![[0.0; QUANTITIES]; of_b * of_tau * of_r * of_nu];
         for line in text.lines().filter(|line| !line.starts_with('#')) {
             let ([b, tau, r, nu], own) = term(line)?;
-            *coefficients.get_mut(((nu * of_tau + tau) * of_b + b) * of_r + r)? = own;
+            *coefficients.get_mut(((r * of_b + b) * of_tau + tau) * of_nu + nu)? = own;
         }
         Some(Self { coefficients })
     }
@@ -181,10 +180,15 @@ impl PartialSums {
             self.places.iter().zip(&places).take_while(|pair| same(*pair)).count()
         };
         self.places = places;
-        for dimension in unchanged..3 {
+        for (dimension, place) in places.into_iter().enumerate().skip(unchanged) {
             let (before, own) = self.sums.split_at_mut(dimension);
             let all = before.last().map_or(coefficients, Vec::as_slice);
-            summed(all, ORDERS[dimension], places[dimension], &mut own[0]);
+            let summed = match dimension {
+                0 => summed::<{ COUNTS[3] }>,
+                1 => summed::<{ COUNTS[1] }>,
+                _ => summed::<{ COUNTS[0] }>,
+            };
+            summed(all, place, &mut own[0]);
         }
         let mut series = [[0.0; QUANTITIES]; COUNTS[2]];
         series.copy_from_slice(&self.sums[2]);
@@ -215,16 +219,18 @@ impl RadiusSeries {
     }
 }
 
-/// Sums `coefficients` over their first dimension, which is at `place`, into `out`: as many as there are for one order.
-fn summed(coefficients: &[Quantities], orders: usize, place: f64, out: &mut Vec<Quantities>) {
-    let block = coefficients.len() / orders;
+/// Sums `coefficients` over their last dimension, of `ORDERS` orders, at `place` into `out`.
+fn summed<const ORDERS: usize>(coefficients: &[Quantities], place: f64, out: &mut Vec<Quantities>) {
+    let polynomials = polynomials(place);
     out.clear();
-    out.resize(block, [0.0; QUANTITIES]);
-    for (polynomial, own) in polynomials(place).iter().zip(coefficients.chunks_exact(block)) {
-        for (sum, c) in out.as_flattened_mut().iter_mut().zip(own.as_flattened()) {
-            *sum += polynomial * c;
+    // One sum after the other, so that it stays in registers.
+    out.extend(coefficients.chunks_exact(ORDERS).map(|of_order| {
+        let mut sum = [0.0; QUANTITIES];
+        for (polynomial, own) in polynomials.iter().zip(of_order) {
+            sum.iter_mut().zip(own).for_each(|(sum, c)| *sum += polynomial * c);
         }
-    }
+        sum
+    }));
 }
 
 /// One line of the table: four orders, eight coefficients in millionths.

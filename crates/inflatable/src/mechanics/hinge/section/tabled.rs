@@ -7,6 +7,7 @@ use crate::mechanics::hinge::section::table::{MOST_TABLED_R_STAR, RadiusSeries, 
 use crate::mechanics::hinge::{
     Arms, Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star,
 };
+use std::cell::RefCell;
 
 /// Largest lambda: the straight line beyond the table's end leads there, as a short hinge between strong ones needs it.
 const MOST_LAMBDA: f64 = 3.0;
@@ -14,9 +15,8 @@ const MOST_LAMBDA: f64 = 3.0;
 /// The section at one pressure, for the hinges of one star. Hinges of other R* are looked up each time.
 #[derive(Clone, Copy, Debug)]
 pub struct Tabled {
-    series: RadiusSeries,
-    /// 1/eps and tau.
-    scales: [f64; 2],
+    /// 1/eps, t/W and nu.
+    scales: [f64; 3],
     known: [TabledState; 2],
 }
 
@@ -34,36 +34,69 @@ impl Tabled {
     ///
     /// # Errors
     /// As for [`SectionTable::at`].
-    pub fn new(
-        table: &SectionTable,
-        [bendability, thickness, poisson]: [f64; 3],
-        r_stars: [f64; 2],
-    ) -> Result<Self, HingeFault> {
-        let series = table.along_radii(bendability, thickness, poisson)?;
-        let scales = [bendability, thickness / (12.0 * (1.0 - poisson * poisson)).sqrt()];
-        let one = known(&series, scales, r_stars[0])?;
-        let other = if r_stars[0] == r_stars[1] { one } else { known(&series, scales, r_stars[1])? };
-        Ok(Self { series, scales, known: [one, other] })
+    pub fn new(scales: [f64; 3], r_stars: [f64; 2]) -> Result<Self, HingeFault> {
+        thread_local! {
+            /// The last two: rows of a study often share fabric, width and pressure, and beyond the validated pressures a star
+            /// is computed at two.
+            static LAST: RefCell<[Option<Tabled>; 2]> = const { RefCell::new([None; 2]) };
+        }
+        LAST.with_borrow_mut(|last| {
+            if let Some(same) = last.iter().flatten().find(|own| own.has(scales, r_stars)) {
+                return Ok(*same);
+            }
+            let own = Self::look_up(scales, r_stars)?;
+            *last = [Some(own), last[0]];
+            Ok(own)
+        })
     }
 
-    fn at(&self, r_star: f64) -> Result<TabledState, HingeFault> {
+    /// Whether it was made of these numbers.
+    fn has(&self, scales: [f64; 3], r_stars: [f64; 2]) -> bool {
+        let own = self.scales.iter().copied().chain(self.known.map(|known| known.r_star));
+        own.map(f64::to_bits).eq(scales.into_iter().chain(r_stars).map(f64::to_bits))
+    }
+
+    fn look_up(scales: [f64; 3], r_stars: [f64; 2]) -> Result<Self, HingeFault> {
+        let series = series(scales)?;
+        let one = TabledState::new(&series, scales, r_stars[0])?;
+        let other = if r_stars[0] == r_stars[1] {
+            TabledState { r_star: r_stars[1], ..one }
+        } else {
+            TabledState::new(&series, scales, r_stars[1])?
+        };
+        Ok(Self { scales, known: [one, other] })
+    }
+
+    /// What `of` takes from the hinge of R*.
+    fn with<T>(&self, r_star: f64, of: impl FnOnce(&TabledState) -> T) -> Result<T, HingeFault> {
         match self.known.iter().find(|known| known.r_star == r_star) {
-            Some(known) => Ok(*known),
-            None => known(&self.series, self.scales, r_star),
+            Some(known) => Ok(of(known)),
+            None => Ok(of(&TabledState::new(&series(self.scales)?, self.scales, r_star)?)),
         }
     }
 }
 
-fn known(
-    series: &RadiusSeries,
-    [bendability, tau]: [f64; 2],
-    r_star: f64,
-) -> Result<TabledState, HingeFault> {
-    let entry = series.at(r_star)?;
-    Ok(TabledState { r_star, entry, arms: arms(bendability, tau, r_star) })
+/// The series in R* at 1/eps, t/W and nu.
+fn series([bendability, thickness, poisson]: [f64; 3]) -> Result<RadiusSeries, HingeFault> {
+    SectionTable::shipped()?.along_radii(bendability, thickness, poisson)
 }
 
 impl TabledState {
+    fn new(
+        series: &RadiusSeries,
+        [bendability, thickness, poisson]: [f64; 3],
+        r_star: f64,
+    ) -> Result<Self, HingeFault> {
+        let entry = series.at(r_star)?;
+        let tau = thickness / (12.0 * (1.0 - poisson * poisson)).sqrt();
+        Ok(Self { r_star, entry, arms: arms(bendability, tau, r_star) })
+    }
+
+    /// The hinge at rest: no moment, and the stiffness of the table.
+    fn rest(&self) -> HingeState {
+        self.with_moment(self.entry.lambda, [-0.0, -self.entry.stiffness])
+    }
+
     fn state(&self, lambda: f64) -> HingeState {
         let entry = &self.entry;
         // Beyond the ends of the table its last secant goes on: a straight line.
@@ -76,6 +109,12 @@ impl TabledState {
             entry.slope(inside) * away / (inside - entry.lambda)
         };
         let curvature = if inside == lambda { entry.curvature(lambda) } else { slope / away };
+        self.with_moment(lambda, [slope, curvature])
+    }
+
+    /// The hinge at `lambda` with V_bar' and V_bar''.
+    fn with_moment(&self, lambda: f64, [slope, curvature]: [f64; 2]) -> HingeState {
+        let entry = &self.entry;
         HingeState {
             lambda,
             volume: None,
@@ -100,12 +139,11 @@ impl HingeModel for Tabled {
 
     fn state(&self, r_star: f64, lambda: f64) -> Result<HingeState, HingeFault> {
         check_lambda(lambda, LEAST_LAMBDA, MOST_LAMBDA)?;
-        Ok(self.at(r_star)?.state(lambda))
+        self.with(r_star, |hinge| hinge.state(lambda))
     }
 
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
-        let known = self.at(r_star)?;
-        Ok(known.state(known.entry.lambda))
+        self.with(r_star, TabledState::rest)
     }
 
     fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
@@ -113,7 +151,7 @@ impl HingeModel for Tabled {
     }
 
     fn arms(&self, r_star: f64, arc: f64) -> Option<Arms> {
-        self.at(r_star).ok()?.arms.map(|arms| arms.at(arc))
+        self.with(r_star, |hinge| hinge.arms.map(|arms| arms.at(arc))).ok()?
     }
 }
 
@@ -122,17 +160,16 @@ mod tests {
     use super::*;
     use crate::mechanics::hinge::section::Section;
 
-    fn pair(table: &SectionTable, scales: [f64; 3], r_star: f64) -> (Tabled, Section) {
-        let tabled = Tabled::new(table, scales, [r_star, r_star]).expect("in range");
+    fn pair(scales: [f64; 3], r_star: f64) -> (Tabled, Section) {
+        let tabled = Tabled::new(scales, [r_star, r_star]).expect("in range");
         (tabled, Section::new(scales[0], scales[1], scales[2]).expect("in range"))
     }
 
     #[test]
     fn it_is_the_section_within_the_tables_bounds() {
-        let table = SectionTable::shipped().expect("whole");
         for scales in [[330.0, 0.015, 0.39], [1500.0, 0.01, 0.39], [500.0, 0.02, 0.2]] {
             for r_star in [0.02, 0.1, 0.7] {
-                let (fast, slow) = pair(table, scales, r_star);
+                let (fast, slow) = pair(scales, r_star);
                 let (a, b) = (fast.target(r_star).expect("at rest"), slow.target(r_star).expect("at rest"));
                 assert!((a.lambda - b.lambda).abs() < SectionTable::COILING_ERROR);
                 assert!((a.curvature / b.curvature - 1.0).abs() < SectionTable::STIFFNESS_ERROR);
@@ -147,8 +184,7 @@ mod tests {
 
     #[test]
     fn moments_lead_on_beyond_the_tables_ends_and_their_slopes_are_theirs() {
-        let table = SectionTable::shipped().expect("whole");
-        let (tabled, _) = pair(table, [900.0, 0.012, 0.39], 0.1);
+        let (tabled, _) = pair([900.0, 0.012, 0.39], 0.1);
         let rest = tabled.target(0.1).expect("at rest").lambda;
         let slope = |lambda| tabled.state(0.1, lambda).expect("covered").slope;
         let mut before = f64::INFINITY;
@@ -164,5 +200,28 @@ mod tests {
             }
         }
         assert_eq!(slope(rest), 0.0);
+        assert_eq!(tabled.state(0.1, rest), tabled.target(0.1));
+    }
+
+    #[test]
+    fn an_answer_does_not_depend_on_those_before() {
+        let of = |scales: [f64; 3], r_stars: [f64; 2]| {
+            let own = Tabled::new(scales, r_stars).expect("in range");
+            r_stars.map(|r_star| (own.target(r_star).expect("at rest"), own.arms(r_star, 1.0)))
+        };
+        let cases = [
+            ([330.0, 0.015, 0.39], [0.1, 0.0]),
+            ([330.0, 0.015, 0.39], [0.0, 0.1]),
+            ([500.0, 0.015, 0.39], [0.1, 0.1]),
+            ([500.0, 0.012, 0.2], [0.1, 0.1]),
+        ];
+        let alone = cases.map(|(scales, r_stars)| {
+            std::thread::spawn(move || of(scales, r_stars)).join().expect("no panic")
+        });
+        for (k, j) in (0..cases.len()).flat_map(|k| (0..cases.len()).map(move |j| (k, j))) {
+            for own in [k, j, k] {
+                assert_eq!(of(cases[own].0, cases[own].1), alone[own], "{own}");
+            }
+        }
     }
 }
