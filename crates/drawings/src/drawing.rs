@@ -62,7 +62,9 @@ pub enum Weight {
     Information,
     /// The drawing hides geometry, which the elements leave out.
     Hidden,
-    /// Something visible is missing or differs. A caller should refuse it unless all of the note's layers are ignored.
+    /// An element is read, but not as the drawing shows it. A caller should refuse it unless its layer is ignored.
+    Changed,
+    /// Something visible is missing. A caller should refuse it unless its layer is ignored.
     Lost,
 }
 

@@ -128,12 +128,15 @@ fn unknown(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
 /// Geometry that the drawing shows and that could not be read.
 fn lost(note: &Note, spec: &DrawingSpec) -> Option<Refusal> {
     let ignored = spec.role(&note.place.layers) == Some(LayerRole::Ignore);
-    if note.weight != Weight::Lost || ignored {
+    if !matches!(note.weight, Weight::Lost | Weight::Changed) || ignored {
         return None;
     }
     let elements = note.place.element.iter().cloned().collect();
     let place = DrawnPlace { elements, at: note.place.at.map(|at| [at.x, at.y]) };
     let remedy = match note.place.element {
+        Some(_) if note.weight == Weight::Changed => {
+            "flatten it, or remove its clip, mask or marker, so that its outline alone shows what is to be made"
+        }
         Some(_) => "convert it to a path, remove it, or name its layer in `ignore`",
         None => "remove it, or save the drawing as plain SVG",
     };

@@ -265,6 +265,12 @@ const DRAWINGS: &[(&str, &str, &str)] = &[
         <g id=\"p\"><path d=\"M 30 -3 V 3\"/></g><g id=\"h\"><circle id=\"k\" cx=\"61\" cy=\"30\" r=\"2\"/></g>",
     ),
     (
+        "thin-web",
+        "air = [\"a\"]\nport = [\"p\"]\nhole = [\"h\"]\ncut = [\"c\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/></g><g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>\
+        <g id=\"h\"><circle id=\"k\" cx=\"66\" cy=\"30\" r=\"2\"/></g><g id=\"c\"><rect id=\"o\" x=\"-10\" y=\"-3\" width=\"79\" height=\"73\"/></g>",
+    ),
+    (
         "lost-geometry",
         "air = [\"a\"]\nport = [\"p\"]",
         "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/>\

@@ -178,7 +178,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         let [low, high] = geometry.heights;
         if high - low > 1e-6 {
             let text = format!("It is not flat (z {low} to {high}); it is read as if z were 0.");
-            self.lost(place, text);
+            self.out.note(Weight::Changed, place.clone(), text);
         } else if low.abs() > 1e-6 {
             let text = format!("It lies at z = {low}; it is read as if at 0.");
             self.out.note(Weight::Information, place.clone(), text);

@@ -135,7 +135,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         let clip = clip::of(node, value, (&context.map, context.viewport), find);
         if !clip.is_some_and(|clip| clip.holds(&self.out.elements()[from..])) {
             let text = unapplied("clip-path", value);
-            self.out.note(Weight::Lost, self.place(node, context), text);
+            self.out.note(Weight::Changed, self.place(node, context), text);
         }
     }
 
@@ -355,9 +355,9 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             };
             let short: String = value.chars().take(60).collect();
             let (weight, text) = match name {
-                "mask" => (Weight::Lost, unapplied(name, value)),
+                "mask" => (Weight::Changed, unapplied(name, value)),
                 "filter" => (Weight::Information, format!("The filter {short} is not applied.")),
-                _ => (Weight::Lost, format!("The markers {short} are not read.")),
+                _ => (Weight::Changed, format!("The markers {short} are not read.")),
             };
             let place = self.place(node, &context);
             self.out.note(weight, place, text);
