@@ -77,7 +77,7 @@ pub(super) fn around_air(
     let length = rules.band + rules.allowance;
     let of_air = air.boundaries.iter().map(|boundary| boundary.path.clone()).collect();
     open_edges(sketch, rules, length, &mut air, &mut mouths, taken, notes);
-    necks(&air, rules, !sketch.cuts.is_empty(), &names, notes);
+    necks((&air, &mouths), sketch, rules, &names, notes);
     if notes.faults.iter().any(|fault| fault.code == ShapeCode::Crowded) {
         return Layout::default();
     }
@@ -224,7 +224,13 @@ pub(super) fn nearest_path<'a>(paths: impl Iterator<Item = (&'a Path, Bounds)>, 
 }
 
 /// Faults where fabric between two edges has no room for their bands.
-fn necks(air: &Air, rules: &Rules, has_cut: bool, names: &[String], notes: &mut SealingNotes) {
+fn necks(
+    (air, mouths): (&Air, &[Mouth]),
+    sketch: &Sketch,
+    rules: &Rules,
+    names: &[String],
+    notes: &mut SealingNotes,
+) {
     let curves: Vec<GapCurve<'_>> =
         air.boundaries.iter().map(|edge| GapCurve { path: &edge.path, joined: [false; 2] }).collect();
     let closed = inflatable::geom::Enclosures::new(air.boundaries.iter().map(|edge| &edge.path));
@@ -238,7 +244,18 @@ fn necks(air: &Air, rules: &Rules, has_cut: bool, names: &[String], notes: &mut 
         let mut sources: Vec<usize> =
             neck.curves.iter().flat_map(|i| air.boundaries[*i].sources.clone()).collect();
         sources.dedup();
-        let own = named(&sources, names);
+        let mut own = named(&sources, names);
+        let near = mouths.iter().filter(|mouth| mouth.is_beside(neck.middle(), both));
+        let ports: Vec<String> =
+            near.filter_map(|mouth| sketch.ports.get(mouth.port)).map(|port| port.name.clone()).collect();
+        if ports.len() > 1 {
+            let what =
+                format!("{:.3} mm of fabric between the channels of ports {}", neck.width, quoted(&ports));
+            let remedy = format!("put ports at least {:.3} mm from each other", rules.port_width + both);
+            own.extend(ports);
+            notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), (what, remedy), [neck.width, both]);
+            continue;
+        }
         let what = format!(
             "{:.3} mm of fabric between edges of {} are too narrow for two bands",
             neck.width,
@@ -246,7 +263,7 @@ fn necks(air: &Air, rules: &Rules, has_cut: bool, names: &[String], notes: &mut 
         );
         let [a, b] = neck.curves;
         let apart = a != b && air.boundaries[a].outer && air.boundaries[b].outer;
-        let cut = if apart && !has_cut { ", with a drawn cut around both" } else { "" };
+        let cut = if apart && sketch.cuts.is_empty() { ", with a drawn cut around both" } else { "" };
         let remedy = format!(
             "make it {} mm, for a wall that is sealed once, or at least {both} mm, for two bands{cut}",
             rules.band

@@ -30,6 +30,13 @@ impl Mouth {
             && (-self.depth..=self.beyond + half + 1e-6).contains(&along)
     }
 
+    /// Whether `p` lies beside the channel, at most `aside` mm from it.
+    pub(super) fn is_beside(&self, p: Point, aside: f64) -> bool {
+        let from = p - self.at;
+        (-self.depth..=self.beyond + 1.0).contains(&from.dot(self.out))
+            && from.dot(self.out.perp()).abs() <= self.half + aside
+    }
+
     /// The point `along` the way out and `across` it to the left, from the middle of the mouth.
     pub(super) fn point(&self, along: f64, across: f64) -> Point {
         self.at + self.out * along + self.out.perp() * across

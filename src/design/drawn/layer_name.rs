@@ -9,7 +9,7 @@ use crate::spec::LayerRole;
 use drawings::{Drawing, Element};
 
 /// The name of each element of `drawing`, in the order of the elements.
-pub(super) fn layer_names(drawing: &Drawing, is_dxf: bool) -> Vec<&str> {
+pub(super) fn layer_names<'a>(drawing: &'a Drawing, is_dxf: bool) -> Vec<&'a str> {
     let shared = Shared::of(drawing);
     let elements = || drawing.elements.iter();
     let telling: Vec<Option<&str>> = elements()
@@ -23,30 +23,30 @@ pub(super) fn layer_names(drawing: &Drawing, is_dxf: bool) -> Vec<&str> {
         .filter(|(_, name)| name.is_some())
         .filter_map(|(e, _)| colour_of(e))
         .collect();
-    let name = |(element, telling): (&'_ Element, Option<&'_ str>)| -> usize {
-        let colour = colour_of(element);
+    let is_role = |name: &&str| word_role(name).is_some_and(|role| role != LayerRole::Ignore);
+    let name = |element: &'_ Element, telling: Option<&str>| -> Option<usize> {
         let place = |name: &str| element.layers.iter().position(|known| known == name);
-        if let Some(at) = colour.filter(|_| by_colour).or(telling).and_then(place) {
-            return at;
+        let colour = colour_of(element);
+        if let Some(name) = colour.filter(|_| by_colour).or(telling) {
+            return place(name);
         }
-        // Names of inner levels come first, so the colour must not be one that other layers have.
-        let free = colour.filter(|colour| !of_groups.contains(colour));
         let around = || shared.around(groups(element));
         let own = || element.layers[..element.own_names].iter().map(String::as_str);
-        let own_word = own().find(|name| word_role(name).is_some_and(|role| role != LayerRole::Ignore));
-        let around_word = around().find(|name| word_role(name).is_some_and(|role| role != LayerRole::Ignore));
-        let best = match is_grouped {
-            true => around_word.or(free).or(around().last()).or(own_word),
-            false => own_word.or(around_word).or(around().next()).or(colour),
+        let (own_word, around_word) = (own().find(is_role), around().find(is_role));
+        let best = if is_grouped {
+            // Names of inner levels come first, so the colour must not be one that grouped elements have.
+            let free = colour.filter(|colour| !of_groups.contains(colour));
+            around_word.or(free).or(around().last()).or(own_word)
+        } else {
+            own_word.or(around_word).or(around().next()).or(colour)
         };
-        best.and_then(place).unwrap_or(0)
+        best.and_then(place)
     };
-    elements()
-        .zip(telling)
-        .map(|(element, telling)| {
-            element.layers.get(name((element, telling))).map_or(element.id.as_str(), String::as_str)
-        })
-        .collect()
+    let layer = |(element, telling): (&'a Element, Option<&str>)| {
+        let at = name(element, telling).unwrap_or(0);
+        element.layers.get(at).map_or(element.id.as_str(), String::as_str)
+    };
+    elements().zip(telling).map(layer).collect()
 }
 
 /// The layer on which an entity of a DXF lies itself.
