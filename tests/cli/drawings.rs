@@ -77,8 +77,8 @@ fn warnings_are_in_json_and_in_the_picture() {
 
 #[test]
 fn a_refusal_has_the_notes_and_a_short_list() {
-    let circles: String =
-        (0..9).map(|i| format!("<circle id=\"c{i}\" cx=\"{}\" cy=\"40\" r=\"12\"/>", 20 + 40 * i)).collect();
+    let circle = |i: i32| format!("<circle id=\"c{i}\" cx=\"{}\" cy=\"40\" r=\"12\"/>", 20 + 40 * i);
+    let circles = (0..9).map(circle).collect::<Vec<_>>().concat();
     let all = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400mm\" height=\"80mm\" viewBox=\"0 0 400 80\"><g id=\"air\">{circles}</g>\
          <g id=\"cut\"><rect x=\"1\" y=\"1\" width=\"398\" height=\"78\"/></g><path id=\"hidden\" d=\"M 0 0 H 9\" display=\"none\"/></svg>"
