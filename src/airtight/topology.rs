@@ -194,7 +194,7 @@ impl fmt::Display for Passage {
             } else if *role == Role::Weld {
                 writeln!(f, "    {name}: a weld from end to end")?;
             } else if self.eaten.is_none() {
-                writeln!(f, "    {name}: ends at ports and on other bands only")?;
+                writeln!(f, "    {name}: has no open ends")?;
             } else {
                 writeln!(f, "    {name} loop: opened by the inlet only")?;
             }

@@ -33,6 +33,7 @@ pub fn overview_json(forecast: &Forecast, list: &[Precaution]) -> Value {
         "pieces": forecast.design.placed().len(),
         "verdict": verdict::json(forecast),
         "before_you_seal": list.iter().map(|one| &one.text).collect::<Vec<_>>(),
+        "warnings": forecast.design.warnings.iter().map(refused::warning_json).collect::<Vec<_>>(),
         "sealing_time_s": sealing_time(forecast),
         "sheets_mm": sheets,
         "work_area_mm": area,

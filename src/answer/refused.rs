@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::design::Refusals;
-use crate::spec::{Fault, Faults, RawSpec, Severity, Source};
+use crate::design::{Refusals, Warning};
+use crate::spec::{Code, Fault, Faults, RawSpec, Severity, Source};
 use crate::verify::Finding;
 
 /// Refusals of the design of `raw`, read from `source`, as faults at their keys.
@@ -50,6 +50,19 @@ pub fn fault_json(faults: &Faults, fault: &Fault) -> Value {
         value["at_mm"] = json!(drawn.at);
     }
     value
+}
+
+/// A warning about a design: its code, its key, the finding, the remedy, and the place in a drawing, null without one.
+pub fn warning_json(warning: &Warning) -> Value {
+    let drawn = warning.drawn.as_deref();
+    json!({
+        "code": warning.code.as_str(),
+        "key": warning.key.to_string(),
+        "found": warning.found,
+        "remedy": warning.remedy,
+        "elements": drawn.map_or(&[][..], |drawn| &drawn.elements),
+        "at_mm": drawn.and_then(|drawn| drawn.at),
+    })
 }
 
 /// A finding in a file that was just made, as a refusal.

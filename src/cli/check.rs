@@ -15,6 +15,7 @@ use crate::cli::{batch, details, overview};
 use crate::design::figures;
 use crate::emit;
 use crate::emit::FaultMark;
+use crate::spec::DrawnPlace;
 use inflatable::geom::Point;
 
 /// Arguments of `check`.
@@ -28,7 +29,7 @@ pub(super) struct Args {
     /// Accept it even if it bursts, or does not hold the object of its own `load` section.
     #[arg(long)]
     anyway: bool,
-    /// Draw the faults of a drawing over it, into this SVG.
+    /// Draw the faults and warnings of a drawing over it, into this SVG.
     #[arg(long, value_name = "FILE")]
     picture: Option<PathBuf>,
     #[command(flatten)]
@@ -43,20 +44,27 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     batch::run(&args.specs, args.verbosity, |spec| one(args, spec))
 }
 
-/// Draws the faults of a drawing, with --picture.
-fn pictured(args: &Args, loaded: &Loaded, failure: &Failure) -> Result<(), Failure> {
-    let (Some(path), Failure::Faults(found)) = (&args.picture, failure) else { return Ok(()) };
+/// The mark of a fault or a warning.
+fn mark(drawn: Option<&DrawnPlace>, found: &str, remedy: &str) -> FaultMark {
+    let at = drawn.and_then(|drawn| drawn.at).map(|[x, y]| Point::new(x, y));
+    FaultMark { at, text: format!("{found}: {remedy}") }
+}
+
+/// Draws the `marks` of a drawing, with --picture.
+fn pictured(args: &Args, loaded: &Loaded, marks: &[FaultMark]) -> Result<(), Failure> {
+    let Some(path) = &args.picture else { return Ok(()) };
     let spec = &loaded.reading.spec;
-    let marks: Vec<FaultMark> = found
-        .list()
-        .iter()
-        .map(|fault| FaultMark {
-            at: fault.drawn.as_ref().and_then(|drawn| drawn.at).map(|[x, y]| Point::new(x, y)),
-            text: format!("{}: {}", fault.message, fault.label),
-        })
-        .collect();
-    replace(path, &emit::faults(&spec.name, &figures(spec), &marks))?;
-    tell(&format!("note: {} shows the faults", shown(path)));
+    if spec.drawing.is_none() && marks.is_empty() {
+        tell(&format!("note: {} is not written: the spec has no drawing", shown(path)));
+        return Ok(());
+    }
+    replace(path, &emit::faults(&spec.name, &figures(spec), marks))?;
+    let what = match marks.len() {
+        0 => "the drawing: nothing was found".to_owned(),
+        1 => "the drawing and 1 finding".to_owned(),
+        number => format!("the drawing and {number} findings"),
+    };
+    tell(&format!("note: {} shows {what}", shown(path)));
     Ok(())
 }
 
@@ -64,9 +72,16 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     let verbosity = args.verbosity;
     let loaded = Loaded::spoken(spec, verbosity)?;
     let forecast = loaded.forecast().or_else(|failure| {
-        pictured(args, &loaded, &failure)?;
+        if let Failure::Faults(found) = &failure {
+            let marks =
+                found.list().iter().map(|fault| mark(fault.drawn.as_deref(), &fault.message, &fault.label));
+            pictured(args, &loaded, &marks.collect::<Vec<_>>())?;
+        }
         Err(failure)
     })?;
+    let warnings = forecast.design.warnings.iter();
+    let marks = warnings.map(|warning| mark(warning.drawn.as_deref(), &warning.found, &warning.remedy));
+    pictured(args, &loaded, &marks.collect::<Vec<_>>())?;
     loaded.fit(&forecast, args.anyway)?;
     let list = forecast.precautions(&shown(spec));
     let request = args.kinds.request().of_spec(&forecast.spec);

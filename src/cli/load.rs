@@ -11,7 +11,7 @@ use crate::cli::failure::{Failure, tell, warn};
 use crate::cli::progress;
 use crate::cli::unproven::Unproven;
 use crate::cli::verbosity::Verbosity;
-use crate::design::{Refusal, RefusalCode, Refusals, Warning};
+use crate::design::{Refusal, RefusalCode, Refusals, Warning, drawing_notes};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Proven, Sources};
 use crate::spec;
@@ -22,6 +22,9 @@ use crate::verify::Finding;
 const MACHINE: &str = "machine.toml";
 /// The spec's name in a published directory.
 const SPEC: &str = "spec.toml";
+
+/// Notes on a refused drawing that are printed without -v.
+const SHOWN_NOTES: usize = 2;
 
 /// A valid spec with its valid machine profile.
 #[derive(Debug)]
@@ -81,6 +84,7 @@ impl Loaded {
         let faults = warnings.iter().map(|warning| {
             Fault::warning(warning.code, self.reading.raw.span_of(warning.key), warning.found.clone())
                 .label(warning.remedy.clone())
+                .drawn_at(warning.drawn.clone())
         });
         warn(&Faults::new(&self.source, faults.collect()));
     }
@@ -120,8 +124,18 @@ impl Loaded {
         Failure::Unproven(Unproven { findings, spec, profile })
     }
 
-    /// Refusals of the design as faults at their keys.
+    /// Refusals of the design as faults at their keys; prints the notes on its drawing, with -v all of them.
     pub(super) fn refused(&self, refusals: Refusals) -> Failure {
+        if !self.verbosity.quiet {
+            let notes = drawing_notes(&self.reading.spec);
+            let number = if self.verbosity.verbose { notes.len() } else { SHOWN_NOTES };
+            let mut lines: Vec<String> =
+                notes.iter().take(number).map(|note| format!("drawing: {note}")).collect();
+            if let Some(more) = notes.len().checked_sub(number).filter(|more| *more > 0) {
+                lines.push(format!("drawing: {more} more notes by -v"));
+            }
+            tell(&lines.join("\n"));
+        }
         Failure::Faults(at_keys(&self.source, &self.reading.raw, refusals))
     }
 }

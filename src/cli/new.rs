@@ -15,6 +15,7 @@ use crate::cli::{defaults, progress, schema};
 use crate::design::{LayerProposal, Refusals, propose_layers};
 use crate::spec::{self, LayerRole};
 use crate::units::Readable;
+use drawings::Unit;
 
 /// Arguments of `new`.
 #[derive(clap::Args, Debug)]
@@ -25,6 +26,9 @@ pub(super) struct Args {
     /// Your own drawing, SVG or DXF: a spec that names all of its layers.
     #[arg(long, value_name = "FILE", conflicts_with = "object")]
     drawing: Option<PathBuf>,
+    /// Unit of the drawing's numbers, in place of the file's own: mm, cm, in, px and others.
+    #[arg(long, value_name = "UNIT", requires = "drawing", value_parser = unit)]
+    units: Option<Unit>,
     #[command(flatten)]
     object: ObjectArgs,
     #[command(flatten)]
@@ -61,6 +65,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     args.verbosity.report(&format!("{said}{wrote}\nnext: edit it, then `stargrip-cam build {path}`\n"), &json)
 }
 
+/// The unit of this name.
+fn unit(name: &str) -> Result<Unit, String> {
+    let names: Vec<&str> = Unit::names().collect();
+    Unit::from_name(name).ok_or_else(|| format!("units are {}", names.join(", ")))
+}
+
 /// Writes the spec of a drawing, with a proposed role for every layer.
 fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let stem = drawing.file_stem().unwrap_or_default().to_string_lossy();
@@ -69,9 +79,9 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let file = drawing.to_string_lossy();
     let bytes = read_drawing(drawing)?;
     let refused = |refusals: Refusals| Failure::Message(format!("{}: {refusals}", shown(drawing)));
-    let LayerProposal { layers, size: [width, height], no_unit } =
-        propose_layers(&file, &bytes).map_err(refused)?;
-    let text = spec::drawing_starter(name, &file, &layers, no_unit.is_none());
+    let LayerProposal { layers, size: [width, height], unit, no_unit, hidden } =
+        propose_layers(&file, &bytes, args.units).map_err(refused)?;
+    let text = spec::drawing_starter(name, &file, &layers, unit);
     let text = text.map_err(|fault| Failure::Message(fault.to_string()))?;
     let path = PathBuf::from(format!("{}.toml", file_stem(name)));
     write_new(&path, &text)?;
@@ -80,17 +90,24 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
         .iter()
         .map(|(layer, role, reason)| json!({ "layer": layer, "role": role.word(), "reason": reason }))
         .collect();
-    let json = json!({ "wrote": path, "schema": schema, "layers": rows });
+    let json = json!({ "wrote": path, "schema": schema, "layers": rows, "hidden": hidden });
     let mut lines = String::new();
     for (layer, role, reason) in &layers {
         let _ = writeln!(lines, "  {layer:?}: {} ({reason})", role.word());
+    }
+    for layer in &hidden {
+        let _ =
+            writeln!(lines, "{layer:?} is hidden in the drawing and not read: show it there if you need it");
     }
     if layers.iter().all(|(_, role, _)| *role != LayerRole::Port) {
         lines.push_str("no layer looks like a port: draw a short line across an edge where a hose goes in\n");
     }
     let _ = writeln!(lines, "all figures together are {} x {} mm", Readable(width), Readable(height));
     if let Some(finding) = no_unit {
-        let _ = writeln!(lines, "mm are assumed: correct `units` if the size is wrong. {finding}");
+        let _ = writeln!(
+            lines,
+            "mm are assumed: if the size is wrong, correct `units`, or use --units. {finding}"
+        );
     }
     let path = shown(&path);
     let (number, each) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });

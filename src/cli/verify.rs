@@ -118,7 +118,8 @@ fn text(dir: &Path, proof: &Proof) -> String {
             Method::Reading => "read back",
             Method::Hash => "only its hash was compared",
         };
-        let near = deviation.map_or(String::new(), |mm| format!("within {mm:.6} mm, "));
+        let near =
+            deviation.filter(|mm| mm.is_finite()).map_or(String::new(), |mm| format!("within {mm:.6} mm, "));
         let _ = writeln!(text, "{:28} {near}{how}", shown(path));
     }
     text + &faults(dir, proof)

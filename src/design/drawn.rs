@@ -8,9 +8,13 @@ mod cut;
 mod faults;
 mod inner;
 mod label;
+mod layer_name;
 mod marks;
+mod proposal;
 mod roles;
+mod words;
 
+use std::fmt::Write;
 use std::sync::Arc;
 
 pub use cut::{DrawnCut, DrawnSeparator};
@@ -18,12 +22,13 @@ pub use label::DrawnLabels;
 
 use crate::design::drawn::clearance::Clearance;
 use crate::design::drawn::inner::within_air;
+use crate::design::drawn::proposal::LeftOut;
 use crate::design::placement::{SheetLayout, footprint, place};
 use crate::design::star_seam::MOUTH_OVERRUN;
 use crate::design::{Circle, PlacedPart, Refusal, RefusalCode, Refusals, Warning};
 use crate::shape::{Role, Rules, SealedShape, Sealing, Sketch, sealed_shape};
 use crate::spec::{DrawingSpec, LayerRole, Machine, MaskKind, Spec, key};
-use drawings::{Drawing, Figure, Options, Unit};
+use drawings::{Drawing, Figure, Format, Options, Unit, Weight};
 use inflatable::geom::{Bounds, Path};
 
 /// Width of the tube by which labels are sized where no passage is narrow, mm.
@@ -172,20 +177,32 @@ pub struct LayerProposal {
     pub layers: Vec<(String, LayerRole, String)>,
     /// Width and height of all figures, mm.
     pub size: [f64; 2],
-    /// The reason for which mm were taken as the unit of its numbers, and the remedy; `None` if the file states its unit.
+    /// The unit of its numbers that the spec must give; `None` if the file states it.
+    pub unit: Option<Unit>,
+    /// The reason for which mm were taken as that unit; `None` if the file or the caller states it.
     pub no_unit: Option<String>,
+    /// Layers that the drawing hides, of which nothing is read.
+    pub hidden: Vec<String>,
 }
 
-/// The layers of the drawing `bytes`, a file called `name`, with roles that suit them.
+/// The layers of the drawing `bytes`, a file called `name`, with roles that suit them. A `unit` overrides that of the file.
 ///
 /// # Errors
 /// Every reason for which it cannot be read.
-pub fn propose_layers(name: &str, bytes: &[u8]) -> Result<LayerProposal, Refusals> {
+pub fn propose_layers(name: &str, bytes: &[u8], unit: Option<Unit>) -> Result<LayerProposal, Refusals> {
     let options = |unit| Options { unit, ..Options::new(0.001) };
-    let mut no_unit = None;
-    let read = drawings::read(name, bytes, &options(None)).or_else(|faults| {
-        no_unit = faults.first().map(|fault| format!("{} {}", fault.text, fault.remedy));
-        drawings::read(name, bytes, &options(Some(Unit::Millimetre))).map_err(|_| faults)
+    let (mut no_unit, mut given) = (None, unit);
+    let read = drawings::read(name, bytes, &options(unit)).or_else(|faults| {
+        if unit.is_some() {
+            return Err(faults);
+        }
+        no_unit = faults.first().map(|fault| fault.text.clone());
+        given = Some(Unit::Millimetre);
+        // The other faults are found only once there is a unit.
+        drawings::read(name, bytes, &options(given)).map_err(|others| {
+            let own = faults.into_iter().filter(|fault| !others.contains(fault)).collect::<Vec<_>>();
+            own.into_iter().chain(others.iter().cloned()).collect()
+        })
     });
     let read = read.map_err(|faults| faults.iter().map(faults::unreadable).collect::<Refusals>())?;
     let bounds = read.elements.iter().fold(Bounds::EMPTY, |all, element| match &element.figure {
@@ -193,7 +210,10 @@ pub fn propose_layers(name: &str, bytes: &[u8]) -> Result<LayerProposal, Refusal
         Figure::Point(_) => all,
     });
     let size = [bounds.width(), bounds.height()].map(|length| length.max(0.0));
-    Ok(LayerProposal { layers: roles::proposed(&read), size, no_unit })
+    let is_dxf = Format::of_name(name) == Some(Format::Dxf);
+    let hidden =
+        LeftOut::of(&read, is_dxf, Weight::Hidden).into_iter().map(|left_out| left_out.layer).collect();
+    Ok(LayerProposal { layers: proposal::proposed(&read, is_dxf), size, unit: given, no_unit, hidden })
 }
 
 /// The figures of the drawing of `spec`, as far as the file can be read; none of a spec without one.
@@ -207,9 +227,35 @@ pub fn figures(spec: &Spec) -> Vec<Path> {
     paths.collect()
 }
 
+/// The notes on a drawing that could be read, in the order of the file; none of a spec without one.
+pub fn drawing_notes(spec: &Spec) -> Vec<String> {
+    let read = spec.drawing.as_ref().and_then(|drawing| read(spec, drawing).ok());
+    read.iter().flat_map(|read| &read.notes).map(ToString::to_string).collect()
+}
+
+/// The refusal of a `drawing` without air and seams, which names the layers that are hidden or cannot be read.
+fn nothing_drawn(read: &Drawing, drawing: &DrawingSpec) -> Refusal {
+    let mut found = "no edge of air and no seam is drawn".to_owned();
+    let mut remedy = "give a layer the role air or seam";
+    for LeftOut { layer, text } in LeftOut::of(read, drawing.is_dxf(), Weight::Lost) {
+        let _ = write!(found, "; nothing on layer {layer:?} can be read ({})", text.trim_end_matches('.'));
+        remedy =
+            "draw the edges on that layer as lines and arcs in the plane, and give it the role air or seam";
+    }
+    for LeftOut { layer, .. } in LeftOut::of(read, drawing.is_dxf(), Weight::Hidden) {
+        let _ = write!(found, "; layer {layer:?} is hidden");
+        remedy = "show the layer in the drawing program and save again, then give it the role air or seam";
+    }
+    Refusal::new(key::drawing::LAYERS, RefusalCode::NothingDrawn, found, remedy.to_owned())
+}
+
 /// The sketch of `drawing` by its roles, and the notes on its repairs.
 fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<String>), Refusals> {
     let read = read(spec, drawing)?;
     roles::refusals(&read, drawing).or(())?;
-    Ok((roles::sketch(&read, drawing), read.notes.iter().map(ToString::to_string).collect()))
+    let sketch = roles::sketch(&read, drawing);
+    if sketch.air.is_empty() && sketch.seams.is_empty() {
+        return Err(nothing_drawn(&read, drawing).into());
+    }
+    Ok((sketch, read.notes.iter().map(ToString::to_string).collect()))
 }

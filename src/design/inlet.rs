@@ -160,7 +160,13 @@ impl Channel {
             "a hose that is no thicker than the inflated tube has at most {} mm",
             Most(round_tube(star.w))
         );
-        Some(Warning { key: key::inlet::TUBE_DIAMETER, code: RefusalCode::ThickHose, found, remedy })
+        Some(Warning {
+            key: key::inlet::TUBE_DIAMETER,
+            code: RefusalCode::ThickHose,
+            found,
+            remedy,
+            drawn: None,
+        })
     }
 
     fn too_wide(&self, width: f64, delta: f64, room: f64) -> Refusal {

@@ -70,7 +70,7 @@ impl MaskPlate {
             "write extent = \"{} mm\" in [mask] to accept it; fewer points or a larger inner_radius make room",
             hundredths(self.extent)
         );
-        Some(Warning { key: key::mask::EXTENT, code: RefusalCode::ShortWindow, found, remedy })
+        Some(Warning { key: key::mask::EXTENT, code: RefusalCode::ShortWindow, found, remedy, drawn: None })
     }
 
     /// The caption of every page on which the mask of star number `star` is printed.

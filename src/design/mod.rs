@@ -48,7 +48,9 @@ pub use code::RefusalCode;
 pub use contour::{Contour, Part, Side};
 pub use cut::CutLines;
 pub use drawing::{Drawing, Layer, Origin, Shape};
-pub use drawn::{DrawnCut, DrawnLabels, DrawnPiece, DrawnSeparator, LayerProposal, figures, propose_layers};
+pub use drawn::{
+    DrawnCut, DrawnLabels, DrawnPiece, DrawnSeparator, LayerProposal, drawing_notes, figures, propose_layers,
+};
 pub use edge::CutEdge;
 pub use engraving::engraved_depth;
 pub use flat::{FlatPiece, PieceCut};

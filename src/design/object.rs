@@ -147,6 +147,7 @@ pub(super) fn tight(spec: &Spec, index: usize, star: &Star, meeting: Meeting) ->
             Readable(wanted),
             Least(star.rho_0 + wanted - gap)
         ),
+        drawn: None,
     })
 }
 

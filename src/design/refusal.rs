@@ -50,7 +50,7 @@ impl std::error::Error for Refusal {}
 
 /// A warning about a design that can be made.
 #[non_exhaustive]
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Warning {
     /// The key that is best changed, or written to accept the warning.
     pub key: KeyPath,
@@ -60,6 +60,8 @@ pub struct Warning {
     pub found: String,
     /// The remedy.
     pub remedy: String,
+    /// The place in the drawing of the spec.
+    pub drawn: Option<Box<DrawnPlace>>,
 }
 
 /// All reasons for which such a gripper cannot be made; as an error it lists them all, a line each.

@@ -91,6 +91,7 @@ impl Stack {
                 "the plates leave {gap:.1} mm for star {index}, whose inflated tube is {tube:.1} mm high"
             ),
             remedy: format!("a pitch of {} keeps its arms in their plane", pitch_for(width, plate)),
+            drawn: None,
         })
     }
 }

@@ -41,5 +41,6 @@ fn long_link(spec: &Spec, sources: Sources<'_>) -> Option<Warning> {
         code: RefusalCode::LongLink,
         found: format!("the link to this spec has {length} letters"),
         remedy: format!("a QR code holds at most {MOST_LETTERS}: previews and report have none"),
+        drawn: None,
     })
 }

@@ -109,7 +109,7 @@ pub(super) fn air(
                 wall_nodes.push(nodes);
             }
             (false, false, _) => {
-                let what = format!("{} has no air on either side", quoted(&own));
+                let what = format!("{} is not the border of any chamber", quoted(&own));
                 faults.push(misplaced(ShapeCode::WallOutside, own, place, what));
             }
         }

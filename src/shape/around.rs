@@ -7,9 +7,10 @@ use crate::shape::clean::{NOTHING, Piece, without_doubles};
 use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::join::{Network, network};
 use crate::shape::loose::{crossings, loose_ends};
-use crate::shape::mouth::{Mouth, NoChannel, cap, channel};
+use crate::shape::mouth::{Mouth, NoChannel, ambiguous, cap, channel};
 use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
+use crate::shape::ports::no_channel;
 use crate::shape::sketch::{Rules, Sketch};
 use inflatable::geom::{Bounds, Path, Point, Vec2};
 
@@ -63,7 +64,8 @@ pub(super) fn around_air(
         taken.extend(mouths.iter().map(|mouth| mouth.port));
     }
     let before = notes.faults.len();
-    loose_ends(&edges, &names, rules.join, notes);
+    let weld = "close it, or put it on a layer of seams if it is a weld that ends in the air";
+    loose_ends((&pieces, &edges), &names, rules.join, weld, notes);
     crossings(&edges, &names, rules.join, notes);
     if notes.faults.len() > before {
         return Layout::default();
@@ -75,7 +77,7 @@ pub(super) fn around_air(
     let length = rules.band + rules.allowance;
     let of_air = air.boundaries.iter().map(|boundary| boundary.path.clone()).collect();
     open_edges(sketch, rules, length, &mut air, &mut mouths, taken, notes);
-    necks(&air, rules, &names, notes);
+    necks((&air, &mouths), sketch, rules, &names, notes);
     if notes.faults.iter().any(|fault| fault.code == ShapeCode::Crowded) {
         return Layout::default();
     }
@@ -176,6 +178,11 @@ fn open_edges(
         if taken.contains(&number) {
             continue;
         }
+        if let Some(why) = ambiguous(&port.place, &edges) {
+            taken.push(number);
+            no_channel(&why, &port.name, place, rules, notes);
+            continue;
+        }
         let paths = outer.iter().map(|(around, boundary)| (&boundary.path, *around));
         let Some(nearest) = nearest_path(paths, place) else { continue };
         let (around, boundary) = &mut outer[nearest];
@@ -216,38 +223,14 @@ pub(super) fn nearest_path<'a>(paths: impl Iterator<Item = (&'a Path, Bounds)>, 
     best.map(|(_, number)| number)
 }
 
-pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rules, notes: &mut SealingNotes) {
-    let names = [name.to_owned()];
-    match why {
-        NoChannel::Far(distance) => {
-            let allowed = rules.port_width.max(5.0);
-            let name = quoted(&names);
-            let text = if *distance <= allowed {
-                let least = rules.port_width + 2.0 * rules.band;
-                let what = format!("port {name} lies in the channel of another port");
-                (what, format!("put ports at least {least:.3} mm from each other, or remove it"))
-            } else if distance.is_finite() {
-                let what = format!("port {name} lies {distance:.3} mm from the nearest outer edge");
-                (what, format!("put it on an edge, or at most {allowed:.3} mm from it"))
-            } else {
-                let what = format!("port {name} has no outer edge to lead through");
-                (what, "draw a closed edge of air, or give a layer that role".to_owned())
-            };
-            notes.fault(ShapeCode::LostPort, &names, place, text, [*distance, allowed]);
-        }
-        NoChannel::Narrow(width) => {
-            let what = format!("the edge at port {} has room for {width:.3} mm only", quoted(&names));
-            let remedy = format!(
-                "the hose needs {:.3} mm: make the edge longer, or take a thinner hose",
-                rules.port_width
-            );
-            notes.fault(ShapeCode::PortTooWide, &names, place, (what, remedy), [*width, rules.port_width]);
-        }
-    }
-}
-
 /// Faults where fabric between two edges has no room for their bands.
-fn necks(air: &Air, rules: &Rules, names: &[String], notes: &mut SealingNotes) {
+fn necks(
+    (air, mouths): (&Air, &[Mouth]),
+    sketch: &Sketch,
+    rules: &Rules,
+    names: &[String],
+    notes: &mut SealingNotes,
+) {
     let curves: Vec<GapCurve<'_>> =
         air.boundaries.iter().map(|edge| GapCurve { path: &edge.path, joined: [false; 2] }).collect();
     let closed = inflatable::geom::Enclosures::new(air.boundaries.iter().map(|edge| &edge.path));
@@ -261,14 +244,28 @@ fn necks(air: &Air, rules: &Rules, names: &[String], notes: &mut SealingNotes) {
         let mut sources: Vec<usize> =
             neck.curves.iter().flat_map(|i| air.boundaries[*i].sources.clone()).collect();
         sources.dedup();
-        let own = named(&sources, names);
+        let mut own = named(&sources, names);
+        let near = mouths.iter().filter(|mouth| mouth.is_beside(neck.middle(), both));
+        let ports: Vec<String> =
+            near.filter_map(|mouth| sketch.ports.get(mouth.port)).map(|port| port.name.clone()).collect();
+        if ports.len() > 1 {
+            let what =
+                format!("{:.3} mm of fabric between the channels of ports {}", neck.width, quoted(&ports));
+            let remedy = format!("put ports at least {:.3} mm from each other", rules.port_width + both);
+            own.extend(ports);
+            notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), (what, remedy), [neck.width, both]);
+            continue;
+        }
         let what = format!(
             "{:.3} mm of fabric between edges of {} are too narrow for two bands",
             neck.width,
             quoted(&own)
         );
+        let [a, b] = neck.curves;
+        let apart = a != b && air.boundaries[a].outer && air.boundaries[b].outer;
+        let cut = if apart && sketch.cuts.is_empty() { ", with a drawn cut around both" } else { "" };
         let remedy = format!(
-            "make it {} mm, for a wall that is sealed once, or at least {both} mm, for two bands",
+            "make it {} mm, for a wall that is sealed once, or at least {both} mm, for two bands{cut}",
             rules.band
         );
         notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), (what, remedy), [neck.width, both]);

@@ -51,10 +51,7 @@ pub(super) fn checked(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
                 ShapeCode::NarrowPassage,
                 (
                     what(format!("a passage of {tube:.3} mm")),
-                    format!(
-                        "air may pass slowly: {} mm and more are wanted (`passage`)",
-                        rules.least_passage
-                    ),
+                    format!("air may flow slowly; make it at least {} mm (`passage`)", rules.least_passage),
                 ),
                 [tube, rules.least_passage],
             )
@@ -145,15 +142,25 @@ pub(super) fn sharp_corners(lines: &Layout, rules: &Rules, notes: &mut SealingNo
             }
         }
         open.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let mut told: Vec<Point> = Vec::new();
+        let mut told: Vec<(f64, usize, Vec<Point>)> = Vec::new();
         for (found, place, line) in open {
-            if told.iter().any(|known| known.distance(place) <= APART) {
-                continue;
+            match told.iter_mut().find(|(_, _, places)| places[0].distance(place) <= APART) {
+                Some((_, _, places)) if places.iter().all(|known| known.distance(place) > half) => {
+                    places.push(place);
+                }
+                Some(_) => {}
+                None => told.push((found, line, vec![place])),
             }
-            told.push(place);
+        }
+        for (found, line, places) in told {
+            let place = places[0];
+            let more = match places.len() - 1 {
+                0 => String::new(),
+                more => format!(" (and {more} more within {APART} mm)"),
+            };
             let names = lines.lines[line].names.clone();
             let what = format!(
-                "a hinge of {} is sharper than the iron, {found:.3} mm or more stay unsealed",
+                "a hinge of {} is sharper than the iron, {found:.3} mm or more stay unsealed{more}",
                 quoted(&names)
             );
             let remedy = format!("round it with at least {half} mm");

@@ -1,12 +1,13 @@
 //! Seams that are drawn as centre lines.
 
 use crate::shape::air::depth;
-use crate::shape::around::{Layout, Line, LineUse, nearest_path, no_channel, opened};
+use crate::shape::around::{Layout, Line, LineUse, nearest_path, opened};
 use crate::shape::fault::ShapeCode;
 use crate::shape::loose::crossings;
-use crate::shape::mouth::{NoChannel, channel};
+use crate::shape::mouth::{NoChannel, ambiguous, channel};
 use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
+use crate::shape::ports::no_channel;
 use crate::shape::sketch::{Rules, Sketch};
 use inflatable::geom::{Bounds, BoxIndex, Enclosures, Path, Point, Segment};
 
@@ -80,11 +81,16 @@ fn open_rims(
     let (half, length) = (rules.band / 2.0, rules.band / 2.0 + rules.allowance);
     let outer = edges.iter().enumerate().filter(|(_, (_, _, outer))| *outer);
     let mut outer: Vec<(usize, Bounds)> = outer.map(|(at, (path, ..))| (at, path.bounds())).collect();
+    let drawn: Vec<Path> = outer.iter().map(|(at, _)| edges[*at].0.clone()).collect();
     let mut mouths = Vec::new();
     for (number, port) in sketch.ports.iter().enumerate().filter(|(number, _)| !taken.contains(number)) {
         let place = port.place.middle();
         let rims = outer.iter().map(|(at, around)| (&edges[*at].0, *around));
         let Some(nearest) = nearest_path(rims, place) else { continue };
+        if let Some(why) = ambiguous(&port.place, &drawn) {
+            no_channel(&why, &port.name, place, rules, notes);
+            continue;
+        }
         let (at, around) = &mut outer[nearest];
         let path = &mut edges[*at].0;
         let width = rules.port_width + rules.band;

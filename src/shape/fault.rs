@@ -52,8 +52,10 @@ pub enum ShapeCode {
     ShortSeam,
     /// Several outlines, or none.
     Outlines,
-    /// A cut or a hole in a band, or in the air.
+    /// A cut or a hole in a band, in the air, or across another cut.
     CutInBand,
+    /// Little fabric between a hole and another cut.
+    ThinWeb,
     /// A way for air other than a port.
     Leak,
     /// The drawing is empty.
@@ -104,6 +106,7 @@ impl ShapeCode {
             Self::ShortSeam => "short-seam",
             Self::Outlines => "wrong-outlines",
             Self::CutInBand => "cut-in-band",
+            Self::ThinWeb => "thin-web",
             Self::Leak => "shape-leaks",
             Self::Empty => "nothing-drawn",
         }

@@ -1,9 +1,10 @@
 //! Loose ends of a drawing, and curves that cross.
 
+use crate::shape::clean::Piece;
 use crate::shape::fault::{ShapeCode, quoted};
-use crate::shape::join::Network;
+use crate::shape::join::{Network, network as joined};
 use crate::shape::notes::{SealingNotes, named};
-use inflatable::geom::{Bounds, BoxIndex, Point, Segment, intersections};
+use inflatable::geom::{Bounds, BoxIndex, Path, Point, Segment, intersections};
 
 /// Ends farther apart than this are two ends, not a gap, mm.
 const WIDEST_GAP: f64 = 5.0;
@@ -11,8 +12,25 @@ const WIDEST_GAP: f64 = 5.0;
 /// Most crossings that are searched for: the report of a thousand lines across a thousand others would take a gigabyte.
 const MOST_CROSSINGS: usize = 10_000;
 
-/// Faults where an edge ends in the open: a gap if another edge is near.
-pub(super) fn loose_ends(network: &Network, names: &[String], join: f64, notes: &mut SealingNotes) {
+/// A longer line is no mark of a port, mm.
+const LONGEST_MARK: f64 = 20.0;
+
+/// Largest `join` of a spec, mm.
+const WIDEST_JOIN: f64 = 10.0;
+
+/// Most gaps for which a wider `join` is tried: each trial joins the whole drawing.
+const MOST_TRIALS: usize = 8;
+
+/// Faults where an edge of the `network` of `pieces` ends in the open: a gap if another edge is near, else an end with this `remedy`. An
+/// end past a curve that it crosses is left to [`crossings`].
+pub(super) fn loose_ends(
+    (pieces, network): (&[Piece], &Network),
+    names: &[String],
+    join: f64,
+    remedy: &str,
+    notes: &mut SealingNotes,
+) {
+    let mut trials = 0;
     let free = network.free_ends();
     if free.is_empty() {
         return;
@@ -48,16 +66,28 @@ pub(super) fn loose_ends(network: &Network, names: &[String], join: f64, notes: 
             _ => {
                 let names = own(*edge);
                 let what = format!("{} ends in the open", quoted(&names));
-                let remedy =
-                    "close it, or put it on a layer of seams if it is a weld that ends in the air".to_owned();
+                let remedy = remedy.to_owned();
                 notes.fault(ShapeCode::DanglingEnd, &names, place, (what, remedy), [f64::NAN; 2]);
                 continue;
             }
         };
+        if partner != *edge && network.past(*edge, place, partner).is_some() {
+            continue;
+        }
         let both = [own(*edge), own(partner)].concat();
         let what = format!("gap of {gap:.4} mm in {}", quoted(&both));
         let would = (gap * 1000.0).ceil() / 1000.0;
-        let remedy = format!("close it in the drawing; join = \"{would} mm\" would close it");
+        trials += 1;
+        let is_closed = || {
+            let other = joined(pieces, would);
+            let ends = other.free_ends();
+            ends.iter().all(|(node, ..)| other.nodes[*node].distance(place) > 2.0 * would)
+        };
+        let remedy = if would <= WIDEST_JOIN && trials <= MOST_TRIALS && is_closed() {
+            format!("close it in the drawing; join = \"{would} mm\" would close it")
+        } else {
+            "close it in the drawing".to_owned()
+        };
         notes.fault(ShapeCode::Gap, &both, place, (what, remedy), [gap, join]);
     }
 }
@@ -114,7 +144,43 @@ pub(super) fn crossings(network: &Network, names: &[String], join: f64, notes: &
         } else {
             format!("{} cross or touch", quoted(&own))
         };
-        let remedy = "move them apart, or unite their areas".to_owned();
+        let remedy = trimmed(network, [a, b], place, names)
+            .unwrap_or_else(|| "move them apart, or unite their areas".to_owned());
         notes.fault(ShapeCode::Crossing, &own, place, (what, remedy), [f64::NAN; 2]);
     }
+}
+
+impl Network {
+    /// How far the end of `edge` at the node `end` lies past the curve `other` that it crosses, mm; `None` if it crosses it not, or farther
+    /// away.
+    fn past(&self, edge: usize, end: Point, other: usize) -> Option<f64> {
+        let near = |path: &Path| -> Vec<Segment> {
+            let zone = Bounds::of_points([end]).grown(WIDEST_GAP);
+            path.segments.iter().filter(|segment| segment.bounds().overlaps(&zone)).copied().collect()
+        };
+        let across = near(&self.edges[other].path);
+        let met = near(&self.edges[edge].path).into_iter().flat_map(|segment| {
+            across.iter().flat_map(|other| intersections(&segment, other)).collect::<Vec<_>>()
+        });
+        met.map(|p| p.distance(end)).filter(|far| *far <= WIDEST_GAP).reduce(f64::min)
+    }
+}
+
+/// The remedy where one of the edges `ab`, which cross at `place`, ends a little past the other.
+fn trimmed(network: &Network, [a, b]: [usize; 2], place: Point, names: &[String]) -> Option<String> {
+    let free = network.free_ends();
+    let past = |edge: usize| {
+        let own = free
+            .iter()
+            .filter(|(_, of, _)| *of == edge)
+            .map(|(node, ..)| network.nodes[*node].distance(place));
+        own.filter(|far| *far <= WIDEST_GAP).reduce(f64::min)
+    };
+    let (far, edge) =
+        [a, b].into_iter().filter_map(|edge| Some((past(edge)?, edge))).min_by(|x, y| x.0.total_cmp(&y.0))?;
+    let own = quoted(&named(&network.edges[edge].sources, names));
+    let is_short = network.edges[edge].path.length() <= LONGEST_MARK;
+    let is_mark = is_short && a != b && free.iter().filter(|(_, of, _)| *of == edge).count() == 2;
+    let port = if is_mark { "; if it marks a port, put it on a layer with the role `port`" } else { "" };
+    Some(format!("trim the {far:.3} mm of {own} that go past the other curve{port}"))
 }

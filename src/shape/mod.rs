@@ -24,11 +24,14 @@ mod notes;
 mod offset;
 mod order;
 mod outline;
+mod ports;
 mod sealed;
 mod sealing;
 mod seam;
 mod separator;
 mod sketch;
+mod unsound;
+mod webs;
 
 pub use chambers::{Chamber, Topology};
 pub use fault::{Repair, ShapeCode, ShapeFault, ShapeWarning};

@@ -30,6 +30,13 @@ impl Mouth {
             && (-self.depth..=self.beyond + half + 1e-6).contains(&along)
     }
 
+    /// Whether `p` lies beside the channel, at most `aside` mm from it.
+    pub(super) fn is_beside(&self, p: Point, aside: f64) -> bool {
+        let from = p - self.at;
+        (-self.depth..=self.beyond + 1.0).contains(&from.dot(self.out))
+            && from.dot(self.out.perp()).abs() <= self.half + aside
+    }
+
     /// The point `along` the way out and `across` it to the left, from the middle of the mouth.
     pub(super) fn point(&self, along: f64, across: f64) -> Point {
         self.at + self.out * along + self.out.perp() * across
@@ -73,6 +80,35 @@ pub(super) enum NoChannel {
     Far(f64),
     /// The edge is at most this wide there, mm.
     Narrow(f64),
+    /// Its line runs along the edge.
+    Along,
+    /// Its line crosses outer edges at these places, more than one.
+    Twice(Vec<Point>),
+}
+
+/// Least sine of the angle at which the line of a port crosses an edge: 15 degrees.
+const STEEP: f64 = 0.26;
+
+/// The reason why the line of a port does not mark one place on `edges`; `None` where it does, or is a point.
+pub(super) fn ambiguous(place: &PortPlace, edges: &[Path]) -> Option<NoChannel> {
+    let PortPlace::Across([a, b]) = place else { return None };
+    let line = Segment::Line(Line::new(*a, *b));
+    let way = (*b - *a).normalized();
+    let (mut met, mut flat): (Vec<Point>, bool) = (Vec::new(), false);
+    for segment in edges.iter().flat_map(|edge| &edge.segments) {
+        for p in intersections(segment, &line) {
+            flat |= segment.tangent(segment.nearest_fraction(p)).cross(way).abs() < STEEP;
+            if met.iter().all(|known| known.distance(p) > 1e-3) {
+                met.push(p);
+            }
+        }
+    }
+    match met.len() {
+        0 => None,
+        _ if flat => Some(NoChannel::Along),
+        1 => None,
+        _ => Some(NoChannel::Twice(met)),
+    }
 }
 
 /// A channel of `width` through the closed `path` (air on its left) at `place`, which runs `length` mm past the edge to its mouth and

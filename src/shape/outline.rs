@@ -8,6 +8,7 @@ use crate::shape::mouth::Mouth;
 use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
 use crate::shape::sketch::{DrawnCurve, Rules, Sketch};
+use crate::shape::webs::webs;
 use inflatable::geom::{BoxIndex, Enclosures, Line as Chord, Path, Point, Segment};
 
 /// The outline, and the closed paths that are cut inside it.
@@ -18,6 +19,7 @@ pub(super) fn outline(
     notes: &mut SealingNotes,
 ) -> (Option<Path>, Vec<Path>) {
     let mut inner = closed(&sketch.holes, rules, notes);
+    let before = notes.faults.len();
     let drawn = closed(&sketch.cuts, rules, notes);
     let around = Enclosures::new(drawn.iter().map(|(path, _)| path));
     let mut outlines: Vec<(Path, Vec<String>)> = Vec::new();
@@ -39,27 +41,45 @@ pub(super) fn outline(
     match outlines.len() {
         1 => {}
         0 if lines.lines.is_empty() => {}
+        0 => no_outline(&sketch.cuts, before, notes),
         count => {
             let place = outlines.get(1).and_then(|(path, _)| path.start()).unwrap_or(Point::ORIGIN);
             let names: Vec<String> = outlines.iter().flat_map(|(_, names)| names.clone()).collect();
             let text = (
                 format!("{count} outlines to be cut"),
-                "draw one cut around all of it, or a file for each piece".to_owned(),
+                "draw one cut around all of it on a layer with the role `cut`, or a file for each piece"
+                    .to_owned(),
             );
             #[expect(clippy::cast_precision_loss, reason = "a count of curves")]
             let found = count as f64;
             notes.fault(ShapeCode::Outlines, &names, place, text, [found, 1.0]);
         }
     }
-    touching(&outlines, &inner, rules, lines, notes);
+    // Several outlines along the bands lie in the bands of each other: that follows from their number.
+    if outlines.len() < 2 || !sketch.cuts.is_empty() {
+        touching(&outlines, &inner, rules, lines, notes);
+    }
+    webs(&outlines, &inner, rules, notes);
     (outlines.into_iter().next().map(|(path, _)| path), inner.into_iter().map(|(path, _)| path).collect())
+}
+
+/// The fault of drawn cuts of which none is closed, unless an earlier fault, from number `before` on, tells why.
+fn no_outline(cuts: &[DrawnCurve], before: usize, notes: &mut SealingNotes) {
+    let Some(first) = cuts.first().filter(|_| notes.faults.len() == before) else { return };
+    let names: Vec<String> = cuts.iter().map(|drawn| drawn.name.clone()).collect();
+    let place = first.path.point_at(0.0).unwrap_or(Point::ORIGIN);
+    let text = (
+        format!("the cuts {} meet or share an edge, so none of them is the outline", quoted(&names)),
+        "draw one closed cut around all of it, or a file for each piece".to_owned(),
+    );
+    notes.fault(ShapeCode::Outlines, &names, place, text, [0.0, 1.0]);
 }
 
 /// Drawn curves that must be closed, mended.
 fn closed(drawn: &[DrawnCurve], rules: &Rules, notes: &mut SealingNotes) -> Vec<(Path, Vec<String>)> {
     let names: Vec<String> = drawn.iter().map(|drawn| drawn.name.clone()).collect();
-    let (_, network) = notes.mended(drawn, rules.join);
-    loose_ends(&network, &names, rules.join, notes);
+    let (pieces, network) = notes.mended(drawn, rules.join);
+    loose_ends((&pieces, &network), &names, rules.join, "close it", notes);
     crossings(&network, &names, rules.join, notes);
     let edges = network.edges.into_iter().filter(|edge| edge.nodes.is_none());
     edges.map(|edge| (edge.path, named(&edge.sources, &names))).collect()
@@ -111,8 +131,13 @@ fn touching(
             }
         }
         if let Some((far, place)) = least {
-            let what = format!("{} comes within {far:.3} mm of the middle of a band", quoted(names));
-            let remedy = format!("keep {half} mm from it, half a band");
+            let cut = if names.is_empty() { "the cut along the bands".to_owned() } else { quoted(names) };
+            let what = if far < 1e-6 {
+                format!("{cut} crosses a band")
+            } else {
+                format!("{cut} comes within {far:.3} mm of the middle of a band")
+            };
+            let remedy = format!("keep {half} mm from the middle of every band, half a band");
             notes.fault(ShapeCode::CutInBand, names, place, (what, remedy), [far, half]);
         }
         let (place, _) = beside(path, 1e-6);

@@ -3,13 +3,15 @@
 use crate::shape::around::{Layout, Line, LineUse, around_air};
 use crate::shape::checks::{checked, sharp_corners};
 use crate::shape::drawn_seams::{drawn_seams, join_ends, lost_ports};
-use crate::shape::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning};
+use crate::shape::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning, quoted};
 use crate::shape::notes::SealingNotes;
 use crate::shape::order::{ordered, seam_names};
 use crate::shape::outline::outline;
+use crate::shape::ports::once;
 use crate::shape::sketch::{Rules, Sketch};
+use crate::shape::unsound::unsound_chambers;
 use crate::shape::{AirSide, Port, Role, SealedShape, Seam};
-use inflatable::geom::{Line as Chord, Path, Point, Segment, intersections};
+use inflatable::geom::{Path, Point};
 
 /// A sketch that can be sealed.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +36,7 @@ pub struct Sealing {
 /// All faults that were found, each with its place. Faults of single curves hide those of bands.
 pub fn sealed_shape(sketch: &Sketch, rules: &Rules) -> Result<Sealing, Vec<ShapeFault>> {
     let mut notes = SealingNotes::default();
+    let sketch = &Sketch { ports: once(&sketch.ports, rules.join, &mut notes), ..sketch.clone() };
     let mut taken = Vec::new();
     let mut lines = around_air(sketch, rules, &mut taken, &mut notes);
     drawn_seams(sketch, rules, &mut taken, &mut lines, &mut notes);
@@ -59,7 +62,7 @@ pub fn sealed_shape(sketch: &Sketch, rules: &Rules) -> Result<Sealing, Vec<Shape
     let inner = lines.lines.iter().filter(is_inner).map(|line| line.path.clone()).collect();
     let shape =
         SealedShape { seams: seams(&lines, rules, &mut notes), band: rules.band, cut, ports: ports(&lines) };
-    unsound_chambers(&shape, &mut notes);
+    unsound_chambers(&shape, &lines, sketch, rules, &mut notes);
     if !notes.faults.is_empty() {
         return Err(notes.faults);
     }
@@ -81,7 +84,10 @@ fn seams(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) -> Vec<Seam> {
         if closed && length < least {
             let place = line.path.start().unwrap_or(Point::ORIGIN);
             let text = (
-                format!("seam {name} is {length:.3} mm long, shorter than twice its overlap"),
+                format!(
+                    "the seam of {} is {length:.3} mm long, shorter than twice its overlap",
+                    quoted(&line.names)
+                ),
                 format!("make the overlap at most {:.3} mm", (length * 500.0).floor() / 1000.0),
             );
             notes.fault(ShapeCode::ShortSeam, &line.names, place, text, [length, least]);
@@ -91,41 +97,4 @@ fn seams(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) -> Vec<Seam> {
         Seam { name, role, center_line: line.path.clone(), overlap }
     };
     named.map(seam).collect()
-}
-
-/// Faults of leaks, and of chambers that no port leads into.
-fn unsound_chambers(shape: &SealedShape, notes: &mut SealingNotes) {
-    let topology = shape.topology();
-    // Curves that cross are found before: the remaining leaks come from the channel of a port that meets another edge.
-    for leak in &topology.leaks {
-        let place = leak.place(shape).unwrap_or(Point::ORIGIN);
-        let text = (
-            "a seam crosses itself or another, or stays open".to_owned(),
-            "move the port to where its channel leads straight out".to_owned(),
-        );
-        notes.fault(ShapeCode::Leak, &[], place, text, [f64::NAN; 2]);
-    }
-    let chambers = topology.chambers.iter().zip(&topology.insides);
-    for (chamber, inside) in chambers.filter(|(chamber, _)| chamber.ports.is_empty()) {
-        let names = [shape.seams[chamber.outside].name.clone()];
-        let text = (
-            format!("the chamber inside of {} has no port", names[0]),
-            "draw a port on its outer edge, or open a wall to a chamber with a port".to_owned(),
-        );
-        notes.fault(ShapeCode::NoPort, &names, amid(shape, *inside), text, [0.0, 1.0]);
-    }
-}
-
-/// From a point in the air beside a seam, the point halfway to the seam across.
-fn amid(shape: &SealedShape, inside: Point) -> Point {
-    let segments = || shape.seams.iter().flat_map(|seam| &seam.center_line.segments);
-    let on_seam = |segment: &Segment| segment.point(segment.nearest_fraction(inside));
-    let nearest = segments().map(on_seam).min_by(|a, b| a.distance(inside).total_cmp(&b.distance(inside)));
-    let Some(nearest) = nearest else { return inside };
-    let reach = segments().map(|segment| segment.start().distance(inside)).fold(0.0, f64::max);
-    let across = inside + (inside - nearest).normalized() * (2.0 * reach);
-    let ray = Chord::new(inside, across).into();
-    let met = segments().flat_map(|segment| intersections(segment, &ray)).map(|p| p.distance(inside));
-    let width = met.fold(f64::INFINITY, f64::min);
-    if width.is_finite() { inside.lerp(across, width / (4.0 * reach)) } else { inside }
 }

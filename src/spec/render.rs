@@ -1,5 +1,8 @@
 //! Faults as a person reads them: file, line, caret, the finding, the allowed values, a hint.
 
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
 use annotate_snippets::{AnnotationKind, Level as Tone, Origin, Renderer, Snippet};
 
 use crate::spec::fault::{Fault, Severity};
@@ -8,6 +11,9 @@ use crate::spec::source::{Source, boundary};
 
 /// Most faults shown; a wrong file has thousands.
 const SHOWN: usize = 30;
+
+/// Most faults of one code shown that a drawing has.
+const ALIKE: usize = 3;
 
 /// Length of a line shown behind the place of its fault, bytes: more than a terminal is wide.
 const ROOM: usize = 500;
@@ -38,12 +44,26 @@ pub(super) fn for_terminal(
 
 fn render(source: &Source, faults: &[Fault], renderer: &Renderer, width: Option<usize>) -> String {
     let mut text = String::new();
-    for fault in faults.iter().take(SHOWN) {
+    let mut alike: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut listed: Vec<&Fault> = Vec::new();
+    for fault in faults {
+        let count = alike.entry(fault.code).or_default();
+        *count += usize::from(fault.drawn.is_some());
+        if *count <= ALIKE {
+            listed.push(fault);
+        }
+    }
+    for fault in listed.iter().take(SHOWN) {
         text.push_str(&one(source, fault, renderer, width));
         text.push_str("\n\n");
     }
     if !faults.is_empty() {
-        text.push_str(&summary(source, faults));
+        text.push_str(&summary(source, faults, listed.len()));
+        let more = alike.iter().filter(|(_, count)| **count > ALIKE);
+        let more: Vec<String> = more.map(|(code, count)| format!("{} more {code}", count - ALIKE)).collect();
+        if !more.is_empty() {
+            let _ = write!(text, "; not shown, but listed by --json: {}", more.join(", "));
+        }
         text.push('\n');
     }
     text
@@ -120,7 +140,7 @@ fn broken(text: &str, width: Option<usize>, head: usize) -> String {
 }
 
 /// "spec.toml: 2 errors, 1 warning".
-fn summary(source: &Source, faults: &[Fault]) -> String {
+fn summary(source: &Source, faults: &[Fault], listed: usize) -> String {
     let count = |level| faults.iter().filter(|fault| fault.level == level).count();
     let phrase = |n: usize, word: &str| match n {
         0 => None,
@@ -129,7 +149,7 @@ fn summary(source: &Source, faults: &[Fault]) -> String {
     };
     let parts = [phrase(count(Severity::Error), "error"), phrase(count(Severity::Warning), "warning")];
     let parts = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
-    let cut = if faults.len() > SHOWN { format!(", the first {SHOWN} shown") } else { String::new() };
+    let cut = if listed > SHOWN { format!(", the first {SHOWN} shown") } else { String::new() };
     format!("{}: {parts}{cut}", shown_name(source))
 }
 

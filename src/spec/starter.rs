@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use crate::spec::LayerRole;
 use crate::spec::name::{NameFault, check_name};
+use drawings::Unit;
 
 /// The starter, with a placeholder for the name.
 pub(super) const TEMPLATE: &str = include_str!("../../templates/spec.toml");
@@ -21,7 +22,7 @@ pub fn starter(name: &str) -> Result<String, NameFault> {
     Ok(TEMPLATE.replacen(PLACEHOLDER, &quoted(name)?, 1))
 }
 
-/// A spec called `name` of the drawing `file`, whose `layers` have these roles for these reasons; with a unit where the file has none.
+/// A spec called `name` of the drawing `file`, whose `layers` have these roles for these reasons, with the unit of its numbers if the file is not to decide.
 ///
 /// # Errors
 /// If `name` cannot be a spec's name.
@@ -29,7 +30,7 @@ pub fn drawing_starter(
     name: &str,
     file: &str,
     layers: &[(String, LayerRole, String)],
-    has_unit: bool,
+    unit: Option<Unit>,
 ) -> Result<String, NameFault> {
     let text = |words: &str| format!("\"{}\"", words.replace('\\', "\\\\").replace('"', "\\\""));
     let mut roles = String::new();
@@ -43,11 +44,11 @@ pub fn drawing_starter(
             let _ = writeln!(roles, "{word} = [{}]", names.join(", "));
         }
     }
-    let units = if has_unit { "# units = \"mm\"" } else { "units = \"mm\"" };
+    let units = unit.map_or("# units = \"mm\"".to_owned(), |unit| format!("units = \"{}\"", unit.name()));
     Ok(DRAWING
         .replacen(PLACEHOLDER, &quoted(name)?, 1)
         .replacen("\"FILE\"", &text(file), 1)
-        .replacen("UNITS", units, 1)
+        .replacen("UNITS", &units, 1)
         .replacen("ROLES\n", &roles, 1))
 }
 

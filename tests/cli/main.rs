@@ -3,6 +3,7 @@
 mod choosing;
 mod desk;
 mod diagnostics;
+mod drawings;
 mod editor;
 mod machines;
 mod mechanics;

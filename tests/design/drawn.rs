@@ -206,7 +206,7 @@ fn repairs_are_told_and_colours_are_layers() {
     let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"200mm\" viewBox=\"0 0 200 200\"><g id=\"Layer 1\" fill=\"none\">\
         <rect id=\"a\" x=\"20\" y=\"20\" width=\"90\" height=\"60\" stroke=\"blue\"/><rect id=\"b\" x=\"20\" y=\"20\" width=\"90\" height=\"60\" stroke=\"blue\"/>\
         <path id=\"w\" d=\"M60 40V60\" stroke=\"lime\"/><path id=\"h\" d=\"M14 50H26\" stroke=\"red\"/></g></svg>";
-    let found = propose_layers("a.svg", svg.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let found = propose_layers("a.svg", svg.as_bytes(), None).unwrap_or_else(|refusals| panic!("{refusals}"));
     let roles: Vec<(&str, LayerRole)> =
         found.layers.iter().map(|(layer, role, _)| (layer.as_str(), *role)).collect();
     let wanted = [("#0000ff", LayerRole::Air), ("#00ff00", LayerRole::Seam), ("#ff0000", LayerRole::Port)];
@@ -229,7 +229,7 @@ fn colours_texts_and_a_missing_unit_of_a_dxf_are_told() {
     let dxf = "0|SECTION|2|ENTITIES|0|CIRCLE|5|A|8|0|62|5|10|100|20|100|40|50|0|LINE|5|B|8|0|62|1|10|146|20|100|11|154|21|100|\
         0|TEXT|5|C|8|Notes|10|0|20|0|1|cushion|0|ENDSEC|0|EOF|"
         .replace('|', "\n");
-    let found = propose_layers("a.dxf", dxf.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let found = propose_layers("a.dxf", dxf.as_bytes(), None).unwrap_or_else(|refusals| panic!("{refusals}"));
     let roles: Vec<(&str, LayerRole)> =
         found.layers.iter().map(|(layer, role, _)| (layer.as_str(), *role)).collect();
     let wanted = [("color 5", LayerRole::Air), ("color 1", LayerRole::Port), ("Notes", LayerRole::Ignore)];

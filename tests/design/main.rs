@@ -8,6 +8,7 @@ mod drawn;
 mod edits;
 mod forged;
 mod hostile;
+mod layers;
 mod links;
 mod pictures;
 mod published;

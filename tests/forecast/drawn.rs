@@ -197,3 +197,31 @@ fn what_is_missing_or_for_stars_is_said() {
     let faults = read(&Source::new("x", text)).expect_err("an object").to_string();
     assert!(faults.contains("\"mass\" in [load] beside [drawing]") || faults.contains("mass"), "{faults}");
 }
+
+/// Chambers whose seams share a band are computed alone, which is told; those farther apart are alone indeed.
+#[test]
+fn chambers_that_share_a_band_are_warned_of() {
+    let two = |gap: f64| {
+        let x = 60.0 + gap;
+        let air = format!(
+            "<rect id=\"c\" x=\"30\" y=\"65\" width=\"30\" height=\"30\"/><rect id=\"d\" x=\"{x}\" y=\"65\" width=\"30\" height=\"30\"/>"
+        );
+        let port =
+            format!("<g id=\"p\"><line x1=\"{}\" y1=\"80\" x2=\"{}\" y2=\"80\"/></g>", x + 25.0, x + 35.0);
+        let cut = "<g id=\"k\"><rect x=\"15\" y=\"50\" width=\"140\" height=\"60\"/></g>";
+        let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"a\"], port = [\"p\"], cut = [\"k\"] }\n\
+            [inlet]\ntube_diameter = \"3 mm\"\n[fabric]\nthickness = \"0.1 mm\"\nyoung_modulus = \"128 MPa\"\npoisson_ratio = 0.39\n\
+            [load]\npressure = \"1 kPa\"\n";
+        let svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"200mm\" viewBox=\"0 0 200 200\">\
+             <g id=\"a\">{air}</g>{HOSE}{port}{cut}</svg>"
+        );
+        coarse(&of_text(text, svg.as_bytes())).prediction
+    };
+    let is_told = |gap: f64| {
+        let found = two(gap);
+        assert_eq!(found.chambers.len(), 2);
+        found.evidence.warnings.iter().any(|warning| warning.starts_with("chambers share a band"))
+    };
+    assert!(is_told(2.0) && is_told(4.0) && !is_told(8.0));
+}

@@ -10,6 +10,7 @@ mod mutants;
 mod seams;
 mod separators;
 mod shapes;
+mod sketch_faults;
 mod sketched_stars;
 mod sketches;
 mod spec;

@@ -64,6 +64,10 @@ impl<'o> Collector<'o> {
         &self.drawing.elements
     }
 
+    pub(crate) fn set_root(&mut self, names: Vec<String>) {
+        self.drawing.root = names;
+    }
+
     pub(crate) fn set_unit(&mut self, unit_mm: f64) {
         self.drawing.unit_mm = unit_mm;
     }
@@ -161,8 +165,14 @@ impl<'o> Collector<'o> {
     }
 
     fn push(&mut self, place: Place, figure: Figure) {
-        let id = place.element.unwrap_or_default();
-        self.drawing.elements.push(Element { id, layers: place.layers, figure, line: place.line });
+        let Place { element, layers, own_names, line, .. } = place;
+        self.drawing.elements.push(Element {
+            id: element.unwrap_or_default(),
+            layers,
+            own_names,
+            figure,
+            line,
+        });
     }
 
     fn far(&mut self, place: Place) {

@@ -9,6 +9,8 @@ pub struct Drawing {
     pub elements: Vec<Element>,
     /// Notes on details that were resolved, ambiguous or left out, in the order of the file.
     pub notes: Vec<Note>,
+    /// The names of the file as a whole: id and label of the root of an SVG. Every element has them last.
+    pub root: Vec<String>,
     /// Length of one unit of the file (of the SVG's view box), mm, > 0.
     pub unit_mm: f64,
 }
@@ -25,6 +27,8 @@ pub struct Element {
     /// labels of the groups and references around it. DXF: the colour of its own as "#rrggbb" or "color 1", its layer,
     /// then the layers of the blocks around it; an entity on layer 0 in a block has the layer of the block alone.
     pub layers: Vec<String>,
+    /// Number of names in `layers` that are its own, at least one for a DXF. SVG: id, label and colour. DXF: colour and layer.
+    pub own_names: usize,
     /// Its geometry.
     pub figure: Figure,
     /// Line of the file, from 1.
@@ -56,7 +60,11 @@ pub struct Note {
 pub enum Weight {
     /// The elements have all visible geometry.
     Information,
-    /// Something visible is missing or differs. A caller should refuse it unless all of the note's layers are ignored.
+    /// The drawing hides geometry, which the elements leave out.
+    Hidden,
+    /// An element is read, but not as the drawing shows it. A caller should refuse it unless its layer is ignored.
+    Changed,
+    /// Something visible is missing. A caller should refuse it unless its layer is ignored.
     Lost,
 }
 
@@ -78,6 +86,8 @@ pub struct Place {
     pub element: Option<String>,
     /// Its layers, as in [`Element::layers`].
     pub layers: Vec<String>,
+    /// Number of its own names among them, as in [`Element::own_names`].
+    pub own_names: usize,
     /// Line of the file, from 1.
     pub line: Option<usize>,
     /// A point of the element, mm; `None` if unknown.

@@ -17,14 +17,20 @@ pub(super) fn unreadable(fault: &Fault) -> Refusal {
 
 /// A fault of the shape.
 pub(super) fn refusal(fault: &ShapeFault) -> Refusal {
-    let (key, code) = of(fault.code);
+    let (key, code) = of(fault);
     Refusal::new(key, code, found(fault), fault.remedy.clone()).drawn_at(place(fault))
 }
 
 /// A warning about the shape.
 pub(super) fn warning(fault: &ShapeFault) -> Warning {
-    let (key, code) = of(fault.code);
-    Warning { key, code, found: found(fault), remedy: fault.remedy.clone() }
+    let (key, code) = of(fault);
+    Warning {
+        key,
+        code,
+        found: found(fault),
+        remedy: fault.remedy.clone(),
+        drawn: Some(Box::new(place(fault))),
+    }
 }
 
 /// The note on a repair.
@@ -46,9 +52,9 @@ fn place(fault: &ShapeFault) -> DrawnPlace {
 }
 
 /// The key that is best changed, and the code.
-fn of(code: ShapeCode) -> (KeyPath, RefusalCode) {
+fn of(fault: &ShapeFault) -> (KeyPath, RefusalCode) {
     use key::drawing::{FILE, JOIN, LAYERS};
-    match code {
+    match fault.code {
         ShapeCode::NotFinite => (FILE, RefusalCode::CurveNotFinite),
         ShapeCode::Crowded => (FILE, RefusalCode::CurvesCrowded),
         ShapeCode::Gap => (JOIN, RefusalCode::CurveGap),
@@ -66,6 +72,9 @@ fn of(code: ShapeCode) -> (KeyPath, RefusalCode) {
         ShapeCode::PortTooWide => (key::inlet::TUBE_DIAMETER, RefusalCode::PortTooWide),
         ShapeCode::ShortSeam => (key::seal::OVERLAP, RefusalCode::ShortSeam),
         ShapeCode::Outlines => (LAYERS, RefusalCode::WrongOutlines),
+        // Only a cut that follows the bands depends on the allowance; it has no name.
+        ShapeCode::CutInBand if !fault.names.is_empty() => (FILE, RefusalCode::CutInBand),
+        ShapeCode::ThinWeb => (FILE, RefusalCode::ThinWeb),
         ShapeCode::CutInBand => (key::seal::ALLOWANCE, RefusalCode::CutInBand),
         ShapeCode::Empty => (LAYERS, RefusalCode::NothingDrawn),
         ShapeCode::Leak => (FILE, RefusalCode::WrongOpening),

@@ -75,5 +75,6 @@ pub(super) fn no_room(diameter: f64) -> Warning {
         found: format!("the flap has no room for three registration holes of {}", Length(diameter)),
         remedy: "write hole_diameter = \"0 mm\" in [sheet] to accept it; a larger allowance makes room"
             .to_owned(),
+        drawn: None,
     }
 }

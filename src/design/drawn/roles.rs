@@ -2,11 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::design::drawn::layer_name::layer_names;
 use crate::design::{Refusal, RefusalCode, Refusals};
 use crate::shape::{DrawnCurve, DrawnPort, PortPlace, Sketch};
 use crate::spec::{DrawingSpec, DrawnPlace, LayerRole, key, nearest};
 use drawings::{Drawing, Element, Figure, NO_LENGTH, Note, Weight};
-use inflatable::geom::{Bounds, Enclosures, Point};
+use inflatable::geom::Point;
 
 /// Names of elements that a message lists; the others are counted.
 const LISTED: usize = 3;
@@ -74,8 +75,10 @@ pub(super) fn refusals(drawing: &Drawing, spec: &DrawingSpec) -> Refusals {
 /// Elements without a role, by the layer that would give them one.
 fn without_role(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
     let mut by_layer: BTreeMap<&str, Vec<&Element>> = BTreeMap::new();
-    for element in drawing.elements.iter().filter(|element| spec.role(&element.layers).is_none()) {
-        by_layer.entry(layer_of(element)).or_default().push(element);
+    let names = layer_names(drawing, spec.is_dxf());
+    let elements = drawing.elements.iter().zip(names);
+    for (element, name) in elements.filter(|(element, _)| spec.role(&element.layers).is_none()) {
+        by_layer.entry(name).or_default().push(element);
     }
     let refusal = |(layer, elements): (&str, Vec<&Element>)| {
         let first = elements[0];
@@ -102,7 +105,12 @@ fn unknown(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
     let of_notes = drawing.notes.iter().flat_map(|note| &note.place.layers);
     let known: Vec<&str> = of_elements.chain(of_notes).map(String::as_str).collect();
     let missing = spec.layers.iter().filter(|(name, _)| !known.contains(&name.as_str()));
-    let layers = layers(drawing);
+    let mut layers: Vec<&str> = Vec::new();
+    for name in layer_names(drawing, spec.is_dxf()) {
+        if !layers.contains(&name) {
+            layers.push(name);
+        }
+    }
     let refusal = |(name, _): &(String, LayerRole)| {
         let found = format!("the drawing has no layer {name:?}");
         let remedy = match nearest(name, known.iter().copied()) {
@@ -120,34 +128,21 @@ fn unknown(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
 /// Geometry that the drawing shows and that could not be read.
 fn lost(note: &Note, spec: &DrawingSpec) -> Option<Refusal> {
     let ignored = spec.role(&note.place.layers) == Some(LayerRole::Ignore);
-    if note.weight == Weight::Information || ignored {
+    if !matches!(note.weight, Weight::Lost | Weight::Changed) || ignored {
         return None;
     }
     let elements = note.place.element.iter().cloned().collect();
     let place = DrawnPlace { elements, at: note.place.at.map(|at| [at.x, at.y]) };
     let remedy = match note.place.element {
+        Some(_) if note.weight == Weight::Changed => {
+            "flatten it, or remove its clip, mask or marker, so that its outline alone shows what is to be made"
+        }
         Some(_) => "convert it to a path, remove it, or name its layer in `ignore`",
         None => "remove it, or save the drawing as plain SVG",
     };
     let remedy = remedy.to_owned();
     let found = note.to_string().trim_end_matches('.').to_owned();
     Some(Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, found, remedy).drawn_at(place))
-}
-
-/// The layers that would give roles, in the order of the drawing.
-fn layers(drawing: &Drawing) -> Vec<&str> {
-    let mut layers: Vec<&str> = Vec::new();
-    for layer in drawing.elements.iter().map(layer_of) {
-        if !layers.contains(&layer) {
-            layers.push(layer);
-        }
-    }
-    layers
-}
-
-/// The layer of an element that best gives it a role: that of the outermost group, of one without a group its colour or its own name.
-fn layer_of(element: &Element) -> &str {
-    element.layers.last().map_or(element.id.as_str(), String::as_str)
 }
 
 /// "path1, path2, path3 and 4 more".
@@ -171,99 +166,3 @@ fn middle(element: &Element) -> Point {
         Figure::Path(path) => path.start().unwrap_or(Point::ORIGIN),
     }
 }
-
-/// The layers of `drawing`, each with the role that its name and figures suggest, and the reason. Where all lies on one layer, colours
-/// tell the figures apart.
-pub(super) fn proposed(drawing: &Drawing) -> Vec<(String, LayerRole, String)> {
-    let colours: BTreeSet<Option<&str>> = drawing.elements.iter().map(colour_of).collect();
-    let by_colour = layers(drawing).len() == 1 && colours.len() > 1;
-    let name = |element| if by_colour { colour_of(element) } else { None }.unwrap_or(layer_of(element));
-    let closed = drawing.elements.iter().filter_map(|element| match &element.figure {
-        Figure::Path(path) if path.closed => Some(path),
-        _ => None,
-    });
-    let all = closed.clone().fold(Bounds::EMPTY, |all, path| all.union(path.bounds()));
-    let longest = LONGEST_MARK.max(MARK_OF_ALL * all.width().max(all.height()));
-    let enclosures = Enclosures::new(closed);
-    let mut by_layer: Vec<(&str, Vec<&Figure>)> = Vec::new();
-    for element in &drawing.elements {
-        let layer = name(element);
-        match by_layer.iter_mut().find(|(known, _)| *known == layer) {
-            Some((_, figures)) => figures.push(&element.figure),
-            None => by_layer.push((layer, vec![&element.figure])),
-        }
-    }
-    let mut out: Vec<(String, LayerRole, String)> = Vec::new();
-    for (layer, own) in by_layer {
-        let closed = own.iter().filter(|figure| matches!(figure, Figure::Path(path) if path.closed)).count();
-        let number = own.len();
-        let figures = format!("{number} figure{}, {closed} closed", if number == 1 { "" } else { "s" });
-        let small = layer.to_lowercase();
-        let named = WORDS.iter().find(|(_, words)| words.iter().any(|word| small.contains(word)));
-        let (role, reason) = match named {
-            Some((role, _)) => (*role, format!("by its name; {figures}")),
-            None if layer == "fill #ffffff" => (LayerRole::Ignore, format!("a white background; {figures}")),
-            None if own.iter().all(|figure| is_port(figure, &enclosures, longest)) => {
-                (LayerRole::Port, format!("points or short lines across an edge; {figures}"))
-            }
-            None if closed > 0 => (LayerRole::Air, format!("closed curves; {figures}")),
-            None => (LayerRole::Seam, format!("open curves; {figures}")),
-        };
-        out.push((layer.to_owned(), role, reason));
-    }
-    out.extend(unread(drawing));
-    out
-}
-
-/// The layers on which nothing could be read, each to be ignored.
-fn unread(drawing: &Drawing) -> Vec<(String, LayerRole, String)> {
-    let read: BTreeSet<&str> =
-        drawing.elements.iter().flat_map(|element| element.layers.iter().map(String::as_str)).collect();
-    let mut out: Vec<(String, LayerRole, String)> = Vec::new();
-    for note in drawing.notes.iter().filter(|note| note.weight == Weight::Lost) {
-        let Some(layer) = note.place.layers.last().filter(|layer| !read.contains(layer.as_str())) else {
-            continue;
-        };
-        if !out.iter().any(|(known, ..)| known == layer) {
-            out.push((layer.clone(), LayerRole::Ignore, "nothing on it can be read".to_owned()));
-        }
-    }
-    out
-}
-
-/// The colour among the names of an element.
-fn colour_of(element: &Element) -> Option<&str> {
-    let hex = |digits: &str| digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
-    let number = |digits: &str| digits.parse::<u8>().is_ok();
-    let is_colour = |name: &&str| {
-        name.trim_start_matches("fill ").strip_prefix('#').is_some_and(hex)
-            || name.strip_prefix("color ").is_some_and(number)
-    };
-    element.layers.iter().map(String::as_str).find(is_colour)
-}
-
-/// Words in the names of layers, and the roles that they suggest.
-const WORDS: [(LayerRole, &[&str]); 6] = [
-    (
-        LayerRole::Ignore,
-        &["note", "text", "dim", "guide", "construction", "ignore", "label", "artboard", "background"],
-    ),
-    (LayerRole::Port, &["port", "inlet", "hose", "valve"]),
-    (LayerRole::Hole, &["hole", "punch", "drill"]),
-    (LayerRole::Cut, &["cut", "outline", "contour"]),
-    (LayerRole::Seam, &["seam", "weld", "seal", "barrier"]),
-    (LayerRole::Air, &["air", "chamber", "tube", "bladder", "pouch"]),
-];
-
-/// Whether a figure is a mark for a port: a point, a speck, or a line up to `longest` with one end in a closed curve that the other is
-/// not in.
-fn is_port(figure: &Figure, closed: &Enclosures, longest: f64) -> bool {
-    let Figure::Path(path) = figure else { return true };
-    let ends = path.start().zip(path.end()).filter(|_| !path.closed && path.length() <= longest);
-    path.length() < 5.0 || ends.is_some_and(|(a, b)| closed.around(a).len() != closed.around(b).len())
-}
-
-/// Lines across an edge that are longer are no marks, mm.
-const LONGEST_MARK: f64 = 20.0;
-/// The same by the larger side of all closed curves: the unit may be a guess.
-const MARK_OF_ALL: f64 = 0.1;

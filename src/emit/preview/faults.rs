@@ -35,7 +35,12 @@ pub fn faults(title: &str, drawn: &[Path], faults: &[FaultMark]) -> String {
     for path in drawn {
         lines.line(path.clone(), style.pen(GREY, 1.5));
     }
-    let mut legend = Block::new(format!("{}: {} faults", inert(title, 60), faults.len()));
+    let number = match faults.len() {
+        0 => "nothing found".to_owned(),
+        1 => "1 finding".to_owned(),
+        number => format!("{number} findings"),
+    };
+    let mut legend = Block::new(format!("{}: {number}", inert(title, 60)));
     for (number, fault) in (1..).zip(faults) {
         let mut rest = format!("{number}  {}", fault.text);
         while !rest.is_empty() {

@@ -17,6 +17,7 @@ use crate::forecast::shell::{Detail, SHELL};
 use crate::forecast::star_answer::mm;
 use crate::spec::{ModelChoice, Spec, key};
 use crate::units::{LineForce, Pressure};
+use inflatable::geom::{Enclosures, path_distance};
 use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Surface, Wrinkles, region};
 
 pub use inflatable::shell::cases::Watch;
@@ -25,8 +26,7 @@ pub use inflatable::shell::cases::Watch;
 pub const NONE: &str = "none";
 
 /// How to select the shell, in terms of commands and specs.
-pub const HOW: &str =
-    "`predict` computes the shell; with `model = \"shell\"` in [accuracy] `check` and `build` do so, too";
+pub const HOW: &str = "run `predict`, or set `model = \"shell\"` in [accuracy] for `check` and `build`";
 
 /// A drawn piece under pressure.
 #[derive(Clone, Debug, PartialEq)]
@@ -133,7 +133,38 @@ pub fn inflate(
         );
         prediction.evidence.warnings.push(what);
     }
+    if share_a_band(piece) {
+        let what = "chambers share a band, or their bands lie within a band's width of each other: each chamber is computed \
+                    alone, without the pull of the other on this band";
+        prediction.evidence.warnings.push(what.to_owned());
+    }
     Ok(InflatedDrawing { prediction, surfaces, shapes })
+}
+
+/// Whether two regions of air are so near to each other that their seams share a band, or lie within a band's width of each other.
+fn share_a_band(piece: &DrawnPiece) -> bool {
+    let near = 3.0 * piece.shape.band + 1e-3;
+    let regions: Vec<Enclosures> = piece.air.iter().map(|edge| Enclosures::new([edge])).collect();
+    let is_in = |inner: usize, outer: usize| {
+        let place = piece.air[inner].start();
+        inner != outer && place.is_some_and(|place| !regions[outer].around(place).is_empty())
+    };
+    let count = piece.air.len();
+    let is_island: Vec<bool> =
+        (0..count).map(|edge| (0..count).filter(|outer| is_in(edge, *outer)).count() % 2 == 1).collect();
+    // Fabric lies between two chambers, and between an island and a chamber in it.
+    let parted_by_fabric = |a: usize, b: usize| match (is_island[a], is_island[b]) {
+        (false, false) => true,
+        (true, false) => is_in(b, a),
+        (false, true) => is_in(a, b),
+        (true, true) => false,
+    };
+    (0..count).any(|a| {
+        (0..a).any(|b| {
+            let boxes = piece.air[a].bounds().grown(near).overlaps(&piece.air[b].bounds());
+            boxes && parted_by_fabric(a, b) && path_distance(&piece.air[a], &piece.air[b]) <= near
+        })
+    })
 }
 
 /// The prediction without a model: flat sizes only.
@@ -147,7 +178,7 @@ fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<Drawn
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
     let choice = match pressure {
         None => "the inflated shape depends on the pressure: set `pressure` in [load]".to_owned(),
-        Some(_) => format!("the shell was not computed, which takes seconds to minutes: {HOW}"),
+        Some(_) => format!("not computed here (takes seconds to minutes); {HOW}"),
     };
     let chambers =
         (1..).zip(found).map(|(number, chamber)| ChamberPrediction::flat(number, chamber, pressure));

@@ -243,7 +243,7 @@ const DRAWINGS: &[(&str, &str, &str)] = &[
         "narrow-tube",
         "air = [\"a\"]\nport = [\"p\"]",
         "<g id=\"a\"><rect id=\"r\" width=\"90\" height=\"3\"/></g>\
-        <g id=\"p\"><path d=\"M 45 -3 V 3\"/></g>",
+        <g id=\"p\"><path d=\"M 45 -3 V 1\"/></g>",
     ),
     (
         "nested-island",
@@ -263,6 +263,12 @@ const DRAWINGS: &[(&str, &str, &str)] = &[
         "air = [\"a\"]\nport = [\"p\"]\nhole = [\"h\"]",
         "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/></g>\
         <g id=\"p\"><path d=\"M 30 -3 V 3\"/></g><g id=\"h\"><circle id=\"k\" cx=\"61\" cy=\"30\" r=\"2\"/></g>",
+    ),
+    (
+        "thin-web",
+        "air = [\"a\"]\nport = [\"p\"]\nhole = [\"h\"]\ncut = [\"c\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/></g><g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>\
+        <g id=\"h\"><circle id=\"k\" cx=\"66\" cy=\"30\" r=\"2\"/></g><g id=\"c\"><rect id=\"o\" x=\"-10\" y=\"-10\" width=\"79\" height=\"80\"/></g>",
     ),
     (
         "lost-geometry",

@@ -54,7 +54,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
             self.out.visit()?;
             let inner = [record].into_iter().chain(vertices);
             self.out.text(inner.map(|record| 4 * record.groups.len()).sum())?;
-            let place = self.place(record, context)?;
+            let place = self.place(record, vertices, context)?;
             if self.is_hidden(record, &place) || INVISIBLE.contains(&record.kind) {
                 continue;
             }
@@ -74,7 +74,12 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
     }
 
     /// Id, layers, line and a first point of an entity.
-    fn place(&mut self, record: &Record<'_, '_>, context: &Context) -> Result<Place, Stop> {
+    fn place(
+        &mut self,
+        record: &Record<'_, '_>,
+        vertices: &[Record<'_, '_>],
+        context: &Context,
+    ) -> Result<Place, Stop> {
         let own = match record.text(5) {
             Some(handle) => format!("{} {handle}", record.kind),
             None => format!("{} at line {}", record.kind, record.line),
@@ -85,13 +90,23 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         if !inherits {
             layers.push(layer.to_owned());
         }
+        let own_names = layers.len() + usize::from(inherits);
         layers.extend(context.layers.iter().filter(|name| inherits || **name != layer).cloned());
         let id = format!("{}{own}", context.path);
         self.out.text(id.len() + layers.iter().map(|name| 24 + name.len()).sum::<usize>())?;
-        let number = |code| record.optional(code).ok().flatten();
+        // The first point of a hatch is its height, and a polyline's own is one of its vertices.
+        let (located, nth) = match record.kind {
+            "HATCH" => (record, 1),
+            "POLYLINE" => (vertices.first().unwrap_or(record), 0),
+            _ => (record, 0),
+        };
+        let number = |code| {
+            let mut found = located.groups.iter().filter(|group| group.code == code);
+            found.nth(nth)?.value.parse::<f64>().ok()
+        };
         let at = number(10).zip(number(20)).map(|(x, y)| context.map.point(Point::new(x, y)));
         let at = at.filter(|at| at.x.is_finite() && at.y.is_finite());
-        Ok(Place { element: Some(id), layers, line: Some(record.line), at })
+        Ok(Place { element: Some(id), layers, own_names, line: Some(record.line), at })
     }
 
     fn layer(&self, name: &str) -> Layer {
@@ -116,7 +131,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
             return false;
         };
         if !INVISIBLE.contains(&record.kind) {
-            self.out.note(Weight::Information, place.clone(), reason);
+            self.out.note(Weight::Hidden, place.clone(), reason);
         }
         true
     }
@@ -162,8 +177,8 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
     fn heights(&mut self, geometry: &Geometry, place: &Place) {
         let [low, high] = geometry.heights;
         if high - low > 1e-6 {
-            let text = format!("It rises from z = {low} to {high}; its projection to the plane is read.");
-            self.lost(place, text);
+            let text = format!("It is not flat (z {low} to {high}); it is read as if z were 0.");
+            self.out.note(Weight::Changed, place.clone(), text);
         } else if low.abs() > 1e-6 {
             let text = format!("It lies at z = {low}; it is read as if at 0.");
             self.out.note(Weight::Information, place.clone(), text);

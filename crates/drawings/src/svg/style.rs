@@ -75,7 +75,8 @@ impl Sheet {
     fn rule(&mut self, selector: &str, body: &str) {
         let Some(specificity) = specificity(selector) else {
             // Widths of strokes and fonts change nothing that is read.
-            if declarations(body).any(|(name, _)| matters(name)) {
+            let hides = |name: &str, value| name.ends_with("opacity") && is_zero(value);
+            if declarations(body).any(|(name, value)| matters(name) || hides(name, value)) {
                 self.unread.push(selector.to_owned());
             }
             return;
@@ -120,6 +121,11 @@ fn matters(name: &str) -> bool {
     const OTHERS: [&str; 8] =
         ["stroke", "fill", "color", "display", "visibility", "clip-path", "mask", "filter"];
     GEOMETRY.contains(&name) || OTHERS.contains(&name) || name.starts_with("marker")
+}
+
+/// Whether a value of `opacity` is 0 or less.
+pub(super) fn is_zero(value: &str) -> bool {
+    value.trim_end_matches('%').trim().parse::<f64>().is_ok_and(|number| number <= 0.0)
 }
 
 /// Rank of a selector; `None` if it is not one of the supported ones.
@@ -216,13 +222,20 @@ pub(super) struct Style {
     pub(super) stroke: Paint,
     pub(super) fill: Paint,
     colour: [u8; 3],
+    /// Whether `stroke-opacity` and `fill-opacity` leave something to see.
+    opaque: [bool; 2],
     pub(super) visible: bool,
 }
 
 impl Style {
     /// The style of a document without declarations.
-    pub(super) const INITIAL: Self =
-        Self { stroke: Paint::None, fill: Paint::Colour([0; 3]), colour: [0; 3], visible: true };
+    pub(super) const INITIAL: Self = Self {
+        stroke: Paint::None,
+        fill: Paint::Colour([0; 3]),
+        colour: [0; 3],
+        opaque: [true; 2],
+        visible: true,
+    };
 
     /// The style of an element in an element of this style.
     pub(super) fn inherited(&self, cascade: &Cascade<'_, '_, '_>) -> Self {
@@ -239,7 +252,19 @@ impl Style {
             Some("visible") => true,
             _ => self.visible,
         };
-        Self { stroke: paint("stroke", self.stroke), fill: paint("fill", self.fill), colour, visible }
+        let opaque = |name: &str, parent: bool| match cascade.value(name) {
+            None | Some("inherit") => parent,
+            Some(value) => !is_zero(value),
+        };
+        let opaque = [opaque("stroke-opacity", self.opaque[0]), opaque("fill-opacity", self.opaque[1])];
+        let (stroke, fill) = (paint("stroke", self.stroke), paint("fill", self.fill));
+        Self { stroke, fill, colour, opaque, visible }
+    }
+
+    /// Stroke and fill as far as they can be seen.
+    pub(super) fn seen(&self) -> [Paint; 2] {
+        let seen = |paint, opaque| if opaque { paint } else { Paint::None };
+        [seen(self.stroke, self.opaque[0]), seen(self.fill, self.opaque[1])]
     }
 
     /// The name of a layer by colour: "#rrggbb" of the stroke, else "fill #rrggbb".

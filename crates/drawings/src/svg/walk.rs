@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use roxmltree::{Document, Node, NodeId};
 
-use super::style::{Cascade, GEOMETRY, Paint, Style};
+use super::style::{Cascade, GEOMETRY, Paint, Style, is_zero};
 use super::viewport::{Viewport, fitted, view_box};
 use super::{Source, clip, is_svg, names, path_data, shapes, transform};
 use inflatable::geom::Point;
@@ -83,6 +83,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             targets: Vec::new(),
             depth: 0,
         };
+        self.out.set_root(names(self.root).map(str::to_owned).collect());
         self.group(self.root, context, false)
     }
 
@@ -134,7 +135,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         let clip = clip::of(node, value, (&context.map, context.viewport), find);
         if !clip.is_some_and(|clip| clip.holds(&self.out.elements()[from..])) {
             let text = unapplied("clip-path", value);
-            self.out.note(Weight::Lost, self.place(node, context), text);
+            self.out.note(Weight::Changed, self.place(node, context), text);
         }
     }
 
@@ -145,9 +146,17 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         if UNSEEN.contains(&tag) || tag.starts_with("fe") {
             return Ok(());
         }
-        if self.cascade(node).value("display") == Some("none") {
+        let cascade = self.cascade(node);
+        let reason = if cascade.value("display") == Some("none") {
+            "display: none"
+        } else if cascade.value("opacity").is_some_and(is_zero) {
+            "opacity 0"
+        } else {
+            ""
+        };
+        if !reason.is_empty() {
             let place = self.place(node, context);
-            self.out.note(Weight::Information, place, "It is hidden (display: none), and is left out.");
+            self.out.note(Weight::Hidden, place, format!("It is hidden ({reason}), and is left out."));
             return Ok(());
         }
         match tag {
@@ -265,14 +274,18 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         let colour = inner.style.layer();
         let around = context.names.iter().rev().copied();
         let mut layers: Vec<String> = Vec::new();
-        for name in own.into_iter().chain(colour.as_deref()).chain(around) {
+        let number = own.len() + usize::from(colour.is_some());
+        for (at, name) in own.into_iter().chain(colour.as_deref()).chain(around).enumerate() {
             if !layers.iter().any(|known| known == name) {
                 layers.push(name.to_owned());
+            }
+            if at + 1 == number {
+                place.own_names = layers.len();
             }
         }
         place.layers = layers;
         if !inner.style.visible {
-            self.out.note(Weight::Information, place, "It is hidden (visibility), and is left out.");
+            self.out.note(Weight::Hidden, place, "It is hidden (visibility), and is left out.");
             return Ok(());
         }
         self.remarks(&inner.style, &place);
@@ -304,10 +317,13 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
 
     /// Notes paints that name no layer.
     fn remarks(&mut self, style: &Style, place: &Place) {
-        let text = match (style.stroke, style.fill) {
+        let [stroke, fill] = style.seen();
+        let text = match (stroke, fill) {
             (Paint::Server, _) => "Its stroke is a gradient or a pattern, which names no layer.",
             (Paint::None, Paint::Server) => "Its fill is a gradient or a pattern, which names no layer.",
-            (Paint::None, Paint::None) => "It has neither stroke nor fill; it is read nevertheless.",
+            (Paint::None, Paint::None) => {
+                "Neither its stroke nor its fill can be seen; it is read nevertheless."
+            }
             _ => return,
         };
         self.out.note(Weight::Information, place.clone(), text);
@@ -339,9 +355,9 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             };
             let short: String = value.chars().take(60).collect();
             let (weight, text) = match name {
-                "mask" => (Weight::Lost, unapplied(name, value)),
+                "mask" => (Weight::Changed, unapplied(name, value)),
                 "filter" => (Weight::Information, format!("The filter {short} is not applied.")),
-                _ => (Weight::Lost, format!("The markers {short} are not read.")),
+                _ => (Weight::Changed, format!("The markers {short} are not read.")),
             };
             let place = self.place(node, &context);
             self.out.note(weight, place, text);
@@ -375,10 +391,12 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         };
         let mut layers: Vec<&str> = names(node).collect();
         layers.reverse();
+        let own_names = layers.len();
         layers.extend(context.names.iter().rev());
         Place {
             element: Some(format!("{}{own}", context.path)),
             layers: layers.into_iter().map(str::to_owned).collect(),
+            own_names,
             line: Some(line),
             at: None,
         }

@@ -35,7 +35,7 @@ fn near(p: Point, x: f64, y: f64) -> bool {
 
 /// The texts of the notes on lost geometry, each with its element.
 fn lost(drawing: &Drawing) -> Vec<(String, String)> {
-    let lost = drawing.notes.iter().filter(|note| note.weight == Weight::Lost);
+    let lost = drawing.notes.iter().filter(|note| matches!(note.weight, Weight::Lost | Weight::Changed));
     lost.map(|note| (note.place.element.clone().unwrap_or_default(), note.text.clone())).collect()
 }
 
@@ -337,4 +337,38 @@ fn ezdxf_metres_fit_points_and_paper_space() {
         assert!(gap(x, y) < 0.01, "{x}, {y}");
     }
     assert_eq!(lost(&drawing).iter().map(|row| row.0.as_str()).collect::<Vec<_>>(), ["HATCH 31"]);
+}
+
+/// What cannot be seen is left out if the element is hidden, and noted if only its paint is; names know which of them are its own.
+#[test]
+fn hidden_elements_and_own_names() {
+    let drawing = svg(
+        "<svg id='root' width='9mm' height='9mm' viewBox='0 0 9 9'><style>.x{opacity:0}</style><g id='l'><rect id='a' width='1' height='1' opacity='0.0'/>\
+         <rect id='b' class='x' width='1' height='1'/><g style='opacity:0%'><rect id='c' width='1' height='1'/></g>\
+         <rect id='d' width='1' height='1' fill='none' stroke='red' stroke-opacity='0'/><rect id='e' width='1' height='1' opacity='.2'/></g></svg>",
+    );
+    let hidden = drawing.notes.iter().filter(|note| note.weight == Weight::Hidden);
+    assert_eq!(
+        hidden.filter_map(|note| note.place.element.as_deref()).collect::<Vec<_>>(),
+        ["a", "b", "g at line 1"]
+    );
+    let unseen = drawing.notes.iter().filter(|note| note.text.starts_with("Neither its stroke nor its fill"));
+    assert_eq!(unseen.filter_map(|note| note.place.element.as_deref()).collect::<Vec<_>>(), ["d"]);
+    assert_eq!(drawing.root, ["root"]);
+    let names: Vec<_> = drawing.elements.iter().map(|e| (e.layers.join(" "), e.own_names)).collect();
+    assert_eq!(names, [("d #ff0000 l root".to_owned(), 2), ("e fill #000000 l root".to_owned(), 2)]);
+}
+
+/// The places of a hatch and of a polyline are points of theirs, not their heights.
+#[test]
+fn hatches_and_polylines_have_places() {
+    let text = "0|SECTION|2|HEADER|9|$INSUNITS|70|4|0|ENDSEC|0|SECTION|2|ENTITIES|\
+        0|HATCH|5|A|8|L|10|0|20|0|30|0|2|SOLID|70|1|91|1|92|2|10|7|20|8|\
+        0|POLYLINE|5|B|8|L|10|0|20|0|0|VERTEX|10|3|20|4|30|0|0|VERTEX|10|5|20|4|30|5|0|SEQEND|0|ENDSEC|0|EOF|";
+    let drawing = dxf(&text.replace('|', "\n"));
+    let places: Vec<_> = drawing.notes.iter().map(|note| (note.weight, note.place.at)).collect();
+    let at = |x, y| Some(Point::new(x, y));
+    assert_eq!(places, [(Weight::Lost, at(7.0, 8.0)), (Weight::Changed, at(3.0, 4.0))]);
+    assert_eq!(drawing.notes[1].text, "It is not flat (z 0 to 5); it is read as if z were 0.");
+    assert_eq!(drawing.elements[0].own_names, 1);
 }

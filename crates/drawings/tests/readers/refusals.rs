@@ -142,8 +142,10 @@ fn lost_geometry_is_noted_with_its_layers() {
         let notes = drawing.notes.iter().filter(|note: &&Note| note.weight == weight);
         notes.map(|note| note.place.element.as_deref().unwrap_or_default()).collect()
     };
-    assert_eq!(found(Weight::Lost), ["t", "i", "s", "u", "v", "r", "m", "f"]);
-    assert_eq!(found(Weight::Information), ["r", "h", "z"]);
+    assert_eq!(found(Weight::Lost), ["t", "i", "s", "u", "v", "f"]);
+    assert_eq!(found(Weight::Information), ["r", "z"]);
+    assert_eq!(found(Weight::Hidden), ["h"]);
+    assert_eq!(found(Weight::Changed), ["r", "m"]);
     assert_eq!(drawing.notes[0].place.layers, ["t", "notes"]);
     assert_eq!(drawing.elements.iter().map(|element| element.id.as_str()).collect::<Vec<_>>(), ["r", "m"]);
 }

@@ -179,7 +179,11 @@ fn compare_layer(
     if measured.is_nan() || measured > tolerance {
         findings.add(
             FindingCode::Deviation,
-            format!("{measured:.6} mm on layer {name}"),
+            if measured.is_finite() {
+                format!("{measured:.6} mm on layer {name}")
+            } else {
+                format!("no path to measure on layer {name}")
+            },
             format!("{tolerance} mm"),
         );
     }
@@ -244,7 +248,8 @@ fn apart(a: &Segment, b: &Segment, scratch: &mut Vec<f64>) -> f64 {
 }
 
 fn total(paths: &[Path]) -> f64 {
-    paths.iter().map(Path::length).sum()
+    // The sum of nothing is -0.
+    paths.iter().map(Path::length).sum::<f64>() + 0.0
 }
 
 /// A shape as paths; a circle as two half turns.
@@ -281,12 +286,16 @@ impl Seals {
         self.seen.push(DrawnCurves { sheet, file: file.to_owned(), layers });
     }
 
-    /// Files of the same sheet that hold different things.
-    pub(in crate::verify) fn disagreements(&self, tolerance: f64) -> Vec<Finding> {
+    /// Files of the same sheet that hold different things. A file with `proven` faults of its own does not make the others faulty.
+    pub(in crate::verify) fn disagreements(&self, tolerance: f64, proven: &[Finding]) -> Vec<Finding> {
         let mut findings = Vec::new();
         for (i, DrawnCurves { sheet, file, layers }) in self.seen.iter().enumerate() {
             let Some(first) = self.seen[..i].iter().find(|seen| seen.sheet == *sheet) else { continue };
             let DrawnCurves { file: other, layers: theirs, .. } = first;
+            let is_faulty = |file: &str| proven.iter().any(|finding| finding.file == file);
+            if is_faulty(other) && !is_faulty(file) {
+                continue;
+            }
             for (layer, count, length) in layers {
                 let twin = theirs.iter().find(|(name, _, _)| name == layer);
                 // As much as the rounding of a hundred vertices each could add up to.

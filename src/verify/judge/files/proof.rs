@@ -89,7 +89,8 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
         proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(&path)));
         proof.files.push(FileProof { path, output, by, sha256, deviation });
     }
-    proof.findings.extend(cross.seals.disagreements(expected.spec.accuracy.path.0));
+    let unlike = cross.seals.disagreements(expected.spec.accuracy.path.0, &proof.findings);
+    proof.findings.extend(unlike);
     proof.findings.extend(cross.pieces.disagreements(expected.design));
     if let Some(manifest) = &manifest {
         proof.findings.extend(figures::against_design(expected, manifest));

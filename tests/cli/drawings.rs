@@ -1,0 +1,120 @@
+//! Drawings at the terminal: units, notes, warnings in JSON and in pictures, long lists.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::support::program::{run, stderr, stdout};
+
+/// A notch with two sharp corners 8 mm apart in a cushion, whose figures have no unit.
+const NOTCH: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"160\" height=\"100\" viewBox=\"0 0 160 100\"><g id=\"air\">\
+    <path id=\"n\" d=\"M 5 5 H 155 V 95 H 90 V 65 H 82 V 95 H 5 Z\"/></g><g id=\"port\"><path d=\"M 2 50 H 8\"/></g>\
+    <g id=\"off\" display=\"none\"><path d=\"M 0 0 H 9\"/></g></svg>";
+
+fn folder(drawing: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("d.svg"), drawing).expect("written");
+    folder
+}
+
+fn json(dir: &Path, args: &[&str]) -> Value {
+    serde_json::from_str(&stdout(&run(dir, args))).expect("JSON")
+}
+
+#[test]
+fn new_takes_a_unit() {
+    let folder = folder(NOTCH);
+    let dir = folder.path();
+    let output = run(dir, &["new", "a", "--drawing", "d.svg", "--units", "cm"]);
+    let said = stdout(&output);
+    assert!(said.contains("all figures together are 1530 x 900 mm") && !said.contains("assumed"), "{said}");
+    assert!(said.contains("\"off\" is hidden in the drawing and not read"), "{said}");
+    assert!(fs::read_to_string(dir.join("a.toml")).expect("a spec").contains("\nunits = \"cm\"\n"));
+    let output = run(dir, &["new", "b", "--drawing", "d.svg", "--units", "furlong"]);
+    assert!(stderr(&output).contains("units are um, mm, cm"), "{}", stderr(&output));
+    let output = run(dir, &["new", "c", "--units", "cm"]);
+    assert!(stderr(&output).contains("--drawing"), "{}", stderr(&output));
+}
+
+#[test]
+fn warnings_are_in_json_and_in_the_picture() {
+    let folder = folder(NOTCH);
+    let dir = folder.path();
+    let _ = run(dir, &["new", "a", "--drawing", "d.svg", "--units", "mm"]);
+    let found = json(dir, &["check", "a.toml", "--json"]);
+    let warnings = found["warnings"].as_array().expect("a list");
+    let sharp: Vec<&Value> = warnings.iter().filter(|warning| warning["code"] == "sharp-corner").collect();
+    assert_eq!(sharp.len(), 1, "{found}");
+    assert!(
+        sharp[0]["found"].as_str().is_some_and(|text| text.contains("and 1 more within 10 mm")),
+        "{found}"
+    );
+    assert!(
+        sharp[0]["elements"][0] == "n"
+            && sharp[0]["at_mm"][1].as_f64().is_some_and(|y| (y - 35.0).abs() < 2.0),
+        "{found}"
+    );
+    fs::write(dir.join("p.svg"), "old").expect("written");
+    let output = run(dir, &["check", "a.toml", "--picture", "p.svg"]);
+    let number = warnings.len();
+    let picture = fs::read_to_string(dir.join("p.svg")).expect("a picture");
+    assert!(picture.contains("sharper than the iron"), "{picture}");
+    let noun = if number == 1 { "finding" } else { "findings" };
+    assert!(
+        stderr(&output).contains(&format!("note: p.svg shows the drawing and {number} {noun}")),
+        "{}",
+        stderr(&output)
+    );
+    // Without findings the picture is the drawing.
+    let round = NOTCH.replace("H 90 V 65 H 82 V 95 H 5 Z", "H 5 Z");
+    fs::write(dir.join("d.svg"), round).expect("written");
+    let output = run(dir, &["check", "a.toml", "--picture", "p.svg"]);
+    assert!(stderr(&output).contains("shows the drawing: nothing was found"), "{}", stderr(&output));
+    assert!(fs::read_to_string(dir.join("p.svg")).expect("a picture").contains("nothing found"));
+    assert_eq!(json(dir, &["check", "a.toml", "--json"])["warnings"], serde_json::json!([]));
+}
+
+#[test]
+fn a_refusal_has_the_notes_and_a_short_list() {
+    let circle = |i: i32| format!("<circle id=\"c{i}\" cx=\"{}\" cy=\"40\" r=\"12\"/>", 20 + 40 * i);
+    let circles = (0..9).map(circle).collect::<Vec<_>>().concat();
+    let all = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400mm\" height=\"80mm\" viewBox=\"0 0 400 80\"><g id=\"air\">{circles}</g>\
+         <g id=\"cut\"><rect x=\"1\" y=\"1\" width=\"398\" height=\"78\"/></g><path id=\"hidden\" d=\"M 0 0 H 9\" display=\"none\"/></svg>"
+    );
+    let folder = folder(&all);
+    let dir = folder.path();
+    let _ = run(dir, &["new", "a", "--drawing", "d.svg"]);
+    let output = run(dir, &["check", "a.toml"]);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(said.matches("error[chamber-without-port]").count(), 3, "{said}");
+    assert!(
+        said.contains("a.toml: 9 errors; not shown, but listed by --json: 6 more chamber-without-port"),
+        "{said}"
+    );
+    assert!(
+        said.contains("drawing: hidden (line 1): It is hidden (display: none), and is left out."),
+        "{said}"
+    );
+    let refused = json(dir, &["check", "a.toml", "--json"]);
+    assert_eq!(refused["refused"].as_array().map(Vec::len), Some(9), "{refused}");
+    assert_eq!(refused["refused"][0]["elements"], serde_json::json!(["c0"]));
+}
+
+#[test]
+fn a_damaged_drawing_is_told_without_infinities() {
+    let folder = folder(NOTCH);
+    let dir = folder.path();
+    let _ = run(dir, &["new", "a", "--drawing", "d.svg", "--units", "mm"]);
+    assert_eq!(run(dir, &["build", "a.toml", "-q", "-o", "o"]).status.code(), Some(0));
+    let file = dir.join("o/sheet-1-seal.svg");
+    let text = fs::read_to_string(&file).expect("a drawing");
+    fs::write(&file, text + "edited\n").expect("written");
+    let said = stdout(&run(dir, &["verify", "o"]));
+    assert!(said.contains("sheet-1-seal.svg"), "{said}");
+    for word in [" inf ", "-0.000", "formats-disagree"] {
+        assert!(!said.contains(word), "{word}: {said}");
+    }
+}

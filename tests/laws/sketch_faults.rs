@@ -1,0 +1,208 @@
+//! Faults and warnings of sketches: each has the right code, the place and a remedy that works.
+
+use stargrip_cam::geom::Path;
+use stargrip_cam::shape::{DrawnPort, PortPlace, ShapeCode, ShapeFault, Sketch, sealed_shape};
+
+use crate::sketches::{RULES, circle, drawn, open, p, port, rectangle, sketch};
+
+/// A cushion with a port on its left edge.
+fn cushion() -> Sketch {
+    sketch(vec![("r", rectangle(20.0, 30.0, 120.0, 80.0))], vec![port(20.0, 70.0)])
+}
+
+fn across(name: &str, from: (f64, f64), to: (f64, f64)) -> DrawnPort {
+    DrawnPort { name: name.to_owned(), place: PortPlace::Across([p(from.0, from.1), p(to.0, to.1)]) }
+}
+
+fn faults(sketch: &Sketch) -> Vec<ShapeFault> {
+    sealed_shape(sketch, &RULES).expect_err("faulty")
+}
+
+/// The one fault of a sketch.
+fn fault(sketch: &Sketch) -> ShapeFault {
+    let mut found = faults(sketch);
+    assert_eq!(found.len(), 1, "{found:#?}");
+    found.remove(0)
+}
+
+fn warnings(sketch: &Sketch) -> Vec<ShapeFault> {
+    sealed_shape(sketch, &RULES).unwrap_or_else(|faults| panic!("{faults:#?}")).warnings
+}
+
+#[test]
+fn a_hole_keeps_off_the_cut() {
+    let with = |x: f64| Sketch {
+        holes: vec![drawn("h", circle(x, 70.0, 2.0))],
+        cuts: vec![drawn("c", rectangle(15.0, 15.0, 145.0, 110.0))],
+        ..cushion()
+    };
+    for x in [160.0, 159.0, 158.0, 161.5] {
+        let found = faults(&with(x));
+        let hole = found.iter().find(|fault| fault.what.starts_with("'h' crosses or touches 'c'"));
+        let hole = hole.unwrap_or_else(|| panic!("{x}: {found:#?}"));
+        assert_eq!(hole.code, ShapeCode::CutInBand);
+        assert!((hole.place.x - 160.0).abs() < 4.1 && (hole.place.y - 70.0).abs() < 2.1, "{hole:?}");
+    }
+    let thin = warnings(&with(157.0));
+    let [web] = thin.as_slice() else { panic!("{thin:#?}") };
+    assert!(web.code == ShapeCode::ThinWeb && (web.found - 1.0).abs() < 1e-6, "{web:?}");
+    assert_eq!(warnings(&with(154.9)), []);
+    // Without a drawn cut the hole keeps off the cut along the bands; holes keep off each other.
+    let automatic = Sketch { holes: vec![drawn("h", circle(150.0, 70.0, 2.0))], ..cushion() };
+    assert!(faults(&automatic).iter().any(|fault| fault.what == "'h' crosses or touches the cut"));
+    let two = Sketch {
+        holes: vec![drawn("h", circle(148.0, 70.0, 0.5)), drawn("i", circle(148.0, 72.0, 0.5))],
+        ..with(0.0)
+    };
+    let two = warnings(&two);
+    assert!(two.len() == 1 && two[0].names == ["i", "h"] && (two[0].found - 1.0).abs() < 1e-6, "{two:#?}");
+}
+
+#[test]
+fn a_port_marks_one_place() {
+    let with = |port| Sketch { ports: vec![port], ..cushion() };
+    let both = fault(&with(across("p", (10.0, 70.0), (150.0, 70.0))));
+    assert_eq!(both.code, ShapeCode::LostPort);
+    assert!(
+        both.what.contains("crosses outer edges 2 times") && both.what.contains("X 140.000 Y 70.000"),
+        "{both:?}"
+    );
+    let disc = |port| sketch(vec![("d", circle(80.0, 80.0, 40.0))], vec![port]);
+    let along = fault(&disc(across("p", (76.0, 120.0), (84.0, 120.0))));
+    assert!(along.code == ShapeCode::LostPort && along.remedy.contains("across the edge"), "{along:?}");
+    for port in [across("p", (80.0, 116.0), (80.0, 124.0)), across("p", (78.0, 116.0), (82.0, 124.0))] {
+        assert_eq!(warnings(&disc(port)), []);
+    }
+    // A short line on a straight edge marks its middle.
+    assert_eq!(warnings(&with(across("p", (20.0, 66.0), (20.0, 74.0)))), []);
+}
+
+#[test]
+fn copies_of_ports_are_merged_and_other_near_ports_are_told() {
+    let twice = Sketch {
+        ports: vec![across("p", (16.0, 70.0), (24.0, 70.0)), across("q", (24.0, 70.0), (16.0, 70.0))],
+        ..cushion()
+    };
+    let sealing = sealed_shape(&twice, &RULES).unwrap_or_else(|faults| panic!("{faults:#?}"));
+    assert_eq!(sealing.shape.ports.len(), 1);
+    assert!(sealing.repairs.iter().any(|repair| repair.what == "a port drawn twice in 'p' and 'q' merged"));
+    let near = Sketch {
+        ports: vec![across("p", (16.0, 70.0), (24.0, 70.0)), across("q", (16.0, 77.0), (24.0, 77.0))],
+        ..cushion()
+    };
+    for fault in faults(&near) {
+        assert!(fault.remedy.starts_with("put ports at least 10.000 mm from each other"), "{fault:?}");
+    }
+}
+
+#[test]
+fn a_leak_away_from_ports_names_the_bands() {
+    let edge = vec![("a", rectangle(20.0, 40.0, 60.0, 60.0)), ("b", rectangle(80.0, 50.0, 60.0, 40.0))];
+    let touching = sketch(edge, vec![port(20.0, 70.0)]);
+    let over = Sketch { seams: vec![drawn("w", open(&[p(80.0, 80.0), p(80.0, 116.0)]))], ..cushion() };
+    for sketch in [touching, over] {
+        for fault in sealed_shape(&sketch, &RULES).err().into_iter().flatten() {
+            let is_port = fault.remedy.contains("the port");
+            assert!(!is_port && (fault.code == ShapeCode::NoPort || !fault.names.is_empty()), "{fault:?}");
+        }
+    }
+}
+
+#[test]
+fn near_corners_are_counted() {
+    let path = |points: &[(f64, f64)]| -> Path {
+        let ends: Vec<_> = points.iter().chain(&points[..1]).map(|(x, y)| p(*x, *y)).collect();
+        Path { closed: true, ..open(&ends) }
+    };
+    let notch = path(&[
+        (0.0, 0.0),
+        (150.0, 0.0),
+        (150.0, 90.0),
+        (90.0, 90.0),
+        (90.0, 60.0),
+        (82.0, 60.0),
+        (82.0, 90.0),
+        (0.0, 90.0),
+    ]);
+    let found = warnings(&sketch(vec![("n", notch)], vec![port(0.0, 50.0)]));
+    let sharp: Vec<_> = found.iter().filter(|warning| warning.code == ShapeCode::SharpCorner).collect();
+    assert_eq!(sharp.len(), 1, "{found:#?}");
+    assert!(sharp[0].what.ends_with("(and 1 more within 10 mm)"), "{}", sharp[0].what);
+}
+
+#[test]
+fn a_join_is_named_only_where_it_works() {
+    // Lines past each other by 1 mm.
+    let past = sketch(
+        vec![
+            ("a", open(&[p(19.0, 20.0), p(101.0, 20.0)])),
+            ("b", open(&[p(100.0, 19.0), p(100.0, 81.0)])),
+            ("c", open(&[p(101.0, 80.0), p(19.0, 80.0)])),
+            ("d", open(&[p(20.0, 81.0), p(20.0, 19.0)])),
+        ],
+        vec![port(20.0, 50.0)],
+    );
+    let found = faults(&past);
+    assert_eq!(found.len(), 4, "{found:#?}");
+    for fault in &found {
+        assert!(
+            fault.code == ShapeCode::Crossing && fault.remedy.starts_with("trim the 1.000 mm"),
+            "{fault:?}"
+        );
+    }
+    let gap = sketch(
+        vec![("e", open(&[p(20.0, 20.4), p(20.0, 80.0), p(90.0, 80.0), p(90.0, 20.0), p(20.0, 20.0)]))],
+        vec![port(20.0, 50.0)],
+    );
+    assert!(fault(&gap).remedy.ends_with("join = \"0.4 mm\" would close it"));
+    // The line of a port on the layer of air.
+    let mark = sketch(
+        vec![("r", rectangle(20.0, 30.0, 120.0, 80.0)), ("p", open(&[p(16.0, 70.0), p(24.0, 70.0)]))],
+        vec![],
+    );
+    let mark = fault(&mark);
+    assert!(mark.remedy.contains("a layer with the role `port`"), "{mark:?}");
+}
+
+#[test]
+fn cuts_are_told_by_what_is_wrong_with_them() {
+    let with = |cuts: Vec<(&str, Path)>| Sketch {
+        cuts: cuts.into_iter().map(|(name, path)| drawn(name, path)).collect(),
+        ..cushion()
+    };
+    let shared = fault(&with(vec![
+        ("c", rectangle(10.0, 20.0, 70.0, 100.0)),
+        ("d", rectangle(80.0, 20.0, 70.0, 100.0)),
+    ]));
+    assert!(shared.code == ShapeCode::Outlines && shared.what.contains("'c' and 'd'"), "{shared:?}");
+    assert!((shared.place.x - 10.0).abs() < 70.1 && shared.place.y >= 20.0, "{shared:?}");
+    let ends =
+        faults(&with(vec![("c", open(&[p(10.0, 20.0), p(150.0, 20.0), p(150.0, 120.0), p(10.0, 120.0)]))]));
+    assert!(
+        ends.iter().all(|fault| fault.code == ShapeCode::DanglingEnd && fault.remedy == "close it"),
+        "{ends:#?}"
+    );
+    let crossed = faults(&with(vec![("c", rectangle(19.0, 15.0, 150.0, 110.0))]));
+    assert!(crossed.iter().any(|fault| fault.what == "'c' crosses a band"), "{crossed:#?}");
+    // Two cushions near each other: the first message names the way out, which works.
+    let two = |gap: f64| {
+        sketch(
+            vec![("a", rectangle(0.0, 0.0, 60.0, 60.0)), ("b", rectangle(60.0 + gap, 0.0, 60.0, 60.0))],
+            vec![port(0.0, 30.0), port(120.0 + gap, 30.0)],
+        )
+    };
+    let near = faults(&two(3.0));
+    assert!(near[0].remedy.ends_with("with a drawn cut around both"), "{near:#?}");
+    let apart = fault(&two(10.0));
+    assert!(apart.code == ShapeCode::Outlines && apart.remedy.contains("the role `cut`"), "{apart:?}");
+    let cut = Sketch { cuts: vec![drawn("c", rectangle(-10.0, -10.0, 150.0, 80.0))], ..two(10.0) };
+    assert!(sealed_shape(&cut, &RULES).is_ok());
+}
+
+#[test]
+fn a_chamber_without_a_port_has_the_name_of_the_drawing() {
+    let name = "gr\u{f6}\u{df}e \u{2300}";
+    let found = fault(&sketch(vec![(name, rectangle(0.0, 0.0, 60.0, 60.0))], vec![]));
+    assert_eq!((found.code, found.names.as_slice()), (ShapeCode::NoPort, &[name.to_owned()][..]));
+    assert!(found.what.contains(name), "{}", found.what);
+}
