@@ -176,9 +176,12 @@ pub(super) fn footprint(shape: &SealedShape, around: &Path, ramp: f64) -> Bounds
         .fold(around.bounds(), Bounds::union)
 }
 
+/// Rounding of sizes, mm: a part that needs all of a sheet fits on it.
+const ROUNDING: f64 = 1e-9;
+
 /// The room on the sheet between its margins, mm; infinite without an extent.
 fn on_sheet(extent: Option<Length>, sheet: &Sheet) -> f64 {
-    extent.map_or(f64::INFINITY, |length| length.0 - 2.0 * sheet.margin.0)
+    extent.map_or(f64::INFINITY, |length| length.0 - 2.0 * sheet.margin.0 + ROUNDING)
 }
 
 /// The box turned by a quarter turn about the origin, counterclockwise.

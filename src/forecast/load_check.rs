@@ -18,7 +18,8 @@ const UNITS: [f64; 4] = [1e-2, 1e-3, 1e1, 1e3];
 
 /// `star`, made of `part`, does not let the object in: its widest part does not pass the cut hole.
 pub(super) fn too_wide_to_enter(spec: &Spec, part: &StarSpec, star: &StarPrediction) -> Option<Refusal> {
-    let gap = star.object_gap_mm.filter(|gap| *gap < 0.0)?;
+    // An object as wide as the hole enters; 1e-9 mm is rounding.
+    let gap = star.object_gap_mm.filter(|gap| *gap < -1e-9)?;
     Some(does_not_enter(spec, (part.inner_radius.0, star.hole_radius_mm), star.hole_radius_mm - gap))
 }
 

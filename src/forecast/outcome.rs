@@ -48,6 +48,9 @@ pub struct Outcome {
     pub payload_range: Option<Interval>,
 }
 
+/// Rounding of radii, m: an object as wide as the hole enters.
+const ROUNDING: f64 = 1e-12;
+
 /// The state of an object within a star.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Grip {
@@ -94,8 +97,7 @@ impl Outcome {
         let edge = if ranges.domain == Domain::Extrapolated { at_the_edge(case) } else { None };
         let ranges =
             edge.map_or(ranges, |edge| ranges.bounded(&edge.ranges, [own.rest.radius, edge.rest.radius]));
-        let force_range = own.force_range(case, grasp.as_ref(), &ranges);
-        let force_range = force_range.map(|range| own.at_least_as_at(edge.as_ref(), range));
+        let force_range = own.force_range(case, (grasp.as_ref(), edge.as_ref()), &ranges);
         // The friction does not depend on the force, and either may be at its end: at least what the lower ends hold, at most what the upper.
         let payload_range = case
             .friction_range
@@ -105,15 +107,28 @@ impl Outcome {
         if case.mechanism.correction.corner_compliance { own.as_far_as_known() } else { own }
     }
 
-    /// The range of the force on the object by `grasp`; `None` for a limit, or without a force.
-    fn force_range(&self, case: &Case, grasp: Option<&Grasp>, ranges: &Ranges) -> Option<Interval> {
-        let (grasp, rho, _) = (grasp?, case.object?, self.object_force()?);
-        let force = match self.hold {
-            Some(Grip::Held(force)) => force,
-            // Where arms touch, also an object that the star does not reach may lie beyond the radius without contact.
-            _ => grasp.force(rho),
-        };
-        ranges.force(grasp, force, rho, &self.rest)
+    /// The range of the force on the object by `grasp`; `None` for a limit, or without a force. `edge` is the star at the edge of the
+    /// validated domain, if it lies beyond.
+    fn force_range(
+        &self,
+        case: &Case,
+        (grasp, edge): (Option<&Grasp>, Option<&Self>),
+        ranges: &Ranges,
+    ) -> Option<Interval> {
+        let (rho, _, [closest, _]) = (case.object?, self.object_force()?, ranges.radius?);
+        match self.hold? {
+            Grip::Held(force) => {
+                let range = ranges.force(grasp?, force, rho, &self.rest)?;
+                Some(self.at_least_as_at(edge, range))
+            }
+            // It may close further than predicted. Where arms touch, the object may also lie beyond the radius without contact.
+            Grip::TooThin if rho >= closest => {
+                let grasp = grasp?;
+                let [_, high] = ranges.force(grasp, grasp.force(rho), rho, &self.rest)?;
+                Some([0.0, high])
+            }
+            _ => Some([0.0; 2]),
+        }
     }
 
     /// `range` of the force. If the model's force has grown since the edge of the validated domain, its lower end is at least the one
@@ -152,7 +167,7 @@ impl Outcome {
         let rho_0 = case.inner_radius;
         let hold = case.pressure.and(case.object).map(|rho| match rho {
             _ if rho <= 0.0 => Grip::Beside,
-            _ if case.entering.unwrap_or(rho) > case.hole => Grip::TooWideToEnter,
+            _ if case.entering.unwrap_or(rho) > case.hole + ROUNDING => Grip::TooWideToEnter,
             _ if rho < rest.radius => Grip::TooThin,
             _ if rho > rest.widest.radius => Grip::TooWideToOpen,
             _ => force(rho, &rest).map_or_else(Grip::Unknown, Grip::Held),
@@ -211,7 +226,7 @@ impl Outcome {
             Grip::Unknown(fault) => Some(format!("no force on the object: {fault}")),
             Grip::Untried => Some(
                 "the object opens the star further than any that was computed as a shell: its force is unknown; a \
-                 larger inner_radius closes less far"
+                 smaller object_diameter opens it less"
                     .to_owned(),
             ),
         }

@@ -222,6 +222,11 @@ impl VerdictLines {
                 let text = format!("friction{of} needs {needed:.1} N, and there may be {low:.1} N only");
                 (Weight::Doubted, VerdictText::Reason(text))
             }
+            // A mass is carried by friction only.
+            (None, ..) if load.mass.is_some() => {
+                let text = "[load] has a mass, but no friction: whether it is carried is unknown; a bare fabric's is about 0.3";
+                (Weight::Doubted, VerdictText::Reason(text.to_owned()))
+            }
             (_, None, Some(force)) => {
                 let needs =
                     needed.map_or(String::new(), |needed| format!(" and friction needs {needed:.1} N,"));

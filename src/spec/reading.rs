@@ -318,7 +318,30 @@ fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
         mass: s.quantity("mass", Allowed::above(0.0, 1e4)),
         largest_force: s.quantity("largest_force", Allowed::above(0.0, 1e6)),
     };
+    check_friction(s, &load);
     s.is_written().then_some(load)
+}
+
+/// `friction_least` <= `friction` <= `friction_most`.
+fn check_friction(s: &mut Section<'_, '_>, load: &Load) {
+    let Some(friction) = load.friction else { return };
+    let ends = [
+        ("friction_least", load.friction_least, "above", load.friction_least > Some(friction)),
+        (
+            "friction_most",
+            load.friction_most,
+            "below",
+            load.friction_most.is_some_and(|most| most < friction),
+        ),
+    ];
+    for (key, end, word, _) in ends.into_iter().filter(|(.., is_wrong)| *is_wrong) {
+        let end = end.unwrap_or(friction);
+        let message = format!("`{key}` is {end}, {word} `friction`, {friction}");
+        let fault = Fault::error(FaultCode::Conflict, s.place_of(key), message)
+            .label("the friction lies between friction_least and friction_most")
+            .help(format!("write {key} = {friction}, or change friction"));
+        s.report(fault);
+    }
 }
 
 /// The object's radius, and the key that gave it: `object_diameter` or `object_radius`, not both.

@@ -209,3 +209,31 @@ fn stars_that_pass_above_and_below_the_object_do_not_hold_it() {
     assert_eq!((verdict.holds, verdict.code), (Holds::No, Some("object-too-short")));
     assert!(verdict.assumed.is_some_and(|text| text.contains("ball 38 mm tall")));
 }
+
+/// A mass says nothing about the grip without a friction.
+#[test]
+fn a_mass_without_friction_has_no_verdict() {
+    let found = judged(|spec| {
+        let load = spec.load.as_mut().expect("given");
+        (load.mass, load.friction) = (Some(Mass(0.01)), None);
+    });
+    assert_eq!((found.holds, found.code), (Holds::Unknown, Some("may-not-hold")));
+    assert!(found.reasons.iter().any(|reason| reason.contains("no friction")), "{found:?}");
+}
+
+/// A star that certainly does not touch the object has no force, and none in its range.
+#[test]
+fn a_star_beside_the_object_adds_no_force_to_the_range() {
+    let mut spec = gripper(5);
+    spec.load.as_mut().expect("given").object_radius = Some(Length(2.0));
+    let star = predict(&spec).first;
+    assert_eq!((star.object_force_N, star.ranges.object_force_N), (Some(0.0), Some([0.0, 0.0])));
+    // Just thinner than predicted: it may be reached.
+    let [closest, _] = star.ranges.final_radius_mm.expect("known");
+    let predicted: Option<f64> = star.final_radius_mm.into();
+    let between = f64::midpoint(closest, predicted.expect("known"));
+    spec.load.as_mut().expect("given").object_radius = Some(Length(between));
+    let star = predict(&spec).first;
+    let [low, high] = star.ranges.object_force_N.expect("known");
+    assert!(star.object_force_N == Some(0.0) && low == 0.0 && high > 0.0, "{low} {high}");
+}

@@ -123,3 +123,17 @@ fn windows_files_read_as_others_do() {
         faults.to_string().contains("spec.toml:4:10\r\n") || faults.to_string().contains("spec.toml:4:10\n")
     );
 }
+
+#[test]
+fn a_friction_lies_between_its_ends() {
+    let with = |more: &str| format!("{SHORTEST}\n[load]\nfriction = 0.3\n{more}");
+    for ok in ["", "friction_least = 0.3", "friction_least = 0.2\nfriction_most = 0.42"] {
+        assert_eq!(codes(&with(ok)), [""; 0], "{ok}");
+    }
+    for wrong in ["friction_least = 0.4", "friction_most = 0.2"] {
+        assert_eq!(codes(&with(wrong)), ["conflict"], "{wrong}");
+    }
+    let both = try_read(&with("friction_least = 0.9\nfriction_most = 0.1")).expect_err("two faults");
+    assert_eq!(both.list().iter().map(|fault| fault.code).collect::<Vec<_>>(), ["conflict"; 2]);
+    assert!(both.to_string().contains("write friction_least = 0.3"), "{both}");
+}
