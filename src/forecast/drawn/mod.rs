@@ -17,7 +17,6 @@ use crate::forecast::shell::{Detail, SHELL};
 use crate::forecast::star_answer::mm;
 use crate::spec::{ModelChoice, Spec, key};
 use crate::units::{LineForce, Pressure};
-use inflatable::geom::{Enclosures, path_distance};
 use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Surface, Wrinkles, region};
 
 pub use inflatable::shell::cases::Watch;
@@ -133,38 +132,12 @@ pub fn inflate(
         );
         prediction.evidence.warnings.push(what);
     }
-    if share_a_band(piece) {
+    if piece.shares_a_band() {
         let what = "chambers share a band, or their bands lie within a band's width of each other: each chamber is computed \
                     alone, without the pull of the other on this band";
         prediction.evidence.warnings.push(what.to_owned());
     }
     Ok(InflatedDrawing { prediction, surfaces, shapes })
-}
-
-/// Whether two regions of air are so near to each other that their seams share a band, or lie within a band's width of each other.
-fn share_a_band(piece: &DrawnPiece) -> bool {
-    let near = 3.0 * piece.shape.band + 1e-3;
-    let regions: Vec<Enclosures> = piece.air.iter().map(|edge| Enclosures::new([edge])).collect();
-    let is_in = |inner: usize, outer: usize| {
-        let place = piece.air[inner].start();
-        inner != outer && place.is_some_and(|place| !regions[outer].around(place).is_empty())
-    };
-    let count = piece.air.len();
-    let is_island: Vec<bool> =
-        (0..count).map(|edge| (0..count).filter(|outer| is_in(edge, *outer)).count() % 2 == 1).collect();
-    // Fabric lies between two chambers, and between an island and a chamber in it.
-    let parted_by_fabric = |a: usize, b: usize| match (is_island[a], is_island[b]) {
-        (false, false) => true,
-        (true, false) => is_in(b, a),
-        (false, true) => is_in(a, b),
-        (true, true) => false,
-    };
-    (0..count).any(|a| {
-        (0..a).any(|b| {
-            let boxes = piece.air[a].bounds().grown(near).overlaps(&piece.air[b].bounds());
-            boxes && parted_by_fabric(a, b) && path_distance(&piece.air[a], &piece.air[b]) <= near
-        })
-    })
 }
 
 /// The prediction without a model: flat sizes only.

@@ -6,12 +6,7 @@
 //! areas A and A', the energy of equilateral triangles on a cylinder is that of a plate. (Bergou, Wardetzky, Harmon, Zorin and Grinspun,
 //! "A quadratic bending model for inextensible surfaces", 2006.)
 
-use crate::shell::assembly::Assembly;
-use crate::shell::assembly::State;
-use crate::shell::assembly::numbering::{KINK, NONE, Numbering, Pattern};
-use crate::shell::assembly::sheet::{Beyond, Piece};
 use crate::shell::element::vector::{Vector, along, dot};
-use crate::shell::element::{LAST, NEXT};
 
 /// An edge between two triangles.
 #[derive(Clone, Debug)]
@@ -23,83 +18,33 @@ pub(crate) struct Kink {
 }
 
 impl Kink {
-    /// The kinks across the edges that `pieces` share. The bending stiffness is that of the fabric, but at least `least` times the square of
-    /// the edge's length.
-    pub(crate) fn all(pieces: &[Piece], points: &[[f64; 2]], bending: f64, least: f64) -> Vec<Self> {
-        let mut kinks = Vec::new();
-        for (t, piece) in pieces.iter().enumerate() {
-            for i in 0..3 {
-                let Beyond::Neighbour { triangle, edge, .. } = piece.beyond[i] else { continue };
-                if triangle < t {
-                    continue;
-                }
-                let other = &pieces[triangle];
-                let (start, end) = (piece.corners[NEXT[i]], piece.corners[LAST[i]]);
-                let side = [points[end][0] - points[start][0], points[end][1] - points[start][1]];
-                let square = side[0] * side[0] + side[1] * side[1];
-                // The slope of a hat function at right angles to the edge, times the edge's length.
-                let across = |slope: [f64; 2]| slope[0] * side[1] - slope[1] * side[0];
-                let stiffness = bending.max(least * square) / (piece.flat.area + other.flat.area);
-                let root = stiffness.sqrt();
-                // The other triangle runs through the edge the other way round.
-                let weights = [
-                    across(piece.flat.slopes[NEXT[i]]) - across(other.flat.slopes[LAST[edge]]),
-                    across(piece.flat.slopes[LAST[i]]) - across(other.flat.slopes[NEXT[edge]]),
-                    across(piece.flat.slopes[i]),
-                    -across(other.flat.slopes[edge]),
-                ];
-                kinks.push(Self {
-                    corners: [start, end, piece.corners[i], other.corners[edge]],
-                    weights: weights.map(|weight| root * weight),
-                });
-            }
-        }
-        kinks
+    /// The kink across an edge with these corners. `slopes` are the change of each corner's hat function across the edge, at right angles to
+    /// it, times its length; `stiffness` is S over the square of that length.
+    pub(crate) fn new(corners: [usize; 4], slopes: [f64; 4], stiffness: f64) -> Self {
+        let root = stiffness.sqrt();
+        Self { corners, weights: slopes.map(|slope| root * slope) }
+    }
+
+    /// Second derivative of its energy by the same coordinate of two of its corners.
+    pub(crate) fn stiffness(&self, first: usize, second: usize) -> f64 {
+        self.weights[first] * self.weights[second]
     }
 
     /// The root of S times k.
-    fn of(&self, state: &State) -> Vector {
+    fn of(&self, shape: &[Vector]) -> Vector {
         let points = self.corners.iter().zip(self.weights);
-        points.fold([0.0; 3], |sum, (corner, weight)| along(sum, weight, state.points[*corner]))
+        points.fold([0.0; 3], |sum, (corner, weight)| along(sum, weight, shape[*corner]))
     }
 
-    pub(crate) fn energy(&self, state: &State) -> f64 {
-        let kink = self.of(state);
+    pub(crate) fn energy(&self, shape: &[Vector]) -> f64 {
+        let kink = self.of(shape);
         dot(kink, kink) / 2.0
     }
 
-    pub(crate) fn add_forces(&self, state: &State, forces: &mut [Vector]) {
-        let kink = self.of(state);
+    pub(crate) fn add_forces(&self, shape: &[Vector], forces: &mut [Vector]) {
+        let kink = self.of(shape);
         for (corner, weight) in self.corners.iter().zip(self.weights) {
             forces[*corner] = along(forces[*corner], weight, kink);
-        }
-    }
-
-    /// Its unknowns: three of each corner.
-    pub(crate) fn unknowns(&self, numbering: &Numbering) -> [u32; KINK] {
-        let mut local = [NONE; KINK];
-        for (numbers, corner) in local.chunks_exact_mut(3).zip(self.corners) {
-            numbers.copy_from_slice(&numbering.points[corner]);
-        }
-        local
-    }
-}
-
-impl Assembly {
-    /// Adds the kinks' part to the Hessian.
-    pub(super) fn add_kinks(&mut self) {
-        let Pattern { kinks: places, .. } = &self.pattern;
-        for (kink, places) in self.sheet.kinks.iter().zip(places) {
-            let axes = kink.corners.map(|corner| self.supports.holds[corner].axes);
-            let mut places = places.iter();
-            for a in 0..KINK {
-                for b in 0..=a {
-                    let product = kink.weights[a / 3] * kink.weights[b / 3];
-                    if let Some(place) = places.next() {
-                        self.values[*place as usize] += product * dot(axes[a / 3][a % 3], axes[b / 3][b % 3]);
-                    }
-                }
-            }
         }
     }
 }

@@ -127,7 +127,7 @@ impl Assembly {
             energy.bending += dot(alpha, *moments) / 2.0;
             energy.volume += piece.pressurised(volume::volume(x));
         }
-        energy.bending += self.sheet.kinks.iter().map(|kink| kink.energy(state)).sum::<f64>();
+        energy.bending += self.sheet.kinks.iter().map(|kink| kink.energy(&state.points)).sum::<f64>();
         energy
     }
 
@@ -184,7 +184,7 @@ impl Assembly {
                 }
             }
         }
-        self.sheet.kinks.iter().for_each(|kink| kink.add_forces(state, &mut self.forces));
+        self.sheet.kinks.iter().for_each(|kink| kink.add_forces(&state.points, &mut self.forces));
         self.gather();
         energy
     }

@@ -1,5 +1,6 @@
 //! Which unknown is which row of the system, and where each product of two unknowns lies in its matrix.
 
+use crate::shell::assembly::kinks::Kink;
 use crate::shell::assembly::sheet::{Beyond, Sheet};
 use crate::shell::assembly::supports::Supports;
 
@@ -61,6 +62,15 @@ impl Numbering {
         numbering
     }
 
+    /// The unknowns of a kink: three of each corner.
+    fn of_kink(&self, kink: &Kink) -> [u32; KINK] {
+        let mut local = [NONE; KINK];
+        for (numbers, corner) in local.chunks_exact_mut(3).zip(kink.corners) {
+            numbers.copy_from_slice(&self.points[corner]);
+        }
+        local
+    }
+
     /// The unknowns of triangle `t` in their local order: corners, far corners, edges.
     pub(crate) fn of_piece(&self, sheet: &Sheet, t: usize) -> [u32; LOCAL] {
         let piece = &sheet.pieces[t];
@@ -94,7 +104,7 @@ impl Pattern {
         let locals: Vec<[u32; LOCAL]> =
             (0..sheet.pieces.len()).map(|t| numbering.of_piece(sheet, t)).collect();
         let mut columns: Vec<Vec<u32>> = vec![Vec::new(); numbering.count];
-        let kinks: Vec<[u32; KINK]> = sheet.kinks.iter().map(|kink| kink.unknowns(numbering)).collect();
+        let kinks: Vec<[u32; KINK]> = sheet.kinks.iter().map(|kink| numbering.of_kink(kink)).collect();
         let of_kinks = kinks.iter().flat_map(|local| pairs(local));
         let coupled = locals.iter().flat_map(|local| pairs(local)).chain(of_kinks);
         for (row, column) in coupled.filter(|pair| pair.0 != NONE) {

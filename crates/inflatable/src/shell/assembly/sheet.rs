@@ -137,8 +137,38 @@ impl Sheet {
     /// edges that are not released stand for its bending, with at least `least` times the square of an edge's length as stiffness.
     pub fn wrinkle(&mut self, left: f64, least: f64) {
         self.compression = Compression::Wrinkled(left);
-        self.kinks = Kink::all(&self.pieces, &self.points, self.fabric.bending, least);
+        self.kinks = self.kinks_with(least);
         self.pieces.iter_mut().for_each(Piece::flatten);
+    }
+
+    /// The kinks across the edges that two triangles share and that are not released. The bending stiffness is that of the fabric, but at
+    /// least `least` times the square of the edge's length.
+    fn kinks_with(&self, least: f64) -> Vec<Kink> {
+        let mut kinks = Vec::new();
+        for (t, piece) in self.pieces.iter().enumerate() {
+            for i in 0..3 {
+                let Beyond::Neighbour { triangle, edge, .. } = piece.beyond[i] else { continue };
+                if triangle < t {
+                    continue;
+                }
+                let other = &self.pieces[triangle];
+                let (start, end) = (piece.corners[NEXT[i]], piece.corners[LAST[i]]);
+                let side = [0, 1].map(|c| self.points[end][c] - self.points[start][c]);
+                let square = side[0] * side[0] + side[1] * side[1];
+                let across = |slope: [f64; 2]| slope[0] * side[1] - slope[1] * side[0];
+                // The other triangle runs through the edge the other way round.
+                let slopes = [
+                    across(piece.flat.slopes[NEXT[i]]) - across(other.flat.slopes[LAST[edge]]),
+                    across(piece.flat.slopes[LAST[i]]) - across(other.flat.slopes[NEXT[edge]]),
+                    across(piece.flat.slopes[i]),
+                    -across(other.flat.slopes[edge]),
+                ];
+                let corners = [start, end, piece.corners[i], other.corners[edge]];
+                let area = piece.flat.area + other.flat.area;
+                kinks.push(Kink::new(corners, slopes, self.fabric.bending.max(least * square) / area));
+            }
+        }
+        kinks
     }
 
     /// Makes the triangles from number `first` on a margin that stays in the plane of the rims, in which it bears compression as `law` says.

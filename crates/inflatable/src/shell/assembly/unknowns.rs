@@ -1,6 +1,6 @@
 //! Between unknowns and points: steps, forces, contributions of single points.
 
-use crate::shell::assembly::numbering::NONE;
+use crate::shell::assembly::numbering::{KINK, NONE};
 use crate::shell::assembly::sheet::Piece;
 use crate::shell::assembly::{Assembly, Compression, Plane, State};
 use crate::shell::element::vector::{Vector, along, dot};
@@ -87,6 +87,20 @@ impl Assembly {
         };
         let areas = areas.into_iter().enumerate();
         areas.map(|(point, area)| if is_held(point) { 0.0 } else { area }).collect()
+    }
+
+    /// Adds the kinks' part to the Hessian.
+    pub(super) fn add_kinks(&mut self) {
+        for (kink, places) in self.sheet.kinks.iter().zip(&self.pattern.kinks) {
+            let axes = kink.corners.map(|corner| self.supports.holds[corner].axes);
+            let mut places = places.iter();
+            for a in 0..KINK {
+                for (b, place) in (0..=a).zip(&mut places) {
+                    let turned = dot(axes[a / 3][a % 3], axes[b / 3][b % 3]);
+                    self.values[*place as usize] += kink.stiffness(a / 3, b / 3) * turned;
+                }
+            }
+        }
     }
 
     /// Adds the contribution of one point to the last gradient and Hessian: a force, and a symmetric matrix as a function of a vector.
