@@ -230,8 +230,7 @@ fn a_star_beside_the_object_adds_no_force_to_the_range() {
     assert_eq!((star.object_force_N, star.ranges.object_force_N), (Some(0.0), Some([0.0, 0.0])));
     // Just thinner than predicted: it may be reached.
     let [closest, _] = star.ranges.final_radius_mm.expect("known");
-    let predicted: Option<f64> = star.final_radius_mm.into();
-    let between = f64::midpoint(closest, predicted.expect("known"));
+    let between = f64::midpoint(closest, star.final_radius_mm.expect("known"));
     spec.load.as_mut().expect("given").object_radius = Some(Length(between));
     let star = predict(&spec).first;
     let [low, high] = star.ranges.object_force_N.expect("known");
