@@ -17,7 +17,7 @@ pub fn at_keys(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {
             return fault;
         }
         fault.help(format!(
-            "`{}` in [{}] is not written: this is about its default",
+            "the spec does not give `{}` in [{}], so its default is used",
             key.key(),
             key.section()
         ))

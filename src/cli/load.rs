@@ -66,7 +66,7 @@ impl Loaded {
             return Ok(self);
         }
         let place = self.reading.raw.span_of(key::drawing::FILE);
-        let message = format!("`{command}` is about stars, and this spec has a drawing");
+        let message = format!("`{command}` is for stars only, and this spec has a drawing");
         let fault = Fault::error(RefusalCode::NoPrediction, place, message).label("needs [star] instead");
         Err(Faults::new(&self.source, vec![fault]).into())
     }

@@ -39,7 +39,7 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     if !args.name.chars().any(char::is_alphanumeric) {
         let text =
-            format!("the name {} has no letter or digit; a name is such as my-star", shown(&args.name));
+            format!("the name `{}` has no letter or digit; a name is such as my-star", shown(&args.name));
         return Err(Failure::Message(text));
     }
     if let Some(drawing) = &args.drawing {

@@ -111,7 +111,7 @@ fn in_words(star: &StarSpec) -> String {
 pub(super) fn work(forecast: &Forecast, now: &Zoned) -> Vec<OverviewRow> {
     let seconds = sealing_time(forecast);
     let end = clock::finish(now, seconds)
-        .map(|end| format!("; begun now, it ends {end}, heating and pauses not counted"));
+        .map(|end| format!("; started now, it ends {end}, without heating and pauses"));
     let number = forecast.design.sheets.len();
     let area = match forecast.machine.bench.work_area {
         Some((x, y)) => format!("; the machine reaches {} x {} mm", rounded(x.0), rounded(y.0)),
@@ -133,7 +133,7 @@ pub(super) fn written(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
     let [traces, seals] = [Kind::TraceGcode, Kind::SealGcode].map(|kind| named(proven, kind));
     let run = match (traces.first(), seals.first()) {
         (Some(trace), Some(seal)) => {
-            Some(format!("{trace} first, which seals nothing; then {seal}{}", more(&seals)))
+            Some(format!("{trace} first (moves only, seals nothing), then {seal}{}", more(&seals)))
         }
         (None, Some(seal)) => Some(format!("{seal}{}; no trace was requested", more(&seals))),
         _ => None,
@@ -149,7 +149,7 @@ pub(super) fn proven(proven: &Proven) -> Vec<OverviewRow> {
         0 => String::new(),
         more => format!("; {more} more kinds by --with"),
     };
-    vec![("proven", format!("{number} files, made in memory: {}{more}", scope(proven.proof())))]
+    vec![("proven", format!("{number} files in memory: {}{more}", scope(proven.proof())))]
 }
 
 /// The JSON of [`proven`].

@@ -85,7 +85,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let target = args.output.clone().unwrap_or_else(|| target(&args.job, known));
     write_new(&target, &resumed.text)?;
     let text = format!(
-        "wrote {}\ngoes on in line {} of the old program, {:.1} % of its time done; seals {:.1} mm again\n\
+        "wrote {}\ncontinues at line {} of the old program, after {:.1} % of its time; seals the last {:.1} mm again\n\
          about {} left\n{}\n\
          before you start it: same sheet, same zero, iron above the fabric\n",
         shown(&target),

@@ -13,7 +13,7 @@ pub(super) struct Verbosity {
     /// Print all details.
     #[arg(short, long)]
     pub(super) verbose: bool,
-    /// Print only errors and urgent warnings; a spec or a table that is the answer is still printed.
+    /// Print only errors and urgent warnings, and a spec or a table that is the result.
     #[arg(short, long, conflicts_with = "verbose")]
     pub(super) quiet: bool,
     /// Print one JSON object and nothing else.

@@ -27,7 +27,7 @@ pub(super) fn too_wide_to_enter(spec: &Spec, part: &StarSpec, star: &StarPredict
 pub(super) fn too_short(load: &Load) -> Refusal {
     let (key, height) = match load.object_height {
         Some(height) => (key::load::OBJECT_HEIGHT, format!("{height} tall")),
-        None => (load.size_key(), "as tall as wide".to_owned()),
+        None => (load.size_key(), "as tall as it is wide, the default of object_height".to_owned()),
     };
     Refusal::new(
         key,
@@ -50,7 +50,11 @@ pub(super) fn too_thin(load: &Load, object: f64, least: f64) -> Refusal {
         ),
         format!(
             "{}, or a star that closes further: a smaller inner_radius",
-            size(load, [Least(2.0 * least).to_string(), Least(least).to_string()], "at least")
+            size(
+                load,
+                [2.0, 1.0].map(|times| Least(times * whole(load, object, least)).to_string()),
+                "at least"
+            )
         ),
     )
 }
@@ -61,16 +65,27 @@ pub(super) fn too_wide_to_open(load: &Load, object: f64, [least, most]: Interval
         load.size_key(),
         RefusalCode::ObjectTooWide,
         format!(
-            "the inflated star opens to {} mm across and does not close around the object, which is {} mm across",
+            "the inflated star opens to {} mm across and does not close around the object, which is {} mm across there",
             Most(2.0 * most),
             Least(2.0 * object)
         ),
         format!(
             "from {} to {} mm across; or a larger inner_radius, fewer points or a smaller tube_width",
-            Least(2.0 * least),
-            Most(2.0 * most)
+            Least(2.0 * whole(load, object, least)),
+            Most(2.0 * whole(load, object, most))
         ),
     )
+}
+
+/// The radius by which `load` gives an object that is to be `wanted` (mm) in radius where the present one is `there`.
+fn whole(load: &Load, there: f64, wanted: f64) -> f64 {
+    let radius = load.object_radius.map_or(there, |radius| radius.0);
+    match load.object_height {
+        // A larger ball is also taller.
+        None => (radius * radius - there * there + wanted * wanted).max(0.0).sqrt(),
+        Some(_) if there > 0.0 => radius * wanted / there,
+        Some(_) => wanted,
+    }
 }
 
 /// A limit of the object's size in the words of the key that gave it: diameter and radius.

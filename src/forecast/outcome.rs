@@ -225,8 +225,8 @@ impl Outcome {
             )),
             Grip::Unknown(fault) => Some(format!("no force on the object: {fault}")),
             Grip::Untried => Some(
-                "the object opens the star further than any that was computed as a shell: its force is unknown; a \
-                 smaller object_diameter opens it less"
+                "the force is unknown: the object opens the star further than any star that was computed as a shell; \
+                 a smaller object opens it less"
                     .to_owned(),
             ),
         }

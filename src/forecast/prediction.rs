@@ -294,7 +294,7 @@ pub struct Nonlinear {
     pub contraction: f64,
     /// Radial stiffness at rest.
     pub radial_stiffness_N_per_m: Option<f64>,
-    /// Radial force stored in a star that is pressed shut.
+    /// Radial force that is stored in a star whose arms touch and press on each other.
     pub preload_N: Option<f64>,
     /// Radial force on the object.
     pub object_force_N: Option<f64>,

@@ -227,7 +227,9 @@ pub(super) fn of_the_shape(case: &Case, outcome: &Outcome) -> Vec<String> {
     let star = &case.mechanism;
     let mut warnings = Vec::new();
     if outcome.rest.equilibrium < outcome.rest.angle {
-        warnings.push("the arms touch before the hinges are at rest: the star is pressed shut".to_owned());
+        warnings.push(
+            "the arms touch before the hinges reach their rest angle, and press on each other".to_owned(),
+        );
     }
     if star.radius(outcome.rest.angle).slope <= 0.0 {
         warnings.push("the arms are so short that closing the tips widens the star".to_owned());

@@ -58,15 +58,15 @@ impl fmt::Display for BenchFault {
                 let [low, high] = range.map(f64::to_degrees);
                 write!(
                     f,
-                    "no fabric gives the V-actuator's {:.1} deg: at this pressure it closes to between {low:.1} and \
-                     {high:.1} deg; is the pressure right, and were both angles measured at the arms' middle?",
+                    "no stiffness of the fabric explains the V-actuator's {:.1} deg: at this pressure it closes to between {low:.1} and \
+                     {high:.1} deg; check the pressure, and that both angles were measured at the arms' middle",
                     found.to_degrees()
                 )
             }
             Self::Disc(found, [low, high]) => write!(
                 f,
                 "the disc's inflated width is {found:.3} of the flat one; it is {low:.3} if nothing stretches, and {high:.3} where \
-                 p D / (2 Y) is 0.1; was the width taken across the seam, and at this pressure?"
+                 p D / (2 Y) is 0.1; check that the width was measured across the seam, and at this pressure"
             ),
             Self::Beyond => {
                 f.write_str(

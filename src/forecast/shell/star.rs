@@ -198,7 +198,7 @@ impl ShellAnswer<'_> {
         let sharp = flat.tip_radius == 0.0 || flat.corner_radius == 0.0;
         let said = [
             (flat.points > TRIED_POINTS, format!("shells of stars were tried with 3 to {TRIED_POINTS} points")),
-            (measured.touches(), "the arms touch: the star is pressed shut".to_owned()),
+            (measured.touches(), "the arms touch, and press on each other".to_owned()),
             (
                 flat.part() == StarPart::Whole,
                 format!(

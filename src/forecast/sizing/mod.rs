@@ -270,17 +270,26 @@ impl Requirements {
                 "the star is {percent:.1} % larger than the sheet or the machine: a larger one, --sheet"
             ),
             "pressing" => format!(
-                "it presses {percent:.1} % harder than the object bears: more friction, a lighter object, or --fragile with more"
+                "its force on the object is {percent:.1} % above what the object bears: more friction, a lighter object, or --fragile with a larger force"
             ),
             "burst" => "the seal bursts: less pressure, a stronger seal".to_owned(),
-            "closing" => format!("it closes {percent:.1} % short of the object"),
-            "inner_radius" => {
-                format!("its cut hole is {percent:.1} % too narrow for the object and room around it")
+            "closing" => {
+                format!("the object is too thin: it closes to {:.1} times the object's radius", 1.0 + part)
             }
-            "opening" | "object" => format!("it opens {percent:.1} % short of the object"),
-            "touching" => "its arms would touch, and a search keeps them apart".to_owned(),
+            "inner_radius" => {
+                format!("its cut hole is {percent:.1} % too narrow for the object and the room around it")
+            }
+            "opening" | "object" => {
+                format!("the object is too wide: it would have to open {percent:.1} % further")
+            }
+            "touching" => {
+                "its arms would touch, and the search allows only stars whose arms do not".to_owned()
+            }
             "arms" => format!("arms would be {percent:.1} % shorter than half a tube's width"),
-            _ => "no star that was tried is like it: another pressure, or another fabric".to_owned(),
+            _ => {
+                "it lies outside the range in which shells were computed: another pressure, or another fabric"
+                    .to_owned()
+            }
         }
     }
 }

@@ -178,7 +178,7 @@ pub(super) const OUTPUTS: [OutputColumn; 33] = [
     more(
         "preload_N",
         Some("N"),
-        "radial force that is stored in a star that is pressed shut",
+        "radial force that is stored in a star whose arms touch and press on each other",
         Hinges(|row| row.own()?.preload),
     ),
     more(
