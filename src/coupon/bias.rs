@@ -47,18 +47,20 @@ impl fmt::Display for BiasFault {
                 write!(f, "{found} points; at least {LEAST} are needed")
             }
             Self::NoSlope => {
-                f.write_str("the load does not rise with the travel; were the columns exchanged?")
+                f.write_str("the load does not rise with the travel; check whether the columns are exchanged")
             }
             Self::Curved(found) => write!(
                 f,
-                "the load leaves a straight line by {:.0} %; at most {:.0} % are allowed: keep the rows of the first, straight part",
+                "the load deviates from a straight line by {:.0} %; at most {:.0} % are allowed: keep the \
+                 rows of the first, straight part",
                 100.0 * found,
                 100.0 * STRAIGHT
             ),
             Self::TooStiff(found, most) => write!(
                 f,
-                "the strip bears {found:.3} N/mm of width and strain; along the bias it is below {most:.3} N/mm for any shear modulus: was it \
-                 cut at 45 deg, is it one sheet, and is the stretch stiffness right?"
+                "the strip bears {found:.3} N/mm of width and strain; along the bias it is below {most:.3} \
+                 N/mm for any shear modulus: check that it is one sheet, cut at 45 deg, and check the \
+                 stretch stiffness"
             ),
         }
     }

@@ -208,8 +208,8 @@ impl<'a> Table<'a> {
         count: usize,
     ) -> Option<[Option<f64>; N]> {
         if record.iter().any(|cell| cell.contains('\n')) {
-            let fault = Fault::error(FaultCode::OpenQuote, line.clone(), "a cell goes on in the next line");
-            self.faults.push(fault.label("must end in its line").help("is a quote left open?"));
+            let fault = Fault::error(FaultCode::OpenQuote, line.clone(), "a cell continues in the next line");
+            self.faults.push(fault.label("must end in its line").help("check for a quote that is not closed"));
             return None;
         }
         if record.len() != count {
@@ -218,8 +218,8 @@ impl<'a> Table<'a> {
                 (_, true) => {
                     "the header is not separated by `;`: write one separator throughout, decimals with a point"
                 }
-                (true, _) => "is a comma a decimal one? write 10.5",
-                (false, _) => "leave a cell empty, not out",
+                (true, _) => "write decimals with a point: 10.5",
+                (false, _) => "where a value is missing, keep an empty cell",
             };
             self.faults.push(fault.label(format!("must be {count}, as the header has")).help(help));
             return None;

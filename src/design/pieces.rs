@@ -201,7 +201,7 @@ fn too_small(what: &str, lie: &Lie) -> Refusal {
     Refusal::new(
         key::mask::BED,
         RefusalCode::SmallBed,
-        format!("{what} of a mask takes {} x {} mm, however it is turned", up(w), up(h)),
+        format!("{what} of a mask takes {} x {} mm, in any orientation", up(w), up(h)),
         format!(
             "bed must be at least \"{} mm x {} mm\"; without bed the mask is written whole, to be cut from its drawings",
             up(w),

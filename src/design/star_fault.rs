@@ -45,7 +45,7 @@ pub(super) fn no_arm(spec: &StarSpec, l: f64) -> Refusal {
     changes.sort_by_key(|(key, _)| *key != blamed);
     let words: Vec<String> = changes.iter().map(|(key, change)| format!("{} {change}", key.key())).collect();
     let remedy = match words.as_slice() {
-        [] => "no single change would do: make inner_radius larger and tube_width smaller".to_owned(),
+        [] => "no single change is enough: make inner_radius larger and tube_width smaller".to_owned(),
         [only] => format!("must be: {only}"),
         [first, rest @ ..] => format!("must be: {first}; or alone: {}", rest.join(", or ")),
     };

@@ -5,15 +5,15 @@ use crate::spec::codes;
 codes! {
     /// The subject of a precaution.
     PrecautionCode {
-        ChoppedSeal "chopped-seal" "The seal's speed is made of strokes and dwells; time what `feedcheck` writes.",
+        ChoppedSeal "chopped-seal" "The seal's speed is an average of strokes and dwells; time the program of `feedcheck`.",
         FastSeal "fast-seal" "The seal is much faster than the paper's; peel a coupon before you trust it.",
-        GenericMachine "generic-machine" "The profile has no data on the machine; name yours, or time what `feedcheck` writes.",
-        LeavesPlane "leaves-plane" "A drawn shape may bend or twist out of its plane; the prediction is of the one that does not.",
+        GenericMachine "generic-machine" "The profile has no data on the machine; name your profile, or time the program of `feedcheck`.",
+        LeavesPlane "leaves-plane" "A drawn shape may bend or twist out of its plane; the prediction assumes that it does not.",
         MachineRequires "machine-requires" "The profile requires this of the machine; make sure of it.",
-        MayNotHold "may-not-hold" "The object may not be held; see the numbers, and what would do.",
+        MayNotHold "may-not-hold" "The gripper may not hold the object; see the numbers and the remedies.",
         Prediction "prediction" "The prediction has a wide range, or omits an effect; see the message.",
         Unfit "unfit" "The gripper does not meet its `load` section, and was accepted with `--anyway`.",
-        UnknownFeed "unknown-feed" "Whether the machine goes as slowly as the seal is unknown; time what `feedcheck` writes.",
+        UnknownFeed "unknown-feed" "Whether the machine can move as slowly as the seal needs is unknown; time the program of `feedcheck`.",
         UnknownReach "unknown-reach" "Whether the machine reaches all of the sheet is unknown; write `work_area` into its profile.",
         UnknownStrength "unknown-strength" "The burst pressure is unknown; measure `seal_strength` with `coupon`, and write it.",
         WeakSeal "weak-seal" "The seal may fail at this place; see the remedy, if one is shown.",

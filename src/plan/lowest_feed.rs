@@ -168,8 +168,8 @@ fn long_rest(chop: &Chop, program: &Program) -> Option<Refusal> {
         (
             key::star::CORNER_RADIUS,
             format!(
-                "beside a sharp corner the controller joins moves below {:.3} mm, and the iron would rest for {:.2} s in one \
-                 place; without a scar it may for {rest:.2} s",
+                "beside a sharp corner the controller joins moves below {:.3} mm, and the iron would rest \
+                 for {:.2} s in one place; up to {rest:.2} s leave no scar",
                 chop.least,
                 rest + overdue
             ),
@@ -204,7 +204,7 @@ fn slow_chop_feed(machine: &Machine, program: &Program) -> Option<Refusal> {
             "`chop_feed` of the profile is {feed:.3} mm/s, and the controller runs it at up to {lowest:.3} mm/s"
         ),
         format!(
-            "`chop_feed` must be at least {} mm/s; without the key the program takes a fitting one",
+            "`chop_feed` must be at least {} mm/s; without the key the program chooses a suitable one",
             Least(lowest)
         ),
     ))

@@ -46,7 +46,7 @@ impl fmt::Display for ResumeFault {
                 "the file seals at {t}, and from {TOXIC} the release layer gives off toxic fumes: build it again, cooler"
             ),
             Self::Unproven(finding) => {
-                write!(f, "the program for the rest was not written, for it would not be right: {finding}")
+                write!(f, "the program for the rest was not written, because it would be wrong: {finding}")
             }
             Self::NoSuchLine(line, lines) => write!(f, "there is no line {line}: the file has 1 to {lines}"),
             Self::Nowhere(distance) => write!(

@@ -65,7 +65,7 @@ pub(super) fn loose_ends(
             (_, Some((gap, partner))) => (gap, partner),
             _ => {
                 let names = own(*edge);
-                let what = format!("{} ends in the open", quoted(&names));
+                let what = format!("{} has a free end", quoted(&names));
                 let remedy = remedy.to_owned();
                 notes.fault(ShapeCode::DanglingEnd, &names, place, (what, remedy), [f64::NAN; 2]);
                 continue;

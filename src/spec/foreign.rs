@@ -56,7 +56,7 @@ pub(super) fn fault(text: &str) -> Option<Fault> {
     }
     let kind = kind(text)?;
     let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {kind}, not TOML"))
-        .label("it begins as such");
+        .label("recognised by its beginning");
     Some(fault.help("name a TOML file instead: a build keeps its own beside its files, and `stargrip-cam new` writes one to begin with"))
 }
 

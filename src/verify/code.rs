@@ -5,8 +5,8 @@ use crate::spec::codes;
 codes! {
     /// Findings of the verifier in files. A spec in the directory that has no design is reported by the refusal's code.
     FindingCode {
-        AfterEnd "after-end" "A program goes on after its end.",
-        Backwards "backwards" "The iron goes back along its seam.",
+        AfterEnd "after-end" "A program continues after its end.",
+        Backwards "backwards" "The iron moves back along its seam.",
         BadArc "bad-arc" "An arc is not a circular arc, or a controller would refuse it.",
         BadCharacter "bad-character" "A program holds a character that controllers may not read as a comment.",
         BadComment "bad-comment" "A comment is not closed, or its text is wrong.",
@@ -26,7 +26,7 @@ codes! {
         ExtraSeam "extra-seam" "The iron touches the fabric where the design has no seam.",
         FormatsDisagree "formats-disagree" "Two files of one drawing differ.",
         Hash "hash" "The file is not the one the manifest describes.",
-        HeatWithoutPause "heat-without-pause" "A program goes on while the iron heats up.",
+        HeatWithoutPause "heat-without-pause" "A program does not wait while the iron heats up.",
         HotTrace "hot-trace" "A trace program heats the iron.",
         IronAtRest "iron-at-rest" "The hot iron rests on the fabric without moving.",
         Jump "jump" "The iron leaves the seam and comes back to it elsewhere.",

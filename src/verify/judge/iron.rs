@@ -161,7 +161,7 @@ impl Judge for Cold<'_> {
             match event {
                 Event::Move(step) => self.step(step, findings),
                 Event::Pause(pause) => {
-                    let (found, allowed) = ("a pause as for heating", "a trace runs unheated and through");
+                    let (found, allowed) = ("a pause as for heating", "a trace without heating and pauses");
                     findings.add_at(FindingCode::HotTrace, pause.line, found, allowed);
                 }
                 Event::Dwell(dwell) => {

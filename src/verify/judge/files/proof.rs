@@ -209,7 +209,7 @@ fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
     if !same {
         findings.add(
             FindingCode::Prediction,
-            "other figures than this spec gives",
+            "other numbers than this spec gives",
             "what `predict --json` prints",
         );
     }

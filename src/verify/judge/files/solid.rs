@@ -77,7 +77,7 @@ pub(in crate::verify) fn check(
     let volume: f64 = facets.iter().map(sixfold).sum::<f64>() / 6.0;
     let walls = [
         Walls::new("edge", &plate, 0.0),
-        Walls::new("edge of what is sunk", &labels, solid.thickness - solid.depth),
+        Walls::new("edge of the engraving", &labels, solid.thickness - solid.depth),
     ];
     // Chords cut off less than the tolerance along all edges.
     let slack = walls[0].length * CHORD * solid.thickness + walls[1].length * CORNER * solid.depth;
@@ -168,7 +168,8 @@ fn closed(corners: &[[u32; 3]], findings: &mut Findings) {
         open += usize::from(!paired(uses));
     }
     if open > 0 || all == 0 {
-        findings.add(FindingCode::NotWatertight, format!("{open} of {all} edges"), "each once each way");
+        findings.add(FindingCode::NotWatertight, format!("{open} of {all} edges"), "each edge once in each \
+             direction");
     }
 }
 

@@ -114,7 +114,7 @@ impl Block {
             [b'P', b'R', b'S', b'T'].into_iter().find(|l| self.value(*l).is_some() && !own(*l))
         {
             let found = format!("{} without its command", char::from(letter));
-            return Err((FindingCode::UnusedWord, found, "words that something reads".to_owned()));
+            return Err((FindingCode::UnusedWord, found, "words that a command uses".to_owned()));
         }
         if let Some(p) = self.value(b'P').filter(|p| *p < 0.0) {
             return Err((FindingCode::BadNumber, format!("P{p}"), "a time >= 0".to_owned()));

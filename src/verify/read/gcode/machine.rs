@@ -140,7 +140,7 @@ impl Machine {
             } else if let Some(at) = axis {
                 *at += value;
             } else {
-                let found = format!("a displacement {} from nowhere", char::from(letter));
+                let found = format!("a displacement {} from an unknown position", char::from(letter));
                 here.report(FindingCode::UnknownPosition, &found, "a position (G90) first");
                 return None;
             }
