@@ -252,14 +252,14 @@ fn ranges(
 
 /// A warning about arms that are too short to be straight tubes; `None` if they are long enough.
 pub(super) fn short_arms(actuator: &Actuator) -> Option<String> {
-    let short = "the arms are shorter than the tube is wide: the hinge feels their ends";
+    let short = "the arms are shorter than the tube is wide: their sealed ends affect the hinge";
     (actuator.arm < actuator.width).then(|| short.to_owned())
 }
 
 fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64) -> Vec<String> {
     let limit = model.level() != Level::Section;
     let hinge = actuator.hinge();
-    let without_arms = format!("the hinge is computed without arms, which let it coil {ARMS_LET_OUT}");
+    let without_arms = format!("the hinge is computed without arms, with which it coils {ARMS_LET_OUT}");
     let known = [
         (
             limit,
@@ -268,9 +268,9 @@ fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64) -> Vec<Stri
         (!limit && model.arms(hinge.r_star, hinge.arc()).is_none(), without_arms.as_str()),
         (
             !limit && actuator.arm < errors::ACTUATOR_ARM[0] * actuator.width,
-            "with arms shorter than four widths the sealed ends are near, and soften the hinge: with three by a third",
+            "the arms are shorter than four widths: their sealed ends soften the hinge, by a third at three widths",
         ),
-        (angle < 0.0, "the arms touch before the hinge is at rest"),
+        (angle < 0.0, "the arms touch before the hinge reaches its rest angle"),
     ];
     let known = known.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned());
     known.chain(short_arms(actuator)).collect()

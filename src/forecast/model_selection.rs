@@ -17,7 +17,7 @@ pub const BVP_BETA: f64 = 1000.0;
 
 /// Effect of the arms beyond the end of their table.
 pub(super) const ARMS_LET_OUT: &str =
-    "some 2 to 14 deg further and soften; the table of their effect ends before this hinge";
+    "about 2 to 14 deg further and is softer; the table of their effect does not cover this hinge";
 
 /// `section` from its table for the hinges of `case` at the gauge pressure `pressure` (Pa): the choice of `auto`.
 ///
@@ -138,7 +138,7 @@ fn of_a_limit(level: Level, bendability: f64) -> String {
         );
     }
     format!(
-        "{} is a limit case in which no gripper works; its error for this one is unknown: use section or shell",
+        "{} is a limiting case that no gripper reaches; its error for this one is unknown: use section or shell",
         level.name()
     )
 }

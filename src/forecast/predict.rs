@@ -198,8 +198,8 @@ impl PlacedCase<'_> {
         let mut warnings: Vec<String> = of_burst.iter().cloned().collect();
         if spec.accuracy.model == ModelChoice::Shell {
             warnings.push(
-                "shells are left to `predict --model shell`: files are the same on every machine, and a shell's last digits are \
-                 not; section is used here"
+                "section is used here instead of shell: files must be the same on every machine, but a \
+                 shell's last digits are not; use `predict --model shell`"
                     .to_owned(),
             );
         }
@@ -275,7 +275,8 @@ fn weave_left_out(fabric: &Fabric) -> Option<String> {
     let part = weave.shear;
     (!weave.is_isotropic()).then(|| {
         format!(
-            "shear_modulus is left out: numbers and ranges are of isotropic fabric, the given one has {part:.2} of its shear modulus; \
+            "shear_modulus is not used: numbers and ranges are for isotropic fabric; the given fabric has \
+             {part:.2} of its shear modulus; \
              `predict --model shell` takes it into account"
         )
     })

@@ -184,7 +184,7 @@ fn pressure_table(out: &mut String, rows: &[PressureRow]) {
         pressure_text(out, row, held);
     }
     if let Some(best) = rows.iter().position(|row| row.best) {
-        let most = if held { "the largest force that is sure" } else { "the least final radius" };
+        let most = if held { "the largest lower end of the force's range" } else { "the least final radius" };
         let end = if best + 1 == rows.len() { "; higher pressures have no prediction" } else { "" };
         let _ = writeln!(out, "  best: {most}, without bursting{end}");
     }
@@ -229,7 +229,7 @@ fn pressure_text(out: &mut String, row: &PressureRow, held: bool) {
     let force = if held { known() } else { String::new() };
     let note = match (row.best, row.tried) {
         (true, _) => "   <- best",
-        (_, false) => "   beyond what was tried",
+        (_, false) => "   outside the validated range",
         _ => "",
     };
     let _ = writeln!(

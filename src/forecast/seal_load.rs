@@ -192,7 +192,7 @@ pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
 pub fn remedy(safe: Option<Length>) -> String {
     match safe {
         Some(radius) => format!("a radius of {radius} would hold"),
-        None => "no radius would hold: less pressure, a narrower tube or a stronger seal".to_owned(),
+        None => "no radius is enough: less pressure, a narrower tube or a stronger seal".to_owned(),
     }
 }
 

@@ -97,7 +97,8 @@ impl StarAnswer<'_> {
         };
         if inflated.rim_pushes(own.rest.angle) {
             warnings.push(
-            "the nonlinear star coils a hinge so far that its inner rim would have to push: a real rim wrinkles, and \
+            "the nonlinear star coils a hinge so far that its inner rim would be compressed: a real rim \
+             wrinkles, and \
              the hinge is softer than predicted"
                 .to_owned(),
         );
@@ -141,7 +142,7 @@ fn ranges(case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) -> Sta
 }
 
 /// Use of a shear modulus by hinge models.
-const LEFT_OUT: &str = "left out: this model is of isotropic fabric";
+const LEFT_OUT: &str = "not used: this model is for isotropic fabric";
 
 /// All of one star that depends on no model.
 pub(super) fn bare(spec: &Spec, part: &StarDesign, case: &Case) -> StarPrediction {

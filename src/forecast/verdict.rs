@@ -224,7 +224,8 @@ impl VerdictLines {
             }
             // A mass is carried by friction only.
             (None, ..) if load.mass.is_some() => {
-                let text = "[load] has a mass, but no friction: whether it is carried is unknown; a bare fabric's is about 0.3";
+                let text = "[load] has a mass, but no friction: whether the gripper carries it is unknown; \
+                     bare fabric has about 0.3";
                 (Weight::Doubted, VerdictText::Reason(text.to_owned()))
             }
             (_, None, Some(force)) => {

@@ -163,7 +163,7 @@ fn what_no_shell_answers_is_refused_in_words() {
     let without = predict("pressure = \"20 kPa\"", "");
     assert!(without.contains("needs a pressure"), "{without}");
     let pressed = predict("20 kPa", "400 kPa");
-    assert!(pressed.contains("the shell is made for") && pressed.contains("other.toml:13"), "{pressed}");
+    assert!(pressed.contains("shells are computed for") && pressed.contains("other.toml:13"), "{pressed}");
     let pointed = predict("points = 5\ninner_radius = \"50 mm\"", "points = 18\ninner_radius = \"400 mm\"");
     assert!(pointed.contains("3 to 16"), "{pointed}");
     let mut short = ACTUATOR;

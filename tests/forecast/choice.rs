@@ -37,7 +37,7 @@ fn limits_are_named_once_and_only_beyond_them() {
         low.len() == 1 && low[0].starts_with("bendability 95") && low[0].contains("below 1000"),
         "{low:?}"
     );
-    assert!(said(Level::Ring, [0.1; 2], 13.0)[0].contains("a limit case in which no gripper works"));
+    assert!(said(Level::Ring, [0.1; 2], 13.0)[0].contains("a limiting case that no gripper reaches"));
     let stretched = said(Level::Ring, [0.1; 2], 37.0);
     assert!(stretched.len() == 2 && stretched[1].starts_with("p W / Y is 0.029"), "{stretched:?}");
     // Two equal hinges are one warning, two that differ are two, and only the fit has them.

@@ -128,7 +128,7 @@ pub fn inflate(
     let parted = piece.shape.topology().chambers.len();
     if parted > count {
         let what = format!(
-            "walls part the air into {parted} chambers, which are computed as {count}: all are at the same pressure"
+            "walls divide the air into {parted} chambers, which are computed as {count}: all are at the same pressure"
         );
         prediction.evidence.warnings.push(what);
     }

@@ -256,8 +256,8 @@ impl DrawnPrediction {
             .collect();
         (!names.is_empty()).then(|| {
             format!(
-                "leaves-plane: {} may bend or twist out of the plane of the drawing at this pressure; size, height and pull are those of the \
-                 shape that stays in it",
+                "leaves-plane: {} may bend or twist out of the plane of the drawing at this pressure; size, \
+                 height and pull are computed for the shape that stays in it",
                 names.join(", ")
             )
         })
@@ -273,7 +273,7 @@ impl DrawnPrediction {
             ];
             if coarse.into_iter().flatten().any(|(value, error)| error > 0.05 * value) {
                 list.push(format!(
-                    "the meshes leave height or volume of {} open by more than 5 %: take finer ones",
+                    "the mesh error of the height or volume of {} is above 5 %: use finer meshes",
                     one.name(count)
                 ));
             }

@@ -250,7 +250,8 @@ pub fn outside(case: &Case) -> String {
     if out.is_empty() {
         let slender = case.sheet.thickness / case.mechanism.width;
         out.push(format!(
-            "the tables of arms end before hinges with t/W of {slender:.4} at a stretch of {:.1} % (they have t/W of 0.005 to 0.03)",
+            "the tables of arms do not cover hinges with t/W of {slender:.4} at a stretch of {:.1} % (they \
+             cover t/W of 0.005 to 0.03)",
             100.0 * case.sheet.stretch(pressure, case.mechanism.width)
         ));
     }

@@ -202,7 +202,8 @@ impl ShellAnswer<'_> {
             (
                 flat.part() == StarPart::Whole,
                 format!(
-                    "the woven star does not close round: on its finest mesh the corners lie {:.1} to {:.1} mm from the point in their \
+                    "the woven star does not close to a circle: on its finest mesh the corners lie {:.1} to \
+                     {:.1} mm from the point in their \
                      middle, which is {:.1} mm beside that of the tips; the final radius is their mean, extrapolated",
                     finest(&measured.corners[0]), finest(&measured.corners[1]), finest(&measured.off_center)
                 ),
@@ -243,11 +244,11 @@ impl ShellAnswer<'_> {
             ),
             (
                 measured.known_stiffness().is_none(),
-                "the meshes do not agree on the radial stiffness: take finer ones".to_owned(),
+                "the radial stiffness differs between the meshes: use finer ones".to_owned(),
             ),
             (
                 radius.error > 0.05 * radius.value,
-                format!("the meshes leave the final radius open by {:.2} mm: take finer ones", radius.error),
+                format!("the final radius has a mesh error of {:.2} mm: use finer meshes", radius.error),
             ),
         ];
         said.into_iter().filter(|(holds, _)| *holds).map(|(_, text)| text).collect()

@@ -71,7 +71,7 @@ impl Study {
         let models = designs.models();
         let asked = ModelKinds::of(&models);
         if let Some((_, place)) = file.fineness.as_ref().filter(|_| !asked.shells) {
-            let fault = Fault::error(FaultCode::Conflict, place.clone(), "`fineness` is the shell's")
+            let fault = Fault::error(FaultCode::Conflict, place.clone(), "`fineness` is for shells only")
                 .label("no row of this study computes a shell")
                 .help("write model = \"shell\", or delete it");
             return Err(Faults::new(&file.source, vec![fault]));

@@ -105,7 +105,7 @@ pub(super) const OUTPUTS: [OutputColumn; 33] = [
     plain(
         "bendability",
         None,
-        "1/eps: pressure over what bends the fabric",
+        "1/eps: pressure over bending stiffness",
         Any(|row| {
             let case = &row.answer.case;
             let known =

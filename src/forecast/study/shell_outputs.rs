@@ -4,7 +4,7 @@ use crate::forecast::shell::request::Measurements;
 use crate::forecast::study::output::{Of, OutputColumn, StudyRow};
 
 /// Description of a mesh error's column.
-const OPEN: &str = "how far the meshes leave it open";
+const OPEN: &str = "its mesh error";
 
 const fn measured(
     name: &'static str,

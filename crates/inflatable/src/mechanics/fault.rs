@@ -111,7 +111,7 @@ impl fmt::Display for StarFault {
                 let [found, least, most] = [found, least, most].map(|m| Readable(1000.0 * m));
                 write!(
                     f,
-                    "the radius is {found} mm, and the inflated star goes from {least} mm to {most} mm only"
+                    "the radius is {found} mm, but the inflated star reaches only from {least} mm to {most} mm"
                 )
             }
             Self::NoPressure => f.write_str("model section needs a pressure: give one, or use model ring"),

@@ -98,7 +98,7 @@ impl fmt::Display for ShellFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Range { name, found, least, most } => {
-                write!(f, "{name} is {found:.4e}, the shell is made for {least} to {most}")
+                write!(f, "{name} is {found:.4e}, but shells are computed for {least} to {most} only")
             }
             Self::TooMany { name, found, most } => {
                 write!(

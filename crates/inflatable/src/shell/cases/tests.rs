@@ -222,7 +222,7 @@ fn what_no_shell_describes_is_refused_in_words() {
     case.tube.pressure = 1e6;
     let fault = run(&case).expect_err("too much pressure");
     assert!(matches!(fault, ShellFault::Range { name: Input::Bendability, .. }), "{fault}");
-    assert!(fault.to_string().contains("the shell is made for 1 to 5000"), "{fault}");
+    assert!(fault.to_string().contains("shells are computed for 1 to 5000"), "{fault}");
     case = v_actuator();
     case.arm_length = 0.02;
     assert!(matches!(run(&case), Err(ShellFault::Range { name: Input::Arms, .. })));

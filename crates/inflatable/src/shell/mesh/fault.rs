@@ -86,7 +86,8 @@ impl fmt::Display for MeshFault {
             Self::Empty => write!(f, "a mesh needs at least one triangle"),
             Self::NotFinite { point } => write!(f, "point {point} has a coordinate that is not finite"),
             Self::NoSuchPoint { triangle, found, points } => {
-                write!(f, "triangle {triangle} names point {found}, and there are {points} points, from 0")
+                write!(f, "triangle {triangle} refers to point {found}, but there are only {points} points, \
+                     counted from 0")
             }
             Self::Unused { point } => write!(f, "no triangle uses point {point}: leave it out"),
             Self::NotCounterclockwise { triangle, area } => {
@@ -100,11 +101,11 @@ impl fmt::Display for MeshFault {
             }
             Self::Unnamed { ends: [a, b], triangle } => write!(
                 f,
-                "triangle {triangle} has no neighbour at the edge between points {a} and {b}, which is no border: \
-                 join a hanging point, or name the border"
+                "triangle {triangle} has no neighbour at the edge between points {a} and {b}, which is not a \
+                 border: join a hanging point, or declare the border"
             ),
             Self::Pinched { point, borders } => {
-                write!(f, "{borders} border edges end at point {point}, and 2 must: part the sheet there")
+                write!(f, "{borders} border edges end at point {point}, but must be 2: split the sheet there")
             }
             Self::Dimension { name, found, allowed } => write!(f, "{name} is {found}, allowed is {allowed}"),
             Self::TooMany { most } => {

@@ -66,7 +66,7 @@ impl Meshed {
         let too_wide = MeshFault::Dimension {
             name: "the margin's width",
             found: width,
-            allowed: "less: it has no room",
+            allowed: "a smaller one, for which there is room",
         };
         let edge = edge.filter(|edge| !edge.is_empty()).ok_or(too_wide)?;
         // Counterclockwise: back along the rim, out, along the cut edge, in.
