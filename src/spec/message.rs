@@ -67,7 +67,7 @@ pub(super) fn malformed<Q: Quantity>(
         }
         QuantityFault::NotANumber if text.contains('\u{2212}') => {
             Fault::error(FaultCode::NotANumber, span, message)
-                .label("its sign is U+2212, a typographer's minus")
+                .label("its sign is U+2212, a typographic minus sign")
                 .help(format!("write {key} = \"{}\"", text.trim().replace('\u{2212}', "-")))
         }
         QuantityFault::NotANumber => Fault::error(FaultCode::NotANumber, span, message)

@@ -37,14 +37,14 @@ impl fmt::Display for NameFault {
             Self::Direction(c) => {
                 write!(
                     f,
-                    "a name must read the same everywhere: take out U+{:04X}, which turns the direction of text",
+                    "a name must read the same everywhere: remove U+{:04X}, which turns the direction of text",
                     u32::from(*c)
                 )
             }
             Self::NoCharacter(c) => {
                 write!(
                     f,
-                    "a name must consist of characters, and U+{:04X} is none: take it out",
+                    "a name must consist of characters, and U+{:04X} is not one: remove it",
                     u32::from(*c)
                 )
             }

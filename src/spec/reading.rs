@@ -212,7 +212,7 @@ fn check_ptfe(s: &mut Section<'_, '_>, temperature: Temperature) {
     } else if temperature.0 > 260.0 {
         let fault = Fault::warning(FaultCode::Ptfe, place, message)
             .label("above 260 C the PTFE release layer decomposes slowly")
-            .help("seal at 260 C or below, or see to good ventilation");
+            .help("seal at 260 C or below, or ensure good ventilation");
         s.report(fault);
     }
 }

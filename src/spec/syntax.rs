@@ -46,7 +46,7 @@ fn fault(error: &toml::de::Error, text: &str, root: &RawTable) -> Fault {
         let right = QUOTES
             .iter()
             .fold(line.to_owned(), |line, (curly, plain)| line.replace(*curly, &plain.to_string()));
-        let found = format!("the quotes are typographer's, {curly} is U+{:04X}", u32::from(curly));
+        let found = format!("the quotes are typographic, {curly} is U+{:04X}", u32::from(curly));
         return as_error(&found, &span)
             .label(format!("plain quotes are needed: {plain}"))
             .help(format!("write {}", right.trim()));
@@ -79,7 +79,7 @@ fn duplicate(text: &str, span: &Range<usize>, root: &RawTable) -> Fault {
     let here = 1 + text.get(..span.start).map_or(0, |before| before.matches('\n').count());
     match written.or_else(opened).filter(|line| *line < here) {
         Some(line) => fault.label(format!("line {line} has it already")).help("delete one of the two"),
-        None => fault.label("this was written before"),
+        None => fault.label("this key occurs earlier"),
     }
 }
 

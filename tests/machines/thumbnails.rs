@@ -65,5 +65,5 @@ fn a_host_finds_two_pictures_of_their_sizes() {
 fn pictures_in_parentheses_are_refused() {
     let text = with_pictures("generic").replace("comments = \"semicolon\"", "comments = \"parentheses\"");
     let faults = read_machine(&Source::new("machine", &text)).expect_err("no host reads them");
-    assert!(faults.to_string().contains("hosts read pictures behind `;` only"), "{faults}");
+    assert!(faults.to_string().contains("hosts read pictures only from comments with `;`"), "{faults}");
 }

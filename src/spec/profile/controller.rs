@@ -26,7 +26,7 @@ pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
             place,
             "`thumbnails` is true, but `comments` are in parentheses",
         )
-        .label("hosts read pictures behind `;` only: write false, or `comments = \"semicolon\"`");
+        .label("hosts read pictures only from comments with `;`: write false, or `comments = \"semicolon\"`");
         root.report(fault);
     }
     let line_length = read_line_length(root, dialect);

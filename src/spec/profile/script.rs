@@ -104,11 +104,11 @@ fn read_command(
     if is_plain(line) && !line.trim().is_empty() && found.is_none() {
         let message = format!("a line of `{key}` is {}", quoted(line));
         let may = format!(
-            "must be one of {}: a program is proven from its first word on",
+            "must be one of {}: the proof of a program starts at its first word",
             allowed(part, vocabulary)
         );
         let remedy = if line.contains([';', '(']) {
-            "programs carry no remarks of a profile: write them after # here, or for the operator in `requires`"
+            "programs contain no comments of a profile: write them after # here, or for the operator in `requires`"
         } else {
             "set anything else on the controller itself, before the program runs"
         };

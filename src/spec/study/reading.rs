@@ -181,7 +181,7 @@ fn read_axis(leaf: Leaf<'_>, faults: &mut Vec<Fault>) -> Option<Axis> {
         RawKind::Text(text) if text.contains("..") => {
             counted_out(&field, text).map_err(|why| told(FaultCode::OutOfRange, &why))
         }
-        _ => Err(told(FaultCode::WrongType, label).help("one value that is kept belongs in [set]")),
+        _ => Err(told(FaultCode::WrongType, label).help("a single fixed value belongs in [set]")),
     };
     match values {
         Ok(values) => Some(Axis::listed(field, values)),
@@ -234,7 +234,7 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
             if from <= to {
                 Ok([from, to])
             } else {
-                Err("the range falls: write the smaller end first".to_owned())
+                Err("the range is descending: write the smaller end first".to_owned())
             }
         });
         match ends {

@@ -47,7 +47,7 @@ fn every_fault_says_what_was_found_and_what_is_allowed() {
         (
             with("[vary]\nstar.points = 4\n"),
             "wrong-type",
-            "must be a list, [a, b, c], or \"FROM..TO/COUNT\" (one value that is kept belongs in [set])",
+            "must be a list, [a, b, c], or \"FROM..TO/COUNT\" (a single fixed value belongs in [set])",
         ),
         (with("[vary]\nstar.points = []\n"), "out-of-range", "must hold at least one value"),
         (with("[vary]\nstar.points = [2]\n"), "out-of-range", "`points` is 2: must be from 3 to 64"),
@@ -130,7 +130,7 @@ fn what_only_shells_know_is_asked_of_shells() {
         (
             with(&format!("fineness = \"coarse\"\n{vary}")),
             "conflict",
-            "`fineness` is the shell's: no row of this study computes a shell",
+            "`fineness` is for shells only: no row of this study computes a shell",
         ),
         (with(&format!("model = \"shell\"\nfineness = \"finest\"\n{vary}")), "unknown-choice", "\"fine\""),
         (with(&format!("outputs = [\"volume_mm3\"]\n{vary}")), "no-column", "only shells have this column"),
