@@ -25,7 +25,7 @@ fn refusal(shape: &SealedShape, leak: &Leak) -> Refusal {
             key::seal::BAND,
             RefusalCode::SeamGap,
             format!("a gap of {gap:.6} mm in the {}", seam(at)),
-            "a seam has no gap: try another band".to_owned(),
+            "a seam must not have a gap: change band".to_owned(),
         ),
         Leak::CrossesItself(at, places) => (
             key::seal::BAND,
@@ -54,7 +54,7 @@ fn refusal(shape: &SealedShape, leak: &Leak) -> Refusal {
         Leak::SealedPort(_) => (
             key::inlet::NONE,
             RefusalCode::WrongOpening,
-            "the inlet is sealed: no seam opens there".to_owned(),
+            "the inlet is sealed: no seam has an opening there".to_owned(),
             "change [inlet]".to_owned(),
         ),
         Leak::NarrowPort(port, width) => {

@@ -105,11 +105,11 @@ impl fmt::Display for SealReport {
         }
         if self.leaks.is_empty() {
             let but = if self.pieces.iter().any(|piece| piece.passage.inlet.is_some()) {
-                " but the inlet"
+                " except the inlet"
             } else {
-                ": the tube is closed all around, without an inlet"
+                "; the tube is closed all around, without an inlet"
             };
-            writeln!(f, "  tight: no way for air{but}")?;
+            writeln!(f, "  airtight: no opening{but}")?;
         }
         Ok(())
     }

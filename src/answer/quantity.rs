@@ -66,7 +66,7 @@ pub fn range<Q: Quantity>(allowed: Allowed) -> impl Fn(&str) -> Result<(Q, Q), S
         if from.base() <= to.base() {
             Ok((from, to))
         } else {
-            Err(format!("the range falls; write \"{to}..{from}\""))
+            Err(format!("the range is descending; write \"{to}..{from}\""))
         }
     }
 }
@@ -101,7 +101,7 @@ pub fn evenly(
     let count = count.trim().parse::<u32>().ok().filter(|count| (1..=most).contains(count));
     let count = count.ok_or_else(|| format!("the count after \"/\" must be 1 to {most}"))?;
     if count == 1 && from != to {
-        return Err(format!("say how many there are: write \"{both}/COUNT\", with a COUNT of 2 or more"));
+        return Err(format!("give the number of values: write \"{both}/COUNT\", with a COUNT of 2 or more"));
     }
     let part = |i: u32| f64::from(i) / f64::from((count - 1).max(1));
     Ok((0..count).map(|i| from + part(i) * (to - from)).collect())
@@ -153,7 +153,7 @@ mod tests {
         let angles = range::<Angle>(Allowed::between(0.0, 180.0));
         assert_eq!(angles("10 deg..1 rad").map(|(from, to)| from.0 < to.0), Ok(true));
         assert_eq!(angles("30 deg"), Ok((Angle(30.0), Angle(30.0))));
-        assert_eq!(angles("30 deg..10 deg"), Err("the range falls; write \"10 deg..30 deg\"".to_owned()));
+        assert_eq!(angles("30 deg..10 deg"), Err("the range is descending; write \"10 deg..30 deg\"".to_owned()));
         assert!(angles("0 deg..10 deg").is_err() && angles("10 deg..").is_err());
         let why = angles("20..40").expect_err("no unit");
         assert!(why.ends_with("and one of deg, rad, at each end: 20 deg..40 deg"), "{why}");

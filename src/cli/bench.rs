@@ -69,8 +69,8 @@ impl BenchArgs {
         let Some((flat, inflated)) = self.flat_angle.zip(self.inflated_angle) else { return Ok(None) };
         if inflated > flat {
             return Err(Failure::Message(format!(
-                "--inflated-angle is {inflated} deg; must be: at most the flat one, {flat} deg, because a hinge closes; were the two \
-                 exchanged?"
+                "--inflated-angle is {inflated} deg; must be: at most the flat one, {flat} deg, because a \
+                 hinge closes; check whether the two are exchanged"
             )));
         }
         let measured = (180.0 - inflated) / (180.0 - flat);

@@ -49,7 +49,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let targets = targets(args)?;
     if args.watch {
         if args.specs.iter().any(|spec| is_standard_input(spec)) {
-            return Err(Failure::Usage("--watch needs files: standard input is not saved again".to_owned()));
+            return Err(Failure::Usage("--watch needs files: it cannot watch standard input".to_owned()));
         }
         watched(args, &targets);
     }
@@ -114,7 +114,7 @@ fn time_of_day() -> String {
 fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
     if args.output.is_some() && args.specs.len() > 1 {
         return Err(Failure::Usage(
-            "-o is for one spec: several have a directory each, out/ and the spec's name".to_owned(),
+            "-o is for one spec only: each of several gets its own directory, out/ and the spec's name".to_owned(),
         ));
     }
     let mut targets: BTreeMap<&Path, PathBuf> = BTreeMap::new();
@@ -127,7 +127,7 @@ fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
         if let Some((other, _)) = targets.iter().find(|(_, taken)| **taken == target) {
             let (one, two, target) = (shown(other), shown(spec), shown(&target));
             return Err(Failure::Usage(format!(
-                "{one} and {two} would both go to {target}: build them one by one, with -o"
+                "{one} and {two} would both be written to {target}: build them one by one, with -o"
             )));
         }
         let _ = targets.insert(spec, target);
@@ -218,12 +218,13 @@ fn request(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity
         request.add(before);
         if !verbosity.quiet {
             tell(&format!(
-                "note: {names} comes again, as {} had it; `--with` names other kinds",
+                "note: {names} is built again, as before in {}; `--with` names other kinds",
                 shown(target)
             ));
         }
     } else {
-        tell(&format!("note: {names} was in {} and is not built again: `--with {names}`", shown(target)));
+        tell(&format!("note: {names} was in {} and is not built again; to build it: `--with \
+             {names}`", shown(target)));
     }
     request
 }

@@ -60,7 +60,7 @@ fn pictured(args: &Args, loaded: &Loaded, marks: &[FaultMark]) -> Result<(), Fai
     }
     replace(path, &emit::faults(&spec.name, &figures(spec), marks))?;
     let what = match marks.len() {
-        0 => "the drawing: nothing was found".to_owned(),
+        0 => "the drawing without findings".to_owned(),
         1 => "the drawing and 1 finding".to_owned(),
         number => format!("the drawing and {number} findings"),
     };

@@ -49,7 +49,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let there = shown(&output);
         let remedy = "--force replaces it, -o FILE writes another";
         return Err(Failure::Message(format!(
-            "{there} is there already, from an earlier run or your own: {remedy}"
+            "{there} exists already, from an earlier run or your own: {remedy}"
         )));
     } else {
         write_new(&output, &proven.text)?;

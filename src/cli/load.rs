@@ -101,7 +101,7 @@ impl Loaded {
     /// Refuses a gripper that does not meet its own `[load]`, unless `anyway` is set.
     pub(super) fn fit(&self, forecast: &Forecast, anyway: bool) -> Result<(), Failure> {
         let anyhow = |refusal: Refusal| Refusal {
-            remedy: format!("{}; `--anyway` takes it as it is", refusal.remedy),
+            remedy: format!("{}; `--anyway` accepts it", refusal.remedy),
             ..refusal
         };
         let unfit: Refusals = forecast.unfit().into_iter().map(anyhow).collect();

@@ -72,7 +72,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         (Some(line), _, _) => ResumeAt::Line(line),
         (_, Some(share), _) => ResumeAt::Share(share),
         (_, _, Some(point)) => ResumeAt::Near(point),
-        _ => return Err(Failure::Message("where did it stop? --line, --at or --near".to_owned())),
+        _ => return Err(Failure::Message("give the place where it stopped: --line, --at or --near".to_owned())),
     };
     let resumed = resume(&text, place, args.overlap)
         .map_err(|fault| Failure::Message(format!("{}: {fault}", shown(&args.job))))?;

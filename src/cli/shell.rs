@@ -74,7 +74,7 @@ impl ShellArgs {
 
     /// Refuses options that only the shell model has.
     pub(super) fn not_by_others(&self) -> Result<(), Failure> {
-        let text = "--vtu is the shell's: add --model shell, or leave it out";
+        let text = "--vtu needs the shell model: add --model shell, or leave it out";
         if self.wants_vtu() { Err(Failure::Usage(text.to_owned())) } else { Ok(()) }
     }
 

@@ -94,7 +94,7 @@ fn a_star_without_an_inlet_has_no_way_for_air_at_all() {
     let shut = star(5, "50 mm", "30 mm", "30 deg", "[inlet]\nnone = true\n");
     fs::write(dir.path().join("spec.toml"), shut).expect("written");
     let said = stdout(&run(dir.path(), &["check", "spec.toml", "-v"]));
-    assert!(said.contains("closed all around") && !said.contains("but the inlet"), "{said}");
+    assert!(said.contains("closed all around") && !said.contains("except the inlet"), "{said}");
 }
 
 #[test]
@@ -175,7 +175,7 @@ fn a_word_that_is_nearly_right_is_told_what_it_should_be() {
     let with = |old: &str, new: &str| plain.replace(old, new);
     for (spec, words) in [
         (with("\"50 mm\"", "\"50,5 mm\""), "write inner_radius = \"50.5 mm\""),
-        (with("\"50 mm\"", "\"\u{2212}50 mm\""), "U+2212, a typographer's minus"),
+        (with("\"50 mm\"", "\"\u{2212}50 mm\""), "U+2212, a typographic minus sign"),
         (with("\"50 mm\"", "\u{201c}50 mm\u{201d}"), "write inner_radius = \"50 mm\""),
         (with("\"50 mm\"", "'2\"'"), "did you mean \"2 in\"?"),
         (with("\"50 mm\"", "\"2 inches\""), "did you mean \"2 in\"?"),

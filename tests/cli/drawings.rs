@@ -70,7 +70,7 @@ fn warnings_are_in_json_and_in_the_picture() {
     let round = NOTCH.replace("H 90 V 65 H 82 V 95 H 5 Z", "H 5 Z");
     fs::write(dir.join("d.svg"), round).expect("written");
     let output = run(dir, &["check", "a.toml", "--picture", "p.svg"]);
-    assert!(stderr(&output).contains("shows the drawing: nothing was found"), "{}", stderr(&output));
+    assert!(stderr(&output).contains("shows the drawing without findings"), "{}", stderr(&output));
     assert!(fs::read_to_string(dir.join("p.svg")).expect("a picture").contains("nothing found"));
     assert_eq!(json(dir, &["check", "a.toml", "--json"])["warnings"], serde_json::json!([]));
 }

@@ -122,7 +122,7 @@ fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
         dir.path(),
         &["feedcheck", "star.toml"],
         1,
-        &["feedcheck.gcode is there already", "--force replaces it, -o FILE writes another"],
+        &["feedcheck.gcode exists already", "--force replaces it, -o FILE writes another"],
     );
     assert_eq!(read(dir.path(), "feedcheck.gcode"), "mine");
     assert!(done(dir.path(), &["feedcheck", "star.toml", "-o", "a b.gcode"]).contains("wrote a b.gcode"));
@@ -602,7 +602,7 @@ fn calibrate_names_the_line_it_cannot_read() {
                 "error[cell-count]: 7 cells",
                 "results.csv:2:1",
                 "must be 6, as the header has",
-                "a decimal one?",
+                "with a point: 10.5",
             ],
         ),
         (good.replace(",75,\n", ",75,\n\n\n7,200\n"), &["error[cell-count]: 2 cells", "results.csv:6:1"]),
@@ -615,7 +615,7 @@ fn calibrate_names_the_line_it_cannot_read() {
         (good.replacen("200,", "hot,", 1), &["`temperature_C` is `hot`", "results.csv:2:3"]),
         (
             good.replacen(",74,", ",74,\"peel", 1),
-            &["error[open-quote]", "results.csv:2:1", "is a quote left open?"],
+            &["error[open-quote]", "results.csv:2:1", "check for a quote that is not closed"],
         ),
     ] {
         let dir = calibration(&text);

@@ -180,7 +180,7 @@ fn numbers_without_sense_are_wrong_usage() {
             &["nan mm..5 mm", "5..6"],
             "write the length as a number and one of mm",
         ),
-        (&optimize, "--grasp", &["5 mm..4 mm"], "the range falls; write \"4 mm..5 mm\""),
+        (&optimize, "--grasp", &["5 mm..4 mm"], "the range is descending; write \"4 mm..5 mm\""),
         (&cone, "--friction", &["nan", "inf", "-0.1"], "must be at least 0 and at most 10"),
         (
             &cone,

@@ -124,7 +124,7 @@ fn kinds_that_were_asked_for_once_come_again() {
     assert!(!build(&["--with", "preview-png"]).contains("preview-png"));
     assert!(there("sheet-1-preview.png"));
     let said = build(&[]);
-    assert!(there("sheet-1-preview.png") && said.contains("note: preview-png comes again"), "{said}");
+    assert!(there("sheet-1-preview.png") && said.contains("note: preview-png is built again"), "{said}");
     let said = build(&["--with", "scene-glb"]);
     assert!(!there("sheet-1-preview.png") && there("scene.glb"));
     assert!(said.contains("preview-png was in out/star and is not built again"), "{said}");
@@ -134,7 +134,7 @@ fn kinds_that_were_asked_for_once_come_again() {
     assert!(there("report.html") && there("scene.glb") && said.is_empty(), "{said}");
     let said = build(&["--only", "seal-gcode", "-q"]);
     assert!(
-        !there("report.html") && said.contains("is not built again: `--with report,scene-glb`"),
+        !there("report.html") && said.contains("is not built again; to build it: `--with report,scene-glb`"),
         "{said}"
     );
     assert!(run(folder.path(), &["verify", "out/star"]).status.success());

@@ -30,7 +30,7 @@ pub(super) fn run(dir: &Path, output: &Path, verbosity: Verbosity) -> Result<(),
         let sound = is_sound(path, job).map_err(|error| Failure::file("read", path, &error))?;
         if !sound {
             let text = format!(
-                "{} is damaged: it is not what was written; delete it, and compute it again",
+                "{} is damaged: it is not as it was written; delete it, and compute it again",
                 shown(path)
             );
             return Err(Failure::Message(text));
@@ -74,7 +74,7 @@ fn whole(dir: &Path, files: &[PathBuf]) -> Result<Vec<JoinedPart>, Failure> {
             Some(job) => {
                 let _ = found.insert(job.part, (path.clone(), job));
             }
-            None => faults.push(format!("{} is foreign: it is not a part of this study", shown(path))),
+            None => faults.push(format!("{} is not a part of this study", shown(path))),
         }
     }
     let missing: Vec<usize> = (1..=first.parts).filter(|part| !found.contains_key(part)).collect();

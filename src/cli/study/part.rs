@@ -133,7 +133,7 @@ impl Parts<'_> {
         written().map_err(|error| match error.kind() {
             io::ErrorKind::Interrupted if ear.listening.has_heard() => {
                 let text = format!(
-                    "stopped in part {part} of {}; the same command goes on where it stopped",
+                    "stopped in part {part} of {}; the same command continues where it stopped",
                     self.of
                 );
                 Failure::Stopped(text)

@@ -128,7 +128,7 @@ impl Destination {
                 }
             })?;
         if there > 0 && !self.quiet.quiet {
-            tell(&format!("{there} of {} parts were there already", span.to - span.from + 1));
+            tell(&format!("{there} of {} parts existed already", span.to - span.from + 1));
         }
         Ok(())
     }
@@ -192,7 +192,7 @@ impl Destination {
         };
         written().map_err(|error| match error.kind() {
             io::ErrorKind::Interrupted if ear.listening.has_heard() => {
-                let kept = if study.is_slow() { "; the same command goes on where it stopped" } else { "" };
+                let kept = if study.is_slow() { "; the same command continues where it stopped" } else { "" };
                 Failure::Stopped(format!("stopped; {} was not written{kept}", shown(path)))
             }
             _ => Failure::file("write", path, &error),

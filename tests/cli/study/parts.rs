@@ -70,7 +70,7 @@ fn what_is_there_is_not_computed_again() {
     let before = modified();
     fs::remove_file(at.join("parts/part-3-of-4.csv")).expect("removed");
     let again = run(at, &["sweep", "study.toml", "--parts", "4", "-o", "parts"]);
-    assert!(text(&again.stderr).contains("3 of 4 parts were there already"), "{}", text(&again.stderr));
+    assert!(text(&again.stderr).contains("3 of 4 parts existed already"), "{}", text(&again.stderr));
     assert_eq!(modified(), before);
     let _ = done(at, &["study", "join", "parts", "-o", "joined.csv"]);
     assert_eq!(
@@ -95,7 +95,7 @@ fn parts_of_another_study_are_neither_joined_nor_written_over() {
     }
     let said = refused(at, &["study", "join", "parts", "-o", "joined.csv"], 1);
     assert!(
-        said.contains("part-2-of-2.csv is foreign") && said.contains("1 of 2 parts are missing: 2"),
+        said.contains("part-2-of-2.csv is not a part of this study") && said.contains("1 of 2 parts are missing: 2"),
         "{said}"
     );
     // A part that was edited.
@@ -122,7 +122,7 @@ fn a_part_that_is_no_file_of_its_own_is_not_read() {
         fs::remove_file(path).expect("removed");
         std::os::unix::fs::symlink("/dev/zero", path).expect("linked");
         let said = refused(at, &["study", "join", "parts", "-o", "joined.csv"], 1);
-        assert!(said.contains("part-2-of-2.csv is foreign: it is not a part of this study"), "{said}");
+        assert!(said.contains("part-2-of-2.csv is not a part of this study"), "{said}");
         fs::remove_file(path).expect("removed");
         fs::write(path, whole).expect("written");
     }
@@ -130,7 +130,7 @@ fn a_part_that_is_no_file_of_its_own_is_not_read() {
     let made = std::process::Command::new("mkfifo").arg(&part).status().expect("it starts");
     assert!(made.success());
     let said = refused(at, &["study", "join", "parts", "-o", "joined.csv"], 1);
-    assert!(said.contains("part-2-of-2.csv is foreign"), "{said}");
+    assert!(said.contains("part-2-of-2.csv is not a part of this study"), "{said}");
 }
 
 #[test]

@@ -75,7 +75,7 @@ fn rows_that_are_kept_are_not_computed_again() {
         fs::write(at.join("other.toml"), BVP.replace("40 deg", "41 deg")).expect("written");
         let other = [&["sweep", "other.toml"], out].concat();
         let said = refused(at, &other, 1);
-        assert!(said.contains("is not of this study: delete it, or choose another place"), "{said}");
+        assert!(said.contains("does not belong to this study: delete it, or choose another place"), "{said}");
         assert_eq!(fs::read_to_string(at.join(kept)).expect("kept"), text);
         // A row with an impossible value shows that it comes from the stored file. Another one is damaged.
         let (head, rest) = text.split_once('\n').expect("a head");
