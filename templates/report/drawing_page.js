@@ -25,7 +25,7 @@ function drawingVerdict() {
   if (range && drawn.pressure_kPa > range[0]) return ["fair", "The seal may burst", warnings];
   if (warnings) return ["fair", `Inflated at ${pressure}`, warnings];
   if (!range) return ["fair", `Inflated at ${pressure}`, "Burst pressure unknown: measure the seal with a coupon."];
-  return ["good", `Holds ${pressure}`, "The seal holds all over the range of its burst pressure."];
+  return ["good", `Holds ${pressure}`, "The pressure is below the whole range of the burst pressure."];
 }
 
 function drawingFigures() {
@@ -66,6 +66,6 @@ function drawingEvidence() {
   return [
     ["Size, height, volume", "the shell: the whole sheet in triangles", `mesh errors are shown; ${listed(unknowns.map(String))} unknowns on the finest mesh`],
     ["Pull on the seal", "the same, as a mean over the width of the band", "without the flaps outside of the band"],
-    ["Bursting", "pull against `seal_strength`", drawn.burst_pressure_kPa === null ? "unknown: peel coupons (`stargrip-cam coupon`) and write their seal_strength" : "in proportion to the pressure, with a range"],
+    ["Bursting", "pull against `seal_strength`", drawn.burst_pressure_kPa === null ? "unknown: peel coupons (`stargrip-cam coupon`) and set seal_strength" : "in proportion to the pressure, with a range"],
   ];
 }

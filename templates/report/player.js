@@ -134,7 +134,7 @@ function showSeam(move) {
   document.querySelectorAll("#seams tbody tr").forEach((row, i) => row.classList.toggle("on", i + 1 === seam.order));
   at("seam-says").replaceChildren(
     make("b", {}, `Seam ${seam.order}: ${seamName(seam)}`),
-    make("span", {}, `${figure(seam.length_mm, "mm", 4)} in ${hours(seam.time_s)} at ${data.seal.speed}, of it ${figure(seam.overlap_mm, "mm")} twice`),
+    make("span", {}, `${figure(seam.length_mm, "mm", 4)} in ${hours(seam.time_s)} at ${data.seal.speed}, of which ${figure(seam.overlap_mm, "mm")} twice`),
     KIND === "star" ? make("span", {}, `Load on the seal: ${loadSays(seam.load)}`) : "",
   );
 }
@@ -306,7 +306,7 @@ function play(on) {
 
 function showJob() {
   const places = data.sheets.length > 1 ? ` on ${data.sheets.length} sheets` : "";
-  at("seal-lead").textContent = `${several(data.programs.length, "program")}${places}, ${hours(job.total)} in all. Move the time, or point at a seam.`;
+  at("seal-lead").textContent = `${several(data.programs.length, "program")}${places}, ${hours(job.total)} in all. Move the time slider, or point at a seam.`;
   at("layers").append(
     ...LAYERS.map(([name, says]) => {
       const box = make("input", { type: "checkbox", checked: name !== "travels", "data-layer": name });

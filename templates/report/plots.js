@@ -120,7 +120,7 @@ function showPlots() {
   const chart = chartOf(0);
   const { load } = data;
   if (!chart) {
-    at("curves-lead").textContent = load && load.pressure_kPa ? "What this star does at these pressures is unknown." : "Curves need a pressure in [load].";
+    at("curves-lead").textContent = load && load.pressure_kPa ? "The behaviour of this star at these pressures is unknown." : "Curves need a pressure in [load].";
     return;
   }
   const several_stars = data.parts.length > 1 ? " Star 1; the others differ." : "";
@@ -153,7 +153,7 @@ function showPlots() {
       title: "Contraction by the number of points", x: { label: "points", whole: true }, y: { label: "contraction, %" },
       dots: chart.by_points.map((row) => [row.points, 100 * row.contraction, percent(row.contraction_range)]),
       own: known ? { x: data.parts[0].points, y: 100 * own.contraction, range: rangeC, says: figure(100 * own.contraction, "%") } : null,
-      note: `${says(rangeC, "%")} Radius, width and angle as they are.`,
+      note: `${says(rangeC, "%")} Radius, width and angle are those of this design.`,
     }),
   ];
   at("plots").append(...plots.filter(Boolean));

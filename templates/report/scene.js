@@ -48,7 +48,7 @@ function program(gl) {
   gl.bindAttribLocation(made, 0, "point");
   gl.bindAttribLocation(made, 1, "way");
   gl.linkProgram(made);
-  if (!gl.getProgramParameter(made, gl.LINK_STATUS)) throw new Error("the shaders are not understood");
+  if (!gl.getProgramParameter(made, gl.LINK_STATUS)) throw new Error("the browser cannot compile the shaders");
   return made;
 }
 

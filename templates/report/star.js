@@ -116,7 +116,7 @@ function showStars() {
   const chart = chartOf(0);
   at("star-lead").textContent = chart
     ? "Simplified: straight arms, round tubes; real hinges wrinkle."
-    : data.load && data.load.pressure_kPa ? "This star has no prediction at this pressure; only the flat star is shown." : "The spec has no pressure in [load], so only the flat star is known.";
+    : data.load && data.load.pressure_kPa ? "This star has no prediction at this pressure; only the flat star is shown." : "The spec has no pressure in [load], so only the flat star is shown.";
   if (data.parts.length > 1) {
     at("star-which").hidden = false;
     const names = data.parts.map((part, i) => make("option", { value: i }, stars(data.sheets.flatMap((sheet) => sheet.stars).filter((other) => other.part === i).map((other) => other.star))));

@@ -71,18 +71,18 @@ function showEvidence() {
       ["Contraction", "closed radius over that of the flat star", sure("contraction", "%", "range unknown", 100)],
       ["Force on the object", model, sure("object_force_N", "N", "range unknown")],
       ["Radial stiffness", model, sure("radial_stiffness_N_per_m", "N/m", "range unknown")],
-      ["Payload", "friction times force, all stars", sure("payload_kg", "kg", "as good as the force and the friction that was given")],
-      ["Bursting", "membrane ring at the realised radius", prediction.burst_pressure_kPa === null ? "unknown: peel coupons (`stargrip-cam coupon`) and write their seal_strength" : sure("burst_pressure_kPa", "kPa", "conservative: a sharp corner yields before it peels")],
-      ["Mass", "areal_density times fabric", prediction.mass_g === null ? "needs an areal_density" : "as good as the areal density that was given"],
+      ["Payload", "friction times force, all stars", sure("payload_kg", "kg", "as accurate as the force and the given friction")],
+      ["Bursting", "membrane ring at the realised radius", prediction.burst_pressure_kPa === null ? "unknown: peel coupons (`stargrip-cam coupon`) and set seal_strength" : sure("burst_pressure_kPa", "kPa", "conservative: a sharp corner yields before it peels")],
+      ["Mass", "areal_density times fabric", prediction.mass_g === null ? "needs an areal_density" : "as accurate as the given areal density"],
     );
   } else {
     rows.push(["Predictions", "none", "the spec has no [load]"]);
   }
   if (KIND === "drawing") at("evidence-lead").textContent = "Geometry and times are exact. Numbers of the shell have their mesh error; no drawn piece was measured for them.";
   else at("evidence-lead").textContent = prediction
-    ? "Ranges come from computed shells, in which 95 of 100 simulated grippers lay. No gripper was measured for them; where none is given, nothing was compared."
+    ? "Ranges come from computed shells: 95 of 100 simulated grippers lay in them. No gripper was measured; where no range is given, nothing was compared."
     : "Geometry and times are exact; nothing is predicted without [load].";
-  table("sources", ["Figure", "Comes from", "How good it is"], rows.map((row) => row.map(prose)));
+  table("sources", ["Figure", "Comes from", "Accuracy"], rows.map((row) => row.map(prose)));
 }
 
 /** The checklists' texts for this design. */
@@ -119,8 +119,8 @@ function showChecks() {
   for (const element of document.querySelectorAll("[data-when]")) element.hidden = !says[element.dataset.when];
   at("check-programs").append(
     ...data.programs.map((one, i) => {
-      const text = `Program ${i + 1}, ${stars(one.stars)} on sheet ${one.sheet}: ${hours(one.time_s)}; begun `;
-      const blank = make("input", { class: "blank", type: "text", "aria-label": `when program ${i + 1} was begun` });
+      const text = `Program ${i + 1}, ${stars(one.stars)} on sheet ${one.sheet}: ${hours(one.time_s)}; started at `;
+      const blank = make("input", { class: "blank", type: "text", "aria-label": `when program ${i + 1} was started` });
       return make("li", {}, make("label", {}, make("input", { type: "checkbox" }), " ", make("span", {}, text, blank)));
     }),
   );

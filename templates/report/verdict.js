@@ -37,7 +37,7 @@ function verdict() {
   const { pressure_kPa: pressure, object_radius_mm: object } = load;
   const found = prediction.verdict;
   if (!pressure) {
-    return ["plain", "No verdict without a pressure", "The spec's [load] names no pressure, on which everything depends that a star does."];
+    return ["plain", "No verdict without a pressure", "The spec's [load] has no pressure; every prediction of a star depends on it."];
   }
   if (!found) {
     const closed = prediction.final_radius_mm;
@@ -45,7 +45,7 @@ function verdict() {
     return ["plain", title, `At ${figure(pressure, "kPa")}. Set an \`object_diameter\` in [load] to see here whether it is held.`];
   }
   const reasons = found.reasons.map((reason) => `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`).join(" ");
-  const friction = load.friction === null ? "" : `Counted with a friction of ${number(load.friction)}. `;
+  const friction = load.friction === null ? "" : `Computed with a friction of ${number(load.friction)}. `;
   if (bursts(1)) return ["bad", "The seal bursts at this pressure", `${friction}${reasons}`];
   if (found.holds === "no") return ["bad", "Does not hold the object", `${reasons} ${friction}`];
   const force = found.force_N === null || found.holds !== "yes" ? "" : `${several(data.bill.stars.length, "star")} press${data.bill.stars.length === 1 ? "es" : ""} on an object ${figure(2 * object, "mm")} across with ${figure(found.force_N, "N")}${simulated(found.force_range_N, "N")} at ${figure(pressure, "kPa")}. `;
@@ -81,7 +81,7 @@ function keyFigures() {
   };
   if (prediction) {
     predicted("Force on the object, each star", "object_force_N", "N", 1, prediction.object_force_N === null ? "needs a pressure and an object" : null);
-    predicted("It carries, whole stack", "payload_kg", "kg", 1, prediction.payload_kg === null ? "needs friction and an object" : null);
+    predicted("Payload, whole stack", "payload_kg", "kg", 1, prediction.payload_kg === null ? "needs friction and an object" : null);
     if (prediction.payload_kg !== null && load.friction !== null) out[out.length - 1][2] += `, friction ${number(load.friction)}`;
     predicted("Closes to, across", "final_radius_mm", "mm", 2);
     const across = prediction.graspable_radius_mm ? prediction.graspable_radius_mm.map((radius) => 2 * radius) : null;
@@ -89,7 +89,7 @@ function keyFigures() {
     out.push(["Holds objects across", span(across, "mm") || UNKNOWN, `between closed and open; the cut hole is ${figure(2 * prediction.hole_radius_mm, "mm")} across`]);
     predicted("Radial stiffness, each star", "radial_stiffness_N_per_m", "N/m");
     out.push(["Pressure", figure(load.pressure_kPa, "kPa"), "above that outside"]);
-    predicted("Bursts at", "burst_pressure_kPa", "kPa", 1, prediction.burst_pressure_kPa === null ? "peel a coupon, write its seal_strength" : null);
+    predicted("Bursts at", "burst_pressure_kPa", "kPa", 1, prediction.burst_pressure_kPa === null ? "peel a coupon, set seal_strength" : null);
   }
   out.push(["Fabric", figure(bill.fabric_mm2 / 100, "cm²"), `both sheets of all ${PIECE}s`]);
   out.push(["Mass of the fabric", figure(bill.mass_g === undefined ? null : bill.mass_g, "g"), bill.mass_g === undefined ? "needs an areal_density" : `all ${PIECE}s`]);

@@ -260,7 +260,7 @@ async function printed(page) {
     must(pages === PAGES, `${pages} pages on paper instead of ${PAGES}`);
     must(/Page size:\s+59[45](\.\d+)? x 84[12]/.test(info), `no A4: ${info}`);
     const words = execFileSync("pdftotext", ["-layout", path, "-"], { encoding: "utf8" });
-    for (const word of ["Checklists for the workshop", "Bill of materials", "Seams, in the order of sealing", "Where each number comes from"]) {
+    for (const word of ["Checklists for the workshop", "Bill of materials", "Seams, in the order of sealing", "Sources of the numbers"]) {
         must(words.includes(word), `on paper there is no "${word}"`);
     }
 }
