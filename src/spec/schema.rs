@@ -37,7 +37,7 @@ object_radius = "30 mm"  # half of object_diameter, which it replaces; set one o
 file = "outline.svg"  # SVG or ASCII DXF, beside this file
 units = "mm"  # of the file's numbers, if it does not state them
 # join = "0.02 mm"  # ends of curves up to this far apart are joined, and reported
-# passage = "15 mm"  # a narrower passage of the air is warned of
+# passage = "15 mm"  # a narrower passage of the air gives a warning
 layers = { "air": ["chamber"], "port": ["inlet"] }  # the role of each layer: air edges, seam centre lines, ports, cut, holes, or ignored
 "#;
 

@@ -30,7 +30,7 @@ function drawingVerdict() {
 
 function drawingFigures() {
   if (!drawn) return [];
-  const out = [["Pressure", figure(drawn.pressure_kPa, "kPa"), "above that outside"]];
+  const out = [["Pressure", figure(drawn.pressure_kPa, "kPa"), "gauge pressure"]];
   const volume = drawn.volume_mm3;
   out.push(["Volume of a piece", figure(volume ? volume.value / 1000 : null, "cm³"), volume ? `mesh error ${number(volume.mesh_error / 1000, 2)} cm³` : "the shell was not computed"]);
   const pulls = drawn.chambers.map((one) => one.seal_pull_N_per_mm).filter(Boolean);

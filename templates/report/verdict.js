@@ -88,7 +88,7 @@ function keyFigures() {
     predicted("Contraction", "contraction", "%", 100);
     out.push(["Holds objects across", span(across, "mm") || UNKNOWN, `between closed and open; the cut hole is ${figure(2 * prediction.hole_radius_mm, "mm")} across`]);
     predicted("Radial stiffness, each star", "radial_stiffness_N_per_m", "N/m");
-    out.push(["Pressure", figure(load.pressure_kPa, "kPa"), "above that outside"]);
+    out.push(["Pressure", figure(load.pressure_kPa, "kPa"), "gauge pressure"]);
     predicted("Bursts at", "burst_pressure_kPa", "kPa", 1, prediction.burst_pressure_kPa === null ? "peel a coupon, set seal_strength" : null);
   }
   out.push(["Fabric", figure(bill.fabric_mm2 / 100, "cm²"), `both sheets of all ${PIECE}s`]);

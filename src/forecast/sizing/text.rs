@@ -229,8 +229,8 @@ impl Lines {
         self.value("friction", &format!("{}", requirements.friction), friction);
         if is_assumed {
             let [least, most] = FRICTION_RANGE;
-            self.value("friction_least", &format!("{least}"), "least that it may be");
-            self.value("friction_most", &format!("{most}"), "most that it may be");
+            self.value("friction_least", &format!("{least}"), "lowest expected friction");
+            self.value("friction_most", &format!("{most}"), "highest expected friction");
         }
         self.quantity("mass", requirements.mass, &payload(sure_payload(point, answer), answer.payload_range));
         if let Some(force) = requirements.largest_force {
