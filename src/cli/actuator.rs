@@ -49,7 +49,7 @@ pub(super) struct Args {
     /// The model to use; auto is section.
     #[arg(long, value_name = "MODEL", default_value = "auto")]
     model: Model,
-    /// Also the moment that holds it at each of these angles: "30 deg..90 deg/7".
+    /// Also print the moment that holds the hinge at each of these angles: "30 deg..90 deg/7".
     #[arg(long, value_name = "FROM..TO/COUNT", allow_hyphen_values = true, value_parser = angles)]
     angles: Option<Angles>,
     #[command(flatten)]

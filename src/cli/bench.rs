@@ -35,7 +35,7 @@ pub(super) struct BenchArgs {
     /// The V-actuator's angle between its arms, flat, such as "58 deg".
     #[arg(long, value_name = "ANGLE", requires = "inflated_angle", allow_hyphen_values = true, value_parser = quantity_or_number::<Angle>(Allowed::between(0.0, 180.0)))]
     flat_angle: Option<f64>,
-    /// The same, inflated and free; not above the flat one.
+    /// The V-actuator's angle, inflated and without load; not above the flat one.
     #[arg(long, value_name = "ANGLE", requires = "flat_angle", allow_hyphen_values = true, value_parser = quantity_or_number::<Angle>(Allowed::between(-180.0, 180.0)))]
     inflated_angle: Option<f64>,
     /// The V-actuator's pressure, such as "30 kPa": with it and --spec the fabric's bending_stiffness is found.
@@ -51,10 +51,10 @@ pub(super) struct BenchArgs {
     /// found.
     #[arg(long, value_name = "FILE", requires_all = ["spec", "bias_length"])]
     bias_strip: Option<PathBuf>,
-    /// Its free length between the clamps, at least five times its width.
+    /// Free length of the bias strip between the clamps, at least five times its width.
     #[arg(long, value_name = "LENGTH", requires = "bias_strip", allow_hyphen_values = true, value_parser = quantity::<Length>(Allowed::above(0.0, 1e4)))]
     bias_length: Option<Length>,
-    /// Its width.
+    /// Width of the bias strip.
     #[arg(long, value_name = "LENGTH", default_value = "25 mm", allow_hyphen_values = true, value_parser = quantity::<Length>(Allowed::above(0.0, 1e4)))]
     bias_width: Length,
     /// The V-actuator's R / W as the band makes it.

@@ -11,7 +11,7 @@ use crate::cli::verbosity::Quiet;
 pub(super) struct Args {
     /// The shell.
     shell: Shell,
-    /// Has no effect: only the answer is printed.
+    /// Has no effect: only the result is printed.
     #[command(flatten)]
     _quiet: Quiet,
 }

@@ -36,7 +36,7 @@ pub(super) struct Args {
     /// Radius at first contact, where the travel is 0; default: the predicted final radius of --spec.
     #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE), required_unless_present = "spec")]
     contact_radius: Option<Length>,
-    /// Lay the prediction for this spec over the data; its `[load]` must give the pressure.
+    /// Add the prediction for this spec to the data; its `[load]` must give the pressure.
     #[arg(long)]
     spec: Option<PathBuf>,
     #[command(flatten)]

@@ -24,7 +24,7 @@ pub(super) struct Args {
     /// The program to write; default: feedcheck.gcode, for LinuxCNC feedcheck.ngc.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Write the program over one that is there.
+    /// Replace an existing program.
     #[arg(long)]
     force: bool,
     #[command(flatten)]

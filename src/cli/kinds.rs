@@ -9,10 +9,10 @@ use crate::manifest::ManifestFile;
 /// The kinds of files to make.
 #[derive(clap::Args, Clone, Debug)]
 pub(super) struct Kinds {
-    /// Make only these kinds; the spec, the machine profile and the manifest come always.
+    /// Make only these kinds; the spec, the machine profile and the manifest are always written.
     #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = kind_parser(Kind::ALL))]
     only: Vec<Kind>,
-    /// Make these kinds too, which do not come by default.
+    /// Make these kinds too, which are not made by default.
     #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = extra_parser())]
     with: Vec<Kind>,
 }

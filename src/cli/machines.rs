@@ -26,7 +26,7 @@ enum MachinesCommand {
     Show {
         /// Name of a built-in profile.
         name: String,
-        /// Has no effect: only the answer is printed.
+        /// Has no effect: only the result is printed.
         #[command(flatten)]
         _quiet: Quiet,
     },

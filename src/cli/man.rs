@@ -19,7 +19,7 @@ pub(super) struct Args {
     /// Write all pages into this directory instead.
     #[arg(long, value_name = "DIR", conflicts_with = "command")]
     dir: Option<PathBuf>,
-    /// Has no effect: only the answer is printed.
+    /// Has no effect: only the result is printed.
     #[command(flatten)]
     _quiet: Quiet,
 }

@@ -78,7 +78,7 @@ const GROUPS: [(&str, &[&str]); 4] = [
 
 #[derive(Subcommand, Debug)]
 enum Command {
-    /// Write a commented starter spec, or with --object that of a gripper which holds the object.
+    /// Write a commented starter spec, or with --object the spec of a gripper that holds the object.
     New(new::Args),
     /// Read a spec and print what would be built, or all of its faults.
     Check(check::Args),
@@ -92,7 +92,7 @@ enum Command {
     Feedcheck(feedcheck::Args),
     /// Write programs for seal strips and pouches that test a machine and a fabric.
     Coupon(coupon::Args),
-    /// Turn tests on the bench (peeled strips, a V-actuator, a disc) into values for the spec.
+    /// Convert bench tests (peeled strips, a V-actuator, a disc) into values for the spec.
     Calibrate(calibrate::Args),
     /// Write a program for the rest of a job that was interrupted.
     Resume(resume::Args),

@@ -21,7 +21,7 @@ pub(super) use crate::answer::object::NewGripper;
 /// Arguments about the object.
 #[derive(clap::Args, Debug)]
 pub(super) struct ObjectArgs {
-    /// How wide the object is across where it is gripped: "70 mm".
+    /// Width of the object where it is gripped: "70 mm".
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE), requires = "mass")]
     object: Option<Length>,
     /// Height of the object along the gripper's axis: "57 mm"; default: as tall as wide.

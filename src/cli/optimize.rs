@@ -70,7 +70,7 @@ pub(super) struct Args {
     /// Least burst pressure over pressure; default: 1 if the seal's strength is given.
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
     burst_margin: Option<f64>,
-    /// Compute the best star with the shell, too: seconds to minutes.
+    /// Also compute the best star with the shell: seconds to minutes.
     #[arg(long)]
     confirm: bool,
     #[command(flatten)]

@@ -23,7 +23,7 @@ pub(super) struct Args {
     /// The line that was running, counted from 1.
     #[arg(long, group = "place")]
     line: Option<usize>,
-    /// The part of the job's time that was over: 37%.
+    /// The elapsed part of the job's time: 37%.
     #[arg(long, group = "place", value_name = "PERCENT", value_parser = share)]
     at: Option<f64>,
     /// A point near which the iron stopped, from the sheet's lower left corner: "120.5 mm,80 mm".

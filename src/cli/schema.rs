@@ -13,7 +13,7 @@ pub(super) struct Args {
     /// Print the schema of a machine profile instead.
     #[arg(long)]
     machine: bool,
-    /// Has no effect: only the answer is printed.
+    /// Has no effect: only the result is printed.
     #[command(flatten)]
     _quiet: Quiet,
 }

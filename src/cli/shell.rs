@@ -20,7 +20,7 @@ pub(super) struct ShellArgs {
     /// For the shell: write the inflated sheet as a VTU file, which ParaView reads.
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
-    /// For the shell: compute the answer again, and do not keep it.
+    /// For the shell: do not use the cache.
     #[arg(long)]
     no_cache: bool,
 }

@@ -24,7 +24,7 @@ pub(super) struct Verbosity {
 /// Argument of commands whose answer is a document, or rows and files.
 #[derive(clap::Args, Clone, Copy, Debug, Default)]
 pub(super) struct Quiet {
-    /// Print only the answer and errors.
+    /// Print only the result and errors.
     #[arg(short, long)]
     pub(super) quiet: bool,
 }

@@ -21,7 +21,7 @@ pub(in crate::cli) struct Destination {
     /// joined by `cat`; as files, all have.
     #[arg(long, value_name = "k/N", value_parser = span)]
     pub(in crate::cli) part: Option<Span>,
-    /// Compute all of N parts, one after the other, into a directory; those that are there already are left out.
+    /// Compute all of N parts, one after the other, into a directory; existing parts are skipped.
     #[arg(long, value_name = "N", conflicts_with = "part", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     parts: Option<u32>,
     /// Where to write; default: standard output. With --parts, or with --part and a name without an ending, a directory of parts.
