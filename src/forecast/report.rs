@@ -98,7 +98,7 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         ("full actuation from", Some(star.operating_pressure_kPa), "kPa"),
         ("bendability", star.bendability, ""),
         ("stretch of the fabric p W / Y", star.stretch.ratio().map(|stretch| 100.0 * stretch), "%"),
-        ("preload when shut", star.preload_N.filter(|f| *f > 0.0), "N"),
+        ("preload of arms", star.preload_N.filter(|f| *f > 0.0), "N"),
         ("burst margin", star.burst_margin, ""),
         ("mass", star.mass_g, "g"),
     ];

@@ -166,7 +166,7 @@ fn a_wish_that_cannot_be_is_told_by_its_reason() {
     };
     refused(&["1000 kg"], "it can safely carry");
     refused(&["1 kg", "--sheet", "90x90"], "larger than the sheet");
-    refused(&["1 kg", "--pressure", "500 kPa"], "no star that was tried is like it");
+    refused(&["1 kg", "--pressure", "500 kPa"], "outside the range in which shells were computed");
     refused(&["1 kg", "--machine", "loom"], "not a machine profile");
     refused(
         &["1 kg", "--machine", "Ender-3"],

@@ -70,7 +70,7 @@ fn a_default_that_is_refused_is_called_a_default() {
     let wide = star(5, "50 mm", "120 mm", "80 deg", "[stack]\ncount = 2\n");
     let (line, said) = pointed_at(dir.path(), &wide, "tube-between-plates", 1);
     assert_eq!(line, "[stack]", "{said}");
-    assert!(said.contains("`pitch` in [stack] is not written: this is about its default"), "{said}");
+    assert!(said.contains("the spec does not give `pitch` in [stack], so its default is used"), "{said}");
     // Without the section it points at the end, where the section would be added, not at the first line.
     let few = star(12, "30 mm", "8 mm", "30 deg", "[inlet]\nnone = true");
     let (line, said) = pointed_at(dir.path(), &few, "short-window", 0);

@@ -148,7 +148,7 @@ fn the_end_is_told_in_local_time() {
     let folder = folder(&[]);
     for (zone, name) in [("XYZ-5:30", "XYZ"), ("UTC0", "UTC")] {
         let said = stdout(&with_zone(folder.path(), zone, &["build", "star.toml"]));
-        let (_, end) = said.split_once("begun now, it ends ").unwrap_or_else(|| panic!("{said}"));
+        let (_, end) = said.split_once("started now, it ends ").unwrap_or_else(|| panic!("{said}"));
         let end = end.split(',').next().expect("a part");
         let days = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday", "today"];
         assert!(days.iter().any(|day| end.starts_with(day)) && end.ends_with(name), "{end}");

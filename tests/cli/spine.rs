@@ -100,7 +100,7 @@ fn a_partial_build_says_what_was_compared_and_ends_at_no_time() {
         said.contains("proven     14 of 17 files compared with the exact geometry: lines and arcs within 0."),
         "{said}"
     );
-    assert!(said.contains("begun now, it ends "), "{said}");
+    assert!(said.contains("started now, it ends "), "{said}");
     let verified = run(folder.path(), &["verify", "out/star", "--json"]);
     let json: serde_json::Value = serde_json::from_slice(&verified.stdout).expect("JSON");
     let proven = json["proven"].as_array().expect("a list");

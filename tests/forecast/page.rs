@@ -48,7 +48,7 @@ fn a_page_shows_the_predictions_figures_in_its_units() {
         // Six digits are shown.
         found.iter().zip(expected).for_each(|(found, expected)| close(*found, expected, 1e-5));
     }
-    assert!(page.contains("\n3 equal stars, each:\n") && !page.contains("preload when shut"));
+    assert!(page.contains("\n3 equal stars, each:\n") && !page.contains("preload of arms"));
 }
 
 #[test]
@@ -77,14 +77,14 @@ fn one_star_is_no_stack_and_stars_that_differ_stand_apart() {
 
 #[test]
 fn a_star_that_is_pressed_shut_says_so_with_its_preload() {
-    let shut = "the arms touch before the hinges are at rest: the star is pressed shut";
+    let shut = "the arms touch before the hinges reach their rest angle, and press on each other";
     for (points, expected) in [(5, false), (8, true)] {
         let (prediction, page) = page(&paper(points));
         let star = &prediction.first;
         let angle = star.tip_equilibrium_angle_deg.expect("a limit");
         assert_eq!(angle <= 0.0, expected);
         assert_eq!(star.preload_N.expect("a pressure") > 0.0, expected);
-        assert_eq!(page.contains("preload when shut"), expected);
+        assert_eq!(page.contains("preload of arms"), expected);
         assert_eq!(star.evidence.warnings.iter().any(|warning| warning == shut), expected);
         // Arms do not go through each other, whatever the hinges would do.
         close(numbers(&page, "tip angle at rest")[0], angle.max(0.0), 1e-5);
