@@ -159,7 +159,7 @@ impl<'a> Table<'a> {
         let known = |cell: &str| columns.iter().any(|column| column.unit_in(cell).is_some());
         if !record.iter().any(known) {
             let fault = Fault::error(FaultCode::NoHeader, line.clone(), "this line is not a header")
-                .label(format!("must name {}", headers(columns)))
+                .label(format!("must have the columns {}", headers(columns)))
                 .help("write the names above the numbers, with these units");
             self.faults.push(fault);
             return None;
@@ -186,11 +186,11 @@ impl<'a> Table<'a> {
                     .help("convert the numbers if they are in another one")
                 }
                 [] => Fault::error(FaultCode::NoColumn, line.clone(), format!("no column `{name}`"))
-                    .label(format!("must name {}", headers(columns))),
+                    .label(format!("must have the columns {}", headers(columns))),
                 [_, (i, _), ..] => {
                     let message = format!("a second column `{}`", shortened(&record[*i]));
                     Fault::error(FaultCode::TwoColumns, self.cell(line, *i), message)
-                        .label(format!("`{name}` must be there once"))
+                        .label(format!("`{name}` must occur once"))
                 }
             };
             self.faults.push(fault);
@@ -209,7 +209,8 @@ impl<'a> Table<'a> {
     ) -> Option<[Option<f64>; N]> {
         if record.iter().any(|cell| cell.contains('\n')) {
             let fault = Fault::error(FaultCode::OpenQuote, line.clone(), "a cell continues in the next line");
-            self.faults.push(fault.label("must end in its line").help("check for a quote that is not closed"));
+            self.faults
+                .push(fault.label("must end in its line").help("check for a quote that is not closed"));
             return None;
         }
         if record.len() != count {

@@ -143,7 +143,7 @@ pub(super) fn tight(spec: &Spec, index: usize, star: &Star, meeting: Meeting) ->
             Most(2.0 * hole)
         ),
         remedy: format!(
-            "{} mm let it in without exact alignment: inner_radius of {} mm",
+            "with {} mm no exact alignment is needed: inner_radius of {} mm",
             Readable(wanted),
             Least(star.rho_0 + wanted - gap)
         ),

@@ -128,14 +128,14 @@ pub(super) fn too_hard([low, high]: Interval, bears: f64) -> Refusal {
     Refusal::new(
         key::load::LARGEST_FORCE,
         RefusalCode::TooHard,
-        format!("it presses with {low:.1} N at least, and the object bears {bears} N"),
+        format!("it presses with at least {low:.1} N, but the object bears {bears} N"),
         format!("an object that bears at least {high:.1} N; or less pressure, or a larger inner_radius"),
     )
 }
 
 /// All stars press with `low` to `high` N together, and friction needs `needed` N to hold the mass of `load`.
 pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64) -> Refusal {
-    let found = format!("friction needs {needed:.1} N, and there are {high:.1} N at most");
+    let found = format!("friction needs {needed:.1} N, but at most {high:.1} N are predicted");
     let mut ways = Vec::new();
     if let Some(([friction, _], mass)) = load.friction_range().zip(load.mass) {
         // What is rounded to the gram still holds.
@@ -159,7 +159,8 @@ pub(super) fn outside_models(load: &Load, star: &StarPrediction) -> Option<Refus
     let Some([low, high]) = star.modelled_kPa else {
         // Without an object no quantity is required that needs a model.
         let _ = load.object_radius?;
-        let remedy = "another star or fabric, as named; or leave out object_diameter in [load], and no force is predicted";
+        let remedy = "another star or fabric within the stated limits; or no object_diameter in [load]: then \
+             no force is predicted";
         return refusal(key::star::TUBE_WIDTH, star.evidence.choice.clone(), remedy.to_owned());
     };
     let meant = UNITS.iter().map(|unit| pressure.0 * unit).find(|kpa| (low..=high).contains(kpa));

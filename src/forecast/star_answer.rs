@@ -97,11 +97,11 @@ impl StarAnswer<'_> {
         };
         if inflated.rim_pushes(own.rest.angle) {
             warnings.push(
-            "the nonlinear star coils a hinge so far that its inner rim would be compressed: a real rim \
+                "the nonlinear star coils a hinge so far that its inner rim would be compressed: a real rim \
              wrinkles, and \
              the hinge is softer than predicted"
-                .to_owned(),
-        );
+                    .to_owned(),
+            );
         }
         let (own_radius, linear_radius) = (own.rest.radius, linear.rest.radius);
         if (own_radius - linear_radius).abs() > accepted.ratio() * linear_radius {

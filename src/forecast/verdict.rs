@@ -219,7 +219,7 @@ impl VerdictLines {
             (Some([_, needed]), Some([low, _]), _) if low < needed => {
                 let least = load.friction_range().map_or(0.0, |[least, _]| least);
                 let of = if load.friction == Some(least) { String::new() } else { format!(" of {least}") };
-                let text = format!("friction{of} needs {needed:.1} N, and there may be {low:.1} N only");
+                let text = format!("friction{of} needs {needed:.1} N, but there may be only {low:.1} N");
                 (Weight::Doubted, VerdictText::Reason(text))
             }
             // A mass is carried by friction only.
@@ -265,18 +265,18 @@ fn doubts(load: &Load, star: &StarPrediction, object: f64) -> Vec<String> {
         return reasons;
     }
     if let Some([_, high]) = star.ranges.final_radius_mm.filter(|[_, high]| object < *high) {
-        reasons.push(format!("it may close to {:.1} mm across only, and not reach the object", 2.0 * high));
+        reasons.push(format!("it may close only to {:.1} mm across, and not reach the object", 2.0 * high));
     }
     if star.hold == Some(Grip::Untried) {
         reasons.push("the force on the object is unknown".to_owned());
     }
     match (load.largest_force, star.ranges.object_force_N, star.object_force_N) {
         (Some(Force(bears)), Some([low, high]), _) if low <= bears && high > bears => {
-            reasons.push(format!("it may press with {high:.1} N, and the object bears {bears} N"));
+            reasons.push(format!("it may press with {high:.1} N, but the object bears {bears} N"));
         }
         (Some(Force(bears)), None, Some(force)) if force > bears => {
             reasons
-                .push(format!("by the model it presses with {force:.1} N, and the object bears {bears} N"));
+                .push(format!("by the model it presses with {force:.1} N, but the object bears {bears} N"));
         }
         _ => {}
     }

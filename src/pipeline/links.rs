@@ -39,7 +39,7 @@ fn long_link(spec: &Spec, sources: Sources<'_>) -> Option<Warning> {
     (length > MOST_LETTERS).then(|| Warning {
         key: key::build::LINK,
         code: RefusalCode::LongLink,
-        found: format!("the link to this spec has {length} letters"),
+        found: format!("the link to this spec has {length} characters"),
         remedy: format!("a QR code holds at most {MOST_LETTERS}: previews and report have none"),
         drawn: None,
     })

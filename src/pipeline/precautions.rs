@@ -101,8 +101,8 @@ fn is_unknown(machine: &Machine) -> bool {
 /// The list of missing checks on an unknown machine.
 fn generic(forecast: &Forecast, path: &str) -> Precaution {
     let text = format!(
-        "{} profile: speed, pause and reach are not checked; name your machine with `profile` in [machine], or time what \
-         `stargrip-cam feedcheck {path}` writes",
+        "{} profile: speed, pause and reach are not checked; name your machine with `profile` in [machine], \
+         or time the program that `stargrip-cam feedcheck {path}` writes",
         forecast.machine.name
     );
     Precaution::new(PrecautionCode::GenericMachine, text)
@@ -182,8 +182,8 @@ fn speed(forecast: &Forecast, path: &str) -> Vec<Precaution> {
     let mut list = Vec::new();
     match pace(forecast) {
         Some(Pace::Chopped(chop)) => list.push((PrecautionCode::ChoppedSeal, format!(
-            "the seal's speed is made of strokes of at most {} mm at {} mm/s, and dwells: they count on an acceleration of {} \
-             mm/s^2{}; time what {} writes",
+            "the seal's speed is an average of dwells and strokes of at most {} mm at {} mm/s: this assumes \
+             an acceleration of {} mm/s^2{}; time the program that {} writes",
             Readable(chop.longest),
             rounded(chop.speed),
             Readable(chop.acceleration),
@@ -194,7 +194,7 @@ fn speed(forecast: &Forecast, path: &str) -> Vec<Precaution> {
         ))),
         _ if machine.motion.speed_range().is_none() && speed < SLOW => list.push((PrecautionCode::UnknownFeed, format!(
             "the lowest feed of this machine is unknown, and some controllers go several times faster than {speed} \
-             without reporting it: time what {} writes",
+             without reporting it: time the program that {} writes",
             command("feedcheck")
         ))),
         _ => {}

@@ -375,7 +375,7 @@ fn read_link(s: &mut Section<'_, '_>) -> Option<String> {
         ["https://", "http://"].iter().find_map(|scheme| link.strip_prefix(scheme)).unwrap_or_default();
     let is_of_address = |byte: u8| byte.is_ascii_graphic() && !b"#\"<>\\^`{|}".contains(&byte);
     if page.is_empty() || link.len() > LINK_LENGTH || !link.bytes().all(is_of_address) {
-        let label = format!("must be an address of the page of at most {LINK_LENGTH} letters, without #");
+        let label = format!("must be an address of the page of at most {LINK_LENGTH} characters, without #");
         let fault = Fault::error(FaultCode::Link, span, format!("`link` is {}", quoted(link)));
         s.report(fault.label(label).help("for example \"https://example.org/stargrip-cam/\""));
         return None;

@@ -581,7 +581,7 @@ fn calibrate_names_the_line_it_cannot_read() {
         (String::new(), &["error[no-header]: an empty table", "results.csv"][..]),
         (
             "a,b\n1,2\n".to_owned(),
-            &["error[no-header]", "results.csv:1:1", "must name `temperature_C`, `speed_mm_s`"],
+            &["error[no-header]", "results.csv:1:1", "must have the columns `temperature_C`, `speed_mm_s`"],
         ),
         (
             good.replacen("speed_mm_s", "speed", 1),
@@ -705,7 +705,7 @@ fn calibrate_refuses_what_no_bench_shows() {
     };
     refused(&["--flat-angle", "30", "--inflated-angle", "31"], 1, &["at most the flat one, 30 deg"]);
     let wide = ["--flat-angle", "60", "--inflated-angle", "59", "--angle-pressure", "20 kPa"];
-    refused(&wide, 1, &["--inflated-angle", "no fabric gives", "closes to between"]);
+    refused(&wide, 1, &["--inflated-angle", "no stiffness of the fabric explains", "closes to between"]);
     refused(&["--angle-pressure", "20 kPa"], 2, &["--inflated-angle"]);
     let _ = fails(dir.path(), &["calibrate"], 2, &["<RESULTS>"]);
     let needless = ["calibrate", "--flat-angle", "30", "--inflated-angle", "9", "--needed", "1 N/mm"];

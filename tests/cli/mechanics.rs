@@ -130,7 +130,7 @@ fn cone_reads_a_table_right_or_not_at_all() {
             "travel_mm;load_N\n10,5;2,5\n",
             &["decimal-comma", "test.csv:2:1", "write 10.5", "write 2.5", "2 errors"][..],
         ),
-        ("10,5;2,5\n", &["no-header", "test.csv:1:1", "must name `travel_mm`, `load_N`"]),
+        ("10,5;2,5\n", &["no-header", "test.csv:1:1", "must have the columns `travel_mm`, `load_N`"]),
         ("travel_mm,load_N\n10,5;2,5\n", &["cell-count", "test.csv:2:1", "3 cells"]),
         ("O,0.5\n10,2.5\n", &["no-header", "test.csv:1:1", "write the names above the numbers"]),
         ("\u{feff}0,0\n10,2.5\n", &["no-header", "test.csv:1:"]),

@@ -143,7 +143,11 @@ impl Lines {
         );
         self.quantity("tip_angle", star.tip_angle, &format!("the empty star closes to {closes}"));
         self.quantity("tip_radius", star.tip_radius, "round tips load the seal less than sharp ones");
-        self.quantity("corner_radius", star.corner_radius, "round corners load the seal less than sharp ones");
+        self.quantity(
+            "corner_radius",
+            star.corner_radius,
+            "round corners load the seal less than sharp ones",
+        );
         self.text.push('\n');
     }
 

@@ -36,7 +36,7 @@ pub(super) fn chosen(
         };
         match own {
             Some(output) if found.iter().any(|other| other.name == output.name) => {
-                faults.push(fault(FaultCode::TwoColumns, "it is named before").help("delete one of them"));
+                faults.push(fault(FaultCode::TwoColumns, "it is named twice").help("delete one of them"));
             }
             Some(output) if !output.is_known(asked) => {
                 let (who, help) = if asked.shells {

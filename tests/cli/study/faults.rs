@@ -112,7 +112,7 @@ fn every_fault_says_what_was_found_and_what_is_allowed() {
             "no-column",
             "did you mean \"final_radius_mm\"?",
         ),
-        (with(&format!("outputs = [\"stretch\", \"stretch\"]\n{vary}")), "two-columns", "it is named before"),
+        (with(&format!("outputs = [\"stretch\", \"stretch\"]\n{vary}")), "two-columns", "it is named twice"),
         (with(&format!("outputs = \"stretch\"\n{vary}")), "wrong-type", "must be a list of texts"),
         (with(""), "missing-key", "nothing is varied: a study needs [vary], [rows] or [draw]"),
         (format!("schema = 2\nspec = \"spec.toml\"\n{vary}"), "schema", "the only version"),
