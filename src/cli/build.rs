@@ -114,7 +114,8 @@ fn time_of_day() -> String {
 fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
     if args.output.is_some() && args.specs.len() > 1 {
         return Err(Failure::Usage(
-            "-o is for one spec only: each of several gets its own directory, out/ and the spec's name".to_owned(),
+            "-o is for one spec only: each of several gets its own directory, out/ and the spec's name"
+                .to_owned(),
         ));
     }
     let mut targets: BTreeMap<&Path, PathBuf> = BTreeMap::new();
@@ -223,8 +224,11 @@ fn request(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity
             ));
         }
     } else {
-        tell(&format!("note: {names} was in {} and is not built again; to build it: `--with \
-             {names}`", shown(target)));
+        tell(&format!(
+            "note: {names} was in {} and is not built again; to build it: `--with \
+             {names}`",
+            shown(target)
+        ));
     }
     request
 }

@@ -35,23 +35,24 @@ impl SearchReport<'_> {
     pub(super) fn text(&self) -> String {
         let SearchResult { best, front, computed } = self.found;
         let mut out = format!(
-            "# {computed} designs computed; the best for each number of points, the best of all first. `short`: what one misses, and by \
-             how much; one that misses nothing loses by the goal.\n"
+            "# {computed} designs computed; the best for each number of points, the best of all first. \
+             `short` lists the missed constraints, and by how much; a design without any is worse in the \
+             goal.\n"
         );
         out.push_str(&rows(best, self.constraints));
         if self.constraints.payload.is_some() || self.constraints.largest_force.is_some() {
             // Writing to a String does not fail.
             let _ = writeln!(
                 out,
-                "# a search finds where a model promises most: `short` counts on {SEARCHED} of a payload's lower end, and takes a \
-                 force to be its upper end over that"
+                "# a search prefers designs that the model overestimates: so `short` uses {SEARCHED} of a \
+                 payload's lower end, and a force's upper end divided by {SEARCHED}"
             );
         }
         if !front.is_empty() {
             // Writing to a String does not fail.
             let _ = writeln!(
                 out,
-                "# trade-off between contraction, stiffness and fabric, {} designs, every so many shown:",
+                "# trade-off between contraction, stiffness and fabric, {} designs, evenly sampled:",
                 front.len()
             );
             out.push_str(&rows(&thinned(front, SHOWN), self.constraints));

@@ -133,7 +133,7 @@ fn materials(spec: &Spec, design: &StarAssembly) -> String {
         if shut <= opening {
             let _ = writeln!(
                 out,
-                "  note: shut as far as it ever goes, star {} reaches {shut:.2} mm, less than an opening of {opening:.2} mm",
+                "  note: fully closed, star {} reaches {shut:.2} mm, less than an opening of {opening:.2} mm",
                 placed.index
             );
         }

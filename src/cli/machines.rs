@@ -84,14 +84,20 @@ fn json(machines: &[Machine]) -> String {
 /// The behaviour of a machine at a commanded speed of 0.1 mm/s.
 fn ability(motion: &Motion) -> String {
     let need = motion.steps_needed(SLOW).map_or(String::new(), |(axis, diagonal)| {
-        format!("; as it is from {:.0} steps/mm along an axis, {:.0} at 45 deg", axis.ceil(), diagonal.ceil())
+        format!(
+            "; without chopping from {:.0} steps/mm along an axis, {:.0} at 45 deg",
+            axis.ceil(),
+            diagonal.ceil()
+        )
     });
     match (motion.speed_range(), motion.steps_per_mm) {
-        (Some((_, most)), _) if most <= SLOW => "as it is".to_owned(),
+        (Some((_, most)), _) if most <= SLOW => "without chopping".to_owned(),
         (Some((least, most)), Some([x, _, _])) => {
-            format!("chopped; alone, at {x} steps/mm, it would run at {least:.2} to {most:.2} mm/s{need}")
+            format!(
+                "chopped; without chopping, at {x} steps/mm, it would run at {least:.2} to {most:.2} mm/s{need}"
+            )
         }
-        (Some((_, most)), None) => format!("chopped; alone it would run at {most:.2} mm/s"),
+        (Some((_, most)), None) => format!("chopped; without chopping it would run at {most:.2} mm/s"),
         (None, _) => format!("unknown: run `stargrip-cam feedcheck`{need}"),
     }
 }

@@ -158,7 +158,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
                 tell(&result.text());
             }
             let why = if found.front.is_empty() {
-                "no design meets all constraints; `short` lists by how much each misses which"
+                "no design meets all constraints; `short` lists the missed constraints of each, and by how much"
             } else {
                 "none of the best designs can be sealed and cut as the spec requires"
             };

@@ -32,8 +32,8 @@ pub(super) struct Args {
     /// Length to seal again before the stop, such as "5 mm"; default: the overlap of the closures.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length)]
     overlap: Option<f64>,
-    /// The program to write; default: the job's name with -resume, beside a published directory, never in it. Never over
-    /// a file that is there.
+    /// The program to write; default: the job's name with -resume, beside a published directory, never in it. An
+    /// existing file is never overwritten.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
@@ -72,7 +72,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         (Some(line), _, _) => ResumeAt::Line(line),
         (_, Some(share), _) => ResumeAt::Share(share),
         (_, _, Some(point)) => ResumeAt::Near(point),
-        _ => return Err(Failure::Message("give the place where it stopped: --line, --at or --near".to_owned())),
+        _ => {
+            return Err(Failure::Message(
+                "give the place where it stopped: --line, --at or --near".to_owned(),
+            ));
+        }
     };
     let resumed = resume(&text, place, args.overlap)
         .map_err(|fault| Failure::Message(format!("{}: {fault}", shown(&args.job))))?;

@@ -70,7 +70,7 @@ fn feed_check(path: &Path) -> Result<Proof, Failure> {
     let beside = manifest_of(path);
     let manifest = read(&beside, SOURCE_LIMIT).map_err(|_| {
         Failure::Message(format!(
-            "{} has no manifest: a program of a build is proven with its directory",
+            "{} has no manifest: a program of a build is proven together with its directory",
             shown(path)
         ))
     })?;

@@ -56,7 +56,8 @@ impl Checkpoint {
                 let _ = rows.insert(batch.rows.start, batch);
             }
         } else if !head.as_bytes().starts_with(&bytes) {
-            let text = format!("{} does not belong to this study: delete it, or choose another place", shown(path));
+            let text =
+                format!("{} does not belong to this study: delete it, or choose another place", shown(path));
             return Err(io::Error::other(text));
         }
         file.set_len(u64::try_from(whole).unwrap_or(0))?;

@@ -95,7 +95,8 @@ fn parts_of_another_study_are_neither_joined_nor_written_over() {
     }
     let said = refused(at, &["study", "join", "parts", "-o", "joined.csv"], 1);
     assert!(
-        said.contains("part-2-of-2.csv is not a part of this study") && said.contains("1 of 2 parts are missing: 2"),
+        said.contains("part-2-of-2.csv is not a part of this study")
+            && said.contains("1 of 2 parts are missing: 2"),
         "{said}"
     );
     // A part that was edited.
