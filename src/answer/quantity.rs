@@ -153,7 +153,10 @@ mod tests {
         let angles = range::<Angle>(Allowed::between(0.0, 180.0));
         assert_eq!(angles("10 deg..1 rad").map(|(from, to)| from.0 < to.0), Ok(true));
         assert_eq!(angles("30 deg"), Ok((Angle(30.0), Angle(30.0))));
-        assert_eq!(angles("30 deg..10 deg"), Err("the range is descending; write \"10 deg..30 deg\"".to_owned()));
+        assert_eq!(
+            angles("30 deg..10 deg"),
+            Err("the range is descending; write \"10 deg..30 deg\"".to_owned())
+        );
         assert!(angles("0 deg..10 deg").is_err() && angles("10 deg..").is_err());
         let why = angles("20..40").expect_err("no unit");
         assert!(why.ends_with("and one of deg, rad, at each end: 20 deg..40 deg"), "{why}");

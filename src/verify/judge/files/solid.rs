@@ -168,8 +168,12 @@ fn closed(corners: &[[u32; 3]], findings: &mut Findings) {
         open += usize::from(!paired(uses));
     }
     if open > 0 || all == 0 {
-        findings.add(FindingCode::NotWatertight, format!("{open} of {all} edges"), "each edge once in each \
-             direction");
+        findings.add(
+            FindingCode::NotWatertight,
+            format!("{open} of {all} edges"),
+            "each edge once in each \
+             direction",
+        );
     }
 }
 

@@ -86,8 +86,11 @@ impl fmt::Display for MeshFault {
             Self::Empty => write!(f, "a mesh needs at least one triangle"),
             Self::NotFinite { point } => write!(f, "point {point} has a coordinate that is not finite"),
             Self::NoSuchPoint { triangle, found, points } => {
-                write!(f, "triangle {triangle} refers to point {found}, but there are only {points} points, \
-                     counted from 0")
+                write!(
+                    f,
+                    "triangle {triangle} refers to point {found}, but there are only {points} points, \
+                     counted from 0"
+                )
             }
             Self::Unused { point } => write!(f, "no triangle uses point {point}: leave it out"),
             Self::NotCounterclockwise { triangle, area } => {
