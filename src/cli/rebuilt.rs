@@ -65,7 +65,7 @@ impl Snapshot {
         match (values.is_empty(), effects.is_empty()) {
             (true, true) => "nothing changed".to_owned(),
             (true, false) => effects.join(", "),
-            (false, true) => format!("{}: the same figures", values.join(", ")),
+            (false, true) => format!("{}: the same numbers", values.join(", ")),
             (false, false) => format!("{}: {}", values.join(", "), effects.join(", ")),
         }
     }

@@ -98,7 +98,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         resumed.overlap,
         hours(resumed.seconds),
         if known {
-            "the job is the one that its manifest names"
+            "the job is unchanged: its hash is the one in manifest.json"
         } else {
             "no manifest.json beside the job: whether the job was changed after the build is unknown"
         }

@@ -118,8 +118,8 @@ pub fn calibrate(
     best.copied().ok_or_else(|| {
         let strongest = steady.iter().map(|c| c.strength).fold(0.0, f64::max);
         CalibrationFault(format!(
-            "the strongest setting holds {strongest:.3} N/mm, and {least:.3} N/mm is needed ({margin} times {needed:.3}): \
-             slower, hotter, or less pressure"
+            "the strongest setting holds {strongest:.3} N/mm, but {least:.3} N/mm are needed ({margin} times \
+             {needed:.3}): seal slower or hotter, or use less pressure"
         ))
     })
 }
@@ -131,13 +131,14 @@ pub fn calibrate(
 pub fn steady(settings: &[Calibration]) -> Result<Vec<Calibration>, CalibrationFault> {
     if !settings.iter().any(|c| c.count >= LEAST) {
         let tested = settings.len();
-        let why = format!("no setting has {LEAST} specimens, of {tested} that were tested");
+        let why = format!("no setting has {LEAST} specimens; {tested} settings were tested");
         return Err(CalibrationFault(why));
     }
     let steady: Vec<Calibration> = settings.iter().filter(|c| c.unfit().is_none()).copied().collect();
     if steady.is_empty() {
         return Err(CalibrationFault(format!(
-            "every setting's spread is above {:.0} % of its mean: test more, or seal more evenly",
+            "every setting's standard deviation is above {:.0} % of its mean: test more specimens, or seal \
+             more evenly",
             100.0 * SPREAD
         )));
     }
@@ -171,7 +172,8 @@ impl Calibration {
         // A lower bound is rounded down; 1e-6 of the last digit is rounding error.
         let strength = (strength * 1e3 + 1e-6).floor() / 1e3;
         format!(
-            "# {count} specimens: {mean:.3} N/mm, standard deviation {deviation:.3}; mean less two of them:\n\
+            "# {count} specimens: {mean:.3} N/mm, standard deviation {deviation:.3}; strength: mean less two \
+             standard deviations\n\
              [fabric]\nseal_strength = \"{strength:.3} N/mm\"\n\n\
              # tip at {} mm: heights.contact of the machine profile\n\
              [seal]\ntemperature = \"{} C\"\nspeed = \"{} mm/s\"\n",
@@ -238,7 +240,7 @@ mod tests {
         let why =
             |rows: &[PeelRow], needed| calibrate(&settings(rows), needed, 1.5).expect_err("no choice").0;
         assert!(why(&rows()[..2], 1.0).contains("no setting has 3 specimens"));
-        assert!(why(&rows()[6..], 0.1).contains("spread is above 25 %"));
+        assert!(why(&rows()[6..], 0.1).contains("standard deviation is above 25 %"));
         assert!(why(&rows(), 10.0).contains("the strongest setting holds 2.760 N/mm"));
     }
 

@@ -188,7 +188,7 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
     let said = done(dir.path(), &["resume", job, "--line", &line]);
     let target = "out/star-star-1-seal-resume.gcode";
     assert!(said.contains(&format!("wrote {target}")) && said.contains("same zero"), "{said}");
-    assert!(said.contains("the job is the one that its manifest names"), "{said}");
+    assert!(said.contains("the job is unchanged: its hash is the one in manifest.json"), "{said}");
     let resumed = read(dir.path(), target);
     assert!(resumed.contains("resume: from_line=") && resumed.contains("end of program, "), "{resumed}");
     assert_eq!(read(dir.path(), job), before, "the job itself stays as it is");
@@ -555,12 +555,12 @@ fn calibrate_reads_many_settings() {
 #[test]
 fn calibrate_says_what_data_do_not_support() {
     for (text, words) in [
-        (HEAD.to_owned(), "no setting has 3 specimens, of 0 that were tested"),
+        (HEAD.to_owned(), "no setting has 3 specimens; 0 settings were tested"),
         (table(&[(0.1, &[74.0, 75.0]), (0.5, &[50.0])]), "no setting has 3 specimens, of 2"),
-        (table(&[(0.1, &[20.0, 75.0, 130.0])]), "every setting's spread is above 25 %"),
+        (table(&[(0.1, &[20.0, 75.0, 130.0])]), "every setting's standard deviation is above 25 %"),
         (
             table(&[(0.1, &[74.0, 75.0, 76.0])]),
-            "the strongest setting holds 2.920 N/mm, and 75.000 N/mm is needed",
+            "the strongest setting holds 2.920 N/mm, but 75.000 N/mm are needed",
         ),
         (table(&[(0.1, &[0.0, 0.0, 0.0])]), "the strongest setting holds 0.000 N/mm"),
     ] {

@@ -48,12 +48,13 @@ impl fmt::Display for PublishFault {
             }
             Self::Foreign(path) => write!(
                 f,
-                "{} is not named in a manifest beside it, so its directory is left alone; move it away or choose another directory with -o",
+                "{} is not named in a manifest beside it, so its directory is not changed; move it away or \
+                 choose another directory with -o",
                 shown(path)
             ),
             Self::ReadOnly(path) => write!(
                 f,
-                "{} is read-only and stays as it is; allow writing to it or choose another directory with -o",
+                "{} is read-only and is not changed; allow writing to it or choose another directory with -o",
                 shown(path)
             ),
             Self::NoName(path) => {

@@ -135,7 +135,7 @@ pub(super) const OUTPUTS: [OutputColumn; 33] = [
     plain(
         "widest_radius_mm",
         Some("mm"),
-        "largest radius that the inflated star takes in",
+        "largest radius of an object that the inflated star can hold",
         Hinges(|row| row.own().map(|own| mm(own.graspable[1]))),
     ),
     plain("final_radius_lo_mm", Some("mm"), "least end of its range", Hinges(|row| low(radius(row)))),
