@@ -104,12 +104,12 @@ impl fmt::Display for SealReport {
             writeln!(f, "  warning: {weakness}")?;
         }
         if self.leaks.is_empty() {
-            let but = if self.pieces.iter().any(|piece| piece.passage.inlet.is_some()) {
+            let exception = if self.pieces.iter().any(|piece| piece.passage.inlet.is_some()) {
                 " except the inlet"
             } else {
                 "; the tube is closed all around, without an inlet"
             };
-            writeln!(f, "  airtight: no opening{but}")?;
+            writeln!(f, "  airtight: no opening{exception}")?;
         }
         Ok(())
     }

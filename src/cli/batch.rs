@@ -14,8 +14,8 @@ pub(super) fn run(
     mut one: impl FnMut(&Path) -> Result<Option<Value>, Failure>,
 ) -> Result<(), Failure> {
     if let [spec] = specs {
-        let said = one(spec)?;
-        return said.map_or(Ok(()), |said| say(&pretty(&said)));
+        let answer = one(spec)?;
+        return answer.map_or(Ok(()), |answer| say(&pretty(&answer)));
     }
     let (mut all, mut failed, mut refused) = (Vec::new(), false, Vec::new());
     for (number, spec) in specs.iter().enumerate() {
@@ -23,7 +23,7 @@ pub(super) fn run(
             say("\n")?;
         }
         match one(spec) {
-            Ok(said) => all.extend(said),
+            Ok(answer) => all.extend(answer),
             Err(Failure::Pipe) => return Err(Failure::Pipe),
             Err(failure) => {
                 failed = true;
@@ -37,11 +37,11 @@ pub(super) fn run(
         }
     }
     if verbosity.json {
-        let mut said = serde_json::json!({ "results": all });
+        let mut answer = serde_json::json!({ "results": all });
         if !refused.is_empty() {
-            said["refused"] = refused.into();
+            answer["refused"] = refused.into();
         }
-        say(&pretty(&said))?;
+        say(&pretty(&answer))?;
     }
     if failed { Err(Failure::Reported) } else { Ok(()) }
 }

@@ -183,9 +183,9 @@ fn answered(args: &Args, made: &PublishedOutput) -> Result<Option<Value>, Failur
         }
     }
     if verbosity.json {
-        let mut said = overview::json(forecast, notes);
-        said["written"] = overview::written_json(proven, target);
-        return Ok(Some(said));
+        let mut answer = overview::json(forecast, notes);
+        answer["written"] = overview::written_json(proven, target);
+        return Ok(Some(answer));
     }
     if verbosity.quiet {
         overview::warn(forecast.doubt().as_slice());

@@ -89,9 +89,9 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     args.kinds.tell_missing(&proven.built().manifest.files);
     let forecast = &proven.built().forecast;
     if verbosity.json {
-        let mut said = overview::json(forecast, &list);
-        said["proven"] = overview::proven_json(&proven);
-        return Ok(Some(said));
+        let mut answer = overview::json(forecast, &list);
+        answer["proven"] = overview::proven_json(&proven);
+        return Ok(Some(answer));
     }
     if verbosity.quiet {
         overview::warn(forecast.doubt().as_slice());

@@ -60,9 +60,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let chosen = found.as_ref().map(NewGripper::json);
     let json = json!({ "wrote": path, "schema": schema, "verdict": verdict, "chosen": chosen });
     let path = shown(&path);
-    let said = found.map_or_else(String::new, |made| format!("{name}: {}", made.in_words()));
+    let verdict_line = found.map_or_else(String::new, |made| format!("{name}: {}", made.in_words()));
     let wrote = format!("wrote {path}, and beside it {} for editors", spec::SCHEMA_FILE);
-    args.verbosity.report(&format!("{said}{wrote}\nnext: edit it, then `stargrip-cam build {path}`\n"), &json)
+    args.verbosity
+        .report(&format!("{verdict_line}{wrote}\nnext: edit it, then `stargrip-cam build {path}`\n"), &json)
 }
 
 /// The unit of this name.
@@ -111,12 +112,12 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     }
     let path = shown(&path);
     let (number, each) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });
-    let said = format!(
+    let report = format!(
         "{number} {each} with a proposed role:\n{lines}wrote {path}, and beside it {} for editors\n\
          next: look at the roles in it, then `stargrip-cam check {path}`\n",
         spec::SCHEMA_FILE
     );
-    args.verbosity.report(&said, &json)
+    args.verbosity.report(&report, &json)
 }
 
 /// The name as a portable file name: ASCII letters, digits, dashes, and points between them.
