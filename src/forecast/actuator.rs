@@ -135,36 +135,41 @@ impl ActuatorPrediction {
             format!("stretch p W / Y       {:.4}", self.stretch),
         ];
         let mesh = self.evidence.mesh_errors.as_ref();
-        let said =
-            |value: f64, range: Option<Interval>, mesh: Option<f64>, decimals: usize, unit: &str| match (
-                range, mesh,
-            ) {
-                (Some(range), _) => shown::with(value, range, unit),
-                (None, Some(error)) => shown::meshed(value, error, unit),
-                (None, None) => {
-                    format!("{value:.decimals$} {unit}").trim_end().to_owned() + ", range unknown"
-                }
-            };
+        let shown_value = |value: f64,
+                           range: Option<Interval>,
+                           mesh: Option<f64>,
+                           decimals: usize,
+                           unit: &str| match (range, mesh) {
+            (Some(range), _) => shown::with(value, range, unit),
+            (None, Some(error)) => shown::meshed(value, error, unit),
+            (None, None) => format!("{value:.decimals$} {unit}").trim_end().to_owned() + ", range unknown",
+        };
         let error = |of: fn(&ActuatorMeshErrors) -> f64| mesh.map(of);
         lines.push(format!(
             "angle at rest         {}",
-            said(self.angle_deg, self.ranges.angle_deg, error(|mesh| mesh.angle_deg), 2, "deg")
+            shown_value(self.angle_deg, self.ranges.angle_deg, error(|mesh| mesh.angle_deg), 2, "deg")
         ));
         lines.push(format!(
             "coiling               {}",
-            said(self.coiling, self.ranges.coiling, error(|mesh| mesh.coiling), 4, "")
+            shown_value(self.coiling, self.ranges.coiling, error(|mesh| mesh.coiling), 4, "")
         ));
         if let Some(volume) = self.volume_mm3 {
-            let volume = said(volume, None, error(|mesh| mesh.volume_mm3), 0, "mm^3");
+            let volume = shown_value(volume, None, error(|mesh| mesh.volume_mm3), 0, "mm^3");
             lines.push(format!("volume                {volume}"));
         }
         lines.push(format!(
             "stiffness             {}",
-            said(self.stiffness_Nm, self.ranges.stiffness_Nm, error(|mesh| mesh.stiffness_Nm), 4, "N m/rad")
+            shown_value(
+                self.stiffness_Nm,
+                self.ranges.stiffness_Nm,
+                error(|mesh| mesh.stiffness_Nm),
+                4,
+                "N m/rad"
+            )
         ));
         for (k, [angle, moment]) in self.moment.iter().flatten().enumerate() {
             let error = mesh.and_then(|mesh| mesh.moment_Nm.get(k).copied());
-            lines.push(format!("held at {angle:7.2} deg    {}", said(*moment, None, error, 5, "N m")));
+            lines.push(format!("held at {angle:7.2} deg    {}", shown_value(*moment, None, error, 5, "N m")));
         }
         if let Some(unknowns) = &self.evidence.unknowns {
             let unknowns: Vec<String> = unknowns.iter().map(ToString::to_string).collect();
@@ -259,7 +264,7 @@ pub(super) fn short_arms(actuator: &Actuator) -> Option<String> {
 fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64) -> Vec<String> {
     let limit = model.level() != Level::Section;
     let hinge = actuator.hinge();
-    let without_arms = format!("the hinge is computed without arms, with which it coils {ARMS_LET_OUT}");
+    let without_arms = format!("the hinge is computed without arms, with which it would coil {ARMS_LET_OUT}");
     let known = [
         (
             limit,

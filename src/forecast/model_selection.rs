@@ -17,7 +17,7 @@ pub const BVP_BETA: f64 = 1000.0;
 
 /// Effect of the arms beyond the end of their table.
 pub(super) const ARMS_LET_OUT: &str =
-    "about 2 to 14 deg further and is softer; the table of their effect does not cover this hinge";
+    "about 2 to 14 deg further and be softer; the table of their effect does not cover this hinge";
 
 /// `section` from its table for the hinges of `case` at the gauge pressure `pressure` (Pa): the choice of `auto`.
 ///
@@ -103,8 +103,9 @@ pub fn limits_of_validity(model: &dyn HingeModel, case: &Case) -> Vec<String> {
     let r_stars = [star.tip().r_star, star.corner().r_star];
     if level == Level::Section {
         let armless = r_stars.iter().any(|r_star| model.arms(*r_star, 1.0).is_none());
-        let said = format!("section computes these hinges without arms, which let them coil {ARMS_LET_OUT}");
-        return armless.then_some(said).into_iter().collect();
+        let warning =
+            format!("section computes these hinges without arms, with which they would coil {ARMS_LET_OUT}");
+        return armless.then_some(warning).into_iter().collect();
     }
     let mut warnings = Vec::new();
     if let Some(pressure) = case.pressure {

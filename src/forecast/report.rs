@@ -40,7 +40,7 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
         let _ = writeln!(out, "\nmass of the whole stack         {} g", Readable(mass));
     }
     if let Some(payload) = prediction.first.payload_kg {
-        let said = match prediction.first.ranges.payload_kg {
+        let text = match prediction.first.ranges.payload_kg {
             Some(range) => shown::with(payload, range, "kg"),
             None if prediction.first.model == SHELL => {
                 let open =
@@ -50,7 +50,7 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
             None if prediction.first.model == Level::Section.name() => "unknown".to_owned(),
             None => format!("{} kg, range unknown", Readable(payload)),
         };
-        let _ = writeln!(out, "\npayload of the whole stack      {said}");
+        let _ = writeln!(out, "\npayload of the whole stack      {text}");
     }
     if spec.fabric.shear_modulus.is_none() {
         let _ = writeln!(out, "\n{ISOTROPIC}");
@@ -79,20 +79,21 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     // A limit is selected by name: its number is printed, and its error is unknown.
     let is_limit = star.model != Level::Section.name();
     if let Some((tip, corner)) = pair(star.lambda_t) {
-        let said = |lambda: f64| if is_limit { Readable(lambda).to_string() } else { format!("{lambda:.3}") };
-        line("target coiling tip, corner", format!("{}, {}", said(tip), said(corner)));
+        let digits =
+            |lambda: f64| if is_limit { Readable(lambda).to_string() } else { format!("{lambda:.3}") };
+        line("target coiling tip, corner", format!("{}, {}", digits(tip), digits(corner)));
     }
     let unknown = |value: f64, unit: &str| {
         if is_limit { format!("{}, range unknown", show(value, unit)) } else { "unknown".to_owned() }
     };
     for (what, value, range, unit) in quantities(star) {
-        let said = match (value, range) {
+        let text = match (value, range) {
             (Some(value), Some(range)) => shown::with(value, range, unit),
             (Some(value), None) => unknown(value, unit),
             (None, _) if is_asked(star, what) && !is_limit => "unknown".to_owned(),
             (None, _) => continue,
         };
-        line(what, said);
+        line(what, text);
     }
     let optional = [
         ("full actuation from", Some(star.operating_pressure_kPa), "kPa"),
@@ -125,13 +126,13 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     for ForceAt(radius, force, low, high) in star.force_curve.iter().flatten() {
         let range = low.zip(*high).map(|(low, high)| [low, high]);
         let is_held = star.graspable_radius_mm.is_none_or(|[least, most]| (least..=most).contains(radius));
-        let said = match (*force, range) {
+        let text = match (*force, range) {
             (None, _) if !is_held => "not held".to_owned(),
             (Some(force), Some(range)) => shown::with(force, range, "N"),
             (Some(force), None) => unknown(force, "N"),
             (None, _) => "unknown".to_owned(),
         };
-        line(&format!("force at {} mm", Readable(*radius)), said);
+        line(&format!("force at {} mm", Readable(*radius)), text);
     }
     for warning in &star.evidence.warnings {
         line("warning", warning.clone());

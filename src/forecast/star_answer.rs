@@ -142,7 +142,7 @@ fn ranges(case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) -> Sta
 }
 
 /// Use of a shear modulus by hinge models.
-const LEFT_OUT: &str = "not used: this model is for isotropic fabric";
+const WEAVE_NOT_USED: &str = "not used: this model is for isotropic fabric";
 
 /// All of one star that depends on no model.
 pub(super) fn bare(spec: &Spec, part: &StarDesign, case: &Case) -> StarPrediction {
@@ -195,7 +195,7 @@ pub(super) fn bare(spec: &Spec, part: &StarDesign, case: &Case) -> StarPredictio
         evidence: ModelEvidence {
             choice: String::new(),
             fabric: measured_stiffnesses(&spec.fabric),
-            weave: spec.fabric.shear_modulus.map(|_| LEFT_OUT),
+            weave: spec.fabric.shear_modulus.map(|_| WEAVE_NOT_USED),
             residual: 0.0,
             iterations: 0,
             numerical_error: None,

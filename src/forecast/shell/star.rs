@@ -196,15 +196,14 @@ impl ShellAnswer<'_> {
         let too_wide = case.object.is_some_and(|radius| radius > 0.0) && object.is_none();
         let pull = measured.extremes.seal_pull;
         let sharp = flat.tip_radius == 0.0 || flat.corner_radius == 0.0;
-        let said = [
+        let candidates = [
             (flat.points > TRIED_POINTS, format!("shells of stars were tried with 3 to {TRIED_POINTS} points")),
             (measured.touches(), "the arms touch, and press on each other".to_owned()),
             (
                 flat.part() == StarPart::Whole,
                 format!(
                     "the woven star does not close to a circle: on its finest mesh the corners lie {:.1} to \
-                     {:.1} mm from the point in their \
-                     middle, which is {:.1} mm beside that of the tips; the final radius is their mean, extrapolated",
+                     {:.1} mm from the point in their middle, which is {:.1} mm beside that of the tips; the final radius is their mean, extrapolated",
                     finest(&measured.corners[0]), finest(&measured.corners[1]), finest(&measured.off_center)
                 ),
             ),
@@ -251,7 +250,7 @@ impl ShellAnswer<'_> {
                 format!("the final radius has a mesh error of {:.2} mm: use finer meshes", radius.error),
             ),
         ];
-        said.into_iter().filter(|(holds, _)| *holds).map(|(_, text)| text).collect()
+        candidates.into_iter().filter(|(holds, _)| *holds).map(|(_, text)| text).collect()
     }
 }
 

@@ -4,7 +4,7 @@ use crate::forecast::shell::request::Measurements;
 use crate::forecast::study::output::{Of, OutputColumn, StudyRow};
 
 /// Description of a mesh error's column.
-const OPEN: &str = "its mesh error";
+const MESH_ERROR: &str = "its mesh error";
 
 const fn measured(
     name: &'static str,
@@ -20,7 +20,7 @@ const fn open(
     unit: Option<&'static str>,
     of: fn(&StudyRow<'_>, &Measurements) -> Option<f64>,
 ) -> OutputColumn {
-    measured(name, unit, OPEN, of)
+    measured(name, unit, MESH_ERROR, of)
 }
 
 /// Values by shells alone, in order.
