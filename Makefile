@@ -115,4 +115,4 @@ strangers-more:
 	tests/strangers/more
 
 bench:
-	$(CARGO) bench --locked
+	$(CARGO) bench --locked -p benches

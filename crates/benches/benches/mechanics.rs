@@ -1,4 +1,4 @@
-//! Time of each model. `cargo bench --bench mechanics`
+//! Time of each model. `cargo bench -p benches --bench mechanics`
 
 use divan::{Bencher, black_box};
 use stargrip_cam::design::Design;

@@ -1,4 +1,4 @@
-//! CPU time of the stages of a build, as a library: `cargo bench --bench build`.
+//! CPU time of the stages of a build, as a library: `cargo bench -p benches --bench build`.
 
 use std::hint::black_box;
 
@@ -8,7 +8,7 @@ use stargrip_cam::pipeline::Sources;
 use stargrip_cam::spec::{Machine, Source, Spec};
 use stargrip_cam::{emit, pipeline, plan, spec};
 
-const PAPER: &str = include_str!("../designs/paper-five-points.toml");
+const PAPER: &str = include_str!("../../../designs/paper-five-points.toml");
 
 fn main() {
     divan::main();
