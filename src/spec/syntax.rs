@@ -141,7 +141,7 @@ mod tests {
             ["a = 1\nb = \u{201c}50 mm\u{201d}\n", "b = \u{201e}50 mm\u{201c}", "b = \u{ab}50 mm\u{bb}"]
         {
             let fault = first(text);
-            assert!(fault.message.contains("typographer's") && fault.message.contains("U+"), "{fault:?}");
+            assert!(fault.message.contains("typographic") && fault.message.contains("U+"), "{fault:?}");
             assert_eq!(
                 fault.help.as_deref().map(|help| help.split(';').next().unwrap_or_default()),
                 Some("write b = \"50 mm\"")

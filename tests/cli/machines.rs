@@ -202,7 +202,7 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
     assert_eq!(read(dir.path(), job), before);
 
     let said = done(dir.path(), &["resume", job, "--at", "37%", "--overlap", "2 mm", "-o", "at.gcode"]);
-    assert!(said.contains("37.0 % of its time") && said.contains("seals 2.0 mm again"), "{said}");
+    assert!(said.contains("37.0 % of its time") && said.contains("seals the last 2.0 mm again"), "{said}");
     let end = before.lines().rev().find(|line| line.starts_with("G1 X")).expect("a move");
     let number = |letter: char| {
         let word = end.split_whitespace().find(|word| word.starts_with(letter));
@@ -556,7 +556,7 @@ fn calibrate_reads_many_settings() {
 fn calibrate_says_what_data_do_not_support() {
     for (text, words) in [
         (HEAD.to_owned(), "no setting has 3 specimens; 0 settings were tested"),
-        (table(&[(0.1, &[74.0, 75.0]), (0.5, &[50.0])]), "no setting has 3 specimens, of 2"),
+        (table(&[(0.1, &[74.0, 75.0]), (0.5, &[50.0])]), "no setting has 3 specimens; 2 settings were tested"),
         (table(&[(0.1, &[20.0, 75.0, 130.0])]), "every setting's standard deviation is above 25 %"),
         (
             table(&[(0.1, &[74.0, 75.0, 76.0])]),

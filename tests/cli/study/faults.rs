@@ -99,7 +99,7 @@ fn every_fault_says_what_was_found_and_what_is_allowed() {
         (
             with("[draw]\ncount = 9\n[draw.between]\nload.friction = \"1..0.1\"\n"),
             "out-of-range",
-            "the range falls",
+            "the range is descending",
         ),
         (
             with("[draw]\ncount = 9\n[draw.between]\nload.friction = [0.1, 1]\n"),

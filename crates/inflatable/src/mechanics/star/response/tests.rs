@@ -143,5 +143,5 @@ fn every_radius_up_to_the_widest_has_a_force_and_none_beyond() {
         before = force;
     }
     let beyond = inflated.linear_force(rest.widest.radius + 1e-6, &rest).expect_err("out of reach");
-    assert!(beyond.to_string().contains("goes from"), "{beyond}");
+    assert!(beyond.to_string().contains("reaches only from"), "{beyond}");
 }
