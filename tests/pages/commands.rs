@@ -40,7 +40,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/models.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
     ("docs/paper.md", "cargo run --release -p research --example paper -- --svg doc"),
     ("docs/paper.md", "cargo run --release -p research --example paper -- --shells"),
-    ("docs/paper.md", "cargo run --release -p inflatable --example coil -- 0.2 0 20"),
+    ("docs/paper.md", "cargo run --release -p inflatable --example coil -- 1 0 20 2"),
     ("docs/python.md", "pip install ./python"),
     ("docs/ranges.md", "cargo run --release -p research --example ranges"),
     ("docs/stability.md", "cargo run --release -p research --example extremes"),
