@@ -91,7 +91,7 @@ pub(super) fn air(
         let (place, [left, right]) = beside(&edge.path, slack);
         let (left, right) = (depth.at(left), depth.at(right));
         if left.min(right) > 1 {
-            let what = format!("{} lies inside an island, where there is no air", quoted(&own));
+            let what = format!("{} lies in an island, which has no air,", quoted(&own));
             faults.push(misplaced(ShapeCode::NestedIsland, own, place, what));
             continue;
         }

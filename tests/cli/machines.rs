@@ -556,7 +556,10 @@ fn calibrate_reads_many_settings() {
 fn calibrate_says_what_data_do_not_support() {
     for (text, words) in [
         (HEAD.to_owned(), "no setting has 3 specimens; 0 settings were tested"),
-        (table(&[(0.1, &[74.0, 75.0]), (0.5, &[50.0])]), "no setting has 3 specimens; 2 settings were tested"),
+        (
+            table(&[(0.1, &[74.0, 75.0]), (0.5, &[50.0])]),
+            "no setting has 3 specimens; 2 settings were tested",
+        ),
         (table(&[(0.1, &[20.0, 75.0, 130.0])]), "every setting's standard deviation is above 25 %"),
         (
             table(&[(0.1, &[74.0, 75.0, 76.0])]),
