@@ -15,7 +15,8 @@ use crate::cli::verbosity::Verbosity;
 use crate::cli::{findings, progress};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{PublishedBuild, prove_feed_check};
-use crate::verify::{FileProof, Method, OutputFiles, Proof};
+use crate::spec::Code;
+use crate::verify::{FileProof, Finding, FindingCode, Method, OutputFiles, Proof};
 
 /// Arguments of `verify`.
 #[derive(clap::Args, Debug)]
@@ -128,8 +129,23 @@ fn text(dir: &Path, proof: &Proof) -> String {
 /// The text of the findings, and the last line.
 fn faults(dir: &Path, proof: &Proof) -> String {
     let mut text: String = findings::lines(&proof.findings).into_iter().map(|line| line + "\n").collect();
+    if let Some(source) = changed_source(proof) {
+        let _ = writeln!(
+            text,
+            "{source} was changed after the build, and the other files are compared with the changed one: restore it, or build again"
+        );
+    }
     text.push_str(&verdict(dir, proof));
     text
+}
+
+/// The first source of the design that is not the one that was built from.
+fn changed_source(proof: &Proof) -> Option<&'static str> {
+    let is_changed = |name: &&str| {
+        let other = |finding: &Finding| finding.file == *name && finding.code == FindingCode::Hash.as_str();
+        proof.findings.iter().any(other)
+    };
+    SOURCES.into_iter().filter(|name| *name != MANIFEST).find(is_changed)
 }
 
 /// The last line: whether the directory is proven, and the meaning for one of another version.

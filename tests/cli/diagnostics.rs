@@ -236,6 +236,26 @@ fn a_file_of_another_kind_is_named_in_one_message() {
     );
 }
 
+/// Every file differs from what a changed spec says, so the change is named last, where it is seen.
+#[test]
+fn a_spec_that_was_changed_after_the_build_is_named_as_the_cause() {
+    let dir = tempfile::tempdir().expect("a directory");
+    fs::write(dir.path().join("star.toml"), support::PAPER).expect("written");
+    assert_eq!(run(dir.path(), &["build", "star.toml", "-q"]).status.code(), Some(0));
+    let words = "spec.toml was changed after the build";
+    assert!(!stdout(&run(dir.path(), &["verify", "out/star"])).contains(words));
+    let spec = dir.path().join("out/star/spec.toml");
+    let text = fs::read_to_string(&spec).expect("its copy");
+    let changed = text.replace("tube_width = \"30 mm\"", "tube_width = \"31 mm\"");
+    assert_ne!(changed, text);
+    fs::write(&spec, changed).expect("written");
+    let output = run(dir.path(), &["verify", "out/star"]);
+    let said = stdout(&output);
+    assert_eq!(output.status.code(), Some(1));
+    let last: Vec<&str> = said.lines().rev().take(2).collect();
+    assert!(last[0].contains("findings") && last[1].starts_with(words), "{last:?}");
+}
+
 #[test]
 fn a_hose_that_is_thicker_than_its_tube_is_warned_of() {
     let dir = tempfile::tempdir().expect("a directory");

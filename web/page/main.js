@@ -137,7 +137,7 @@ async function change(key, value) {
             editor.text = answer.spec;
             refresh();
         } else if (answer?.faults) {
-            say(`The value is not accepted: ${answer.faults[0]?.found}. Mend the spec first.`, true);
+            say(`The value is not accepted: ${answer.faults[0]?.found}. Correct the spec first.`, true);
         }
     }
 }
@@ -209,7 +209,7 @@ function listen() {
     by("forget").addEventListener("click", () => {
         forget();
         history.replaceState(null, "", location.href.split("#")[0]);
-        say("What this browser kept of your spec is gone. The text here stays until you leave.");
+        say("The spec that this browser stored is deleted. The text here stays until you leave the page.");
     });
     by("designs").addEventListener("change", ({ target }) => target.value && take(designs[target.value]));
     by("machine").addEventListener("change", ({ target }) => change("machine.profile", JSON.stringify(target.value)));

@@ -30,7 +30,7 @@ function told({ fields, reasons, nearest, in_words, wrong }) {
         });
     }
     if (in_words) return in_words.trim().split("\n").map((line) => element("p", {}, line.trim()));
-    const list = [element("p", { className: "why" }, "No gripper does all of this:"), element("ul", {}, ...reasons.map((text) => element("li", {}, text.replaceAll(/--(?=[a-z])/g, ""))))];
+    const list = [element("p", { className: "why" }, "No gripper was found for these requirements:"), element("ul", {}, ...reasons.map((text) => element("li", {}, text.replaceAll(/--(?=[a-z])/g, ""))))];
     if (nearest) {
         const values = Object.entries(nearest).filter(([, value]) => value !== null);
         const use = () => {

@@ -47,12 +47,6 @@ struct Context<'a> {
     depth: usize,
 }
 
-/// The text of the note on a clip or a mask.
-fn unapplied(name: &str, value: &str) -> String {
-    let value: String = value.chars().take(60).collect();
-    format!("The {name} {value} is not applied; the whole outlines are read.")
-}
-
 /// The state of the walk.
 pub(super) struct Walk<'s, 'a, 'd, 'c, 'o> {
     root: Node<'a, 'd>,
@@ -134,7 +128,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         let find = |id: &str| self.ids.get(id).copied();
         let clip = clip::of(node, value, (&context.map, context.viewport), find);
         if !clip.is_some_and(|clip| clip.holds(&self.out.elements()[from..])) {
-            let text = unapplied("clip-path", value);
+            let text = clip::unapplied("clip-path", value);
             self.out.note(Weight::Changed, self.place(node, context), text);
         }
     }
@@ -355,7 +349,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             };
             let short: String = value.chars().take(60).collect();
             let (weight, text) = match name {
-                "mask" => (Weight::Changed, unapplied(name, value)),
+                "mask" => (Weight::Changed, clip::unapplied(name, value)),
                 "filter" => (Weight::Information, format!("The filter {short} is not applied.")),
                 _ => (Weight::Changed, format!("The markers {short} are not read.")),
             };
