@@ -44,6 +44,18 @@ impl Object {
         Some(Self { radius, height, shape: load.object_shape.unwrap_or(ObjectShape::Ball) })
     }
 
+    /// The largest radius of the object of `load` if it is to have the radius `wanted` where it has `there` now, all in mm: one without a
+    /// height of its own grows in height, too.
+    pub fn widest_for(load: &Load, there: f64, wanted: f64) -> f64 {
+        let radius = load.object_radius.map_or(there, |radius| radius.0);
+        match load.object_height {
+            // r(z)^2 = R^2 - z^2, with the same z.
+            None => (radius * radius - there * there + wanted * wanted).max(0.0).sqrt(),
+            Some(_) if there > 0.0 => radius * wanted / there,
+            Some(_) => wanted,
+        }
+    }
+
     /// Its height along the axis.
     pub fn height(&self) -> Length {
         Length(self.height)
@@ -167,6 +179,26 @@ mod tests {
 
     fn radii(object: Object, heights: &[f64]) -> Vec<f64> {
         object.meetings(heights, &vec![1e3; heights.len()]).iter().map(|one| one.radius).collect()
+    }
+
+    /// The stars of a stack meet the object that is proposed where they should.
+    #[test]
+    fn the_proposed_object_has_the_wanted_radius_at_the_star() {
+        let shapes = [None, Some(ObjectShape::Ball), Some(ObjectShape::Cylinder)];
+        for (height, shape) in [None, Some(150.0)].into_iter().flat_map(|h| shapes.map(|shape| (h, shape))) {
+            let load = |radius: f64| Load {
+                object_radius: Some(Length(radius)),
+                object_height: height.map(Length),
+                object_shape: shape,
+                ..Load::default()
+            };
+            let at = |load: &Load| Object::of(load).expect("a size").radius_at(20.0);
+            let now = load(60.0);
+            for wanted in [30.0, 55.0, 70.0] {
+                let found = at(&load(Object::widest_for(&now, at(&now), wanted)));
+                assert!((found - wanted).abs() < 1e-9, "{height:?} {shape:?} {wanted}: {found}");
+            }
+        }
     }
 
     /// A ball of 180 mm has a radius of 80.6 mm at 40 mm off its middle.

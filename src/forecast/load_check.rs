@@ -1,6 +1,6 @@
 //! Reasons why a gripper does not suit the load of its own spec: the found value, the allowed value, and the remedy.
 
-use crate::design::{Refusal, RefusalCode, does_not_enter};
+use crate::design::{Object, Refusal, RefusalCode, does_not_enter};
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::ranges::Interval;
 use crate::forecast::ranges::shown::with;
@@ -40,6 +40,7 @@ pub(super) fn too_short(load: &Load) -> Refusal {
 
 /// The star closes to `least` (mm) at the least, and the object of radius `object` is thinner.
 pub(super) fn too_thin(load: &Load, object: f64, least: f64) -> Refusal {
+    let wanted = Object::widest_for(load, object, least);
     Refusal::new(
         load.size_key(),
         RefusalCode::ObjectTooThin,
@@ -50,11 +51,7 @@ pub(super) fn too_thin(load: &Load, object: f64, least: f64) -> Refusal {
         ),
         format!(
             "{}, or a star that closes further: a smaller inner_radius",
-            size(
-                load,
-                [2.0, 1.0].map(|times| Least(times * whole(load, object, least)).to_string()),
-                "at least"
-            )
+            size(load, [Least(2.0 * wanted).to_string(), Least(wanted).to_string()], "at least")
         ),
     )
 }
@@ -71,21 +68,10 @@ pub(super) fn too_wide_to_open(load: &Load, object: f64, [least, most]: Interval
         ),
         format!(
             "from {} to {} mm across; or a larger inner_radius, fewer points or a smaller tube_width",
-            Least(2.0 * whole(load, object, least)),
-            Most(2.0 * whole(load, object, most))
+            Least(2.0 * Object::widest_for(load, object, least)),
+            Most(2.0 * Object::widest_for(load, object, most))
         ),
     )
-}
-
-/// The radius by which `load` gives an object that is to be `wanted` (mm) in radius where the present one is `there`.
-fn whole(load: &Load, there: f64, wanted: f64) -> f64 {
-    let radius = load.object_radius.map_or(there, |radius| radius.0);
-    match load.object_height {
-        // A larger ball is also taller.
-        None => (radius * radius - there * there + wanted * wanted).max(0.0).sqrt(),
-        Some(_) if there > 0.0 => radius * wanted / there,
-        Some(_) => wanted,
-    }
 }
 
 /// A limit of the object's size in the words of the key that gave it: diameter and radius.

@@ -274,14 +274,16 @@ impl Requirements {
             ),
             "burst" => "the seal bursts: less pressure, a stronger seal".to_owned(),
             "closing" => {
-                format!("the object is too thin: it closes to {:.1} times the object's radius", 1.0 + part)
+                format!(
+                    "the object is too thin: it closes to {:.2} times the object's radius, and {CLOSING} is required",
+                    CLOSING * (1.0 + part)
+                )
             }
             "inner_radius" => {
                 format!("its cut hole is {percent:.1} % too narrow for the object and the room around it")
             }
-            "opening" | "object" => {
-                format!("the object is too wide: it would have to open {percent:.1} % further")
-            }
+            "opening" => format!("the object is too wide: the star opens {percent:.1} % less than it needs"),
+            "object" => "it does not hold the object: too wide, too thin, or not at its height".to_owned(),
             "touching" => {
                 "its arms would touch, and the search allows only stars whose arms do not".to_owned()
             }
