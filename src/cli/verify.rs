@@ -16,7 +16,7 @@ use crate::cli::{findings, progress};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{PublishedBuild, prove_feed_check};
 use crate::spec::Code;
-use crate::verify::{FileProof, Finding, FindingCode, Method, OutputFiles, Proof};
+use crate::verify::{FileProof, FindingCode, Method, OutputFiles, Proof};
 
 /// Arguments of `verify`.
 #[derive(clap::Args, Debug)]
@@ -132,7 +132,8 @@ fn faults(dir: &Path, proof: &Proof) -> String {
     if let Some(source) = changed_source(proof) {
         let _ = writeln!(
             text,
-            "{source} was changed after the build, and the other files are compared with the changed one: restore it, or build again"
+            "{source} was changed after the build, or its hash in {MANIFEST} was, and the other files are compared with it: \
+             restore it, or build again"
         );
     }
     text.push_str(&verdict(dir, proof));
@@ -141,11 +142,10 @@ fn faults(dir: &Path, proof: &Proof) -> String {
 
 /// The first source of the design that is not the one that was built from.
 fn changed_source(proof: &Proof) -> Option<&'static str> {
-    let is_changed = |name: &&str| {
-        let other = |finding: &Finding| finding.file == *name && finding.code == FindingCode::Hash.as_str();
-        proof.findings.iter().any(other)
+    let changed = |name: &str| {
+        proof.findings.iter().any(|found| found.file == name && found.code == FindingCode::Hash.as_str())
     };
-    SOURCES.into_iter().filter(|name| *name != MANIFEST).find(is_changed)
+    SOURCES.into_iter().find(|name| *name != MANIFEST && changed(name))
 }
 
 /// The last line: whether the directory is proven, and the meaning for one of another version.

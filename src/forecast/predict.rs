@@ -275,9 +275,8 @@ fn weave_left_out(fabric: &Fabric) -> Option<String> {
     let part = weave.shear;
     (!weave.is_isotropic()).then(|| {
         format!(
-            "shear_modulus is not used: numbers and ranges are for isotropic fabric; the given fabric has \
-             {part:.2} of its shear modulus; \
-             `predict --model shell` takes it into account"
+            "shear_modulus is not used: numbers and ranges are for isotropic fabric; the given fabric has {part:.2} of \
+             its shear modulus; `predict --model shell` takes it into account"
         )
     })
 }

@@ -97,9 +97,8 @@ impl StarAnswer<'_> {
         };
         if inflated.rim_pushes(own.rest.angle) {
             warnings.push(
-                "the nonlinear star coils a hinge so far that its inner rim would be compressed: a real rim \
-             wrinkles, and \
-             the hinge is softer than predicted"
+                "the nonlinear star coils a hinge so far that its inner rim would be compressed: a real rim wrinkles, \
+                 and the hinge is softer than predicted"
                     .to_owned(),
             );
         }

@@ -103,6 +103,5 @@ impl ConvexClip {
 
 /// The text of the note on a clip or a mask.
 pub(super) fn unapplied(name: &str, value: &str) -> String {
-    let value: String = value.chars().take(60).collect();
     format!("The {name} {value} is not applied; the whole outlines are read.")
 }

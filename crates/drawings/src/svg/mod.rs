@@ -112,7 +112,7 @@ fn sheet(document: &Document<'_>, out: &mut Collector<'_>) -> style::Sheet {
         }
     }
     for rule in &sheet.unread {
-        let rule: String = rule.chars().take(60).collect();
+        let rule = shortened(rule);
         let text =
             format!("The style rule \"{rule}\" is not applied: only simple tags, classes and ids are.");
         out.note(Weight::Lost, Place::default(), text);
@@ -137,4 +137,9 @@ fn names<'a>(node: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
     let label =
         node.attributes().find(|attribute| label(attribute.name(), attribute.namespace())).map(|a| a.value());
     label.into_iter().chain(node.attribute("id")).filter(|name| !name.is_empty())
+}
+
+/// The beginning of a text of the drawing, as messages show it.
+fn shortened(text: &str) -> String {
+    text.chars().take(60).collect()
 }

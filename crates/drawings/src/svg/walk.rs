@@ -6,7 +6,7 @@ use roxmltree::{Document, Node, NodeId};
 
 use super::style::{Cascade, GEOMETRY, Paint, Style, is_zero};
 use super::viewport::{Viewport, fitted, view_box};
-use super::{Source, clip, is_svg, names, path_data, shapes, transform};
+use super::{Source, clip, is_svg, names, path_data, shapes, shortened, transform};
 use inflatable::geom::Point;
 
 use crate::affine::Affine;
@@ -128,7 +128,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         let find = |id: &str| self.ids.get(id).copied();
         let clip = clip::of(node, value, (&context.map, context.viewport), find);
         if !clip.is_some_and(|clip| clip.holds(&self.out.elements()[from..])) {
-            let text = clip::unapplied("clip-path", value);
+            let text = clip::unapplied("clip-path", &shortened(value));
             self.out.note(Weight::Changed, self.place(node, context), text);
         }
     }
@@ -224,7 +224,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             node.attributes().find(|attribute| attribute.name() == "href").map_or("", |a| a.value().trim());
         let place = self.place(node, context);
         let Some(target) = href.strip_prefix('#').and_then(|id| self.ids.get(id).copied()) else {
-            let found: String = href.chars().take(60).collect();
+            let found = shortened(href);
             let text = if href.starts_with('#') || href.is_empty() {
                 format!("It refers to \"{found}\", which is not in the file.")
             } else {
@@ -347,9 +347,9 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             else {
                 continue;
             };
-            let short: String = value.chars().take(60).collect();
+            let short = shortened(value);
             let (weight, text) = match name {
-                "mask" => (Weight::Changed, clip::unapplied(name, value)),
+                "mask" => (Weight::Changed, clip::unapplied(name, &short)),
                 "filter" => (Weight::Information, format!("The filter {short} is not applied.")),
                 _ => (Weight::Changed, format!("The markers {short} are not read.")),
             };

@@ -171,8 +171,7 @@ fn closed(corners: &[[u32; 3]], findings: &mut Findings) {
         findings.add(
             FindingCode::NotWatertight,
             format!("{open} of {all} edges"),
-            "each edge once in each \
-             direction",
+            "each edge once in each direction",
         );
     }
 }

@@ -117,20 +117,20 @@ impl fmt::Display for ShellFault {
                 let reason = match why {
                     Stop::Iterations => "Newton's method does not converge",
                     Stop::Stalled => "no step lowers the energy",
-                    Stop::Shift => {
-                        "the shape is close to buckling (no shift makes the Hessian positive definite)"
-                    }
+                    Stop::Shift => "the shape stays unstable (no shift makes the Hessian positive definite)",
                     Stop::Unstable => "the forces are in balance, but the shape is not stable",
                     Stop::Contact => "the contact pressures do not converge",
                     Stop::Cancelled => "it was stopped",
                 };
                 let before = if *last > 0.0 {
-                    format!("the last one was at 1/eps = {}; use a lower pressure", readable(*last))
+                    format!("the last one was at 1/eps = {last:.4}")
                 } else {
                     "there was none before it".to_owned()
                 };
-                let at = readable(*at);
-                write!(f, "no equilibrium at 1/eps = {at} on {triangles} triangles: {reason}; {before}")
+                write!(
+                    f,
+                    "no equilibrium at 1/eps = {at:.4} on {triangles} triangles: {reason}; {before}: use a lower pressure"
+                )
             }
             Self::Cancelled => write!(f, "the computation of the shell was stopped"),
         }
@@ -138,8 +138,3 @@ impl fmt::Display for ShellFault {
 }
 
 impl std::error::Error for ShellFault {}
-
-/// With four decimals; where those are zeros, with an exponent.
-fn readable(value: f64) -> String {
-    if value > 0.0 && value < 0.001 { format!("{value:.1e}") } else { format!("{value:.4}") }
-}
