@@ -8,7 +8,7 @@
 use crate::numerics;
 use crate::shell::assembly::Assembly;
 use crate::shell::element::vector::{Vector, dot, times};
-use crate::shell::solver::factor::Factor;
+use crate::shell::solver::factor::{EXACT, Factor};
 
 /// Constraint on a linear function of the unknowns.
 #[derive(Clone, Debug)]
@@ -47,8 +47,8 @@ impl DisplacementControl {
         let brace = assembly.project(&[(self.point, self.direction)]);
         let mut held =
             ControlledSolve { braced: brace.clone(), answer: self.row.clone(), ..ControlledSolve::default() };
-        factor.solve(&mut held.braced);
-        factor.solve(&mut held.answer);
+        factor.solve(&mut held.braced, EXACT);
+        factor.solve(&mut held.answer, EXACT);
         let left = 1.0 - self.brace * numerics::dot(&brace, &held.braced);
         held.taken_back = self.brace / left;
         let back = held.taken_back * numerics::dot(&brace, &held.answer);

@@ -1,6 +1,7 @@
 //! The lowest eigenvalue of a shape's Hessian: whether it is stable, and how far it is from not being so.
 
 use crate::shell::assembly::{Sheet, State};
+use crate::shell::solver::factor::EXACT;
 use crate::shell::solver::newton::Solver;
 
 /// A field of vectors on the points.
@@ -50,7 +51,7 @@ impl Solver {
                 .map(|(k, (x, area))| (k, x.map(|x| area * x)))
                 .collect();
             let mut answer = self.assembly.project(&loads);
-            self.factor.solve(&mut answer);
+            self.factor.solve(&mut answer, EXACT);
             let leans = vec![0.0; self.assembly.sheet.edge_count];
             let mut moved = State { points: vec![[0.0; 3]; points], leans };
             self.assembly.advance(&mut moved, &answer, 1.0);

@@ -4,7 +4,7 @@ use crate::numerics::dot;
 use crate::shell::assembly::{Assembly, Compression, Energy, Sheet, State, Supports, Tangent};
 use crate::shell::contact::{Contact, ContactError};
 use crate::shell::solver::displacement_control::{ControlledSolve, DisplacementControl};
-use crate::shell::solver::factor::Factor;
+use crate::shell::solver::factor::{EXACT, Factor};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -57,6 +57,8 @@ pub struct NewtonResult {
 /// Newton steps allowed for one equilibrium, and where a sheet snaps from one shape to another.
 const MOST_ITERATIONS: u32 = 80;
 const MOST_TO_SNAP: u32 = 1000;
+/// Accuracy of a step, relative: near an equilibrium each leaves about a thousandth of the residual.
+const STEP_ACCURACY: f64 = 1e-6;
 /// Halvings of a step.
 const MOST_HALVINGS: u32 = 12;
 /// Part of the energy's promised fall that must come.
@@ -74,6 +76,10 @@ const STRAIN_ROUNDING: f64 = 1e-15;
 
 /// k of contact by p/W: at 100 two to four rounds reach the tolerance; at 1e4 Newton's method meets kinks.
 const CONTACT: f64 = 100.0;
+/// Tolerance of the first rounds of contact, by that of the last; and penetration and change by their limits below which the next round may
+/// be the last.
+const LOOSE: f64 = 1e3;
+const NEAR: f64 = 10.0;
 /// Rounds of contact.
 const MOST_ROUNDS: u32 = 20;
 /// Penetration left, by W.
@@ -143,6 +149,12 @@ impl Solver {
     /// # Errors
     /// The reason of the stop; `state` is then the last shape.
     pub fn settle(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
+        let found = self.approach(state, aim)?;
+        if self.compute(0.0) && self.factor.is_confirmed() { Ok(found) } else { Err(Stop::Unstable) }
+    }
+
+    /// As [`Solver::settle`], whether the equilibrium is stable or not.
+    fn approach(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
         let found = self.iterate(state, aim);
         self.is_rough = false;
         found
@@ -157,8 +169,7 @@ impl Solver {
             }
             let residual = self.residual();
             if residual <= aim.tolerance && self.shift == 0.0 && !self.is_rough {
-                let stable = self.compute(0.0);
-                return if stable { Ok(NewtonResult { energy, residual }) } else { Err(Stop::Unstable) };
+                return Ok(NewtonResult { energy, residual });
             }
             self.find_step(aim)?;
             let was_rough = self.is_rough;
@@ -187,13 +198,23 @@ impl Solver {
         let Some(contact) = &mut self.contact else { return self.settle(state, aim) };
         contact.stiffness = contact.floor.max(CONTACT * aim.pressure);
         let mut before = ContactError { penetration: f64::INFINITY, change: f64::INFINITY, largest: 0.0 };
+        let mut is_near = false;
         for _ in 0..MOST_ROUNDS {
-            let rest = self.settle(state, aim)?;
+            let rest = if is_near {
+                self.settle(state, aim)?
+            } else {
+                self.approach(state, Aim { tolerance: LOOSE * aim.tolerance, ..aim })?
+            };
             let Some(contact) = &mut self.contact else { return Ok(rest) };
             let misfit = contact.keep(state);
-            if misfit.penetration <= PENETRATION && misfit.change <= CHANGE * misfit.largest {
+            let fits = |factor: f64| {
+                misfit.penetration <= factor * PENETRATION
+                    && misfit.change <= factor * CHANGE * misfit.largest
+            };
+            if is_near && fits(1.0) {
                 return Ok(rest);
             }
+            is_near = fits(NEAR);
             let is_slow = misfit.penetration > PENETRATION.max(before.penetration / 4.0)
                 || misfit.change > (CHANGE * misfit.largest).max(before.change / 4.0);
             if is_slow && contact.stiffness < STIFFEST * aim.pressure {
@@ -281,7 +302,7 @@ impl Solver {
         for (step, slope) in self.step.iter_mut().zip(self.assembly.gradient()) {
             *step = -slope;
         }
-        self.factor.solve(&mut self.step);
+        self.factor.solve(&mut self.step, STEP_ACCURACY);
         if let Some(lever) = &self.lever {
             let _ = lever.constrain(&self.assembly, &self.held, &mut self.step);
         }
@@ -326,7 +347,7 @@ impl Solver {
 
     /// Solves with the unshifted Hessian of the last equilibrium.
     pub fn solve(&mut self, rhs: &mut [f64]) {
-        self.factor.solve(rhs);
+        self.factor.solve(rhs, EXACT);
     }
 
     /// Displacement of the last equilibrium under a unit load on the sum of products of points with `parts`: g.H^-1 g,
@@ -334,7 +355,7 @@ impl Solver {
     pub fn compliance(&mut self, parts: &[(usize, [f64; 3])]) -> f64 {
         let load = self.assembly.project(parts);
         let mut answer = load.clone();
-        self.factor.solve(&mut answer);
+        self.factor.solve(&mut answer, EXACT);
         dot(&load, &answer)
     }
 

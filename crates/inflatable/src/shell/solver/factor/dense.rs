@@ -2,10 +2,10 @@
 //!
 //! The kernels are chosen for the processor: answers are the same in debug and release, and differ by rounding between processors.
 
-use nalgebra::{Dyn, MatrixView, MatrixViewMut};
+use nalgebra::{Dyn, MatrixView, MatrixViewMut, RealField};
 
-type View<'a> = MatrixView<'a, f64, Dyn, Dyn, Dyn, Dyn>;
-type ViewMut<'a> = MatrixViewMut<'a, f64, Dyn, Dyn, Dyn, Dyn>;
+type View<'a, R> = MatrixView<'a, R, Dyn, Dyn, Dyn, Dyn>;
+type ViewMut<'a, R> = MatrixViewMut<'a, R, Dyn, Dyn, Dyn, Dyn>;
 
 /// The kernels take blocks of more than so many rows and columns.
 const SMALL: usize = 5;
@@ -16,32 +16,32 @@ const TOGETHER: usize = 128;
 
 /// Some rows and columns of a matrix that is kept by columns; `numbers` begins with the first of them.
 #[derive(Clone, Copy)]
-pub(super) struct Block<'a> {
-    pub(super) numbers: &'a [f64],
+pub(super) struct Block<'a, R> {
+    pub(super) numbers: &'a [R],
     /// Rows of the matrix: numbers between neighbours in a row.
     pub(super) stride: usize,
     pub(super) rows: usize,
     pub(super) columns: usize,
 }
 
-impl<'a> Block<'a> {
+impl<'a, R: RealField + Copy> Block<'a, R> {
     /// Without the first rows.
     fn below(self, rows: usize) -> Self {
         Self { numbers: &self.numbers[rows..], rows: self.rows - rows, ..self }
     }
 
-    fn view(self) -> View<'a> {
+    fn view(self) -> View<'a, R> {
         View::from_slice_with_strides(self.numbers, self.rows, self.columns, 1, self.stride)
     }
 }
 
 /// Subtracts the first `columns` columns of `factor` times its transpose from `kept` times `result`, on and below the diagonal. Some
 /// entries above the diagonal change, too.
-pub(super) fn subtract_square(
-    result: &mut [f64],
+pub(super) fn subtract_square<R: RealField + Copy>(
+    result: &mut [R],
     stride: usize,
-    kept: f64,
-    factor: Block<'_>,
+    kept: R,
+    factor: Block<'_, R>,
     columns: usize,
 ) {
     let mut at = 0;
@@ -53,17 +53,23 @@ pub(super) fn subtract_square(
 }
 
 /// Takes `left` times the transpose of its first `columns` rows from `result`, or from zero.
-fn subtract_product(result: &mut [f64], stride: usize, kept: f64, left: Block<'_>, columns: usize) {
+fn subtract_product<R: RealField + Copy>(
+    result: &mut [R],
+    stride: usize,
+    kept: R,
+    left: Block<'_, R>,
+    columns: usize,
+) {
     let is_small = left.rows <= SMALL || left.columns <= SMALL || columns <= SMALL;
     if !is_small {
         let mut result = ViewMut::from_slice_with_strides_mut(result, left.rows, columns, 1, stride);
         let right = View::from_slice_with_strides(left.numbers, left.columns, columns, left.stride, 1);
-        result.gemm(-1.0, &left.view(), &right, kept);
+        result.gemm(-R::one(), &left.view(), &right, kept);
         return;
     }
     for (column, result) in result.chunks_mut(stride).take(columns).enumerate() {
-        if kept == 0.0 {
-            result[..left.rows].fill(0.0);
+        if kept.is_zero() {
+            result[..left.rows].fill(R::zero());
         }
         for numbers in left.numbers.chunks(left.stride).take(left.columns) {
             subtract_times(&mut result[..left.rows], numbers[column], numbers);
@@ -72,15 +78,20 @@ fn subtract_product(result: &mut [f64], stride: usize, kept: f64, left: Block<'_
 }
 
 /// Takes `factor` times the numbers of `from` from `result`.
-pub(super) fn subtract_times(result: &mut [f64], factor: f64, from: &[f64]) {
-    for (result, from) in result.iter_mut().zip(from) {
+pub(super) fn subtract_times<R: RealField + Copy>(result: &mut [R], factor: R, from: &[R]) {
+    for (result, &from) in result.iter_mut().zip(from) {
         *result -= factor * from;
     }
 }
 
 /// Turns the lower triangle of the first `columns` rows of a panel, and the rows below, into the Cholesky factor; false if that is
 /// not positive definite.
-pub(super) fn factor_panel(panel: &mut [f64], stride: usize, rows: usize, columns: usize) -> bool {
+pub(super) fn factor_panel<R: RealField + Copy>(
+    panel: &mut [R],
+    stride: usize,
+    rows: usize,
+    columns: usize,
+) -> bool {
     if columns <= COLUMN_BY_COLUMN {
         return factor_columns(panel, stride, rows, columns);
     }
@@ -90,11 +101,11 @@ pub(super) fn factor_panel(panel: &mut [f64], stride: usize, rows: usize, column
     }
     let (left, right) = panel.split_at_mut(half * stride);
     let left = Block { numbers: &left[half..], stride, rows: rows - half, columns: half };
-    subtract_square(&mut right[half..], stride, 1.0, left, columns - half);
+    subtract_square(&mut right[half..], stride, R::one(), left, columns - half);
     factor_panel(&mut right[half..], stride, rows - half, columns - half)
 }
 
-fn factor_columns(panel: &mut [f64], stride: usize, rows: usize, columns: usize) -> bool {
+fn factor_columns<R: RealField + Copy>(panel: &mut [R], stride: usize, rows: usize, columns: usize) -> bool {
     for column in 0..columns {
         let (before, from) = panel.split_at_mut(column * stride);
         let now = &mut from[column..rows];
@@ -102,12 +113,13 @@ fn factor_columns(panel: &mut [f64], stride: usize, rows: usize, columns: usize)
             subtract_times(now, before[column], &before[column..]);
         }
         let pivot = now[0];
-        if pivot.is_nan() || pivot <= 0.0 {
+        let is_positive = pivot > R::zero(); // not so if it is not a number
+        if !is_positive {
             return false;
         }
         let root = pivot.sqrt();
         now[0] = root;
-        let inverse = 1.0 / root;
+        let inverse = R::one() / root;
         now[1..].iter_mut().for_each(|number| *number *= inverse);
     }
     true

@@ -3,12 +3,13 @@
 use crate::shell::solver::factor::dense::{Block, factor_panel, subtract_square, subtract_times};
 use crate::shell::solver::factor::symbolic::{Supernode, Symbolic};
 use crate::shell::solver::factor::tree::NONE;
+use nalgebra::{RealField, convert, convert_unchecked};
 
 /// The factor's numbers, panel by panel, each by columns, and the buffers to compute them.
-pub(super) struct Numeric {
-    pub(super) numbers: Vec<f64>,
+pub(super) struct Numeric<R> {
+    numbers: Vec<R>,
     /// The update of one supernode by another, by columns.
-    update: Vec<f64>,
+    update: Vec<R>,
     /// The index of each row in the current panel.
     local: Vec<usize>,
     /// Rows that follow each other in both: where they begin in the update and in the panel, and how many they are.
@@ -18,11 +19,11 @@ pub(super) struct Numeric {
     next: Vec<usize>,
     from: Vec<usize>,
     /// A right side in the order of the tree, and the rows of it that a supernode reads.
-    vector: Vec<f64>,
-    gathered: Vec<f64>,
+    vector: Vec<R>,
+    gathered: Vec<R>,
 }
 
-impl Numeric {
+impl<R: RealField + Copy> Numeric<R> {
     /// Buffers for a factor; `None` if it is too large for this machine.
     pub(super) fn new(symbolic: &Symbolic) -> Option<Self> {
         let (unknowns, supernodes) = (symbolic.order.len(), symbolic.supernodes.len());
@@ -36,17 +37,17 @@ impl Numeric {
             first: vec![NONE; supernodes],
             next: vec![NONE; supernodes],
             from: vec![0; supernodes],
-            vector: vec![0.0; unknowns],
+            vector: vec![R::zero(); unknowns],
             gathered: Vec::new(),
         })
     }
 
-    /// Puts the matrix in the factor's place.
-    pub(super) fn load(&mut self, symbolic: &Symbolic, values: &[f64]) {
+    /// Puts the matrix in the factor's place: its values by columns.
+    pub(super) fn load(&mut self, symbolic: &Symbolic, values: impl Iterator<Item = f64>) {
         self.numbers.clear();
-        self.numbers.resize(symbolic.size, 0.0);
-        for (value, place) in values.iter().zip(&symbolic.places) {
-            self.numbers[*place] = *value;
+        self.numbers.resize(symbolic.size, R::zero());
+        for (value, place) in values.zip(&symbolic.places) {
+            self.numbers[*place] = convert(value);
         }
     }
 
@@ -92,9 +93,9 @@ impl Numeric {
         let numbers = &done[giver.start + giver.width() + from..giver.start + giver.width() * giver.height];
         let block = Block { numbers, stride: giver.height, rows: below.len(), columns: giver.width() };
         if self.update.len() < below.len() * columns {
-            self.update.resize(below.len() * columns, 0.0);
+            self.update.resize(below.len() * columns, R::zero());
         }
-        subtract_square(&mut self.update, below.len(), 0.0, block, columns);
+        subtract_square(&mut self.update, below.len(), R::zero(), block, columns);
         self.runs.clear();
         for (k, &row) in below.iter().enumerate() {
             let place = if row < node.end { row - node.first } else { self.local[row] };
@@ -107,7 +108,7 @@ impl Numeric {
             let panel = &mut rest[(column - node.first) * node.height..][..node.height];
             // Entries above the diagonal are updated too; they are never read.
             for &[from, to, count] in &self.runs {
-                for (number, update) in panel[to..to + count].iter_mut().zip(&update[from..from + count]) {
+                for (number, &update) in panel[to..to + count].iter_mut().zip(&update[from..from + count]) {
                     *number += update;
                 }
             }
@@ -118,12 +119,12 @@ impl Numeric {
     /// Solves with the factor.
     pub(super) fn solve(&mut self, symbolic: &Symbolic, rhs: &mut [f64]) {
         for (number, old) in self.vector.iter_mut().zip(&symbolic.order) {
-            *number = rhs[*old];
+            *number = convert(rhs[*old]);
         }
         self.solve_forwards(symbolic);
         self.solve_backwards(symbolic);
         for (number, old) in self.vector.iter().zip(&symbolic.order) {
-            rhs[*old] = *number;
+            rhs[*old] = convert_unchecked(*number);
         }
     }
 
@@ -133,14 +134,14 @@ impl Numeric {
             let below = symbolic.below.of(number);
             let (width, own) = (node.width(), &mut vector[node.first..node.end]);
             gathered.clear();
-            gathered.resize(below.len(), 0.0);
+            gathered.resize(below.len(), R::zero());
             for (k, column) in numbers[node.start..].chunks(node.height).take(width).enumerate() {
                 own[k] /= column[k];
                 let x = own[k];
                 subtract_times(&mut own[k + 1..], x, &column[k + 1..width]);
                 subtract_times(gathered, x, &column[width..]);
             }
-            for (row, number) in below.iter().zip(&*gathered) {
+            for (row, &number) in below.iter().zip(&*gathered) {
                 vector[*row] += number;
             }
         }
@@ -162,14 +163,14 @@ impl Numeric {
 }
 
 /// In four sums, which a processor adds at once.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+fn dot<R: RealField + Copy>(a: &[R], b: &[R]) -> R {
     let (quads, others) = (a.chunks_exact(4).zip(b.chunks_exact(4)), a.len() / 4 * 4);
-    let mut sums = [0.0; 4];
+    let mut sums = [R::zero(); 4];
     for (a, b) in quads {
         for k in 0..4 {
             sums[k] += a[k] * b[k];
         }
     }
-    let rest: f64 = a[others..].iter().zip(&b[others..]).map(|(a, b)| a * b).sum();
-    sums.iter().sum::<f64>() + rest
+    let rest = a[others..].iter().zip(&b[others..]).map(|(&a, &b)| a * b);
+    sums.into_iter().chain(rest).fold(R::zero(), |sum, x| sum + x)
 }
