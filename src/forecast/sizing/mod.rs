@@ -13,7 +13,6 @@ pub use self::text::{is_result, spec_text};
 use crate::design::{pitch_for, room};
 use crate::forecast::candidate::Candidate;
 use crate::forecast::case::sheet;
-use crate::forecast::load_check::COATED;
 use crate::forecast::optimize::{
     Constraints, DesignSearch, Evaluation, Goal, SearchBounds, SearchEffort, SearchResult, Short, shortfalls,
 };
@@ -247,24 +246,15 @@ impl Requirements {
         let percent = (1000.0 * part).ceil() / 10.0;
         match *what {
             "payload" => {
-                // Friction is short by the same factor as the mass; a hundredth more allows for rounding.
-                let friction = (101.0 * self.friction / (1.0 - part)).ceil() / 100.0;
-                let coated = if friction <= COATED {
-                    format!(
-                        "; a friction of {friction} would do (--friction): silicone-coated corners reach about 1"
-                    )
-                } else {
-                    String::new()
-                };
                 let needed = self.mass.0 * GRAVITY / self.friction;
                 if let Some(bears) =
                     self.largest_force.filter(|bears| f64::from(MOST_STARS) * bears.0 < needed)
                 {
                     let needed = format!("friction needs {needed:.1} N to hold {}", self.mass);
-                    return format!("{needed}, and the object bears {bears} of each star{coated}");
+                    return format!("{needed}, and the object bears {bears} of each star");
                 }
                 let safe = three_digits(self.mass.0 * (1.0 - part)).unwrap_or(Mass(0.0));
-                format!("it can safely carry {safe} of the {}{coated}", self.mass)
+                format!("it can safely carry {safe} of the {}", self.mass)
             }
             "sheet" => format!(
                 "the star is {percent:.1} % larger than the sheet or the machine: a larger one, --sheet"

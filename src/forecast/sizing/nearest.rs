@@ -33,8 +33,8 @@ pub struct NearestRequirements {
 const SHEET: f64 = 10.0;
 /// Trial masses as parts of the largest one: near it there are few grippers, and a search may miss them.
 const RESERVES: [f64; 3] = [0.9, 0.7, 0.4];
-/// Trial forces of one star in place of the object's limit, over the force that all stars need together.
-const SHARES: [f64; 9] = [0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0];
+/// Trial forces of one star in place of the object's limit, over the larger one of that limit and the force that all stars need together.
+const SHARES: [f64; 10] = [0.25, 0.35, 0.5, 0.7, 1.0, 1.1, 1.4, 2.0, 2.8, 4.0];
 /// Trial sizes of objects over the requested one, if no other change is enough.
 const SIZES: [f64; 4] = [0.7, 0.4, 0.2, 2.0];
 
@@ -49,16 +49,22 @@ pub fn choose(
     ring: &RingTable,
 ) -> Result<Vec<Choice>, Infeasible> {
     feasible(requirements, base, ring).map_err(|obstacle| match obstacle {
-        Shortfall::Star(best) => Infeasible {
-            reasons: requirements.reasons(base, best.as_deref()),
-            nearest: nearest(requirements, base, ring).map(Box::new),
-        },
+        Shortfall::Star(best) => {
+            let mut reasons = requirements.reasons(base, best.as_deref());
+            let nearest = nearest(requirements, base, ring).map(Box::new);
+            // Only a friction that was tried is named: it does not help if other requirements are missed, too.
+            let rougher = nearest.iter().map(|nearest| nearest.requirements.friction);
+            reasons.extend(rougher.filter(|friction| *friction > requirements.friction).map(|friction| {
+                format!("a friction of {friction} would do: silicone-coated corners reach about 1")
+            }));
+            Infeasible { reasons, nearest }
+        }
         Shortfall::Tube => Infeasible { reasons: vec![no_tube(base)], nearest: None },
     })
 }
 
-/// The closest requirements to `requirements` that can be met: coated corners, an object that bears more,
-/// less mass, at last another size.
+/// The closest requirements to `requirements` that can be met: coated corners or a larger sheet or another pressure, an object that bears
+/// more, less mass, at last another size. A largest force may grow, but is never dropped.
 fn nearest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> Option<NearestRequirements> {
     let tried = |requirements: Requirements| {
         let choices = feasible(&requirements, base, ring).ok()?;
@@ -67,39 +73,41 @@ fn nearest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> O
     let bearing_more = |requirements: Requirements| {
         let asked = requirements.largest_force?.0;
         let all = MARGIN * requirements.mass.0 * GRAVITY / requirements.friction;
-        let forces = SHARES.into_iter().map(|share| (10.0 * share * all).ceil() / 10.0);
+        let forces = SHARES.into_iter().map(|share| (100.0 * share * all.max(asked)).ceil() / 100.0);
         forces
             .filter(|force| *force > asked)
             .find_map(|force| tried(Requirements { largest_force: Some(Force(force)), ..requirements }))
     };
-    if let Some(most) = heaviest(requirements, base, ring) {
+    let rougher = |most: f64| {
         let friction = requirements.friction * requirements.mass.0 / most;
-        let rougher = RESERVES.into_iter().map(|part| (100.0 * friction / part).ceil() / 100.0);
-        let most = most.min(requirements.mass.0);
-        return rougher
-            .filter(|friction| *friction > requirements.friction && *friction <= COATED)
+        let all = RESERVES.into_iter().map(|part| (100.0 * friction / part).ceil() / 100.0);
+        all.filter(|friction| *friction > requirements.friction && *friction <= COATED)
             .find_map(|friction| tried(Requirements { friction, ..*requirements }))
-            .or_else(|| bearing_more(*requirements))
-            .or_else(|| {
-                let masses = RESERVES.into_iter().map(|part| three_digits(part * most));
-                masses.flatten().find_map(|mass| tried(Requirements { mass, ..*requirements }))
-            });
-    }
-    // It is not the mass: one thing less, then all of them, and then there is the object itself.
+    };
+    let lighter = |requirements: Requirements, most: f64| {
+        let masses = RESERVES.into_iter().map(|part| three_digits(part * most.min(requirements.mass.0)));
+        masses.flatten().find_map(|mass| tried(Requirements { mass, ..requirements }))
+    };
     let without_pressure = Requirements { pressure: None, ..*requirements };
     let endless = Requirements { room: Workspace { sheet: None, ..requirements.room }, ..without_pressure };
-    let free = Requirements { largest_force: None, ..endless };
-    let of_size = |factor: f64| Requirements {
-        object: Length((factor * requirements.object.0).round().max(1.0)),
-        ..free
+    let eased = || {
+        let larger_sheet = requirements.room.sheet.and_then(|_| on_larger_sheet(requirements, base, ring));
+        larger_sheet.or_else(|| requirements.pressure.and_then(|_| tried(without_pressure)))
     };
-    let larger_sheet = || requirements.room.sheet.and_then(|_| on_larger_sheet(requirements, base, ring));
-    larger_sheet()
-        .or_else(|| requirements.pressure.and_then(|_| tried(without_pressure)))
+    let resized = SIZES.map(|factor| {
+        let object = Length((factor * requirements.object.0).round().max(1.0));
+        Requirements { object, ..endless }
+    });
+    // Without a largest mass, it is not the mass that is too much.
+    let most = heaviest(requirements, base, ring);
+    most.map_or_else(eased, rougher)
         .or_else(|| bearing_more(*requirements))
-        .or_else(|| bearing_more(endless))
-        .or_else(|| (free != *requirements).then(|| tried(free)).flatten())
-        .or_else(|| SIZES.into_iter().map(of_size).find_map(tried))
+        .or_else(|| lighter(*requirements, most?))
+        .or_else(|| {
+            (endless != *requirements).then(|| tried(endless).or_else(|| bearing_more(endless))).flatten()
+        })
+        .or_else(|| resized.into_iter().find_map(tried))
+        .or_else(|| resized.into_iter().find_map(|one| lighter(one, heaviest(&one, base, ring)?)))
 }
 
 /// The largest mass that the gripper can carry with its margin and all other requirements, kg; `None` if they cannot be
