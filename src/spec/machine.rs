@@ -56,6 +56,13 @@ pub struct Process {
     pub trace_speed: Speed,
 }
 
+impl Process {
+    /// Lowest height of the tip in contact: a spring is pressed in by at most 20 mm, and a rigid tip would be pressed into the bed.
+    pub fn lowest_contact(&self) -> Length {
+        Length(if self.spring_loaded { -20.0 } else { 0.0 })
+    }
+}
+
 /// The work area and the clamps.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bench {

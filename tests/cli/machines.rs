@@ -449,6 +449,21 @@ fn coupon_refuses_bad_settings_and_writes_nothing() {
 }
 
 #[test]
+fn coupons_do_not_press_a_rigid_tip_into_the_bed() {
+    let dir = workshop_of(300, 300);
+    let profile = read(dir.path(), "mine.toml")
+        .replacen("spring_loaded = true", "spring_loaded = false", 1)
+        .replacen("contact = \"-0.3 mm\"", "contact = \"0 mm\"", 1);
+    fs::write(dir.path().join("mine.toml"), profile).expect("written");
+    let strips = ["coupon", "star.toml", "--only", "strips", "--heights"];
+    let low = [&strips[..], &["-0.5 mm"]].concat();
+    let words = ["a height of -0.5 mm; it must be from 0 mm to below 5 mm", "`spring_loaded = true`"];
+    let _ = fails(dir.path(), &low, 1, &words);
+    let said = done(dir.path(), &["coupon", "star.toml", "--only", "disc"]);
+    assert!(said.contains("wrote 1 program and 1 drawing to coupons"), "{said}");
+}
+
+#[test]
 fn coupons_stay_within_the_work_area() {
     // A bed of 220 mm takes four strips in a row, and all the pouches.
     let small = workshop_of(220, 220);
