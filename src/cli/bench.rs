@@ -57,9 +57,9 @@ pub(super) struct BenchArgs {
     /// Width of the bias strip.
     #[arg(long, value_name = "LENGTH", default_value = "25 mm", allow_hyphen_values = true, value_parser = quantity::<Length>(Allowed::above(0.0, 1e4)))]
     bias_width: Length,
-    /// The V-actuator's R / W as the band makes it.
-    #[arg(long, default_value_t = 1.0 / 30.0, allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
-    radius_ratio: f64,
+    /// The V-actuator's R / W as the band makes it; default: that of the spec's tips, without --spec 1/30.
+    #[arg(long, allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
+    radius_ratio: Option<f64>,
 }
 
 impl BenchArgs {
@@ -87,16 +87,25 @@ impl BenchArgs {
             }
         }
         let state = Ring
-            .target(self.radius_ratio)
-            .map_err(|fault| Failure::Message(format!("--radius-ratio: {fault}")))?;
+            .target(self.radius_ratio(spec.map(|loaded| &loaded.reading.spec)))
+            .map_err(|fault| Failure::Message(format!("R / W of the V-actuator: {fault}")))?;
         Ok(Some(Coiling { measured, predicted: state.lambda, model: "ring" }))
+    }
+
+    /// R / W of the V-actuator's hinge: a round iron makes none below half the band's width.
+    fn radius_ratio(&self, spec: Option<&Spec>) -> f64 {
+        let of_tips = |spec: &Spec| {
+            let star = spec.stars.first()?;
+            Some(star.tip_radius.0.max(0.5 * spec.seal.band.0) / star.tube_width.0)
+        };
+        self.radius_ratio.or_else(|| of_tips(spec?)).unwrap_or(1.0 / 30.0)
     }
 
     /// The V-actuator of the spec's tips, with a measured angle that is `off` deg too wide; `None` without angles.
     fn vee(&self, spec: &Spec, pressure: Pressure, off: f64) -> Option<VBench> {
         let ((flat, inflated), star) = (self.flat_angle.zip(self.inflated_angle)?, spec.stars.first()?);
         let (width, rest_angle) = (star.tube_width.metres(), flat.to_radians());
-        let hinge = Hinge { r_star: self.radius_ratio, width, rest_angle };
+        let hinge = Hinge { r_star: self.radius_ratio(Some(spec)), width, rest_angle };
         Some(VBench { hinge, pressure: pressure.pascals(), inflated: (inflated + off).to_radians() })
     }
 

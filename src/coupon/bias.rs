@@ -13,6 +13,8 @@ use std::fmt;
 
 use crate::coupon::cone::Press;
 
+/// Least length over width: the clamps stiffen a shorter strip by more than 6 % where the sheet is soft in shear.
+const SLENDER: f64 = 5.0;
 /// Least number of points for a straight line with a check.
 const LEAST: usize = 3;
 /// Largest distance of a point from the fitted line, relative to the range of loads: a curve has no single slope.
@@ -30,6 +32,8 @@ pub struct BiasStrip {
 /// The reason why a test gives no shear modulus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BiasFault {
+    /// The strip is too short for its width; its length, and the least one, mm.
+    Short(f64, f64),
     /// Too few points; their number.
     Few(usize),
     /// All points have one travel, or load falls with travel.
@@ -43,6 +47,11 @@ pub enum BiasFault {
 impl fmt::Display for BiasFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Short(found, least) => write!(
+                f,
+                "the strip is {found} mm long between the clamps; at least {least} mm, {SLENDER} times its width, \
+                 are needed: clamp it farther apart, or cut a narrower strip"
+            ),
             Self::Few(found) => {
                 write!(f, "{found} points; at least {LEAST} are needed")
             }
@@ -72,8 +81,12 @@ impl BiasStrip {
     /// E_45 t of the strip in `test`, N/mm, by least squares.
     ///
     /// # Errors
-    /// If the points do not lie on a straight, rising line.
+    /// If the strip is shorter than five widths, or the points do not lie on a straight, rising line.
     pub fn stiffness(&self, test: &[Press]) -> Result<f64, BiasFault> {
+        let least = SLENDER * self.width;
+        if self.length < least {
+            return Err(BiasFault::Short(self.length, least));
+        }
         if test.len() < LEAST {
             return Err(BiasFault::Few(test.len()));
         }
@@ -116,7 +129,7 @@ pub fn shear_stiffness(along_bias: f64, stretch: f64, poisson: f64) -> Result<f6
 mod tests {
     use super::*;
 
-    const STRIP: BiasStrip = BiasStrip { width: 50.0, length: 200.0 };
+    const STRIP: BiasStrip = BiasStrip { width: 40.0, length: 200.0 };
 
     fn line(slope: f64, bend: f64) -> Vec<Press> {
         [0.0, 1.0, 2.0, 3.0].map(|x| Press { travel: x, load: 2.0 + slope * x + bend * x * x }).to_vec()
@@ -127,7 +140,7 @@ mod tests {
         // Y = 38.4 N/mm, nu = 0.39, G t = 3 N/mm; by 1/E(theta) at 45 deg.
         let (y, nu, g) = (38.4, 0.39, 3.0);
         let bias = 1.0 / (0.5 / y + (1.0 / g - 2.0 * nu / y) / 4.0);
-        let found = STRIP.stiffness(&line(bias / 4.0, 0.0)).expect("a line");
+        let found = STRIP.stiffness(&line(bias / 5.0, 0.0)).expect("a line");
         assert!((found / bias - 1.0).abs() < 1e-12, "{found}");
         assert!((shear_stiffness(found, y, nu).expect("soft") / g - 1.0).abs() < 1e-12);
         // Isotropic fabric is as stiff along the bias as along the warp.
@@ -137,6 +150,8 @@ mod tests {
 
     #[test]
     fn what_is_no_line_or_no_strip_is_refused() {
+        let short = BiasStrip { width: 41.0, ..STRIP };
+        assert_eq!(short.stiffness(&line(1.0, 0.0)), Err(BiasFault::Short(200.0, 205.0)));
         assert_eq!(STRIP.stiffness(&line(1.0, 0.0)[..2]), Err(BiasFault::Few(2)));
         assert_eq!(STRIP.stiffness(&line(-1.0, 0.0)), Err(BiasFault::NoSlope));
         assert_eq!(STRIP.stiffness(&[Press { travel: 1.0, load: 1.0 }; 3]), Err(BiasFault::NoSlope));

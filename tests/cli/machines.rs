@@ -657,13 +657,22 @@ fn calibrate_names_the_line_it_cannot_read() {
     }
 }
 
-/// The tip of the paper's star, whose V-actuator has W 30 mm: `calibrate` recovers the fabric from the predictions of `actuator`.
+    for (tip_radius, radius) in [("0 mm", "1mm"), ("3 mm", "3mm")] {
+        finds_the_fabric(tip_radius, radius);
+    }
+}
+
+fn finds_the_fabric(tip_radius: &str, radius: &str) {
+/// Tips of W 30 mm, as sharp as the band allows (R 1 mm) and rounder: `calibrate` recovers the fabric from the predictions of `actuator`.
 #[test]
 fn calibrate_finds_the_fabric_that_the_bench_shows() {
     let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
-    let spec = support::PAPER.to_owned() + "[load]\npressure = \"5 kPa\"\n";
+    let star = format!("[star]\ntip_radius = \"{tip_radius}\"\n");
+    let spec = support::PAPER.replacen("[star]\n", &star, 1) + "[load]\npressure = \"5 kPa\"\n";
     fs::write(dir.path().join("spec.toml"), spec).expect("written");
-    let asked = "actuator --model section --json --tube-width 30mm --radius 1mm --angle 60deg --arm-length 120mm --pressure 12kPa";
+    let asked = format!(
+        "actuator --model section --json --tube-width 30mm --radius {radius} --angle 60deg --arm-length 120mm --pressure 12kPa"
+    );
     let predicted = json_of(&done(dir.path(), &asked.split(' ').collect::<Vec<_>>()));
     let angle = predicted["angle_deg"].as_f64().expect("a number").to_string();
     let bench = ["--flat-angle", "60", "--inflated-angle", &angle, "--angle-pressure", "12 kPa"];
