@@ -135,12 +135,10 @@ fn or<T: Clone>(given: &[T], usual: &[T]) -> Vec<T> {
 /// The written files, and the next steps.
 fn text(args: &Args, proven: &ProvenCoupons, programs: &[&String], drawings: &[&String]) -> String {
     let place = |name: &str| shown(args.output.join(name));
-    let mut out = format!(
-        "wrote {} programs and {} drawings to {}\n",
-        programs.len(),
-        drawings.len(),
-        shown(&args.output)
-    );
+    let counted =
+        |all: &[&String], one: &str| format!("{} {one}{}", all.len(), if all.len() == 1 { "" } else { "s" });
+    let (number, figures) = (counted(programs, "program"), counted(drawings, "drawing"));
+    let mut out = format!("wrote {number} and {figures} to {}\n", shown(&args.output));
     // Writing to a String does not fail.
     for (name, coupon) in programs.iter().zip(&proven.made().coupons) {
         let _ = writeln!(out, "  {name:32} {}", hours(coupon.program.time));
@@ -156,8 +154,9 @@ fn text(args: &Args, proven: &ProvenCoupons, programs: &[&String], drawings: &[&
         let _ = writeln!(out, "look at {look}: every strip with its setting and its cut");
         let _ = writeln!(
             out,
-            "seal the strips of {settings} programs, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in \
+            "seal the strips of {}, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in \
              peel_N in {results}, then: stargrip-cam calibrate {results} --spec {}",
+            if settings == 1 { "the program".to_owned() } else { format!("{settings} programs") },
             shown(&args.spec)
         );
     }

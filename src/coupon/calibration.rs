@@ -129,9 +129,13 @@ pub fn calibrate(
 /// # Errors
 /// If there are none.
 pub fn steady(settings: &[Calibration]) -> Result<Vec<Calibration>, CalibrationFault> {
+    let tested = settings.len();
+    if tested == 0 {
+        let why = "no row has a `peel_N`: write the force of each tested strip into that column";
+        return Err(CalibrationFault(why.to_owned()));
+    }
     if !settings.iter().any(|c| c.count >= LEAST) {
-        let tested = settings.len();
-        let why = format!("no setting has {LEAST} specimens; {tested} settings were tested");
+        let why = format!("no setting has {LEAST} specimens; tested settings: {tested}");
         return Err(CalibrationFault(why));
     }
     let steady: Vec<Calibration> = settings.iter().filter(|c| c.unfit().is_none()).copied().collect();

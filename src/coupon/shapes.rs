@@ -27,7 +27,7 @@ pub fn disc(diameter: f64, hose: &Inlet, seal: &Seal) -> Result<SealedShape, Ref
     let opened = |delta, least, beyond| channel.open_disc(radius, delta, least, beyond);
     let (seam, cut) = opened(half, 0.0, MOUTH_OVERRUN)
         .zip(opened(flap, 0.0, 0.0))
-        .ok_or_else(|| too_thick(hose, round_tube(diameter - 2.0 * flap)))?;
+        .ok_or_else(|| too_thick(hose, "disc", round_tube(diameter - 2.0 * flap)))?;
     Ok(pouch(seal, seam, Channel::mouth_cut(cut), 2.0 * channel.half_width))
 }
 
@@ -39,7 +39,7 @@ pub fn disc(diameter: f64, hose: &Inlet, seal: &Seal) -> Result<SealedShape, Ref
 pub fn vee(star: &StarSpec, hose: &Inlet, seal: &Seal) -> Result<SealedShape, Refusal> {
     let half_mouth = PI * hose.tube_diameter.0 / 4.0;
     if 2.0 * half_mouth >= star.tube_width.0 {
-        return Err(too_thick(hose, round_tube(star.tube_width.0)));
+        return Err(too_thick(hose, "V-actuator", round_tube(star.tube_width.0)));
     }
     let (half, flap) = (seal.band.0 / 2.0, seal.band.0 + seal.allowance.0);
     outside_the_flap(hose, flap)?;
@@ -70,9 +70,12 @@ fn outside_the_flap(hose: &Inlet, flap: f64) -> Result<(), Refusal> {
     Err(Refusal::new(key::inlet::LENGTH, RefusalCode::ShortInlet, found, remedy))
 }
 
-fn too_thick(hose: &Inlet, most: f64) -> Refusal {
-    let found = format!("a hose of {} has no room on a pouch of the coupons", hose.tube_diameter);
-    let remedy = format!("tube_diameter must be below {} mm: take a thinner hose", Most(most.max(0.0)));
+fn too_thick(hose: &Inlet, coupon: &str, most: f64) -> Refusal {
+    let found = format!("a hose of {} has no room on the {coupon}", hose.tube_diameter);
+    let remedy = format!(
+        "tube_diameter must be below {} mm: take a thinner hose, or make other coupons with --only",
+        Most(most.max(0.0))
+    );
     Refusal::new(key::inlet::TUBE_DIAMETER, RefusalCode::InletMeetsArm, found, remedy)
 }
 
