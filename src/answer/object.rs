@@ -250,6 +250,8 @@ fn buildable(
         Ok((text, forecast))
     };
     let mut base = base.clone();
+    // A default for another profile may not suit this one.
+    base.machine.feed_floor = FeedFloor::Refuse;
     let (text, forecast) = attempt(&base).or_else(|why: Refusals| {
         base.machine.feed_floor = FeedFloor::Chop;
         attempt(&base).map_err(|_| why)

@@ -8,21 +8,20 @@ use serde_json::{Value, json};
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::read_drawing;
-use crate::cli::new_object::{NewGripper, ObjectArgs, chosen};
+use crate::cli::new_object::{NewGripper, ObjectArgs, chosen, machine};
 use crate::cli::text_file::write_new;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::{defaults, progress, schema};
 use crate::design::{LayerProposal, Refusals, propose_layers};
-use crate::spec::{self, LayerRole};
+use crate::spec::{self, LayerRole, Source};
 use crate::units::Readable;
 use drawings::Unit;
 
 /// Arguments of `new`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// Name of the design, and of its file.
-    #[arg(default_value = "star")]
-    name: String,
+    /// Name of the design, and of its file; default: that of the drawing, without one "star".
+    name: Option<String>,
     /// Your own drawing, SVG or DXF: a spec that names all of its layers.
     #[arg(long, value_name = "FILE", conflicts_with = "object")]
     drawing: Option<PathBuf>,
@@ -37,23 +36,17 @@ pub(super) struct Args {
 
 /// Writes a starter spec into the current directory; an existing file is never overwritten.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    if !args.name.chars().any(char::is_alphanumeric) {
-        let text =
-            format!("the name `{}` has no letter or digit; a name is such as my-star", shown(&args.name));
-        return Err(Failure::Message(text));
-    }
     if let Some(drawing) = &args.drawing {
         return by_drawing(args, drawing);
     }
-    let name = args.name.strip_suffix(".toml").unwrap_or(&args.name);
+    let (name, path) = named(args.name.as_deref().unwrap_or("star"))?;
     let starter = || spec::starter(name).map_err(|fault| Failure::Message(fault.to_string()));
     let found = progress::during(args.verbosity, "searching for a gripper", |_| chosen(name, &args.object))?;
     let text = match &found {
         // The search has applied the user's defaults already.
         Some(made) => format!("#:schema ./{}\n{}", spec::SCHEMA_FILE, made.text),
-        None => defaults::written_into(starter()?)?,
+        None => with_defaults(starter()?)?,
     };
-    let path = PathBuf::from(format!("{}.toml", file_stem(&args.name)));
     write_new(&path, &text)?;
     let schema = schema::write_beside(&path)?;
     let verdict = found.as_ref().and_then(|made| made.forecast.verdict());
@@ -66,6 +59,28 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         .report(&format!("{verdict_line}{wrote}\nnext: edit it, then `stargrip-cam build {path}`\n"), &json)
 }
 
+/// The name of the design, and its file.
+fn named(given: &str) -> Result<(&str, PathBuf), Failure> {
+    let name = given.strip_suffix(".toml").unwrap_or(given);
+    if name.chars().any(|c| c.is_ascii_alphanumeric()) {
+        return Ok((name, PathBuf::from(format!("{}.toml", file_stem(name)))));
+    }
+    Err(Failure::Message(format!(
+        "the name `{}` has no letter from a to z and no digit for the name of a file; a name is such as my-star",
+        shown(given)
+    )))
+}
+
+/// `text` with the user's defaults, whose machine profile exists.
+fn with_defaults(text: String) -> Result<String, Failure> {
+    let text = defaults::written_into(text)?;
+    let profile = spec::read(&Source::new("starter", text.as_str()))?.spec.machine.profile;
+    match machine(&profile) {
+        Err(Failure::Message(fault)) => Err(Failure::Message(format!("your defaults: {fault}"))),
+        other => other.map(|_| text),
+    }
+}
+
 /// The unit of this name.
 fn unit(name: &str) -> Result<Unit, String> {
     let names: Vec<&str> = Unit::names().collect();
@@ -75,16 +90,14 @@ fn unit(name: &str) -> Result<Unit, String> {
 /// Writes the spec of a drawing, with a proposed role for every layer.
 fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let stem = drawing.file_stem().unwrap_or_default().to_string_lossy();
-    let own = args.name.strip_suffix(".toml").unwrap_or(&args.name);
-    let name = if own == "star" { stem.as_ref() } else { own };
+    let (name, path) = named(args.name.as_deref().unwrap_or(&stem))?;
     let file = drawing.to_string_lossy();
     let bytes = read_drawing(drawing)?;
     let refused = |refusals: Refusals| Failure::Message(format!("{}: {refusals}", shown(drawing)));
     let LayerProposal { layers, size: [width, height], unit, no_unit, hidden } =
         propose_layers(&file, &bytes, args.units).map_err(refused)?;
     let text = spec::drawing_starter(name, &file, &layers, unit);
-    let text = text.map_err(|fault| Failure::Message(fault.to_string()))?;
-    let path = PathBuf::from(format!("{}.toml", file_stem(name)));
+    let text = with_defaults(text.map_err(|fault| Failure::Message(fault.to_string()))?)?;
     write_new(&path, &text)?;
     let schema = schema::write_beside(&path)?;
     let rows: Vec<Value> = layers

@@ -144,7 +144,8 @@ fn base(args: &ObjectArgs) -> Result<Spec, Failure> {
     Ok(base)
 }
 
-fn machine(profile: &str) -> Result<Machine, Failure> {
+/// The machine of a built-in profile, or of a file.
+pub(super) fn machine(profile: &str) -> Result<Machine, Failure> {
     if spec::builtin_machine(profile).is_some() {
         return Machine::builtin(profile).map_err(|fault| Failure::Message(fault.to_string()));
     }

@@ -316,6 +316,29 @@ fn defaults_of_ones_own_are_in_a_new_spec_and_nowhere_else() {
     let other: serde_json::Value =
         serde_json::from_slice(&told(&["check", "star.toml", "--json"]).stdout).expect("JSON");
     assert_eq!(other["machine"], "generic");
+    // A gripper for an object has the profile of the option, and its need of short moves.
+    for (machine, is_chopped) in [("grbl", true), ("klipper", false), ("generic", false)] {
+        let wish = ["new", machine, "--object", "75 mm", "--mass", "300 g", "--machine", machine];
+        let made = told(&wish);
+        assert_eq!(made.status.code(), Some(0), "{machine}: {}", stderr(&made));
+        let spec = fs::read_to_string(dir.path().join(format!("{machine}.toml"))).expect("written");
+        assert_eq!(spec.contains("feed_floor"), is_chopped, "{spec}");
+    }
+    let drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"90mm\" height=\"90mm\" viewBox=\"0 0 90 90\">\
+                   <g id=\"air\"><circle cx=\"45\" cy=\"45\" r=\"30\"/></g></svg>";
+    fs::write(dir.path().join("pillow.svg"), drawing).expect("written");
+    assert_eq!(told(&["new", "--drawing", "pillow.svg"]).status.code(), Some(0));
+    let spec = fs::read_to_string(dir.path().join("pillow.toml")).expect("written");
+    assert!(spec.contains("\nprofile = \"grbl\" ") && spec.contains("\nwidth = \"400 mm\""), "{spec}");
+    fs::remove_file(dir.path().join("star.toml")).expect("removed");
+    assert_eq!(told(&["new", "star", "--drawing", "pillow.svg"]).status.code(), Some(0));
+    assert!(fs::read_to_string(dir.path().join("star.toml")).is_ok_and(|spec| spec.contains("pillow.svg")));
+    fs::write(config.join("config.toml"), "[machine]\nprofile = \"grbll\"\n").expect("written");
+    for args in [&["new", "other"][..], &["new", "other", "--drawing", "pillow.svg"]] {
+        let refused = told(args);
+        assert!(stderr(&refused).contains("your defaults: \"grbll\" is not a machine profile"), "{args:?}");
+        assert!(refused.status.code() == Some(1) && !dir.path().join("other.toml").exists(), "{args:?}");
+    }
     fs::write(config.join("config.toml"), "[machin]\n").expect("written");
     let refused = told(&["new", "other"]);
     assert_eq!(refused.status.code(), Some(1));

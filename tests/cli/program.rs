@@ -171,7 +171,7 @@ fn wrong_usage_is_told_apart_from_refusal() {
     assert_code(&run(dir.path(), &["machines", "show", "generic", "-q"]), 0);
     assert_code(&run(dir.path(), &["machines", "show", "teapot"]), 1);
     let empty = tempfile::tempdir().expect("a directory");
-    for name in ["..", "", "-.-"] {
+    for name in ["..", "", "-.-", "\u{e4}", ".toml"] {
         assert_code(&run(empty.path(), &["new", "--", name]), 1);
     }
 }
