@@ -125,11 +125,7 @@ fn edited<'v>(
     let values: Vec<(KeyPath, Option<&str>)> = values.collect();
     // One of the two size keys replaces the other, unless both are set here.
     let replaced = |key: KeyPath| {
-        let other = match key {
-            key::load::OBJECT_DIAMETER => key::load::OBJECT_RADIUS,
-            key::load::OBJECT_RADIUS => key::load::OBJECT_DIAMETER,
-            _ => return None,
-        };
+        let other = key.twin()?;
         (!values.iter().any(|(key, _)| *key == other)).then_some((other, None))
     };
     let set_sizes = values.iter().filter(|(_, value)| value.is_some());

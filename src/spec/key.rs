@@ -46,6 +46,15 @@ impl KeyPath {
             _ => None,
         }
     }
+
+    /// The other key of the same value: the object's radius for its diameter, and back; `None` for other keys.
+    pub fn twin(self) -> Option<Self> {
+        match self {
+            load::OBJECT_DIAMETER => Some(load::OBJECT_RADIUS),
+            load::OBJECT_RADIUS => Some(load::OBJECT_DIAMETER),
+            _ => None,
+        }
+    }
 }
 
 /// "star.points"; the star it is of is left out.

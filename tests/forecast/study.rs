@@ -185,6 +185,9 @@ fn faults_of_a_sweep_say_which_axis() {
     assert_eq!(new(&[]), Err("nothing is varied".to_owned()));
     let twice = new(&["star.points=3", "load.friction=1", "star.points=4"]);
     assert_eq!(twice, Err("`star.points` is varied twice".to_owned()));
+    let size = new(&["load.object_diameter=70 mm", "load.object_radius=40 mm"]);
+    let same = "`load.object_diameter` and `load.object_radius` are the same size: vary one of them";
+    assert_eq!(size, Err(same.to_owned()));
     let thousand =
         ["load.pressure=1 kPa..2 kPa/1000", "star.tip_angle=30 deg..40 deg/1000", "load.friction=1..2/1000"];
     assert_eq!(new(&thousand), Ok(1_000_000_000));

@@ -91,9 +91,13 @@ impl Study {
     /// # Errors
     /// The faults of the spec, or one sentence: no key is varied, one is varied twice, or there are too many rows.
     pub fn vary(spec: &Source, axes: Vec<Axis>) -> Result<Result<Self, String>, Faults> {
-        for (i, axis) in axes.iter().enumerate() {
-            if axes[..i].iter().any(|other| other.field.key() == axis.field.key()) {
-                return Ok(Err(format!("`{}` is varied twice", axis.field.key())));
+        for (i, key) in axes.iter().map(|axis| axis.field.key()).enumerate() {
+            let others = || axes[..i].iter().map(|other| other.field.key());
+            if others().any(|other| other == key) {
+                return Ok(Err(format!("`{key}` is varied twice")));
+            }
+            if let Some(twin) = others().find(|other| Some(*other) == key.twin()) {
+                return Ok(Err(format!("`{twin}` and `{key}` are the same size: vary one of them")));
             }
         }
         let blocks = axes.into_iter().filter_map(|axis| Block::new(vec![axis])).collect();

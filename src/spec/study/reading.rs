@@ -16,7 +16,7 @@ use crate::spec::study::draw::Draw;
 use crate::spec::study::field::{Field, KeyValue};
 use crate::spec::study::leaves::{Leaf, leaves};
 use crate::spec::value::{RawKind, RawValue};
-use crate::spec::{FaultCode, misleads};
+use crate::spec::{FaultCode, KeyPath, misleads};
 
 /// A study as its file defines it.
 #[derive(Clone, Debug)]
@@ -71,7 +71,7 @@ fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
     let wanted = |(name, place): (&str, Range<usize>)| Wanted { name: name.to_owned(), place };
     let mut seen = SeenKeys::default();
     if model.is_some() {
-        seen.add(&key::accuracy::MODEL.to_string(), place, "model", &mut reader.faults);
+        seen.add(key::accuracy::MODEL, place, "model", &mut reader.faults);
     }
     let set = read_set(reader, &mut seen);
     let mut blocks = Vec::new();
@@ -106,16 +106,22 @@ fn read_path(root: &mut Section<'_, '_>) -> String {
 
 /// The keys that were set so far, with the section that sets them.
 #[derive(Default)]
-struct SeenKeys(Vec<(String, &'static str)>);
+struct SeenKeys(Vec<(KeyPath, &'static str)>);
 
 impl SeenKeys {
-    /// Adds `name`; a fault if it is there already.
-    fn add(&mut self, name: &str, place: Range<usize>, by: &'static str, faults: &mut Vec<Fault>) {
-        if let Some((_, other)) = self.0.iter().find(|(known, _)| known == name) {
-            let fault = Fault::error(FaultCode::Conflict, place, format!("`{name}` is set twice"));
+    /// Adds `key`; a fault if it, or its twin, is there already.
+    fn add(&mut self, key: KeyPath, place: Range<usize>, by: &'static str, faults: &mut Vec<Fault>) {
+        let is_same = |known: KeyPath| known == key || Some(known) == key.twin();
+        if let Some((known, other)) = self.0.iter().find(|(known, _)| is_same(*known)) {
+            let found = if *known == key {
+                format!("`{key}` is set twice")
+            } else {
+                format!("`{key}` is set besides `{known}`, the same size")
+            };
+            let fault = Fault::error(FaultCode::Conflict, place, found);
             faults.push(fault.label(format!("{other} sets it already")).help("delete one of them"));
         }
-        self.0.push((name.to_owned(), by));
+        self.0.push((key, by));
     }
 }
 
@@ -125,7 +131,7 @@ fn section<'r>(reader: &mut Reader<'r>, name: &'static str, seen: &mut SeenKeys)
     let Some(table) = value.as_table() else { return Vec::new() };
     let found = leaves(table, &mut reader.faults);
     for leaf in &found {
-        seen.add(&leaf.field.key().to_string(), leaf.place.clone(), name, &mut reader.faults);
+        seen.add(leaf.field.key(), leaf.place.clone(), name, &mut reader.faults);
     }
     found
 }
@@ -225,7 +231,7 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
     let mut axes = Vec::new();
     for (axis, leaf) in (0..).zip(leaves(table, &mut reader.faults)) {
         let Leaf { field, place, value } = leaf;
-        seen.add(&field.key().to_string(), place, "draw", &mut reader.faults);
+        seen.add(field.key(), place, "draw", &mut reader.faults);
         let ends = match &value.kind {
             RawKind::Text(text) => between(&field, text),
             _ => Err("must be a text, \"FROM..TO\"".to_owned()),

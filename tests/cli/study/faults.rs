@@ -75,6 +75,11 @@ fn every_fault_says_what_was_found_and_what_is_allowed() {
             "model sets it already",
         ),
         (
+            with("[set]\nload.object_radius = \"40 mm\"\n[vary]\nload.object_diameter = [\"70 mm\"]\n"),
+            "conflict",
+            "`load.object_diameter` is set besides `load.object_radius`, the same size",
+        ),
+        (
             with(&format!("[set]\nstar.inner_radius = \"-1 mm\"\n{vary}")),
             "out-of-range",
             "must be at least 0.001 mm",
