@@ -291,7 +291,7 @@ fn edited(loaded: &Loaded, candidate: &Evaluation) -> Result<String, Failure> {
     recommented(loaded, &text)
 }
 
-/// `text`, the edited spec `loaded`, without comments about old values. A changed value names its old one; comments that `new` had computed
+/// `text`, the edited spec `loaded`, in which a changed value names its old one behind the user's comment. Comments that `new` had computed
 /// are removed, because they depend on all values.
 fn recommented(loaded: &Loaded, text: &str) -> Result<String, Failure> {
     let edited = Source::new("optimised", text);
@@ -305,9 +305,16 @@ fn recommented(loaded: &Loaded, text: &str) -> Result<String, Failure> {
     if before == after {
         return Ok(text.to_owned());
     }
-    let text = with_comments(&edited, |section, key, comment| match was(section, key) {
-        Some(was) => Some(format!("was {was}")),
-        None => (!is_result(comment)).then(|| comment.to_owned()),
+    let text = with_comments(&edited, |section, key, comment| {
+        let own = if is_result(comment) { "" } else { comment };
+        let Some(was) = was(section, key) else { return own.to_owned() };
+        // The value before the last search is outdated.
+        let own = own.rsplit_once("; was ").map_or(own, |(own, _)| own);
+        if own.is_empty() || own.starts_with("was ") {
+            format!("was {was}")
+        } else {
+            format!("{own}; was {was}")
+        }
     })?;
     let lines = text.lines().filter(|line| !line.strip_prefix("# ").is_some_and(is_result));
     Ok(lines.flat_map(|line| [line, "\n"]).collect())

@@ -159,14 +159,14 @@ fn edited<'v>(
     Ok(document.to_string())
 }
 
-/// The text of `source` with other comments behind values. `renewed` takes section, key and comment and returns the new comment,
-/// `None` for none. Comments on lines of their own, and those within inline tables, stay.
+/// The text of `source` with other comments behind values. `renewed` takes section, key and comment, "" for none, and returns the new
+/// comment. Comments on lines of their own, and those within inline tables, stay.
 ///
 /// # Errors
 /// If `source` is not TOML.
 pub fn with_comments(
     source: &Source,
-    mut renewed: impl FnMut(&str, &str, &str) -> Option<String>,
+    mut renewed: impl FnMut(&str, &str, &str) -> String,
 ) -> Result<String, Faults> {
     let mut document = document(source)?;
     for (section, item) in document.iter_mut() {
@@ -174,15 +174,11 @@ pub fn with_comments(
         for (key, item) in table.iter_mut() {
             let Some(value) = item.as_value_mut() else { continue };
             let suffix = value.decor().suffix().and_then(toml_edit::RawString::as_str).unwrap_or_default();
-            let Some((blanks, comment)) = suffix.split_once('#') else { continue };
-            let comment = comment.trim();
-            match renewed(section.get(), key.get(), comment) {
-                Some(new) if new == comment => {}
-                Some(new) => {
-                    let new = format!("{blanks}# {new}");
-                    value.decor_mut().set_suffix(new);
-                }
-                None => value.decor_mut().set_suffix(""),
+            let (blanks, comment) = suffix.split_once('#').unwrap_or(("  ", ""));
+            let new = renewed(section.get(), key.get(), comment.trim());
+            if new != comment.trim() {
+                let suffix = if new.is_empty() { String::new() } else { format!("{blanks}# {new}") };
+                value.decor_mut().set_suffix(suffix);
             }
         }
     }
@@ -252,12 +248,13 @@ mod tests {
             TEXT.replace("\"50 mm\"", "\"50 mm\"   # old").replace("count = 2", "count = 2 # kept"),
         );
         let renewed = |section: &str, key: &str, comment: &str| match (section, key) {
-            ("star", "points") => Some("was 4".to_owned()),
-            ("star", _) => None,
-            _ => Some(comment.to_owned()),
+            ("star", "points" | "tube_width") => "was 4".to_owned(),
+            ("star", _) => String::new(),
+            _ => comment.to_owned(),
         };
         let text = with_comments(&source, renewed).expect("TOML");
         assert!(text.contains("points = 5   # was 4\n"), "{text}");
+        assert!(text.contains("tube_width = \"30 mm\"  # was 4\n"), "{text}");
         assert!(text.contains("inner_radius = \"50 mm\"\n") && text.contains("count = 2 # kept\n"), "{text}");
         assert!(text.contains("# the end\n"), "{text}");
     }

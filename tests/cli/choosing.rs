@@ -284,13 +284,21 @@ fn no_comment_is_about_values_that_were_replaced() {
     let spec = fs::read_to_string(&path).expect("written");
     let points = spec.lines().find(|line| line.starts_with("points = ")).expect("points");
     let number: u32 = points.split(' ').nth(2).and_then(|word| word.parse().ok()).expect("a number");
-    let own = spec.clone() + "\n[seal]\nband = \"2 mm\"  # mine\n";
+    let commented = |line: &str| match line.split_once(" = ") {
+        Some(("tip_angle", _)) => line.split('#').next().unwrap_or_default().to_owned() + "# steep",
+        Some(("tube_width", _)) => line.split('#').next().unwrap_or_default().trim_end().to_owned(),
+        _ => line.to_owned(),
+    };
+    let own =
+        spec.lines().map(commented).collect::<Vec<_>>().join("\n") + "\n[seal]\nband = \"2 mm\"  # mine\n";
     fs::write(&path, own).expect("written");
     let other = if number == 5 { "6" } else { "5" };
     let output = run(dir.path(), &["optimize", "wish.toml", "--points", other, "-q"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let found = text(&output.stdout);
     assert!(found.contains(&format!("# was {number}\n")) && found.contains("# mine"), "{found}");
+    // A comment of the user stays before the old value; without one the old value is written, too.
+    assert!(found.contains("# steep; was ") && found.contains(" mm\"  # was "), "{found}");
     for stale in
         ["least fabric (", "closes to", "presses with", "safe payload", "Designed for", "opens to", "t/W is"]
     {
