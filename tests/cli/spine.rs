@@ -121,6 +121,9 @@ fn kinds_that_were_asked_for_once_come_again() {
         assert!(output.status.success(), "{}", stderr(&output));
         stderr(&output)
     };
+    let _ = build(&["--only", "report"]);
+    let said = build(&[]);
+    assert!(there("report.html") && said.contains("note: report is built again"), "{said}");
     assert!(!build(&["--with", "preview-png"]).contains("preview-png"));
     assert!(there("sheet-1-preview.png"));
     let said = build(&[]);
@@ -134,7 +137,7 @@ fn kinds_that_were_asked_for_once_come_again() {
     assert!(there("report.html") && there("scene.glb") && said.is_empty(), "{said}");
     let said = build(&["--only", "seal-gcode", "-q"]);
     assert!(
-        !there("report.html") && said.contains("is not built again; to build it: `--with report,scene-glb`"),
+        !there("report.html") && said.contains("is not built again; to build it: `--with scene-glb,report`"),
         "{said}"
     );
     assert!(run(folder.path(), &["verify", "out/star"]).status.success());

@@ -57,8 +57,9 @@ impl fmt::Display for Published {
 
 /// The extra kinds that the build in `target` has; empty without a build.
 pub(super) fn extras_of(target: &Path) -> Vec<Kind> {
-    let with = PublishRecord::read(target).map_or_else(Vec::new, |record| record.with);
-    with.iter().filter_map(|name| Kind::from_name(name)).filter(|kind| kind.is_extra()).collect()
+    let files = PublishRecord::read(target).map_or_else(Vec::new, |record| record.files);
+    let has = |kind: &Kind| kind.is_extra() && files.iter().any(|file| file.kind == kind.name());
+    Kind::ALL.iter().copied().filter(has).collect()
 }
 
 /// Publishes the files of `proven` in the directory `target`, and replaces an earlier build there.

@@ -24,9 +24,6 @@ pub(super) struct PublishRecord {
     pub(super) name: String,
     /// All files beside the manifest.
     pub(super) files: Vec<Recorded>,
-    /// The names of the extra kinds that were requested.
-    #[serde(default)]
-    pub(super) with: Vec<String>,
 }
 
 /// One file.
@@ -34,6 +31,9 @@ pub(super) struct PublishRecord {
 pub(super) struct Recorded {
     /// Its name, without a path.
     pub(super) path: String,
+    /// The name of its kind.
+    #[serde(default)]
+    pub(super) kind: String,
     bytes: u64,
     sha256: String,
 }
