@@ -8,6 +8,7 @@
 //! decides whether the matrix is positive definite.
 
 mod dense;
+mod matrix;
 mod numeric;
 mod refine;
 mod symbolic;
@@ -15,6 +16,7 @@ mod symbolic;
 mod tests;
 mod tree;
 
+use crate::shell::solver::factor::matrix::Matrix;
 use crate::shell::solver::factor::numeric::Numeric;
 use crate::shell::solver::factor::refine::Refinement;
 use crate::shell::solver::factor::symbolic::Symbolic;
@@ -34,12 +36,6 @@ pub(crate) struct Factor {
     double: Option<Numeric<f64>>,
     is_double: bool,
     refinement: Refinement,
-}
-
-/// The lower triangle of a symmetric matrix by columns, whose rows rise from the diagonal on.
-struct Matrix {
-    lower: Lists,
-    values: Vec<f64>,
 }
 
 impl Factor {
@@ -120,34 +116,5 @@ impl Factor {
             single.solve(symbolic, vector);
             vector.iter_mut().zip(&*scale).for_each(|(x, scale)| *x *= scale);
         })
-    }
-}
-
-impl Matrix {
-    /// Row, column and value of each of its numbers.
-    fn entries(&self) -> impl Iterator<Item = (usize, usize, f64)> {
-        let columns = (0..self.lower.count())
-            .flat_map(|column| self.lower.of(column).iter().map(move |row| (*row, column)));
-        columns.zip(&self.values).map(|((row, column), value)| (row, column, *value))
-    }
-
-    fn shift_diagonal(&mut self, factor: f64, shift: &[f64]) {
-        for (place, shift) in self.lower.starts.iter().zip(shift) {
-            self.values[*place] += factor * shift;
-        }
-    }
-
-    /// Writes its product with `x` to `result`.
-    fn times(&self, x: &[f64], result: &mut [f64]) {
-        result.fill(0.0);
-        for (column, ends) in self.lower.starts.windows(2).enumerate() {
-            let mut sum = self.values[ends[0]] * x[column];
-            for place in ends[0] + 1..ends[1] {
-                let (row, value) = (self.lower.items[place], self.values[place]);
-                sum += value * x[row];
-                result[row] += value * x[column];
-            }
-            result[column] += sum;
-        }
     }
 }

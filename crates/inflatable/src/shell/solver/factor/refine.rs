@@ -1,7 +1,7 @@
 //! Conjugate gradients with the factor in single precision as the preconditioner.
 
 use crate::numerics::dot;
-use crate::shell::solver::factor::Matrix;
+use crate::shell::solver::factor::matrix::Matrix;
 
 /// Iterations at most. Shells take three to five.
 const MOST_ITERATIONS: u32 = 100;
