@@ -17,7 +17,7 @@ use crate::design::arm::arm_length;
 use crate::design::star_fault::{blamed, no_arm};
 use crate::design::{Refusal, RefusalCode};
 use crate::spec::{StarSpec, key};
-use crate::units::{Most, Readable};
+use crate::units::{Angle, Length, Most, Readable};
 use inflatable::geom::Point;
 
 /// The flat geometry of a star that exists: every length positive. Lengths in mm, angles in rad.
@@ -84,6 +84,19 @@ impl Star {
             return Err(too_large(spec, &star));
         }
         Ok(star)
+    }
+
+    /// The star with the inner radius of curvature `radius` at tips and corners; `None` if there is no such star.
+    pub(crate) fn with_radii(&self, radius: Length) -> Option<Self> {
+        let spec = StarSpec {
+            inner_radius: Length(self.rho_0),
+            tube_width: Length(self.w),
+            tip_angle: Angle(self.phi_i.to_degrees()),
+            tip_radius: radius,
+            corner_radius: radius,
+            ..StarSpec::paper(self.n)
+        };
+        Self::new(&spec).ok()
     }
 
     /// Half the angle of a sector, pi / n.

@@ -1,6 +1,6 @@
 //! From a spec to the prediction: selects the model, evaluates every star, and adds the evidence.
 
-use crate::design::{Design, Meeting, StarAssembly, StarDesign};
+use crate::design::{Design, Meeting, Star, StarAssembly, StarDesign};
 use crate::forecast::case::{Case, weave};
 use crate::forecast::model_selection::{corrected, hinge_model, limits_of_validity, named, tabled};
 use crate::forecast::outcome::{Grip, Outcome};
@@ -8,7 +8,7 @@ use crate::forecast::prediction::{ForceAt, Hinges, ModelEvidence, Prediction, St
 use crate::forecast::pressures::{LEAST, MOST, modelled, rows};
 use crate::forecast::ranges::{Domain, Interval, Ranges, StarRanges, errors, outside, sum};
 use crate::forecast::seal_load::{
-    Bursting, LoadedHinge, burst, burst_range, factor, largest_pull, remedy, safe_radius,
+    Bursting, LoadedHinge, burst, burst_range, factor, largest_pull, possible_radius, remedy,
 };
 use crate::forecast::star_answer::{StarAnswer, bare, of_the_shape};
 use crate::forecast::verdict::verdict;
@@ -129,7 +129,7 @@ fn predict_star(
     meeting: Option<Meeting>,
 ) -> Result<StarPrediction, StarFault> {
     let case = Case::of(spec, &part.star)?.meeting(meeting);
-    let asked = PlacedCase { spec, part, case, seal: SealForecast::new(&case) };
+    let asked = PlacedCase { spec, part, case, seal: SealForecast::new(&case, &part.star) };
     let width = case.mechanism.width;
     let Some(level) = named(spec.accuracy.model) else { return asked.automatic() };
     let model = hinge_model(level, &case.sheet, case.pressure, width)?;
@@ -296,7 +296,7 @@ struct SealForecast {
 }
 
 impl SealForecast {
-    fn new(case: &Case) -> Self {
+    fn new(case: &Case, star: &Star) -> Self {
         let load = |radius: f64| factor(&Ring, radius / case.mechanism.width);
         let (burst, burst_range) = (burst(case, &Ring), burst_range(case));
         let at = burst.zip(case.pressure).map(|(burst, p)| Bursting::at(p, burst, burst_range));
@@ -306,7 +306,7 @@ impl SealForecast {
             pull: largest_pull(case),
             burst,
             burst_range,
-            safe: if bursts { safe_radius(case, LoadedHinge::Tip) } else { None },
+            safe: if bursts { possible_radius(case, star, LoadedHinge::Tip) } else { None },
         }
     }
 

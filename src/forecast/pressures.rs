@@ -67,15 +67,17 @@ const ALL: [f64; 2] = [1e-3, 1e6];
 /// Number of pressures of [`ALL`] to evaluate, evenly spaced in their logarithm: twenty a decade.
 const TRIED: u32 = 181;
 
+/// Whether the star of `case` has a prediction at `pressure`, Pa.
+pub(super) fn is_modelled(case: &Case, pressure: f64) -> bool {
+    let outcome = tabled(case, pressure)
+        .and_then(|model| Outcome::of(&Case { pressure: Some(pressure), ..*case }, &model));
+    outcome.is_ok_and(|(_, outcome)| outcome.known)
+}
+
 /// The lowest and the highest pressure, kPa, at which the star of `case` has a prediction, rounded inwards to three digits; `None`
 /// if there is none.
 pub fn modelled(case: &Case) -> Option<Interval> {
-    let is_known = |kpa: f64| {
-        let pressure = Pressure(kpa).pascals();
-        let outcome = tabled(case, pressure)
-            .and_then(|model| Outcome::of(&Case { pressure: Some(pressure), ..*case }, &model));
-        outcome.is_ok_and(|(_, outcome)| outcome.known)
-    };
+    let is_known = |kpa: f64| is_modelled(case, Pressure(kpa).pascals());
     let tried = |k: u32| ALL[0] * libm::pow(ALL[1] / ALL[0], f64::from(k) / f64::from(TRIED - 1));
     let known: Vec<u32> = (0..TRIED).filter(|k| is_known(tried(*k))).collect();
     let (first, last) = (*known.first()?, *known.last()?);

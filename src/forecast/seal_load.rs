@@ -9,8 +9,9 @@
 //! band is wide, because a leak has to cross the band. R* = R / W is that of the radius that the band really
 //! makes.
 
-use crate::design::StarDesign;
-use crate::forecast::case::{Case, Hinges};
+use crate::design::{Star, StarDesign};
+use crate::forecast::case::{Case, Hinges, mechanism};
+use crate::forecast::pressures::is_modelled;
 use crate::forecast::ranges::{Interval, TriedRatio, errors, scaled, widening};
 use crate::units::{Length, LineForce, Pressure, Readable};
 use inflatable::mechanics::hinge::ring::Ring;
@@ -188,11 +189,22 @@ pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
     Some(Length(hundredths / 100.0))
 }
 
+/// [`safe_radius`], if `star`, whose case is `case`, can have it at both tips and corners: it has arms then, and a prediction if
+/// it has one now.
+pub(super) fn possible_radius(case: &Case, star: &Star, hinge: LoadedHinge) -> Option<Length> {
+    let radius = safe_radius(case, hinge)?;
+    let round = Case { mechanism: mechanism(&star.with_radii(radius)?), ..*case };
+    let pressure = case.pressure?;
+    (is_modelled(&round, pressure) || !is_modelled(case, pressure)).then_some(radius)
+}
+
 /// The remedy for a hinge whose seal bursts.
 pub fn remedy(safe: Option<Length>) -> String {
     match safe {
         Some(radius) => format!("a radius of {radius} would hold"),
-        None => "no radius is enough: less pressure, a narrower tube or a stronger seal".to_owned(),
+        None => {
+            "no radius of such a star is enough: less pressure, a narrower tube or a stronger seal".to_owned()
+        }
     }
 }
 
@@ -232,10 +244,15 @@ pub fn seal_loads(case: &Case, part: &StarDesign) -> Vec<SealLoad> {
         ("inlet", None, channel),
     ];
     let with_width = places.into_iter().filter_map(|(place, hinge, width)| Some((place, hinge, width?)));
-    with_width.map(|(place, hinge, width)| at_place(case, place, hinge, width)).collect()
+    with_width.map(|(place, hinge, width)| at_place((case, &part.star), place, hinge, width)).collect()
 }
 
-fn at_place(case: &Case, place: &'static str, hinge: Option<(LoadedHinge, f64)>, width: f64) -> SealLoad {
+fn at_place(
+    (case, star): (&Case, &Star),
+    place: &'static str,
+    hinge: Option<(LoadedHinge, f64)>,
+    width: f64,
+) -> SealLoad {
     let k = hinge.map(|hinge| (hinge, factor(&Ring, hinge.1 / width)));
     let at = |pressure: f64| match k {
         Some((hinge, k)) => k.map(|k| pull(case, k, hinge, pressure)),
@@ -267,7 +284,7 @@ fn at_place(case: &Case, place: &'static str, hinge: Option<(LoadedHinge, f64)>,
         burst_range: burst_range.map(|range| range.map(Pressure::from_pascals)),
         bursting,
         margin,
-        safe_radius: weak.and_then(|(hinge, _)| safe_radius(case, hinge)),
+        safe_radius: weak.and_then(|(hinge, _)| possible_radius(case, star, hinge)),
     }
 }
 
