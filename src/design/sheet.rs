@@ -92,18 +92,17 @@ impl Design {
     /// The pieces on sheet number `sheet`, beginning with the one nearest to the sheet's origin, then always the one
     /// nearest to the one before; of equals the lowest.
     pub fn nearest_first(&self, sheet: usize) -> Vec<&PlacedPart> {
-        let mut left: Vec<&PlacedPart> = self.on_sheet(sheet).collect();
+        let middle = |placed: &PlacedPart| placed.placement.point(self.part(placed).middle());
+        let mut left: Vec<(&PlacedPart, Point)> =
+            self.on_sheet(sheet).map(|placed| (placed, middle(placed))).collect();
         let mut out = Vec::with_capacity(left.len());
         let mut here = Point::ORIGIN;
-        let middle = |placed: &PlacedPart| placed.placement.point(self.part(placed).middle());
         while let Some(next) = (0..left.len())
             // Rounding must not decide between pieces that are equally far away.
-            .reduce(|a, b| {
-                if middle(left[b]).distance(here) < middle(left[a]).distance(here) - 1e-6 { b } else { a }
-            })
+            .reduce(|a, b| if left[b].1.distance(here) < left[a].1.distance(here) - 1e-6 { b } else { a })
         {
-            let placed = left.remove(next);
-            here = middle(placed);
+            let (placed, middle) = left.remove(next);
+            here = middle;
             out.push(placed);
         }
         out

@@ -33,9 +33,10 @@ impl<'a> ProgramTask<'a> {
         piece: Option<usize>,
     ) -> Option<Self> {
         let layout = design.sheets.iter().find(|layout| layout.index == sheet)?;
-        let all = design.nearest_first(sheet).into_iter();
-        let placed: Vec<&PlacedPart> =
-            all.filter(|placed| piece.is_none_or(|index| placed.index == index)).collect();
+        let placed: Vec<&PlacedPart> = match piece {
+            Some(index) => design.on_sheet(sheet).filter(|placed| placed.index == index).collect(),
+            None => design.nearest_first(sheet),
+        };
         let pieces = design.pieces(&placed);
         let names: Vec<PieceName> = pieces.iter().map(|piece| piece.name.clone()).collect();
         let _ = names.first()?;
