@@ -22,7 +22,14 @@ pub fn at_keys(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {
             key.section()
         ))
     });
-    Faults::new(source, faults.collect())
+    // Stars that differ elsewhere have the same fault at the same place.
+    let mut distinct: Vec<Fault> = Vec::new();
+    for fault in faults {
+        if !distinct.contains(&fault) {
+            distinct.push(fault);
+        }
+    }
+    Faults::new(source, distinct)
 }
 
 /// One refusal: its code, and the text `found`. The other keys are null.

@@ -6,6 +6,7 @@ use crate::forecast::drawn::prediction::{MeshedPlace, MeshedValue};
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::ranges::scaled;
 use crate::forecast::ranges::shown::{known, rounded, with};
+use crate::forecast::verdict::of_stars;
 use crate::pipeline::Forecast;
 use crate::spec::key;
 use crate::units::Length;
@@ -45,8 +46,18 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
     };
     let Some(pressure) = load.pressure else { return Vec::new() };
     let mut rows = Vec::new();
-    let mut closings: Vec<String> = prediction.stars.iter().map(closing).collect();
-    closings.dedup();
+    let mut distinct: Vec<(String, Vec<usize>)> = Vec::new();
+    for (number, star) in (1..).zip(&prediction.stars) {
+        let text = closing(star);
+        match distinct.iter_mut().find(|(other, _)| *other == text) {
+            Some((_, stars)) => stars.push(number),
+            None => distinct.push((text, vec![number])),
+        }
+    }
+    let alike = distinct.len() == 1;
+    let closings =
+        distinct.iter().map(|(text, stars)| if alike { text.clone() } else { of_stars(stars, text) });
+    let closings: Vec<String> = closings.collect();
     let fabric = if forecast.spec.fabric.shear_modulus.is_none() { "; for isotropic fabric" } else { "" };
     rows.push(("closes", format!("{}{fabric}", closings.join("; "))));
     let bursting = prediction

@@ -131,7 +131,12 @@ pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64) -> Refu
         }
         let wanted = if low > 0.0 { (100.0 * mass.0 * GRAVITY / low).ceil() / 100.0 } else { f64::INFINITY };
         if wanted <= COATED {
-            ways.push(format!("a friction of at least {wanted}: silicone-coated corners reach about 1"));
+            let ends = [(load.friction_least, "friction_least"), (load.friction_most, "friction_most")];
+            let ends = ends.into_iter().filter(|(end, _)| end.is_some());
+            let also: String = ends.map(|(_, key)| format!(", {key} too")).collect();
+            ways.push(format!(
+                "a friction of at least {wanted}{also}: silicone-coated corners reach about 1"
+            ));
         }
     }
     ways.push("more stars, or a wider star with more pressure".to_owned());

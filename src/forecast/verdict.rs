@@ -60,6 +60,16 @@ fn force_range(stars: &[StarPrediction]) -> Option<Interval> {
     sum(stars.iter().map(|star| star.ranges.object_force_N))
 }
 
+/// `text` about the stars with `numbers`; without numbers about all of them.
+pub fn of_stars(numbers: &[usize], text: &str) -> String {
+    let list: Vec<String> = numbers.iter().map(ToString::to_string).collect();
+    match numbers.len() {
+        0 => text.to_owned(),
+        1 => format!("star {}: {text}", list.concat()),
+        _ => format!("stars {}: {text}", list.join(", ")),
+    }
+}
+
 /// m g / mu, N.
 fn needed_force(load: &Load) -> Option<f64> {
     needed_at(load, load.friction?)
@@ -87,13 +97,13 @@ enum Weight {
 #[derive(Debug)]
 struct VerdictLine {
     weight: Weight,
-    /// Number of the star, 1 = bottom, where there are several.
-    star: Option<usize>,
+    /// Numbers of its stars, 1 = bottom, where there are several.
+    stars: Vec<usize>,
     what: VerdictText,
 }
 
 /// As text alone, or as a refusal.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 enum VerdictText {
     Reason(String),
     Refusal(Refusal),
@@ -101,7 +111,7 @@ enum VerdictText {
 
 impl VerdictLine {
     fn of_star(&self, text: &str) -> String {
-        self.star.map_or_else(|| text.to_owned(), |star| format!("star {star}: {text}"))
+        of_stars(&self.stars, text)
     }
 
     fn reason(&self) -> String {
@@ -113,7 +123,7 @@ impl VerdictLine {
 
     fn refusal(&self) -> Option<Refusal> {
         let VerdictText::Refusal(refusal) = &self.what else { return None };
-        let key = self.star.map_or(refusal.key, |star| refusal.key.of_star(star));
+        let key = self.stars.first().map_or(refusal.key, |star| refusal.key.of_star(*star));
         Some(Refusal { key, found: self.of_star(&refusal.found), ..refusal.clone() })
     }
 }
@@ -148,7 +158,7 @@ impl VerdictLines {
     /// Whether no star holds the object.
     fn is_idle(&self) -> bool {
         let idle = self.findings.iter().filter(|finding| finding.weight == Weight::Idle);
-        idle.count() == self.stars
+        idle.map(|finding| finding.stars.len().max(1)).sum::<usize>() == self.stars
     }
 
     fn is_refuted(&self) -> bool {
@@ -179,7 +189,11 @@ impl VerdictLines {
 
     fn add(&mut self, weight: Weight, index: usize, what: VerdictText) {
         let star = (self.stars > 1).then_some(index + 1);
-        self.findings.push(VerdictLine { weight, star, what });
+        let same = self.findings.iter_mut().find(|finding| finding.weight == weight && finding.what == what);
+        match same {
+            Some(finding) => finding.stars.extend(star),
+            None => self.findings.push(VerdictLine { weight, stars: star.into_iter().collect(), what }),
+        }
     }
 
     fn star(&mut self, spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction)) {
@@ -236,7 +250,7 @@ impl VerdictLines {
             }
             _ => return,
         };
-        self.findings.push(VerdictLine { weight, star: None, what });
+        self.findings.push(VerdictLine { weight, stars: Vec::new(), what });
     }
 }
 
