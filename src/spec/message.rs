@@ -38,7 +38,7 @@ const SYNONYMS: [(&str, &str); 8] = [
 /// Names of a unit that specs do not have, because it is not a multiple of theirs.
 const FAHRENHEIT: [&str; 3] = ["F", "degF", "\u{b0}F"];
 
-/// Whether the text behind a whole number is the rest of a decimal with a comma.
+/// Whether the text behind a whole number is the rest of a decimal with a comma, or of thousands.
 fn is_decimal_comma(rest: &str) -> bool {
     rest.strip_prefix(',')
         .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()) && !rest.contains(','))
@@ -61,9 +61,19 @@ pub(super) fn malformed<Q: Quantity>(
     let message = format!("`{key}` is {}", quoted(text));
     match reason {
         QuantityFault::UnknownUnit(rest) if is_decimal_comma(rest) => {
+            let [point, whole] = [".", ""].map(|mark| text.trim().replacen(',', mark, 1));
+            let digits = rest.bytes().skip(1).take_while(u8::is_ascii_digit).count();
+            let (label, help) = match (digits, rest.contains('.')) {
+                (_, true) => ("thousands have no comma", format!("\"{whole}\"")),
+                (3, _) => {
+                    let both = format!("\"{whole}\" if the comma separates thousands, else \"{point}\"");
+                    ("a number has no comma", both)
+                }
+                _ => ("a decimal point is needed, not a comma", format!("\"{point}\"")),
+            };
             Fault::error(FaultCode::NotANumber, span, message)
-                .label("a decimal point is needed, not a comma")
-                .help(format!("write {key} = \"{}\"", text.trim().replacen(',', ".", 1)))
+                .label(label)
+                .help(format!("write {key} = {help}"))
         }
         QuantityFault::NotANumber if text.contains('\u{2212}') => {
             Fault::error(FaultCode::NotANumber, span, message)

@@ -86,9 +86,13 @@ pub(super) fn read_with<T>(
 fn beyond_syntax(others: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fault> {
     let line = |at: usize| text.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count();
     let broken: Vec<usize> = syntax.iter().map(|fault| line(fault.span.start)).collect();
+    // Without the bracket of its header, a section's keys are read as others.
+    let unclosed =
+        syntax.iter().find(|fault| fault.message == "unclosed table").map(|fault| fault.span.start);
     let is_sound = |fault: &Fault| {
         fault.code != FaultCode::MissingKey.as_str()
             && fault.span != (0..0)
+            && unclosed.is_none_or(|at| fault.span.start < at)
             && !broken.contains(&line(fault.span.start))
     };
     others.into_iter().filter(is_sound).collect()

@@ -7,7 +7,6 @@ mod words;
 
 use std::ops::Range;
 
-use crate::spec::FaultCode;
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::message::{article, header, malformed, out_of_range, usual_unit};
@@ -16,6 +15,7 @@ use crate::spec::raw::RawSpec;
 use crate::spec::shape::ValueShape;
 use crate::spec::unknown::{self, Known};
 use crate::spec::value::{RawKind, RawTable, RawValue};
+use crate::spec::{Code, FaultCode};
 use crate::units::{Length, Percent, Quantity, QuantityFault};
 
 /// Reads one document and collects its faults.
@@ -172,7 +172,9 @@ impl<'r> Section<'_, 'r> {
     pub(super) fn require_if(&mut self, is_needed: bool, required: &[(&'static str, &'static str)]) {
         self.reader.required.extend(required.iter().map(|(key, _)| (self.name, *key)));
         let keys: Vec<_> = required.iter().filter(|(key, _)| !self.has(key)).copied().collect();
-        if is_needed && !keys.is_empty() {
+        // A value in the section's place is reported already.
+        let is_other = self.table.is_none() && self.reader.raw.root().get(self.name).is_some();
+        if is_needed && !is_other && !keys.is_empty() {
             let (section, is_written, place) = (self.name, self.table.is_some(), self.place());
             self.reader.missing.push(Missing { section, is_written, place, keys });
         }
@@ -249,13 +251,13 @@ impl<'r> Section<'_, 'r> {
     /// Two lengths within `allowed` with an x between, the unit after each or after both: "220 mm x 220 mm"; `None` if
     /// it is absent or faulty.
     pub(super) fn area(&mut self, key: &'static str, allowed: Allowed) -> Option<[Length; 2]> {
-        let (text, span) = self.word(key, ValueShape::Area(allowed))?;
+        let (whole, span) = self.word(key, ValueShape::Area(allowed))?;
         let told = |message: String| {
             let label = "must be two lengths with an x between: \"220 mm x 220 mm\"";
             Fault::error(FaultCode::WrongType, span.clone(), message).label(label)
         };
-        let Some((width, depth)) = text.split_once(['x', '\u{d7}']) else {
-            self.report(told(format!("`{key}` is {}", quoted(text))));
+        let Some((width, depth)) = whole.split_once(['x', '\u{d7}']) else {
+            self.report(told(format!("`{key}` is {}", quoted(whole))));
             return None;
         };
         let unit = depth.trim_start_matches(|c: char| c.is_ascii_digit() || " .+-".contains(c));
@@ -269,6 +271,14 @@ impl<'r> Section<'_, 'r> {
                 let message = format!("`{key}` is {}", quoted(text));
                 let fault = Fault::error(FaultCode::OutOfRange, span.clone(), message);
                 Err(fault.label(allowed.in_words(Length::UNITS[0].0)))
+            }
+            Err(QuantityFault::NoUnit) => {
+                let unitless = |side: &str| matches!(Length::parse(side), Err(QuantityFault::NoUnit));
+                let sides = [width.trim(), depth.trim()]
+                    .map(|side| if unitless(side) { format!("{side} mm") } else { side.to_owned() });
+                let fault = told(format!("`{key}` is {}, without a unit", quoted(whole)));
+                let help = format!("write for instance: {key} = \"{}\"", sides.join(" x "));
+                Err(Fault { code: FaultCode::NoUnit.as_str(), ..fault.help(help) })
             }
             Err(reason) => Err(malformed::<Length>(key, text, &reason, span.clone())),
         });

@@ -115,7 +115,14 @@ fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32,
         if section.is_written() {
             section.require(&[("index", "1")]);
         }
-        let index = section.count("index", 1, highest);
+        let index = section.count("index", 1, MOST);
+        if let Some(index) = index.filter(|index| *index > highest) {
+            let message = format!("`index` is {index}, and `count` in [stack] is {highest}");
+            let fault = Fault::error(FaultCode::OutOfRange, section.place_of("index"), message)
+                .label(format!("must be from 1 to {highest}"))
+                .help(format!("write count = {index} in [stack]"));
+            section.report(fault);
+        }
         let slot = index.and_then(|index| usize::try_from(index).ok());
         let base = slot.and_then(|slot| stars.get(slot - 1)).or(stars.first()).cloned();
         let Some(base) = base else { continue };

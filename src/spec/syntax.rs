@@ -26,7 +26,8 @@ const QUOTES: [(char, char); 7] = [
 /// A fault for each of `errors`, which the parser found in `text` and between which it read `root`; of a flood the first few.
 pub(super) fn faults(errors: &[toml::de::Error], text: &str, root: &RawTable) -> Vec<Fault> {
     if errors.len() < FLOOD {
-        return errors.iter().map(|error| fault(error, text, root)).collect();
+        let own = (0..errors.len()).filter(|i| !follows(&errors[..*i], &errors[*i], text));
+        return own.map(|i| fault(&errors[i], text, root)).collect();
     }
     let mut faults: Vec<Fault> = errors.iter().take(REPORTED).map(|error| fault(error, text, root)).collect();
     if let Some(last) = faults.last_mut() {
@@ -35,6 +36,25 @@ pub(super) fn faults(errors: &[toml::de::Error], text: &str, root: &RawTable) ->
         last.help = Some(last.help.take().map_or(note.clone(), |help| format!("{help}; {note}")));
     }
     faults
+}
+
+/// Whether `error` follows from one of the errors `before`: in the same line, or a duplicate key in a duplicate section.
+fn follows(before: &[toml::de::Error], error: &toml::de::Error, text: &str) -> bool {
+    let start = |error: &toml::de::Error| error.span().unwrap_or(0..0).start;
+    let is_duplicate = |error: &toml::de::Error| error.message() == "duplicate key";
+    before.iter().any(|other| {
+        let between = text.get(start(other)..start(error)).unwrap_or_default();
+        let in_section = is_duplicate(other)
+            && is_duplicate(error)
+            && is_header(line_of(text, start(other)))
+            && !between.lines().skip(1).chain([line_of(text, start(error))]).any(is_header);
+        !between.contains('\n') || in_section
+    })
+}
+
+/// Whether `line` opens a section.
+fn is_header(line: &str) -> bool {
+    line.trim_start().starts_with('[')
 }
 
 /// The parser's messages have the form "found, expected allowed".
@@ -56,7 +76,11 @@ fn fault(error: &toml::de::Error, text: &str, root: &RawTable) -> Fault {
             .label("a decimal point is needed")
             .help(format!("write {right}"));
     }
+    let value = line.split_once('=').and_then(|(_, value)| value.split('#').next());
     match error.message().split_once(", expected ") {
+        Some(("string values must be quoted", _)) if value.is_some_and(|value| value.trim().is_empty()) => {
+            as_error("no value after `=`", &span).label("write the value here, or delete the line")
+        }
         // A quantity without quotes.
         Some((found, "literal string")) => as_error(found, &span).label("write it in quotes: \"...\""),
         Some((found, allowed)) => as_error(found, &span).label(format!("expected {allowed}")),

@@ -3,7 +3,7 @@
 use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::message::header;
-use crate::spec::value::{RawKind, RawTable, RawValue};
+use crate::spec::value::{RawEntry, RawKind, RawTable, RawValue};
 use crate::units::{Length, Quantity};
 
 /// A section that was read: its keys and its content in the text.
@@ -23,40 +23,45 @@ const MEANT: [(&str, &str); 3] =
 /// Longest word compared with the registered keys, in bytes; the comparison's cost grows with its square.
 const COMPARED: usize = 40;
 
-/// Most unknown keys reported.
-const REPORTED: usize = 200;
+/// Most unknown keys for which similar ones are looked up.
+const HINTED: usize = 200;
 
-/// A fault for each key and section of the text that is not in `known`.
+/// A fault for each key and section of the text that is not in `known`, in the order of the text; the first have a hint.
 pub(super) fn faults(known: &[Known<'_>]) -> Vec<Fault> {
-    let mut faults = Vec::new();
-    for one in known {
-        for entry in one.table.into_iter().flat_map(|table| &table.0) {
-            let word = entry.key.as_str();
-            let place = entry.key_span.clone();
-            let is_section = one.section.is_empty() && section_names(known).any(|name| name == word);
-            if one.keys.contains(&word) || is_section || faults.len() >= REPORTED {
-                continue;
-            }
-            let fault = if one.section.is_empty() && entry.value.as_table().is_some() {
-                Fault::error(FaultCode::UnknownSection, place, format!("unknown section [{}]", bare(word)))
-                    .label("no section has this name")
-                    .help(section_hint(word, known))
-            } else {
-                let home = if one.section.is_empty() {
-                    String::new()
-                } else {
-                    format!(" in {}", header(one.section))
-                };
-                Fault::error(FaultCode::UnknownKey, place, format!("unknown key {}{home}", quoted(word)))
-                    .label("no key has this name here")
-                    .help(
-                        diameter_hint(word, &entry.value, one).unwrap_or_else(|| key_hint(word, one, known)),
-                    )
-            };
-            faults.push(fault);
-        }
+    let entries = known.iter().flat_map(|one| {
+        let entries = one.table.into_iter().flat_map(|table| &table.0);
+        entries.map(move |entry| (one, entry))
+    });
+    let is_unknown = |(one, entry): &(&Known<'_>, &RawEntry)| {
+        let is_section = one.section.is_empty() && section_names(known).any(|name| name == entry.key);
+        !is_section && !one.keys.contains(&entry.key.as_str())
+    };
+    let mut unknown: Vec<_> = entries.filter(is_unknown).collect();
+    unknown.sort_by_key(|(_, entry)| entry.key_span.start);
+    let fault = |(i, (one, entry))| fault(one, entry, known, i < HINTED);
+    unknown.into_iter().enumerate().map(fault).collect()
+}
+
+/// The fault of the unknown `entry` of `one`, with a hint if `is_hinted`.
+fn fault(one: &Known<'_>, entry: &RawEntry, known: &[Known<'_>], is_hinted: bool) -> Fault {
+    let (word, place) = (entry.key.as_str(), entry.key_span.clone());
+    let table = entry.value.as_table().filter(|_| one.section.is_empty());
+    let fault = if table.is_some() {
+        Fault::error(FaultCode::UnknownSection, place, format!("unknown section [{}]", bare(word)))
+            .label("no section has this name")
+    } else {
+        let home =
+            if one.section.is_empty() { String::new() } else { format!(" in {}", header(one.section)) };
+        Fault::error(FaultCode::UnknownKey, place, format!("unknown key {}{home}", quoted(word)))
+            .label("no key has this name here")
+    };
+    if !is_hinted {
+        return fault;
     }
-    faults
+    fault.help(match table {
+        Some(table) => section_hint(word, table, known),
+        None => diameter_hint(word, &entry.value, one).unwrap_or_else(|| key_hint(word, one, known)),
+    })
 }
 
 /// The word of `candidates` that differs from `word` by few enough slips of the keyboard.
@@ -82,9 +87,14 @@ fn section_names<'k>(known: &'k [Known<'_>]) -> impl Iterator<Item = &'static st
     known.iter().map(|one| one.section).filter(|name| !name.is_empty() && !name.contains('.'))
 }
 
-fn section_hint(word: &str, known: &[Known<'_>]) -> String {
+/// The hint for an unknown section: of the similar names first one that has all keys of `table`.
+fn section_hint(word: &str, table: &RawTable, known: &[Known<'_>]) -> String {
     let names = || section_names(known);
-    match nearest(word, names()) {
+    let has_all = |name: &&str| {
+        let section = known.iter().find(|one| one.section == *name);
+        section.is_some_and(|one| table.0.iter().all(|entry| one.keys.contains(&entry.key.as_str())))
+    };
+    match nearest(word, names().filter(has_all)).or_else(|| nearest(word, names())) {
         Some(near) => format!("did you mean [{near}]?"),
         None => {
             format!("sections are {}", names().map(|name| format!("[{name}]")).collect::<Vec<_>>().join(", "))

@@ -185,11 +185,76 @@ fn a_word_that_is_nearly_right_is_told_what_it_should_be() {
         (plain.clone() + "[load]\nfriction = 0,5\n", "write friction = 0.5"),
         (plain.clone() + "[machine]\nprofile = \"GRBL\"\n", "did you mean \"grbl\"?"),
         (plain.clone() + "points = 6\n", "line 4 has it already"),
+        (
+            with("\"50 mm\"", "\"1,000 mm\""),
+            "\"1000 mm\" if the comma separates thousands, else \"1.000 mm\"",
+        ),
+        (with("\"50 mm\"", "\"1,000.5 mm\""), "write inner_radius = \"1000.5 mm\""),
+        (plain.clone() + "[mask]\nbed = \"220x220\"\n", "bed = \"220 mm x 220 mm\""),
+        (plain.clone() + "[mask]\nbed = \"8 in x 10\"\n", "bed = \"8 in x 10 mm\""),
+        (with("points = 5", "points = "), "no value after `=`"),
+        (with("points = 5", "points: 5"), "expected `=`"),
+        (with("[star]", "[[star]]"), "must be a section, [star]"),
+        (with("[star]", "[star"), "expected `]`"),
+        (plain.clone() + "[star]\npoints = 6\n", "line 3 has it already"),
+        (plain.clone() + "[stak]\ncount = 2\n", "did you mean [stack]?"),
+        (plain.clone() + "[[stack.star]]\nindex = 2\npitch = \"40 mm\"\n", "write count = 2 in [stack]"),
+        (plain.clone() + "[machine]\nprofile = \".\"\n", "is a directory"),
     ] {
         let said = refused(&spec);
         assert!(said.contains(words), "{words}: {said}");
         assert_eq!(said.matches("error[").count(), 1, "{said}");
     }
+}
+
+/// Equal stars have one message, and remedies exist.
+#[test]
+fn a_refusal_of_several_stars_is_one_and_its_remedy_can_be_had() {
+    let plain = star(5, "50 mm", "30 mm", "30 deg", "");
+    let stack = |rest: &str| format!("{plain}[stack]\ncount = 3\n{rest}");
+    let load = "[load]\nobject_diameter = \"60 mm\"\npressure = ";
+    for (spec, words) in [
+        (stack("[[stack.star]]\nindex = 2\ninlet_tip = 2\n[mask]\nbed = \"120 x 120 mm\"\n"), "small-bed"),
+        (stack(&format!("{load}\"5 MPa\"\n")), "stars 1, 2, 3: no model covers this star"),
+        (
+            format!("{plain}{load}\"37 kPa\"\nfriction = 0.1\nfriction_most = 0.15\nmass = \"0.6 kg\"\n"),
+            ", friction_most too",
+        ),
+    ] {
+        let said = refused(&spec);
+        assert!(said.contains(words) && said.matches("error[").count() == 1, "{words}: {said}");
+    }
+    let own = stack("[[stack.star]]\nindex = 2\ninner_radius = \"60 mm\"\n[load]\npressure = \"37 kPa\"\n");
+    let dir = tempfile::tempdir().expect("a directory");
+    fs::write(dir.path().join("spec.toml"), own).expect("written");
+    let said = stdout(&run(dir.path(), &["check", "spec.toml"]));
+    assert!(said.contains("stars 1, 3: to") && said.contains("; star 2: to"), "{said}");
+    // With the radius that would hold, the star has no arms.
+    let said = refused(&format!("{plain}[fabric]\nseal_strength = \"1 N/mm\"\n{load}\"37 kPa\"\n"));
+    assert!(said.contains("[bursts]") && !said.contains("tip_radius"), "{said}");
+}
+
+#[test]
+fn unknown_sections_are_listed_in_order_and_all_counted() {
+    let sections: String = (0..300).map(|i| format!("[x{i}]\n")).collect();
+    let said = refused(&star(5, "50 mm", "30 mm", "30 deg", &sections));
+    let at = |line: usize| said.find(&format!("spec.toml:{line}:"));
+    assert!(at(8).is_some() && at(37).is_some() && at(38).is_none(), "{said}");
+    assert!(said.contains("300 errors, the first 30 shown"), "{said}");
+}
+
+#[test]
+fn a_file_that_is_not_there_is_named() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let json = stdout(&run(dir.path(), &["check", "nope.toml", "--json"]));
+    assert!(json.contains("\"file\": \"nope.toml\""), "{json}");
+    let study = "schema = 1\nspec = \"nope.toml\"\n[vary]\nstar.points = [4, 5]\n";
+    fs::write(dir.path().join("study.toml"), study).expect("written");
+    let said = stderr(&run(dir.path(), &["study", "run", "study.toml"]));
+    assert!(said.contains("`spec` in study.toml names nope.toml"), "{said}");
+    fs::write(dir.path().join("empty.svg"), "").expect("written");
+    let said = stderr(&run(dir.path(), &["new", "--drawing", "empty.svg"]));
+    assert!(said.contains("is empty") && !said.contains("drawing.file"), "{said}");
 }
 
 #[test]
