@@ -9,7 +9,7 @@ use crate::emit::preview::style::{
     star_ink,
 };
 use crate::emit::preview::subject::Preview;
-use crate::emit::text::inert;
+use crate::emit::text::{heading, inert};
 use crate::plan::SeamReport;
 use crate::units::Readable;
 
@@ -31,7 +31,7 @@ pub(super) fn blocks<'a>(preview: &Preview<'a>, sheet: usize, style: Style) -> V
 
 fn design(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
     let Preview { spec, machine, design, .. } = preview;
-    let mut block = Block::new(inert(&spec.name, 60));
+    let mut block = Block::new(heading(&spec.name));
     block.say(format!("sheet {sheet} of {}, seen from the iron's side, 1:1 in mm", design.sheets.len()));
     block
         .say(format!("sealed at {} and {}, band {}", spec.seal.temperature, spec.seal.speed, spec.seal.band));
