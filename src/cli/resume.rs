@@ -21,10 +21,10 @@ pub(super) struct Args {
     /// The sealing program that was interrupted.
     job: PathBuf,
     /// The line that was running, counted from 1.
-    #[arg(long, group = "place")]
+    #[arg(long, group = "place", allow_hyphen_values = true)]
     line: Option<usize>,
     /// The elapsed part of the job's time: 37%.
-    #[arg(long, group = "place", value_name = "PERCENT", value_parser = share)]
+    #[arg(long, group = "place", value_name = "PERCENT", value_parser = share, allow_hyphen_values = true)]
     at: Option<f64>,
     /// A point near which the iron stopped, from the sheet's lower left corner: "120.5 mm,80 mm".
     #[arg(long, group = "place", value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
@@ -60,8 +60,9 @@ fn point(text: &str) -> Result<Point, String> {
 
 fn length(text: &str) -> Result<f64, String> {
     match Length::parse(text) {
-        Ok(length) if (0.0..=1000.0).contains(&length.0) => Ok(length.0),
-        _ => Err("a length from 0 to 1 m with its unit, such as \"5 mm\"".to_owned()),
+        // Without an overlap the seam leaks where it was interrupted.
+        Ok(length) if length.0 > 0.0 && length.0 <= 1000.0 => Ok(length.0),
+        _ => Err("a length above 0, up to 1 m, with its unit, such as \"5 mm\"".to_owned()),
     }
 }
 

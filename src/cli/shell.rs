@@ -74,8 +74,13 @@ impl ShellArgs {
 
     /// Refuses options that only the shell model has.
     pub(super) fn not_by_others(&self) -> Result<(), Failure> {
-        let text = "--vtu needs the shell model: add --model shell, or leave it out";
-        if self.wants_vtu() { Err(Failure::Usage(text.to_owned())) } else { Ok(()) }
+        let given = [(self.wants_vtu(), "--vtu"), (self.fineness.is_some(), "--fineness")];
+        match given.into_iter().find(|(is_given, _)| *is_given) {
+            Some((_, option)) => Err(Failure::Usage(format!(
+                "{option} needs the shell model: add --model shell, or leave it out"
+            ))),
+            None => Ok(()),
+        }
     }
 
     /// Shows the answer to `question`, which must contain all inputs: from the cache, or computed by `compute`.

@@ -70,8 +70,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 fn feed_check(path: &Path) -> Result<Proof, Failure> {
     let beside = manifest_of(path);
     let manifest = read(&beside, SOURCE_LIMIT).map_err(|_| {
+        let dir = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let name = if dir.join(MANIFEST).is_file() { format!(": {}", shown(dir)) } else { String::new() };
         Failure::Message(format!(
-            "{} has no manifest: a program of a build is proven together with its directory",
+            "{} is not the program of a feed check: a file of a build is proven with its directory; name \
+             the directory{name}",
             shown(path)
         ))
     })?;

@@ -83,11 +83,13 @@ pub(super) fn clamps_in_the_way(
         let met = ways.find(|way| way.near.overlaps(&place) && distance(zone, &way.piece) <= way.reach)?;
         let program = programs.get(met.program)?;
         let piece = listed(&program.pieces);
+        let lower =
+            if zone.height.is_some() { "" } else { "; give its height, if it is below travel height" };
         Some(Refusal::new(
             key::machine::PROFILE,
             RefusalCode::ClampInTheWay,
             format!("{} of {piece} meets the clamp {:?}", met.what, zone.name),
-            "move the clamp; give its height, if it is below travel height; or change [sheet]".to_owned(),
+            format!("move the clamp{lower}; or change [sheet]"),
         ))
     };
     machine.bench.keep_out.iter().filter_map(refusal).collect()

@@ -174,7 +174,7 @@ fn a_feed_check_is_proven_as_builds_are() {
         }
     }
     fs::write(dir.path().join("other.gcode"), "G0 Z5\n").expect("written");
-    let _ = fails(dir.path(), &["verify", "other.gcode"], 1, &["has no manifest"]);
+    let _ = fails(dir.path(), &["verify", "other.gcode"], 1, &["is not the program of a feed check"]);
 }
 
 #[test]
@@ -192,6 +192,7 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
     let resumed = read(dir.path(), target);
     assert!(resumed.contains("resume: from_line=") && resumed.contains("end of program, "), "{resumed}");
     assert_eq!(read(dir.path(), job), before, "the job itself stays as it is");
+    let _ = fails(dir.path(), &["verify", job], 1, &["name the directory: out/star"]);
     // Neither the proof nor the next build is disturbed by it.
     let _ = done(dir.path(), &["verify", "out/star"]);
 
@@ -253,7 +254,10 @@ fn resume_tells_wrong_usage_from_places_that_are_not_there() {
         (&["--near", "5,6,7"], "two lengths"),
         (&["--near", "5 mm,6 kg"], "two lengths"),
         (&["--at", "5", "--overlap", "5"], "with its unit"),
-        (&["--at", "5", "--overlap", "2 m"], "0 to 1 m"),
+        (&["--at", "5", "--overlap", "2 m"], "up to 1 m"),
+        (&["--at", "5", "--overlap", "0 mm"], "above 0"),
+        (&["--at", "-5%"], "from 0 to below 100"),
+        (&["--line", "-3"], "invalid value '-3'"),
     ] {
         let _ = fails(dir.path(), &[&["resume", job][..], args].concat(), 2, &[words]);
     }
@@ -350,6 +354,14 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
         assert!(said.contains(&format!("again/{name}")), "{name}: {said}");
     }
     let _ = fails(dir.path(), &["coupon", "star.toml", "-o", "no/where"], 1, &["cannot create no/where"]);
+    // A hose that is too thick for the V's tube suits the other coupons.
+    let thick = "schema = 1\nname = \"thick\"\n[star]\npoints = 6\ninner_radius = \"54 mm\"\ntube_width = \"6.8 mm\"\n\
+                 tip_angle = \"43 deg\"\n[inlet]\ntube_diameter = \"6 mm\"\n";
+    fs::write(dir.path().join("thick.toml"), thick).expect("written");
+    let only = "strips,disc,burst";
+    let args = ["coupon", "thick.toml", "-o", "thick"];
+    let _ = fails(dir.path(), &args, 1, &[&format!("--only {only}")]);
+    let _ = done(dir.path(), &[&args[..], &["--only", only, "-q"]].concat());
 }
 
 #[test]

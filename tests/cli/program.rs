@@ -164,6 +164,8 @@ fn wrong_usage_is_told_apart_from_refusal() {
     assert_code(&run(dir.path(), &["build"]), 2);
     assert_code(&run(dir.path(), &["frobnicate"]), 2);
     assert_code(&run(dir.path(), &["build", "star.toml", "--only", "poem"]), 2);
+    assert_code(&run(dir.path(), &["predict", "star.toml", "--fineness", "coarse"]), 2);
+    assert_code(&run(dir.path(), &["study", "run", "study.toml", "--threads", "20000"]), 2);
     assert_code(&run(dir.path(), &["build", "missing.toml"]), 1);
     assert_code(&run(dir.path(), &["--help"]), 0);
     assert_code(&run(dir.path(), &["machines"]), 0);

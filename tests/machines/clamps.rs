@@ -69,6 +69,7 @@ fn refused(place: Bounds, height: Option<f64>) -> String {
                 refusals.iter().all(|refusal| refusal.code == RefusalCode::ClampInTheWay),
                 "{refusals:?}"
             );
+            assert_eq!(refusals[0].remedy.contains("give its height"), height.is_none());
             refusals[0].found.clone()
         }
     }

@@ -33,9 +33,9 @@ pub(in crate::cli) struct Destination {
     /// Add a line to the header that begins with # and gives the unit of each column.
     #[arg(long)]
     units: bool,
-    /// Threads; default: all.
-    #[arg(long)]
-    threads: Option<usize>,
+    /// Threads, at most 256; default: one for each processor.
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=256))]
+    threads: Option<u16>,
     #[command(flatten)]
     pub(in crate::cli) quiet: Quiet,
 }
@@ -106,7 +106,7 @@ impl Destination {
         }
         if let Some(threads) = self.threads {
             rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
+                .num_threads(usize::from(threads))
                 .build_global()
                 .map_err(|error| Failure::Message(format!("cannot start {threads} threads: {error}")))?;
         }
