@@ -10,6 +10,7 @@ pub mod verdict;
 use serde_json::{Value, json};
 
 use crate::pipeline::{Forecast, Precaution};
+use crate::spec::Code;
 
 /// Time of all programs, s, without heating and pauses.
 pub fn sealing_time(forecast: &Forecast) -> f64 {
@@ -32,7 +33,7 @@ pub fn overview_json(forecast: &Forecast, list: &[Precaution]) -> Value {
         "stars": forecast.design.assembly().map_or(0, |assembly| assembly.stars.len()),
         "pieces": forecast.design.placed().len(),
         "verdict": verdict::json(forecast),
-        "before_you_seal": list.iter().map(|one| &one.text).collect::<Vec<_>>(),
+        "before_you_seal": list.iter().map(|one| json!({ "code": one.code.as_str(), "text": one.text })).collect::<Vec<_>>(),
         "warnings": forecast.design.warnings.iter().map(refused::warning_json).collect::<Vec<_>>(),
         "sealing_time_s": sealing_time(forecast),
         "sheets_mm": sheets,

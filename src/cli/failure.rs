@@ -23,8 +23,10 @@ pub enum Failure {
     Unproven(Unproven),
     /// The build could not be published.
     Publish(PublishFault),
-    /// No gripper meets the request: the reason, and the nearest request that can be met.
-    Infeasible(String),
+    /// No gripper meets the request: the reasons, and the nearest request that can be met, if one was found.
+    Infeasible(String, Option<String>),
+    /// A file that cannot be read or written: its path, and the sentence.
+    File(String, String),
     /// Any other failure, in one sentence.
     Message(String),
     /// Arguments that exclude each other.
@@ -44,7 +46,7 @@ pub enum Failure {
 impl Failure {
     /// A file that could not be read or written.
     pub(super) fn file(what: &str, path: &Path, error: &io::Error) -> Self {
-        Self::Message(format!("cannot {what} {}: {error}", shown(path)))
+        Self::File(path.display().to_string(), format!("cannot {what} {}: {error}", shown(path)))
     }
 
     /// Prints the failure with --json: a refusal is one object on standard output. Returns the exit code of [`Failure::report`].
@@ -65,7 +67,16 @@ impl Failure {
             Self::Faults(faults) => Some(refused_by(faults)),
             Self::Unproven(unproven) => Some(unproven.findings.iter().map(finding_json).collect()),
             Self::Publish(error) => Some(bare(CommandCode::NotPublished, &error.to_string())),
-            Self::Infeasible(text) => Some(bare(CommandCode::Infeasible, text)),
+            Self::Infeasible(text, nearest) => {
+                let mut refused = bare(CommandCode::Infeasible, text);
+                refused[0]["remedy"] = json!(nearest);
+                Some(refused)
+            }
+            Self::File(path, text) => {
+                let mut refused = bare(CommandCode::Failed, text);
+                refused[0]["file"] = json!(path);
+                Some(refused)
+            }
             Self::Message(text) => Some(bare(CommandCode::Failed, text)),
             Self::Usage(_)
             | Self::Interrupted
@@ -94,7 +105,12 @@ impl Failure {
                 return 1;
             }
             Self::Publish(error) => format!("error: {error}"),
-            Self::Infeasible(text) | Self::Message(text) => format!("error: {text}"),
+            Self::Infeasible(text, Some(nearest)) => {
+                format!("error: {text}\na request near it that can be met: {nearest}")
+            }
+            Self::Infeasible(text, None) | Self::File(_, text) | Self::Message(text) => {
+                format!("error: {text}")
+            }
             Self::Usage(text) => {
                 tell(&fitted(&format!("error: {text}"), width(&io::stderr())));
                 return 2;

@@ -155,7 +155,7 @@ pub(super) fn read_source(path: &Path) -> Result<Source, Failure> {
         return Ok(Source::from_bytes("standard input", &bytes)?);
     }
     if path.is_dir() {
-        return Err(Failure::Message(is_directory(path)));
+        return Err(Failure::File(path.display().to_string(), is_directory(path)));
     }
     let _ = File::open(path)
         .and_then(|file| file.take(limit).read_to_end(&mut bytes))
@@ -246,10 +246,15 @@ pub(super) fn machine_source(
         return Ok((read_source(&published)?, Some(said)));
     }
     let known: Vec<&str> = spec::builtin_machines().collect();
+    let found = if file.is_dir() {
+        format!("{} is a directory", shown(&file))
+    } else {
+        format!("there is no file {}", shown(&file))
+    };
     let fault = Fault::error(
         FaultCode::UnknownMachine,
         reading.raw.span_of(key::machine::PROFILE),
-        format!("no machine profile has this name, and there is no file {}", shown(&file)),
+        format!("no machine profile has this name, and {found}"),
     )
     .label(format!("a built-in profile ({}) or a path relative to the spec", known.join(", ")));
     let fault = match (spec::nearest(name, known), spec::usual_profile(name)) {

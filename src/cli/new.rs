@@ -93,7 +93,13 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let (name, path) = named(args.name.as_deref().unwrap_or(&stem))?;
     let file = drawing.to_string_lossy();
     let bytes = read_drawing(drawing)?;
-    let refused = |refusals: Refusals| Failure::Message(format!("{}: {refusals}", shown(drawing)));
+    // There is no spec yet whose key could be named.
+    let refused = |refusals: Refusals| {
+        let reasons: Vec<String> =
+            refusals.iter().map(|refusal| format!("{}; {}", refusal.found, refusal.remedy)).collect();
+        let text = format!("{}: {}", shown(drawing), reasons.join("\n"));
+        Failure::File(drawing.display().to_string(), text)
+    };
     let LayerProposal { layers, size: [width, height], unit, no_unit, hidden } =
         propose_layers(&file, &bytes, args.units).map_err(refused)?;
     let text = spec::drawing_starter(name, &file, &layers, unit);
@@ -104,7 +110,14 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
         .iter()
         .map(|(layer, role, reason)| json!({ "layer": layer, "role": role.word(), "reason": reason }))
         .collect();
-    let json = json!({ "wrote": path, "schema": schema, "layers": rows, "hidden": hidden });
+    let json = json!({
+        "wrote": path,
+        "schema": schema,
+        "layers": rows,
+        "hidden": hidden,
+        "size_mm": [width, height],
+        "assumed_mm": no_unit,
+    });
     let mut lines = String::new();
     for (layer, role, reason) in &layers {
         let _ = writeln!(lines, "  {layer:?}: {} ({reason})", role.word());

@@ -166,8 +166,5 @@ fn missed(reasons: &[String], nearest: Option<String>) -> Failure {
         // Writing to a String does not fail.
         let _ = write!(text, "\n  {reason}");
     }
-    if let Some(nearest) = nearest {
-        let _ = write!(text, "\na request near it that can be met: {nearest}");
-    }
-    Failure::Infeasible(text)
+    Failure::Infeasible(text, nearest)
 }

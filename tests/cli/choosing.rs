@@ -204,7 +204,12 @@ fn the_closest_request_keeps_what_was_asked() {
         can_be_had(dir.path(), &said, &args.join(" "));
         let refused = run(folder().path(), &[&args[..], &["--json"]].concat());
         let value: Value = serde_json::from_slice(&refused.stdout).expect("JSON");
-        assert_eq!(value["refused"][0]["code"], "infeasible");
+        let refused = &value["refused"][0];
+        assert_eq!(refused["code"], "infeasible");
+        assert!(
+            refused["remedy"].as_str().is_some_and(|text| text.contains("stargrip-cam new")),
+            "{refused}"
+        );
     }
 }
 

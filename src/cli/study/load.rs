@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::{Loaded, read_source};
 use crate::cli::verbosity::Verbosity;
@@ -17,8 +18,12 @@ pub(in crate::cli) fn loaded(path: &Path, verbosity: Verbosity) -> Result<Study,
         return Err(Failure::Usage(text.to_owned()));
     }
     let file = read_study(&source)?;
-    let around = Loaded::spoken(&path.parent().unwrap_or(Path::new("")).join(&file.spec), verbosity)?
-        .with_stars("study")?;
+    let spec = path.parent().unwrap_or(Path::new("")).join(&file.spec);
+    if !spec.exists() {
+        let text = format!("`spec` in {} names {}, and there is no such file", shown(path), shown(&spec));
+        return Err(Failure::File(path.display().to_string(), text));
+    }
+    let around = Loaded::spoken(&spec, verbosity)?.with_stars("study")?;
     Ok(Study::new(&file, &around.source)?)
 }
 
