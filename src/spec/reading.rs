@@ -87,12 +87,14 @@ fn beyond_syntax(others: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fault>
     let line = |at: usize| text.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count();
     let broken: Vec<usize> = syntax.iter().map(|fault| line(fault.span.start)).collect();
     // Without the bracket of its header, a section's keys are read as others.
-    let unclosed =
-        syntax.iter().find(|fault| fault.message == "unclosed table").map(|fault| fault.span.start);
+    let unclosed = syntax.iter().find(|fault| fault.message == "unclosed table").map(|fault| {
+        let (at, end) = (fault.span.start, text.len());
+        at..text.get(at..).and_then(|rest| rest.find("\n[")).map_or(end, |length| at + length)
+    });
     let is_sound = |fault: &Fault| {
         fault.code != FaultCode::MissingKey.as_str()
             && fault.span != (0..0)
-            && unclosed.is_none_or(|at| fault.span.start < at)
+            && !unclosed.as_ref().is_some_and(|lost| lost.contains(&fault.span.start))
             && !broken.contains(&line(fault.span.start))
     };
     others.into_iter().filter(is_sound).collect()

@@ -43,12 +43,17 @@ fn follows(before: &[toml::de::Error], error: &toml::de::Error, text: &str) -> b
     let start = |error: &toml::de::Error| error.span().unwrap_or(0..0).start;
     let is_duplicate = |error: &toml::de::Error| error.message() == "duplicate key";
     before.iter().any(|other| {
-        let between = text.get(start(other)..start(error)).unwrap_or_default();
-        let in_section = is_duplicate(other)
-            && is_duplicate(error)
-            && is_header(line_of(text, start(other)))
-            && !between.lines().skip(1).chain([line_of(text, start(error))]).any(is_header);
-        !between.contains('\n') || in_section
+        // The errors are in no order.
+        let (from, to) = (start(other), start(error));
+        let between = text.get(from.min(to)..from.max(to)).unwrap_or_default();
+        match (is_duplicate(other), is_duplicate(error)) {
+            (true, true) => {
+                let mut lines = between.lines().skip(1).chain([line_of(text, to)]);
+                from < to && is_header(line_of(text, from)) && !lines.any(is_header)
+            }
+            (false, false) => !between.contains('\n'),
+            _ => false,
+        }
     })
 }
 
