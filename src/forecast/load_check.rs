@@ -133,7 +133,7 @@ pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64) -> Refu
         if wanted <= COATED {
             let ends = [(load.friction_least, "friction_least"), (load.friction_most, "friction_most")];
             let ends = ends.into_iter().filter(|(end, _)| end.is_some());
-            let also: String = ends.map(|(_, key)| format!(", {key} too")).collect();
+            let also: String = ends.flat_map(|(_, key)| [", ", key, " too"]).collect();
             ways.push(format!(
                 "a friction of at least {wanted}{also}: silicone-coated corners reach about 1"
             ));
