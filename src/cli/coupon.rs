@@ -14,7 +14,6 @@ use crate::cli::load::Loaded;
 use crate::cli::publish::publish_files;
 use crate::cli::verbosity::Verbosity;
 use crate::coupon::{CouponGroup, StripGrid};
-use crate::design::Refusal;
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 use crate::spec::Allowed;
 use crate::units::{Length, Speed, Temperature};
@@ -62,17 +61,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         return Err(Failure::Message(text));
     }
     let made = MadeCoupons::new(spec, machine, loaded.sources(), &grid, &groups);
-    let made = made.map_err(|refusals| {
-        let alone = |(_, group): &&(&str, CouponGroup)| {
-            groups.contains(group)
-                && MadeCoupons::new(spec, machine, loaded.sources(), &grid, &[*group]).is_ok()
-        };
-        let others: Vec<&str> = CouponGroup::NAMES.iter().filter(alone).map(|(name, _)| *name).collect();
-        let only = format!("; or make the others: --only {}", others.join(","));
-        let more = if others.is_empty() { "" } else { &only };
-        let with = |one: Refusal| Refusal { remedy: format!("{}{more}", one.remedy), ..one };
-        loaded.refused(refusals.into_iter().map(with).collect())
-    })?;
+    let made = made.map_err(|refusals| loaded.refused(refusals))?;
     let proven = made.prove().map_err(|findings| loaded.unproven(findings))?;
     let published = publish_files(&args.output, &proven.files())?;
     tell(&published.to_string());

@@ -354,14 +354,6 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
         assert!(said.contains(&format!("again/{name}")), "{name}: {said}");
     }
     let _ = fails(dir.path(), &["coupon", "star.toml", "-o", "no/where"], 1, &["cannot create no/where"]);
-    // A hose that is too thick for the V's tube suits the other coupons.
-    let thick = "schema = 1\nname = \"thick\"\n[star]\npoints = 6\ninner_radius = \"54 mm\"\ntube_width = \"6.8 mm\"\n\
-                 tip_angle = \"43 deg\"\n[inlet]\ntube_diameter = \"6 mm\"\n";
-    fs::write(dir.path().join("thick.toml"), thick).expect("written");
-    let only = "strips,disc,burst";
-    let args = ["coupon", "thick.toml", "-o", "thick"];
-    let _ = fails(dir.path(), &args, 1, &[&format!("--only {only}")]);
-    let _ = done(dir.path(), &[&args[..], &["--only", only, "-q"]].concat());
 }
 
 #[test]

@@ -128,8 +128,13 @@ fn the_same_for_programs() {
         assert_eq!(stderr(&output), "");
         assert_eq!((&json["verdict"]["holds"], &json["stars"]), (&true.into(), &3.into()));
         assert!(json["sealing_time_s"].as_f64().is_some_and(|seconds| seconds > 3600.0), "{json}");
-        let before = json["before_you_seal"].as_array().expect("a list");
-        assert!(before.len() > 1 && before.iter().all(|one| one["code"].is_string()), "{json}");
+        let [texts, codes] =
+            ["before_you_seal", "before_you_seal_codes"].map(|key| json[key].as_array().expect("a list"));
+        assert!(texts.len() > 1 && texts.len() == codes.len(), "{json}");
+        assert!(
+            codes.iter().all(|code| *code != "unfit") && codes.contains(&"generic-machine".into()),
+            "{codes:?}"
+        );
         let force = json["prediction"]["object_force_N"].as_f64().expect("a force");
         assert!(force > 20.0 && force < 40.0, "{force}");
         let run: Vec<&str> = json["written"]["run"]

@@ -62,7 +62,7 @@ export class Result {
         verdict.className = unfit || holds === false ? "bad" : holds ? "good" : "";
         verdict.textContent = in_words;
         this.#rows(overview);
-        byId("precautions").replaceChildren(...overview.before_you_seal.map((one) => element("li", {}, one.text)));
+        byId("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, text)));
         byId("before").hidden = overview.before_you_seal.length === 0;
         this.#picture(files.find(({ name }) => name.endsWith("preview.svg")));
     }
