@@ -93,7 +93,9 @@ pub(crate) fn of_failure(py: Python<'_>, failure: &Failure) -> PyErr {
         Failure::Faults(faults) => of_spec(py, faults),
         Failure::Unproven(unproven) => of_findings(py, &unproven.findings),
         Failure::Publish(fault) => plain(py, "PublishError", "publish", &fault.to_string()),
-        Failure::Infeasible(text) | Failure::Message(text) => plain(py, "Error", "refused", text),
+        Failure::Infeasible(text, _) | Failure::File(_, text) | Failure::Message(text) => {
+            plain(py, "Error", "refused", text)
+        }
         Failure::Usage(text) => usage(py, text),
         Failure::Interrupted | Failure::Stopped(_) => pyo3::exceptions::PyKeyboardInterrupt::new_err(()),
         // Only a command that prints can end with them, and none does here.

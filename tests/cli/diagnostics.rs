@@ -236,8 +236,8 @@ fn a_refusal_of_several_stars_is_one_and_its_remedy_can_be_had() {
 
 #[test]
 fn unknown_sections_are_listed_in_order_and_all_counted() {
-    let sections: String = (0..300).map(|i| format!("[x{i}]\n")).collect();
-    let said = refused(&star(5, "50 mm", "30 mm", "30 deg", &sections));
+    let sections: Vec<String> = (0..300).map(|i| format!("[x{i}]\n")).collect();
+    let said = refused(&star(5, "50 mm", "30 mm", "30 deg", &sections.concat()));
     let at = |line: usize| said.find(&format!("spec.toml:{line}:"));
     assert!(at(8).is_some() && at(37).is_some() && at(38).is_none(), "{said}");
     assert!(said.contains("300 errors, the first 30 shown"), "{said}");
