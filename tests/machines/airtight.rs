@@ -83,7 +83,7 @@ fn a_weak_seal_is_warned_of_with_the_radius_that_would_hold() {
     let strong = design("[fabric]\nseal_strength = \"3 N/mm\"\n[load]\npressure = \"37 kPa\"\n");
     let found = report(&strong.0, &strong.1, &strong.2);
     assert!(found.weaknesses.is_empty(), "{:?}", found.weaknesses);
-    let weak = design("[fabric]\nseal_strength = \"0.3 N/mm\"\n[load]\npressure = \"37 kPa\"\n");
+    let weak = design("[fabric]\nseal_strength = \"1 N/mm\"\n[load]\npressure = \"37 kPa\"\n");
     let found = report(&weak.0, &weak.1, &weak.2);
     assert!(found.leaks.is_empty());
     let at_tips = found.weaknesses.iter().find(|text| text.contains("at the tips")).expect("a warning");

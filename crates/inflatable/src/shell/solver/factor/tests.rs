@@ -64,7 +64,7 @@ fn random_matrices_as_by_nalgebra() {
                 let rhs = DVector::from_fn(size, |k, _| if k % 3 == 0 { 1.0 } else { -0.5 });
                 let expected = matrix.clone().cholesky().map(|factor| factor.solve(&rhs));
                 let found = answers(&matrix, rhs.as_slice());
-                (if expected.is_some() { definite += 1 } else { others += 1 });
+                *(if expected.is_some() { &mut definite } else { &mut others }) += 1;
                 for (found, accuracy) in found.into_iter().zip([1e-9, 1e-11]) {
                     assert_eq!(found.is_some(), expected.is_some(), "{size}, {density} %, {diagonal}");
                     let Some((found, expected)) = found.zip(expected.as_ref()) else { continue };
