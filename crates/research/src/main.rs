@@ -150,7 +150,8 @@ fn all_ladders(work: &Work) -> Result<(), Box<dyn Error>> {
 
 fn stars(work: &Work, sets: &[Set], forces: bool) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&work.dir)?;
-    let all = in_turn().into_iter().filter(|star| sets.contains(&star.set)).collect();
+    let is_meant = |star: &DrawnStar| sets.contains(&star.set) && star.number >= work.from;
+    let all = in_turn().into_iter().filter(is_meant).collect();
     for star in work.of_part(all) {
         let (openings, fineness) = match star.set {
             _ if forces => (&OPENINGS[..], FORCE_FINENESS),

@@ -1,7 +1,7 @@
 //! A spec that `check` accepts is published by `build` and accepted by `verify`: every finding about outputs has a refusal before
 //! it.
 //!
-//! 800 random specs with all kinds of files in `make test`; twenty thousand with
+//! 400 random specs with all kinds of files in `make test`; twenty thousand with
 //! `STARGRIP_AGREE=20000 cargo test --release --locked --test design agree::`. `STARGRIP_AGREE_FROM=n` begins at case `n`.
 
 mod named;
@@ -20,7 +20,7 @@ use stargrip_cam::verify::Finding;
 use specs::{Case, case};
 
 /// Number of specs in a run without a setting.
-const CASES: u64 = 800;
+const CASES: u64 = 400;
 
 fn number(variable: &str, default: u64) -> u64 {
     std::env::var(variable).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
