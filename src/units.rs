@@ -9,6 +9,11 @@ use std::fmt;
 
 pub use inflatable::readable::Readable;
 
+/// A number of things: "1 finding", "91 findings".
+pub fn counted(number: usize, what: &str) -> String {
+    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
+}
+
 /// The reason why a text is not a quantity of the required kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum QuantityFault {

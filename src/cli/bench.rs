@@ -13,6 +13,7 @@ use crate::cli::text_file::read_table;
 use crate::coupon::DISC;
 use crate::coupon::bias::{BiasFault, BiasStrip, shear_stiffness};
 use crate::coupon::cone::read_test;
+use crate::design::realised_radius;
 use crate::forecast::case::sheet;
 use crate::forecast::stiffness::{BenchFault, DiscBench, VBench};
 use crate::spec::{Allowed, Source, Spec};
@@ -92,11 +93,11 @@ impl BenchArgs {
         Ok(Some(Coiling { measured, predicted: state.lambda, model: "ring" }))
     }
 
-    /// R / W of the V-actuator's hinge: a round iron makes none below half the band's width.
+    /// R / W of the V-actuator's hinge.
     fn radius_ratio(&self, spec: Option<&Spec>) -> f64 {
         let of_tips = |spec: &Spec| {
             let star = spec.stars.first()?;
-            Some(star.tip_radius.0.max(0.5 * spec.seal.band.0) / star.tube_width.0)
+            Some(realised_radius(star.tip_radius.0, spec.seal.band.0) / star.tube_width.0)
         };
         self.radius_ratio.or_else(|| of_tips(spec?)).unwrap_or(1.0 / 30.0)
     }

@@ -16,7 +16,7 @@ use crate::cli::verbosity::Verbosity;
 use crate::coupon::{CouponGroup, StripGrid};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 use crate::spec::Allowed;
-use crate::units::{Length, Speed, Temperature};
+use crate::units::{Length, Speed, Temperature, counted};
 
 /// Arguments of `coupon`.
 #[derive(clap::Args, Debug)]
@@ -135,9 +135,7 @@ fn or<T: Clone>(given: &[T], usual: &[T]) -> Vec<T> {
 /// The written files, and the next steps.
 fn text(args: &Args, proven: &ProvenCoupons, programs: &[&String], drawings: &[&String]) -> String {
     let place = |name: &str| shown(args.output.join(name));
-    let counted =
-        |all: &[&String], one: &str| format!("{} {one}{}", all.len(), if all.len() == 1 { "" } else { "s" });
-    let (number, figures) = (counted(programs, "program"), counted(drawings, "drawing"));
+    let (number, figures) = (counted(programs.len(), "program"), counted(drawings.len(), "drawing"));
     let mut out = format!("wrote {number} and {figures} to {}\n", shown(&args.output));
     // Writing to a String does not fail.
     for (name, coupon) in programs.iter().zip(&proven.made().coupons) {

@@ -8,11 +8,6 @@ use crate::verify::Finding;
 /// Number of findings of one kind in one file that are printed: enough to see whether the fault is local.
 const SHOWN: usize = 3;
 
-/// "1 finding", "91 findings".
-pub(super) fn counted(number: usize) -> String {
-    format!("{number} finding{}", if number == 1 { "" } else { "s" })
-}
-
 /// One line a finding. Of findings with the same file and code only the first few are listed, and the others counted.
 pub(super) fn lines(findings: &[Finding]) -> Vec<String> {
     let mut alike: BTreeMap<(&str, &str), usize> = BTreeMap::new();

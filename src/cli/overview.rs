@@ -19,7 +19,7 @@ use crate::design::{DrawnPiece, FlatPiece};
 use crate::forecast::ranges::shown::rounded;
 use crate::pipeline::{Forecast, Precaution, Proven};
 use crate::spec::StarSpec;
-use crate::units::{Angle, Length};
+use crate::units::{Angle, Length, counted};
 
 pub(super) use crate::answer::overview_json as json;
 
@@ -79,15 +79,14 @@ fn pieces(forecast: &Forecast) -> Vec<String> {
 /// A drawn piece: its size, chambers, ports and seams.
 fn drawn_in_words(piece: &DrawnPiece) -> String {
     let size = piece.part.outside.bounds();
-    let count = |number: usize, what: &str| format!("{number} {what}{}", if number == 1 { "" } else { "s" });
     let length: f64 = piece.shape.seams.iter().map(|seam| seam.center_line.length()).sum();
     format!(
         "{} x {} mm, {}, {}, {} of {} mm in all",
         rounded(size.width()),
         rounded(size.height()),
-        count(piece.shape.topology().chambers.len(), "chamber"),
-        count(piece.shape.ports.len(), "port"),
-        count(piece.shape.seams.len(), "seam"),
+        counted(piece.shape.topology().chambers.len(), "chamber"),
+        counted(piece.shape.ports.len(), "port"),
+        counted(piece.shape.seams.len(), "seam"),
         rounded(length)
     )
 }

@@ -6,6 +6,7 @@ use std::path::Path;
 use crate::cli::escape::shown;
 use crate::cli::findings;
 use crate::spec;
+use crate::units::counted;
 use crate::verify::Finding;
 
 /// Endings of programs' names; the last is for LinuxCNC.
@@ -32,7 +33,7 @@ impl Unproven {
 
     /// The probable cause, as a heading.
     pub(super) fn heading(&self) -> String {
-        let counted = findings::counted(self.findings.len());
+        let counted = counted(self.findings.len(), "finding");
         if self.may_be_the_profile() {
             format!("error: the programs for {} fail their proof: {counted}", shown(&self.profile))
         } else {

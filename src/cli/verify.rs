@@ -16,6 +16,7 @@ use crate::cli::{findings, progress};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{PublishedBuild, prove_feed_check};
 use crate::spec::Code;
+use crate::units::counted;
 use crate::verify::{FileProof, FindingCode, Method, OutputFiles, Proof};
 
 /// Arguments of `verify`.
@@ -166,7 +167,7 @@ fn verdict(dir: &Path, proof: &Proof) -> String {
             ));
         }
         0 => parts.push(format!("proven, no findings; {}", scope(proof))),
-        n => parts.push(findings::counted(n)),
+        n => parts.push(counted(n, "finding")),
     }
     if !proof.unproven.is_empty() {
         parts

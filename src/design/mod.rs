@@ -61,7 +61,7 @@ pub use mask::MaskPlate;
 pub use object::{Meeting, Object, does_not_enter, room};
 pub use outline::{Circle, Outline, cut_area};
 pub use paper::{Page as PaperPage, Paper};
-pub use part::{Realised, SHEETS, StarDesign};
+pub use part::{Realised, SHEETS, StarDesign, realised_radius};
 pub use pieces::{Piece, Pieces};
 pub use placed::PlacedPart;
 pub use placement::SheetLayout;

@@ -151,10 +151,15 @@ impl Star {
     }
 }
 
+/// Inner radius of curvature, mm, that a round iron makes of the drawn one `r`: at least half the band's width.
+pub fn realised_radius(r: f64, band: f64) -> f64 {
+    r.max(band / 2.0)
+}
+
 /// A round iron of radius w/2 leaves `(w/2 - R) (1/sin(phi/2) - 1)` of a sharper hinge unsealed.
 fn realised(r: f64, phi: f64, band: f64) -> Realised {
     let lost = (band / 2.0 - r).max(0.0);
-    Realised { radius: r.max(band / 2.0), cusp: lost * (1.0 / libm::sin(phi / 2.0) - 1.0) }
+    Realised { radius: realised_radius(r, band), cusp: lost * (1.0 / libm::sin(phi / 2.0) - 1.0) }
 }
 
 /// The tube's two edges, concave hinges and fillets at least `least_radius` round.

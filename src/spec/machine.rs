@@ -57,10 +57,15 @@ pub struct Process {
 }
 
 impl Process {
-    /// Lowest height of the tip in contact: a spring is pressed in by at most 20 mm, and a rigid tip would be pressed into the bed.
+    /// Lowest height of the tip in contact.
     pub fn lowest_contact(&self) -> Length {
-        Length(if self.spring_loaded { -20.0 } else { 0.0 })
+        Length(lowest_contact(self.spring_loaded))
     }
+}
+
+/// Lowest height in contact, mm: a spring is pressed in by at most 20 mm, and a rigid tip would be pressed into the bed.
+pub(in crate::spec) const fn lowest_contact(spring_loaded: bool) -> f64 {
+    if spring_loaded { -20.0 } else { 0.0 }
 }
 
 /// The work area and the clamps.

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use crate::design::drawn::layer_name::{Shared, layer_names};
 use crate::design::drawn::words::{is_page, word_role};
 use crate::spec::LayerRole;
+use crate::units::counted;
 use drawings::{Drawing, Figure, Place, Weight};
 use inflatable::geom::{Bounds, Enclosures};
 
@@ -35,7 +36,7 @@ pub(super) fn proposed(drawing: &Drawing, is_dxf: bool) -> Vec<(String, LayerRol
     for (layer, own) in by_layer {
         let closed = own.iter().filter(|figure| matches!(figure, Figure::Path(path) if path.closed)).count();
         let number = own.len();
-        let figures = format!("{number} figure{}, {closed} closed", if number == 1 { "" } else { "s" });
+        let figures = format!("{}, {closed} closed", counted(number, "figure"));
         // The only layer has the design, whatever its name is.
         let page = (is_page(layer) && number == 1).then_some(LayerRole::Ignore);
         let named = word_role(layer).or(page).filter(|role| !is_alone || *role != LayerRole::Ignore);

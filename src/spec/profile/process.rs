@@ -3,12 +3,12 @@
 use crate::spec::FaultCode;
 use crate::spec::allowed::{Allowed, SIZE};
 use crate::spec::fault::Fault;
-use crate::spec::machine::{Heights, Process};
+use crate::spec::machine::{Heights, Process, lowest_contact};
 use crate::spec::section::{Reader, Section};
 use crate::units::{Length, Speed};
 
-/// Height in contact: a spring is pressed in by less than 20 mm, a thick release layer is less than 5 mm.
-const CONTACT: Allowed = Allowed::closed(-20.0, 5.0);
+/// Height in contact: a thick release layer is less than 5 mm.
+const CONTACT: Allowed = Allowed::closed(lowest_contact(true), 5.0);
 /// Heights without contact: above the release layer, below any gantry.
 pub(super) const HEIGHT: Allowed = Allowed::above(0.0, 1000.0);
 /// Speeds of moves without sealing, up to 10 m/s.
@@ -44,7 +44,7 @@ fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights
     let travel = height("travel", HEIGHT);
     let park = height("park", HEIGHT);
     if let (Some(false), Some(Length(contact))) = (spring_loaded, contact)
-        && contact < 0.0
+        && contact < lowest_contact(false)
     {
         let fault = Fault::error(
             FaultCode::OutOfRange,

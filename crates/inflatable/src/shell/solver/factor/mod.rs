@@ -100,6 +100,9 @@ impl Factor {
     /// Whether double precision, too, finds the matrix of this factor positive definite: rounding to single precision can hide a direction in
     /// which it is not, and almost any solution follows that direction.
     pub(crate) fn is_confirmed(&mut self) -> bool {
+        if self.is_double {
+            return true;
+        }
         let mut probe: Vec<f64> = (1_u32..).take(self.scale.len()).map(|k| libm::sin(f64::from(k))).collect();
         probe.iter_mut().zip(&self.scale).for_each(|(x, scale)| *x /= scale);
         self.refine(&mut probe, EXACT)
