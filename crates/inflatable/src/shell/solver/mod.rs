@@ -1,10 +1,12 @@
 //! Equilibria of a sheet under pressure.
 
 mod continuation;
+mod direction;
 mod displacement_control;
 mod eigenvalue;
 mod factor;
 mod newton;
+mod rounds;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]

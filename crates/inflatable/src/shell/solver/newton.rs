@@ -2,7 +2,8 @@
 
 use crate::numerics::dot;
 use crate::shell::assembly::{Assembly, Compression, Energy, Sheet, State, Supports, Tangent};
-use crate::shell::contact::{Contact, ContactError};
+use crate::shell::contact::Contact;
+use crate::shell::solver::direction::{Experience, least_shift};
 use crate::shell::solver::displacement_control::{ControlledSolve, DisplacementControl};
 use crate::shell::solver::factor::{EXACT, Factor};
 use std::sync::Arc;
@@ -57,14 +58,10 @@ pub struct NewtonResult {
 /// Newton steps allowed for one equilibrium, and where a sheet snaps from one shape to another.
 const MOST_ITERATIONS: u32 = 80;
 const MOST_TO_SNAP: u32 = 1000;
-/// Accuracy of a step, relative: near an equilibrium each leaves about a thousandth of the residual.
-const STEP_ACCURACY: f64 = 1e-6;
 /// Halvings of a step.
 const MOST_HALVINGS: u32 = 12;
 /// Part of the energy's promised fall that must come.
 const ARMIJO: f64 = 1e-4;
-/// Largest shift over the least one: the smallest triangles at a sharp rim have a millionth of W^2, and are as stiff as any.
-const MOST_SHIFT: f64 = 1e14;
 /// Shift over the least one from which on no shorter step is tried.
 const MOST_SHORTENED: f64 = 1e8;
 /// Part of the energy that a step of a rough state gains at least, for the next one to be taken alike.
@@ -74,21 +71,6 @@ const ROUNDING: f64 = 1e-14;
 /// Rounding of a strain, which is a difference of squares of order one: sheets that are hardly stretched feel it.
 const STRAIN_ROUNDING: f64 = 1e-15;
 
-/// k of contact by p/W: at 100 two to four rounds reach the tolerance; at 1e4 Newton's method meets kinks.
-const CONTACT: f64 = 100.0;
-/// Tolerance of the first rounds of contact, by that of the last; and penetration and change by their limits below which the next round may
-/// be the last.
-const LOOSE: f64 = 1e3;
-const NEAR: f64 = 10.0;
-/// Rounds of contact.
-const MOST_ROUNDS: u32 = 20;
-/// Penetration left, by W.
-const PENETRATION: f64 = 1e-4;
-/// Change of contact pressures left, by the largest of them.
-const CHANGE: f64 = 1e-2;
-/// k where rounds converge slowly, by p/W: few points that carry all of a force.
-const STIFFEST: f64 = 1e6;
-
 /// Finds equilibria of one sheet.
 pub struct Solver {
     /// Sums over its triangles.
@@ -97,16 +79,16 @@ pub struct Solver {
     pub contact: Option<Contact>,
     /// A constraint besides its supports.
     pub lever: Option<DisplacementControl>,
-    held: ControlledSolve,
+    pub(super) held: ControlledSolve,
     /// The lever's multiplier at the last equilibrium: forces + multiplier c = 0.
     pub multiplier: f64,
     pub(super) factor: Factor,
-    step: Vec<f64>,
+    pub(super) step: Vec<f64>,
     /// Contribution of a shift to each unknown's diagonal.
-    springs: Vec<f64>,
+    pub(super) springs: Vec<f64>,
     /// The sheet's flat area.
     area: f64,
-    shift: f64,
+    pub(super) experience: Experience,
     trial: State,
     /// Effort of all solves together.
     pub effort: Effort,
@@ -130,7 +112,7 @@ impl Solver {
             springs: assembly.springs(),
             area: assembly.sheet.areas.iter().sum(),
             trial: assembly.sheet.flat(),
-            shift: 0.0,
+            experience: Experience::NONE,
             effort: Effort::default(),
             cancel: Arc::default(),
             may_snap: false,
@@ -150,17 +132,18 @@ impl Solver {
     /// The reason of the stop; `state` is then the last shape.
     pub fn settle(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
         let found = self.approach(state, aim)?;
-        if self.compute(0.0) && self.factor.is_confirmed() { Ok(found) } else { Err(Stop::Unstable) }
+        if self.is_stable() { Ok(found) } else { Err(Stop::Unstable) }
     }
 
     /// As [`Solver::settle`], whether the equilibrium is stable or not.
-    fn approach(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
+    pub(super) fn approach(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
         let found = self.iterate(state, aim);
         self.is_rough = false;
         found
     }
 
     fn iterate(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
+        self.experience.begin();
         let mut energy = self.linearise(state, aim.pressure);
         let most = if self.may_snap { MOST_TO_SNAP } else { MOST_ITERATIONS };
         for _ in 0..most {
@@ -168,7 +151,8 @@ impl Solver {
                 return Err(Stop::Cancelled);
             }
             let residual = self.residual();
-            if residual <= aim.tolerance && self.shift == 0.0 && !self.is_rough {
+            self.experience.see(residual);
+            if residual <= aim.tolerance && self.experience.shift == 0.0 && !self.is_rough {
                 return Ok(NewtonResult { energy, residual });
             }
             self.find_step(aim)?;
@@ -188,41 +172,6 @@ impl Solver {
             self.effort.iterations += 1;
         }
         Err(Stop::Iterations)
-    }
-
-    /// As [`Solver::settle`], with contact: rounds until no point penetrates.
-    ///
-    /// # Errors
-    /// The reason of the stop; `state` is then the last shape.
-    pub fn rest(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
-        let Some(contact) = &mut self.contact else { return self.settle(state, aim) };
-        contact.stiffness = contact.floor.max(CONTACT * aim.pressure);
-        let mut before = ContactError { penetration: f64::INFINITY, change: f64::INFINITY, largest: 0.0 };
-        let mut is_near = false;
-        for _ in 0..MOST_ROUNDS {
-            let rest = if is_near {
-                self.settle(state, aim)?
-            } else {
-                self.approach(state, Aim { tolerance: LOOSE * aim.tolerance, ..aim })?
-            };
-            let Some(contact) = &mut self.contact else { return Ok(rest) };
-            let misfit = contact.keep(state);
-            let fits = |factor: f64| {
-                misfit.penetration <= factor * PENETRATION
-                    && misfit.change <= factor * CHANGE * misfit.largest
-            };
-            if is_near && fits(1.0) {
-                return Ok(rest);
-            }
-            is_near = fits(NEAR);
-            let is_slow = misfit.penetration > PENETRATION.max(before.penetration / 4.0)
-                || misfit.change > (CHANGE * misfit.largest).max(before.change / 4.0);
-            if is_slow && contact.stiffness < STIFFEST * aim.pressure {
-                contact.stiffness *= 4.0;
-            }
-            before = misfit;
-        }
-        Err(Stop::Contact)
     }
 
     pub(super) fn linearise(&mut self, state: &State, pressure: f64) -> Energy {
@@ -252,20 +201,6 @@ impl Solver {
         energy
     }
 
-    /// Factors the Hessian; false if it is not positive definite where the lever holds.
-    fn compute(&mut self, shift: f64) -> bool {
-        self.effort.factors += 1;
-        if !self.factor.compute(self.assembly.hessian().2, shift, &self.springs) {
-            return false;
-        }
-        let Some(lever) = &self.lever else { return true };
-        match lever.hold(&self.assembly, &mut self.factor) {
-            Some(held) => self.held = held,
-            None => return false,
-        }
-        true
-    }
-
     /// The norm of the forces without the constraint's part, whose multiplier it keeps.
     fn residual(&mut self) -> f64 {
         let gradient = self.assembly.gradient();
@@ -283,30 +218,6 @@ impl Solver {
             self.assembly.advance(state, &self.held.answer, by / self.held.gives);
         }
         is_stable
-    }
-
-    /// Writes a direction of descent to `step`, and its shift to `shift`.
-    fn find_step(&mut self, aim: Aim) -> Result<(), Stop> {
-        let least = 0.01 * aim.pressure;
-        self.shift /= 6.0;
-        if self.shift < least {
-            self.shift = 0.0;
-        }
-        while !self.compute(self.shift) {
-            self.shift = (4.0 * self.shift).max(least);
-            if self.shift > MOST_SHIFT * least {
-                self.shift = 0.0;
-                return Err(Stop::Shift);
-            }
-        }
-        for (step, slope) in self.step.iter_mut().zip(self.assembly.gradient()) {
-            *step = -slope;
-        }
-        self.factor.solve(&mut self.step, STEP_ACCURACY);
-        if let Some(lever) = &self.lever {
-            let _ = lever.constrain(&self.assembly, &self.held, &mut self.step);
-        }
-        Ok(())
     }
 
     /// Goes as far along `step` as the energy falls.
@@ -336,18 +247,13 @@ impl Solver {
     /// Restarts at `state` with a larger shift, which shortens the next step. Only where wrinkles come and go: there the Hessian is a poor
     /// model one step ahead; elsewhere a larger shift does not help.
     fn shorten_step(&mut self, state: &State, aim: Aim) -> Option<Energy> {
-        let least = 0.01 * aim.pressure;
+        let (least, shift) = (least_shift(aim.pressure), self.experience.shift);
         let comes_and_goes = matches!(self.assembly.sheet.compression, Compression::Wrinkled(_));
-        if !comes_and_goes || self.shift > MOST_SHORTENED * least {
+        if !comes_and_goes || shift > MOST_SHORTENED * least {
             return None;
         }
-        self.shift = (60.0 * self.shift).max(6.0 * least);
+        self.experience.shift = (60.0 * shift).max(6.0 * least);
         Some(self.linearise(state, aim.pressure))
-    }
-
-    /// Solves with the unshifted Hessian of the last equilibrium.
-    pub fn solve(&mut self, rhs: &mut [f64]) {
-        self.factor.solve(rhs, EXACT);
     }
 
     /// Displacement of the last equilibrium under a unit load on the sum of products of points with `parts`: g.H^-1 g,

@@ -18,12 +18,14 @@ mod tree;
 
 use crate::shell::solver::factor::matrix::Matrix;
 use crate::shell::solver::factor::numeric::Numeric;
-use crate::shell::solver::factor::refine::Refinement;
+use crate::shell::solver::factor::refine::{Outcome, Refinement};
 use crate::shell::solver::factor::symbolic::Symbolic;
 use crate::shell::solver::factor::tree::Lists;
 
 /// The accuracy of solutions that enter results, relative.
 pub(crate) const EXACT: f64 = 1e-10;
+/// Iterations of a solution at most. With the factor of the matrix itself shells take three to five.
+const MOST_ITERATIONS: u32 = 100;
 
 /// The factor of a symmetric matrix given by the lower triangle of its columns.
 pub(crate) struct Factor {
@@ -35,6 +37,8 @@ pub(crate) struct Factor {
     /// The factor of the matrix itself, where single precision did not suffice.
     double: Option<Numeric<f64>>,
     is_double: bool,
+    /// Whether the factor in single precision is that of a matrix without shift.
+    is_plain: bool,
     refinement: Refinement,
 }
 
@@ -48,6 +52,7 @@ impl Factor {
             single: Numeric::new(&symbolic)?,
             double: None,
             is_double: false,
+            is_plain: false,
             scale: vec![0.0; lower.count()],
             refinement: Refinement::new(lower.count()),
             matrix: Matrix { values: vec![0.0; rows.len()], lower },
@@ -68,8 +73,19 @@ impl Factor {
             self.matrix.shift_diagonal(factor, shift);
         }
         self.is_double = false;
+        let is_single = self.compute_single();
+        self.is_plain = is_single && factor == 0.0;
         // A shift may be larger than needed, so that only without one double precision is worth its time.
-        self.compute_single() || factor == 0.0 && self.compute_double()
+        is_single || factor == 0.0 && self.compute_double()
+    }
+
+    /// Replaces the matrix by one near to it and keeps the factor, with which solutions take more iterations; false if the factor is not of a
+    /// kind to be kept.
+    pub(crate) fn keep_for(&mut self, values: &[f64]) -> bool {
+        if self.is_plain {
+            self.matrix.values.copy_from_slice(values);
+        }
+        self.is_plain
     }
 
     fn compute_single(&mut self) -> bool {
@@ -94,27 +110,41 @@ impl Factor {
 
     /// Solves with the factor computed last, up to a part `accuracy` of the solution in the norm of the energy.
     pub(crate) fn solve(&mut self, rhs: &mut [f64], accuracy: f64) {
-        let _ = self.refine(rhs, accuracy);
+        let _ = self.refine(rhs, accuracy, MOST_ITERATIONS);
     }
 
-    /// Whether double precision, too, finds the matrix of this factor positive definite: rounding to single precision can hide a direction in
-    /// which it is not, and almost any solution follows that direction.
+    /// The same in `most` iterations; false, and no solution, if they do not suffice or the matrix is not positive definite.
+    pub(crate) fn solve_within(&mut self, most: u32, rhs: &mut [f64], accuracy: f64) -> bool {
+        self.refine(rhs, accuracy, most) == Outcome::Solved
+    }
+
+    /// The norm of what the last solution leaves of its right side.
+    pub(crate) fn left(&self) -> f64 {
+        if self.is_double { 0.0 } else { self.refinement.left() }
+    }
+
+    /// Whether double precision, too, finds the matrix positive definite: rounding to single precision can hide a direction in which it is
+    /// not, and almost any solution follows that direction.
     pub(crate) fn is_confirmed(&mut self) -> bool {
         if self.is_double {
             return true;
         }
         let mut probe: Vec<f64> = (1_u32..).take(self.scale.len()).map(|k| libm::sin(f64::from(k))).collect();
         probe.iter_mut().zip(&self.scale).for_each(|(x, scale)| *x /= scale);
-        self.refine(&mut probe, EXACT)
+        match self.refine(&mut probe, EXACT, MOST_ITERATIONS) {
+            Outcome::Solved => true,
+            Outcome::BendsDown => false,
+            Outcome::Unsolved => self.compute_double(),
+        }
     }
 
-    fn refine(&mut self, rhs: &mut [f64], accuracy: f64) -> bool {
+    fn refine(&mut self, rhs: &mut [f64], accuracy: f64, most: u32) -> Outcome {
         if let Some(double) = self.double.as_mut().filter(|_| self.is_double) {
             double.solve(&self.symbolic, rhs);
-            return true;
+            return Outcome::Solved;
         }
         let Self { symbolic, matrix, single, scale, refinement, .. } = self;
-        refinement.solve(matrix, rhs, accuracy, |vector| {
+        refinement.solve(matrix, rhs, (accuracy, most), |vector| {
             vector.iter_mut().zip(&*scale).for_each(|(x, scale)| *x *= scale);
             single.solve(symbolic, vector);
             vector.iter_mut().zip(&*scale).for_each(|(x, scale)| *x *= scale);

@@ -1,10 +1,19 @@
-//! Conjugate gradients with the factor in single precision as the preconditioner.
+//! Conjugate gradients with a factor in single precision as the preconditioner: of the matrix itself, or of one that is near to it.
 
 use crate::numerics::dot;
 use crate::shell::solver::factor::matrix::Matrix;
 
-/// Iterations at most. Shells take three to five.
-const MOST_ITERATIONS: u32 = 100;
+/// How an iteration ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Outcome {
+    /// The vector is the solution.
+    Solved,
+    /// It is not yet.
+    Unsolved,
+    /// The matrix is not positive definite in a direction that the iteration took: rounding had hidden that from the factor. The vector is a
+    /// direction of descent.
+    BendsDown,
+}
 
 /// The vectors of an iteration.
 pub(super) struct Refinement {
@@ -20,15 +29,19 @@ impl Refinement {
         Self { residual: zeros.clone(), conditioned: zeros.clone(), direction: zeros.clone(), product: zeros }
     }
 
-    /// Turns the right side into the solution, up to a part `accuracy` of it in the norm of the energy. False, and a direction of descent, if
-    /// the matrix is not positive definite in some direction that the iteration takes: rounding had hidden that from the factor.
+    /// The norm of what the last solution leaves of its right side.
+    pub(super) fn left(&self) -> f64 {
+        dot(&self.residual, &self.residual).sqrt()
+    }
+
+    /// Turns the right side into the solution, up to a part `accuracy` of it in the norm of the energy, in `most` iterations.
     pub(super) fn solve(
         &mut self,
         matrix: &Matrix,
         vector: &mut [f64],
-        accuracy: f64,
+        (accuracy, most): (f64, u32),
         mut precondition: impl FnMut(&mut [f64]),
-    ) -> bool {
+    ) -> Outcome {
         let Self { residual, conditioned, direction, product } = self;
         residual.copy_from_slice(vector);
         conditioned.copy_from_slice(vector);
@@ -37,7 +50,7 @@ impl Refinement {
         direction.copy_from_slice(conditioned);
         let first = dot(residual, conditioned);
         let mut square = first;
-        for iteration in 0..MOST_ITERATIONS {
+        for iteration in 0..most {
             matrix.times(direction, product);
             let curvature = dot(direction, product);
             let bends_up = curvature > 0.0;
@@ -45,7 +58,7 @@ impl Refinement {
                 if iteration == 0 {
                     vector.copy_from_slice(direction);
                 }
-                return square == 0.0;
+                return if square == 0.0 { Outcome::Solved } else { Outcome::BendsDown };
             }
             let length = square / curvature;
             for ((x, r), (d, p)) in vector.iter_mut().zip(&mut *residual).zip(direction.iter().zip(&*product))
@@ -57,12 +70,12 @@ impl Refinement {
             precondition(conditioned);
             let left = dot(residual, conditioned);
             if left <= accuracy * accuracy * first {
-                break;
+                return Outcome::Solved;
             }
             let kept = left / square;
             square = left;
             direction.iter_mut().zip(&*conditioned).for_each(|(d, z)| *d = z + kept * *d);
         }
-        true
+        Outcome::Unsolved
     }
 }

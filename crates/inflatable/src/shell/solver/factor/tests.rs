@@ -189,3 +189,26 @@ fn one_analysis_serves_many_matrices() {
         }
     }
 }
+
+#[test]
+fn a_kept_factor_serves_a_matrix_near_by_and_finds_that_one_is_indefinite() {
+    let mut seed = 5;
+    for size in [2, 30, 90] {
+        let matrix = random(size, 10, 20.0, &mut seed);
+        let grown = |i: usize| if i.is_multiple_of(2) { 1.0 } else { 1.02 };
+        let near = DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * if i == j { grown(i) } else { 1.0 });
+        let expected = DVector::from_fn(size, |k, _| if k % 2 == 0 { 1.0 } else { -3.0 });
+        let rhs = (&near * &expected).as_slice().to_vec();
+        let (starts, rows, values) = lower(&matrix);
+        let mut factor = Factor::new(&starts, &rows).expect("memory");
+        assert!(!factor.keep_for(&values), "there is none yet");
+        assert!(factor.compute(&values, 0.0, &[]) && factor.keep_for(&lower(&near).2));
+        let mut found = rhs.clone();
+        assert!(factor.solve_within(10, &mut found, EXACT) && factor.left() < 1e-6);
+        assert!((DVector::from_vec(found) - &expected).amax() < 1e-8);
+        assert!(!factor.solve_within(1, &mut rhs.clone(), EXACT) && factor.is_confirmed());
+        let bent = DMatrix::from_fn(size, size, |i, j| if i + j == 0 { -1.0 } else { matrix[(i, j)] });
+        assert!(factor.keep_for(&lower(&bent).2) && !factor.is_confirmed());
+        assert!(factor.compute(&values, 1.0, &vec![1.0; size]) && !factor.keep_for(&values), "shifted");
+    }
+}
