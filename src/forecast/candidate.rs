@@ -146,59 +146,55 @@ impl Candidate {
     /// If there is no such star, or a model has no answer for it.
     pub fn answer(&self, ring: &RingTable) -> Result<Answer, RefusedDesign> {
         self.answer_by(ring, |case| match self.model {
-            ModelChoice::Ring => Outcome::of(case, &TableRing(ring)).map(Some),
-            ModelChoice::Fit => Outcome::of(case, &Fit).map(Some),
+            ModelChoice::Ring => Outcome::correcting(case, &TableRing(ring)).map(Some),
+            ModelChoice::Fit => Outcome::correcting(case, &Fit).map(Some),
             ModelChoice::Auto | ModelChoice::Section | ModelChoice::Shell | ModelChoice::Bvp => {
                 by_section(case)
             }
         })
     }
 
-    /// The same, with the outcome from `known`: the case as a model sees it, with the outcome; `None` where the model does not cover it.
+    /// The same, with the outcome from `known`, which gives the case its model's corrections; `None` where the model does not cover it.
     ///
     /// # Errors
     /// As for [`Candidate::answer`].
     pub(super) fn answer_by(
         &self,
         ring: &RingTable,
-        known: impl Fn(&Case) -> Result<Option<(Case, Outcome)>, StarFault>,
+        known: impl Fn(&mut Case) -> Result<Option<Outcome>, StarFault>,
     ) -> Result<Answer, RefusedDesign> {
         let star = Star::new(&self.star).map_err(|refusal| RefusedDesign::from(&refusal))?;
         let asked = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?;
-        let ring = TableRing(ring);
-        let answered = |case: &Case| {
-            Ok::<_, StarFault>(known(case)?.map_or((*case, None), |(case, own)| (case, Some(own))))
-        };
-        let inlet = self.inlet.as_ref();
-        let area = cut_area(&star, &self.seal, inlet, self.star.inlet_tip, self.hole_diameter.0);
         let met = self.different_meetings(&star);
-        let lowest = met.first().map_or(asked, |(meeting, _)| asked.meeting(Some(*meeting)));
-        let (case, outcome) = answered(&lowest)?;
-        let mut one = Answer {
+        let mut case = met.first().map_or(asked, |(meeting, _)| asked.meeting(Some(*meeting)));
+        let outcome = known(&mut case)?;
+        let mut grip = outcome;
+        let mut held = held(outcome.as_ref(), self.stars);
+        if !met.is_empty() {
+            let mut all = Vec::with_capacity(met.len());
+            for (meeting, count) in &met {
+                let own = known(&mut asked.meeting(Some(*meeting)))?;
+                all.push((meeting.radius, f64::from(*count), own));
+            }
+            grip = all.iter().max_by(|a, b| a.0.total_cmp(&b.0)).and_then(|widest| widest.2);
+            held = (
+                all.iter().map(|(_, count, own)| Some(count * own.as_ref()?.payload?)).sum(),
+                sum(all.iter().map(|(_, count, own)| Some(scaled(own.as_ref()?.payload_range?, *count)))),
+            );
+        }
+        let area =
+            cut_area(&star, &self.seal, self.inlet.as_ref(), self.star.inlet_tip, self.hole_diameter.0);
+        Ok(Answer {
+            operating_pressure: Pressure::from_pascals(case.operating_pressure()),
+            burst: burst(&case, &TableRing(ring)).map(Pressure::from_pascals),
             star,
             case,
             outcome,
-            grip: outcome,
-            operating_pressure: Pressure::from_pascals(case.operating_pressure()),
-            burst: burst(&case, &ring).map(Pressure::from_pascals),
-            payload: None,
-            payload_range: None,
+            grip,
+            payload: held.0,
+            payload_range: held.1,
             fabric: area.map(|area| SHEETS * area),
-        };
-        if met.is_empty() {
-            one.count(self.stars);
-            return Ok(one);
-        }
-        let mut all = Vec::with_capacity(met.len());
-        for (meeting, count) in &met {
-            let (_, own) = answered(&asked.meeting(Some(*meeting)))?;
-            all.push((meeting.radius, f64::from(*count), own));
-        }
-        one.grip = all.iter().max_by(|a, b| a.0.total_cmp(&b.0)).and_then(|widest| widest.2);
-        one.payload = all.iter().map(|(_, count, own)| Some(count * own.as_ref()?.payload?)).sum();
-        one.payload_range =
-            sum(all.iter().map(|(_, count, own)| Some(scaled(own.as_ref()?.payload_range?, *count))));
-        Ok(one)
+        })
     }
 
     /// The radii of the object that its stars meet, each with the number of such stars, the lowest star's first; empty where all meet its
@@ -239,24 +235,23 @@ impl Answer {
     /// The same of a stack of `count` stars that all meet the object as this one does.
     #[must_use]
     pub fn of_stars(mut self, count: u32) -> Self {
-        self.count(count);
+        (self.payload, self.payload_range) = held(self.grip.as_ref(), count);
         self
-    }
-
-    /// Makes it the answer of a stack of `stars` stars that all meet the object as this one does.
-    fn count(&mut self, stars: u32) {
-        let own = self.grip.as_ref();
-        let count = f64::from(stars);
-        self.payload = own.and_then(|own| own.payload).map(|of_one| count * of_one);
-        self.payload_range = own.and_then(|own| own.payload_range).map(|of_one| scaled(of_one, count));
     }
 }
 
-/// The outcome of the star of `case` by `section`; `None` where `section` does not cover the star.
-fn by_section(case: &Case) -> Result<Option<(Case, Outcome)>, StarFault> {
+/// The payload (kg) of `stars` stars that all meet the object as the star of the outcome `own` does, with its range.
+fn held(own: Option<&Outcome>, stars: u32) -> (Option<f64>, Option<Interval>) {
+    let count = f64::from(stars);
+    let payload = own.and_then(|own| own.payload).map(|of_one| count * of_one);
+    (payload, own.and_then(|own| own.payload_range).map(|of_one| scaled(of_one, count)))
+}
+
+/// The outcome of the star of `case` by `section`, with whose corrections it is left; `None` where `section` does not cover the star.
+fn by_section(case: &mut Case) -> Result<Option<Outcome>, StarFault> {
     let Some(pressure) = case.pressure else { return Ok(None) };
     match tabled(case, pressure) {
-        Ok(model) => Outcome::of(case, &model).map(Some),
+        Ok(model) => Outcome::correcting(case, &model).map(Some),
         Err(StarFault::Hinge(HingeFault::Scale { .. } | HingeFault::RStar { .. })) => Ok(None),
         Err(fault) => Err(fault),
     }

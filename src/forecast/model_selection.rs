@@ -35,12 +35,17 @@ pub fn tabled(case: &Case, pressure: f64) -> Result<Tabled, StarFault> {
 /// # Errors
 /// If the model refuses the corner's hinge.
 pub fn corrected(case: &Case, model: &dyn HingeModel) -> Result<Case, HingeFault> {
-    if model.level() != Level::Section {
-        return Ok(*case);
-    }
-    let corner = model.target(case.mechanism.corner().r_star)?;
     let mut corrected = *case;
-    if let Some(edges) = corner.edges {
+    correct(&mut corrected, model)?;
+    Ok(corrected)
+}
+
+/// The same in place.
+pub(super) fn correct(case: &mut Case, model: &dyn HingeModel) -> Result<(), HingeFault> {
+    if model.level() != Level::Section {
+        return Ok(());
+    }
+    if let Some(edges) = model.target(case.mechanism.corner().r_star)?.edges {
         let (sheet, width) = (&case.sheet, case.mechanism.width);
         let pressure = case.pressure.unwrap_or(0.0);
         let ratios = Ratios {
@@ -48,9 +53,9 @@ pub fn corrected(case: &Case, model: &dyn HingeModel) -> Result<Case, HingeFault
             stretch: sheet.stretch(pressure, width),
             bendability: sheet.bendability(pressure, width),
         };
-        corrected.mechanism.correction = Correction::new(&case.mechanism, edges.width, ratios);
+        case.mechanism.correction = Correction::new(&case.mechanism, edges.width, ratios);
     }
-    Ok(corrected)
+    Ok(())
 }
 
 /// The model selected by name; `None` for `auto`, and for shells: a build's files are the same on every

@@ -1,7 +1,7 @@
 //! The response of an inflated star under load: one set of closed forms, with their ranges, for predictions, sweeps and searches.
 
 use crate::forecast::case::Case;
-use crate::forecast::model_selection::{corrected, tabled};
+use crate::forecast::model_selection::{correct, tabled};
 use crate::forecast::ranges::{Domain, Interval, Ranges, pressure_edge};
 use crate::units::Length;
 use inflatable::mechanics::fault::StarFault;
@@ -76,11 +76,20 @@ impl Outcome {
     /// # Errors
     /// If the model refuses a hinge, or the star has no equilibrium.
     pub fn of(case: &Case, model: &dyn HingeModel) -> Result<(Case, Self), StarFault> {
-        let case = corrected(case, model)?;
+        let mut case = *case;
+        let outcome = Self::correcting(&mut case, model)?;
+        Ok((case, outcome))
+    }
+
+    /// The same; `case` gets the model's corrections.
+    ///
+    /// # Errors
+    /// As for [`Outcome::of`].
+    pub fn correcting(case: &mut Case, model: &dyn HingeModel) -> Result<Self, StarFault> {
+        correct(case, model)?;
         // Angles and radii of a limit do not depend on the pressure: without one, any will do.
         let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
-        let outcome = Self::linear(&case, &inflated);
-        Ok((case, outcome))
+        Ok(Self::linear(case, &inflated))
     }
 
     /// The range of the contraction; `case` is the one that was answered.
@@ -248,9 +257,9 @@ impl Outcome {
 /// own is not above that.
 fn at_the_edge(case: &Case) -> Option<Outcome> {
     let pressure = pressure_edge(case)?;
-    let case = Case { pressure: Some(pressure), ..*case };
+    let mut case = Case { pressure: Some(pressure), ..*case };
     let model = tabled(&case, pressure).ok()?;
-    Some(Outcome::of(&case, &model).ok()?.1)
+    Outcome::correcting(&mut case, &model).ok()
 }
 
 impl Grip {

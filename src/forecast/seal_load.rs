@@ -162,7 +162,12 @@ fn bursting(case: &Case, k: f64, hinge: (LoadedHinge, f64), peel: f64) -> f64 {
         let bent = bent * libm::pow(pressure, 1.0 - BENDABILITY);
         let both = tube * pressure + bent;
         let slope = (tube * pressure + (1.0 - BENDABILITY) * bent) / both;
-        pressure *= libm::pow(peel / both, slope.recip());
+        let next = pressure * libm::pow(peel / both, slope.recip());
+        // Every further step would find the same.
+        if next == pressure {
+            break;
+        }
+        pressure = next;
     }
     pressure
 }

@@ -64,11 +64,17 @@ fn section_curve_of_ten_angles() -> f64 {
     section.curve(0.1, &lambdas).expect("found")[9].slope
 }
 
-/// The same hinge from its table.
-#[divan::bench]
-fn section_table_entry(bencher: Bencher) {
+/// The same hinge from its table, if one of its numbers changes from look-up to look-up.
+#[divan::bench(args = ["R*", "1/eps", "t/W", "nu"])]
+fn section_table_entry(bencher: Bencher, changing: &str) {
     let table = SectionTable::shipped().expect("readable");
-    bencher.bench_local(|| table.at(black_box(330.0), 0.015, 0.39, 0.1).expect("in range"));
+    let mut larger = false;
+    bencher.bench_local(|| {
+        larger = !larger;
+        let of = |name, value: f64| if larger && name == changing { 1.01 * value } else { value };
+        let scales = [of("1/eps", 330.0), of("t/W", 0.015), of("nu", 0.39)];
+        table.at(black_box(scales[0]), scales[1], scales[2], of("R*", 0.1)).expect("in range")
+    });
 }
 
 /// One lambda of the penalised problem, continuation included.
@@ -82,9 +88,26 @@ fn bvp_state_at_beta_1000(r_star: f64) -> f64 {
 fn sweep_of_a_million_designs(bencher: Bencher) {
     let axes =
         ["star.points=3,4,5,6", "star.tube_width=10 mm..40 mm/500", "star.tip_angle=15 deg..60 deg/500"];
-    let axes = axes.map(|text| Axis::parse(text).expect("valid")).to_vec();
+    sweep(bencher, &axes, 1_000_000);
+}
+
+/// Ten thousand designs in which one key changes from row to row.
+#[divan::bench(sample_count = 20, sample_size = 1, args = [
+    "star.tip_angle=15 deg..45 deg/2500",
+    "star.tube_width=15 mm..30 mm/2500",
+    "load.pressure=15 kPa..50 kPa/2500",
+    "star.tip_radius=0.1 mm..3 mm/2500",
+    "fabric.poisson_ratio=0.2..0.45/2500",
+])]
+fn sweep_of_ten_thousand_designs(bencher: Bencher, fastest: &str) {
+    sweep(bencher, &["star.points=4,5", "star.inner_radius=45 mm,50 mm", fastest], 10_000);
+}
+
+/// The designs of `axes`, every line as text.
+fn sweep(bencher: Bencher, axes: &[&str], rows: usize) {
+    let axes = axes.iter().map(|text| Axis::parse(text).expect("valid")).collect();
     let study = Study::vary(&source(), axes).expect("valid").expect("small");
-    assert_eq!(study.rows(), 1_000_000);
+    assert_eq!(study.rows(), rows);
     bencher.bench_local(|| {
         let mut bytes = 0;
         let never = Arc::new(AtomicBool::new(false));

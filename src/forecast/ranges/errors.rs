@@ -56,8 +56,8 @@ pub fn radius_unit(points: u32) -> f64 {
 
 /// By how much the range of the stiffness of stars of `points` points and arms of `arm` widths is wider than [`STIFFNESS`].
 pub fn stiffness_unit(points: u32, arm: f64) -> f64 {
-    1.0 + MORE_POINTS[1] * from_middle(points).min(0.0).powi(2)
-        + SHORT_STIFFNESS * libm::log(1.0 / arm).max(0.0)
+    let short = if arm < 1.0 { libm::log(1.0 / arm) } else { 0.0 };
+    1.0 + MORE_POINTS[1] * from_middle(points).min(0.0).powi(2) + SHORT_STIFFNESS * short
 }
 
 /// Where `points` lies among those that were tried, from -1 to 1; more are as far out as the most.

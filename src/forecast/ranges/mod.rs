@@ -17,7 +17,6 @@ use inflatable::mechanics::hinge::Level;
 use inflatable::mechanics::star::grasp::Grasp;
 use inflatable::mechanics::star::response::{Inflated, Rest};
 use serde::Serialize;
-use std::f64::consts::PI;
 
 /// Position of a star relative to the validated domain.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -54,7 +53,7 @@ impl Ranges {
             |value: f64, errors: Interval, scale: f64| errors.map(|error| value + wider * error * scale);
         let star = &case.mechanism;
         let long = star.arm / star.width;
-        let unit = errors::radius_unit(star.points) * star.width / libm::sin(PI / f64::from(star.points));
+        let unit = errors::radius_unit(star.points) * star.width / star.sector_sine();
         let stiffer = wider * errors::stiffness_unit(star.points, long);
         // Arms that touch press on each other; hinge models do not include the effect on the stiffness.
         let free = rest.equilibrium > star.correction.contact_angle;

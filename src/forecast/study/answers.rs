@@ -58,7 +58,7 @@ impl Models {
                 let answer = point.answer_by(&self.ring, |case| {
                     let width = case.mechanism.width;
                     let model = hinge_model(Level::Bvp, &case.sheet, case.pressure, width)?;
-                    Outcome::of(case, model.as_ref()).map(Some)
+                    Outcome::correcting(case, model.as_ref()).map(Some)
                 });
                 Ok(RowAnswer { answer: answer?, shell: None })
             }

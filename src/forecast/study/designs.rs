@@ -1,6 +1,6 @@
 //! The design of each row.
 //!
-//! Thirteen numeric keys are written straight into the design in microseconds: most studies vary these. Every other key is written
+//! Fourteen numeric keys are written straight into the design in microseconds: most studies vary these. Every other key is written
 //! into the text of the spec, which is then read again, so that it has its meaning in a spec, with every range and every
 //! default that depends on it. The designs of these **slow** keys are kept if they have few combinations.
 
@@ -19,7 +19,7 @@ const KEPT: usize = 16_384;
 type Quick = fn(&mut Candidate, f64);
 
 /// The keys that need no reading.
-const QUICK: [(KeyPath, Quick); 13] = [
+const QUICK: [(KeyPath, Quick); 14] = [
     (key::star::POINTS, |point, value| point.star.points = whole(value)),
     (key::star::INNER_RADIUS, |point, value| point.star.inner_radius = Length(value)),
     (key::star::TUBE_WIDTH, |point, value| point.star.tube_width = Length(value)),
@@ -28,6 +28,7 @@ const QUICK: [(KeyPath, Quick); 13] = [
     (key::star::CORNER_RADIUS, |point, value| point.star.corner_radius = Length(value)),
     (key::fabric::THICKNESS, |point, value| point.fabric.thickness = Length(value)),
     (key::fabric::YOUNG_MODULUS, |point, value| point.fabric.young_modulus = Pressure(value)),
+    (key::fabric::POISSON_RATIO, |point, value| point.fabric.poisson_ratio = value),
     (key::fabric::SEAL_STRENGTH, |point, value| point.fabric.seal_strength = Some(LineForce(value))),
     (key::load::PRESSURE, |point, value| point.load.pressure = Some(Pressure(value))),
     (key::load::OBJECT_DIAMETER, |point, value| set_size(point, 0.5 * value, ObjectSize::Diameter)),

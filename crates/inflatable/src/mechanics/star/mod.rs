@@ -25,6 +25,7 @@ pub use self::correction::Correction;
 use crate::mechanics::hinge::Hinge;
 use crate::numerics::{RootFault, bracketed_root};
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 /// The dimensions of a star as a mechanism; lengths in m, angles in rad. They must be those of a possible flat star: see each range.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,7 +80,12 @@ impl Mechanism {
 
     /// `sin(pi / n)`.
     pub fn sector_sine(&self) -> f64 {
-        libm::sin(0.5 * self.turn())
+        /// Those of as many points as a spec may have, for designs in millions.
+        #[expect(clippy::cast_precision_loss, reason = "a few points")]
+        static KNOWN: LazyLock<[f64; 65]> =
+            LazyLock::new(|| std::array::from_fn(|n| libm::sin(PI / n as f64)));
+        let known = usize::try_from(self.points).ok().and_then(|points| KNOWN.get(points));
+        known.copied().unwrap_or_else(|| libm::sin(0.5 * self.turn()))
     }
 
     /// The hinge at a tip.

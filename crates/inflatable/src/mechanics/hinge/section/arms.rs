@@ -96,18 +96,35 @@ fn most_bendability(tau: f64) -> f64 {
 
 /// The arms of hinges at 1/eps = `bendability`, tau and R*; `None` outside of the tables.
 pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
-    let edge = edge();
-    // Rounding is the grid's.
-    if tau >= edge * (1.0 - 1e-6) {
-        on_grid(bendability, tau, r_star)
-    } else {
-        of_thin(bendability, tau, r_star, edge)
-    }
+    ArmsByRadius::new(bendability, tau)?.at(r_star)
+}
+
+/// The arms of hinges at one 1/eps and tau, of any R*.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ArmsByRadius {
+    grid: GridPlace,
+    thin: Option<ThinPlace>,
+}
+
+/// The weights of the grid's places at one 1/eps and tau.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct GridPlace {
+    along_tau: [f64; TAUS.len()],
+    along_b: [f64; PRESSURES],
+}
+
+/// The weights of the places of the table of thin fabric at one 1/eps and tau.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct ThinPlace {
+    /// How thin the fabric is: from 0 at the grid's edge to 1 at [`THIN_TAU`], by its logarithm.
+    part: f64,
+    along_b: [f64; THIN_PRESSURES],
 }
 
 /// The least tau that the grid is read at.
 fn edge() -> f64 {
-    TAUS[0] * libm::exp(-SLACK)
+    static EDGE: LazyLock<f64> = LazyLock::new(|| TAUS[0] * libm::exp(-SLACK));
+    *EDGE
 }
 
 /// What thin fabric does beyond the grid's edge at each place of its table, by R* and pressure: what is added to delta, and the logarithm of the
@@ -121,7 +138,7 @@ fn thin_differences() -> Option<ThinDifferences> {
     let mut of_line = values.iter();
     for (by_pressure, r_star) in all.iter_mut().zip(THIN_R_STARS) {
         for (difference, b) in by_pressure.iter_mut().zip(&bendabilities[PRESSURES - THIN_PRESSURES..]) {
-            let (value, at_edge) = (of_line.next()?, on_grid(*b, edge(), r_star)?);
+            let (value, at_edge) = (of_line.next()?, GridPlace::new(*b, edge())?.at(r_star)?);
             let [[angle, give], [angle_at_edge, give_at_edge]] = [value, &at_edge.0[0]];
             let softer = (THIN_ARC.to_radians() + give) / (THIN_ARC.to_radians() + give_at_edge);
             *difference = [angle - angle_at_edge, libm::log(softer)];
@@ -135,65 +152,113 @@ fn thin_differences() -> Option<ThinDifferences> {
     of_line.next().is_none().then_some(all)
 }
 
-/// The same below the grid's edge.
-fn of_thin(bendability: f64, tau: f64, r_star: f64, edge: f64) -> Option<ArmsByArc> {
-    static DIFFERENCES: LazyLock<Option<ThinDifferences>> = LazyLock::new(thin_differences);
-    let differences = DIFFERENCES.as_ref()?;
-    if tau.is_nan() || tau < THIN_TAU / THINNER || r_star > THIN_MOST_R_STAR {
-        return None;
+impl ArmsByRadius {
+    /// The arms at 1/eps = `bendability` and tau; `None` where the tables have none of any R*.
+    pub(super) fn new(bendability: f64, tau: f64) -> Option<Self> {
+        let edge = edge();
+        // Rounding is the grid's.
+        if tau >= edge * (1.0 - 1e-6) {
+            return Some(Self { grid: GridPlace::new(bendability, tau)?, thin: None });
+        }
+        let thin = ThinPlace::new(bendability, tau, edge)?;
+        Some(Self { grid: GridPlace::new(bendability, edge)?, thin: Some(thin) })
     }
-    let part = (libm::log(edge / tau) / libm::log(edge / THIN_TAU)).min(1.0);
-    let least = LEAST_BENDABILITY * libm::pow(THIN_LEAST_BENDABILITY / LEAST_BENDABILITY, part);
-    if bendability < least {
-        return None;
-    }
-    let mut all = on_grid(bendability, edge, r_star)?;
-    let bendabilities = bendabilities(THIN_TAU);
-    let places: [f64; THIN_PRESSURES] =
-        std::array::from_fn(|k| libm::log(bendabilities[PRESSURES - THIN_PRESSURES + k]));
-    let along_b = weights(&places, libm::log(bendability).max(places[0]), 0.0)?;
-    let [sharp, round] = THIN_R_STARS.map(|r| libm::log(r + SHARP));
-    let rounder = ((libm::log(r_star + SHARP) - sharp) / (round - sharp)).min(1.0);
-    let mut sum = [0.0; 2];
-    for (weight, by_pressure) in [1.0 - rounder, rounder].iter().zip(differences) {
-        for (along, difference) in along_b.iter().zip(by_pressure) {
-            sum.iter_mut().zip(difference).for_each(|(sum, d)| *sum += part * weight * along * d);
+
+    /// The arms at R*; `None` outside of the tables.
+    pub(super) fn at(&self, r_star: f64) -> Option<ArmsByArc> {
+        let on_grid = self.grid.at(r_star)?;
+        match &self.thin {
+            None => Some(on_grid),
+            Some(thin) => thin.at(r_star, on_grid),
         }
     }
-    for ([angle, give], arc) in all.0.iter_mut().zip(ARCS.map(f64::to_radians)) {
-        *angle += sum[0];
-        *give = libm::exp(sum[1]) * (arc + *give) - arc;
-    }
-    Some(all)
 }
 
-/// The arms by the grid; `None` outside of it.
-fn on_grid(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
-    static TABLE: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| read(SHIPPED).unwrap_or_default());
-    let one_arc = TAUS.len() * R_STARS.len() * PRESSURES;
-    if TABLE.len() != ARCS.len() * one_arc {
-        return None;
+impl ThinPlace {
+    /// The place of fabric thinner than that of the grid's edge.
+    fn new(bendability: f64, tau: f64, edge: f64) -> Option<Self> {
+        static PLACES: LazyLock<[f64; THIN_PRESSURES]> = LazyLock::new(|| {
+            let all = bendabilities(THIN_TAU);
+            std::array::from_fn(|k| libm::log(all[PRESSURES - THIN_PRESSURES + k]))
+        });
+        if tau.is_nan() || tau < THIN_TAU / THINNER {
+            return None;
+        }
+        let part = (libm::log(edge / tau) / libm::log(edge / THIN_TAU)).min(1.0);
+        let least = LEAST_BENDABILITY * libm::pow(THIN_LEAST_BENDABILITY / LEAST_BENDABILITY, part);
+        if bendability < least {
+            return None;
+        }
+        let along_b = weights(&PLACES, libm::log(bendability).max(PLACES[0]), 0.0)?;
+        Some(Self { part, along_b })
     }
-    let (taus, r_stars) = &*LOGARITHMS;
-    let along_tau = weights(taus, libm::log(tau), SLACK)?;
-    let along_r = weights(r_stars, libm::log(r_star + SHARP), 0.0)?;
-    let up =
-        libm::log(bendability / LEAST_BENDABILITY) / libm::log(most_bendability(tau) / LEAST_BENDABILITY);
-    #[expect(clippy::cast_precision_loss, reason = "a handful of pressures")]
-    let places: [f64; PRESSURES] = std::array::from_fn(|k| k as f64 / (PRESSURES - 1) as f64);
-    let along_b = weights(&places, up, 0.0)?;
-    let mut all = [[0.0; 2]; ARCS.len()];
-    for (i, a) in along_tau.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
-        for (j, b) in along_r.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
-            for (k, c) in along_b.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
-                for (arc, sum) in all.iter_mut().enumerate() {
-                    let point = &TABLE[arc * one_arc + (i * R_STARS.len() + j) * PRESSURES + k];
-                    sum.iter_mut().zip(point).for_each(|(sum, value)| *sum += a * b * c * value);
+
+    /// `all`, the arms at the grid's edge, with what thin fabric changes.
+    fn at(&self, r_star: f64, mut all: ArmsByArc) -> Option<ArmsByArc> {
+        static DIFFERENCES: LazyLock<Option<ThinDifferences>> = LazyLock::new(thin_differences);
+        let differences = DIFFERENCES.as_ref()?;
+        if r_star > THIN_MOST_R_STAR {
+            return None;
+        }
+        let [sharp, round] = THIN_R_STARS.map(|r| libm::log(r + SHARP));
+        let rounder = ((libm::log(r_star + SHARP) - sharp) / (round - sharp)).min(1.0);
+        let mut sum = [0.0; 2];
+        for (weight, by_pressure) in [1.0 - rounder, rounder].iter().zip(differences) {
+            for (along, difference) in self.along_b.iter().zip(by_pressure) {
+                sum.iter_mut().zip(difference).for_each(|(sum, d)| *sum += self.part * weight * along * d);
+            }
+        }
+        let softer = libm::exp(sum[1]);
+        for ([angle, give], arc) in all.0.iter_mut().zip(ARCS.map(f64::to_radians)) {
+            *angle += sum[0];
+            *give = softer * (arc + *give) - arc;
+        }
+        Some(all)
+    }
+}
+
+impl GridPlace {
+    fn new(bendability: f64, tau: f64) -> Option<Self> {
+        let (taus, _) = &*LOGARITHMS;
+        let along_tau = weights(taus, libm::log(tau), SLACK)?;
+        let up =
+            libm::log(bendability / LEAST_BENDABILITY) / libm::log(most_bendability(tau) / LEAST_BENDABILITY);
+        #[expect(clippy::cast_precision_loss, reason = "a handful of pressures")]
+        let places: [f64; PRESSURES] = std::array::from_fn(|k| k as f64 / (PRESSURES - 1) as f64);
+        Some(Self { along_tau, along_b: weights(&places, up, 0.0)? })
+    }
+
+    /// The arms by the grid at R*; `None` outside of it.
+    fn at(&self, r_star: f64) -> Option<ArmsByArc> {
+        static TABLE: LazyLock<Option<Vec<[[f64; 2]; ARCS.len()]>>> = LazyLock::new(by_place);
+        let table = TABLE.as_ref()?;
+        let (_, r_stars) = &*LOGARITHMS;
+        let along_r = weights(r_stars, libm::log(r_star + SHARP), 0.0)?;
+        let mut all = [[0.0; 2]; ARCS.len()];
+        for (a, of_tau) in self.along_tau.iter().zip(table.chunks_exact(R_STARS.len() * PRESSURES)) {
+            for (b, of_r) in along_r.iter().zip(of_tau.chunks_exact(PRESSURES)) {
+                // A weight of 0 adds nothing.
+                if *a == 0.0 || *b == 0.0 {
+                    continue;
+                }
+                for (c, point) in self.along_b.iter().zip(of_r) {
+                    let weight = a * b * c;
+                    let each = all.as_flattened_mut().iter_mut().zip(point.as_flattened());
+                    each.for_each(|(sum, value)| *sum += weight * value);
                 }
             }
         }
+        Some(ArmsByArc(all))
     }
-    Some(ArmsByArc(all))
+}
+
+/// The grid's values at each place, the pressures fastest.
+fn by_place() -> Option<Vec<[[f64; 2]; ARCS.len()]>> {
+    let values = read(SHIPPED)?;
+    let one_arc = TAUS.len() * R_STARS.len() * PRESSURES;
+    let is_whole = values.len() == ARCS.len() * one_arc;
+    is_whole
+        .then(|| (0..one_arc).map(|place| std::array::from_fn(|arc| values[arc * one_arc + place])).collect())
 }
 
 /// Reads the lines of a table: phi_0, tau, R*, 1/eps, then in deg delta, its mesh error, g and its mesh error; returns delta and g.

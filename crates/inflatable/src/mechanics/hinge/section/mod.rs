@@ -14,9 +14,12 @@
 
 pub mod arms;
 mod density;
+mod last_two;
 mod mesh;
+mod moment;
 mod potential;
 mod profile;
+mod series;
 mod solve;
 mod table;
 mod tabled;
@@ -24,8 +27,9 @@ mod tabled;
 mod tests;
 
 pub use self::arms::ArmsByArc;
+pub use self::moment::{Moment, OFFSETS};
 pub use self::profile::{Meridian, MeridianPoint};
-pub use self::table::{OFFSETS, RadiusSeries, SectionEntry, SectionTable, hinge_at};
+pub use self::table::{RadiusSeries, SectionEntry, SectionTable, hinge_at};
 pub use self::tabled::Tabled;
 
 use self::density::{Hoop, Scales};

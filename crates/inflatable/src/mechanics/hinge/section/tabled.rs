@@ -2,18 +2,21 @@
 
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::section::LEAST_LAMBDA;
-use crate::mechanics::hinge::section::arms::{ArmsByArc, arms};
+use crate::mechanics::hinge::section::arms::{ArmsByArc, ArmsByRadius};
+use crate::mechanics::hinge::section::last_two::{LastTwo, same};
+use crate::mechanics::hinge::section::moment::Moment;
 use crate::mechanics::hinge::section::table::{MOST_TABLED_R_STAR, RadiusSeries, SectionEntry, SectionTable};
 use crate::mechanics::hinge::{
     Arms, Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star,
 };
 use std::cell::RefCell;
+use std::sync::OnceLock;
 
 /// Largest lambda: the straight line beyond the table's end leads there, as a short hinge between strong ones needs it.
 const MOST_LAMBDA: f64 = 3.0;
 
 /// The section at one pressure, for the hinges of one star. Hinges of other R* are looked up each time.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Tabled {
     /// 1/eps, t/W and nu.
     scales: [f64; 3],
@@ -21,11 +24,21 @@ pub struct Tabled {
 }
 
 /// A hinge that was looked up.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct TabledState {
     r_star: f64,
     entry: SectionEntry,
     arms: Option<ArmsByArc>,
+    /// Its moment, once it was asked for: among millions only the rest is.
+    moment: OnceLock<Result<Moment, HingeFault>>,
+}
+
+/// What hinges of any R* have in common: 1/eps, t/W and nu.
+#[derive(Debug)]
+struct Common {
+    scales: [f64; 3],
+    rest: RadiusSeries,
+    arms: Option<ArmsByRadius>,
 }
 
 impl Tabled {
@@ -36,80 +49,92 @@ impl Tabled {
     /// As for [`SectionTable::at`].
     pub fn new(scales: [f64; 3], r_stars: [f64; 2]) -> Result<Self, HingeFault> {
         thread_local! {
-            /// The last two: rows of a study often share fabric, width and pressure, and beyond the validated pressures a star
-            /// is computed at two.
-            static LAST: RefCell<[Option<Tabled>; 2]> = const { RefCell::new([None; 2]) };
+            static LAST: RefCell<LastTwo<Tabled>> = const { RefCell::new(LastTwo::NONE) };
         }
         LAST.with_borrow_mut(|last| {
-            if let Some(same) = last.iter().flatten().find(|own| own.has(scales, r_stars)) {
-                return Ok(*same);
-            }
-            let own = Self::look_up(scales, r_stars)?;
-            *last = [Some(own), last[0]];
-            Ok(own)
+            last.find_or_make(|own| own.has(scales, r_stars), || Self::look_up(scales, r_stars)).cloned()
         })
     }
 
     /// Whether it was made of these numbers.
     fn has(&self, scales: [f64; 3], r_stars: [f64; 2]) -> bool {
-        let own = self.scales.iter().copied().chain(self.known.map(|known| known.r_star));
-        own.map(f64::to_bits).eq(scales.into_iter().chain(r_stars).map(f64::to_bits))
+        same(self.scales, scales) && same([0, 1].map(|i: usize| self.known[i].r_star), r_stars)
     }
 
     fn look_up(scales: [f64; 3], r_stars: [f64; 2]) -> Result<Self, HingeFault> {
-        let series = series(scales)?;
-        let one = TabledState::new(&series, scales, r_stars[0])?;
-        let other = if r_stars[0] == r_stars[1] {
-            TabledState { r_star: r_stars[1], ..one }
-        } else {
-            TabledState::new(&series, scales, r_stars[1])?
-        };
-        Ok(Self { scales, known: [one, other] })
+        Common::with(scales, |common| {
+            let one = common.at(r_stars[0])?;
+            let other = if r_stars[0] == r_stars[1] {
+                TabledState { r_star: r_stars[1], ..one.clone() }
+            } else {
+                common.at(r_stars[1])?
+            };
+            Ok(Self { scales, known: [one, other] })
+        })
     }
 
     /// What `of` takes from the hinge of R*.
-    fn with<T>(&self, r_star: f64, of: impl FnOnce(&TabledState) -> T) -> Result<T, HingeFault> {
+    fn with<T>(
+        &self,
+        r_star: f64,
+        of: impl FnOnce(&TabledState) -> Result<T, HingeFault>,
+    ) -> Result<T, HingeFault> {
         match self.known.iter().find(|known| known.r_star == r_star) {
-            Some(known) => Ok(of(known)),
-            None => Ok(of(&TabledState::new(&series(self.scales)?, self.scales, r_star)?)),
+            Some(known) => of(known),
+            None => of(&Common::with(self.scales, |common| common.at(r_star))?),
         }
     }
 }
 
-/// The series in R* at 1/eps, t/W and nu.
-fn series([bendability, thickness, poisson]: [f64; 3]) -> Result<RadiusSeries, HingeFault> {
-    SectionTable::shipped()?.along_radii(bendability, thickness, poisson)
+impl Common {
+    /// What `of` takes from what hinges have in common at 1/eps, t/W and nu = `scales`.
+    fn with<T>(scales: [f64; 3], of: impl FnOnce(&Self) -> Result<T, HingeFault>) -> Result<T, HingeFault> {
+        thread_local! {
+            /// Rows of a study may share fabric, width and pressure, but no radius.
+            static LAST: RefCell<LastTwo<Common>> = const { RefCell::new(LastTwo::NONE) };
+        }
+        LAST.with_borrow_mut(|last| {
+            of(last.find_or_make(|own| same(own.scales, scales), || Self::new(scales))?)
+        })
+    }
+
+    fn new(scales: [f64; 3]) -> Result<Self, HingeFault> {
+        let [bendability, thickness, poisson] = scales;
+        let rest = SectionTable::shipped()?.along_radii(bendability, thickness, poisson)?;
+        let tau = thickness / (12.0 * (1.0 - poisson * poisson)).sqrt();
+        Ok(Self { scales, rest, arms: ArmsByRadius::new(bendability, tau) })
+    }
+
+    /// The hinge of R*.
+    fn at(&self, r_star: f64) -> Result<TabledState, HingeFault> {
+        let entry = self.rest.at(r_star)?;
+        let arms = self.arms.as_ref().and_then(|arms| arms.at(r_star));
+        Ok(TabledState { r_star, entry, arms, moment: OnceLock::new() })
+    }
 }
 
 impl TabledState {
-    fn new(
-        series: &RadiusSeries,
-        [bendability, thickness, poisson]: [f64; 3],
-        r_star: f64,
-    ) -> Result<Self, HingeFault> {
-        let entry = series.at(r_star)?;
-        let tau = thickness / (12.0 * (1.0 - poisson * poisson)).sqrt();
-        Ok(Self { r_star, entry, arms: arms(bendability, tau, r_star) })
-    }
-
     /// The hinge at rest: no moment, and the stiffness of the table.
     fn rest(&self) -> HingeState {
         self.with_moment(self.entry.lambda, [-0.0, -self.entry.stiffness])
     }
 
-    fn state(&self, lambda: f64) -> HingeState {
+    /// The hinge at `lambda`, of 1/eps, t/W and nu = `scales`.
+    fn state(&self, scales: [f64; 3], lambda: f64) -> Result<HingeState, HingeFault> {
         let entry = &self.entry;
+        let look_up = || SectionTable::shipped()?.moment(scales, self.r_star, entry);
+        let moment = (*self.moment.get_or_init(look_up))?;
         // Beyond the ends of the table its last secant goes on: a straight line.
         let way = entry.lambda - 1.0;
         let inside = lambda.clamp(entry.lambda - way, entry.lambda + way);
         let away = lambda - entry.lambda;
         let slope = if inside == lambda || away == 0.0 {
-            entry.slope(lambda)
+            moment.slope(lambda)
         } else {
-            entry.slope(inside) * away / (inside - entry.lambda)
+            moment.slope(inside) * away / (inside - entry.lambda)
         };
-        let curvature = if inside == lambda { entry.curvature(lambda) } else { slope / away };
-        self.with_moment(lambda, [slope, curvature])
+        let curvature = if inside == lambda { moment.curvature(lambda) } else { slope / away };
+        Ok(self.with_moment(lambda, [slope, curvature]))
     }
 
     /// The hinge at `lambda` with V_bar' and V_bar''.
@@ -139,11 +164,11 @@ impl HingeModel for Tabled {
 
     fn state(&self, r_star: f64, lambda: f64) -> Result<HingeState, HingeFault> {
         check_lambda(lambda, LEAST_LAMBDA, MOST_LAMBDA)?;
-        self.with(r_star, |hinge| hinge.state(lambda))
+        self.with(r_star, |hinge| hinge.state(self.scales, lambda))
     }
 
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
-        self.with(r_star, TabledState::rest)
+        self.with(r_star, |hinge| Ok(hinge.rest()))
     }
 
     fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
@@ -151,7 +176,7 @@ impl HingeModel for Tabled {
     }
 
     fn arms(&self, r_star: f64, arc: f64) -> Option<Arms> {
-        self.with(r_star, |hinge| hinge.arms.map(|arms| arms.at(arc))).ok()?
+        self.with(r_star, |hinge| Ok(hinge.arms.map(|arms| arms.at(arc)))).ok()?
     }
 }
 

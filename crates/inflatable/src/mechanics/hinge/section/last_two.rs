@@ -1,0 +1,65 @@
+//! The last two look-ups of a thread: rows of a study often repeat them, and beyond the validated pressures a star is computed at two.
+
+/// The last two values that were made.
+#[derive(Debug)]
+pub(super) struct LastTwo<T> {
+    values: Vec<T>,
+    /// Place of the older one, or of the next.
+    older: usize,
+}
+
+impl<T> LastTwo<T> {
+    /// Nothing was made yet.
+    pub(super) const NONE: Self = Self { values: Vec::new(), older: 0 };
+
+    /// The value that `is` it, or else what `make` makes.
+    pub(super) fn find_or_make<E>(
+        &mut self,
+        is: impl Fn(&T) -> bool,
+        make: impl FnOnce() -> Result<T, E>,
+    ) -> Result<&T, E> {
+        if let Some(at) = self.values.iter().position(is) {
+            return Ok(&self.values[at]);
+        }
+        let own = make()?;
+        let at = self.older;
+        self.older = 1 - at;
+        if at < self.values.len() {
+            self.values[at] = own;
+        } else {
+            self.values.push(own);
+        }
+        Ok(&self.values[at])
+    }
+}
+
+/// Whether all numbers have the same bits.
+pub(super) fn same<const N: usize>(some: [f64; N], others: [f64; N]) -> bool {
+    some.map(f64::to_bits) == others.map(f64::to_bits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_keeps_two_and_drops_the_older() {
+        let (mut last, mut made) = (LastTwo::NONE, Vec::new());
+        for asked in [1, 2, 1, 2, 3, 2, 1, 3] {
+            let make = || {
+                made.push(asked);
+                Ok::<_, ()>(asked)
+            };
+            assert_eq!(last.find_or_make(|own| *own == asked, make), Ok(&asked));
+        }
+        assert_eq!(made, [1, 2, 3, 1]);
+        let failed = last.find_or_make(|own| *own == 9, || Err("no"));
+        assert_eq!(failed, Err("no"));
+        assert_eq!(last.find_or_make(|own| *own == 3, || Err("lost")), Ok(&3));
+    }
+
+    #[test]
+    fn numbers_are_the_same_by_their_bits() {
+        assert!(same([0.5, f64::NAN], [0.5, f64::NAN]) && !same([0.0], [-0.0]));
+    }
+}
