@@ -2,6 +2,7 @@
 
 use crate::forecast::candidate::{Answer, Candidate};
 use crate::forecast::outcome::Outcome;
+use crate::forecast::ranges::Interval;
 use crate::forecast::shell::request::Measurements;
 use crate::spec::ModelChoice;
 use inflatable::mechanics::strength::payload;
@@ -47,8 +48,6 @@ pub(super) struct OutputColumn {
     pub(super) name: &'static str,
     pub(super) unit: Option<&'static str>,
     pub(super) about: &'static str,
-    /// Whether `sweep --vary` has it, too: these columns and their order do not change.
-    pub(super) plain: bool,
     pub(super) of: Of,
 }
 
@@ -59,9 +58,16 @@ pub(super) enum Of {
     Any(fn(&StudyRow<'_>) -> Option<f64>),
     /// Models of the hinges.
     Hinges(fn(&StudyRow<'_>) -> Option<f64>),
+    /// Models of the hinges: the least end of a range.
+    Low(RangeOf),
+    /// Models of the hinges: the largest end of a range.
+    High(RangeOf),
     /// Shells.
     Shell(fn(&StudyRow<'_>, &Measurements) -> Option<f64>),
 }
+
+/// A range in a row.
+pub(super) type RangeOf = fn(&StudyRow<'_>) -> Option<Interval>;
 
 /// The kinds of models that the rows of a study use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,8 +91,11 @@ impl OutputColumn {
     pub(super) fn value(&self, row: &StudyRow<'_>) -> Option<f64> {
         match self.of {
             Of::Any(of) => of(row),
-            Of::Hinges(of) => of(row).filter(|_| row.shell.is_none()),
             Of::Shell(of) => of(row, row.shell?),
+            _ if row.shell.is_some() => None,
+            Of::Hinges(of) => of(row),
+            Of::Low(range) => range(row).map(|[low, _]| low),
+            Of::High(range) => range(row).map(|[_, high]| high),
         }
     }
 
@@ -94,7 +103,7 @@ impl OutputColumn {
     pub(super) fn is_known(&self, asked: ModelKinds) -> bool {
         match self.of {
             Of::Any(_) => true,
-            Of::Hinges(_) => asked.hinges,
+            Of::Hinges(_) | Of::Low(_) | Of::High(_) => asked.hinges,
             Of::Shell(_) => asked.shells,
         }
     }

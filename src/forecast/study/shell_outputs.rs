@@ -12,7 +12,7 @@ const fn measured(
     about: &'static str,
     of: fn(&StudyRow<'_>, &Measurements) -> Option<f64>,
 ) -> OutputColumn {
-    OutputColumn { name, unit, about, plain: false, of: Of::Shell(of) }
+    OutputColumn { name, unit, about, of: Of::Shell(of) }
 }
 
 const fn open(
