@@ -1,15 +1,15 @@
-//! Rows as columns of numbers, computed in parallel, in order.
+//! Rows as columns of numbers, computed in parallel, in order; slow rows one by one.
 
 use crate::forecast::candidate::Candidate;
 use crate::forecast::study::Study;
 use crate::forecast::study::answers::RowRefusal;
-use crate::forecast::study::columns::ColumnKind;
-use crate::forecast::study::output::StudyRow;
+use crate::forecast::study::output::{ColumnKind, StudyRow};
 use crate::spec::study::KeyValue;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Rows that one task computes: long enough to hide the hand-over, short enough that all threads end together.
 const CHUNK: usize = 1024;
@@ -210,5 +210,44 @@ impl Study {
         }
         next(&|column| word(column, refused.map(|refused| refused.text.as_str())));
         Some(())
+    }
+}
+
+impl Study {
+    /// Computes each of `rows` in parallel, and hands it to `take` as a batch of one when it is there, in no order; `take` may stop
+    /// by returning false. Returns whether it was done.
+    pub fn each(
+        &self,
+        rows: impl Iterator<Item = usize> + Send,
+        cancel: &Arc<AtomicBool>,
+        take: impl FnMut(RowBatch) -> bool + Send,
+    ) -> bool {
+        let take = Mutex::new(take);
+        let one = |row: usize| {
+            let batch = self.chunk(row..row + 1, cancel)?;
+            let mut take = take.lock().unwrap_or_else(PoisonError::into_inner);
+            take(batch).then_some(())
+        };
+        rows.par_bridge().try_for_each(one).is_some()
+    }
+
+    /// The same in order: those that are too early wait for those before them.
+    pub(super) fn run_slowly(
+        &self,
+        rows: Range<usize>,
+        cancel: &Arc<AtomicBool>,
+        mut take: impl FnMut(RowBatch) -> bool + Send,
+    ) -> bool {
+        let (mut next, mut early) = (rows.start, BTreeMap::new());
+        self.each(rows, cancel, |batch| {
+            let _ = early.insert(batch.rows.start, batch);
+            while let Some(batch) = early.remove(&next) {
+                next += 1;
+                if !take(batch) {
+                    return false;
+                }
+            }
+            true
+        })
     }
 }

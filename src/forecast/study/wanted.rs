@@ -1,8 +1,7 @@
 //! The columns of a study.
 
 use crate::forecast::study::output::{ModelKinds, OutputColumn};
-use crate::forecast::study::outputs::{MORE, PLAIN};
-use crate::forecast::study::shell_outputs::SHELL_OUTPUTS;
+use crate::forecast::study::outputs::{MORE, PLAIN, SHELL_OUTPUTS};
 use crate::spec::study::Wanted;
 use crate::spec::{Fault, FaultCode, Faults, Source, nearest};
 
