@@ -13,8 +13,8 @@ use crate::cli::verbosity::{Verbosity, pretty};
 use crate::design::{Design, room};
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{
-    Confirmation, Constraints, DesignSearch, Evaluation, Goal, ROUNDING, SearchBounds, SearchEffort,
-    SearchResult, is_at_pressure,
+    Confirmation, Constraints, DesignSearch, Evaluation, Goal, ROUNDING, SearchBounds, SearchResult,
+    is_at_pressure,
 };
 use crate::forecast::shell::Detail;
 use crate::forecast::shell::star;
@@ -123,15 +123,7 @@ pub(super) fn answer(
     let (goal, constraints) = wanted(args, loaded, &base)?;
     let table = RingTable::new().map_err(|fault| message(&fault.to_string()))?;
     let bounds = bounds(args, &base);
-    let search = DesignSearch {
-        base: &base,
-        bounds: &bounds,
-        constraints: &constraints,
-        goal,
-        table: &table,
-        effort: SearchEffort::default(),
-        cancel,
-    };
+    let search = DesignSearch { cancel, ..DesignSearch::new(&base, &bounds, &constraints, goal, &table) };
     Ok((progress::during(args.verbosity, "searching", |_| search.run()), constraints))
 }
 

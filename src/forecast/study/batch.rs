@@ -65,51 +65,9 @@ impl ColumnValues {
             (_, own) => own.push_number(f64::NAN),
         }
     }
-
-    /// Adds the values of `other`, which is of the same kind.
-    pub(super) fn append(&mut self, other: Self) {
-        match (self, other) {
-            (Self::Real(own), Self::Real(mut other)) => own.append(&mut other),
-            (Self::Whole(own), Self::Whole(mut other)) => own.append(&mut other),
-            (Self::Text(own), Self::Text(mut other)) => own.append(&mut other),
-            _ => {}
-        }
-    }
-
-    /// Number of values.
-    pub fn len(&self) -> usize {
-        match self {
-            Self::Real(values) => values.len(),
-            Self::Whole(values) => values.len(),
-            Self::Text(values) => values.len(),
-        }
-    }
-
-    /// Whether the batch has no rows.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
 }
 
 impl Study {
-    /// The rows `rows`, those beyond the last left out, computed in parallel; `None` if `cancel` was raised meanwhile.
-    pub fn batch(&self, rows: Range<usize>, cancel: &Arc<AtomicBool>) -> Option<RowBatch> {
-        let rows = rows.start.min(self.rows())..rows.end.min(self.rows());
-        let chunks: Vec<RowBatch> = self
-            .chunks(&rows)
-            .into_par_iter()
-            .map(|chunk| self.chunk(chunk, cancel))
-            .collect::<Option<_>>()?;
-        let empty = self.columns.iter().map(|column| ColumnValues::new(column.kind, rows.len())).collect();
-        let mut whole = RowBatch { rows, columns: empty };
-        for chunk in chunks {
-            for (column, more) in whole.columns.iter_mut().zip(chunk.columns) {
-                column.append(more);
-            }
-        }
-        Some(whole)
-    }
-
     /// Applies `make` to `rows` in parallel, and passes the results in order to `take` with the number of rows, while the next
     /// are computed; `take` may stop by returning false. Memory does not grow with the study. Returns whether it ran to the end.
     pub fn run<T: Send>(
