@@ -47,6 +47,7 @@ mod verbosity;
 mod verify;
 mod watch;
 mod whole_file;
+mod words;
 
 use std::env;
 use std::ffi::OsString;
