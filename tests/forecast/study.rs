@@ -73,7 +73,7 @@ fn whole(study: &Study) -> RowBatch {
     let take = |batch: RowBatch, _: usize| {
         match all.first_mut() {
             Some(whole) => {
-                whole.columns.iter_mut().zip(batch.columns).for_each(|(own, more)| append(own, more))
+                whole.columns.iter_mut().zip(batch.columns).for_each(|(own, more)| append(own, more));
             }
             None => all.push(batch),
         }
