@@ -8,8 +8,8 @@
 //! | [`crate::spec::study`] | the study file |
 //! | `designs` | the design of row i |
 //! | `answers` | the values of its model |
-//! | [`columns`], `output`, `outputs`, `shell_outputs`, `wanted` | the values of a row, with their units |
-//! | [`batch`], `slow` | rows as columns of numbers, computed in parallel; rows that take seconds each |
+//! | `output`, `outputs`, `wanted` | the values of a row, with their units |
+//! | [`batch`] | rows as columns of numbers, computed in parallel; rows that take seconds each |
 //! | [`csv`], [`checkpoint`] | batches as bytes; single rows as lossless texts |
 
 mod answers;
