@@ -97,7 +97,7 @@ impl fmt::Display for SealReport {
                 writeln!(f, "    {load}")?;
             }
         }
-        for leak in &self.leaks {
+        for leak in self.leaks.iter() {
             writeln!(f, "  LEAK: {}", leak.found)?;
         }
         for weakness in &self.weaknesses {

@@ -2,8 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::forecast::drawn::prediction::{MeshedPlace, MeshedValue};
-use crate::forecast::prediction::StarPrediction;
+use crate::forecast::prediction::{MeshedPlace, MeshedValue, StarPrediction};
 use crate::forecast::ranges::scaled;
 use crate::forecast::ranges::shown::{known, rounded, with};
 use crate::forecast::verdict::of_stars;

@@ -2,11 +2,9 @@
 
 mod kind;
 mod output;
-mod request;
 
-pub use kind::{Format, Kind, Subject};
+pub use kind::{Format, Kind, KindRequest, Subject};
 pub use output::{NGC, Output, outputs, program_ending};
-pub use request::KindRequest;
 
 /// One output file.
 #[derive(Clone, Debug, PartialEq, Eq)]

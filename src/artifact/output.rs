@@ -1,7 +1,6 @@
 //! Outputs: the list of a design's files, which both the builder and the verifier use.
 
-use crate::artifact::kind::{Format, Kind, Subject};
-use crate::artifact::request::KindRequest;
+use crate::artifact::kind::{Format, Kind, KindRequest, Subject};
 use crate::design::{CutEdge, Design, Drawing, MaskPlate, Paper, PlacedPart, StarAssembly};
 use crate::spec::{Dialect, DrawingSpec, ProgramScope, Spec};
 

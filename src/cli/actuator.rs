@@ -1,14 +1,16 @@
 //! `stargrip-cam actuator`
 
 use crate::answer::quantity::{EXTRA, SIZE, evenly, number, quantity, range};
-use crate::cli::failure::{Failure, say};
-use crate::cli::predict::Model;
-use crate::cli::shell::{ShellArgs, Shown, refused};
+use crate::cli::failure::Failure;
+use crate::cli::predict::MODELS;
+use crate::cli::shell::{ShellArgs, refused};
 use crate::cli::verbosity::Verbosity;
+use crate::cli::words::words;
 use crate::forecast::actuator::{Actuator, actuate};
+use crate::forecast::model_selection::named;
 use crate::forecast::shell::Detail;
 use crate::forecast::shell::actuator;
-use crate::spec::Allowed;
+use crate::spec::{Allowed, ModelChoice};
 use crate::units::{Angle, Length, Pressure};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::Level;
@@ -47,8 +49,8 @@ pub(super) struct Args {
     #[arg(long, default_value_t = 0.39, allow_hyphen_values = true, value_parser = number(Allowed::above(-1.0, 0.5)))]
     poisson_ratio: f64,
     /// The model to use; auto is section.
-    #[arg(long, value_name = "MODEL", default_value = "auto")]
-    model: Model,
+    #[arg(long, value_name = "MODEL", default_value = "auto", value_parser = words(&ModelChoice::ALL, &MODELS))]
+    model: ModelChoice,
     /// Also print the moment that holds the hinge at each of these angles: "30 deg..90 deg/7".
     #[arg(long, value_name = "FROM..TO/COUNT", allow_hyphen_values = true, value_parser = angles)]
     angles: Option<Angles>,
@@ -85,11 +87,8 @@ impl Args {
     /// The hinge model; `None` for the shell model.
     pub(super) fn level(&self) -> Option<Level> {
         match self.model {
-            Model::Fit => Some(Level::Fit),
-            Model::Ring => Some(Level::Ring),
-            Model::Bvp => Some(Level::Bvp),
-            Model::Section | Model::Auto => Some(Level::Section),
-            Model::Shell => None,
+            ModelChoice::Auto => Some(Level::Section),
+            model => named(model),
         }
     }
 
@@ -109,11 +108,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let Some(level) = args.level() else { return run_shell(args, &actuator, angles) };
     args.shell.not_by_others()?;
     let prediction = actuate(&actuator, level, angles).map_err(refused_by_model)?;
-    if args.verbosity.json {
-        say(&prediction.to_json())
-    } else {
-        args.verbosity.remark(&prediction.to_text())
-    }
+    args.verbosity.show(&prediction.to_text(), &prediction.to_json())
 }
 
 /// Predicts with the shell model, and prints the answer.
@@ -122,9 +117,7 @@ fn run_shell(args: &Args, actuator: &Actuator, angles: &[f64]) -> Result<(), Fai
     args.shell.show(&question, args.verbosity, |watch| {
         let (prediction, shape) = actuator::actuate(actuator, angles, args.shell.detail(), watch)
             .map_err(|fault| refused(&fault))?;
-        let vtu = args.shell.wants_vtu().then(|| shape.vtu()).transpose();
-        let vtu = vtu.map_err(|fault| Failure::Message(fault.to_string()))?;
-        Ok(Shown { json: prediction.to_json(), text: prediction.to_text(), vtu })
+        Ok((prediction.to_json(), prediction.to_text(), shape))
     })
 }
 

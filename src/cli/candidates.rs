@@ -24,53 +24,45 @@ pub(super) struct Best {
     pub(super) confirmed: Option<Confirmation>,
 }
 
-/// All results of a search.
-pub(super) struct SearchReport<'a> {
-    pub(super) found: &'a SearchResult,
-    pub(super) constraints: &'a Constraints,
+/// The printed text; every line begins with "# ", so that it can precede a spec in one file.
+pub(super) fn text(found: &SearchResult, constraints: &Constraints) -> String {
+    let SearchResult { best, front, computed } = found;
+    let mut out = format!(
+        "# {computed} designs computed; the best for each number of points, the best of all first. \
+         `short` lists the missed constraints, and by how much; a design without any is worse in the \
+         goal.\n"
+    );
+    out.push_str(&rows(best, constraints));
+    if constraints.payload.is_some() || constraints.largest_force.is_some() {
+        // Writing to a String does not fail.
+        let _ = writeln!(
+            out,
+            "# a search prefers designs that the model overestimates: so `short` uses {SEARCHED} of a \
+             payload's lower end, and a force's upper end divided by {SEARCHED}"
+        );
+    }
+    if !front.is_empty() {
+        // Writing to a String does not fail.
+        let _ = writeln!(
+            out,
+            "# trade-off between contraction, stiffness and fabric, {} designs, evenly sampled:",
+            front.len()
+        );
+        out.push_str(&rows(&thinned(front, SHOWN), constraints));
+    }
+    out
 }
 
-impl SearchReport<'_> {
-    /// The printed text; every line begins with "# ", so that it can precede a spec in one file.
-    pub(super) fn text(&self) -> String {
-        let SearchResult { best, front, computed } = self.found;
-        let mut out = format!(
-            "# {computed} designs computed; the best for each number of points, the best of all first. \
-             `short` lists the missed constraints, and by how much; a design without any is worse in the \
-             goal.\n"
-        );
-        out.push_str(&rows(best, self.constraints));
-        if self.constraints.payload.is_some() || self.constraints.largest_force.is_some() {
-            // Writing to a String does not fail.
-            let _ = writeln!(
-                out,
-                "# a search prefers designs that the model overestimates: so `short` uses {SEARCHED} of a \
-                 payload's lower end, and a force's upper end divided by {SEARCHED}"
-            );
-        }
-        if !front.is_empty() {
-            // Writing to a String does not fail.
-            let _ = writeln!(
-                out,
-                "# trade-off between contraction, stiffness and fabric, {} designs, evenly sampled:",
-                front.len()
-            );
-            out.push_str(&rows(&thinned(front, SHOWN), self.constraints));
-        }
-        out
-    }
-
-    /// The JSON answer.
-    pub(super) fn json(&self, winner: Option<&Best>) -> Value {
-        let all = |list: &[Evaluation]| list.iter().map(|one| row(one, self.constraints)).collect::<Vec<_>>();
-        json!({
-            "computed": self.found.computed,
-            "best": all(&self.found.best),
-            "front": all(&self.found.front),
-            "spec": winner.map(|winner| &winner.spec),
-            "confirmed": winner.and_then(|winner| winner.confirmed.as_ref()),
-        })
-    }
+/// The JSON answer.
+pub(super) fn json(found: &SearchResult, constraints: &Constraints, winner: Option<&Best>) -> Value {
+    let all = |list: &[Evaluation]| list.iter().map(|one| row(one, constraints)).collect::<Vec<_>>();
+    json!({
+        "computed": found.computed,
+        "best": all(&found.best),
+        "front": all(&found.front),
+        "spec": winner.map(|winner| &winner.spec),
+        "confirmed": winner.and_then(|winner| winner.confirmed.as_ref()),
+    })
 }
 
 /// A candidate as JSON; null where a value is unknown.

@@ -9,6 +9,7 @@ use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
 use crate::cli::text_file::read_table;
 use crate::cli::verbosity::{Verbosity, pretty};
+use crate::cli::words::words;
 use crate::coupon::cone::{Balance, Cone, Overlay, Predicted, ReducedPoint, csv, read_test, reduce};
 use crate::design::Star;
 use crate::forecast::case::Case;
@@ -31,8 +32,8 @@ pub(super) struct Args {
     #[arg(long, default_value_t = 0.1, allow_hyphen_values = true, value_parser = number(Allowed::closed(0.0, 10.0)))]
     friction: f64,
     /// Balance of forces: derived, or published (with the plate's friction as the paper prints it).
-    #[arg(long, value_enum, default_value = "derived")]
-    balance: BalanceArg,
+    #[arg(long, default_value = "derived", value_parser = words(&Balance::ALL, &[]))]
+    balance: Balance,
     /// Radius at first contact, where the travel is 0; default: the predicted final radius of --spec.
     #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE), required_unless_present = "spec")]
     contact_radius: Option<Length>,
@@ -43,26 +44,16 @@ pub(super) struct Args {
     verbosity: Verbosity,
 }
 
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum BalanceArg {
-    Derived,
-    Published,
-}
-
 /// Reduces the data, and prints CSV.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let message = |text: String| Failure::Message(text);
     let source = Source::new(args.data.display().to_string(), read_table(&args.data)?);
     let test = read_test(&source)?;
     let cone = Cone::new(args.half_angle.rad(), args.friction).map_err(|fault| message(fault.to_string()))?;
-    let balance = match args.balance {
-        BalanceArg::Derived => Balance::Derived,
-        BalanceArg::Published => Balance::Published,
-    };
     let contact = args.contact_radius.map(Length::metres);
     let reduced = |first: f64, overlay: Option<Overlay<'_>>| {
-        let points = reduce(&test, &cone, balance, first, overlay);
-        show(args, cone.ratio(balance), first, &points)
+        let points = reduce(&test, &cone, args.balance, first, overlay);
+        show(args, cone.ratio(args.balance), first, &points)
     };
     let Some(path) = &args.spec else {
         let first = contact

@@ -13,6 +13,7 @@ use crate::cli::failure::{Failure, tell};
 use crate::cli::load::Loaded;
 use crate::cli::publish::publish_files;
 use crate::cli::verbosity::Verbosity;
+use crate::cli::words::words;
 use crate::coupon::{CouponGroup, StripGrid};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 use crate::spec::Allowed;
@@ -36,8 +37,8 @@ pub(super) struct Args {
     #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>(Allowed::closed(-20.0, 1e5)), allow_hyphen_values = true)]
     heights: Vec<Length>,
     /// Coupons of these kinds only; default: all.
-    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = ["strips", "disc", "v-actuator", "burst"])]
-    only: Vec<String>,
+    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = words(&CouponGroup::NAMES, &[]))]
+    only: Vec<CouponGroup>,
     /// How often each setting is sealed.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=20))]
     repeats: u8,
@@ -49,7 +50,7 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
-    let (grid, groups) = (grid(args, &loaded)?, groups(args));
+    let (grid, groups) = (grid(args, &loaded)?, or(&args.only, &CouponGroup::NAMES.map(|(_, group)| group)));
     if args.output.symlink_metadata().is_ok() {
         let text = format!("{} exists already; choose another name", shown(&args.output));
         return Err(Failure::Message(text));
@@ -89,14 +90,6 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "repeats": grid.repeats,
     });
     args.verbosity.report(&text(args, &proven, &programs, &drawings), &json)
-}
-
-/// The requested kinds of coupons: all, if none is named.
-fn groups(args: &Args) -> Vec<CouponGroup> {
-    let all = CouponGroup::NAMES.iter();
-    all.filter(|(name, _)| args.only.is_empty() || args.only.iter().any(|only| only == name))
-        .map(|(_, group)| *group)
-        .collect()
 }
 
 /// The grid of settings to test.

@@ -7,11 +7,12 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use clap::{Command, ValueEnum};
+use clap::Command;
 
 use crate::answer;
 use crate::answer::refused::at_keys;
 use crate::cli::load::{Loaded, machine_source, read_source, with_drawing};
+use crate::cli::words::value_of;
 use crate::cli::{actuator, cache, optimize, predict, verify};
 use crate::design::Refusals;
 use crate::forecast::actuator::Actuator;
@@ -137,7 +138,7 @@ pub fn star_question(options: &[String]) -> Result<StarQuestion, Failure> {
 
 /// The model called `name`, such as "ring"; `None` if there is none.
 pub fn model(name: &str) -> Option<ModelChoice> {
-    predict::Model::from_str(name, false).ok().map(predict::Model::choice)
+    value_of(&ModelChoice::ALL, name)
 }
 
 /// A V-actuator and the options of its prediction.

@@ -8,8 +8,8 @@ use serde_json::{Value, json};
 
 use crate::answer::refused::{finding_json, refusal, refused_by};
 use crate::cli::escape::{escaped, shown};
+use crate::cli::findings::Unproven;
 use crate::cli::terminal::{fitted, has_colours, width};
-use crate::cli::unproven::Unproven;
 use crate::cli::{PublishFault, interrupt};
 use crate::pipeline::CommandCode;
 use crate::spec::{Code, Faults};

@@ -1,8 +1,13 @@
-//! Printed findings: the first few of a kind; the others are only counted.
+//! Printed findings: the first few of a kind, the others only counted; and files that fail their proof.
 
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
+use std::path::Path;
 
 use crate::cli::escape::shown;
+use crate::cli::findings;
+use crate::spec;
+use crate::units::counted;
 use crate::verify::Finding;
 
 /// Number of findings of one kind in one file that are printed: enough to see whether the fault is local.
@@ -30,6 +35,54 @@ pub(super) fn lines(findings: &[Finding]) -> Vec<String> {
     lines
 }
 
+/// Endings of programs' names; the last is for LinuxCNC.
+const PROGRAMS: [&str; 2] = ["gcode", "ngc"];
+
+/// The findings, and the files to send with a report.
+#[derive(Clone, Debug)]
+pub struct Unproven {
+    /// All findings in the files.
+    pub findings: Vec<Finding>,
+    /// The spec's name.
+    pub(super) spec: String,
+    /// The name of the machine profile in the spec.
+    pub(super) profile: String,
+}
+
+impl Unproven {
+    /// Whether the user's own profile may be the cause: all findings are in programs.
+    fn may_be_the_profile(&self) -> bool {
+        let is_program = |ending: &OsStr| PROGRAMS.iter().any(|program| ending == *program);
+        let in_program = |finding: &Finding| Path::new(&finding.file).extension().is_some_and(is_program);
+        spec::builtin_machine(&self.profile).is_none() && self.findings.iter().all(in_program)
+    }
+
+    /// The probable cause, as a heading.
+    pub(super) fn heading(&self) -> String {
+        let counted = counted(self.findings.len(), "finding");
+        if self.may_be_the_profile() {
+            format!("error: the programs for {} fail their proof: {counted}", shown(&self.profile))
+        } else {
+            format!("fault of this program: {counted} in the files that it made")
+        }
+    }
+
+    /// The findings, and the remedy.
+    pub(super) fn text(&self) -> String {
+        let lines = findings::lines(&self.findings).join("\n");
+        let (spec, profile, version) = (shown(&self.spec), shown(&self.profile), env!("CARGO_PKG_VERSION"));
+        let send =
+            format!("Send {spec}, the machine profile {profile}, the version {version} and these lines.");
+        let whose = if self.may_be_the_profile() {
+            "The profile may not fit its dialect: compare it with the built-in one (`stargrip-cam machines`). If it does \
+             fit, this is a fault of this program: please report it."
+        } else {
+            "This is a fault of this program, not of your spec: please report it."
+        };
+        format!("{lines}\nNothing was published. {whose} {send}")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -45,5 +98,42 @@ mod tests {
         assert_eq!(lines.len(), SHOWN + 2);
         assert_eq!(lines[SHOWN], "a.gcode: outside-work-area: and 86 more");
         assert!(lines[SHOWN + 1].contains(":7: wrong-feed"));
+    }
+}
+
+#[cfg(test)]
+mod unproven_tests {
+    use super::*;
+    use crate::verify::FindingCode;
+
+    fn unproven(profile: &str, file: &str) -> Unproven {
+        let finding = Finding::at(FindingCode::WrongFeed, 7, "F5", "F6").in_file(file);
+        Unproven { findings: vec![finding], spec: "star.toml".to_owned(), profile: profile.to_owned() }
+    }
+
+    #[test]
+    fn a_finding_of_the_program_against_itself_is_its_own_fault() {
+        let own = unproven("generic", "star-1-seal.gcode");
+        assert_eq!(own.heading(), "fault of this program: 1 finding in the files that it made");
+        let text = own.text();
+        for part in [
+            "star-1-seal.gcode:7: wrong-feed",
+            "not of your spec: please report it",
+            "Send star.toml",
+            "generic",
+        ] {
+            assert!(text.contains(part), "{text}");
+        }
+        assert!(text.contains(env!("CARGO_PKG_VERSION")), "{text}");
+    }
+
+    #[test]
+    fn a_profile_of_the_users_own_may_be_the_reason_for_a_wrong_program_and_for_nothing_else() {
+        let program = unproven("own.toml", "star-1-seal.gcode");
+        assert!(program.heading().contains("the programs for own.toml"), "{}", program.heading());
+        assert!(unproven("own.toml", "star-1-seal.ngc").may_be_the_profile());
+        assert!(program.text().contains("If it does fit, this is a fault of this program"));
+        let drawing = unproven("own.toml", "outline.svg");
+        assert!(drawing.heading().starts_with("fault of this program"), "{}", drawing.heading());
     }
 }

@@ -10,11 +10,11 @@ use crate::cli::defaults;
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::read_source;
+use crate::cli::words::words;
 use crate::forecast::sizing::{NearestRequirements, Requirements};
 use crate::spec;
 use crate::spec::{Machine, ObjectShape, Spec};
 use crate::units::{Force, Length, Mass, Pressure};
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 pub(super) use crate::answer::object::NewGripper;
 
@@ -28,7 +28,7 @@ pub(super) struct ObjectArgs {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE), requires = "object")]
     height: Option<Length>,
     /// Shape of the object; default: ball.
-    #[arg(long, value_name = "SHAPE", value_parser = shape_parser(), requires = "object")]
+    #[arg(long, value_name = "SHAPE", value_parser = words(&ObjectShape::ALL, &[]), requires = "object")]
     shape: Option<ObjectShape>,
     /// Mass of the object: "1.3 kg".
     #[arg(long, value_name = "MASS", allow_hyphen_values = true, value_parser = quantity::<Mass>(MASSES), requires = "object")]
@@ -51,16 +51,6 @@ pub(super) struct ObjectArgs {
     /// Size of the fabric sheets: 400x400 in mm, or A4.
     #[arg(long, value_name = "WxH", value_parser = sheet, requires = "object")]
     sheet: Option<[Length; 2]>,
-}
-
-fn shape_parser() -> impl TypedValueParser<Value = ObjectShape> {
-    PossibleValuesParser::new(ObjectShape::ALL.map(|(word, _)| word)).try_map(|word| {
-        ObjectShape::ALL
-            .iter()
-            .find(|(name, _)| *name == word)
-            .map(|(_, shape)| *shape)
-            .ok_or("no such shape")
-    })
 }
 
 /// The spec of a gripper for the object; `None` without an object.

@@ -4,17 +4,17 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use crate::answer::quantity::{EXTRA, SIZE, number, quantity_or_number, range};
-use crate::cli::candidates::{Best, SearchReport};
+use crate::cli::candidates::Best;
 use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
-use crate::cli::progress;
 use crate::cli::shell::watched_by;
 use crate::cli::verbosity::{Verbosity, pretty};
+use crate::cli::{candidates, progress};
 use crate::design::{Design, room};
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{
-    Confirmation, Constraints, DesignSearch, Evaluation, Goal, ROUNDING, SearchBounds, SearchEffort,
-    SearchResult, is_at_pressure,
+    Confirmation, Constraints, DesignSearch, Evaluation, Goal, ROUNDING, SearchBounds, SearchResult,
+    is_at_pressure,
 };
 use crate::forecast::shell::Detail;
 use crate::forecast::shell::star;
@@ -123,15 +123,7 @@ pub(super) fn answer(
     let (goal, constraints) = wanted(args, loaded, &base)?;
     let table = RingTable::new().map_err(|fault| message(&fault.to_string()))?;
     let bounds = bounds(args, &base);
-    let search = DesignSearch {
-        base: &base,
-        bounds: &bounds,
-        constraints: &constraints,
-        goal,
-        table: &table,
-        effort: SearchEffort::default(),
-        cancel,
-    };
+    let search = DesignSearch { cancel, ..DesignSearch::new(&base, &bounds, &constraints, goal, &table) };
     Ok((progress::during(args.verbosity, "searching", |_| search.run()), constraints))
 }
 
@@ -139,10 +131,11 @@ pub(super) fn answer(
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?.with_stars("optimize")?;
     let (found, constraints) = answer(args, &loaded, None)?;
-    let result = SearchReport { found: &found, constraints: &constraints };
     let best = best(args, &loaded, &found, &constraints)?;
     match (best, args.verbosity) {
-        (Some(best), Verbosity { json: true, .. }) => say(&pretty(&result.json(Some(&best)))),
+        (Some(best), Verbosity { json: true, .. }) => {
+            say(&pretty(&candidates::json(&found, &constraints, Some(&best))))
+        }
         (Some(best), Verbosity { quiet: true, .. }) => say(&best.spec),
         (Some(Best { spec, confirmed }), _) => {
             let mut lines = String::new();
@@ -151,18 +144,25 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
                 lines += &line;
                 lines.push('\n');
             }
-            say(&format!("{}{lines}# the best that can be built:\n{spec}\n", result.text()))
+            say(&format!(
+                "{}{lines}# the best that can be built:\n{spec}\n",
+                candidates::text(&found, &constraints)
+            ))
         }
         (None, verbosity) => {
             if verbosity.is_heard() {
-                tell(&result.text());
+                tell(&candidates::text(&found, &constraints));
             }
             let why = if found.front.is_empty() {
                 "no design meets all constraints; `short` lists the missed constraints of each, and by how much"
             } else {
                 "none of the best designs can be sealed and cut as the spec requires"
             };
-            Err(if verbosity.json { Failure::answered(result.json(None), why) } else { message(why) })
+            Err(if verbosity.json {
+                Failure::answered(candidates::json(&found, &constraints, None), why)
+            } else {
+                message(why)
+            })
         }
     }
 }

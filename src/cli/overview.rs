@@ -5,13 +5,12 @@ use std::fmt::Write;
 use std::io::{stderr, stdout};
 use std::path::Path;
 
-use jiff::Zoned;
+use jiff::{SignedDuration, Zoned};
 use serde_json::{Value, json};
 
 use crate::answer::proof::scope;
 use crate::answer::{hours, sealing_time, verdict};
 use crate::artifact::Kind;
-use crate::cli::clock;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say, tell_under};
 use crate::cli::terminal::{width, wrapped};
@@ -109,8 +108,8 @@ fn in_words(star: &StarSpec) -> String {
 /// The sealing time and the machine.
 pub(super) fn work(forecast: &Forecast, now: &Zoned) -> Vec<OverviewRow> {
     let seconds = sealing_time(forecast);
-    let end = clock::finish(now, seconds)
-        .map(|end| format!("; started now, it ends {end}, without heating and pauses"));
+    let end =
+        finish(now, seconds).map(|end| format!("; started now, it ends {end}, without heating and pauses"));
     let number = forecast.design.sheets.len();
     let area = match forecast.machine.bench.work_area {
         Some((x, y)) => format!("; the machine reaches {} x {} mm", rounded(x.0), rounded(y.0)),
@@ -220,4 +219,41 @@ pub(super) fn written_json(proven: &Proven, target: &Path) -> Value {
         "look_at": to_look_at(proven),
         "run": traces.into_iter().chain(seals).collect::<Vec<_>>(),
     })
+}
+
+/// The end of a job of `seconds` that begins at `now`, in the zone of `now`: "Monday 23 November at 02:52 CET"; `None` above about a
+/// thousand years.
+fn finish(now: &Zoned, seconds: f64) -> Option<String> {
+    // More than a thousand years have no useful date.
+    if !(0.0..3.2e10).contains(&seconds) {
+        return None;
+    }
+    let end = now.checked_add(SignedDuration::try_from_secs_f64(seconds.round()).ok()?).ok()?;
+    let day = match (end.date() == now.date(), end.year() == now.year()) {
+        (true, _) => "today".to_owned(),
+        (_, true) => end.strftime("%A %-d %B").to_string(),
+        _ => end.strftime("%A %-d %B %Y").to_string(),
+    };
+    Some(format!("{day} at {}", end.strftime("%H:%M %Z")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn end(now: &str, seconds: f64) -> String {
+        finish(&now.parse().expect("a time"), seconds).unwrap_or_default()
+    }
+
+    #[test]
+    fn an_end_has_its_weekday_in_the_zone_where_the_job_begins() {
+        let day = 86_400.0;
+        assert_eq!(end("2026-11-22T10:00[UTC]", 3599.0), "today at 10:59 UTC");
+        assert_eq!(end("2026-11-22T23:00:01[UTC]", 3599.0), "Monday 23 November at 00:00 UTC");
+        assert_eq!(end("2026-11-22T10:00+01:00[+01:00]", 17.0 * 3600.0), "Monday 23 November at 03:00 +01");
+        assert_eq!(end("2026-12-31T10:00[UTC]", day), "Friday 1 January 2027 at 10:00 UTC");
+        for seconds in [f64::NAN, f64::INFINITY, -1.0, 1e11] {
+            assert_eq!(end("2026-11-22T10:00[UTC]", seconds), "");
+        }
+    }
 }

@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use crate::answer::quantity::{SIZE, evenly, range};
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
-use crate::cli::shell::{ShellArgs, Shown};
+use crate::cli::shell::ShellArgs;
 use crate::cli::verbosity::Verbosity;
+use crate::cli::words::words;
 use crate::design::{Design, DrawnPiece};
 use crate::forecast::drawn;
 use crate::forecast::predict::{PredictFault, add_curve, predict};
@@ -28,8 +29,8 @@ pub(super) struct Args {
     /// The spec whose gripper is predicted.
     spec: PathBuf,
     /// The model to use instead of the spec's.
-    #[arg(long, value_name = "MODEL")]
-    model: Option<Model>,
+    #[arg(long, value_name = "MODEL", value_parser = words(&ModelChoice::ALL, &MODELS))]
+    model: Option<ModelChoice>,
     /// Also the force on round objects of these radii: "20 mm..40 mm/5".
     #[arg(long, value_name = "FROM..TO/COUNT", allow_hyphen_values = true, value_parser = radii)]
     radii: Option<Radii>,
@@ -39,41 +40,20 @@ pub(super) struct Args {
     verbosity: Verbosity,
 }
 
-/// The models, by their names on the command line.
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-pub(super) enum Model {
-    /// Published constants.
-    Fit,
-    /// Exact membrane limit.
-    Ring,
-    /// Penalised boundary-value problem.
-    Bvp,
-    /// Bending, stretch and hoop compression at the pressure.
-    Section,
-    /// The whole sheet in triangles, with arms and contact: seconds to minutes.
-    Shell,
-    /// The cheapest accurate model; never the shell.
-    Auto,
-}
-
-impl Model {
-    /// The model as a spec names it.
-    pub(super) fn choice(self) -> ModelChoice {
-        match self {
-            Self::Fit => ModelChoice::Fit,
-            Self::Ring => ModelChoice::Ring,
-            Self::Bvp => ModelChoice::Bvp,
-            Self::Section => ModelChoice::Section,
-            Self::Shell => ModelChoice::Shell,
-            Self::Auto => ModelChoice::Auto,
-        }
-    }
-}
+/// The help of the models, in the order of [`ModelChoice::ALL`].
+pub(super) const MODELS: [&str; 6] = [
+    "Published constants",
+    "Exact membrane limit",
+    "Penalised boundary-value problem",
+    "Bending, stretch and hoop compression at the pressure",
+    "The whole sheet in triangles, with arms and contact: seconds to minutes",
+    "The cheapest accurate model; never the shell",
+];
 
 impl Args {
     /// The requested model.
     pub(super) fn model(&self) -> Option<ModelChoice> {
-        self.model.map(Model::choice)
+        self.model
     }
 
     /// The radii of round objects, m.
@@ -92,7 +72,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let mut spec = loaded.reading.spec.clone();
     if let Some(model) = args.model {
-        spec.accuracy.model = model.choice();
+        spec.accuracy.model = model;
     }
     let design = Design::new(&spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
     if let Some(piece) = design.drawn() {
@@ -108,25 +88,17 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let radii: Vec<Length> = radii.iter().copied().map(Length::from_metres).collect();
         add_curve((&spec, &design), &radii, &mut prediction).map_err(refused)?;
     }
-    if args.verbosity.json {
-        return say(&prediction.to_json());
-    }
-    args.verbosity.remark(&report::text(&spec, &prediction))
+    args.verbosity.show(&report::text(&spec, &prediction), &prediction.to_json())
 }
 
 /// Predicts with the shell model, and prints the answer.
 fn run_shell(args: &Args, loaded: &Loaded, spec: &Spec, design: &Design) -> Result<(), Failure> {
-    let radii = args.radii.as_ref().map_or(&[][..], |radii| &radii.0);
+    let radii = args.radii();
     let question = format!("predict {spec:?} {radii:?}");
     args.shell.show(&question, args.verbosity, |watch| {
         let found = star::predict((spec, design), radii, args.shell.detail(), watch);
-        let (prediction, shape) = found.map_err(|refusal| match refusal {
-            ShellRefusal::Cancelled => Failure::Interrupted,
-            ShellRefusal::Fault(fault) => loaded.refused(no_prediction(&fault).into()),
-        })?;
-        let vtu = args.shell.wants_vtu().then(|| shape.vtu()).transpose();
-        let vtu = vtu.map_err(|fault| Failure::Message(fault.to_string()))?;
-        Ok(Shown { json: prediction.to_json(), text: report::text(spec, &prediction), vtu })
+        let (prediction, shape) = found.map_err(|refusal| not_computed(loaded, refusal))?;
+        Ok((prediction.to_json(), report::text(spec, &prediction), shape))
     })
 }
 
@@ -139,15 +111,18 @@ fn run_drawn(args: &Args, loaded: &Loaded, spec: &Spec, piece: &DrawnPiece) -> R
     let question = format!("predict {spec:?} {:?} {:?} {:?}", piece.air, piece.inner, piece.part.inside);
     args.shell.show(&question, args.verbosity, |watch| {
         let found = drawn::inflate(spec, piece, args.shell.drawn_detail(), watch);
-        let found = found.map_err(|refusal| match refusal {
-            ShellRefusal::Cancelled => Failure::Interrupted,
-            ShellRefusal::Fault(fault) => loaded.refused(no_prediction(&fault).into()),
-        })?;
-        let vtu = args.shell.wants_vtu().then(|| InflatedShape::joined(&found.shapes).vtu()).transpose();
-        let vtu = vtu.map_err(|fault| Failure::Message(fault.to_string()))?;
+        let found = found.map_err(|refusal| not_computed(loaded, refusal))?;
         let text = drawn::text::text(spec, &found.prediction);
-        Ok(Shown { json: found.prediction.to_json(), text, vtu })
+        Ok((found.prediction.to_json(), text, InflatedShape::joined(&found.shapes)))
     })
+}
+
+/// The shell's refusal as a failure of the command.
+fn not_computed(loaded: &Loaded, refusal: ShellRefusal) -> Failure {
+    match refusal {
+        ShellRefusal::Cancelled => Failure::Interrupted,
+        ShellRefusal::Fault(fault) => loaded.refused(no_prediction(&fault).into()),
+    }
 }
 
 /// Radii of round objects, m.

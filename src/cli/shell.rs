@@ -3,20 +3,21 @@
 use std::path::PathBuf;
 
 use crate::cli::cache::Cache;
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::Failure;
 use crate::cli::interrupt::Listening;
 use crate::cli::progress;
 use crate::cli::text_file::replace;
 use crate::cli::verbosity::Verbosity;
+use crate::cli::words::words;
 use crate::forecast::shell::Detail;
-use inflatable::shell::cases::{ShellFault, Watch};
+use inflatable::shell::cases::{InflatedShape, ShellFault, Watch};
 
 /// Arguments for the shell model only.
 #[derive(clap::Args, Debug)]
 pub(super) struct ShellArgs {
     /// For the shell: fineness of its meshes; default: medium for stars, coarse for drawings. Every number is printed with its mesh error.
-    #[arg(long, value_name = "HOW")]
-    fineness: Option<FinenessWord>,
+    #[arg(long, value_name = "HOW", value_parser = words(&Detail::ALL, &MESHES))]
+    fineness: Option<Detail>,
     /// For the shell: write the inflated sheet as a VTU file, which ParaView reads.
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
@@ -25,56 +26,33 @@ pub(super) struct ShellArgs {
     no_cache: bool,
 }
 
-/// Fineness of meshes, by its names on the command line.
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum FinenessWord {
-    /// A first look: seconds.
-    Coarse,
-    /// For most purposes.
-    Medium,
-    /// Where mesh errors matter.
-    Fine,
-}
-
-impl FinenessWord {
-    fn detail(self) -> Detail {
-        match self {
-            Self::Coarse => Detail::Coarse,
-            Self::Medium => Detail::Medium,
-            Self::Fine => Detail::Fine,
-        }
-    }
-}
+/// The help of the meshes, in the order of [`Detail::ALL`].
+const MESHES: [&str; 3] = ["A first look: seconds", "For most purposes", "Where mesh errors matter"];
 
 /// An answer, ready for output.
-pub(super) struct Shown {
+struct Shown {
     /// The JSON answer.
-    pub(super) json: String,
+    json: String,
     /// The printed text.
-    pub(super) text: String,
+    text: String,
     /// The sheet as a VTU file, with --vtu.
-    pub(super) vtu: Option<String>,
+    vtu: Option<String>,
 }
 
 impl ShellArgs {
     /// Fineness of the mesh; medium by default.
     pub(super) fn detail(&self) -> Detail {
-        self.fineness.map_or(Detail::Medium, FinenessWord::detail)
+        self.fineness.unwrap_or(Detail::Medium)
     }
 
     /// Fineness of the mesh for drawings, which are larger; coarse by default.
     pub(super) fn drawn_detail(&self) -> Detail {
-        self.fineness.map_or(Detail::Coarse, FinenessWord::detail)
-    }
-
-    /// Whether --vtu is given.
-    pub(super) fn wants_vtu(&self) -> bool {
-        self.vtu.is_some()
+        self.fineness.unwrap_or(Detail::Coarse)
     }
 
     /// Refuses options that only the shell model has.
     pub(super) fn not_by_others(&self) -> Result<(), Failure> {
-        let given = [(self.wants_vtu(), "--vtu"), (self.fineness.is_some(), "--fineness")];
+        let given = [(self.vtu.is_some(), "--vtu"), (self.fineness.is_some(), "--fineness")];
         match given.into_iter().find(|(is_given, _)| *is_given) {
             Some((_, option)) => Err(Failure::Usage(format!(
                 "{option} needs the shell model: add --model shell, or leave it out"
@@ -83,26 +61,28 @@ impl ShellArgs {
         }
     }
 
-    /// Shows the answer to `question`, which must contain all inputs: from the cache, or computed by `compute`.
+    /// Shows the answer to `question`, which must contain all inputs: from the cache, or computed by `compute` as JSON, text and shape.
     pub(super) fn show(
         &self,
         question: &str,
         verbosity: Verbosity,
-        compute: impl FnOnce(&Watch<'_>) -> Result<Shown, Failure>,
+        compute: impl FnOnce(&Watch<'_>) -> Result<(String, String, InflatedShape), Failure>,
     ) -> Result<(), Failure> {
         let cache = Cache::new(self.no_cache);
-        let key = cache.key(&[question, &format!("{:?} {}", self.fineness, self.wants_vtu())]);
+        let key = cache.key(&[question, &format!("{:?} {}", self.fineness, self.vtu.is_some())]);
         let shown = if let Some(shown) = cache.get(&key).and_then(Shown::from_parts) {
             shown
         } else {
-            let shown = watched_by(verbosity, compute)?;
+            let (json, text, shape) = watched_by(verbosity, compute)?;
+            let vtu = self.vtu.as_ref().map(|_| shape.vtu()).transpose();
+            let shown = Shown { json, text, vtu: vtu.map_err(|fault| Failure::Message(fault.to_string()))? };
             cache.put(&key, &shown.parts());
             shown
         };
         if let (Some(path), Some(vtu)) = (&self.vtu, &shown.vtu) {
             replace(path, vtu)?;
         }
-        if verbosity.json { say(&shown.json) } else { verbosity.remark(&shown.text) }
+        verbosity.show(&shown.text, &shown.json)
     }
 }
 

@@ -42,6 +42,14 @@ impl Verbosity {
         if self.json { say(&pretty(json)) } else { self.remark(text) }
     }
 
+    /// Prints `json` if JSON is requested, else `text` unless quiet.
+    ///
+    /// # Errors
+    /// Standard output cannot be written.
+    pub(super) fn show(self, text: &str, json: &str) -> Result<(), Failure> {
+        if self.json { say(json) } else { self.remark(text) }
+    }
+
     /// Prints `text` unless --json or --quiet is given, in lines of the terminal's width.
     pub(super) fn remark(self, text: &str) -> Result<(), Failure> {
         if self.is_heard() { say(&fitted(text, width(&stdout()))) } else { Ok(()) }

@@ -38,6 +38,11 @@ pub enum Balance {
     Published,
 }
 
+impl Balance {
+    /// Every balance, by its name.
+    pub const ALL: [(&'static str, Self); 2] = [("derived", Self::Derived), ("published", Self::Published)];
+}
+
 /// The cone of a test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {

@@ -94,3 +94,12 @@ fn too_wide(kerf: f64, path: &Path, share: f64, what: &str) -> Refusal {
 fn refusal(found: String, remedy: String) -> Refusal {
     Refusal::new(key::cut::KERF, RefusalCode::WideKerf, found, remedy)
 }
+
+/// The lines of a drawing of a part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CutEdge {
+    /// The part's own edges: for printed parts.
+    Part,
+    /// The middle of the tool that cuts them, half a kerf beside.
+    Tool,
+}

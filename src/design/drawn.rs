@@ -10,7 +10,6 @@ mod inner;
 mod label;
 mod layer_name;
 mod marks;
-mod neighbours;
 mod proposal;
 mod roles;
 mod words;
@@ -71,7 +70,7 @@ pub struct DrawnPiece {
 impl DrawnPiece {
     /// Whether two regions of its air are so near to each other that their seams share a band, or lie within a band's width of each other.
     pub fn shares_a_band(&self) -> bool {
-        neighbours::share_a_band(&self.air, self.shape.band)
+        inner::share_a_band(&self.air, self.shape.band)
     }
 
     /// The kind of its copies.

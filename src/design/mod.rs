@@ -4,15 +4,12 @@
 //! from the tube's edge; an [`Outline`] is the cut. A [`StarDesign`] makes a sealed shape of them and holds all of one star in the star's own frame (axis at the origin,
 //! corner 1 on +X); a [`Design`] places stars on sheets, and a [`Drawing`] is what lies on one sheet, layer by layer.
 
-mod arm;
 mod assembly;
-mod coating;
 mod code;
 mod contour;
 mod cut;
 mod drawing;
 mod drawn;
-mod edge;
 mod engraving;
 mod flat;
 mod frame;
@@ -28,7 +25,6 @@ mod overview;
 mod paper;
 mod part;
 mod pieces;
-mod placed;
 mod placement;
 mod refusal;
 mod registration;
@@ -41,33 +37,30 @@ mod star_seam;
 mod tube;
 mod window;
 
-pub use arm::arm_length;
 pub use assembly::StarAssembly;
-pub use coating::COATING_ASSUMES;
 pub use code::RefusalCode;
 pub use contour::{Contour, Part, Side};
-pub use cut::CutLines;
+pub use cut::{CutEdge, CutLines};
 pub use drawing::{Drawing, Layer, Origin, Shape};
 pub use drawn::{
     DrawnCut, DrawnLabels, DrawnPiece, DrawnSeparator, LayerProposal, drawing_notes, figures, propose_layers,
 };
-pub use edge::CutEdge;
 pub use engraving::engraved_depth;
 pub use flat::{FlatPiece, PieceCut};
 pub use frame::{Frame, Plate, shut_reach};
 pub use inlet::Channel;
 pub use lettering::lettered;
-pub use mask::MaskPlate;
+pub use mask::{COATING_ASSUMES, MaskPlate};
 pub use object::{Meeting, Object, does_not_enter, room};
 pub use outline::{Circle, Outline, cut_area};
 pub use paper::{Page as PaperPage, Paper};
 pub use part::{Realised, SHEETS, StarDesign, realised_radius};
 pub use pieces::{Piece, Pieces};
-pub use placed::PlacedPart;
-pub use placement::SheetLayout;
+pub use placement::{PlacedPart, SheetLayout};
 pub use refusal::{Refusal, Refusals, Warning};
 pub use sheet::{Design, Product};
 pub use stack::{Stack, inflated_height, least_pitch, pitch_for};
 pub use star::Star;
+pub use star_fault::arm_length;
 pub use star_seam::MOUTH_OVERRUN;
 pub use tube::{round_tube, tube_height};

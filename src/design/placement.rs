@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::design::{Refusal, RefusalCode};
-use crate::shape::SealedShape;
+use crate::shape::{PieceName, SealedShape};
 use crate::spec::{KeyPath, Machine, Sheet, key};
 use crate::units::{Least, Length, Most, Readable};
 use inflatable::geom::{Bounds, Isometry, Path, Point};
@@ -205,4 +205,34 @@ fn fits(key: KeyPath, needed: f64, room: f64, margin: f64) -> Result<(), Refusal
         format!("a part needs {} mm where the margins leave {} mm", Least(needed), Most(room.max(0.0))),
         format!("{} mm are missing: at least {} mm", Least(needed - room), Least(needed + 2.0 * margin)),
     ))
+}
+
+/// One piece on its sheet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlacedPart {
+    /// The kind of piece: "star".
+    pub kind: &'static str,
+    /// Number of the piece; of the stars of a stack 1 = bottom.
+    pub index: usize,
+    /// Index of the distinct piece, from 0.
+    pub distinct: usize,
+    /// Number of its sheet, from 1.
+    pub sheet: usize,
+    /// From the piece's frame to the sheet's.
+    pub placement: Isometry,
+}
+
+impl PlacedPart {
+    /// Its name: star 2.
+    pub fn name(&self) -> PieceName {
+        PieceName::numbered(self.kind, self.index)
+    }
+
+    /// Pieces of one `kind`, numbered from 1, of which each is one of the distinct ones and has its place.
+    pub(super) fn all(kind: &'static str, which: &[usize], places: Vec<Placement>) -> Vec<Self> {
+        let placed = which.iter().zip(places).zip(1..);
+        placed
+            .map(|((&distinct, (sheet, placement)), index)| Self { kind, index, distinct, sheet, placement })
+            .collect()
+    }
 }

@@ -1,7 +1,7 @@
 //! The reasons why a valid spec has no design.
 
 use std::fmt;
-use std::ops::Deref;
+use std::ops::{Deref, DerefMut};
 
 use crate::design::RefusalCode;
 use crate::spec::{DrawnPlace, KeyPath};
@@ -74,11 +74,6 @@ impl Refusals {
         Self(Vec::new())
     }
 
-    /// One more.
-    pub fn push(&mut self, refusal: Refusal) {
-        self.0.push(refusal);
-    }
-
     /// `made`, unless something was refused.
     ///
     /// # Errors
@@ -88,12 +83,18 @@ impl Refusals {
     }
 }
 
-/// They are read as a slice.
+/// They are read and extended as a list.
 impl Deref for Refusals {
-    type Target = [Refusal];
+    type Target = Vec<Refusal>;
 
-    fn deref(&self) -> &[Refusal] {
+    fn deref(&self) -> &Vec<Refusal> {
         &self.0
+    }
+}
+
+impl DerefMut for Refusals {
+    fn deref_mut(&mut self) -> &mut Vec<Refusal> {
+        &mut self.0
     }
 }
 
@@ -109,27 +110,12 @@ impl FromIterator<Refusal> for Refusals {
     }
 }
 
-impl Extend<Refusal> for Refusals {
-    fn extend<I: IntoIterator<Item = Refusal>>(&mut self, refusals: I) {
-        self.0.extend(refusals);
-    }
-}
-
 impl IntoIterator for Refusals {
     type Item = Refusal;
     type IntoIter = std::vec::IntoIter<Refusal>;
 
     fn into_iter(self) -> Self::IntoIter {
         self.0.into_iter()
-    }
-}
-
-impl<'a> IntoIterator for &'a Refusals {
-    type Item = &'a Refusal;
-    type IntoIter = std::slice::Iter<'a, Refusal>;
-
-    fn into_iter(self) -> Self::IntoIter {
-        self.0.iter()
     }
 }
 

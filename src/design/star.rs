@@ -13,8 +13,7 @@
 
 use std::f64::consts::PI;
 
-use crate::design::arm::arm_length;
-use crate::design::star_fault::{blamed, no_arm};
+use crate::design::star_fault::{arm_length, blamed, no_arm};
 use crate::design::{Refusal, RefusalCode};
 use crate::spec::{StarSpec, key};
 use crate::units::{Angle, Length, Most, Readable};

@@ -1,4 +1,4 @@
-//! The value to blame for a star that cannot be made.
+//! Arms of a star, and the value to blame for a star that cannot be made.
 //!
 //! Several values together leave a star no arms, and changing any one of them would do. The refusal names every such
 //! single change, and points at the key whose value is **farthest out of line**, as a
@@ -6,7 +6,6 @@
 
 use std::f64::consts::PI;
 
-use crate::design::arm::arm_length;
 use crate::design::{Refusal, RefusalCode};
 use crate::spec::{KeyPath, StarSpec, key};
 use crate::units::Readable;
@@ -101,6 +100,16 @@ fn single_changes(spec: &StarSpec) -> Vec<(KeyPath, String)> {
         (key::star::CORNER_RADIUS, corner),
     ];
     changes.into_iter().filter_map(|(key, change)| Some((key, change?))).collect()
+}
+
+/// Arm length l of the star that `spec` describes with `n` points, mm; it may come out negative.
+///
+/// `(rho_0 + W + R_e) sin(pi/n) = l sin(phi_i0/2) + (W + R_i + R_e) cos(phi_i0/2)`: Andrade-Silva and
+/// Marthelot, supplement, Eq. for l, which is the case R_i = R_e = 0.
+pub fn arm_length(spec: &StarSpec, n: u32) -> f64 {
+    let (sin, cos) = libm::sincos(spec.tip_angle.rad() / 2.0);
+    let (w, r_i, r_e) = (spec.tube_width.0, spec.tip_radius.0, spec.corner_radius.0);
+    ((spec.inner_radius.0 + w + r_e) * libm::sin(PI / f64::from(n)) - (w + r_i + r_e) * cos) / sin
 }
 
 #[cfg(test)]

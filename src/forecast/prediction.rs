@@ -115,7 +115,7 @@ impl Verdict {
 
 keyed! {
     /// The prediction of one star. `None` where a required input is missing.
-    #[derive(Clone, Debug, PartialEq, Serialize)]
+    #[derive(Clone, Debug, Default, PartialEq, Serialize)]
     #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
     pub struct StarPrediction {
         /// Model used: fit, ring, bvp, section or shell.
@@ -200,7 +200,7 @@ keyed! {
         pub burst_pressure_kPa: Option<f64>,
         /// Largest pull across the rim: `value` in N/mm, its mesh error and its place on the flat star. By the shell only.
         #[serde(skip_serializing_if = "Option::is_none")]
-        pub seal_tension: Option<LoadedPlace>,
+        pub seal_tension: Option<MeshedPlace>,
         /// Mass of the fabric of one star, both sheets, g. Needs `areal_density`.
         pub mass_g: Option<f64>,
         /// Mass that friction holds, kg: of the whole stack, in `stars` of each star. Needs a pressure, an object and friction.
@@ -236,7 +236,7 @@ keyed! {
 
 kinds! {
     Hinges: Hinges<f64>, Hinges<Option<f64>>;
-    Object: Verdict, LoadedPlace, StarRanges, Nonlinear, ModelEvidence;
+    Object: Verdict, MeshedPlace, StarRanges, Nonlinear, ModelEvidence;
     List: Vec<PressureRow>, Vec<StarPrediction>;
     Rows: Vec<ForceAt>;
 }
@@ -253,7 +253,13 @@ pub enum FabricStretch {
     /// p W / Y; `None` without a pressure.
     Ratio(Option<f64>),
     /// The largest principal stretch; by the shell.
-    Largest(LoadedPlace),
+    Largest(MeshedPlace),
+}
+
+impl Default for FabricStretch {
+    fn default() -> Self {
+        Self::Ratio(None)
+    }
 }
 
 impl FabricStretch {
@@ -266,15 +272,24 @@ impl FabricStretch {
     }
 }
 
-/// The hardest loaded place for one quantity.
+/// A number with its mesh error.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct LoadedPlace {
-    /// Its value: N/mm of pull, or a stretch.
+pub struct MeshedValue {
+    /// The number.
+    pub value: f64,
+    /// Its mesh error.
+    pub mesh_error: f64,
+}
+
+/// The largest value of a quantity, with its place.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct MeshedPlace {
+    /// The number: N/mm of pull, mm of height, or a stretch.
     pub value: f64,
     /// Its mesh error. Where a hinge turns on a point there is no largest value; then the mesh error is as large as
     /// the value.
     pub mesh_error: f64,
-    /// Its position on the flat star: in the half sector next to corner 1, the axis at the origin.
+    /// Its position on the flat piece; of a star in the half sector next to corner 1, the axis at the origin.
     pub at_mm: [f64; 2],
 }
 
@@ -330,7 +345,7 @@ impl Prediction {
 }
 
 /// The evidence for an answer.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ModelEvidence {
     /// Reason for the choice of this model.
     pub choice: String,

@@ -1,4 +1,4 @@
-//! The manifest of a directory of coupons.
+//! The manifests of a directory of coupons and of a feed check.
 
 use serde::{Deserialize, Serialize};
 
@@ -39,6 +39,34 @@ pub struct CouponChoice {
 
 impl CouponManifest {
     /// The manifest as the bytes of `manifest.json`.
+    pub fn to_json(&self) -> Vec<u8> {
+        // Plain data can always be written.
+        let mut json = serde_json::to_vec_pretty(self).unwrap_or_default();
+        json.push(b'\n');
+        json
+    }
+}
+
+/// The suffix that turns the program's name into that of its manifest.
+pub const FEED_CHECK_MANIFEST: &str = ".manifest.json";
+
+/// Content of `feedcheck.gcode.manifest.json`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct FeedCheckManifest {
+    /// Name and version of the tool that wrote it.
+    pub tool: Tool,
+    /// Name of the spec.
+    pub name: String,
+    /// Text of the spec.
+    pub spec: String,
+    /// Text of the machine profile.
+    pub machine: String,
+    /// The program.
+    pub files: Vec<ManifestFile>,
+}
+
+impl FeedCheckManifest {
+    /// The manifest as bytes.
     pub fn to_json(&self) -> Vec<u8> {
         // Plain data can always be written.
         let mut json = serde_json::to_vec_pretty(self).unwrap_or_default();

@@ -9,7 +9,6 @@
 mod fault;
 mod figures;
 mod judge;
-mod limits;
 mod record;
 mod resume_at;
 mod toolpath;
@@ -49,7 +48,7 @@ pub struct Resumed {
 pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resumed, ResumeFault> {
     let record = Record::read(text)?;
     let toolpath = Toolpath::read(text, &record)?;
-    if let Some(finding) = limits::contradiction(&record, text, toolpath.seconds) {
+    if let Some(finding) = judge::contradiction(&record, text, toolpath.seconds) {
         return Err(ResumeFault::Disagrees(finding));
     }
     judge::agrees(&record, text, &toolpath.reach)?;

@@ -1,6 +1,7 @@
-//! A seam: the centre line of a band, and how the iron enters and leaves it.
+//! A seam: the centre line of a band, and how the iron enters and leaves it; the shapes that seams make, as they lie on a sheet.
 
-use inflatable::geom::{Line, Path, Segment};
+use crate::shape::{PieceName, SeamName};
+use inflatable::geom::{Bounds, Isometry, Line, Path, Point, Segment};
 
 /// The purpose of a seam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,4 +77,122 @@ fn straight_out(path: &Path, length: f64) -> Path {
     let (Some(end), Some(last)) = (path.end(), direction) else { return Path::default() };
     let tangent = last.tangent(1.0);
     Path::open(vec![Line::new(end, end + tangent * length).into()])
+}
+
+/// The opening for a hose: between the two ends of an open seam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Port {
+    /// The middle of its mouth.
+    pub at: Point,
+    /// Flat width between the bands that the hose needs, mm.
+    pub width: f64,
+}
+
+/// Two equal sheets, sealed and cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SealedShape {
+    /// The seams in the order in which they are sealed.
+    pub seams: Vec<Seam>,
+    /// Width of the bands, mm.
+    pub band: f64,
+    /// The cut around it; `None` for a piece that the user cuts out.
+    pub cut: Option<Path>,
+    /// Its ports.
+    pub ports: Vec<Port>,
+}
+
+impl SealedShape {
+    /// The seam called `name`.
+    pub fn seam(&self, name: &str) -> Option<&Seam> {
+        self.seams.iter().find(|seam| seam.name == name)
+    }
+
+    /// The box of all centre lines.
+    pub fn seam_bounds(&self) -> Bounds {
+        self.seams.iter().map(|seam| seam.center_line.bounds()).fold(Bounds::EMPTY, Bounds::union)
+    }
+
+    /// The same shape, moved.
+    #[must_use]
+    pub fn moved(&self, motion: Isometry) -> Self {
+        let seam = |seam: &Seam| Seam { center_line: motion.path(&seam.center_line), ..seam.clone() };
+        Self {
+            seams: self.seams.iter().map(seam).collect(),
+            band: self.band,
+            cut: self.cut.as_ref().map(|cut| motion.path(cut)),
+            ports: self.ports.iter().map(|port| Port { at: motion.point(port.at), ..*port }).collect(),
+        }
+    }
+}
+
+/// A piece on a sheet.
+#[derive(Clone, Debug)]
+pub struct PlacedPiece<'a> {
+    /// Its name.
+    pub name: PieceName,
+    /// Its seams, cut and ports.
+    pub shape: &'a SealedShape,
+    /// From the shape's frame to the sheet's.
+    pub placement: Isometry,
+}
+
+/// One seam in the sheet's frame, with the iron's way to it and from it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LaidSeam {
+    /// Its name.
+    pub name: SeamName,
+    /// The way down.
+    pub lead_in: Path,
+    /// The way in contact, overlap included.
+    pub run: Path,
+    /// The way up.
+    pub lead_out: Path,
+    /// Length of the centre line, the overlap counted once, mm.
+    pub once: f64,
+    /// Path covered twice, mm.
+    pub overlap: f64,
+}
+
+impl LaidSeam {
+    /// `seam` of `piece`, moved by `placement`, with ways down and up of `ramp` mm.
+    pub fn new(piece: &PieceName, seam: &Seam, placement: Isometry, ramp: f64) -> Self {
+        let place = |path: Path| placement.path(&path);
+        Self {
+            name: SeamName { piece: piece.clone(), seam: seam.name.clone() },
+            lead_in: place(seam.lead_in(ramp)),
+            run: place(seam.run()),
+            lead_out: place(seam.lead_out(ramp)),
+            once: seam.center_line.length(),
+            overlap: seam.overlap,
+        }
+    }
+
+    /// Way down, seam and way up.
+    pub fn paths(&self) -> [&Path; 3] {
+        [&self.lead_in, &self.run, &self.lead_out]
+    }
+}
+
+impl PlacedPiece<'_> {
+    /// Its seams in the order of sealing, with ways down and up of `ramp` mm.
+    fn laid_seams(&self, ramp: f64) -> impl Iterator<Item = LaidSeam> {
+        self.shape.seams.iter().map(move |seam| LaidSeam::new(&self.name, seam, self.placement, ramp))
+    }
+}
+
+/// The seams of `pieces` in the order of sealing, with ways down and up of `ramp` mm.
+pub fn laid_seams(pieces: &[PlacedPiece<'_>], ramp: f64) -> Vec<LaidSeam> {
+    pieces.iter().flat_map(|piece| piece.laid_seams(ramp)).collect()
+}
+
+/// The rectangle around the cuts of `pieces` and around all that the iron does to the fabric along `seams`: what a trace shows
+/// first.
+pub fn frame(pieces: &[PlacedPiece<'_>], seams: &[LaidSeam]) -> Path {
+    let cuts =
+        pieces.iter().filter_map(|piece| Some(piece.placement.path(piece.shape.cut.as_ref()?).bounds()));
+    let half_band = pieces.first().map_or(0.0, |piece| piece.shape.band / 2.0);
+    let touched = seams.iter().flat_map(LaidSeam::paths).map(|path| path.bounds().grown(half_band));
+    let Bounds { min, max } = cuts.chain(touched).fold(Bounds::EMPTY, Bounds::union);
+    let corners = [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y), min];
+    Path::closed(corners.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
 }

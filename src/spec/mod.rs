@@ -9,8 +9,6 @@
 
 mod accuracy;
 mod allowed;
-mod builtin;
-mod bytes;
 mod code;
 mod defaults;
 mod drawing;
@@ -21,7 +19,6 @@ mod foreign;
 pub mod key;
 mod machine;
 mod message;
-mod missing;
 mod model;
 mod motion;
 mod name;
@@ -44,7 +41,6 @@ mod vocabulary;
 
 pub use accuracy::{Accuracy, Detail, ModelChoice};
 pub use allowed::Allowed;
-pub use builtin::UnknownMachine;
 pub(crate) use code::codes;
 pub use code::{Code, FaultCode};
 pub use defaults::with_defaults;
@@ -62,7 +58,9 @@ pub use model::{
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, NameFault, check_name, misleads};
-pub use profile::{builtin_machine, builtin_machines, limits_set_by, read_machine, usual_profile};
+pub use profile::{
+    UnknownMachine, builtin_machine, builtin_machines, limits_set_by, read_machine, usual_profile,
+};
 pub use raw::RawSpec;
 pub use reading::{Reading, SMALLEST_HOLE, TOXIC, read};
 pub use schema::{SCHEMA_FILE, machine_schema, schema};

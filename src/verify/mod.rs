@@ -7,12 +7,11 @@
 mod code;
 mod finding;
 mod judge;
-mod output_files;
 mod read;
 
 pub use code::FindingCode;
 pub use finding::{Finding, Findings};
-pub use judge::expected::Expected;
+pub use judge::expected::{Expected, OutputFiles};
 pub use judge::feed_check::FeedCheckTask;
 pub use judge::files::bytes::{compare_bytes, first_difference, mark_equal};
 pub use judge::files::proof::{FileProof, Method, Proof, prove};
@@ -22,7 +21,6 @@ pub use judge::path::follow::{Following, follow};
 pub use judge::rules::IronRules;
 pub use judge::stroke::stroke_seconds;
 pub use judge::task::ProgramTask;
-pub use output_files::OutputFiles;
 pub use read::drawing::Drawing;
 pub use read::dxf::read_dxf;
 pub use read::gcode;

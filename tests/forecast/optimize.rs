@@ -5,7 +5,7 @@
 use crate::{candidate, close, paper};
 use stargrip_cam::forecast::candidate::{Answer, Candidate};
 use stargrip_cam::forecast::optimize::{
-    Constraints, Evaluation, Goal, ROUNDING, SearchBounds, SearchResult, search, thinned,
+    Constraints, DesignSearch, Evaluation, Goal, ROUNDING, SearchBounds, SearchResult, thinned,
 };
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::mechanics::hinge::ring::RingTable;
@@ -19,7 +19,7 @@ fn just(base: &Candidate) -> SearchBounds {
 }
 
 fn violation(base: &Candidate, constraints: Constraints) -> f64 {
-    let found = search(base, &just(base), &constraints, Goal::Fabric, &TABLE);
+    let found = DesignSearch::new(base, &just(base), &constraints, Goal::Fabric, &TABLE).run();
     assert_eq!((found.best.len(), found.best[0].violation == 0.0), (1, !found.front.is_empty()));
     found.best[0].violation
 }
@@ -111,7 +111,7 @@ fn found(goal: Goal) -> SearchResult {
         width: [12.0, 35.0].map(Length),
         ..just(&base)
     };
-    search(&base, &bounds, &Constraints::default(), goal, &TABLE)
+    DesignSearch::new(&base, &bounds, &Constraints::default(), goal, &TABLE).run()
 }
 
 /// The quantity that a goal minimises.

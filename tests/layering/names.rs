@@ -7,8 +7,6 @@ use std::path::Path;
 /// Names that several types may have, and why.
 const REPEATED: &[(&str, &str)] = &[
     // The standard library's.
-    ("IntoIter", "an associated type of the standard library"),
-    ("Item", "an associated type of the standard library"),
     ("Output", "an associated type of the standard library; and one file of a build"),
     // One a module, by custom.
     ("Args", "the arguments of each command, always written `build::Args`"),

@@ -10,7 +10,7 @@ use dice::Dice;
 use rayon::prelude::*;
 use stargrip_cam::forecast::candidate::{Answer, Candidate};
 use stargrip_cam::forecast::optimize::{
-    Constraints, Evaluation, Goal, SearchBounds, search, shortfalls, sure_payload,
+    Constraints, DesignSearch, Evaluation, Goal, SearchBounds, shortfalls, sure_payload,
 };
 use stargrip_cam::forecast::shell::star::flat;
 use stargrip_cam::mechanics::hinge::ring::RingTable;
@@ -102,7 +102,7 @@ impl Problem {
 
     /// The optimum of the search; `None` if no design meets the constraints.
     fn winner(&self, table: &RingTable) -> Option<Evaluation> {
-        let found = search(&self.base, &self.bounds, &self.constraints, self.goal, table);
+        let found = DesignSearch::new(&self.base, &self.bounds, &self.constraints, self.goal, table).run();
         found.best.into_iter().next().filter(|best| best.violation == 0.0)
     }
 

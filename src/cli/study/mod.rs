@@ -3,7 +3,6 @@
 mod checkpoint;
 pub(super) mod compute;
 mod join;
-mod load;
 mod part;
 mod rows;
 mod run;
@@ -12,7 +11,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use crate::cli::failure::{Failure, say};
-use crate::cli::study::load::loaded;
+use crate::cli::study::compute::loaded;
 use crate::cli::verbosity::Quiet;
 use crate::forecast::study::{ColumnKind, Study};
 

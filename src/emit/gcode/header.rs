@@ -1,14 +1,16 @@
-//! The header: the data that a person or program needs who has the file alone.
+//! The header: the data that a person or program needs who has the file alone, and the pictures that hosts show.
 
 use std::fmt;
 
-use crate::emit::gcode::facts::Facts;
-use crate::emit::gcode::thumbnail::thumbnails;
-use crate::emit::gcode::writer::Writer;
+use crate::emit::gcode::writer::{Facts, Writer};
 use crate::emit::number::number;
-use crate::plan::{Pace, Program, Purpose, SeamReport, Stepper};
+use crate::emit::picture::{Colour, Group, Pen, Picture};
+use crate::plan::{Pace, Program, Purpose, SeamReport, Step, Stepper};
 use crate::shape::scope;
 use crate::spec::{DwellUnit, Heating, Machine};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use inflatable::geom::{Bounds, Path, Vec2};
 
 /// Writes the header of `program`.
 pub(super) fn header(
@@ -116,4 +118,64 @@ fn sheet_and_pieces(program: &Program) -> String {
 pub(super) fn seam_facts(key: &str, index: usize, seam: &SeamReport) -> String {
     let SeamReport { name, length, time, .. } = seam;
     format!("{key}: seam={index} {} length_mm={length:.3} time_s={time:.0}", name.facts())
+}
+
+/// Sides, pixels: for a list, and for the selected file.
+const SIDES: [f64; 2] = [32.0, 300.0];
+/// Characters a line: fewer than the shortest line of a profile has.
+const LINE: usize = 64;
+/// Least width of a seam, pixels.
+const LEAST: f64 = 1.6;
+/// Blank around, as a part of the way's extent.
+const BLANK: f64 = 0.06;
+/// Colours of sealed lines and of traced ones.
+const SEAM: Colour = Colour(0xe8, 0xa3, 0x3d);
+const TRACED: Colour = Colour(0x5b, 0x8d, 0xb8);
+
+/// Writes the pictures of `program` with a band `band` wide, mm.
+pub(super) fn thumbnails(
+    writer: &mut Writer<'_, impl fmt::Write>,
+    program: &Program,
+    band: f64,
+) -> fmt::Result {
+    for side in SIDES {
+        let Some(png) = picture(program, band, side).and_then(|picture| picture.png(side)) else { continue };
+        let text = STANDARD.encode(png);
+        writer.comment(&format!("thumbnail begin {side}x{side} {}", text.len()))?;
+        let mut rest = text.as_str();
+        while !rest.is_empty() {
+            // Base64 is ASCII.
+            let (line, after) = rest.split_at(rest.len().min(LINE));
+            writer.comment(line)?;
+            rest = after;
+        }
+        writer.comment("thumbnail end")?;
+    }
+    Ok(())
+}
+
+/// The ways of the iron on a square; `None` for a program without a way.
+fn picture(program: &Program, band: f64, side: f64) -> Option<Picture> {
+    let ways: Vec<(Path, Colour)> = program
+        .steps
+        .iter()
+        .filter_map(|step| match step {
+            Step::Seal(pieces) => Some((Path::open(pieces.clone()), SEAM)),
+            Step::Trace(pieces) => Some((Path::open(pieces.clone()), TRACED)),
+            _ => None,
+        })
+        .collect();
+    let bounds = ways.iter().map(|(path, _)| path.bounds()).fold(Bounds::EMPTY, Bounds::union);
+    let half = (0.5 + BLANK) * bounds.width().max(bounds.height()) + band;
+    if !half.is_finite() || ways.is_empty() {
+        return None;
+    }
+    let around = Vec2::new(half, half);
+    let window = Bounds { min: bounds.center() - around, max: bounds.center() + around };
+    let width = band.max(LEAST * 2.0 * half / side);
+    let mut group = Group::new("way");
+    for (path, ink) in ways {
+        group.line(path, Pen::new(ink, width));
+    }
+    Some(Picture { title: String::new(), window, top: window.max.y, groups: vec![group] })
 }

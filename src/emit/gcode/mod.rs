@@ -9,10 +9,8 @@
 //! differences in spelling; this room goes through a program's steps.
 
 mod dialect;
-mod facts;
 mod feed_check;
 mod header;
-mod thumbnail;
 mod writer;
 
 use std::fmt;
@@ -26,8 +24,8 @@ use crate::spec::{Dialect, Heating, Machine, Spec};
 use crate::units::Readable;
 use inflatable::geom::{Point, Segment};
 
-pub use facts::Facts;
 pub use feed_check::feed_check;
+pub use writer::Facts;
 
 /// The program as text.
 pub fn gcode(spec: &Spec, machine: &Machine, program: &Program) -> String {

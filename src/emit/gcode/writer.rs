@@ -3,12 +3,35 @@
 use std::fmt;
 
 use crate::emit::gcode::dialect::Spelling;
-use crate::emit::gcode::facts::Facts;
 use crate::emit::number::{Decimals, number};
 use crate::emit::text::inert;
 use crate::plan::is_straight;
-use crate::spec::Comments;
+use crate::spec::{Comments, Controller, Machine, Process, Seal, Spec};
+use crate::units::Length;
 use inflatable::geom::{Point, Segment};
+
+/// The data besides the steps from which a program is written.
+#[derive(Clone, Copy, Debug)]
+pub struct Facts<'a> {
+    /// The user's name for the design; any text.
+    pub name: &'a str,
+    /// Temperature, speed, band and overlap.
+    pub seal: &'a Seal,
+    /// Largest deviation from the exact geometry.
+    pub path: Length,
+    /// The controller that reads the program.
+    pub controller: &'a Controller,
+    /// The way in which the iron is led.
+    pub process: &'a Process,
+}
+
+impl<'a> Facts<'a> {
+    /// The facts about programs of `spec` for `machine`.
+    pub fn new(spec: &'a Spec, machine: &'a Machine) -> Self {
+        let Machine { controller, process, .. } = machine;
+        Self { name: &spec.name, seal: &spec.seal, path: spec.accuracy.path, controller, process }
+    }
+}
 
 /// Writes lines, and remembers the iron's position by the numbers written.
 pub(super) struct Writer<'a, W> {

@@ -160,12 +160,8 @@ fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<Drawn
         pressure_kPa: pressure.map(|pressure: Pressure| pressure.0),
         mass_g: crate::design::FlatPiece::Drawn(piece).mass(&spec.fabric),
         chambers: chambers.collect(),
-        volume_mm3: None,
-        burst_pressure_kPa: None,
-        burst_range_kPa: None,
-        burst_margin: None,
-        leaves_plane: None,
         evidence: DrawnEvidence { choice, warnings: Vec::new() },
+        ..DrawnPrediction::default()
     })
 }
 

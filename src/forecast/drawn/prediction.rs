@@ -3,6 +3,7 @@
 use crate::design::{Refusal, RefusalCode};
 use crate::forecast::drawn::chambers::DrawnChamber;
 use crate::forecast::keys::{keyed, kinds};
+use crate::forecast::prediction::{MeshedPlace, MeshedValue};
 use crate::forecast::ranges::Interval;
 use crate::forecast::seal_load::{Bursting, DrawnSeal};
 use crate::spec::key;
@@ -12,7 +13,7 @@ use serde::Serialize;
 
 keyed! {
     /// The prediction of each copy of a drawn piece. `None` where a required input is missing: a pressure, or the shell.
-    #[derive(Clone, Debug, PartialEq, Serialize)]
+    #[derive(Clone, Debug, Default, PartialEq, Serialize)]
     #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
     pub struct DrawnPrediction {
         /// Model used: shell, or none: flat sizes only.
@@ -46,32 +47,12 @@ kinds! {
 }
 
 /// Model, choice and warnings behind a prediction.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct DrawnEvidence {
     /// Reason for the choice of this model.
     pub choice: String,
     /// Warnings for the user.
     pub warnings: Vec<String>,
-}
-
-/// A number with its mesh error.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct MeshedValue {
-    /// The number.
-    pub value: f64,
-    /// Its mesh error.
-    pub mesh_error: f64,
-}
-
-/// The same at a place.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct MeshedPlace {
-    /// The number.
-    pub value: f64,
-    /// Its mesh error.
-    pub mesh_error: f64,
-    /// Its position on the flat piece.
-    pub at_mm: [f64; 2],
 }
 
 /// The pull on one seam of a chamber.
@@ -87,7 +68,7 @@ pub struct SeamPrediction {
 }
 
 /// One chamber.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct ChamberPrediction {
     /// Its number, from 1.
@@ -154,20 +135,7 @@ impl ChamberPrediction {
             flat_extents_mm: [bounds.width(), bounds.height()].map(six),
             bendability: by(&|p| p * width.powi(3) / fabric.bending),
             stretch: by(&|p| p * width / fabric.stretch),
-            wrinkles: None,
-            height_mm: None,
-            extents_mm: None,
-            volume_mm3: None,
-            seal_pull_N_per_mm: None,
-            burst_pressure_kPa: None,
-            burst_range_kPa: None,
-            largest_stretch: None,
-            largest_tension_N_per_mm: None,
-            plane_eigenvalue: None,
-            leaves_plane: None,
-            seams: None,
-            unknowns: None,
-            iterations: None,
+            ..Self::default()
         }
     }
 

@@ -129,18 +129,6 @@ impl Default for SearchEffort {
 /// Smallest step of a search, of the box's side.
 const SMALLEST_STEP: f64 = 1e-4;
 
-/// Searches around `base`; values that are not searched stay as in `base`.
-pub fn search(
-    base: &Candidate,
-    bounds: &SearchBounds,
-    constraints: &Constraints,
-    goal: Goal,
-    table: &RingTable,
-) -> SearchResult {
-    DesignSearch { base, bounds, constraints, goal, table, effort: SearchEffort::default(), cancel: None }
-        .run()
-}
-
 /// A search: base design, bounds, constraints and goal.
 #[derive(Clone, Copy, Debug)]
 pub struct DesignSearch<'a> {
@@ -160,7 +148,18 @@ pub struct DesignSearch<'a> {
     pub cancel: Option<&'a AtomicBool>,
 }
 
-impl DesignSearch<'_> {
+impl<'a> DesignSearch<'a> {
+    /// A thorough search around `base` without a stop; values that are not searched stay as in `base`.
+    pub fn new(
+        base: &'a Candidate,
+        bounds: &'a SearchBounds,
+        constraints: &'a Constraints,
+        goal: Goal,
+        table: &'a RingTable,
+    ) -> Self {
+        Self { base, bounds, constraints, goal, table, effort: SearchEffort::default(), cancel: None }
+    }
+
     /// Searches.
     pub fn run(&self) -> SearchResult {
         let all: Vec<u32> = self.bounds.points.clone().collect();

@@ -20,7 +20,8 @@ fn table() -> RingTable {
 
 #[test]
 fn the_papers_star_contracts_most_with_four_or_five_points() {
-    let found = search(&base(), &bounds(), &Constraints::default(), Goal::Contraction, &table());
+    let found =
+        DesignSearch::new(&base(), &bounds(), &Constraints::default(), Goal::Contraction, &table()).run();
     assert!([4, 5].contains(&found.best[0].point.star.points), "{:?}", found.best[0].point.star);
     // n = 8 has arms of 6 mm, too short, and comes after all others; n = 9 has none.
     assert!(found.best.len() == 6 && found.best[5].violation > 0.0);
@@ -37,7 +38,7 @@ fn the_optimum_is_the_best_of_a_dense_grid() {
     let constraints =
         Constraints { payload: Some(0.5), grasp: Some([20.0, 47.0].map(Length)), ..Constraints::default() };
     let table = table();
-    let found = search(&base(), &bounds, &constraints, Goal::Fabric, &table);
+    let found = DesignSearch::new(&base(), &bounds, &constraints, Goal::Fabric, &table).run();
     let best = found.best[0].clone();
     assert_eq!(best.violation, 0.0);
     for n in 4..=5 {
@@ -73,7 +74,7 @@ fn at_a_pressure_the_winner_is_the_best_of_a_grid_too() {
     let constraints =
         Constraints { payload: Some(0.6), grasp: Some([25.0, 38.0].map(Length)), ..Constraints::default() };
     let table = table();
-    let found = search(&base, &bounds, &constraints, Goal::Fabric, &table);
+    let found = DesignSearch::new(&base, &bounds, &constraints, Goal::Fabric, &table).run();
     assert!(found.best[0].violation == 0.0, "{:?}", found.best[0]);
     for best in found.best.iter().filter(|best| best.violation == 0.0) {
         for i in 0..=40 {
@@ -102,7 +103,8 @@ fn nothing_on_the_front_is_beaten() {
         points: 3..=6,
         ..bounds()
     };
-    let found = search(&base(), &bounds, &Constraints::default(), Goal::Contraction, &table());
+    let found =
+        DesignSearch::new(&base(), &bounds, &Constraints::default(), Goal::Contraction, &table()).run();
     assert!(found.front.len() > 10 && found.computed > 1000);
     for (i, a) in found.front.iter().enumerate().step_by(7) {
         for (j, b) in found.front.iter().enumerate() {
@@ -119,7 +121,8 @@ fn nothing_on_the_front_is_beaten() {
 #[test]
 fn a_search_is_the_same_in_any_number_of_threads() {
     let bounds = SearchBounds { tip_angle: [12.0, 69.0].map(Angle), ..bounds() };
-    let run = || search(&base(), &bounds, &Constraints::default(), Goal::Stiffness, &table());
+    let run =
+        || DesignSearch::new(&base(), &bounds, &Constraints::default(), Goal::Stiffness, &table()).run();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
     assert_eq!(run(), pool.install(run));
 }

@@ -1,6 +1,6 @@
 //! The shell's values of a star as a text for people: each number with its mesh error.
 
-use crate::forecast::prediction::{FabricStretch, ForceAt, LoadedPlace, StarPrediction};
+use crate::forecast::prediction::{FabricStretch, ForceAt, MeshedPlace, StarPrediction};
 use crate::forecast::ranges::shown;
 use crate::units::Readable;
 use std::fmt::Write;
@@ -20,7 +20,7 @@ pub fn star_text(out: &mut String, star: &StarPrediction) {
     };
     let show =
         |value: Option<f64>, unit: &str, error: f64| value.map(|value| shown::meshed(value, error, unit));
-    let place = |place: LoadedPlace, unit: &str| {
+    let place = |place: MeshedPlace, unit: &str| {
         let [x, y] = place.at_mm;
         Some(format!("{}, at {x:.1}, {y:.1} mm", shown::meshed(place.value, place.mesh_error, unit)))
     };
@@ -29,7 +29,7 @@ pub fn star_text(out: &mut String, star: &StarPrediction) {
     let touching = star.arm_contact_N.is_some_and(|force| force > 0.0);
     let percent = |part: Option<f64>| part.map(|part| 100.0 * part);
     let pull = star.seal_pull_N_per_mm.zip(star.seal_pull_at_mm);
-    let pull = pull.map(|(value, at_mm)| LoadedPlace { value, mesh_error: mesh.seal_pull_N_per_mm, at_mm });
+    let pull = pull.map(|(value, at_mm)| MeshedPlace { value, mesh_error: mesh.seal_pull_N_per_mm, at_mm });
     let forces = star.force_curve.iter().flatten().zip(mesh.force_curve.iter().flatten());
     let forces = forces.map(|(ForceAt(radius, force, ..), error)| {
         (format!("force at {} mm", Readable(*radius)), show(*force, "N", *error))

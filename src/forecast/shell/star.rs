@@ -5,7 +5,7 @@ use crate::design::{Design, Meeting, PlacedPart, StarDesign};
 use crate::forecast::case::{Case, weave};
 use crate::forecast::predict::{PredictFault, stars_of};
 use crate::forecast::prediction::{
-    FabricStretch, ForceAt, LoadedPlace, MeshErrors, ModelEvidence, Prediction, StarPrediction,
+    FabricStretch, ForceAt, MeshErrors, MeshedPlace, ModelEvidence, Prediction, StarPrediction,
 };
 use crate::forecast::shell::request::{Measurements, ask, entered, fault};
 use crate::forecast::shell::{Detail, SHELL};
@@ -107,23 +107,6 @@ impl ShellRun {
         let case = self.case.meeting(meeting);
         let measured = Measurements { object: entered(&case), ..self.measured.clone() };
         let Self { flat, found, .. } = self;
-        ShellAnswer { case: &case, part, spec, flat, found, measured: &measured }.star(radii)
-    }
-}
-
-/// An answer of the shell, with all that it is about.
-struct ShellAnswer<'a> {
-    case: &'a Case,
-    part: &'a StarDesign,
-    spec: &'a Spec,
-    flat: &'a FlatStar,
-    found: &'a InflatedStar,
-    measured: &'a Measurements,
-}
-
-impl ShellAnswer<'_> {
-    fn star(&self, radii: &[f64]) -> StarPrediction {
-        let Self { case, part, spec, found, measured, .. } = *self;
         let on_object = measured.object_force();
         let beside = case.object.is_some_and(|radius| radius <= 0.0);
         let curve: Vec<(f64, Value)> =
@@ -132,7 +115,7 @@ impl ShellAnswer<'_> {
         let [pull, pull_error] = measured.seal_tension();
         let force = on_object.map(|force| force.value).or(beside.then_some(0.0));
         let curve_of = |of: fn(&Value) -> f64| curve.iter().map(|(_, force)| of(force)).collect::<Vec<f64>>();
-        let bare = bare(spec, part, case);
+        let bare = bare(spec, part, &case);
         StarPrediction {
             model: SHELL,
             tip_equilibrium_angle_deg: measured.equilibrium(),
@@ -154,13 +137,13 @@ impl ShellAnswer<'_> {
             }),
             seal_pull_N_per_mm: Some(1e-3 * extremes.seal_pull),
             seal_pull_at_mm: Some(extremes.pull_at.map(mm)),
-            seal_tension: Some(LoadedPlace {
+            seal_tension: Some(MeshedPlace {
                 value: pull,
                 mesh_error: pull_error,
                 at_mm: extremes.seal_at.map(mm),
             }),
             payload_kg: case.friction.zip(force).map(|(mu, force)| payload(mu, [force])),
-            stretch: FabricStretch::Largest(LoadedPlace {
+            stretch: FabricStretch::Largest(MeshedPlace {
                 value: extremes.stretch,
                 mesh_error: extremes.stretch_error,
                 at_mm: extremes.stretch_at.map(mm),
@@ -183,75 +166,74 @@ impl ShellAnswer<'_> {
                     object_force_N: on_object.map(|force| force.error),
                     force_curve: (!radii.is_empty()).then(|| curve_of(|force| force.error)),
                 }),
-                warnings: self.warnings().into_iter().chain(snap(&curve)).collect(),
+                warnings: warnings(&case, flat, &measured).into_iter().chain(snap(&curve)).collect(),
                 ..bare.evidence.clone()
             },
             ..bare
         }
     }
+}
 
-    fn warnings(&self) -> Vec<String> {
-        let Self { case, flat, measured, .. } = self;
-        let (radius, object) = (measured.radius, measured.object);
-        let too_wide = case.object.is_some_and(|radius| radius > 0.0) && object.is_none();
-        let pull = measured.extremes.seal_pull;
-        let sharp = flat.tip_radius == 0.0 || flat.corner_radius == 0.0;
-        let candidates = [
-            (flat.points > TRIED_POINTS, format!("shells of stars were tried with 3 to {TRIED_POINTS} points")),
-            (measured.touches(), "the arms touch, and press on each other".to_owned()),
-            (
-                flat.part() == StarPart::Whole,
-                format!(
-                    "the woven star does not close to a circle: on its finest mesh the corners lie {:.1} to \
-                     {:.1} mm from the point in their middle, which is {:.1} mm beside that of the tips; the final radius is their mean, extrapolated",
-                    finest(&measured.corners[0]), finest(&measured.corners[1]), finest(&measured.off_center)
-                ),
+fn warnings(case: &Case, flat: &FlatStar, measured: &Measurements) -> Vec<String> {
+    let (radius, object) = (measured.radius, measured.object);
+    let too_wide = case.object.is_some_and(|radius| radius > 0.0) && object.is_none();
+    let pull = measured.extremes.seal_pull;
+    let sharp = flat.tip_radius == 0.0 || flat.corner_radius == 0.0;
+    let candidates = [
+        (flat.points > TRIED_POINTS, format!("shells of stars were tried with 3 to {TRIED_POINTS} points")),
+        (measured.touches(), "the arms touch, and press on each other".to_owned()),
+        (
+            flat.part() == StarPart::Whole,
+            format!(
+                "the woven star does not close to a circle: on its finest mesh the corners lie {:.1} to \
+                 {:.1} mm from the point in their middle, which is {:.1} mm beside that of the tips; the final radius is their mean, extrapolated",
+                finest(&measured.corners[0]), finest(&measured.corners[1]), finest(&measured.off_center)
             ),
-            (
-                flat.part() == StarPart::Whole && finest(&measured.least_tip_angle) < 0.0,
-                "two arms pass through each other: the shell of a whole star has no contact between arms".to_owned(),
+        ),
+        (
+            flat.part() == StarPart::Whole && finest(&measured.least_tip_angle) < 0.0,
+            "two arms pass through each other: the shell of a whole star has no contact between arms".to_owned(),
+        ),
+        (
+            too_wide,
+            format!("the object is wider than the cut hole, {} mm across: it does not enter", Readable(2.0 * mm(case.hole))),
+        ),
+        (
+            object.is_some() && case.flap() > 0.0,
+            format!(
+                "objects touch the flap first: until it folds, at {:.2} N per mm of contact, the force is that on an object {} mm \
+                 wider across (see --radii)",
+                1e-3 * case.sheet.flap_load(case.flap()),
+                Readable(2.0 * mm(case.flap()))
             ),
-            (
-                too_wide,
-                format!("the object is wider than the cut hole, {} mm across: it does not enter", Readable(2.0 * mm(case.hole))),
+        ),
+        (
+            object.is_some_and(|object| mm(object) < radius.value),
+            format!(
+                "the object is thinner than the closed star, {:.2} mm across: the star does not reach it",
+                2.0 * radius.value
             ),
-            (
-                object.is_some() && case.flap() > 0.0,
-                format!(
-                    "objects touch the flap first: until it folds, at {:.2} N per mm of contact, the force is that on an object {} mm \
-                     wider across (see --radii)",
-                    1e-3 * case.sheet.flap_load(case.flap()),
-                    Readable(2.0 * mm(case.flap()))
-                ),
-            ),
-            (
-                object.is_some_and(|object| mm(object) < radius.value),
-                format!(
-                    "the object is thinner than the closed star, {:.2} mm across: the star does not reach it",
-                    2.0 * radius.value
-                ),
-            ),
-            (
-                case.peel.is_some_and(|peel| pull > peel) && !sharp,
-                format!("the pull on the seal is {:.2} N/mm, which is more than its strength", 1e-3 * pull),
-            ),
-            (
-                sharp,
-                "a hinge of inner radius 0 turns on a point, where pull and stretch have no largest value: those given are of \
-                 the finest mesh"
-                    .to_owned(),
-            ),
-            (
-                measured.known_stiffness().is_none(),
-                "the radial stiffness differs between the meshes: use finer ones".to_owned(),
-            ),
-            (
-                radius.error > 0.05 * radius.value,
-                format!("the final radius has a mesh error of {:.2} mm: use finer meshes", radius.error),
-            ),
-        ];
-        candidates.into_iter().filter(|(holds, _)| *holds).map(|(_, text)| text).collect()
-    }
+        ),
+        (
+            case.peel.is_some_and(|peel| pull > peel) && !sharp,
+            format!("the pull on the seal is {:.2} N/mm, which is more than its strength", 1e-3 * pull),
+        ),
+        (
+            sharp,
+            "a hinge of inner radius 0 turns on a point, where pull and stretch have no largest value: those given are of \
+             the finest mesh"
+                .to_owned(),
+        ),
+        (
+            measured.known_stiffness().is_none(),
+            "the radial stiffness differs between the meshes: use finer ones".to_owned(),
+        ),
+        (
+            radius.error > 0.05 * radius.value,
+            format!("the final radius has a mesh error of {:.2} mm: use finer meshes", radius.error),
+        ),
+    ];
+    candidates.into_iter().filter(|(holds, _)| *holds).map(|(_, text)| text).collect()
 }
 
 /// A warning where the force falls while objects (radius in mm, force in N) open the star further: the rim of the corners snaps inwards, their

@@ -129,16 +129,8 @@ fn feasible(
     let asked = requirements.constraints(&base, SEARCHED_MARGIN);
     let (base, bounds) = (&base, &bounds);
     let search = |constraints: &Constraints| {
-        DesignSearch {
-            base,
-            bounds,
-            constraints,
-            goal: Goal::Fabric,
-            table: ring,
-            effort: SearchEffort::QUICK,
-            cancel: None,
-        }
-        .run()
+        let search = DesignSearch::new(base, bounds, constraints, Goal::Fabric, ring);
+        DesignSearch { effort: SearchEffort::QUICK, ..search }.run()
     };
     let found = search(&asked);
     let mut met = round(&found);

@@ -116,15 +116,8 @@ fn heaviest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> 
     let base = requirements.candidate(base);
     let bounds = SearchBounds { stars: 1..=MOST_STARS, ..requirements.bounds(&base)? };
     let constraints = Constraints { payload: None, ..requirements.constraints(&base, 1.0) };
-    let search = DesignSearch {
-        base: &base,
-        bounds: &bounds,
-        constraints: &constraints,
-        goal: Goal::Payload,
-        table: ring,
-        effort: SearchEffort::QUICK,
-        cancel: None,
-    };
+    let search = DesignSearch::new(&base, &bounds, &constraints, Goal::Payload, ring);
+    let search = DesignSearch { effort: SearchEffort::QUICK, ..search };
     let most = search.run().best.into_iter().find(|one| one.violation == 0.0)?;
     Some(sure_payload(&most.point, &most.answer)? / SEARCHED_MARGIN)
 }

@@ -1,15 +1,15 @@
-//! Rows as columns of numbers, computed in parallel, in order.
+//! Rows as columns of numbers, computed in parallel, in order; slow rows one by one.
 
 use crate::forecast::candidate::Candidate;
 use crate::forecast::study::Study;
 use crate::forecast::study::answers::RowRefusal;
-use crate::forecast::study::columns::ColumnKind;
-use crate::forecast::study::output::StudyRow;
+use crate::forecast::study::output::{ColumnKind, StudyRow};
 use crate::spec::study::KeyValue;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Rows that one task computes: long enough to hide the hand-over, short enough that all threads end together.
 const CHUNK: usize = 1024;
@@ -65,51 +65,9 @@ impl ColumnValues {
             (_, own) => own.push_number(f64::NAN),
         }
     }
-
-    /// Adds the values of `other`, which is of the same kind.
-    pub(super) fn append(&mut self, other: Self) {
-        match (self, other) {
-            (Self::Real(own), Self::Real(mut other)) => own.append(&mut other),
-            (Self::Whole(own), Self::Whole(mut other)) => own.append(&mut other),
-            (Self::Text(own), Self::Text(mut other)) => own.append(&mut other),
-            _ => {}
-        }
-    }
-
-    /// Number of values.
-    pub fn len(&self) -> usize {
-        match self {
-            Self::Real(values) => values.len(),
-            Self::Whole(values) => values.len(),
-            Self::Text(values) => values.len(),
-        }
-    }
-
-    /// Whether the batch has no rows.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
 }
 
 impl Study {
-    /// The rows `rows`, those beyond the last left out, computed in parallel; `None` if `cancel` was raised meanwhile.
-    pub fn batch(&self, rows: Range<usize>, cancel: &Arc<AtomicBool>) -> Option<RowBatch> {
-        let rows = rows.start.min(self.rows())..rows.end.min(self.rows());
-        let chunks: Vec<RowBatch> = self
-            .chunks(&rows)
-            .into_par_iter()
-            .map(|chunk| self.chunk(chunk, cancel))
-            .collect::<Option<_>>()?;
-        let empty = self.columns.iter().map(|column| ColumnValues::new(column.kind, rows.len())).collect();
-        let mut whole = RowBatch { rows, columns: empty };
-        for chunk in chunks {
-            for (column, more) in whole.columns.iter_mut().zip(chunk.columns) {
-                column.append(more);
-            }
-        }
-        Some(whole)
-    }
-
     /// Applies `make` to `rows` in parallel, and passes the results in order to `take` with the number of rows, while the next
     /// are computed; `take` may stop by returning false. Memory does not grow with the study. Returns whether it ran to the end.
     pub fn run<T: Send>(
@@ -210,5 +168,44 @@ impl Study {
         }
         next(&|column| word(column, refused.map(|refused| refused.text.as_str())));
         Some(())
+    }
+}
+
+impl Study {
+    /// Computes each of `rows` in parallel, and hands it to `take` as a batch of one when it is there, in no order; `take` may stop
+    /// by returning false. Returns whether it was done.
+    pub fn each(
+        &self,
+        rows: impl Iterator<Item = usize> + Send,
+        cancel: &Arc<AtomicBool>,
+        take: impl FnMut(RowBatch) -> bool + Send,
+    ) -> bool {
+        let take = Mutex::new(take);
+        let one = |row: usize| {
+            let batch = self.chunk(row..row + 1, cancel)?;
+            let mut take = take.lock().unwrap_or_else(PoisonError::into_inner);
+            take(batch).then_some(())
+        };
+        rows.par_bridge().try_for_each(one).is_some()
+    }
+
+    /// The same in order: those that are too early wait for those before them.
+    pub(super) fn run_slowly(
+        &self,
+        rows: Range<usize>,
+        cancel: &Arc<AtomicBool>,
+        mut take: impl FnMut(RowBatch) -> bool + Send,
+    ) -> bool {
+        let (mut next, mut early) = (rows.start, BTreeMap::new());
+        self.each(rows, cancel, |batch| {
+            let _ = early.insert(batch.rows.start, batch);
+            while let Some(batch) = early.remove(&next) {
+                next += 1;
+                if !take(batch) {
+                    return false;
+                }
+            }
+            true
+        })
     }
 }

@@ -1,7 +1,7 @@
 //! Single rows as lossless texts, for callers that collect them until a study is complete.
 
 use crate::forecast::study::batch::{ColumnValues, RowBatch};
-use crate::forecast::study::columns::{Column, ColumnKind};
+use crate::forecast::study::output::{Column, ColumnKind};
 
 /// The cells of the first row of `batch`; `None` for an empty cell.
 pub fn cells(batch: &RowBatch) -> Vec<Option<String>> {

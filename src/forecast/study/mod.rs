@@ -8,25 +8,21 @@
 //! | [`crate::spec::study`] | the study file |
 //! | `designs` | the design of row i |
 //! | `answers` | the values of its model |
-//! | [`columns`], `output`, `outputs`, `shell_outputs`, `wanted` | the values of a row, with their units |
-//! | [`batch`], `slow` | rows as columns of numbers, computed in parallel; rows that take seconds each |
+//! | `output`, `outputs`, `wanted` | the values of a row, with their units |
+//! | [`batch`] | rows as columns of numbers, computed in parallel; rows that take seconds each |
 //! | [`csv`], [`checkpoint`] | batches as bytes; single rows as lossless texts |
 
 mod answers;
 pub mod batch;
 pub mod checkpoint;
-pub mod columns;
 pub mod csv;
 mod designs;
-mod figure;
 mod output;
 mod outputs;
-mod shell_outputs;
-mod slow;
 mod wanted;
 
 pub use batch::{ColumnValues, RowBatch};
-pub use columns::{Column, ColumnKind};
+pub use output::{Column, ColumnKind};
 
 use crate::digest::of_parts;
 use crate::forecast::candidate::{Candidate, RefusedDesign};
@@ -113,7 +109,7 @@ impl Study {
     ) -> Result<Self, String> {
         let ring = RingTable::new().map_err(|fault| fault.to_string())?;
         let codes = detail.is_some();
-        let columns = columns::columns(designs.blocks(), &outputs, codes);
+        let columns = output::columns(designs.blocks(), &outputs, codes);
         Ok(Self { designs, outputs, columns, codes, models: Models { ring, detail }, is_slow })
     }
 

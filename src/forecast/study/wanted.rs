@@ -1,19 +1,18 @@
 //! The columns of a study.
 
 use crate::forecast::study::output::{ModelKinds, OutputColumn};
-use crate::forecast::study::outputs::OUTPUTS;
-use crate::forecast::study::shell_outputs::SHELL_OUTPUTS;
+use crate::forecast::study::outputs::{MORE, PLAIN, SHELL_OUTPUTS};
 use crate::spec::study::Wanted;
 use crate::spec::{Fault, FaultCode, Faults, Source, nearest};
 
 /// Every column, in order.
 fn every() -> impl Iterator<Item = &'static OutputColumn> {
-    OUTPUTS.iter().chain(&SHELL_OUTPUTS)
+    PLAIN.iter().chain(&MORE).chain(&SHELL_OUTPUTS)
 }
 
 /// The columns that `sweep --vary` has.
 pub(super) fn plain() -> Vec<&'static OutputColumn> {
-    OUTPUTS.iter().filter(|output| output.plain).collect()
+    PLAIN.iter().collect()
 }
 
 /// All columns that one of the models in `asked` has.

@@ -3,7 +3,6 @@
 //! A new key is added in three steps: a field in [`Machine`]'s part, a line in the file that reads this part (which registers the
 //! key and gives its range), and a commented line in each profile that needs it.
 
-mod bench;
 mod builtin;
 mod controller;
 mod known;
@@ -13,16 +12,17 @@ mod motion;
 mod process;
 mod script;
 
+use std::fmt;
+
 use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
 use crate::spec::foreign::Document;
 use crate::spec::machine::{Controller, Machine};
 use crate::spec::name::misleads;
-use crate::spec::profile::bench::read_bench;
 use crate::spec::profile::controller::{read_controller, read_dwells};
 use crate::spec::profile::motion::read_motion;
-use crate::spec::profile::process::{read_process, read_tip};
+use crate::spec::profile::process::{read_bench, read_process, read_tip};
 use crate::spec::profile::script::{Stated, read_script};
 use crate::spec::reading::{read_name, read_schema, read_with};
 use crate::spec::section::{Reader, Section};
@@ -68,6 +68,32 @@ fn read_description(root: &mut Section<'_, '_>) -> String {
         root.report(fault);
     }
     text.to_owned()
+}
+
+/// No machine of this name comes with the program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownMachine(pub String);
+
+impl fmt::Display for UnknownMachine {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let known: Vec<&str> = builtin_machines().collect();
+        write!(f, "no machine {:?} comes with the program; there are {}", self.0, known.join(", "))
+    }
+}
+
+impl std::error::Error for UnknownMachine {}
+
+impl Machine {
+    /// The machine that comes with the program under `name`: "generic", "grbl" and so on, as [`builtin_machines`] lists.
+    ///
+    /// # Errors
+    /// If there is no such machine.
+    pub fn builtin(name: &str) -> Result<Self, UnknownMachine> {
+        let text = builtin_machine(name);
+        // A profile of our own that does not read is a fault of this program; a test reads each of them.
+        let machine = text.and_then(|text| read_machine(&Source::new(name, text)).ok());
+        machine.ok_or_else(|| UnknownMachine(name.to_owned()))
+    }
 }
 
 #[cfg(test)]
@@ -156,5 +182,19 @@ mod tests {
         assert_eq!(codes("x = \"unknown\"", "x = \"60 cm\""), ["conflict"]);
         assert_eq!(codes("x = \"unknown\"", "x = 600"), ["conflict", "no-unit"]);
         assert_eq!(codes("x = \"unknown\"\ny = \"unknown\"", ""), [""; 0]);
+    }
+}
+
+#[cfg(test)]
+mod builtin_tests {
+    use super::*;
+
+    #[test]
+    fn every_listed_machine_is_there_and_no_other() {
+        for name in builtin_machines() {
+            assert!(Machine::builtin(name).is_ok(), "{name}");
+        }
+        let fault = Machine::builtin("grlb").expect_err("a typo");
+        assert!(fault.to_string().contains("\"grlb\"") && fault.to_string().contains("grbl, "), "{fault}");
     }
 }

@@ -5,12 +5,9 @@
 //! fastest.
 
 mod axis;
-mod draw;
 mod field;
-mod leaves;
 mod reading;
 
-pub use axis::{Axis, Block, MOST_VALUES};
-pub use draw::Draw;
+pub use axis::{Axis, Block, Draw, MOST_VALUES};
 pub use field::{Field, KeyValue};
 pub use reading::{StudyFile, Wanted, read_study};

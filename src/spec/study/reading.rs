@@ -11,10 +11,8 @@ use crate::spec::reading::{read_schema, read_with};
 use crate::spec::section::{Reader, Section};
 use crate::spec::shape::ValueShape;
 use crate::spec::source::Source;
-use crate::spec::study::axis::{Axis, Block, MOST_VALUES, between, counted_out};
-use crate::spec::study::draw::Draw;
-use crate::spec::study::field::{Field, KeyValue};
-use crate::spec::study::leaves::{Leaf, leaves};
+use crate::spec::study::axis::{Axis, Block, Draw, MOST_VALUES, between, counted_out};
+use crate::spec::study::field::{Field, KeyValue, Leaf, leaves};
 use crate::spec::value::{RawKind, RawValue};
 use crate::spec::{FaultCode, KeyPath, misleads};
 

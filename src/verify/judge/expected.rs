@@ -1,10 +1,11 @@
-//! The expected content of a build's files.
+//! The expected content of a build's files, and the files in memory.
 
 use crate::design::Design;
 use crate::forecast::drawn::prediction::DrawnPrediction;
 use crate::forecast::prediction::Prediction;
 use crate::manifest::Manifest;
 use crate::spec::{Machine, Spec};
+use std::borrow::Cow;
 
 /// Everything that the files of a build must agree with. None of it was read from them but the spec and the profile.
 #[derive(Clone, Copy, Debug)]
@@ -21,4 +22,18 @@ pub struct Expected<'a> {
     pub drawn: Option<&'a DrawnPrediction>,
     /// The figures that the manifest should give; its list of files does not matter.
     pub manifest: &'a Manifest,
+}
+
+/// The files of an output directory, by name.
+#[derive(Clone, Debug, Default)]
+pub struct OutputFiles<'a> {
+    /// (name, content), in any order.
+    pub files: Vec<(Cow<'a, str>, Cow<'a, [u8]>)>,
+}
+
+impl OutputFiles<'_> {
+    /// The content of the file called `name`.
+    pub fn get(&self, name: &str) -> Option<&[u8]> {
+        self.files.iter().find(|(known, _)| known == name).map(|(_, bytes)| bytes.as_ref())
+    }
 }

@@ -16,7 +16,6 @@ mod script;
 mod seams;
 pub(in crate::verify) mod stroke;
 pub(in crate::verify) mod task;
-mod travel;
 mod travel_order;
 
 use crate::verify::Findings;

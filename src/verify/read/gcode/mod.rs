@@ -6,10 +6,7 @@
 //! by line and reports **events**. It holds one line at a time, and so do the judges; a
 //! **program** is the list of all events of a file, for those that fit into memory.
 
-mod arc;
 mod block;
-mod comment;
-mod dialect;
 mod dialects;
 mod event;
 mod interpreter;
@@ -18,8 +15,7 @@ mod machine;
 mod modes;
 mod program;
 
-pub use comment::Comment;
-pub use dialect::{ArcTolerance, CommentMark, Dialect, DwellUnit};
-pub use event::{BlindMove, Dwell, Event, Heat, Move, MoveKind, Pause, Point3};
+pub use dialects::{ArcTolerance, CommentMark, Dialect, DwellUnit};
+pub use event::{BlindMove, Comment, Dwell, Event, Heat, Move, MoveKind, Pause, Point3};
 pub use interpreter::Interpreter;
 pub use program::{Line, Program, each_line, read_program};

@@ -2,7 +2,6 @@
 
 use crate::verify::finding::quote;
 use crate::verify::read::pdf::object::{PdfObject, PdfScan};
-use crate::verify::read::pdf::page::PdfPage;
 use crate::verify::{Drawing, FindingCode, Findings};
 use inflatable::geom::{Arc, Bounds, Line, Path, Point, Segment};
 
@@ -232,4 +231,19 @@ impl PdfPen<'_> {
             self.findings.add(FindingCode::UnknownWord, "a path that is not drawn", "a clip, or a stroke");
         }
     }
+}
+
+/// One page of a PDF, in mm from its lower left corner.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PdfPage {
+    /// Width and height.
+    pub size: (f64, f64),
+    /// The lines and curves, by marked content; those outside any are under "".
+    pub drawing: Drawing,
+    /// Layer, width in user units and grey of every stroke.
+    pub strokes: Vec<(String, Option<f64>, Option<f64>)>,
+    /// The operators that do not build paths, in order.
+    pub operators: Vec<String>,
+    /// The visible regions of every clipped layer.
+    pub clips: Vec<(String, Bounds)>,
 }

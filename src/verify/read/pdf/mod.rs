@@ -5,14 +5,13 @@
 
 mod content;
 mod object;
-mod page;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::verify::read::pdf::object::{PdfObject, PdfScan};
 use crate::verify::{FindingCode, Findings};
 
-pub use page::PdfPage;
+pub use content::PdfPage;
 
 /// Millimetres in a point.
 const POINT: f64 = 25.4 / 72.0;
