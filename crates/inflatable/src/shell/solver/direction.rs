@@ -2,20 +2,15 @@
 //!
 //! Where the Hessian is not positive definite, a shift is added to its diagonal. Where it hardly changes, the factor of an earlier one is kept.
 
+use crate::shell::solver::experience::{Experience, STEP_ACCURACY, least_shift};
 use crate::shell::solver::factor::EXACT;
 use crate::shell::solver::newton::{Aim, Solver, Stop};
 
-/// Accuracy of a step, relative: near an equilibrium each leaves about a thousandth of the residual.
-const STEP_ACCURACY: f64 = 1e-6;
-/// The same far from one.
-const ROUGH_ACCURACY: f64 = 1e-2;
 /// Fall of the residual in the last step below which the factor is kept, and iterations of a solution with it: fewer than cost as much as a
 /// new factor.
 const KEPT: f64 = 0.1;
 const MOST_KEPT: u32 = 10;
-/// Shift by the pressure: the least one, and by it the largest one. The smallest triangles at a sharp rim have a millionth of W^2, and are as
-/// stiff as any.
-const LEAST_SHIFT: f64 = 0.01;
+/// The largest shift over the least one: the smallest triangles at a sharp rim have a millionth of W^2, and are as stiff as any.
 const MOST_SHIFT: f64 = 1e14;
 /// Factor from shift to shift in a search, and the largest shift over the least one at which a search begins.
 const GROWTH: f64 = 4.0;
@@ -24,47 +19,6 @@ const MOST_FIRST: f64 = 1e5;
 const DECAY: f64 = 6.0;
 const DECAY_WELL: f64 = 1000.0;
 const WELL: f64 = 0.3;
-
-/// What the steps so far say about the next one.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Experience {
-    /// The shift of the last step.
-    pub(super) shift: f64,
-    /// The shift that the last search found.
-    found: f64,
-    /// The residual, and its part that the last step left.
-    residual: f64,
-    fall: f64,
-    /// The residual that a linear sheet would have now.
-    linear: f64,
-    /// The accuracy that the next step deserves, relative.
-    accuracy: f64,
-}
-
-impl Experience {
-    pub(super) const NONE: Self =
-        Self { shift: 0.0, found: 0.0, residual: 0.0, fall: 1.0, linear: 0.0, accuracy: ROUGH_ACCURACY };
-
-    /// Forgets the residuals: load or stiffness change.
-    pub(super) fn begin(&mut self) {
-        (self.residual, self.fall) = (f64::INFINITY, 1.0);
-    }
-
-    /// Compares the residual after a step with the one before and with that of a linear sheet: choice 1 of Eisenstat and Walker, "Choosing the
-    /// forcing terms in an inexact Newton method" (1996).
-    pub(super) fn see(&mut self, residual: f64) {
-        let is_first = self.residual == f64::INFINITY;
-        let missed = if is_first { 1.0 } else { (residual - self.linear).abs() / self.residual };
-        self.accuracy = missed.clamp(STEP_ACCURACY, ROUGH_ACCURACY);
-        self.fall = if is_first { 1.0 } else { (residual / self.residual).min(1.0) };
-        self.residual = residual;
-    }
-}
-
-/// The least shift at `pressure`.
-pub(super) fn least_shift(pressure: f64) -> f64 {
-    LEAST_SHIFT * pressure
-}
 
 impl Solver {
     /// Writes a direction of descent to `step`.

@@ -4,6 +4,7 @@ mod continuation;
 mod direction;
 mod displacement_control;
 mod eigenvalue;
+mod experience;
 mod factor;
 mod newton;
 mod rounds;

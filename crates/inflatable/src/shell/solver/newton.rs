@@ -3,8 +3,8 @@
 use crate::numerics::dot;
 use crate::shell::assembly::{Assembly, Compression, Energy, Sheet, State, Supports, Tangent};
 use crate::shell::contact::Contact;
-use crate::shell::solver::direction::{Experience, least_shift};
 use crate::shell::solver::displacement_control::{ControlledSolve, DisplacementControl};
+use crate::shell::solver::experience::{Experience, least_shift};
 use crate::shell::solver::factor::{EXACT, Factor};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

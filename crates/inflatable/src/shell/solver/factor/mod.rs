@@ -18,7 +18,7 @@ mod tree;
 
 use crate::shell::solver::factor::matrix::Matrix;
 use crate::shell::solver::factor::numeric::Numeric;
-use crate::shell::solver::factor::refine::{Outcome, Refinement};
+use crate::shell::solver::factor::refine::{Convergence, Refinement};
 use crate::shell::solver::factor::symbolic::Symbolic;
 use crate::shell::solver::factor::tree::Lists;
 
@@ -115,7 +115,7 @@ impl Factor {
 
     /// The same in `most` iterations; false, and no solution, if they do not suffice or the matrix is not positive definite.
     pub(crate) fn solve_within(&mut self, most: u32, rhs: &mut [f64], accuracy: f64) -> bool {
-        self.refine(rhs, accuracy, most) == Outcome::Solved
+        self.refine(rhs, accuracy, most) == Convergence::Reached
     }
 
     /// The norm of what the last solution leaves of its right side.
@@ -132,16 +132,16 @@ impl Factor {
         let mut probe: Vec<f64> = (1_u32..).take(self.scale.len()).map(|k| libm::sin(f64::from(k))).collect();
         probe.iter_mut().zip(&self.scale).for_each(|(x, scale)| *x /= scale);
         match self.refine(&mut probe, EXACT, MOST_ITERATIONS) {
-            Outcome::Solved => true,
-            Outcome::BendsDown => false,
-            Outcome::Unsolved => self.compute_double(),
+            Convergence::Reached => true,
+            Convergence::Indefinite => false,
+            Convergence::Missed => self.compute_double(),
         }
     }
 
-    fn refine(&mut self, rhs: &mut [f64], accuracy: f64, most: u32) -> Outcome {
+    fn refine(&mut self, rhs: &mut [f64], accuracy: f64, most: u32) -> Convergence {
         if let Some(double) = self.double.as_mut().filter(|_| self.is_double) {
             double.solve(&self.symbolic, rhs);
-            return Outcome::Solved;
+            return Convergence::Reached;
         }
         let Self { symbolic, matrix, single, scale, refinement, .. } = self;
         refinement.solve(matrix, rhs, (accuracy, most), |vector| {

@@ -5,14 +5,14 @@ use crate::shell::solver::factor::matrix::Matrix;
 
 /// How an iteration ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Outcome {
+pub(super) enum Convergence {
     /// The vector is the solution.
-    Solved,
+    Reached,
     /// It is not yet.
-    Unsolved,
+    Missed,
     /// The matrix is not positive definite in a direction that the iteration took: rounding had hidden that from the factor. The vector is a
     /// direction of descent.
-    BendsDown,
+    Indefinite,
 }
 
 /// The vectors of an iteration.
@@ -41,7 +41,7 @@ impl Refinement {
         vector: &mut [f64],
         (accuracy, most): (f64, u32),
         mut precondition: impl FnMut(&mut [f64]),
-    ) -> Outcome {
+    ) -> Convergence {
         let Self { residual, conditioned, direction, product } = self;
         residual.copy_from_slice(vector);
         conditioned.copy_from_slice(vector);
@@ -58,7 +58,7 @@ impl Refinement {
                 if iteration == 0 {
                     vector.copy_from_slice(direction);
                 }
-                return if square == 0.0 { Outcome::Solved } else { Outcome::BendsDown };
+                return if square == 0.0 { Convergence::Reached } else { Convergence::Indefinite };
             }
             let length = square / curvature;
             for ((x, r), (d, p)) in vector.iter_mut().zip(&mut *residual).zip(direction.iter().zip(&*product))
@@ -70,12 +70,12 @@ impl Refinement {
             precondition(conditioned);
             let left = dot(residual, conditioned);
             if left <= accuracy * accuracy * first {
-                return Outcome::Solved;
+                return Convergence::Reached;
             }
             let kept = left / square;
             square = left;
             direction.iter_mut().zip(&*conditioned).for_each(|(d, z)| *d = z + kept * *d);
         }
-        Outcome::Unsolved
+        Convergence::Missed
     }
 }
