@@ -45,13 +45,15 @@ impl Solver {
 
     /// Whether the present Hessian is positive definite.
     pub(super) fn is_stable(&mut self) -> bool {
-        self.keeps_factor() && self.factor.is_confirmed() || self.compute(0.0) && self.factor.is_confirmed()
+        self.keeps_factor() && self.factor.is_confirmed()
+            || self.compute(0.0, true) && self.factor.is_confirmed()
     }
 
-    /// Factors the present Hessian; false if it is not positive definite where the lever holds.
-    pub(super) fn compute(&mut self, shift: f64) -> bool {
+    /// Factors the present Hessian; false if it is not positive definite where the lever holds, which double precision decides if asked.
+    pub(super) fn compute(&mut self, shift: f64, asks_double: bool) -> bool {
         self.effort.factors += 1;
-        if !self.factor.compute(self.assembly.hessian().2, shift, &self.springs) {
+        let is_single = self.factor.compute(self.assembly.hessian().2, shift, &self.springs);
+        if !is_single && !(asks_double && self.factor.compute_double()) {
             return false;
         }
         let Some(lever) = &self.lever else { return true };
@@ -75,14 +77,16 @@ impl Solver {
         if shift < least {
             shift = 0.0;
         }
+        // A shift may be larger than needed, so that far from an equilibrium double precision is not worth its time.
+        let is_near = fall < WELL || least == 0.0;
         let mut is_searched = false;
-        while !self.compute(shift) {
+        while !self.compute(shift, shift == 0.0 && is_near) {
             shift = (GROWTH * shift).max(least);
             if !is_searched {
                 shift = shift.max((found / GROWTH).min(MOST_FIRST * least));
                 is_searched = true;
             }
-            if shift > MOST_SHIFT * least {
+            if shift >= MOST_SHIFT * least {
                 self.experience.shift = 0.0;
                 return Err(Stop::Shift);
             }

@@ -213,7 +213,7 @@ impl Solver {
     /// Moves an equilibrium to where the lever's function is larger by `by`, along the sheet's compliance.
     pub fn pull(&mut self, state: &mut State, aim: Aim, by: f64) -> bool {
         let _ = self.linearise(state, aim.pressure);
-        let is_stable = self.compute(0.0);
+        let is_stable = self.compute(0.0, true);
         if is_stable && self.lever.is_some() {
             self.assembly.advance(state, &self.held.answer, by / self.held.gives);
         }

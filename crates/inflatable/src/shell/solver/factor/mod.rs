@@ -5,7 +5,7 @@
 //!
 //! The factor is in single precision, which takes half the time, and conjugate gradients bring a solution to double precision (Arioli and
 //! Duff, "Using FGMRES to obtain backward stability in mixed precision", 2009). Where single precision finds no factor, double precision
-//! decides whether the matrix is positive definite.
+//! can decide whether the matrix is positive definite.
 
 mod dense;
 mod matrix;
@@ -66,17 +66,22 @@ impl Factor {
         self.symbolic.size
     }
 
-    /// Factors the matrix with `shift[k]` times `factor` added to its diagonal; false if that is not positive definite.
+    /// Factors the matrix with `shift[k]` times `factor` added to its diagonal, in single precision; false if there is no such factor.
     pub(crate) fn compute(&mut self, values: &[f64], factor: f64, shift: &[f64]) -> bool {
         self.matrix.values.copy_from_slice(values);
         if factor != 0.0 {
             self.matrix.shift_diagonal(factor, shift);
         }
         self.is_double = false;
-        let is_single = self.compute_single();
-        self.is_plain = is_single && factor == 0.0;
-        // A shift may be larger than needed, so that only without one double precision is worth its time.
-        is_single || factor == 0.0 && self.compute_double()
+        let Self { matrix, scale, .. } = self;
+        for (scale, &place) in scale.iter_mut().zip(&matrix.lower.starts) {
+            *scale = 1.0 / matrix.values[place].sqrt();
+        }
+        let scaled = matrix.entries().map(|(row, column, value)| value * scale[row] * scale[column]);
+        self.single.load(&self.symbolic, scaled);
+        let is_definite = self.single.compute(&self.symbolic);
+        self.is_plain = is_definite && factor == 0.0;
+        is_definite
     }
 
     /// Replaces the matrix by one near to it and keeps the factor, with which solutions take more iterations; false if the factor is not of a
@@ -88,17 +93,9 @@ impl Factor {
         self.is_plain
     }
 
-    fn compute_single(&mut self) -> bool {
-        let Self { matrix, scale, .. } = self;
-        for (scale, &place) in scale.iter_mut().zip(&matrix.lower.starts) {
-            *scale = 1.0 / matrix.values[place].sqrt();
-        }
-        let scaled = matrix.entries().map(|(row, column, value)| value * scale[row] * scale[column]);
-        self.single.load(&self.symbolic, scaled);
-        self.single.compute(&self.symbolic)
-    }
-
-    fn compute_double(&mut self) -> bool {
+    /// Factors the same matrix in double precision, which decides where single precision found no factor; false if it is not positive
+    /// definite.
+    pub(crate) fn compute_double(&mut self) -> bool {
         if self.double.is_none() {
             self.double = Numeric::new(&self.symbolic);
         }
