@@ -53,7 +53,8 @@ impl Solver {
     pub(super) fn compute(&mut self, shift: f64, asks_double: bool) -> bool {
         self.effort.factors += 1;
         let is_single = self.factor.compute(self.assembly.hessian().2, shift, &self.springs);
-        if !is_single && !(asks_double && self.factor.compute_double()) {
+        let is_definite = is_single || asks_double && self.factor.compute_double();
+        if !is_definite {
             return false;
         }
         let Some(lever) = &self.lever else { return true };
