@@ -3,7 +3,6 @@
 //! Where the Hessian is not positive definite, a shift is added to its diagonal. Where it hardly changes, the factor of an earlier one is kept.
 
 use crate::shell::solver::experience::{Experience, STEP_ACCURACY, least_shift};
-use crate::shell::solver::factor::EXACT;
 use crate::shell::solver::newton::{Aim, Solver, Stop};
 
 /// Fall of the residual in the last step below which the factor is kept, and iterations of a solution with it: fewer than cost as much as a
@@ -23,24 +22,25 @@ const WELL: f64 = 0.3;
 impl Solver {
     /// Writes a direction of descent to `step`.
     pub(super) fn find_step(&mut self, aim: Aim) -> Result<(), Stop> {
-        let accuracy = self.experience.accuracy;
-        if self.keeps_factor() {
+        if !self.finds_step_with_kept_factor() {
+            self.shift(least_shift(aim.pressure))?;
             self.load_forces();
-            if self.factor.solve_within(MOST_KEPT, &mut self.step, accuracy) {
-                self.experience.linear = self.factor.left();
-                return Ok(());
+            let accuracy = if self.lever.is_some() { STEP_ACCURACY } else { self.experience.accuracy };
+            self.factor.solve(&mut self.step, accuracy);
+            if let Some(lever) = &self.lever {
+                let _ = lever.constrain(&self.assembly, &self.held, &mut self.step);
             }
         }
-        self.shift(least_shift(aim.pressure))?;
-        self.load_forces();
-        let Some(lever) = &self.lever else {
-            self.factor.solve(&mut self.step, accuracy);
-            self.experience.linear = self.factor.left();
-            return Ok(());
-        };
-        self.factor.solve(&mut self.step, STEP_ACCURACY);
-        let _ = lever.constrain(&self.assembly, &self.held, &mut self.step);
+        self.experience.linear = self.factor.left();
         Ok(())
+    }
+
+    fn finds_step_with_kept_factor(&mut self) -> bool {
+        if !self.keeps_factor() {
+            return false;
+        }
+        self.load_forces();
+        self.factor.solve_within(MOST_KEPT, &mut self.step, self.experience.accuracy)
     }
 
     /// Whether the present Hessian is positive definite.
@@ -103,10 +103,5 @@ impl Solver {
         for (step, slope) in self.step.iter_mut().zip(self.assembly.gradient()) {
             *step = -slope;
         }
-    }
-
-    /// Solves with the unshifted Hessian of the last equilibrium.
-    pub fn solve(&mut self, rhs: &mut [f64]) {
-        self.factor.solve(rhs, EXACT);
     }
 }

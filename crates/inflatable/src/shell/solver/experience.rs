@@ -14,8 +14,8 @@ pub(super) struct Experience {
     pub(super) shift: f64,
     /// The shift that the last search found.
     pub(super) found: f64,
-    /// The residual, and its part that the last step left.
-    residual: f64,
+    /// The residual, if one was seen since [`Experience::begin`], and its part that the last step left.
+    residual: Option<f64>,
     pub(super) fall: f64,
     /// The residual that a linear sheet would have now.
     pub(super) linear: f64,
@@ -25,21 +25,20 @@ pub(super) struct Experience {
 
 impl Experience {
     pub(super) const NONE: Self =
-        Self { shift: 0.0, found: 0.0, residual: 0.0, fall: 1.0, linear: 0.0, accuracy: ROUGH_ACCURACY };
+        Self { shift: 0.0, found: 0.0, residual: None, fall: 1.0, linear: 0.0, accuracy: ROUGH_ACCURACY };
 
     /// Forgets the residuals: load or stiffness change.
     pub(super) fn begin(&mut self) {
-        (self.residual, self.fall) = (f64::INFINITY, 1.0);
+        *self = Self { shift: self.shift, found: self.found, ..Self::NONE };
     }
 
     /// Compares the residual after a step with the one before and with that of a linear sheet: choice 1 of Eisenstat and Walker, "Choosing the
     /// forcing terms in an inexact Newton method" (1996).
     pub(super) fn see(&mut self, residual: f64) {
-        let is_first = self.residual == f64::INFINITY;
-        let missed = if is_first { 1.0 } else { (residual - self.linear).abs() / self.residual };
-        self.accuracy = missed.clamp(STEP_ACCURACY, ROUGH_ACCURACY);
-        self.fall = if is_first { 1.0 } else { (residual / self.residual).min(1.0) };
-        self.residual = residual;
+        if let Some(before) = self.residual.replace(residual) {
+            self.accuracy = ((residual - self.linear).abs() / before).clamp(STEP_ACCURACY, ROUGH_ACCURACY);
+            self.fall = (residual / before).min(1.0);
+        }
     }
 }
 

@@ -87,10 +87,11 @@ impl Factor {
     /// Replaces the matrix by one near to it and keeps the factor, with which solutions take more iterations; false if the factor is not of a
     /// kind to be kept.
     pub(crate) fn keep_for(&mut self, values: &[f64]) -> bool {
-        if self.is_plain {
+        let is_kept = self.is_plain && !self.is_double;
+        if is_kept {
             self.matrix.values.copy_from_slice(values);
         }
-        self.is_plain
+        is_kept
     }
 
     /// Factors the same matrix in double precision, which decides where single precision found no factor; false if it is not positive
