@@ -1,7 +1,8 @@
 //! The sheet's energy as a sum over its triangles, with gradient and Hessian by its unknowns.
 //!
 //! U = U_membrane + U_bending - p V. A `Sheet` never changes in a solve, `Supports` constrain its points, a `State` is a shape
-//! of it. An `Assembly` owns every buffer: no memory is allocated in an iteration. Sums run in the order of triangles.
+//! of it. An `Assembly` owns every large buffer: none is allocated in an iteration. Sums run in the order of triangles; those of the Hessian
+//! run over both halves of the triangles at the same time, and are then added, so that results are the same on any number of threads.
 
 mod kinks;
 mod local;
@@ -23,6 +24,7 @@ use crate::shell::assembly::sheet::{Beyond, Piece};
 use crate::shell::element::fold::{Facet, fold, mirror_fold};
 use crate::shell::element::vector::{dot, minus};
 use crate::shell::element::{LAST, NEXT, volume};
+use std::ops::Range;
 
 /// The parts of a shape's energy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -65,7 +67,8 @@ pub struct Assembly {
     gradient: Vec<f64>,
     /// The lower triangle's values, and a last one that collects the unused entries.
     values: Vec<f64>,
-    local: Box<Local>,
+    /// The same of the second half of the triangles.
+    second_values: Vec<f64>,
 }
 
 impl Assembly {
@@ -90,7 +93,7 @@ impl Assembly {
             leaning: vec![0.0; sheet.edge_count],
             gradient: vec![0.0; numbering.count],
             values: vec![0.0; pattern.rows.len() + 1],
-            local: Box::new([[0.0; LOCAL]; LOCAL]),
+            second_values: vec![0.0; pattern.rows.len() + 1],
             sheet,
             supports,
             numbering,
@@ -211,22 +214,44 @@ impl Assembly {
     /// The energy of `state` under `pressure`, its gradient and its Hessian.
     pub fn linearise(&mut self, state: &State, pressure: f64, tangent: Tangent) -> Energy {
         let energy = self.differentiate(state, pressure);
-        self.values.fill(0.0);
-        for (t, piece) in self.sheet.pieces.iter().enumerate() {
+        let half = self.sheet.pieces.len() / 2;
+        let (mut values, mut second) =
+            (std::mem::take(&mut self.values), std::mem::take(&mut self.second_values));
+        let _ = rayon::join(
+            || self.add_hessians(0..half, state, pressure, tangent, &mut values),
+            || self.add_hessians(half..self.sheet.pieces.len(), state, pressure, tangent, &mut second),
+        );
+        values.iter_mut().zip(&second).for_each(|(value, second)| *value += second);
+        (self.values, self.second_values) = (values, second);
+        self.add_kinks();
+        energy
+    }
+
+    /// Writes the Hessians of some triangles to `values`.
+    fn add_hessians(
+        &self,
+        triangles: Range<usize>,
+        state: &State,
+        pressure: f64,
+        tangent: Tangent,
+        values: &mut [f64],
+    ) {
+        values.fill(0.0);
+        let mut local: Local = [[0.0; LOCAL]; LOCAL];
+        for t in triangles {
+            let piece = &self.sheet.pieces[t];
             let turning = piece.edges.map(|edge| self.turning[edge]);
             let loads =
                 Loads { pressure: piece.pressurised(pressure), turning, turned: self.turned[t], tangent };
             let facets = (&self.facets[t], &self.facets[..]);
-            local::fill((&self.sheet, &self.supports), piece, &state.points, facets, loads, &mut self.local);
+            local::fill((&self.sheet, &self.supports), piece, &state.points, facets, loads, &mut local);
             let mut places = self.pattern.places[t].iter();
-            for (i, row) in self.local.iter().enumerate() {
+            for (i, row) in local.iter().enumerate() {
                 for (value, place) in row[..=i].iter().zip(&mut places) {
-                    self.values[*place as usize] += value;
+                    values[*place as usize] += value;
                 }
             }
         }
-        self.add_kinks();
-        energy
     }
 
     /// The gradient of the last shape differentiated.

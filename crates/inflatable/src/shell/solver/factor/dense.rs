@@ -3,6 +3,7 @@
 //! The kernels are chosen for the processor: answers are the same in debug and release, and differ by rounding between processors.
 
 use nalgebra::{Dyn, MatrixView, MatrixViewMut, RealField};
+use rayon::prelude::*;
 
 type View<'a, R> = MatrixView<'a, R, Dyn, Dyn, Dyn, Dyn>;
 type ViewMut<'a, R> = MatrixViewMut<'a, R, Dyn, Dyn, Dyn, Dyn>;
@@ -12,7 +13,7 @@ const SMALL: usize = 5;
 /// Columns of a panel that are computed one by one.
 const COLUMN_BY_COLUMN: usize = 12;
 /// Columns of a symmetric product that are computed together; the entries above its diagonal are wasted work.
-const TOGETHER: usize = 128;
+pub(super) const TOGETHER: usize = 128;
 
 /// Some rows and columns of a matrix that is kept by columns; `numbers` begins with the first of them.
 #[derive(Clone, Copy)]
@@ -44,11 +45,15 @@ pub(super) fn subtract_square<R: RealField + Copy>(
     factor: Block<'_, R>,
     columns: usize,
 ) {
-    let mut at = 0;
-    while at < columns {
-        let width = TOGETHER.min(columns - at);
-        subtract_product(&mut result[at * (stride + 1)..], stride, kept, factor.below(at), width);
-        at += width;
+    let block = |(k, result): (usize, &mut [R])| {
+        let at = k * TOGETHER;
+        subtract_product(&mut result[at..], stride, kept, factor.below(at), TOGETHER.min(columns - at));
+    };
+    if columns <= TOGETHER {
+        block((0, result));
+    } else {
+        let end = result.len().min(columns * stride);
+        result[..end].par_chunks_mut(TOGETHER * stride).enumerate().for_each(block);
     }
 }
 

@@ -9,13 +9,6 @@ pub(super) struct Matrix {
 }
 
 impl Matrix {
-    /// Row, column and value of each of its numbers.
-    pub(super) fn entries(&self) -> impl Iterator<Item = (usize, usize, f64)> {
-        let columns = (0..self.lower.count())
-            .flat_map(|column| self.lower.of(column).iter().map(move |row| (*row, column)));
-        columns.zip(&self.values).map(|((row, column), value)| (row, column, *value))
-    }
-
     pub(super) fn shift_diagonal(&mut self, factor: f64, shift: &[f64]) {
         for (place, shift) in self.lower.starts.iter().zip(shift) {
             self.values[*place] += factor * shift;

@@ -10,7 +10,9 @@
 mod dense;
 mod matrix;
 mod numeric;
+mod parts;
 mod refine;
+mod solution;
 mod symbolic;
 #[cfg(test)]
 mod tests;
@@ -73,13 +75,12 @@ impl Factor {
             self.matrix.shift_diagonal(factor, shift);
         }
         self.is_double = false;
-        let Self { matrix, scale, .. } = self;
-        for (scale, &place) in scale.iter_mut().zip(&matrix.lower.starts) {
-            *scale = 1.0 / matrix.values[place].sqrt();
+        let Self { matrix: Matrix { lower, values }, scale, .. } = self;
+        for (scale, &place) in scale.iter_mut().zip(&lower.starts) {
+            *scale = 1.0 / values[place].sqrt();
         }
-        let scaled = matrix.entries().map(|(row, column, value)| value * scale[row] * scale[column]);
-        self.single.load(&self.symbolic, scaled);
-        let is_definite = self.single.compute(&self.symbolic);
+        let scaled = |place: usize, row: usize, column: usize| values[place] * scale[row] * scale[column];
+        let is_definite = self.single.compute(&self.symbolic, lower, &scaled);
         self.is_plain = is_definite && factor == 0.0;
         is_definite
     }
@@ -101,8 +102,8 @@ impl Factor {
             self.double = Numeric::new(&self.symbolic);
         }
         let Some(double) = &mut self.double else { return false };
-        double.load(&self.symbolic, self.matrix.values.iter().copied());
-        self.is_double = double.compute(&self.symbolic);
+        let Matrix { lower, values } = &self.matrix;
+        self.is_double = double.compute(&self.symbolic, lower, &|place, _, _| values[place]);
         self.is_double
     }
 

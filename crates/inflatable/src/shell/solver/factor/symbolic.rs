@@ -1,6 +1,8 @@
 //! Which numbers the Cholesky factor has: columns with the same rows below them are kept together, as **supernodes**.
 
+use crate::shell::solver::factor::parts::Part;
 use crate::shell::solver::factor::tree::{Lists, NONE, Tree};
+use std::ops::Range;
 
 /// Consecutive columns with the same rows below.
 #[derive(Clone, Copy, Debug)]
@@ -84,6 +86,8 @@ pub(super) struct Symbolic {
     pub(super) places: Vec<usize>,
     /// Numbers kept of the factor.
     pub(super) size: usize,
+    /// All supernodes, divided into what is computed at the same time.
+    pub(super) whole: Part,
 }
 
 impl Symbolic {
@@ -103,10 +107,27 @@ impl Symbolic {
             places: vec![0; lower.items.len()],
             size,
             order: Vec::new(),
+            whole: Part::default(),
         };
         symbolic.fill(lower, &tree);
         symbolic.order = tree.order;
+        symbolic.whole = Part::whole(&symbolic);
         symbolic
+    }
+
+    /// The supernode that waits for supernode `number` first; [`NONE`] at a root.
+    pub(super) fn parent(&self, number: usize) -> usize {
+        self.below.of(number).first().map_or(NONE, |row| self.owners[*row])
+    }
+
+    /// The columns of consecutive supernodes, and their places among the numbers of the factor.
+    pub(super) fn extent(&self, nodes: &Range<usize>) -> (Range<usize>, Range<usize>) {
+        let begin = |number: usize| {
+            let node = self.supernodes.get(number);
+            node.map_or((self.owners.len(), self.size), |node| (node.first, node.start))
+        };
+        let (from, to) = (begin(nodes.start), begin(nodes.end));
+        (from.0..to.0, from.1..to.1)
     }
 
     /// Finds the rows of each supernode, and the places of the matrix in its panel.

@@ -213,3 +213,90 @@ fn a_kept_factor_serves_a_matrix_near_by_and_finds_that_one_is_indefinite() {
         assert!(factor.compute(&values, 1.0, &vec![1.0; size]) && !factor.keep_for(&values), "shifted");
     }
 }
+
+/// The cells of a block of a grid, each half before the cells that part it from the other one.
+fn dissected(cells: &mut Vec<[u32; 2]>, [left, right]: [u32; 2], [low, high]: [u32; 2]) {
+    if left >= right || low >= high {
+        return;
+    }
+    let (middle, is_wide) =
+        if right - left > high - low { (left.midpoint(right), true) } else { (low.midpoint(high), false) };
+    if is_wide {
+        dissected(cells, [left, middle], [low, high]);
+        dissected(cells, [middle + 1, right], [low, high]);
+        cells.extend((low..high).map(|y| [middle, y]));
+    } else {
+        dissected(cells, [left, right], [low, middle]);
+        dissected(cells, [left, right], [middle + 1, high]);
+        cells.extend((left..right).map(|x| [x, middle]));
+    }
+}
+
+/// Nine points on a grid, in an order in which its elimination tree has many branches, and the diagonal of its last corner.
+fn branched(side: u32, last: f64) -> (Vec<u32>, Vec<u32>, Vec<f64>) {
+    let mut cells = Vec::new();
+    dissected(&mut cells, [0, side], [0, side]);
+    let mut ranks = vec![0; cells.len()];
+    for (rank, [x, y]) in (0_u32..).zip(&cells) {
+        ranks[(side * y + x) as usize] = rank;
+    }
+    let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
+    for (rank, &[x, y]) in (0_u32..).zip(&cells) {
+        let near = |at: u32| at.saturating_sub(1)..side.min(at + 2);
+        let mut column: Vec<u32> = near(y)
+            .flat_map(|y| near(x).map(move |x| side * y + x))
+            .map(|cell| ranks[cell as usize])
+            .collect();
+        column.retain(|&row| row >= rank);
+        column.sort_unstable();
+        let diagonal = if [x, y] == [side - 1, side - 1] { last } else { 8.5 };
+        values.extend(column.iter().map(|&row| if row == rank { diagonal } else { -1.0 }));
+        rows.append(&mut column);
+        starts.push(u32::try_from(rows.len()).unwrap_or(u32::MAX));
+    }
+    (starts, rows, values)
+}
+
+#[test]
+fn parts_of_a_tree_give_the_same_bits_on_any_number_of_threads() {
+    let side = 150;
+    let (starts, rows, values) = branched(side, 8.5);
+    let expected: Vec<f64> = (0..side * side).map(|k| f64::from(k % 7) - 2.0).collect();
+    let matrix = Matrix {
+        lower: Lists {
+            starts: starts.iter().map(|start| *start as usize).collect(),
+            items: rows.iter().map(|row| *row as usize).collect(),
+        },
+        values: values.clone(),
+    };
+    let mut rhs = expected.clone();
+    matrix.times(&expected, &mut rhs);
+    let solve = || {
+        let mut factor = Factor::new(&starts, &rows).expect("memory");
+        let parts = &factor.symbolic.whole.parts;
+        assert!(parts.len() > 1 && parts.iter().any(|part| !part.parts.is_empty()), "{parts:?}");
+        let single = {
+            let mut found = rhs.clone();
+            assert!(factor.compute(&values, 0.0, &[]));
+            factor.solve(&mut found, EXACT);
+            found
+        };
+        let mut found = rhs.clone();
+        assert!(factor.compute_double());
+        factor.solve(&mut found, EXACT);
+        (single, found)
+    };
+    let on = |threads: usize| {
+        rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool").install(solve)
+    };
+    let (single, double) = on(1);
+    for (found, accuracy) in [(&single, 1e-9), (&double, 1e-12)] {
+        let worst = found.iter().zip(&expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+        assert!(worst < accuracy, "{worst:e}");
+    }
+    assert_eq!(on(3), (single, double));
+    let (_, _, indefinite) = branched(side, -1.0);
+    let mut factor = Factor::new(&starts, &rows).expect("memory");
+    assert!(!factor.compute(&indefinite, 0.0, &[]) && !factor.compute_double());
+    assert!(factor.compute(&values, 0.0, &[]), "nothing is left of the attempt");
+}
