@@ -175,6 +175,10 @@ keyed! {
         pub object_gap_mm: Option<f64>,
         /// Radial force of one star on the object, N. Needs a pressure and an object.
         pub object_force_N: Option<f64>,
+        /// The least and the largest `object_force_N` where the corners rub on the object with the spec's largest friction, N.
+        /// By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub object_force_friction_N: Option<[f64; 2]>,
         /// Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were
         /// requested; null where the star does not hold such an object.
         #[serde(skip_serializing_if = "Option::is_none")]

@@ -134,6 +134,8 @@ fn a_star_is_a_shell_with_its_mesh_errors() {
     assert!((25.0..35.0).contains(&number("final_radius_mm")), "{found}");
     assert!((number("contraction") - 1.0 + number("final_radius_mm") / 50.0).abs() < 1e-12);
     assert!((number("payload_kg") - 0.5 * number("object_force_N") / 9.806_65).abs() < 1e-9);
+    let [least, most] = [0, 1].map(|end| found["object_force_friction_N"][end].as_f64().expect("a force"));
+    assert!((least + most - 2.0 * number("object_force_N")).abs() < 1e-9 && least <= most, "{found}");
     let curve = found["force_curve"].as_array().expect("a list");
     assert!(
         curve.len() == 1 && curve[0][1].as_f64() > found["object_force_N"].as_f64() && curve[0][2].is_null()

@@ -26,7 +26,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/benchmarks.md", "cargo build --release --locked -p stargrip-cam --bin stargri"),
     ("docs/benchmarks.md", "cargo bench -p benches --bench build --no-run"),
     ("docs/benchmarks.md", "cargo bench -p benches --bench mechanics -- section"),
-    ("docs/benchmarks.md", "/usr/bin/time -f \"%U s %M kB\" stargrip-cam actuator --tube-w"),
+    ("docs/benchmarks.md", "/usr/bin/time -f \"%e s %M kB\" stargrip-cam actuator --tube-w"),
     ("docs/hosts.md", "tests/strangers/octoprint        # OctoPrint's analysis of t"),
     ("docs/install.md", "cargo install --locked --path .    # the program alone, in ~"),
     ("docs/install.md", "cd ~/.local && rm -r bin/stargrip-cam share/stargrip-cam sha"),

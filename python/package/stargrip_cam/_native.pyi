@@ -310,6 +310,9 @@ class Prediction:
     def object_force_N(self) -> float | None:
         """Radial force of one star on the object, N. Needs a pressure and an object."""
     @property
+    def object_force_friction_N(self) -> tuple[float, float] | None:
+        """The least and the largest `object_force_N` where the corners rub on the object with the spec's largest friction, N. By the shell only."""
+    @property
     def force_curve(self) -> list[tuple[float | None, ...]] | None:
         """Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were requested; null where the star does not hold such an object."""
     @property

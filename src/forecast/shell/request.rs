@@ -46,6 +46,8 @@ pub(in crate::forecast) struct Measurements {
     pub(in crate::forecast) volume: Value,
     /// Radius of each requested object, m, and the radial force on it, N.
     pub(in crate::forecast) forces: Vec<(f64, Value)>,
+    /// For each of them how far the corners slide along the object, by the growth of its radius.
+    pub(in crate::forecast) slips: Vec<Value>,
     /// Radius of the object of the load, m; `None` if there is none, it does not enter, or the star does not meet it.
     pub(in crate::forecast) object: Option<f64>,
     /// Least and largest distance of a corner from the point in the middle of all, mm.
@@ -147,6 +149,7 @@ impl Measurements {
             contact_area: found.contact_area.scaled(1e6),
             volume: found.volume.scaled(1e9),
             forces: found.forces.iter().map(pressing).collect(),
+            slips: found.slips.clone(),
             object,
             extremes: found.extremes,
         }
@@ -175,6 +178,14 @@ impl Measurements {
     /// The radial force on the object of the load, N.
     pub(in crate::forecast) fn object_force(&self) -> Option<Value> {
         self.force_at(self.object?)
+    }
+
+    /// The least and the largest radial force on the object of the load, N, where the corners rub on it with `friction`.
+    pub(in crate::forecast) fn object_force_with(&self, friction: f64) -> Option<[f64; 2]> {
+        let object = self.object?;
+        let ((_, force), slip) = self.forces.iter().zip(&self.slips).find(|((at, _), _)| *at == object)?;
+        let part = friction * slip.value.max(0.0);
+        Some([force.value * (1.0 - part).max(0.0), force.value * (1.0 + part)])
     }
 
     /// The fabric's largest tension at the rim, N/mm.

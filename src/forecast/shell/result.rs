@@ -27,6 +27,9 @@ pub fn star_text(out: &mut String, star: &StarPrediction) {
     line("model", star.model.to_owned());
     line("arm length", format!("{} mm", Readable(star.arm_length_mm)));
     let touching = star.arm_contact_N.is_some_and(|force| force > 0.0);
+    let rubbing = star
+        .object_force_friction_N
+        .map(|[least, most]| format!("{} to {} N", shown::rounded(least), shown::rounded(most)));
     let percent = |part: Option<f64>| part.map(|part| 100.0 * part);
     let pull = star.seal_pull_N_per_mm.zip(star.seal_pull_at_mm);
     let pull = pull.map(|(value, at_mm)| MeshedPlace { value, mesh_error: mesh.seal_pull_N_per_mm, at_mm });
@@ -55,6 +58,7 @@ pub fn star_text(out: &mut String, star: &StarPrediction) {
             "force on the object",
             mesh.object_force_N.and_then(|error| show(star.object_force_N, "N", error)),
         ),
+        known("the same if corners rub on it", rubbing),
     ];
     let of_the_seal = [
         known("largest pull on the seal", pull.and_then(|pull| place(pull, "N/mm"))),

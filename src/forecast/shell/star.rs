@@ -127,6 +127,9 @@ impl ShellRun {
             arm_contact_mm2: Some(measured.contact_area.value),
             volume_mm3: Some(measured.volume.value),
             object_force_N: force,
+            object_force_friction_N: case
+                .friction_range
+                .and_then(|[_, most]| measured.object_force_with(most)),
             flap_edge_radius_mm: Some(measured.radius.value - mm(case.flap())),
             flap_force_N: measured
                 .object

@@ -1,19 +1,19 @@
 //! The star: half a sector of it between a reentrant corner's plane of symmetry and a tip's, or all of it where the weave has other
 //! directions of symmetry.
 
-use crate::shell::assembly::{Sheet, State};
+use crate::shell::assembly::Sheet;
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::extremes::{self, Extremes};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::margin::Margin;
-use crate::shell::cases::refinement::{Evidence, Family, Indented, Watch};
+use crate::shell::cases::objects::{MOST_OBJECTS, Objects, press};
+use crate::shell::cases::refinement::{Evidence, Family, Watch};
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::star_part::{ModelledPart, StarPart};
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
-use crate::shell::contact::Obstacle;
 use crate::shell::mesh::{HalfSector, Mesh, Meshed, Sizes};
-use crate::shell::solver::{Aim, Equilibrium, Solver, Stop};
+use crate::shell::solver::{Equilibrium, Solver};
 
 /// A flat star, SI units and radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,6 +62,9 @@ pub struct InflatedStar {
     pub radial_stiffness: Value,
     /// Each requested object, by its radius or its opening, m, and the sum of the radial forces on it, N.
     pub forces: Vec<(f64, Value)>,
+    /// For each of them how far the corners slide along the object for each unit by which its radius grows, the mean by force: friction mu
+    /// changes the force by at most mu times that part of it, to first order.
+    pub slips: Vec<Value>,
     /// The hardest loaded places; on the finest mesh.
     pub extremes: Extremes,
     /// Its modelled sheet at rest.
@@ -75,30 +78,6 @@ pub(super) const WHOLE: usize = 11;
 const NUMBERS: usize = WHOLE + 3;
 /// The tip's plane of symmetry among the obstacles.
 const TIP: usize = 1;
-/// Largest number of objects of one call.
-pub const MOST_OBJECTS: usize = 8;
-
-/// Largest growth of an object in one solve, by W, and how often it is halved where that is too much.
-const GROWTH: f64 = 0.15;
-const MOST_HALVINGS: i32 = 4;
-
-/// Round objects that a star is pressed against, smallest first.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Objects<'a> {
-    /// By their radii, m.
-    Radii(&'a [f64]),
-    /// By how much wider than the star at rest they are, m, on each mesh: meshes agree better on the force against the opening
-    /// than on the rest. Those that a mesh does not reach are not numbers.
-    Openings(&'a [f64]),
-}
-
-impl Objects<'_> {
-    fn sizes(&self) -> &[f64] {
-        match self {
-            Self::Radii(sizes) | Self::Openings(sizes) => sizes,
-        }
-    }
-}
 
 impl FlatStar {
     /// A star whose hinges turn on points, without band and margin.
@@ -174,7 +153,7 @@ pub fn star_by_sizes(
         Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles, from_above: false };
     let (mut worst, mut shape) = (Extremes::default(), InflatedShape::default());
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, beside| {
-        let mut numbers = [0.0; NUMBERS + MOST_OBJECTS];
+        let mut numbers = [0.0; NUMBERS + 2 * MOST_OBJECTS];
         worst = extremes::extremes(&solver.assembly.sheet, meshed, &equilibrium.state);
         let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
         (worst.seal_pull, worst.pull_at) =
@@ -189,7 +168,7 @@ pub fn star_by_sizes(
         for x in &mut centered.state.points {
             *x = [x[0] - middle[0], x[1] - middle[1], x[2]];
         }
-        press(case, objects, (solver, post), &centered, (beside, &mut numbers[NUMBERS..]))?;
+        press(&case.tube, objects, (solver, post), &centered, (beside, &mut numbers[NUMBERS..]))?;
         solver.contact = alone;
         Ok(numbers)
     })?;
@@ -213,6 +192,7 @@ pub fn star_by_sizes(
             .zip(&values[NUMBERS..])
             .map(|(r, f)| (*r, f.scaled(sheets * force)))
             .collect(),
+        slips: values[NUMBERS + MOST_OBJECTS..][..count].to_vec(),
         extremes: worst.scaled(
             case.tube.fabric.stretch,
             w,
@@ -250,102 +230,4 @@ pub(super) fn measure(
         corners.edge,
     ];
     (numbers, corners.middle)
-}
-
-/// Opens the star by each object in turn, and writes the force of one sheet of the modelled part on it. It starts from the coarser mesh's
-/// result for each, if there is one and it leads to an equilibrium; it keeps its own results.
-fn press(
-    case: &FlatStar,
-    objects: Objects<'_>,
-    (solver, post): (&mut Solver, usize),
-    equilibrium: &Equilibrium,
-    (beside, forces): (&mut Vec<Indented>, &mut [f64]),
-) -> Result<(), ShellFault> {
-    let mut starts = std::mem::take(beside).into_iter();
-    let mut state = equilibrium.state.clone();
-    let nearest = state.points.iter().map(|x| libm::hypot(x[0], x[1])).fold(f64::INFINITY, f64::min);
-    let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
-    let mut radius = nearest;
-    let aim = case.tube.continuation().aim(equilibrium.pressure);
-    for (index, size) in objects.sizes().iter().enumerate() {
-        let last = (origin + size / case.tube.width).max(nearest);
-        let found = match starts.next() {
-            Some(start) => open_from(start, (solver, post), &mut state, aim, [radius, last]),
-            None => open((solver, post), &mut state, aim, [radius, last]),
-        };
-        match found {
-            Ok(()) => beside.push(Indented { state: state.clone(), contact: solver.contact.clone() }),
-            Err(why) if why == Stop::Cancelled || origin == 0.0 => {
-                return Err(case.tube.stopped(why, solver.triangles()));
-            }
-            Err(_) => {
-                forces[index..].fill(f64::NAN);
-                return Ok(());
-            }
-        }
-        radius = last;
-        forces[index] = solver.contact.as_ref().map_or(0.0, |contact| contact.force(post));
-    }
-    Ok(())
-}
-
-/// As [`open`], but at once where the coarser mesh's result leads to an equilibrium.
-fn open_from(
-    Indented { state: mut own, contact }: Indented,
-    (solver, post): (&mut Solver, usize),
-    state: &mut State,
-    aim: Aim,
-    [from, to]: [f64; 2],
-) -> Result<(), Stop> {
-    let before = std::mem::replace(&mut solver.contact, contact);
-    if let Some(contact) = &mut solver.contact {
-        contact.replace(post, Obstacle::Post { radius: to });
-    }
-    solver.is_rough = true;
-    match solver.rest(&mut own, aim) {
-        Ok(_) => {
-            *state = own;
-            Ok(())
-        }
-        Err(Stop::Cancelled) => Err(Stop::Cancelled),
-        Err(_) => {
-            solver.contact = before;
-            open((solver, post), state, aim, [from, to])
-        }
-    }
-}
-
-/// Widens the object from one radius to another, by W, as fast as the star follows, by at most [`GROWTH`] in one solve.
-fn open(
-    (solver, post): (&mut Solver, usize),
-    state: &mut State,
-    aim: Aim,
-    [from, to]: [f64; 2],
-) -> Result<(), Stop> {
-    let (mut radius, mut growth) = (from, GROWTH);
-    while radius < to {
-        let (before, pressed) = (state.clone(), solver.contact.clone());
-        let next = if to - radius < 1.001 * growth { to } else { radius + growth };
-        if let Some(contact) = &mut solver.contact {
-            contact.replace(post, Obstacle::Post { radius: next });
-        }
-        match solver.rest(state, aim) {
-            Ok(_) => {
-                radius = next;
-                // A stiffness that was enough for this step saves the next one rounds.
-                if let Some(contact) = &mut solver.contact {
-                    contact.floor = contact.stiffness / 4.0;
-                }
-            }
-            Err(why) if why == Stop::Cancelled || growth < GROWTH * 0.5_f64.powi(MOST_HALVINGS) => {
-                return Err(why);
-            }
-            Err(_) => {
-                state.clone_from(&before);
-                solver.contact = pressed;
-                growth /= 2.0;
-            }
-        }
-    }
-    Ok(())
 }

@@ -57,6 +57,18 @@ pub struct Contact {
     pub floor: f64,
 }
 
+/// A point that touches an obstacle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ContactPoint {
+    pub(crate) point: usize,
+    /// Its flat area.
+    pub(crate) area: f64,
+    /// Its force, contact pressure times area.
+    pub(crate) force: f64,
+    /// The gradient of its gap.
+    pub(crate) normal: Vector,
+}
+
 /// Remaining error of contact after a solve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactError {
@@ -160,6 +172,17 @@ impl Contact {
     /// The sum of contact pressure times area on one obstacle.
     pub fn force(&self, index: usize) -> f64 {
         self.pressures[index].iter().zip(&self.areas[index]).map(|(pressure, area)| pressure * area).sum()
+    }
+
+    /// The points that touch an obstacle.
+    pub(crate) fn touching(&self, index: usize, state: &State) -> Vec<ContactPoint> {
+        let pairs = self.pressures[index].iter().zip(&self.areas[index]).enumerate();
+        let touching = pairs.filter(|(_, (pressure, area))| **pressure > 0.0 && **area > 0.0);
+        let point = |(point, (pressure, area)): (usize, (&f64, &f64))| {
+            let (_, normal) = self.obstacles[index].gap(state.points[point]);
+            ContactPoint { point, area: *area, force: pressure * area, normal }
+        };
+        touching.map(point).collect()
     }
 
     /// Flat area of the points that touch an obstacle.

@@ -8,6 +8,7 @@ mod experience;
 mod factor;
 mod newton;
 mod rounds;
+mod slip;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! The sparse Cholesky factor of the system: analysed once a mesh, computed again in the same buffers each iteration.
 //!
 //! Columns are computed from left to right, many at a time: a supernode collects the updates of all those below it in the elimination
-//! tree, as dense products. (Ng and Peyton, "Block sparse Cholesky algorithms on advanced uniprocessor computers", 1993.)
+//! tree, as dense products. (Ng and Peyton, "Block sparse Cholesky algorithms on advanced uniprocessor computers", 1993.) Subtrees that do
+//! not need each other, and blocks of the columns of wide supernodes, are computed at the same time.
 //!
 //! The factor is in single precision, which takes half the time, and conjugate gradients bring a solution to double precision (Arioli and
 //! Duff, "Using FGMRES to obtain backward stability in mixed precision", 2009). Where single precision finds no factor, double precision
@@ -10,13 +11,15 @@
 mod dense;
 mod matrix;
 mod numeric;
-mod parts;
 mod refine;
-mod solution;
+mod subtree;
+mod supernode;
 mod symbolic;
 #[cfg(test)]
 mod tests;
 mod tree;
+mod triangular;
+mod updates;
 
 use crate::shell::solver::factor::matrix::Matrix;
 use crate::shell::solver::factor::numeric::Numeric;

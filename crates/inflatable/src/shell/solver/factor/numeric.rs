@@ -1,10 +1,11 @@
 //! The numbers of the Cholesky factor.
 
-use crate::shell::solver::factor::dense::{Block, TOGETHER, factor_panel, subtract_square};
-use crate::shell::solver::factor::parts::Part;
-use crate::shell::solver::factor::solution::Solution;
-use crate::shell::solver::factor::symbolic::{Supernode, Symbolic};
+use crate::shell::solver::factor::dense::factor_panel;
+use crate::shell::solver::factor::subtree::Subtree;
+use crate::shell::solver::factor::symbolic::Symbolic;
 use crate::shell::solver::factor::tree::{Lists, NONE};
+use crate::shell::solver::factor::triangular::TriangularSolve;
+use crate::shell::solver::factor::updates::{Scratch, Updates};
 use nalgebra::{RealField, convert};
 use rayon::prelude::*;
 
@@ -13,7 +14,7 @@ pub(super) struct Numeric<R> {
     pub(super) numbers: Vec<R>,
     waiting: Vec<Waiting>,
     work: Work<R>,
-    pub(super) solution: Solution<R>,
+    pub(super) solution: TriangularSolve<R>,
 }
 
 /// A supernode on its way through those that take from it.
@@ -38,21 +39,8 @@ struct Work<R> {
     parts: Vec<Work<R>>,
 }
 
-struct Scratch<R> {
-    /// The update of one supernode by another, by columns.
-    update: Vec<R>,
-    /// Rows that follow each other in both: where they begin in the update and in the panel, and how many they are.
-    runs: Vec<[usize; 3]>,
-}
-
-impl<R> Default for Scratch<R> {
-    fn default() -> Self {
-        Self { update: Vec::new(), runs: Vec::new() }
-    }
-}
-
 impl<R> Work<R> {
-    fn new(part: &Part, unknowns: usize) -> Self {
+    fn new(part: &Subtree, unknowns: usize) -> Self {
         Self {
             scratch: Scratch::default(),
             local: vec![0; unknowns - part.columns.start],
@@ -73,7 +61,7 @@ impl<R: RealField + Copy> Numeric<R> {
             numbers,
             waiting: vec![Waiting { first: NONE, next: NONE, from: 0 }; symbolic.supernodes.len()],
             work: Work::new(&symbolic.whole, unknowns),
-            solution: Solution::new(symbolic),
+            solution: TriangularSolve::new(symbolic),
         })
     }
 
@@ -103,7 +91,7 @@ struct Computation<'a, R, V> {
     symbolic: &'a Symbolic,
     lower: &'a Lists,
     value: &'a V,
-    part: &'a Part,
+    part: &'a Subtree,
     /// The part's numbers.
     numbers: &'a mut [R],
     /// For each of its supernodes.
@@ -160,7 +148,7 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
         }
         let (done, rest) = self.numbers.split_at_mut(node.start - self.part.places.start);
         let panel = &mut rest[..node.width() * node.height];
-        let from_givers = FromGivers {
+        let updates = Updates {
             symbolic: self.symbolic,
             part: self.part,
             done,
@@ -168,7 +156,7 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
             givers: &givers,
             local: &self.work.local,
         };
-        from_givers.subtract(panel, &mut self.work.scratch);
+        updates.subtract(panel, &mut self.work.scratch);
         let is_definite = factor_panel(panel, node.height, node.height, node.width());
         self.work.givers = givers;
         self.wait(number, 0);
@@ -223,76 +211,6 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
             self.waiting(number).next = std::mem::replace(&mut self.waiting(owner).first, number);
         } else {
             self.work.left.push(number);
-        }
-    }
-}
-
-/// What a supernode takes from those before it.
-struct FromGivers<'a, R> {
-    symbolic: &'a Symbolic,
-    part: &'a Part,
-    /// The part's numbers before the supernode's own.
-    done: &'a [R],
-    node: &'a Supernode,
-    /// Each that it takes from, and the first row that it needs.
-    givers: &'a [(usize, usize)],
-    /// The index of each row in the panel, from the part's first column on.
-    local: &'a [u32],
-}
-
-impl<R: RealField + Copy> FromGivers<'_, R> {
-    /// Subtracts all updates from the panel, blocks of columns at the same time.
-    fn subtract(&self, panel: &mut [R], scratch: &mut Scratch<R>) {
-        let height = self.node.height;
-        if self.node.width() <= TOGETHER {
-            self.subtract_columns(self.node.first, panel, scratch);
-            return;
-        }
-        let blocks = panel.par_chunks_mut(TOGETHER * height).enumerate();
-        blocks.for_each_init(Scratch::default, |scratch, (k, block)| {
-            self.subtract_columns(self.node.first + k * TOGETHER, block, scratch);
-        });
-    }
-
-    /// Subtracts all updates from the columns from `first` on that `block` has.
-    fn subtract_columns(&self, first: usize, block: &mut [R], Scratch { update, runs }: &mut Scratch<R>) {
-        let Self { symbolic, part, done, node, local, .. } = *self;
-        let end = first + block.len() / node.height;
-        for &(other, from) in self.givers {
-            let all = symbolic.below.of(other);
-            let from = from + all[from..].iter().take_while(|row| **row < first).count();
-            let below = &all[from..];
-            let columns = below.iter().take_while(|row| **row < end).count();
-            if columns == 0 {
-                continue;
-            }
-            let giver = &symbolic.supernodes[other];
-            let panel = &done[giver.start - part.places.start..][..giver.width() * giver.height];
-            let numbers = &panel[giver.width() + from..];
-            let product = Block { numbers, stride: giver.height, rows: below.len(), columns: giver.width() };
-            if update.len() < below.len() * columns {
-                update.resize(below.len() * columns, R::zero());
-            }
-            subtract_square(update, below.len(), R::zero(), product, columns);
-            runs.clear();
-            for (k, &row) in below.iter().enumerate() {
-                let place =
-                    if row < node.end { row - node.first } else { local[row - part.columns.start] as usize };
-                match runs.last_mut() {
-                    Some([_, start, count]) if *start + *count == place => *count += 1,
-                    _ => runs.push([k, place, 1]),
-                }
-            }
-            for (update, column) in update.chunks(below.len()).zip(&below[..columns]) {
-                let panel = &mut block[(column - first) * node.height..][..node.height];
-                // Entries above the diagonal are updated too; they are never read.
-                for &[from, to, count] in &*runs {
-                    for (number, &update) in panel[to..to + count].iter_mut().zip(&update[from..from + count])
-                    {
-                        *number += update;
-                    }
-                }
-            }
         }
     }
 }

@@ -1,76 +1,8 @@
-//! Which numbers the Cholesky factor has: columns with the same rows below them are kept together, as **supernodes**.
+//! Which numbers the Cholesky factor has, and where they lie.
 
-use crate::shell::solver::factor::parts::Part;
+use crate::shell::solver::factor::subtree::Subtree;
+use crate::shell::solver::factor::supernode::{Supernode, supernodes};
 use crate::shell::solver::factor::tree::{Lists, NONE, Tree};
-use std::ops::Range;
-
-/// Consecutive columns with the same rows below.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Supernode {
-    /// Its first column.
-    pub(super) first: usize,
-    /// The column after its last.
-    pub(super) end: usize,
-    /// Rows of its panel: its own and those below.
-    pub(super) height: usize,
-    /// Numbers of its panel that are always zero.
-    zeros: usize,
-    /// The start of its panel among the numbers of the factor.
-    pub(super) start: usize,
-}
-
-/// Up to so many columns two supernodes become one if at most so many percent of its numbers are always zero: few large panels are
-/// computed faster than many small ones.
-const ZEROS: [(usize, usize); 4] = [(4, 100), (16, 80), (48, 10), (usize::MAX, 5)];
-
-impl Supernode {
-    pub(super) fn width(&self) -> usize {
-        self.end - self.first
-    }
-
-    /// Numbers on and below the diagonal.
-    fn numbers(&self) -> usize {
-        let width = self.width();
-        width * self.height - width * (width - 1) / 2
-    }
-
-    /// This one and the one before it as one; `None` if too many zeros come with that.
-    fn with(&self, before: &Self) -> Option<Self> {
-        let mut both = Self { first: before.first, height: before.width() + self.height, ..*self };
-        let filled = before.numbers() - before.zeros + self.numbers() - self.zeros;
-        both.zeros = both.numbers() - filled;
-        let (_, most) = *ZEROS.iter().find(|(width, _)| both.width() <= *width)?;
-        (100 * both.zeros <= most * both.numbers()).then_some(both)
-    }
-}
-
-/// The supernodes of a tree.
-fn supernodes(tree: &Tree) -> Vec<Supernode> {
-    let mut found: Vec<Supernode> = Vec::new();
-    let mut first = 0;
-    for end in 1..=tree.order.len() {
-        let last = end - 1;
-        let goes_on = tree.parents[last] == end && tree.heights[last] == tree.heights[end] + 1;
-        if goes_on {
-            continue;
-        }
-        let height = tree.heights[first];
-        let mut node = Supernode { first, end, height, zeros: 0, start: 0 };
-        while let Some(before) = found.last().filter(|before| (tree.parents[before.end - 1]) < end) {
-            let Some(both) = node.with(before) else { break };
-            let _ = found.pop();
-            node = both;
-        }
-        found.push(node);
-        first = end;
-    }
-    let mut start = 0;
-    for node in &mut found {
-        node.start = start;
-        start += node.width() * node.height;
-    }
-    found
-}
 
 /// All about the factor of a matrix but its numbers.
 #[derive(Debug)]
@@ -87,7 +19,7 @@ pub(super) struct Symbolic {
     /// Numbers kept of the factor.
     pub(super) size: usize,
     /// All supernodes, divided into what is computed at the same time.
-    pub(super) whole: Part,
+    pub(super) whole: Subtree,
 }
 
 impl Symbolic {
@@ -107,27 +39,14 @@ impl Symbolic {
             places: vec![0; lower.items.len()],
             size,
             order: Vec::new(),
-            whole: Part::default(),
+            whole: Subtree::default(),
         };
         symbolic.fill(lower, &tree);
         symbolic.order = tree.order;
-        symbolic.whole = Part::whole(&symbolic);
+        let parent = |number| symbolic.below.of(number).first().map_or(NONE, |row| symbolic.owners[*row]);
+        let parents: Vec<usize> = (0..symbolic.supernodes.len()).map(parent).collect();
+        symbolic.whole = Subtree::whole(&symbolic.supernodes, &parents);
         symbolic
-    }
-
-    /// The supernode that waits for supernode `number` first; [`NONE`] at a root.
-    pub(super) fn parent(&self, number: usize) -> usize {
-        self.below.of(number).first().map_or(NONE, |row| self.owners[*row])
-    }
-
-    /// The columns of consecutive supernodes, and their places among the numbers of the factor.
-    pub(super) fn extent(&self, nodes: &Range<usize>) -> (Range<usize>, Range<usize>) {
-        let begin = |number: usize| {
-            let node = self.supernodes.get(number);
-            node.map_or((self.owners.len(), self.size), |node| (node.first, node.start))
-        };
-        let (from, to) = (begin(nodes.start), begin(nodes.end));
-        (from.0..to.0, from.1..to.1)
     }
 
     /// Finds the rows of each supernode, and the places of the matrix in its panel.

@@ -2,7 +2,7 @@
 //!
 //! The division depends on the matrix alone, so results are the same on any number of threads.
 
-use crate::shell::solver::factor::symbolic::Symbolic;
+use crate::shell::solver::factor::supernode::Supernode;
 use crate::shell::solver::factor::tree::NONE;
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ const WORTH: u64 = 10;
 
 /// A subtree: supernodes that no other subtree needs until all of them are computed.
 #[derive(Debug, Default)]
-pub(super) struct Part {
+pub(super) struct Subtree {
     /// Its supernodes.
     pub(super) nodes: Range<usize>,
     /// Their columns.
@@ -22,50 +22,54 @@ pub(super) struct Part {
     /// Their places among the numbers of the factor.
     pub(super) places: Range<usize>,
     /// Smaller subtrees of it, none within another, in rising order.
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<Subtree>,
     /// The supernodes that are in none of those.
     pub(super) own: Vec<usize>,
 }
 
 /// Number of operations and of supernodes of each supernode's subtree, and its children.
-struct Subtrees {
+struct TreeWork {
     work: Vec<u64>,
     sizes: Vec<usize>,
     children: Vec<Vec<usize>>,
 }
 
-impl Part {
+impl Subtree {
     /// The whole tree.
-    pub(super) fn whole(symbolic: &Symbolic) -> Self {
-        let subtrees = Subtrees::new(symbolic);
-        let count = symbolic.supernodes.len();
-        let all: u64 = subtrees.children[count].iter().map(|root| subtrees.work[*root]).sum();
-        subtrees.divide(symbolic, 0..count, subtrees.children[count].clone(), all)
+    pub(super) fn whole(supernodes: &[Supernode], parents: &[usize]) -> Self {
+        let tree = TreeWork::new(supernodes, parents);
+        let count = supernodes.len();
+        let all: u64 = tree.children[count].iter().map(|root| tree.work[*root]).sum();
+        tree.divide(supernodes, 0..count, tree.children[count].clone(), all)
     }
 }
 
-impl Subtrees {
-    fn new(symbolic: &Symbolic) -> Self {
-        let count = symbolic.supernodes.len();
-        let mut subtrees = Self {
+impl TreeWork {
+    fn new(supernodes: &[Supernode], parents: &[usize]) -> Self {
+        let count = supernodes.len();
+        let mut tree = Self {
             work: Vec::with_capacity(count),
             sizes: vec![1; count],
             children: vec![Vec::new(); count + 1],
         };
-        for (number, node) in symbolic.supernodes.iter().enumerate() {
+        for (number, (node, &parent)) in supernodes.iter().zip(parents).enumerate() {
             let (width, height) = (node.width() as u64, node.height as u64);
-            let below: u64 = subtrees.children[number].iter().map(|child| subtrees.work[*child]).sum();
-            subtrees.work.push(below + width * height * height);
-            subtrees.sizes[number] +=
-                subtrees.children[number].iter().map(|child| subtrees.sizes[*child]).sum::<usize>();
-            let parent = symbolic.parent(number);
-            subtrees.children[if parent == NONE { count } else { parent }].push(number);
+            let below: u64 = tree.children[number].iter().map(|child| tree.work[*child]).sum();
+            tree.work.push(below + width * height * height);
+            tree.sizes[number] += tree.children[number].iter().map(|child| tree.sizes[*child]).sum::<usize>();
+            tree.children[if parent == NONE { count } else { parent }].push(number);
         }
-        subtrees
+        tree
     }
 
     /// The part of the supernodes `nodes`, those at the top of which are `tops`.
-    fn divide(&self, symbolic: &Symbolic, nodes: Range<usize>, mut tops: Vec<usize>, all: u64) -> Part {
+    fn divide(
+        &self,
+        supernodes: &[Supernode],
+        nodes: Range<usize>,
+        mut tops: Vec<usize>,
+        all: u64,
+    ) -> Subtree {
         let work: u64 = tops.iter().map(|top| self.work[*top]).sum();
         let mut parts = Vec::new();
         if work > LEAST.max(all / LEAST_PART) {
@@ -78,12 +82,16 @@ impl Subtrees {
             }
             let part = |&top: &usize| {
                 let nodes = top + 1 - self.sizes[top]..top + 1;
-                self.divide(symbolic, nodes, self.children[top].clone(), all)
+                self.divide(supernodes, nodes, self.children[top].clone(), all)
             };
             parts = tops.iter().map(part).collect();
         }
-        let own = nodes.clone().filter(|node| !parts.iter().any(|part: &Part| part.nodes.contains(node)));
-        let (columns, places) = symbolic.extent(&nodes);
-        Part { own: own.collect(), columns, places, nodes, parts }
+        let own = nodes.clone().filter(|node| !parts.iter().any(|part: &Subtree| part.nodes.contains(node)));
+        let own = own.collect();
+        let Some((first, last)) = supernodes[nodes.clone()].first().zip(supernodes[nodes.clone()].last())
+        else {
+            return Subtree::default();
+        };
+        Subtree { columns: first.first..last.end, places: first.start..last.panel_end(), own, nodes, parts }
     }
 }

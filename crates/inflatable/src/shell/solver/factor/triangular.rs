@@ -1,28 +1,28 @@
 //! Solving with the numbers of the Cholesky factor.
 
 use crate::shell::solver::factor::dense::subtract_times;
-use crate::shell::solver::factor::parts::Part;
+use crate::shell::solver::factor::subtree::Subtree;
 use crate::shell::solver::factor::symbolic::Symbolic;
 use nalgebra::{RealField, convert, convert_unchecked};
 use rayon::prelude::*;
 
 /// A right side that becomes its solution, in the order of the tree, and buffers.
-pub(super) struct Solution<R> {
+pub(super) struct TriangularSolve<R> {
     vector: Vec<R>,
-    beyond: Beyond<R>,
+    beyond: RowsBeyond<R>,
 }
 
 /// The buffers of one part.
-struct Beyond<R> {
+struct RowsBeyond<R> {
     /// For each row after those of the part: in the first half of a solution what the part adds to it, in the second half its value.
     rows: Vec<R>,
     /// The rows that a supernode reads or changes.
     gathered: Vec<R>,
-    parts: Vec<Beyond<R>>,
+    parts: Vec<RowsBeyond<R>>,
 }
 
-impl<R: RealField + Copy> Beyond<R> {
-    fn new(part: &Part, unknowns: usize) -> Self {
+impl<R: RealField + Copy> RowsBeyond<R> {
+    fn new(part: &Subtree, unknowns: usize) -> Self {
         Self {
             rows: vec![R::zero(); unknowns - part.columns.end],
             gathered: Vec::new(),
@@ -31,10 +31,10 @@ impl<R: RealField + Copy> Beyond<R> {
     }
 }
 
-impl<R: RealField + Copy> Solution<R> {
+impl<R: RealField + Copy> TriangularSolve<R> {
     pub(super) fn new(symbolic: &Symbolic) -> Self {
         let unknowns = symbolic.order.len();
-        Self { vector: vec![R::zero(); unknowns], beyond: Beyond::new(&symbolic.whole, unknowns) }
+        Self { vector: vec![R::zero(); unknowns], beyond: RowsBeyond::new(&symbolic.whole, unknowns) }
     }
 
     /// Replaces the right side by the solution.
@@ -56,9 +56,9 @@ impl<R: RealField + Copy> Solution<R> {
 struct Section<'a, R> {
     symbolic: &'a Symbolic,
     numbers: &'a [R],
-    part: &'a Part,
+    part: &'a Subtree,
     vector: &'a mut [R],
-    beyond: &'a mut Beyond<R>,
+    beyond: &'a mut RowsBeyond<R>,
 }
 
 impl<R: RealField + Copy> Section<'_, R> {
@@ -145,7 +145,7 @@ impl<R: RealField + Copy> Section<'_, R> {
 }
 
 /// The rows after those of a part that its supernodes change and read.
-fn rows_beyond<'a>(symbolic: &'a Symbolic, part: &Part) -> &'a [usize] {
+fn rows_beyond<'a>(symbolic: &'a Symbolic, part: &Subtree) -> &'a [usize] {
     symbolic.below.of(part.nodes.end - 1)
 }
 

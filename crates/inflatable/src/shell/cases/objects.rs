@@ -1,0 +1,209 @@
+//! Round objects that a star is pressed against.
+
+use crate::shell::assembly::State;
+use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::refinement::Indented;
+use crate::shell::cases::tube::Tube;
+use crate::shell::contact::Obstacle;
+use crate::shell::solver::{Aim, Equilibrium, Solver, Stop};
+
+/// Largest number of objects of one call.
+pub const MOST_OBJECTS: usize = 8;
+/// Largest growth of an object in one solve, by W, and how often it is halved where that is too much.
+const GROWTH: f64 = 0.15;
+const MOST_HALVINGS: i32 = 4;
+
+/// Round objects that a star is pressed against, smallest first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Objects<'a> {
+    /// By their radii, m.
+    Radii(&'a [f64]),
+    /// By how much wider than the star at rest they are, m, on each mesh: meshes agree better on the force against the opening
+    /// than on the rest. Those that a mesh does not reach are not numbers.
+    Openings(&'a [f64]),
+}
+
+impl Objects<'_> {
+    pub(super) fn sizes(&self) -> &[f64] {
+        match self {
+            Self::Radii(sizes) | Self::Openings(sizes) => sizes,
+        }
+    }
+}
+
+/// Opens the star by each object in turn, and writes the force of one sheet of the modelled part on it, and behind all forces how far it slides
+/// on it. It starts from the coarser mesh's
+/// result for each, if there is one and it leads to an equilibrium; it keeps its own results.
+pub(super) fn press(
+    tube: &Tube,
+    objects: Objects<'_>,
+    (solver, post): (&mut Solver, usize),
+    equilibrium: &Equilibrium,
+    (beside, numbers): (&mut Vec<Indented>, &mut [f64]),
+) -> Result<(), ShellFault> {
+    let (forces, slips) = numbers.split_at_mut(MOST_OBJECTS);
+    let mut starts = std::mem::take(beside).into_iter();
+    let mut state = equilibrium.state.clone();
+    let nearest = state.points.iter().map(|x| libm::hypot(x[0], x[1])).fold(f64::INFINITY, f64::min);
+    let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
+    let mut radius = nearest;
+    let aim = tube.continuation().aim(equilibrium.pressure);
+    for (index, size) in objects.sizes().iter().enumerate() {
+        let last = (origin + size / tube.width).max(nearest);
+        let found = match starts.next() {
+            Some(start) => open_from(start, (solver, post), &mut state, aim, [radius, last]),
+            None => open((solver, post), &mut state, aim, [radius, last]),
+        };
+        match found {
+            Ok(()) => beside.push(Indented { state: state.clone(), contact: solver.contact.clone() }),
+            Err(why) if why == Stop::Cancelled || origin == 0.0 => {
+                return Err(tube.stopped(why, solver.triangles()));
+            }
+            Err(_) => {
+                forces[index..].fill(f64::NAN);
+                slips[index..].fill(f64::NAN);
+                return Ok(());
+            }
+        }
+        radius = last;
+        slips[index] = solver.slip(post, &state);
+        forces[index] = solver.contact.as_ref().map_or(0.0, |contact| contact.force(post));
+    }
+    Ok(())
+}
+
+/// As [`open`], but at once where the coarser mesh's result leads to an equilibrium.
+fn open_from(
+    Indented { state: mut own, contact }: Indented,
+    (solver, post): (&mut Solver, usize),
+    state: &mut State,
+    aim: Aim,
+    [from, to]: [f64; 2],
+) -> Result<(), Stop> {
+    let before = std::mem::replace(&mut solver.contact, contact);
+    if let Some(contact) = &mut solver.contact {
+        contact.replace(post, Obstacle::Post { radius: to });
+    }
+    solver.is_rough = true;
+    match solver.rest(&mut own, aim) {
+        Ok(_) => {
+            *state = own;
+            Ok(())
+        }
+        Err(Stop::Cancelled) => Err(Stop::Cancelled),
+        Err(_) => {
+            solver.contact = before;
+            open((solver, post), state, aim, [from, to])
+        }
+    }
+}
+
+/// Widens the object from one radius to another, by W, as fast as the star follows, by at most [`GROWTH`] in one solve.
+fn open(
+    (solver, post): (&mut Solver, usize),
+    state: &mut State,
+    aim: Aim,
+    [from, to]: [f64; 2],
+) -> Result<(), Stop> {
+    let (mut radius, mut growth) = (from, GROWTH);
+    while radius < to {
+        let (before, pressed) = (state.clone(), solver.contact.clone());
+        let next = if to - radius < 1.001 * growth { to } else { radius + growth };
+        if let Some(contact) = &mut solver.contact {
+            contact.replace(post, Obstacle::Post { radius: next });
+        }
+        match solver.rest(state, aim) {
+            Ok(_) => {
+                radius = next;
+                // A stiffness that was enough for this step saves the next one rounds.
+                if let Some(contact) = &mut solver.contact {
+                    contact.floor = contact.stiffness / 4.0;
+                }
+            }
+            Err(why) if why == Stop::Cancelled || growth < GROWTH * 0.5_f64.powi(MOST_HALVINGS) => {
+                return Err(why);
+            }
+            Err(_) => {
+                state.clone_from(&before);
+                solver.contact = pressed;
+                growth /= 2.0;
+            }
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shell::assembly::Sheet;
+    use crate::shell::cases::star_part::{ModelledPart, StarPart};
+    use crate::shell::cases::tests::tube;
+    use crate::shell::contact::Contact;
+    use crate::shell::element::vector::{Vector, dot, times};
+    use crate::shell::mesh::{HalfSector, MarginWidths, Sizes};
+    use crate::shell::solver::DisplacementControl;
+
+    /// The force after loads along the object, for each point that slides `friction` times its force against its sliding, and the friction
+    /// that it came to.
+    fn with_friction(
+        (solver, post): (&mut Solver, usize),
+        state: &State,
+        aim: Aim,
+        friction: f64,
+    ) -> (f64, f64) {
+        let (mut state, before) = (state.clone(), solver.contact.clone());
+        let slides = solver.slides(post, &state).into_iter();
+        let loads: Vec<(usize, Vector)> = slides
+            .map(|(touching, slide)| {
+                (touching.point, times(touching.force / dot(slide, slide).sqrt(), slide))
+            })
+            .collect();
+        let by = -friction * solver.compliance(&loads);
+        let row = solver.assembly.project(&loads);
+        solver.lever = Some(DisplacementControl { row, point: 0, direction: [1.0, 0.0, 0.0], brace: 0.0 });
+        assert!(solver.pull(&mut state, aim, by));
+        let _ = solver.rest(&mut state, aim).expect("an equilibrium");
+        solver.lever = None;
+        let contact = std::mem::replace(&mut solver.contact, before).expect("contact");
+        (contact.force(post), solver.multiplier)
+    }
+
+    #[test]
+    fn friction_changes_the_force_as_the_slip_says() {
+        let tube = tube(0.03, 37e3);
+        let sector = HalfSector {
+            n: 5,
+            rho_0: 5.0 / 3.0,
+            w: 1.0,
+            phi_i: 30.0_f64.to_radians(),
+            r_i: 1.0 / 30.0,
+            r_e: 1.0 / 30.0,
+        };
+        let modelled = ModelledPart { part: StarPart::HalfSector, sector, margin: MarginWidths::default() };
+        let mesh = modelled.meshed(&Sizes::across(1.0, 8.0)).expect("a mesh").mesh;
+        let (sheet, supports) = (Sheet::new(&mesh, tube.scaled()), modelled.supports(&mesh));
+        let mut solver = Solver::new(sheet, supports).expect("small");
+        let obstacles = modelled.obstacles();
+        let post = obstacles.len() - 1;
+        solver.contact = Some(Contact::new(&solver.assembly, obstacles));
+        let equilibrium = tube.continuation().run(&mut solver, |_| {}).expect("an equilibrium");
+        let aim = tube.continuation().aim(equilibrium.pressure);
+        let mut state = equilibrium.state;
+        let mut largest = 0.0_f64;
+        for radius in [1.25, 1.35, 1.45] {
+            open((&mut solver, post), &mut state, aim, [radius - 0.4, radius]).expect("an equilibrium");
+            let _ = solver.rest(&mut state, aim).expect("an equilibrium");
+            let (slip, force) =
+                (solver.slip(post, &state), solver.contact.as_ref().expect("contact").force(post));
+            largest = slip.max(largest);
+            for friction in [-0.2, 0.2] {
+                let (changed, friction) = with_friction((&mut solver, post), &state, aim, friction);
+                let error = changed / force - 1.0 - friction * slip;
+                assert!(error.abs() < 0.002, "R {radius}, friction {friction}, slip {slip}: {error}");
+            }
+            let _ = solver.rest(&mut state, aim).expect("an equilibrium");
+        }
+        assert!(largest > 0.1, "friction changes the force by more than the test tolerates: {largest}");
+    }
+}

@@ -1,0 +1,92 @@
+//! What a supernode takes from those before it: dense products, blocks of columns at the same time.
+
+use crate::shell::solver::factor::dense::{Block, TOGETHER, subtract_square};
+use crate::shell::solver::factor::subtree::Subtree;
+use crate::shell::solver::factor::supernode::Supernode;
+use crate::shell::solver::factor::symbolic::Symbolic;
+use nalgebra::RealField;
+use rayon::prelude::*;
+
+/// Buffers for updates.
+pub(super) struct Scratch<R> {
+    /// The update of one supernode by another, by columns.
+    update: Vec<R>,
+    /// Rows that follow each other in both: where they begin in the update and in the panel, and how many they are.
+    runs: Vec<[usize; 3]>,
+}
+
+impl<R> Default for Scratch<R> {
+    fn default() -> Self {
+        Self { update: Vec::new(), runs: Vec::new() }
+    }
+}
+
+/// What a supernode takes from those before it.
+pub(super) struct Updates<'a, R> {
+    pub(super) symbolic: &'a Symbolic,
+    pub(super) part: &'a Subtree,
+    /// The part's numbers before the supernode's own.
+    pub(super) done: &'a [R],
+    pub(super) node: &'a Supernode,
+    /// Each that it takes from, and the first row that it needs.
+    pub(super) givers: &'a [(usize, usize)],
+    /// The index of each row in the panel, from the part's first column on.
+    pub(super) local: &'a [u32],
+}
+
+impl<R: RealField + Copy> Updates<'_, R> {
+    /// Subtracts all updates from the panel, blocks of columns at the same time.
+    pub(super) fn subtract(&self, panel: &mut [R], scratch: &mut Scratch<R>) {
+        let height = self.node.height;
+        if self.node.width() <= TOGETHER {
+            self.subtract_columns(self.node.first, panel, scratch);
+            return;
+        }
+        let blocks = panel.par_chunks_mut(TOGETHER * height).enumerate();
+        blocks.for_each_init(Scratch::default, |scratch, (k, block)| {
+            self.subtract_columns(self.node.first + k * TOGETHER, block, scratch);
+        });
+    }
+
+    /// Subtracts all updates from the columns from `first` on that `block` has.
+    fn subtract_columns(&self, first: usize, block: &mut [R], Scratch { update, runs }: &mut Scratch<R>) {
+        let Self { symbolic, part, done, node, local, .. } = *self;
+        let end = first + block.len() / node.height;
+        for &(other, from) in self.givers {
+            let all = symbolic.below.of(other);
+            let from = from + all[from..].iter().take_while(|row| **row < first).count();
+            let below = &all[from..];
+            let columns = below.iter().take_while(|row| **row < end).count();
+            if columns == 0 {
+                continue;
+            }
+            let giver = &symbolic.supernodes[other];
+            let panel = &done[giver.start - part.places.start..][..giver.width() * giver.height];
+            let numbers = &panel[giver.width() + from..];
+            let product = Block { numbers, stride: giver.height, rows: below.len(), columns: giver.width() };
+            if update.len() < below.len() * columns {
+                update.resize(below.len() * columns, R::zero());
+            }
+            subtract_square(update, below.len(), R::zero(), product, columns);
+            runs.clear();
+            for (k, &row) in below.iter().enumerate() {
+                let place =
+                    if row < node.end { row - node.first } else { local[row - part.columns.start] as usize };
+                match runs.last_mut() {
+                    Some([_, start, count]) if *start + *count == place => *count += 1,
+                    _ => runs.push([k, place, 1]),
+                }
+            }
+            for (update, column) in update.chunks(below.len()).zip(&below[..columns]) {
+                let panel = &mut block[(column - first) * node.height..][..node.height];
+                // Entries above the diagonal are updated too; they are never read.
+                for &[from, to, count] in &*runs {
+                    for (number, &update) in panel[to..to + count].iter_mut().zip(&update[from..from + count])
+                    {
+                        *number += update;
+                    }
+                }
+            }
+        }
+    }
+}
