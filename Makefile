@@ -8,11 +8,15 @@ NO_PYTHON = PYO3_NO_PYTHON=1 PYO3_BUILD_EXTENSION_MODULE=1
 # The release program for CI, built with the Python package's features, so that the wheel does not compile shared dependencies again.
 RELEASE = $(CARGO) build --release --locked -p stargrip-cam -p stargrip-cam-python --bin stargrip-cam
 
-.PHONY: demo install dist portable web site wheel python test check docs deny audit strangers strangers-more mutants fuzz faults bench
+.PHONY: demo program install dist portable web site wheel python test check docs deny audit strangers strangers-more mutants fuzz faults bench
 
 # Builds the paper's star and prints the files that were written.
 demo:
 	$(CARGO) run --release --locked -- build designs/paper-five-points.toml
+
+# What CI tests, and the wheel packs.
+program:
+	$(RELEASE)
 
 # Program, completions, manual and examples below PREFIX: `make install PREFIX=~/.local`.
 PREFIX ?= /usr/local

@@ -75,16 +75,16 @@ pub const FRICTION_RANGE: [f64; 2] = [0.2, 0.42];
 /// The payload that can be counted on, over the mass. As a search counts on 80 % of a payload's lower end, it has 1.5 times the mass there, and
 /// the mass if friction is at the lower end of [`FRICTION_RANGE`].
 pub const MARGIN: f64 = 1.2;
-/// The same for the search, whose values are rounded afterwards.
+/// The same for the search, whose values are rounded afterwards. With 1.2 here, too, 10 of the 78 grippers for 120 random requests are not found,
+/// and the others take 22 % more fabric; with 1.21 or 1.3 the number is the same within one, and the fabric within 1 %.
 const SEARCHED_MARGIN: f64 = 1.25;
 /// Required ratio of burst pressure to pressure, where the seal's strength is known.
 pub const BURST_MARGIN: f64 = 1.5;
 /// The object's radius over the one to which the star closes for sure.
 const CLOSING: f64 = 0.95;
-/// By which part of it the radii that the star closes and opens to are taken farther apart where round values do not do.
+/// By which part of it the radii that the star closes and opens to are taken farther apart where round values do not do: that finds one of those 78
+/// grippers. Parts of 0.003 and 0.03 find as many.
 const INSIDE: f64 = 0.01;
-/// Largest total violation of a star that still counts as near the request.
-const NEAR: f64 = 0.05;
 /// Most stars on top of each other.
 const MOST_STARS: u32 = 8;
 /// Validated numbers of points.
@@ -134,8 +134,7 @@ fn feasible(
     };
     let found = search(&asked);
     let mut met = round(&found);
-    // Designs far from the requirements do not become feasible in a slightly smaller box.
-    if met.is_empty() && found.best.first().is_some_and(|best| best.violation < NEAR) {
+    if met.is_empty() && found.best.first().is_some_and(|best| best.violation == 0.0) {
         // The best lies where an object just fits in: rounded values may violate the constraint there. In a slightly smaller box they meet
         // it.
         let inside = Constraints {
