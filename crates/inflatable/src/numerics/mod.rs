@@ -12,6 +12,7 @@ pub mod gauss;
 pub mod newton;
 pub mod range;
 pub mod root;
+mod threads;
 mod vector;
 
 pub use chebyshev::Chebyshev;
@@ -20,4 +21,5 @@ pub use dual::Dual;
 pub use newton::{NewtonFault, NewtonReport, newton};
 pub use range::spans;
 pub use root::{RootFault, bracketed_root};
+pub(crate) use threads::Threads;
 pub use vector::dot;

@@ -17,6 +17,7 @@ mod unknowns;
 pub use sheet::{Compression, Sheet, State};
 pub use supports::{Plane, Supports};
 
+use crate::numerics::Threads;
 pub use crate::shell::assembly::local::Tangent;
 use crate::shell::assembly::local::{Loads, Local};
 use crate::shell::assembly::numbering::{LOCAL, NONE, Numbering, Pattern};
@@ -217,10 +218,10 @@ impl Assembly {
         let half = self.sheet.pieces.len() / 2;
         let (mut values, mut second) =
             (std::mem::take(&mut self.values), std::mem::take(&mut self.second_values));
-        let _ = rayon::join(
-            || self.add_hessians(0..half, state, pressure, tangent, &mut values),
-            || self.add_hessians(half..self.sheet.pieces.len(), state, pressure, tangent, &mut second),
-        );
+        let halves = vec![(0..half, &mut values), (half..self.sheet.pieces.len(), &mut second)];
+        Threads::available().each(halves, |(triangles, values)| {
+            self.add_hessians(triangles, state, pressure, tangent, values);
+        });
         values.iter_mut().zip(&second).for_each(|(value, second)| *value += second);
         (self.values, self.second_values) = (values, second);
         self.add_kinks();

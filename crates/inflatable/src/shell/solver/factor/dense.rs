@@ -2,8 +2,8 @@
 //!
 //! The kernels are chosen for the processor: answers are the same in debug and release, and differ by rounding between processors.
 
+use crate::numerics::Threads;
 use nalgebra::{Dyn, MatrixView, MatrixViewMut, RealField};
-use rayon::prelude::*;
 
 type View<'a, R> = MatrixView<'a, R, Dyn, Dyn, Dyn, Dyn>;
 type ViewMut<'a, R> = MatrixViewMut<'a, R, Dyn, Dyn, Dyn, Dyn>;
@@ -44,6 +44,7 @@ pub(super) fn subtract_square<R: RealField + Copy>(
     kept: R,
     factor: Block<'_, R>,
     columns: usize,
+    threads: Threads,
 ) {
     let block = |(k, result): (usize, &mut [R])| {
         let at = k * TOGETHER;
@@ -53,7 +54,7 @@ pub(super) fn subtract_square<R: RealField + Copy>(
         block((0, result));
     } else {
         let end = result.len().min(columns * stride);
-        result[..end].par_chunks_mut(TOGETHER * stride).enumerate().for_each(block);
+        threads.each(result[..end].chunks_mut(TOGETHER * stride).enumerate().collect(), block);
     }
 }
 
@@ -96,18 +97,19 @@ pub(super) fn factor_panel<R: RealField + Copy>(
     stride: usize,
     rows: usize,
     columns: usize,
+    threads: Threads,
 ) -> bool {
     if columns <= COLUMN_BY_COLUMN {
         return factor_columns(panel, stride, rows, columns);
     }
     let half = columns / 2;
-    if !factor_panel(panel, stride, rows, half) {
+    if !factor_panel(panel, stride, rows, half, threads) {
         return false;
     }
     let (left, right) = panel.split_at_mut(half * stride);
     let left = Block { numbers: &left[half..], stride, rows: rows - half, columns: half };
-    subtract_square(&mut right[half..], stride, R::one(), left, columns - half);
-    factor_panel(&mut right[half..], stride, rows - half, columns - half)
+    subtract_square(&mut right[half..], stride, R::one(), left, columns - half, threads);
+    factor_panel(&mut right[half..], stride, rows - half, columns - half, threads)
 }
 
 fn factor_columns<R: RealField + Copy>(panel: &mut [R], stride: usize, rows: usize, columns: usize) -> bool {

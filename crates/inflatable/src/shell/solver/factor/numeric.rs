@@ -1,5 +1,6 @@
 //! The numbers of the Cholesky factor.
 
+use crate::numerics::Threads;
 use crate::shell::solver::factor::dense::factor_panel;
 use crate::shell::solver::factor::subtree::Subtree;
 use crate::shell::solver::factor::symbolic::Symbolic;
@@ -7,7 +8,6 @@ use crate::shell::solver::factor::tree::{Lists, NONE};
 use crate::shell::solver::factor::triangular::TriangularSolve;
 use crate::shell::solver::factor::updates::{Scratch, Updates};
 use nalgebra::{RealField, convert};
-use rayon::prelude::*;
 
 /// The factor's numbers, panel by panel, each by columns, and the buffers to compute them.
 pub(super) struct Numeric<R> {
@@ -77,7 +77,8 @@ impl<R: RealField + Copy> Numeric<R> {
         self.waiting.iter_mut().for_each(|waiting| waiting.first = NONE);
         let part = &symbolic.whole;
         let Self { numbers, waiting, work, .. } = self;
-        Computation { symbolic, lower, value, part, numbers, waiting, work }.run()
+        Computation { threads: Threads::available(), symbolic, lower, value, part, numbers, waiting, work }
+            .run()
     }
 
     /// Solves with the factor.
@@ -88,6 +89,7 @@ impl<R: RealField + Copy> Numeric<R> {
 
 /// The computation of one part.
 struct Computation<'a, R, V> {
+    threads: Threads,
     symbolic: &'a Symbolic,
     lower: &'a Lists,
     value: &'a V,
@@ -102,7 +104,7 @@ struct Computation<'a, R, V> {
 impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<'_, R, V> {
     /// False if the matrix is not positive definite.
     fn run(mut self) -> bool {
-        if !self.parts().into_par_iter().all(Computation::run) {
+        if !self.threads.all(self.parts(), Computation::run) {
             return false;
         }
         self.collect();
@@ -156,8 +158,8 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
             givers: &givers,
             local: &self.work.local,
         };
-        updates.subtract(panel, &mut self.work.scratch);
-        let is_definite = factor_panel(panel, node.height, node.height, node.width());
+        updates.subtract(panel, &mut self.work.scratch, self.threads);
+        let is_definite = factor_panel(panel, node.height, node.height, node.width(), self.threads);
         self.work.givers = givers;
         self.wait(number, 0);
         is_definite
@@ -165,7 +167,7 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
 
     /// The smaller parts, each with its own numbers.
     fn parts(&mut self) -> Vec<Computation<'_, R, V>> {
-        let Computation { symbolic, lower, value, part, .. } = *self;
+        let Computation { threads, symbolic, lower, value, part, .. } = *self;
         let (mut numbers, mut place) = (&mut *self.numbers, part.places.start);
         let (mut waiting, mut node) = (&mut *self.waiting, part.nodes.start);
         let mut parts = Vec::with_capacity(part.parts.len());
@@ -175,6 +177,7 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
             let (waiting_own, rest) = waiting[part.nodes.start - node..].split_at_mut(part.nodes.len());
             (waiting, node) = (rest, part.nodes.end);
             parts.push(Computation {
+                threads,
                 symbolic,
                 lower,
                 value,

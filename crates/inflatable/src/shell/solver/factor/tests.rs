@@ -1,6 +1,7 @@
 //! The factor against nalgebra's dense one, and against answers that are exact.
 
 use super::*;
+use crate::numerics::Threads;
 use nalgebra::{DMatrix, DVector};
 
 /// The lower triangle of a matrix, without its zeros: where its columns begin, their rows, its values.
@@ -258,7 +259,7 @@ fn branched(side: u32, last: f64) -> (Vec<u32>, Vec<u32>, Vec<f64>) {
 }
 
 #[test]
-fn parts_of_a_tree_give_the_same_bits_on_any_number_of_threads() {
+fn subtrees_give_the_same_bits_on_one_thread_and_on_all() {
     let side = 150;
     let (starts, rows, values) = branched(side, 8.5);
     let expected: Vec<f64> = (0..side * side).map(|k| f64::from(k % 7) - 2.0).collect();
@@ -286,15 +287,15 @@ fn parts_of_a_tree_give_the_same_bits_on_any_number_of_threads() {
         factor.solve(&mut found, EXACT);
         (single, found)
     };
-    let on = |threads: usize| {
-        rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool").install(solve)
-    };
-    let (single, double) = on(1);
+    let (single, double) = solve();
     for (found, accuracy) in [(&single, 1e-9), (&double, 1e-12)] {
         let worst = found.iter().zip(&expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
         assert!(worst < accuracy, "{worst:e}");
     }
-    assert_eq!(on(3), (single, double));
+    // In a pool each computation has one thread.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
+    assert_eq!(pool.install(|| (Threads::available(), solve())), (Threads::One, (single, double)));
+    assert_eq!(Threads::available(), Threads::All);
     let (_, _, indefinite) = branched(side, -1.0);
     let mut factor = Factor::new(&starts, &rows).expect("memory");
     assert!(!factor.compute(&indefinite, 0.0, &[]) && !factor.compute_double());

@@ -1,10 +1,10 @@
 //! Solving with the numbers of the Cholesky factor.
 
+use crate::numerics::Threads;
 use crate::shell::solver::factor::dense::subtract_times;
 use crate::shell::solver::factor::subtree::Subtree;
 use crate::shell::solver::factor::symbolic::Symbolic;
 use nalgebra::{RealField, convert, convert_unchecked};
-use rayon::prelude::*;
 
 /// A right side that becomes its solution, in the order of the tree, and buffers.
 pub(super) struct TriangularSolve<R> {
@@ -43,9 +43,9 @@ impl<R: RealField + Copy> TriangularSolve<R> {
             *number = convert(rhs[*old]);
         }
         let Self { vector, beyond } = self;
-        let part = &symbolic.whole;
-        Section { symbolic, numbers, part, vector, beyond }.solve_forwards();
-        Section { symbolic, numbers, part, vector, beyond }.solve_backwards();
+        let (threads, part) = (Threads::available(), &symbolic.whole);
+        Section { threads, symbolic, numbers, part, vector, beyond }.solve_forwards();
+        Section { threads, symbolic, numbers, part, vector, beyond }.solve_backwards();
         for (number, old) in self.vector.iter().zip(&symbolic.order) {
             rhs[*old] = convert_unchecked(*number);
         }
@@ -54,6 +54,7 @@ impl<R: RealField + Copy> TriangularSolve<R> {
 
 /// The rows of one part.
 struct Section<'a, R> {
+    threads: Threads,
     symbolic: &'a Symbolic,
     numbers: &'a [R],
     part: &'a Subtree,
@@ -68,7 +69,7 @@ impl<R: RealField + Copy> Section<'_, R> {
                 beyond.rows[row - part.columns.end] = R::zero();
             }
         }
-        self.parts().into_par_iter().for_each(Section::solve_forwards);
+        self.threads.each(self.parts(), Section::solve_forwards);
         for (k, part) in self.part.parts.iter().enumerate() {
             for &row in rows_beyond(self.symbolic, part) {
                 let added = self.beyond.parts[k].rows[row - part.columns.end];
@@ -117,18 +118,18 @@ impl<R: RealField + Copy> Section<'_, R> {
                 self.beyond.parts[k].rows[row - part.columns.end] = *self.at(row);
             }
         }
-        self.parts().into_par_iter().for_each(Section::solve_backwards);
+        self.threads.each(self.parts(), Section::solve_backwards);
     }
 
     /// The smaller parts, each with its own rows.
     fn parts(&mut self) -> Vec<Section<'_, R>> {
-        let Section { symbolic, numbers, part, .. } = *self;
+        let Section { threads, symbolic, numbers, part, .. } = *self;
         let (mut vector, mut column) = (&mut *self.vector, part.columns.start);
         let mut sections = Vec::with_capacity(part.parts.len());
         for (part, beyond) in part.parts.iter().zip(&mut self.beyond.parts) {
             let (own, rest) = vector[part.columns.start - column..].split_at_mut(part.columns.len());
             (vector, column) = (rest, part.columns.end);
-            sections.push(Section { symbolic, numbers, part, vector: own, beyond });
+            sections.push(Section { threads, symbolic, numbers, part, vector: own, beyond });
         }
         sections
     }

@@ -1,11 +1,11 @@
 //! What a supernode takes from those before it: dense products, blocks of columns at the same time.
 
+use crate::numerics::Threads;
 use crate::shell::solver::factor::dense::{Block, TOGETHER, subtract_square};
 use crate::shell::solver::factor::subtree::Subtree;
 use crate::shell::solver::factor::supernode::Supernode;
 use crate::shell::solver::factor::symbolic::Symbolic;
 use nalgebra::RealField;
-use rayon::prelude::*;
 
 /// Buffers for updates.
 pub(super) struct Scratch<R> {
@@ -36,15 +36,14 @@ pub(super) struct Updates<'a, R> {
 
 impl<R: RealField + Copy> Updates<'_, R> {
     /// Subtracts all updates from the panel, blocks of columns at the same time.
-    pub(super) fn subtract(&self, panel: &mut [R], scratch: &mut Scratch<R>) {
+    pub(super) fn subtract(&self, panel: &mut [R], scratch: &mut Scratch<R>, threads: Threads) {
         let height = self.node.height;
         if self.node.width() <= TOGETHER {
             self.subtract_columns(self.node.first, panel, scratch);
             return;
         }
-        let blocks = panel.par_chunks_mut(TOGETHER * height).enumerate();
-        blocks.for_each_init(Scratch::default, |scratch, (k, block)| {
-            self.subtract_columns(self.node.first + k * TOGETHER, block, scratch);
+        threads.each(panel.chunks_mut(TOGETHER * height).enumerate().collect(), |(k, block)| {
+            self.subtract_columns(self.node.first + k * TOGETHER, block, &mut Scratch::default());
         });
     }
 
@@ -67,7 +66,7 @@ impl<R: RealField + Copy> Updates<'_, R> {
             if update.len() < below.len() * columns {
                 update.resize(below.len() * columns, R::zero());
             }
-            subtract_square(update, below.len(), R::zero(), product, columns);
+            subtract_square(update, below.len(), R::zero(), product, columns, Threads::One);
             runs.clear();
             for (k, &row) in below.iter().enumerate() {
                 let place =
