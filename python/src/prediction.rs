@@ -133,7 +133,7 @@ fn by_drawing(
     let (spec, design) = designed(given, asked)?;
     let Some(piece) = design.drawn().filter(|_| asked.radii.is_empty()) else {
         let what = "no model predicts the force of a drawn shape on an object: leave out radii".to_owned();
-        return Err(Refused::Fault(PredictFault { star: None, key: key::drawing::FILE, what }));
+        return Err(Refused::Fault(PredictFault { star: None, key: key::drawing::FILE, what, remedy: None }));
     };
     let tell = |part: f64, what: &str| line.tell(part, what);
     let watch = Watch { progress: Some(&tell), cancel: Arc::clone(&line.cancel) };

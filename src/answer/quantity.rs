@@ -1,6 +1,6 @@
 //! Numbers, quantities and ranges as arguments: finite and within their limits, or refused as wrong usage.
 
-use crate::spec::Allowed;
+use crate::spec::{Allowed, comma};
 use crate::units::{Quantity, Readable};
 
 /// Range of required lengths: 1 um to 100 m, as in a spec.
@@ -76,14 +76,11 @@ fn percent(text: &str) -> Option<f64> {
     text.trim().strip_suffix('%')?.trim().parse::<f64>().ok().map(|percent| percent / 100.0)
 }
 
-/// The message `otherwise`, or one about a decimal comma.
+/// The message `otherwise`, after one about a comma in the number.
 fn remedy(text: &str, otherwise: &str) -> String {
-    let is_comma =
-        |(i, c): (usize, char)| c == ',' && text[i + 1..].starts_with(|c: char| c.is_ascii_digit());
-    if text.char_indices().any(is_comma) {
-        format!("a decimal comma: write {}; {otherwise}", text.replace(',', "."))
-    } else {
-        otherwise.to_owned()
+    match comma(text) {
+        Some((fault, ways)) => format!("{fault}: write {ways}; {otherwise}"),
+        None => otherwise.to_owned(),
     }
 }
 
@@ -121,7 +118,7 @@ mod tests {
             assert_eq!(why, "it is a number and must be more than 0 and at most 1000", "{text}");
         }
         assert!(ratio("50%").expect_err("a percentage").starts_with("not a percentage: write 0.5; it is"));
-        assert!(ratio("1,5").expect_err("a comma").starts_with("a decimal comma: write 1.5; it is a number"));
+        assert!(ratio("1,5").expect_err("a comma").contains("write \"1.5\"; it is a number"));
     }
 
     #[test]
@@ -136,7 +133,25 @@ mod tests {
             Err("the length must be at least 0.001 mm and at most 100000 mm".to_owned())
         );
         assert!(length("nan mm").is_err() && length("5 deg").is_err());
-        assert!(length("5,5 mm").expect_err("a comma").starts_with("a decimal comma: write 5.5 mm"));
+        for (text, ways) in [
+            ("1,234.5 mm", Some("write \"1234.5 mm\"; write the length")),
+            (
+                "1,234 mm",
+                Some("write \"1234 mm\" if the comma separates thousands, else \"1.234 mm\"; write"),
+            ),
+            ("1,234,567 mm", Some("write \"1234567 mm\"; write")),
+            ("-0,5 mm", Some("write \"-0.5 mm\"; write")),
+            ("0.3,0.4 mm", None),
+            ("5,,5 mm", None),
+            ("5 mm, 6 mm", None),
+        ] {
+            let why = length(text).expect_err(text);
+            match ways {
+                Some(ways) => assert!(why.contains(ways), "{text}: {why}"),
+                None => assert!(why.starts_with("write the length"), "{text}: {why}"),
+            }
+        }
+        assert!(length("5,5 mm").expect_err("a comma").contains("write \"5.5 mm\""));
     }
 
     #[test]
@@ -145,7 +160,7 @@ mod tests {
         assert_eq!([mass("1.2"), mass("1.2 kg"), mass("1200 g")], [Ok(1.2), Ok(1.2), Ok(1.2)]);
         assert_eq!(mass("1.2 N"), Err("write the mass as a number and one of kg, g, lb, oz".to_owned()));
         assert_eq!(mass("-1"), Err("the mass must be more than 0 kg and at most 1000000 kg".to_owned()));
-        assert!(mass("nan").is_err() && mass("1,5").expect_err("a comma").starts_with("a decimal comma"));
+        assert!(mass("nan").is_err() && mass("1,5").expect_err("a comma").contains("write \"1.5\""));
     }
 
     #[test]

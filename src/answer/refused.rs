@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::design::{Refusals, Warning};
-use crate::spec::{Code, Fault, Faults, RawSpec, Severity, Source};
+use crate::spec::{Code, Fault, Faults, RawSpec, Severity, Source, has_default};
 use crate::verify::Finding;
 
 /// Refusals of the design of `raw`, read from `source`, as faults at their keys.
@@ -13,7 +13,7 @@ pub fn at_keys(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {
         let fault = Fault::error(refusal.code, raw.span_of(key), refusal.found)
             .label(refusal.remedy)
             .drawn_at(refusal.drawn);
-        if raw.find(key).is_some() {
+        if raw.find(key).is_some() || !has_default(key) {
             return fault;
         }
         fault.help(format!(

@@ -8,6 +8,7 @@ use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
 use crate::forecast::actuator::{Actuator, actuate};
 use crate::forecast::model_selection::named;
+use crate::forecast::pressures::outside_section;
 use crate::forecast::shell::Detail;
 use crate::forecast::shell::actuator;
 use crate::spec::{Allowed, ModelChoice};
@@ -107,7 +108,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let (actuator, angles) = (args.actuator()?, args.angles());
     let Some(level) = args.level() else { return run_shell(args, &actuator, angles) };
     args.shell.not_by_others()?;
-    let prediction = actuate(&actuator, level, angles).map_err(refused_by_model)?;
+    let prediction = actuate(&actuator, level, angles).map_err(|fault| {
+        match outside_section(&fault, &actuator.sheet, actuator.width, actuator.pressure) {
+            Some((found, remedy)) => Failure::Message(format!("{found}: {remedy}")),
+            None => refused_by_model(fault),
+        }
+    })?;
     args.verbosity.show(&prediction.to_text(), &prediction.to_json())
 }
 

@@ -9,12 +9,15 @@ use crate::cli::bench::{BenchArgs, Coiling, Stiffnesses};
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
+use crate::cli::shell::{not_computed, watched_by};
 use crate::cli::text_file::read_table;
 use crate::cli::verbosity::Verbosity;
 use crate::coupon::{Calibration, PeelRow, calibrate, listing, read_rows, settings, steady};
 use crate::design::Design;
 use crate::forecast::case::Case;
+use crate::forecast::drawn::inflate;
 use crate::forecast::seal_load::seal_loads;
+use crate::forecast::shell::Detail;
 use crate::spec::{Allowed, Source};
 use crate::units::LineForce;
 
@@ -31,7 +34,8 @@ pub(super) struct Args {
     /// Required strength of the seal, such as "1.2 N/mm".
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity::<LineForce>(Allowed::above(0.0, 1e4)), conflicts_with = "spec", requires = "results")]
     needed: Option<LineForce>,
-    /// The spec whose seal must hold: the largest load of its stars at the pressure of its `load` section.
+    /// The spec whose seal must hold: the largest load on it at the pressure of its `load` section.
+    /// For a drawing the shell is computed: seconds to minutes.
     #[arg(long)]
     spec: Option<PathBuf>,
     /// Required ratio of the seal's strength to its load, 1 to 100.
@@ -82,7 +86,7 @@ impl BenchResult<'_> {
         let refused = |fault| Failure::Message(format!("{}: {fault}", shown(results)));
         let need = match (args.needed, &self.spec) {
             (Some(needed), _) => Some((needed.0, String::new())),
-            (None, Some(spec)) => Some(need_of(spec)?),
+            (None, Some(spec)) => Some(need_of(spec, args.verbosity)?),
             (None, None) => None,
         };
         let Some((needed, why)) = need else {
@@ -131,23 +135,29 @@ fn setting(found: &Calibration) -> Value {
 }
 
 /// The largest load on a seal of the spec, N/mm, and a comment that names its place.
-fn need_of(loaded: &Loaded) -> Result<(f64, String), Failure> {
+fn need_of(loaded: &Loaded, verbosity: Verbosity) -> Result<(f64, String), Failure> {
     let spec = &loaded.reading.spec;
     let refused = |why: &str| Failure::Message(format!("{}: {why}", shown(&loaded.source.name)));
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
     let pressure = pressure.ok_or_else(|| refused("[load] has no pressure; write one, or give --needed"))?;
     let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
-    let mut largest = (0.0, "");
     let mut loads = Vec::new();
     for part in design.assembly().into_iter().flat_map(|assembly| &assembly.distinct) {
         let case = Case::of(spec, &part.star).map_err(|fault| refused(&fault.to_string()))?;
-        loads.extend(seal_loads(&case, part));
+        loads.extend(seal_loads(&case, part).into_iter().map(|load| (load.load, load.place.to_owned())));
     }
-    for load in loads {
-        let unknown = || refused(&format!("the load at the {} is unknown; give --needed", load.place));
-        let force = load.load.ok_or_else(unknown)?;
+    if let Some(piece) = design.drawn() {
+        let found = watched_by(verbosity, |watch| {
+            inflate(spec, piece, Detail::Coarse, watch).map_err(|refusal| not_computed(loaded, refusal))
+        })?;
+        loads.extend(found.prediction.seam_loads());
+    }
+    let mut largest = (0.0, String::new());
+    for (load, place) in loads {
+        let unknown = || refused(&format!("the load at the {place} is unknown; give --needed"));
+        let force = load.ok_or_else(unknown)?;
         if force.0 > largest.0 {
-            largest = (force.0, load.place);
+            largest = (force.0, place);
         }
     }
     let (force, place) = largest;

@@ -9,7 +9,7 @@ use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
 use crate::cli::load::Loaded;
-use crate::cli::text_file::replace;
+use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::{batch, details, overview};
 use crate::design::figures;
@@ -58,6 +58,7 @@ fn pictured(args: &Args, loaded: &Loaded, marks: &[FaultMark]) -> Result<(), Fai
         tell(&format!("note: {} is not written: the spec has no drawing", shown(path)));
         return Ok(());
     }
+    refuse_foreign(path, "a picture of a check", emit::is_faults)?;
     replace(path, &emit::faults(&spec.name, &figures(spec), marks))?;
     let what = match marks.len() {
         0 => "the drawing without findings".to_owned(),

@@ -89,7 +89,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "heights_mm": grid.heights.iter().map(|height| height.0).collect::<Vec<_>>(),
         "repeats": grid.repeats,
     });
-    args.verbosity.report(&text(args, &proven, &programs, &drawings), &json)
+    let has_pressure = spec.load.as_ref().is_some_and(|load| load.pressure.is_some());
+    args.verbosity.report(&text(args, (&proven, has_pressure), &programs, &drawings), &json)
 }
 
 /// The grid of settings to test.
@@ -125,8 +126,13 @@ fn or<T: Clone>(given: &[T], usual: &[T]) -> Vec<T> {
     if given.is_empty() { usual.to_vec() } else { given.to_vec() }
 }
 
-/// The written files, and the next steps.
-fn text(args: &Args, proven: &ProvenCoupons, programs: &[&String], drawings: &[&String]) -> String {
+/// The written files, and the next steps; `has_pressure` is whether the spec states a pressure, from which the required strength follows.
+fn text(
+    args: &Args,
+    (proven, has_pressure): (&ProvenCoupons, bool),
+    programs: &[&String],
+    drawings: &[&String],
+) -> String {
     let place = |name: &str| shown(args.output.join(name));
     let (number, figures) = (counted(programs.len(), "program"), counted(drawings.len(), "drawing"));
     let mut out = format!("wrote {number} and {figures} to {}\n", shown(&args.output));
@@ -141,14 +147,14 @@ fn text(args: &Args, proven: &ProvenCoupons, programs: &[&String], drawings: &[&
     }
     let settings = proven.made().coupons.iter().filter(|coupon| coupon.is_strips()).count();
     if settings > 0 {
-        let (look, results) = (place(OVERVIEW), place(TABLE));
+        let (look, results, spec) = (place(OVERVIEW), place(TABLE), shown(&args.spec));
         let _ = writeln!(out, "look at {look}: every strip with its setting and its cut");
         let _ = writeln!(
             out,
             "seal the strips of {}, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in \
-             peel_N in {results}, then: stargrip-cam calibrate {results} --spec {}",
+             peel_N in {results}{}, then: stargrip-cam calibrate {results} --spec {spec}",
             if settings == 1 { "the program".to_owned() } else { format!("{settings} programs") },
-            shown(&args.spec)
+            if has_pressure { String::new() } else { format!(", write `pressure` into [load] of {spec}") },
         );
     }
     out

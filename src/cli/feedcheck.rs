@@ -8,8 +8,9 @@ use crate::artifact::program_ending;
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
-use crate::cli::text_file::{replace, write_new};
+use crate::cli::text_file::{refuse_foreign, replace, write_new};
 use crate::cli::verbosity::Verbosity;
+use crate::emit;
 use crate::manifest::FEED_CHECK_MANIFEST;
 use crate::pipeline;
 use crate::pipeline::FeedCheckFault;
@@ -43,14 +44,13 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             FeedCheckFault::Refused(refusals) => loaded.refused(refusals),
             FeedCheckFault::Wrong(findings) => loaded.unproven(findings),
         })?;
+    refuse_foreign(&output, "the program of a feed check", |text| text.contains(emit::FEED_CHECK_TITLE))?;
     if args.force {
         replace(&output, &proven.text)?;
     } else if output.exists() {
-        let there = shown(&output);
         let remedy = "--force replaces it, -o FILE writes another";
-        return Err(Failure::Message(format!(
-            "{there} exists already, from an earlier run or your own: {remedy}"
-        )));
+        let there = format!("{} exists already, from an earlier run: {remedy}", shown(&output));
+        return Err(Failure::Message(there));
     } else {
         write_new(&output, &proven.text)?;
     }

@@ -127,7 +127,9 @@ impl Loaded {
     /// Refusals of the design as faults at their keys; prints the notes on its drawing, with -v all of them.
     pub(super) fn refused(&self, refusals: Refusals) -> Failure {
         if !self.verbosity.quiet {
-            let notes = drawing_notes(&self.reading.spec);
+            let mut notes = drawing_notes(&self.reading.spec);
+            // Some are the refusals themselves.
+            notes.retain(|note| refusals.iter().all(|refusal| refusal.found != note.trim_end_matches('.')));
             let number = if self.verbosity.verbose { notes.len() } else { SHOWN_NOTES };
             let mut lines: Vec<String> =
                 notes.iter().take(number).map(|note| format!("drawing: {note}")).collect();

@@ -7,6 +7,7 @@ use serde_json::json;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say};
 use crate::cli::verbosity::{Quiet, Verbosity, pretty};
+use crate::plan::actual_speed;
 use crate::spec;
 use crate::spec::{Machine, Motion};
 
@@ -90,14 +91,12 @@ fn ability(motion: &Motion) -> String {
             diagonal.ceil()
         )
     });
-    match (motion.speed_range(), motion.steps_per_mm) {
-        (Some((_, most)), _) if most <= SLOW => "without chopping".to_owned(),
-        (Some((least, most)), Some([x, _, _])) => {
-            format!(
-                "chopped; without chopping, at {x} steps/mm, it would run at {least:.2} to {most:.2} mm/s{need}"
-            )
-        }
-        (Some((_, most)), None) => format!("chopped; without chopping it would run at {most:.2} mm/s"),
-        (None, _) => format!("unknown: run `stargrip-cam feedcheck`{need}"),
+    let Some(range) = motion.speed_range() else {
+        return format!("unknown: run `stargrip-cam feedcheck`{need}");
+    };
+    if range.1 <= SLOW {
+        return "without chopping".to_owned();
     }
+    let at = motion.steps_per_mm.map_or(String::new(), |[x, ..]| format!(", at {x} steps/mm,"));
+    format!("chopped; without chopping{at} it would run {}{need}", actual_speed(motion, SLOW, range))
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::answer::quantity::{SIZE, evenly, range};
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
-use crate::cli::shell::ShellArgs;
+use crate::cli::shell::{ShellArgs, not_computed};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
 use crate::design::{Design, DrawnPiece};
@@ -14,7 +14,6 @@ use crate::forecast::predict::{PredictFault, add_curve, predict};
 use crate::forecast::report;
 use crate::forecast::shell::Detail;
 use crate::forecast::shell::star;
-use crate::forecast::shell::star::ShellRefusal;
 use crate::pipeline::no_prediction;
 use crate::spec::{ModelChoice, Spec};
 use crate::units::Length;
@@ -108,6 +107,10 @@ fn run_drawn(args: &Args, loaded: &Loaded, spec: &Spec, piece: &DrawnPiece) -> R
         let text = "--radii is for stars: no model predicts the force of a drawn shape on an object";
         return Err(Failure::Usage(text.to_owned()));
     }
+    if args.model.is_some_and(|model| !matches!(model, ModelChoice::Shell | ModelChoice::Auto)) {
+        let text = "this --model is one of a star's hinges; only the shell models drawn shapes: leave it out";
+        return Err(Failure::Usage(text.to_owned()));
+    }
     let question = format!("predict {spec:?} {:?} {:?} {:?}", piece.air, piece.inner, piece.part.inside);
     args.shell.show(&question, args.verbosity, |watch| {
         let found = drawn::inflate(spec, piece, args.shell.drawn_detail(), watch);
@@ -115,14 +118,6 @@ fn run_drawn(args: &Args, loaded: &Loaded, spec: &Spec, piece: &DrawnPiece) -> R
         let text = drawn::text::text(spec, &found.prediction);
         Ok((found.prediction.to_json(), text, InflatedShape::joined(&found.shapes)))
     })
-}
-
-/// The shell's refusal as a failure of the command.
-fn not_computed(loaded: &Loaded, refusal: ShellRefusal) -> Failure {
-    match refusal {
-        ShellRefusal::Cancelled => Failure::Interrupted,
-        ShellRefusal::Fault(fault) => loaded.refused(no_prediction(&fault).into()),
-    }
 }
 
 /// Radii of round objects, m.

@@ -10,8 +10,8 @@ use crate::cli::failure::Failure;
 use crate::cli::text_file::{read_text, write_new};
 use crate::cli::verbosity::Verbosity;
 use crate::manifest::{MANIFEST, Manifest, sha256};
-use crate::resume::{ResumeAt, resume};
-use crate::units::{Length, Quantity};
+use crate::resume::{ResumeAt, ResumeFault, resume};
+use crate::units::{Length, Percent, Quantity};
 use inflatable::geom::Point;
 
 /// Arguments of `resume`.
@@ -23,7 +23,7 @@ pub(super) struct Args {
     /// The line that was running, counted from 1.
     #[arg(long, group = "place", allow_hyphen_values = true)]
     line: Option<usize>,
-    /// The elapsed part of the job's time: 37%.
+    /// The elapsed part of the whole job's time, as the program shows it (M73, `; progress:`): 37%.
     #[arg(long, group = "place", value_name = "PERCENT", value_parser = share, allow_hyphen_values = true)]
     at: Option<f64>,
     /// A point near which the iron stopped, from the sheet's lower left corner: "120.5 mm,80 mm".
@@ -41,20 +41,16 @@ pub(super) struct Args {
 }
 
 fn share(text: &str) -> Result<f64, String> {
-    let number = text.trim_end_matches('%').trim().parse::<f64>().ok();
-    let share = number.filter(|percent| (0.0..100.0).contains(percent)).map(|percent| percent / 100.0);
+    let share = Percent::parse(text).ok().map(Percent::ratio).filter(|share| (0.0..1.0).contains(share));
     share.ok_or_else(|| "a percentage from 0 to below 100, such as 37%".to_owned())
 }
 
 fn point(text: &str) -> Result<Point, String> {
-    let number = |text: &str| {
-        let mm = text.trim().parse::<f64>().ok().or_else(|| Length::parse(text).ok().map(|length| length.0));
-        mm.filter(|x| x.abs() < 1e6)
-    };
+    let number = |text: &str| Length::parse(text).ok().map(|length| length.0).filter(|x| x.abs() < 1e6);
     let (x, y) = text.split_once(',').unwrap_or((text, ""));
     match (number(x), number(y)) {
         (Some(x), Some(y)) => Ok(Point::new(x, y)),
-        _ => Err("two lengths, such as \"120.5 mm,80 mm\"".to_owned()),
+        _ => Err("two lengths with their units, such as \"120.5 mm,80 mm\"".to_owned()),
     }
 }
 
@@ -79,8 +75,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             ));
         }
     };
-    let resumed = resume(&text, place, args.overlap)
-        .map_err(|fault| Failure::Message(format!("{}: {fault}", shown(&args.job))))?;
+    let resumed = resume(&text, place, args.overlap).map_err(|fault| {
+        let beside = sealing(&args.job).filter(|_| fault == ResumeFault::Trace);
+        let beside = beside.map_or_else(String::new, |path| format!(", {}", shown(path)));
+        Failure::Message(format!("{}: {fault}{beside}", shown(&args.job)))
+    })?;
     let manifest = args.job.with_file_name(MANIFEST);
     // Reading a pipe or a device of this name would block, and it cannot be a manifest.
     let known = manifest.is_file();
@@ -90,7 +89,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let target = args.output.clone().unwrap_or_else(|| target(&args.job, known));
     write_new(&target, &resumed.text)?;
     let text = format!(
-        "wrote {}\ncontinues at line {} of the old program, after {:.1} % of its time; seals the last {:.1} mm again\n\
+        "wrote {}\ncontinues at line {} of the old program, after {:.1} % of the job's time; seals the last {:.1} mm again\n\
          about {} left\n{}\n\
          before you start it: same sheet, same zero, iron above the fabric\n",
         shown(&target),
@@ -113,6 +112,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "named_in_manifest": known,
     });
     args.verbosity.report(&text, &json)
+}
+
+/// The sealing program beside the trace program `trace`, if there is one.
+fn sealing(trace: &Path) -> Option<PathBuf> {
+    let name = trace.file_name()?.to_string_lossy().replace("-trace.", "-seal.");
+    Some(trace.with_file_name(name)).filter(|path| path != trace && path.is_file())
 }
 
 /// The default path of the program: beside the job, or for a job in a published directory, beside the directory.

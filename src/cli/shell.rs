@@ -5,11 +5,15 @@ use std::path::PathBuf;
 use crate::cli::cache::Cache;
 use crate::cli::failure::Failure;
 use crate::cli::interrupt::Listening;
+use crate::cli::load::Loaded;
 use crate::cli::progress;
-use crate::cli::text_file::replace;
+use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
-use crate::forecast::shell::Detail;
+use crate::forecast::pressures::outside;
+use crate::forecast::shell::star::ShellRefusal;
+use crate::forecast::shell::{Detail, SHELL};
+use crate::pipeline::no_prediction;
 use inflatable::shell::cases::{InflatedShape, ShellFault, Watch};
 
 /// Arguments for the shell model only.
@@ -68,6 +72,9 @@ impl ShellArgs {
         verbosity: Verbosity,
         compute: impl FnOnce(&Watch<'_>) -> Result<(String, String, InflatedShape), Failure>,
     ) -> Result<(), Failure> {
+        if let Some(path) = &self.vtu {
+            refuse_foreign(path, "a VTU file", |text| text.contains("<VTKFile "))?;
+        }
         let cache = Cache::new(self.no_cache);
         let key = cache.key(&[question, &format!("{:?} {}", self.fineness, self.vtu.is_some())]);
         let shown = if let Some(shown) = cache.get(&key).and_then(Shown::from_parts) {
@@ -105,7 +112,19 @@ impl Shown {
 pub(super) fn refused(fault: &ShellFault) -> Failure {
     match fault {
         ShellFault::Cancelled => Failure::Interrupted,
+        ShellFault::Pressure { found, least, most } => {
+            let (found, remedy) = outside(SHELL, *found, [*least, *most]);
+            Failure::Message(format!("{found}: {remedy}"))
+        }
         fault => Failure::Message(fault.to_string()),
+    }
+}
+
+/// The shell's refusal as a failure of the command.
+pub(super) fn not_computed(loaded: &Loaded, refusal: ShellRefusal) -> Failure {
+    match refusal {
+        ShellRefusal::Cancelled => Failure::Interrupted,
+        ShellRefusal::Fault(fault) => loaded.refused(no_prediction(&fault).into()),
     }
 }
 

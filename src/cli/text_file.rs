@@ -27,6 +27,12 @@ pub(super) fn read_table(path: &Path) -> Result<String, Failure> {
 }
 
 fn read_within(path: &Path, most: u64) -> Result<String, Failure> {
+    if path.is_dir() {
+        return Err(Failure::File(
+            path.display().to_string(),
+            format!("{} is a directory: name a file in it", shown(path)),
+        ));
+    }
     let mut bytes = Vec::new();
     let read = if is_standard_input(path) {
         std::io::stdin().lock().take(most + 1).read_to_end(&mut bytes)
@@ -55,6 +61,27 @@ pub(super) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
             _ => Failure::file("write", path, &error),
         }
     })
+}
+
+/// Bytes at the beginning of a file, in which its kind shows.
+const BEGINNING: u64 = 4096;
+
+/// Refuses to replace `path` if it is a file, not empty, and not `what` by its beginning: a typing error must not cost an input.
+pub(super) fn refuse_foreign(
+    path: &Path,
+    what: &str,
+    is_own: impl FnOnce(&str) -> bool,
+) -> Result<(), Failure> {
+    if !path.is_file() {
+        return Ok(());
+    }
+    let mut start = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(BEGINNING).read_to_end(&mut start));
+    let _ = read.map_err(|error| Failure::file("read", path, &error))?;
+    if start.is_empty() || is_own(&String::from_utf8_lossy(&start)) {
+        return Ok(());
+    }
+    Err(Failure::Message(format!("{} exists and is not {what}: name another file", shown(path))))
 }
 
 /// Writes or replaces a file atomically.

@@ -1,6 +1,5 @@
 //! `stargrip-cam trade`
 
-use std::fs;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -10,6 +9,7 @@ use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::progress;
 use crate::cli::progress::Progress;
+use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
 use crate::forecast::trade;
 use crate::forecast::trade::TradeRow;
@@ -42,23 +42,29 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         }
         None => None,
     };
+    let beside = args.svg.as_ref().map(|path| {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        path.with_file_name(format!("{stem}-shells.svg"))
+    });
+    if let Some(path) = &args.csv {
+        refuse_foreign(path, "a table of `trade`", |text| text.starts_with("model,time_s"))?;
+    }
+    for path in args.svg.iter().chain(&beside) {
+        refuse_foreign(path, "a plot of `trade`", picture::is_picture)?;
+    }
     let start = Instant::now();
     let base = base.unwrap_or_else(|| StarSpec::paper(5));
     let clock = || start.elapsed().as_secs_f64();
     let measure = |_: &Progress| Ok((trade::measure(&base, &clock)?, against_shells(&clock)?));
     let (rows, shells) = progress::during(args.verbosity, "measuring every model", measure)
         .map_err(|fault: StarFault| Failure::Message(fault.to_string()))?;
-    let beside = args.svg.as_ref().map(|path| {
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        path.with_file_name(format!("{stem}-shells.svg"))
-    });
     for (path, text) in [
         (&args.csv, trade::csv(&rows)),
         (&args.svg, picture::against_ring(&rows)),
         (&beside, picture::against_shells(&shells)),
     ] {
         if let Some(path) = path {
-            fs::write(path, text).map_err(|error| Failure::file("write", path, &error))?;
+            replace(path, &text)?;
         }
     }
     let list = |values: &[f64]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");

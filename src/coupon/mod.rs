@@ -86,6 +86,8 @@ pub const DISC: f64 = 100.0;
 const BURST_DISC: f64 = 40.0;
 /// Height of a number, mm.
 const LABEL: f64 = 5.0;
+/// Least distance of a cut from the axes of the machine, mm.
+const MARGIN: f64 = 1.0;
 /// Assumed size of an unknown bed along X and Y, mm.
 const USUAL_BED: f64 = 300.0;
 
@@ -150,11 +152,14 @@ pub fn coupons(
         }
     }
     let hose = hose(spec.inlet.as_ref());
-    let flap = 0.5 * spec.seal.band.0 + spec.seal.allowance.0 + 1.0;
+    let flap = 0.5 * spec.seal.band.0 + spec.seal.allowance.0 + MARGIN;
     let edge = machine.process.ramp.0.max(10.0).max(flap);
     let place = |name: PieceName, number: usize, pouch: &SealedShape, x: f64, y: f64| {
-        let shape =
-            pouch.moved(Isometry::translation(Point::new(x + edge, y + edge) - pouch.seam_bounds().min));
+        let (seam, cut) =
+            (pouch.seam_bounds().min, pouch.cut.as_ref().map_or(Bounds::EMPTY, Path::bounds).min);
+        // The cut around a corner reaches farther than the flap is wide.
+        let (right, up) = (edge.max(MARGIN + seam.x - cut.x), edge.max(MARGIN + seam.y - cut.y));
+        let shape = pouch.moved(Isometry::translation(Point::new(x + right, y + up) - seam));
         let bounds = shape.seam_bounds();
         let label = bounds.min.lerp(bounds.max, 0.4);
         CouponPiece { name, shape, label: Some((number, label)) }

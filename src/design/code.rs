@@ -6,7 +6,7 @@ codes! {
     /// The reasons why a valid spec cannot be made, and the warnings before it is made.
     RefusalCode {
         ArmsFallThrough "arms-fall-through" "Arms would slip through a plate's opening; make clearance smaller or the stars more alike.",
-        BandEatsArm "band-eats-arm" "At a hinge the band needs more of an arm's length than there is; make it narrower, or the hinge rounder.",
+        BandEatsArm "band-eats-arm" "At a hinge the band needs more of an arm's length than there is; make it narrower, or the arms longer.",
         BandsMeet "bands-meet" "A leak: the two bands leave no tube between them; widen the tube or narrow the band.",
         BandsOverlap "bands-overlap" "Two bands of a drawing overlap; draw them farther apart, or make the band narrower.",
         Bursts "bursts" "The seal would peel at the pressure of `load`; see the remedies shown, or build it nevertheless with `--anyway`.",

@@ -45,8 +45,8 @@ impl StarDesign {
     /// # Errors
     /// Every reason for which it cannot be made, each once.
     pub fn new(spec: &Spec, star_spec: &StarSpec) -> Result<Self, Refusals> {
-        let star = Star::new(star_spec)?;
         let seal = &spec.seal;
+        let star = Star::for_band(star_spec, seal.band)?;
         let half_band = seal.band.0 / 2.0;
         let channel = spec.inlet.as_ref().map(|inlet| Channel::new(&star, inlet, star_spec.inlet_tip));
         let mut refusals = Refusals::new();

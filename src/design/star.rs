@@ -54,6 +54,14 @@ impl Star {
     /// # Errors
     /// If the reentrant corners would be straight, the arms would have no length, or the star would be larger than 200 m.
     pub fn new(spec: &StarSpec) -> Result<Self, Refusal> {
+        Self::for_band(spec, Length(0.0))
+    }
+
+    /// The star of `spec`; the changes that a refusal names leave a part of each arm to `band`.
+    ///
+    /// # Errors
+    /// As for [`Star::new`].
+    pub(crate) fn for_band(spec: &StarSpec, band: Length) -> Result<Self, Refusal> {
         let n = spec.points;
         let phi_i = spec.tip_angle.rad();
         let phi_e = phi_i + 2.0 * PI / f64::from(n);
@@ -72,7 +80,7 @@ impl Star {
         }
         let l = arm_length(spec, n);
         if l <= 0.0 {
-            return Err(no_arm(spec, l));
+            return Err(no_arm(spec, l, band.0 / 2.0));
         }
         let (sin, cos) = libm::sincos(phi_i / 2.0);
         let (w, r_i, r_e) = (spec.tube_width.0, spec.tip_radius.0, spec.corner_radius.0);
@@ -87,15 +95,19 @@ impl Star {
 
     /// The star with the inner radius of curvature `radius` at tips and corners; `None` if there is no such star.
     pub(crate) fn with_radii(&self, radius: Length) -> Option<Self> {
-        let spec = StarSpec {
+        Self::new(&StarSpec { tip_radius: radius, corner_radius: radius, ..self.spec() }).ok()
+    }
+
+    /// A spec of this star; rotation, pitch and inlet are the defaults.
+    pub(super) fn spec(&self) -> StarSpec {
+        StarSpec {
             inner_radius: Length(self.rho_0),
             tube_width: Length(self.w),
             tip_angle: Angle(self.phi_i.to_degrees()),
-            tip_radius: radius,
-            corner_radius: radius,
+            tip_radius: Length(self.r_i),
+            corner_radius: Length(self.r_e),
             ..StarSpec::paper(self.n)
-        };
-        Self::new(&spec).ok()
+        }
     }
 
     /// Half the angle of a sector, pi / n.

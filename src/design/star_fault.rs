@@ -8,7 +8,10 @@ use std::f64::consts::PI;
 
 use crate::design::{Refusal, RefusalCode};
 use crate::spec::{KeyPath, StarSpec, key};
-use crate::units::Readable;
+use crate::units::{Angle, Length, Readable};
+
+/// Largest inner radius that is proposed, mm: that of a spec.
+const WIDEST: f64 = 1e5;
 
 /// The candidate (key, ratio to the usual value) farthest out of line; the first of equals.
 pub(super) fn blamed<const N: usize>(candidates: [(KeyPath, f64); N]) -> KeyPath {
@@ -34,20 +37,9 @@ fn out_of_line(spec: &StarSpec, key: KeyPath) -> f64 {
     }
 }
 
-/// The refusal of a star whose arms would be `l` mm long, 0 or less.
-pub(super) fn no_arm(spec: &StarSpec, l: f64) -> Refusal {
-    let mut changes = single_changes(spec);
-    let keys = changes.iter().map(|(key, _)| *key);
-    let worst = keys.reduce(|a, b| if out_of_line(spec, b) > out_of_line(spec, a) { b } else { a });
-    let blamed = worst.unwrap_or(key::star::INNER_RADIUS);
-    // The one that the caret shows comes first.
-    changes.sort_by_key(|(key, _)| *key != blamed);
-    let words: Vec<String> = changes.iter().map(|(key, change)| format!("{} {change}", key.key())).collect();
-    let remedy = match words.as_slice() {
-        [] => "no single change is enough: make inner_radius larger and tube_width smaller".to_owned(),
-        [only] => format!("must be: {only}"),
-        [first, rest @ ..] => format!("must be: {first}; or alone: {}", rest.join(", or ")),
-    };
+/// The refusal of a star whose arms would be `l` mm long, 0 or less. Its changes leave arms between bands of half width `half`, mm.
+pub(super) fn no_arm(spec: &StarSpec, l: f64, half: f64) -> Refusal {
+    let (blamed, remedy) = remedy(spec, half, None);
     let round: Vec<String> = [("a tip radius", spec.tip_radius), ("a corner radius", spec.corner_radius)]
         .into_iter()
         .filter(|(_, radius)| radius.0 > 0.0)
@@ -65,41 +57,87 @@ pub(super) fn no_arm(spec: &StarSpec, l: f64) -> Refusal {
     Refusal::new(blamed, RefusalCode::NoArm, found, remedy)
 }
 
-/// Every single change that would give arms, each with its limit.
-///
-/// All limits are where `(rho_0 + W + R_e) sin(pi/n) = (W + R_i + R_e) cos(phi_i0/2)`, the arm's length of
-/// [`arm_length`] at 0; they are rounded to hundredths towards the side that works.
-fn single_changes(spec: &StarSpec) -> Vec<(KeyPath, String)> {
-    let n = f64::from(spec.points);
-    let (sin, cos) = (libm::sin(PI / n), libm::cos(spec.tip_angle.rad() / 2.0));
-    let (rho, w) = (spec.inner_radius.0, spec.tube_width.0);
-    let (r_i, r_e) = (spec.tip_radius.0, spec.corner_radius.0);
-    let below = |limit: f64| {
-        let limit = (limit * 100.0).floor() / 100.0;
-        (limit > 0.0).then(|| format!("below {} mm", Readable(limit)))
+/// The key to blame and the remedy where the `band` of a star with arms uses them up.
+pub(super) fn arms_for_band(spec: &StarSpec, band: Length) -> (KeyPath, String) {
+    let narrower = greatest(band.0, |band| has_arms(spec, band / 2.0));
+    remedy(spec, band.0 / 2.0, narrower.map(|most| (key::seal::BAND, format!("below {} mm", Readable(most)))))
+}
+
+/// The key to blame, and all single changes that leave arms between bands of half width `half`, mm; the one of the blamed key first, which
+/// is that of `first` if there is one.
+fn remedy(spec: &StarSpec, half: f64, first: Option<(KeyPath, String)>) -> (KeyPath, String) {
+    let mut changes = single_changes(spec, half);
+    let keys = changes.iter().map(|(key, _)| *key);
+    let worst = keys.reduce(|a, b| if out_of_line(spec, b) > out_of_line(spec, a) { b } else { a });
+    let blamed = first.as_ref().map(|(key, _)| *key).or(worst).unwrap_or(key::star::INNER_RADIUS);
+    changes.extend(first);
+    // The one that the caret shows comes first.
+    changes.sort_by_key(|(key, _)| *key != blamed);
+    let words: Vec<String> = changes.iter().map(|(key, change)| format!("{} {change}", key.key())).collect();
+    let remedy = match words.as_slice() {
+        [] => "no single change is enough: make inner_radius larger and tube_width smaller".to_owned(),
+        [only] => format!("must be: {only}"),
+        [first, rest @ ..] => format!("must be: {first}; or alone: {}", rest.join(", or ")),
     };
-    let above = |limit: f64, unit: &str| format!("above {} {unit}", Readable((limit * 100.0).ceil() / 100.0));
-    let fits = |m: &u32| {
-        let corner = spec.tip_angle.rad() + 2.0 * PI / f64::from(*m);
-        corner < PI - 1e-6 && arm_length(spec, *m) > 0.0
-    };
-    let most = (3..spec.points).rev().find(fits).map(|most| format!("at most {most}"));
-    // Below a straight corner cos > sin.
-    let width = below(((rho + r_e) * sin - (r_i + r_e) * cos) / (cos - sin));
-    let radius = above((w + r_i + r_e) * cos / sin - w - r_e, "mm");
-    let wide = (rho + w + r_e) * sin / (w + r_i + r_e);
-    let angle = (wide > sin && wide < 1.0).then(|| above((2.0 * libm::acos(wide)).to_degrees(), "deg"));
-    let tip = below((rho + w + r_e) * sin / cos - w - r_e).filter(|_| r_i > 0.0);
-    let corner = below(((rho + w) * sin - (w + r_i) * cos) / (cos - sin)).filter(|_| r_e > 0.0);
+    (blamed, remedy)
+}
+
+/// Every single change that would leave arms between bands of half width `half`, mm, each with its limit, at which it does.
+fn single_changes(spec: &StarSpec, half: f64) -> Vec<(KeyPath, String)> {
+    let fits = |changed: StarSpec| has_arms(&changed, half);
+    let points = (3..spec.points).rev().find(|n| fits(StarSpec { points: *n, ..spec.clone() }));
+    let straight = 180.0 - 360.0 / f64::from(spec.points) - 0.005;
+    let radius = least([spec.inner_radius.0, WIDEST], |mm| {
+        fits(StarSpec { inner_radius: Length(mm), ..spec.clone() })
+    });
+    let width = greatest(spec.tube_width.0, |mm| fits(StarSpec { tube_width: Length(mm), ..spec.clone() }));
+    let angle =
+        least([spec.tip_angle.0, straight], |deg| fits(StarSpec { tip_angle: Angle(deg), ..spec.clone() }));
+    let tip = greatest(spec.tip_radius.0, |mm| fits(StarSpec { tip_radius: Length(mm), ..spec.clone() }));
+    let corner =
+        greatest(spec.corner_radius.0, |mm| fits(StarSpec { corner_radius: Length(mm), ..spec.clone() }));
+    let below = |limit: f64| format!("below {} mm", Readable(limit));
     let changes = [
-        (key::star::POINTS, most),
-        (key::star::INNER_RADIUS, Some(radius)),
-        (key::star::TUBE_WIDTH, width),
-        (key::star::TIP_ANGLE, angle),
-        (key::star::TIP_RADIUS, tip),
-        (key::star::CORNER_RADIUS, corner),
+        (key::star::POINTS, points.map(|most| format!("at most {most}"))),
+        (key::star::INNER_RADIUS, radius.map(|limit| format!("above {} mm", Readable(limit)))),
+        (key::star::TUBE_WIDTH, width.map(below)),
+        (key::star::TIP_ANGLE, angle.map(|limit| format!("above {} deg", Readable(limit)))),
+        (key::star::TIP_RADIUS, tip.map(below)),
+        (key::star::CORNER_RADIUS, corner.map(below)),
     ];
     changes.into_iter().filter_map(|(key, change)| Some((key, change?))).collect()
+}
+
+/// The least hundredth above `from` that `fits`, where all larger ones up to `to` do; `None` if none does.
+fn least([from, to]: [f64; 2], fits: impl Fn(f64) -> bool) -> Option<f64> {
+    between((100.0 * from).floor(), (100.0 * to).floor(), fits)
+}
+
+/// The greatest hundredth below `from` that `fits`, where all smaller ones above 0 do; `None` if none does.
+fn greatest(from: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
+    if from > 0.01 { between((100.0 * from).ceil(), 1.0, fits) } else { None }
+}
+
+/// Of the whole hundredths from `bad`, which does not fit, to `good` the first that `fits`.
+fn between(mut bad: f64, mut good: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
+    if !fits(good / 100.0) {
+        return None;
+    }
+    while (good - bad).abs() > 1.0 {
+        let middle = f64::midpoint(bad, good).round();
+        if fits(middle / 100.0) { good = middle } else { bad = middle }
+    }
+    Some(good / 100.0)
+}
+
+/// Whether the star that `spec` describes has arms, and bands of half width `half`, mm, leave a part of each: at tips and corners sharper
+/// than that the band takes some (design/contour.rs).
+fn has_arms(spec: &StarSpec, half: f64) -> bool {
+    let sector = 2.0 * PI / f64::from(spec.points);
+    let (l, phi) = (arm_length(spec, spec.points), spec.tip_angle.rad());
+    let left = |radius: Length, phi: f64| l - (half - radius.0).max(0.0) / libm::tan(phi / 2.0);
+    let least = left(spec.tip_radius, phi).min(left(spec.corner_radius, phi + sector));
+    phi + sector < PI - 1e-6 && l > 0.0 && least > 1e-9 * l
 }
 
 /// Arm length l of the star that `spec` describes with `n` points, mm; it may come out negative.
@@ -149,7 +187,7 @@ mod tests {
             corner_radius: Length(1.0),
             ..paper()
         };
-        let changes = single_changes(&bad);
+        let changes = single_changes(&bad, 0.0);
         assert!(changes.len() >= 3, "{changes:?}");
         for (key, change) in changes {
             let number =

@@ -1,10 +1,10 @@
 //! The two seams of a star: the inner and the outer edge of its tube.
 
-use crate::design::star_fault::blamed;
+use crate::design::star_fault::{arms_for_band, blamed};
 use crate::design::{Channel, Part, Refusal, RefusalCode, Side, Star};
 use crate::shape::{Role, Seam};
 use crate::spec::{Seal, key};
-use crate::units::{Least, Most, Readable};
+use crate::units::{Least, Length, Most, Readable};
 use inflatable::geom::Path;
 
 /// Overrun of an inlet's bands past the cut at full contact, mm, so that the cut edge is sealed to its end.
@@ -23,7 +23,7 @@ pub(super) fn star_seam(
     let half_band = seal.band.0 / 2.0;
     let contour = star.contour(side, half_band, 0.0).ok_or_else(|| hole_closed(star, seal))?;
     if contour.arm <= 0.0 {
-        return Err(band_eats_arm(star, side, seal));
+        return Err(band_eats_arm(star, side, seal.band));
     }
     if let (Side::Outside, Some(channel)) = (side, channel) {
         let center_line = channel.open(star, &contour, half_band, 0.0, MOUTH_OVERRUN)?;
@@ -73,22 +73,16 @@ pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {
     )
 }
 
-fn band_eats_arm(star: &Star, side: Side, seal: &Seal) -> Refusal {
-    let (radius, phi, hinge, key) = match side {
-        Side::Hole => (star.r_i, star.phi_i, "tips", "tip_radius"),
-        Side::Outside => (star.r_e, star.phi_e, "reentrant corners", "corner_radius"),
+fn band_eats_arm(star: &Star, side: Side, band: Length) -> Refusal {
+    let (radius, phi, hinge) = match side {
+        Side::Hole => (star.r_i, star.phi_i, "tips"),
+        Side::Outside => (star.r_e, star.phi_e, "reentrant corners"),
     };
-    let eaten = (seal.band.0 / 2.0 - radius) / libm::tan(phi / 2.0);
-    let widest = 2.0 * (radius + star.l * libm::tan(phi / 2.0));
-    Refusal::new(
-        key::seal::BAND,
-        RefusalCode::BandEatsArm,
-        format!(
-            "at the {hinge} a band of {} takes {} mm of arms that are {} mm long",
-            seal.band,
-            Readable(eaten),
-            Readable(star.l)
-        ),
-        format!("band must be below {} mm, or {key} larger", Most(widest)),
-    )
+    let (key, remedy) = arms_for_band(&star.spec(), band);
+    let found = format!(
+        "at the {hinge} a band of {band} takes {} mm of arms that are {} mm long",
+        Readable((band.0 / 2.0 - radius) / libm::tan(phi / 2.0)),
+        Readable(star.l)
+    );
+    Refusal::new(key, RefusalCode::BandEatsArm, found, remedy)
 }

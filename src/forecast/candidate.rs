@@ -163,7 +163,8 @@ impl Candidate {
         ring: &RingTable,
         known: impl Fn(&mut Case) -> Result<Option<Outcome>, StarFault>,
     ) -> Result<Answer, RefusedDesign> {
-        let star = Star::new(&self.star).map_err(|refusal| RefusedDesign::from(&refusal))?;
+        let star =
+            Star::for_band(&self.star, self.seal.band).map_err(|refusal| RefusedDesign::from(&refusal))?;
         let asked = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?;
         let met = self.different_meetings(&star);
         let mut case = met.first().map_or(asked, |(meeting, _)| asked.meeting(Some(*meeting)));

@@ -4,7 +4,7 @@ use crate::design::{Object, Refusal, RefusalCode, does_not_enter};
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::ranges::Interval;
 use crate::forecast::ranges::shown::with;
-use crate::forecast::seal_load::Bursting;
+use crate::forecast::seal_load::{Bursting, bursts_at};
 use crate::spec::{Load, Spec, StarSpec, key};
 use crate::units::{Least, Length, Mass, Most, Pressure};
 use inflatable::mechanics::strength::GRAVITY;
@@ -98,13 +98,12 @@ pub(super) fn may_burst(load: &Load, star: &StarPrediction) -> Option<String> {
 /// The seal peels below the pressure of `load`.
 pub(super) fn bursts(load: &Load, star: &StarPrediction) -> Option<Refusal> {
     let _ = bursting(load, star).filter(|one| *one == Bursting::Yes)?;
-    let (pressure, burst) = (load.pressure?, Pressure(star.burst_pressure_kPa?));
-    let [sure, most] = star.ranges.burst_pressure_kPa.unwrap_or([burst.0; 2]);
+    let (pressure, burst, range) = (load.pressure?, star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa);
+    let [sure, _] = range.unwrap_or([burst; 2]);
     let round = star.evidence.safe_radius_mm.map_or_else(String::new, |mm| {
         format!(", or tip_radius and corner_radius of at least {}", Length(mm))
     });
-    let found =
-        format!("the pressure is {pressure}, and the seal is predicted to burst at {} kPa", Most(most));
+    let found = bursts_at(pressure, burst, range);
     let remedy = format!("at most {} kPa{round}, or a stronger seal or a smaller tube_width", Most(sure));
     Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, found, remedy))
 }

@@ -5,7 +5,7 @@ use crate::forecast::case::{Case, weave};
 use crate::forecast::model_selection::{corrected, hinge_model, limits_of_validity, named, tabled};
 use crate::forecast::outcome::{Grip, Outcome};
 use crate::forecast::prediction::{ForceAt, Hinges, ModelEvidence, Prediction, StarPrediction};
-use crate::forecast::pressures::{LEAST, MOST, modelled, rows};
+use crate::forecast::pressures::{LEAST, MOST, modelled, outside_section, rows};
 use crate::forecast::ranges::{Domain, Interval, Ranges, StarRanges, errors, outside, sum};
 use crate::forecast::seal_load::{
     Bursting, LoadedHinge, burst, burst_range, factor, largest_pull, possible_radius, remedy,
@@ -27,8 +27,10 @@ pub struct PredictFault {
     pub star: Option<usize>,
     /// The key of the spec that is best changed.
     pub key: KeyPath,
-    /// The found and the allowed value.
+    /// The found value, and the allowed one if `remedy` does not name it.
     pub what: String,
+    /// The way to a prediction; `None` if `what` names it, or none is known.
+    pub remedy: Option<String>,
 }
 
 impl fmt::Display for PredictFault {
@@ -36,7 +38,8 @@ impl fmt::Display for PredictFault {
         if let Some(star) = self.star {
             write!(f, "star {star}: ")?;
         }
-        write!(f, "{}: {}", self.key, self.what)
+        write!(f, "{}: {}", self.key, self.what)?;
+        self.remedy.iter().try_for_each(|remedy| write!(f, ": {remedy}"))
     }
 }
 
@@ -59,15 +62,17 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
         let star = if let Some((_, _, star)) = twin {
             star.clone()
         } else {
-            let star = predict_star(spec, design.part(placed), meeting)
-                .map_err(|fault| located(placed.index, &fault))?;
+            let part = design.part(placed);
+            let star = predict_star(spec, part, meeting)
+                .map_err(|fault| located(placed.index, (spec, part), &fault))?;
             known.push((placed.distinct, meeting, star.clone()));
             star
         };
         stars.push(star);
     }
     let Some(first) = stars.first() else {
-        return Err(PredictFault { star: None, key: key::stack::COUNT, what: "there is no star".to_owned() });
+        let what = "there is no star".to_owned();
+        return Err(PredictFault { star: None, key: key::stack::COUNT, what, remedy: None });
     };
     let mut first = first.clone();
     first.payload_kg = stars.iter().map(|star| star.payload_kg).sum();
@@ -79,8 +84,9 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
 
 /// The stars of `design`: no model covers another product.
 pub(super) fn stars_of(design: &Design) -> Result<&StarAssembly, PredictFault> {
-    let what = "a drawn shape is not a star; only the shell models it: use `stargrip-cam predict`".to_owned();
-    design.assembly().ok_or(PredictFault { star: None, key: key::drawing::FILE, what })
+    let what = "a drawn shape is not a star; only the shell models it".to_owned();
+    let remedy = Some("use `stargrip-cam predict`".to_owned());
+    design.assembly().ok_or(PredictFault { star: None, key: key::drawing::FILE, what, remedy })
 }
 
 /// Adds to `prediction`, which is that of `spec` and `design`, the forces on round objects of `radii`.
@@ -329,8 +335,14 @@ impl SealForecast {
     }
 }
 
-/// A fault of star `star` with the key that is best changed. The star itself exists: a design was made of it.
-fn located(star: usize, fault: &StarFault) -> PredictFault {
+/// A fault of star `star`, made of `part` by `spec`, with the key that is best changed. The star itself exists: a design was made of it.
+fn located(star: usize, (spec, part): (&Spec, &StarDesign), fault: &StarFault) -> PredictFault {
+    let case = Case::of(spec, &part.star).ok();
+    let outside =
+        case.and_then(|case| outside_section(fault, &case.sheet, case.mechanism.width, case.pressure?));
+    if let Some((what, remedy)) = outside {
+        return PredictFault { star: Some(star), key: key::load::PRESSURE, what, remedy: Some(remedy) };
+    }
     let key = match fault {
         StarFault::Dimension { symbol, .. } => match *symbol {
             "p" => key::load::PRESSURE,
@@ -342,5 +354,5 @@ fn located(star: usize, fault: &StarFault) -> PredictFault {
         StarFault::Radius { .. } => key::load::OBJECT_RADIUS,
         StarFault::Hinge(_) | StarFault::Root(_) => key::star::TIP_RADIUS,
     };
-    PredictFault { star: Some(star), key, what: fault.to_string() }
+    PredictFault { star: Some(star), key, what: fault.to_string(), remedy: None }
 }

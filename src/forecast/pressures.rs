@@ -4,8 +4,10 @@ use crate::forecast::case::Case;
 use crate::forecast::model_selection::tabled;
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::{Domain, Interval, mm};
-use crate::units::{Length, Pressure};
-use inflatable::mechanics::fault::StarFault;
+use crate::units::{Least, Length, Most, Pressure};
+use inflatable::mechanics::fault::{HingeFault, StarFault};
+use inflatable::mechanics::hinge::section::{BENDABILITY, MOST_STRETCH};
+use inflatable::mechanics::strength::ElasticSheet;
 use serde::Serialize;
 
 /// One pressure, with the star's values there.
@@ -60,6 +62,31 @@ pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
         rows[best].best = true;
     }
     rows
+}
+
+/// The finding that nothing of this width and fabric is computed by `model` at `pressure`, Pa, and the remedy: the pressures, Pa, at which
+/// it is.
+pub fn outside(model: &str, pressure: f64, [least, most]: Interval) -> (String, String) {
+    let [least, most] = [least, most].map(|pascals| Pressure::from_pascals(pascals).0);
+    let found =
+        format!("{model} covers no tube of this width and fabric at {}", Pressure::from_pascals(pressure));
+    (found, format!("a pressure from {} to {} kPa", Least(least), Most(most)))
+}
+
+/// [`outside`], if the `fault` of `section` with hinges of `sheet` in a tube `width` m wide is due to the `pressure`, Pa.
+pub fn outside_section(
+    fault: &StarFault,
+    sheet: &ElasticSheet,
+    width: f64,
+    pressure: f64,
+) -> Option<(String, String)> {
+    let StarFault::Hinge(HingeFault::Scale { .. }) = fault else { return None };
+    // Both are in proportion to the pressure.
+    let [bendability, stretch] = [sheet.bendability(1.0, width), sheet.stretch(1.0, width)];
+    let most = (BENDABILITY.end() / bendability).min(MOST_STRETCH / stretch);
+    let range = [BENDABILITY.start() / bendability, most];
+    let is_due = |p: f64| !(range[0]..=range[1]).contains(&p);
+    (range[0] < range[1] && is_due(pressure)).then(|| outside("section", pressure, range))
 }
 
 /// Pressures that a spec may have, kPa: 1 Pa to 1 GPa.

@@ -12,7 +12,7 @@
 use crate::design::{Star, StarDesign};
 use crate::forecast::case::{Case, Hinges, mechanism};
 use crate::forecast::pressures::is_modelled;
-use crate::forecast::ranges::{Interval, TriedRatio, errors, scaled, widening};
+use crate::forecast::ranges::{Interval, TriedRatio, errors, scaled, shown, widening};
 use crate::units::{Length, LineForce, Pressure, Readable};
 use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::mechanics::hinge::{HingeModel, seal_load};
@@ -110,6 +110,12 @@ impl Bursting {
             _ => Self::No,
         }
     }
+}
+
+/// The finding that a seal, which bursts at `burst` kPa, with its range if that is known, certainly bursts at `pressure`.
+pub fn bursts_at(pressure: Pressure, burst: f64, range: Option<Interval>) -> String {
+    let burst = range.map_or_else(|| Pressure(burst).to_string(), |range| shown::with(burst, range, "kPa"));
+    format!("the pressure is {pressure}, and the seal is predicted to burst at {burst}")
 }
 
 /// The kind of hinge whose seal has the largest pull, its inner radius, m, and `k` there; the same at all

@@ -170,6 +170,10 @@ mod tests {
         assert_eq!(codes(&with("10 N/mm", "0 mm")), [""; 0]);
         let weak = with("3 N/mm", "0 mm");
         assert_eq!(codes(&weak), ["bursts"]);
+        let first = &weak.prediction.as_ref().expect("asked").first;
+        let (burst, range) = first.burst_pressure_kPa.zip(first.ranges.burst_pressure_kPa).expect("known");
+        let said = crate::forecast::ranges::shown::with(burst, range, "kPa");
+        assert!(weak.unfit()[0].found.ends_with(&said), "{:?}: {said}", weak.unfit()[0]);
         let radius = weak.prediction.expect("asked").first.evidence.safe_radius_mm.expect("one helps");
         assert_eq!(codes(&with("3 N/mm", &format!("{radius} mm"))), [""; 0]);
     }

@@ -179,5 +179,6 @@ pub fn build(
 /// A failed prediction, as a refusal at the key that causes it.
 pub fn no_prediction(fault: &PredictFault) -> Refusal {
     let key = fault.star.map_or(fault.key, |star| fault.key.of_star(star));
-    Refusal::new(key, RefusalCode::NoPrediction, fault.what.clone(), "needed for a prediction".to_owned())
+    let remedy = fault.remedy.clone().unwrap_or_else(|| "needed for a prediction".to_owned());
+    Refusal::new(key, RefusalCode::NoPrediction, fault.what.clone(), remedy)
 }

@@ -88,7 +88,7 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
         format!(
             "{at}{} runs this {}",
             machine.controller.dialect.title(),
-            runs(&machine.motion, speed, (least, most))
+            actual_speed(&machine.motion, speed, (least, most))
         ),
         format!(
             "write `feed_floor = \"chop\"` in [machine]; or a speed of at least {:.2} mm/s{better}",
@@ -97,9 +97,9 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     ))
 }
 
-/// The actual speed of a controller for the programmed `speed`, mm/s, in words; `range` holds its lowest speeds over all
-/// directions.
-fn runs(motion: &Motion, speed: f64, range: (f64, f64)) -> String {
+/// The actual speed of a controller for the programmed `speed`, mm/s, which it does not hold, in words; `range` holds its lowest speeds
+/// over all directions.
+pub fn actual_speed(motion: &Motion, speed: f64, range: (f64, f64)) -> String {
     if let Some(part) = rounded_up(motion, speed) {
         let percent = (1000.0 * part - 1e-9).ceil() / 10.0;
         return format!("up to {percent:.1} % too fast, for it rounds up to whole steps a second");

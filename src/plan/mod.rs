@@ -25,7 +25,7 @@ mod written;
 pub use chop::{Chop, move_time};
 pub use feedcheck::{CHECK_LENGTH, feed_checks};
 pub use job_size::too_many_moves;
-pub use lowest_feed::lowest_speed;
+pub use lowest_feed::{actual_speed, lowest_speed};
 pub use pace::{Pace, Pacer, Stroke};
 pub use pieces::{LONGEST_MOVE, pieces};
 pub use program::{Height, Program, Purpose, Ramp, SeamReport, Step};

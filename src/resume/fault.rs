@@ -11,6 +11,8 @@ use crate::verify::Finding;
 pub enum ResumeFault {
     /// A comment of a sealing program of this tool is missing or wrong.
     NotOurs(&'static str),
+    /// It is a trace program.
+    Trace,
     /// The program is damaged.
     Damaged(Finding),
     /// Its moves do not agree with its comments, or its comments state no valid seal.
@@ -33,6 +35,9 @@ impl fmt::Display for ResumeFault {
             Self::NotOurs(what) => write!(
                 f,
                 "this is not a sealing program of stargrip-cam, or an old one: it has no comment \"{what}: ...\"; build it again"
+            ),
+            Self::Trace => f.write_str(
+                "a trace program seals nothing: run it again from its start, or resume the sealing program",
             ),
             Self::Damaged(finding) => {
                 write!(f, "the file is damaged, take it from the published directory again: {finding}")

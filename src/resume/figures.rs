@@ -42,11 +42,14 @@ impl Figures {
             }
             ControlFlow::Continue(())
         });
-        let header = || old.text.lines().take(old.hot);
-        let told = header().find(|line| is(old.record, line, "total"));
-        let told = told.and_then(|line| number(old.record, line, "time_s")).unwrap_or(old.seconds);
-        let is_again = header().any(|line| is(old.record, line, "job"));
-        Self { seam, first, length, is_again, seconds: (told - old.seconds + new.seconds).max(0.0) }
+        let told = old.told.unwrap_or(old.seconds);
+        Self {
+            seam,
+            first,
+            length,
+            is_again: old.job.is_some(),
+            seconds: (told - old.seconds + new.seconds).max(0.0),
+        }
     }
 
     /// The lines that replace a line of the old program; empty if the new program has no such line.
@@ -91,10 +94,6 @@ fn comment(record: &Record, line: &str) -> Option<Comment> {
     };
     let text = text.trim().to_owned();
     (record.comment(&text) == line.trim_end()).then_some(Comment { line: 0, text })
-}
-
-fn is(record: &Record, line: &str, key: &str) -> bool {
-    comment(record, line).is_some_and(|comment| comment.key() == Some(key))
 }
 
 fn number(record: &Record, line: &str, word: &str) -> Option<f64> {

@@ -34,7 +34,7 @@ pub struct Resumed {
     pub line: usize,
     /// Length that is sealed twice, mm.
     pub overlap: f64,
-    /// Fraction of the job's time that was over at the stop, 0 to 1.
+    /// Fraction of the whole job's time that was over at the stop, 0 to 1.
     pub done: f64,
     /// Time of the new program, without heating and pauses, s.
     pub seconds: f64,

@@ -30,8 +30,10 @@ impl Record {
     pub(super) fn read(text: &str) -> Result<Self, ResumeFault> {
         let comments = if text.starts_with('(') { Comments::Parentheses } else { Comments::Semicolon };
         let header = Header::read(text, comments);
-        if header.word("program", "purpose") != Some("seal") {
-            return Err(ResumeFault::NotOurs("program: purpose=seal"));
+        match header.word("program", "purpose") {
+            Some("seal") => {}
+            Some("trace") => return Err(ResumeFault::Trace),
+            _ => return Err(ResumeFault::NotOurs("program: purpose=seal")),
         }
         let pace = header.pace()?;
         let process = header.process()?;

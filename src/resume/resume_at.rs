@@ -14,7 +14,7 @@ const REACH: f64 = 10.0;
 pub enum ResumeAt {
     /// Before the execution of this line, counted from 1.
     Line(usize),
-    /// At this fraction of the job's time, 0 to 1.
+    /// At this fraction of the whole job's time, 0 to 1, as every program shows it: that of a rest, too.
     Share(f64),
     /// Near this point of the sheet. Of two passes over it the first counts: sealing twice is safer than a gap.
     Near(Point),
@@ -29,15 +29,15 @@ pub(super) struct StopPoint {
     pub(super) phase: JobPhase,
     /// Path in contact since the start of the seam's run, mm.
     pub(super) along: f64,
-    /// Fraction of the job's time before it, 0 to 1.
+    /// Fraction of the whole job's time before it, 0 to 1.
     pub(super) done: f64,
 }
 
 impl StopPoint {
-    /// The place at this fraction of a move, 0 to 1, of a job of `total` seconds.
-    fn new(at: &TimedMove, fraction: f64, total: f64) -> Self {
+    /// The place at this fraction of a move of `toolpath`, 0 to 1.
+    fn new(toolpath: &Toolpath<'_>, at: &TimedMove, fraction: f64) -> Self {
         let length = if at.phase == JobPhase::Contact { at.step.length() } else { 0.0 };
-        let done = (at.begins + fraction * at.seconds) / total;
+        let done = toolpath.share_at(at.begins + fraction * at.seconds);
         Self { line: at.step.line, phase: at.phase, along: at.along + fraction * length, done }
     }
 }
@@ -51,7 +51,7 @@ impl ResumeAt {
             }
             Self::Line(line) => first(toolpath, |step| (step.step.line >= line).then_some(0.0)),
             Self::Share(share) => {
-                let time = share * toolpath.seconds;
+                let time = toolpath.time_at(share);
                 first(toolpath, |step| {
                     let fraction = if step.seconds > 0.0 { (time - step.begins) / step.seconds } else { 0.0 };
                     (step.begins + step.seconds > time).then_some(fraction.clamp(0.0, 1.0))
@@ -66,7 +66,7 @@ impl ResumeAt {
 fn first(toolpath: &Toolpath<'_>, at: impl Fn(&TimedMove) -> Option<f64>) -> Result<StopPoint, ResumeFault> {
     let mut stop = None;
     toolpath.walk(|step| {
-        stop = at(step).map(|fraction| StopPoint::new(step, fraction, toolpath.seconds));
+        stop = at(step).map(|fraction| StopPoint::new(toolpath, step, fraction));
         if stop.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     stop.ok_or(ResumeFault::NothingLeft)
@@ -80,7 +80,7 @@ fn near(toolpath: &Toolpath<'_>, point: Point) -> Result<StopPoint, ResumeFault>
             let t = path.nearest_fraction(point);
             let distance = path.point(t).distance(point);
             if best.is_none_or(|(least, _)| distance < least - 1e-6) {
-                best = Some((distance, StopPoint::new(step, t, toolpath.seconds)));
+                best = Some((distance, StopPoint::new(toolpath, step, t)));
             }
         }
         ControlFlow::Continue(())

@@ -60,6 +60,10 @@ pub(super) struct Toolpath<'a> {
     pub(super) hot: usize,
     /// Time for all of it, s.
     pub(super) seconds: f64,
+    /// The same as stated in its header, with the accelerations of travels.
+    pub(super) told: Option<f64>,
+    /// Time of the whole job as stated in the header of a program for its rest.
+    pub(super) job: Option<f64>,
     /// Bounds of its moves.
     pub(super) reach: Bounds,
 }
@@ -67,7 +71,7 @@ pub(super) struct Toolpath<'a> {
 impl<'a> Toolpath<'a> {
     /// Reads a whole program; a finding is an error.
     pub(super) fn read(text: &'a str, record: &'a Record) -> Result<Self, ResumeFault> {
-        let (mut hot, mut heat) = (0, false);
+        let (mut hot, mut heat, mut told, mut job) = (0, false, None, None);
         let mut interpreter = Interpreter::new(record.dialect());
         let mut events = Vec::new();
         for line in text.split_inclusive('\n') {
@@ -78,7 +82,12 @@ impl<'a> Toolpath<'a> {
                     Event::Finding(finding) => return Err(ResumeFault::Damaged(finding)),
                     Event::Comment(comment) => {
                         is_comment = true;
-                        heat |= comment.key() == Some("heat");
+                        match comment.key() {
+                            Some("heat") => heat = true,
+                            Some("total") if hot == 0 => told = comment.number("time_s"),
+                            Some("job") if hot == 0 => job = comment.number("time_s"),
+                            _ => {}
+                        }
                     }
                     _ => {}
                 }
@@ -95,7 +104,7 @@ impl<'a> Toolpath<'a> {
             return Err(ResumeFault::NotOurs("heat"));
         }
         let lines = interpreter.lines();
-        let mut toolpath = Self { text, record, lines, hot, seconds: 0.0, reach: Bounds::EMPTY };
+        let mut toolpath = Self { text, record, lines, hot, seconds: 0.0, told, job, reach: Bounds::EMPTY };
         let (mut seconds, mut reach) = (0.0, Bounds::EMPTY);
         toolpath.walk(|step| {
             seconds = step.begins + step.seconds;
@@ -104,6 +113,23 @@ impl<'a> Toolpath<'a> {
         });
         (toolpath.seconds, toolpath.reach) = (seconds, reach);
         Ok(toolpath)
+    }
+
+    /// Time of the whole job, of which this program may be the rest, s, without the accelerations of travels.
+    fn whole(&self) -> f64 {
+        let whole = self.job.zip(self.told).map(|(job, told)| job - told + self.seconds);
+        whole.filter(|whole| *whole > 0.0).unwrap_or(self.seconds)
+    }
+
+    /// The time of this program, s, at which `share` of the whole job is over; the start of the program if it begins later.
+    pub(super) fn time_at(&self, share: f64) -> f64 {
+        // The end of both is the same, and a rest seals an overlap again.
+        (self.seconds - (1.0 - share) * self.whole()).max(0.0)
+    }
+
+    /// The fraction of the whole job, 0 to 1, that is over at `time` of this program, s.
+    pub(super) fn share_at(&self, time: f64) -> f64 {
+        (1.0 - (self.seconds - time) / self.whole()).clamp(0.0, 1.0)
     }
 
     /// Calls `see` with one move after the other, until it breaks.

@@ -38,10 +38,31 @@ const SYNONYMS: [(&str, &str); 8] = [
 /// Names of a unit that specs do not have, because it is not a multiple of theirs.
 const FAHRENHEIT: [&str; 3] = ["F", "degF", "\u{b0}F"];
 
-/// Whether the text behind a whole number is the rest of a decimal with a comma, or of thousands.
-fn is_decimal_comma(rest: &str) -> bool {
-    rest.strip_prefix(',')
-        .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()) && !rest.contains(','))
+/// A number or quantity with a comma in its number: the fault, and how to write it, quoted; `None` if the text is no such number.
+pub(crate) fn comma(text: &str) -> Option<(&'static str, String)> {
+    let text = text.trim();
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let unsigned = text.trim_start_matches(['+', '-']);
+    let end = unsigned.find(|c: char| !c.is_ascii_digit() && c != ',' && c != '.').unwrap_or(unsigned.len());
+    let (whole, rest) = unsigned[..end].split_once(',')?;
+    let (groups, decimals) = rest.split_once('.').map_or((rest, None), |(groups, rest)| (groups, Some(rest)));
+    let groups: Vec<&str> = groups.split(',').collect();
+    if !digits(whole)
+        || !groups.iter().all(|group| digits(group))
+        || decimals.is_some_and(|rest| rest.contains(','))
+    {
+        return None;
+    }
+    let [point, whole] = [".", ""].map(|mark| format!("\"{}\"", text.replace(',', mark)));
+    let is_decimal = groups.len() == 1 && decimals.is_none();
+    match (groups.iter().all(|group| group.len() == 3), is_decimal) {
+        (true, true) => {
+            Some(("a number has no comma", format!("{whole} if the comma separates thousands, else {point}")))
+        }
+        (true, false) => Some(("thousands have no comma", whole)),
+        (false, true) => Some(("a decimal point is needed, not a comma", point)),
+        (false, false) => None,
+    }
 }
 
 /// The unit that a person most likely intends for `key`: for an elastic modulus the usual unit for fabrics, else the base unit.
@@ -59,22 +80,12 @@ pub(super) fn malformed<Q: Quantity>(
 ) -> Fault {
     let (kind, units, base) = (Q::KIND, Q::unit_list(), usual_unit::<Q>(key));
     let message = format!("`{key}` is {}", quoted(text));
+    if let Some((label, help)) = comma(text) {
+        return Fault::error(FaultCode::NotANumber, span, message)
+            .label(label)
+            .help(format!("write {key} = {help}"));
+    }
     match reason {
-        QuantityFault::UnknownUnit(rest) if is_decimal_comma(rest) => {
-            let [point, whole] = [".", ""].map(|mark| text.trim().replacen(',', mark, 1));
-            let digits = rest.bytes().skip(1).take_while(u8::is_ascii_digit).count();
-            let (label, help) = match (digits, rest.contains('.')) {
-                (_, true) => ("thousands have no comma", format!("\"{whole}\"")),
-                (3, _) => {
-                    let both = format!("\"{whole}\" if the comma separates thousands, else \"{point}\"");
-                    ("a number has no comma", both)
-                }
-                _ => ("a decimal point is needed, not a comma", format!("\"{point}\"")),
-            };
-            Fault::error(FaultCode::NotANumber, span, message)
-                .label(label)
-                .help(format!("write {key} = {help}"))
-        }
         QuantityFault::NotANumber if text.contains('\u{2212}') => {
             Fault::error(FaultCode::NotANumber, span, message)
                 .label("its sign is U+2212, a typographic minus sign")

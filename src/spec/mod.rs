@@ -52,6 +52,7 @@ pub use machine::{
     Bench, Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Limits, Machine,
     Process, Script,
 };
+pub(crate) use message::comma;
 pub use model::{
     Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
     MaskKind, ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec, StarSpec,
@@ -67,5 +68,5 @@ pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{drawing_starter, quoted, starter};
 pub(crate) use unknown::nearest;
-pub use values::{Setting, form_settings, settings};
+pub use values::{Setting, form_settings, has_default, settings};
 pub use vocabulary::{Command, Vocabulary};

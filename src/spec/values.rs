@@ -4,6 +4,7 @@
 
 use serde::Serialize;
 
+use crate::spec::KeyPath;
 use crate::spec::raw::RawSpec;
 use crate::spec::schema::INSTEAD;
 use crate::spec::source::Source;
@@ -40,6 +41,13 @@ pub fn settings(source: &Source) -> Vec<Setting> {
 /// [`settings`] for a form, with the keys that exclude one of the starter's: those of `[drawing]`, and `object_radius`.
 pub fn form_settings(source: &Source) -> Vec<Setting> {
     settings_of(source, known(TEMPLATE).chain(known(INSTEAD)))
+}
+
+/// Whether `key` has a default value.
+pub fn has_default(key: KeyPath) -> bool {
+    known(TEMPLATE)
+        .chain(known(INSTEAD))
+        .any(|own| (own.section, own.key) == (key.section(), key.key()) && own.default.is_some())
 }
 
 fn settings_of(source: &Source, keys: impl Iterator<Item = KnownKey>) -> Vec<Setting> {

@@ -179,7 +179,8 @@ fn feedcheck_runs_a_second_time_if_it_is_told_to() {
         "{heard}"
     );
     let before = fs::read(dir.path().join("feedcheck.gcode")).expect("there");
-    fs::write(dir.path().join("feedcheck.gcode"), "old").expect("written");
+    let old = [&before[..], b"; changed\n"].concat();
+    fs::write(dir.path().join("feedcheck.gcode"), old).expect("written");
     assert_eq!(go(&["--force"]).status.code(), Some(0));
     assert_eq!(fs::read(dir.path().join("feedcheck.gcode")).expect("there"), before);
 }

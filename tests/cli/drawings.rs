@@ -55,7 +55,19 @@ fn warnings_are_in_json_and_in_the_picture() {
             && sharp[0]["at_mm"][1].as_f64().is_some_and(|y| (y - 35.0).abs() < 2.0),
         "{found}"
     );
-    fs::write(dir.join("p.svg"), "old").expect("written");
+    for input in ["d.svg", "a.toml"] {
+        let before = fs::read(dir.join(input)).expect("an input");
+        let output = run(dir, &["check", "a.toml", "--picture", input]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(
+            stderr(&output).contains("is not a picture of a check: name another file"),
+            "{}",
+            stderr(&output)
+        );
+        assert_eq!(fs::read(dir.join(input)).expect("an input"), before);
+    }
+    fs::write(dir.join("p.svg"), "").expect("written");
+    let _ = run(dir, &["check", "a.toml", "--picture", "p.svg"]);
     let output = run(dir, &["check", "a.toml", "--picture", "p.svg"]);
     let number = warnings.len();
     let picture = fs::read_to_string(dir.join("p.svg")).expect("a picture");
@@ -116,5 +128,65 @@ fn a_damaged_drawing_is_told_without_infinities() {
     assert!(said.contains("sheet-1-seal.svg"), "{said}");
     for word in [" inf ", "-0.000", "formats-disagree"] {
         assert!(!said.contains(word), "{word}: {said}");
+    }
+}
+
+/// Text at the root of a file lies on no layer that could be ignored. The finding is printed once.
+#[test]
+fn lost_text_without_a_layer_is_not_to_be_ignored() {
+    let text = "<text x=\"20\" y=\"20\">a</text></svg>";
+    let folder = folder(&NOTCH.replacen("</svg>", text, 1));
+    let dir = folder.path();
+    let layers =
+        "[drawing]\nfile = \"d.svg\"\nunits = \"mm\"\n[drawing.layers]\nair = [\"air\"]\nport = [\"port\"]\n";
+    let spec =
+        |more: &str| format!("schema = 1\nname = \"a\"\n{layers}{more}[inlet]\ntube_diameter = \"4 mm\"\n");
+    fs::write(dir.join("a.toml"), spec("")).expect("written");
+    let output = run(dir, &["check", "a.toml"]);
+    let said = stderr(&output);
+    assert!(said.contains("lost-geometry") && !said.contains("ignore"), "{said}");
+    assert_eq!(said.matches("Text is not read").count(), 1, "{said}");
+    let grouped =
+        NOTCH.replacen("</svg>", &format!("<g id=\"words\">{}", text.replacen("</svg>", "</g></svg>", 1)), 1);
+    fs::write(dir.join("d.svg"), grouped).expect("written");
+    assert!(stderr(&run(dir, &["check", "a.toml"])).contains("name its layer in `ignore`"));
+    fs::write(dir.join("a.toml"), spec("ignore = [\"words\"]\n")).expect("written");
+    assert!(!stderr(&run(dir, &["check", "a.toml"])).contains("lost-geometry"));
+}
+
+/// A pressure outside of the range of shells is refused with those that work, and the key that is missing has no default.
+#[test]
+fn a_pressure_without_a_shell_is_refused_with_those_that_have_one() {
+    let folder = folder(NOTCH);
+    let dir = folder.path();
+    let spec = |load: &str| {
+        let text = format!(
+            "schema = 1\nname = \"a\"\n[drawing]\nfile = \"d.svg\"\nunits = \"mm\"\n[drawing.layers]\nair = [\"air\"]\n\
+             port = [\"port\"]\n[inlet]\ntube_diameter = \"4 mm\"\n{load}"
+        );
+        fs::write(dir.join("a.toml"), text).expect("written");
+    };
+    spec("");
+    let refused = json(dir, &["predict", "a.toml", "--json"])["refused"][0].clone();
+    assert_eq!(refused["remedy"], Value::Null, "{refused}");
+    assert!(refused["allowed"].as_str().is_some_and(|text| text.contains("`pressure`")), "{refused}");
+    let output = run(dir, &["predict", "a.toml", "--model", "section"]);
+    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+    for wrong in ["900 kPa", "0.000001 kPa", "0.001 Pa"] {
+        spec(&format!("[load]\npressure = \"{wrong}\"\n"));
+        let refused = json(dir, &["predict", "a.toml", "--json"])["refused"][0].clone();
+        if refused["code"] == "out-of-range" {
+            continue;
+        }
+        assert_eq!(refused["key"], "load.pressure", "{refused}");
+        let allowed = refused["allowed"].as_str().expect("a remedy");
+        let ends: Vec<&str> = allowed.split(' ').filter(|word| word.parse::<f64>().is_ok()).collect();
+        assert_eq!(ends.len(), 2, "{allowed}");
+        spec(&format!("[load]\npressure = \"{} kPa\"\n", ends[1]));
+        let found = json(dir, &["predict", "a.toml", "--json"]);
+        assert!(
+            found["refused"][0]["found"].as_str().is_none_or(|text| !text.contains("covers no tube")),
+            "{found}"
+        );
     }
 }

@@ -117,14 +117,16 @@ fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
     fs::write(dir.path().join("chop.toml"), chopped).expect("written");
     let said = done(dir.path(), &["feedcheck", "chop.toml", "-o", "chop.gcode"]);
     assert!(said.contains("[motion]") && !said.contains("feed_floor"), "{said}");
-    fs::write(dir.path().join("feedcheck.gcode"), "mine").expect("written");
-    let _ = fails(
-        dir.path(),
-        &["feedcheck", "star.toml"],
-        1,
-        &["feedcheck.gcode exists already", "--force replaces it, -o FILE writes another"],
-    );
-    assert_eq!(read(dir.path(), "feedcheck.gcode"), "mine");
+    let existing = ["feedcheck.gcode exists already", "--force replaces it, -o FILE writes another"];
+    let _ = fails(dir.path(), &["feedcheck", "star.toml"], 1, &existing);
+    assert_eq!(read(dir.path(), "feedcheck.gcode"), program);
+    // A file of another kind is not replaced in any case.
+    let spec = read(dir.path(), "star.toml");
+    for force in [&["--force"][..], &[]] {
+        let over = [&["feedcheck", "star.toml", "-o", "star.toml"], force].concat();
+        let _ = fails(dir.path(), &over, 1, &["star.toml exists and is not the program of a feed check"]);
+        assert_eq!(read(dir.path(), "star.toml"), spec);
+    }
     assert!(done(dir.path(), &["feedcheck", "star.toml", "-o", "a b.gcode"]).contains("wrote a b.gcode"));
     assert_eq!(read(dir.path(), "a b.gcode"), program);
     let _ =
@@ -197,23 +199,26 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
     let _ = done(dir.path(), &["verify", "out/star"]);
 
     // Neither the default path nor a given one is overwritten.
-    let _ = fails(dir.path(), &["resume", job, "--at", "50"], 1, &["resume.gcode exists already"]);
-    let _ = fails(dir.path(), &["resume", job, "--at", "50", "-o", job], 1, &["exists already"]);
+    let _ = fails(dir.path(), &["resume", job, "--at", "50%"], 1, &["resume.gcode exists already"]);
+    let _ = fails(dir.path(), &["resume", job, "--at", "50%", "-o", job], 1, &["exists already"]);
     assert_eq!(read(dir.path(), target), resumed);
     assert_eq!(read(dir.path(), job), before);
 
     let said = done(dir.path(), &["resume", job, "--at", "37%", "--overlap", "2 mm", "-o", "at.gcode"]);
-    assert!(said.contains("37.0 % of its time") && said.contains("seals the last 2.0 mm again"), "{said}");
+    assert!(
+        said.contains("37.0 % of the job's time") && said.contains("seals the last 2.0 mm again"),
+        "{said}"
+    );
     let end = before.lines().rev().find(|line| line.starts_with("G1 X")).expect("a move");
     let number = |letter: char| {
         let word = end.split_whitespace().find(|word| word.starts_with(letter));
         word.expect("a coordinate")[1..].to_owned()
     };
-    let place = format!("{},{}", number('X'), number('Y'));
+    let place = format!("{} mm,{} mm", number('X'), number('Y'));
     let said = done(dir.path(), &["resume", job, "--near", &place, "-o", "near.gcode"]);
     assert!(said.contains("wrote near.gcode"), "{said}");
     // A resumed program can be resumed, although no manifest names it.
-    let said = done(dir.path(), &["resume", "at.gcode", "--at", "50"]);
+    let said = done(dir.path(), &["resume", "at.gcode", "--at", "50%"]);
     assert!(
         dir.path().join("at-resume.gcode").exists() && said.contains("no manifest.json beside"),
         "{said}"
@@ -223,14 +228,14 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
     {
         let made = std::process::Command::new("mkfifo").arg(dir.path().join("manifest.json")).status();
         assert!(made.expect("mkfifo").success());
-        let said = done(dir.path(), &["resume", "at.gcode", "--at", "60", "-o", "piped.gcode"]);
+        let said = done(dir.path(), &["resume", "at.gcode", "--at", "60%", "-o", "piped.gcode"]);
         assert!(said.contains("no manifest.json beside"), "{said}");
     }
     // A job that differs from the manifest beside it is not resumed.
     fs::write(dir.path().join(job), before.replacen("G1 X", "G1  X", 1)).expect("written");
     let _ = fails(
         dir.path(),
-        &["resume", job, "--at", "60"],
+        &["resume", job, "--at", "60%"],
         1,
         &["was changed after it was built", "build again"],
     );
@@ -243,19 +248,21 @@ fn resume_tells_wrong_usage_from_places_that_are_not_there() {
     let before = names(&dir.path().join("out/star"));
     for (args, words) in [
         (&[][..], "--line"),
-        (&["--line", "5", "--at", "5"], "cannot be used with"),
+        (&["--line", "5", "--at", "5%"], "cannot be used with"),
         (&["--line", "x"], "invalid"),
         (&["--line=-1"], "invalid"),
-        (&["--at", "100"], "from 0 to below 100"),
+        (&["--at", "100%"], "from 0 to below 100"),
         (&["--at", "nan"], "from 0 to below 100"),
         (&["--at=-1"], "from 0 to below 100"),
+        (&["--at", "5"], "such as 37%"),
+        (&["--near", "5,5"], "two lengths"),
         (&["--near", "5"], "two lengths"),
         (&["--near", "5,inf"], "two lengths"),
         (&["--near", "5,6,7"], "two lengths"),
         (&["--near", "5 mm,6 kg"], "two lengths"),
-        (&["--at", "5", "--overlap", "5"], "with its unit"),
-        (&["--at", "5", "--overlap", "2 m"], "up to 1 m"),
-        (&["--at", "5", "--overlap", "0 mm"], "above 0"),
+        (&["--at", "5%", "--overlap", "5"], "with its unit"),
+        (&["--at", "5%", "--overlap", "2 m"], "up to 1 m"),
+        (&["--at", "5%", "--overlap", "0 mm"], "above 0"),
         (&["--at", "-5%"], "from 0 to below 100"),
         (&["--line", "-3"], "invalid value '-3'"),
     ] {
@@ -263,8 +270,12 @@ fn resume_tells_wrong_usage_from_places_that_are_not_there() {
     }
     let _ = fails(dir.path(), &["resume", job, "--line", "0"], 1, &["there is no line 0: the file has 1 to"]);
     let _ = fails(dir.path(), &["resume", job, "--line", "999999999"], 1, &["there is no line 999999999"]);
-    let _ =
-        fails(dir.path(), &["resume", job, "--near=-500,0"], 1, &["no seam passes there", "mm away", "give"]);
+    let _ = fails(
+        dir.path(),
+        &["resume", job, "--near=-500 mm,0 mm"],
+        1,
+        &["no seam passes there", "mm away", "give"],
+    );
     let last = read(dir.path(), job).lines().count().to_string();
     let _ = fails(dir.path(), &["resume", job, "--line", &last], 1, &["nothing is left"]);
     assert_eq!(names(&dir.path().join("out/star")), before);
@@ -287,13 +298,18 @@ fn resume_refuses_what_is_not_ours_or_is_damaged() {
         ("forged.gcode", forged.as_bytes(), "no comment \"chop: ...\""),
     ] {
         fs::write(dir.path().join(name), bytes).expect("written");
-        let _ = fails(dir.path(), &["resume", name, "--at", "20"], 1, &[name, word]);
+        let _ = fails(dir.path(), &["resume", name, "--at", "20%"], 1, &[name, word]);
     }
-    let _ = fails(dir.path(), &["resume", "out/star/star-1-trace.gcode", "--at", "20"], 1, &["purpose=seal"]);
-    let _ = fails(dir.path(), &["resume", "missing.gcode", "--at", "20"], 1, &["cannot read missing.gcode"]);
-    let _ = fails(dir.path(), &["resume", "out", "--at", "20"], 1, &["cannot read out"]);
+    let _ = fails(
+        dir.path(),
+        &["resume", "out/star/star-1-trace.gcode", "--at", "20%"],
+        1,
+        &["seals nothing", "star-1-seal.gcode"],
+    );
+    let _ = fails(dir.path(), &["resume", "missing.gcode", "--at", "20%"], 1, &["cannot read missing.gcode"]);
+    let _ = fails(dir.path(), &["resume", "out", "--at", "20%"], 1, &["out is a directory: name"]);
     fs::File::create(dir.path().join("huge.gcode")).and_then(|file| file.set_len(300 << 20)).expect("a hole");
-    let _ = fails(dir.path(), &["resume", "huge.gcode", "--at", "20"], 1, &["at most 256 MiB"]);
+    let _ = fails(dir.path(), &["resume", "huge.gcode", "--at", "20%"], 1, &["at most 256 MiB"]);
     let _ = fails(dir.path(), &["calibrate", "huge.gcode", "--needed", "1 N/mm"], 1, &["at most 16 MiB"]);
     let _ = fails(dir.path(), &["cone", "huge.gcode", "--contact-radius", "50 mm"], 1, &["at most 16 MiB"]);
     assert!(!names(dir.path()).iter().any(|name| name.ends_with("-resume.gcode")));
@@ -562,6 +578,34 @@ fn calibrate_takes_the_need_from_the_spec_or_asks() {
     let _ = fails(dir.path(), &both, 2, &["cannot be used with"]);
 }
 
+/// The pull of a drawing is that of its shell. The command that `coupon` prints works as soon as the table is filled in.
+#[test]
+fn calibrate_takes_the_need_of_a_drawing_from_its_shell() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let designs = Path::new(env!("CARGO_MANIFEST_DIR")).join("designs/drawings");
+    let spec = fs::read_to_string(designs.join("pillow.toml")).expect("a spec");
+    let _ = fs::copy(designs.join("pillow.dxf"), dir.path().join("pillow.dxf")).expect("a drawing");
+    let load = "\n[load]\npressure = \"10 kPa\"\n";
+    for (name, more, asked) in [("soft.toml", "", true), ("hard.toml", load, false)] {
+        fs::write(dir.path().join(name), format!("{spec}{more}")).expect("written");
+        let said = done(dir.path(), &["coupon", name, "-o", "c", "--only", "strips"]);
+        assert_eq!(said.contains(&format!("write `pressure` into [load] of {name}")), asked, "{said}");
+        let command =
+            said.lines().find_map(|line| line.split_once("then: stargrip-cam ")).expect("a command").1;
+        let filled = table(&[(0.1, &[149.0, 150.0, 151.0]), (0.5, &[5.0, 5.1, 4.9])]);
+        fs::write(dir.path().join("c/results.csv"), filled).expect("written");
+        fs::write(dir.path().join(name), format!("{spec}{load}")).expect("written");
+        let args: Vec<&str> = command.split(' ').chain(["--json"]).collect();
+        let found = json_of(&done(dir.path(), &args));
+        let predicted = json_of(&done(dir.path(), &["predict", name, "--json"]));
+        let pull = &predicted["chambers"][0]["seal_pull_N_per_mm"]["value"];
+        assert_eq!(&found["needed_N_mm"], pull);
+        assert!(pull.as_f64().is_some_and(|pull| pull > 0.1), "{pull}");
+        assert_eq!(found["chosen"]["speed_mm_s"], 0.1);
+        fs::remove_dir_all(dir.path().join("c")).expect("removed");
+    }
+}
+
 #[test]
 fn calibrate_reads_many_settings() {
     let settings: Vec<(f64, &[f64])> =
@@ -649,7 +693,7 @@ fn calibrate_names_the_line_it_cannot_read() {
         (&["--needed=-1 N/mm"], "must be more than 0 N/mm"),
         (&["--needed", "0 N/mm"], "must be more than 0 N/mm"),
         (&["--needed", "nan N/mm"], "write the force per length"),
-        (&["--needed", "1,2 N/mm"], "a decimal comma: write 1.2 N/mm"),
+        (&["--needed", "1,2 N/mm"], "write \"1.2 N/mm\""),
         (&["--margin", "nan"], "must be at least 1 and at most 100"),
         (&["--margin", "0"], "must be at least 1 and at most 100"),
         (&["--flat-angle", "30"], "--inflated-angle"),

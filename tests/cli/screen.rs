@@ -310,6 +310,16 @@ fn what_was_measured_and_what_was_written_is_for_programs_too() {
     let machines = json(here, &["machines"]);
     let machines = machines["machines"].as_array().expect("a list");
     assert!(machines.iter().any(|machine| machine["name"] == "grbl"));
+    // The speed of Marlin is the one that `check` refuses.
+    let text = format!("{}[machine]\nprofile = \"marlin\"\n", crate::support::PAPER);
+    let dir = tempfile::tempdir().expect("a directory");
+    fs::write(dir.path().join("marlin.toml"), text).expect("written");
+    let refused = stdout(&run(dir.path(), &["check", "marlin.toml", "--json"]));
+    let refused: serde_json::Value = serde_json::from_str(&refused).expect("one object");
+    let refused = refused["refused"][0]["found"].as_str().expect("text");
+    let runs = &refused[refused.find("up to").expect("a speed")..];
+    let marlin = machines.iter().find(|machine| machine["name"] == "marlin").expect("built in");
+    assert!(marlin["ability"].as_str().is_some_and(|ability| ability.contains(runs)), "{runs}: {marlin}");
     assert_eq!(done(here, &["machines", "-q"]).lines().count(), machines.len());
     assert_eq!(run(here, &["machines", "--json", "show", "grbl"]).status.code(), Some(2));
 }

@@ -114,6 +114,18 @@ fn its_sheet_is_a_vtu_file() {
     for name in ["stretch", "tension, N/m", "curvature, 1/m", "flat, mm"] {
         assert!(first.contains(&format!("Name=\"{name}\"")), "{name}");
     }
+    // It is replaced, and a file of another kind is not.
+    assert!(run(dir.path(), &args).status.success());
+    let over = run(dir.path(), &[&ACTUATOR[..], &COARSE, &["--vtu", "spec.toml"]].concat());
+    assert!(
+        over.status.code() == Some(1)
+            && text(&over.stderr).contains("spec.toml exists and is not a VTU file")
+    );
+    for option in ["--csv", "--svg"] {
+        let over = run(dir.path(), &["trade", option, "spec.toml"]);
+        assert!(over.status.code() == Some(1) && text(&over.stderr).contains("spec.toml exists and is not"));
+    }
+    assert_eq!(fs::read_to_string(dir.path().join("spec.toml")).expect("it"), SPEC);
     fs::remove_file(&file).expect("removed");
     assert!(run(dir.path(), &args).status.success());
     assert_eq!(fs::read_to_string(&file).expect("written again"), first);
@@ -165,7 +177,7 @@ fn what_no_shell_answers_is_refused_in_words() {
     let without = predict("pressure = \"20 kPa\"", "");
     assert!(without.contains("needs a pressure"), "{without}");
     let pressed = predict("20 kPa", "400 kPa");
-    assert!(pressed.contains("shells are computed for") && pressed.contains("other.toml:13"), "{pressed}");
+    assert!(pressed.contains("a pressure from") && pressed.contains("other.toml:13"), "{pressed}");
     let pointed = predict("points = 5\ninner_radius = \"50 mm\"", "points = 18\ninner_radius = \"400 mm\"");
     assert!(pointed.contains("3 to 16"), "{pointed}");
     let mut short = ACTUATOR;

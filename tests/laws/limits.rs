@@ -2,8 +2,9 @@
 
 use std::f64::consts::PI;
 
+use proptest::prelude::*;
 use stargrip_cam::design::{Design, Refusal, RefusalCode, Star, shut_reach};
-use stargrip_cam::spec::{KeyPath, key};
+use stargrip_cam::spec::{KeyPath, Spec, key};
 use stargrip_cam::units::{Angle, Length};
 
 use crate::support;
@@ -105,8 +106,9 @@ fn refused(text: &str, code: RefusalCode) -> Vec<Refusal> {
     }
 }
 
-/// The last number with a unit.
+/// The last number with a unit of the first change.
 fn number(remedy: &str) -> f64 {
+    let remedy = remedy.split("; or alone").next().expect("a change");
     let words: Vec<&str> = remedy.split([' ', ',', ';', ':']).collect();
     let with_unit = words.windows(2).rev().find(|pair| ["mm", "deg"].contains(&pair[1]));
     with_unit.and_then(|pair| pair[0].parse().ok()).expect("a number with a unit")
@@ -125,6 +127,60 @@ fn the_limit_that_is_named_is_where_it_ends() {
         let little = (1e-5 * limit).max(0.0101) * (wrong - limit).signum();
         assert_eq!(refused(&spec(limit - little), code), [], "{code:?}: {limit}");
         assert!(!refused(&spec(limit + little), code).is_empty(), "{code:?}: {limit} is no limit");
+    }
+}
+
+/// A spec of one star, whose arms may have no length, or less than the band needs.
+fn any_star() -> impl Strategy<Value = String> {
+    let radius = || prop_oneof![Just(0.0), 0.1..30.0_f64];
+    (3_u32..=20, 5.0..100.0_f64, 5.0..100.0_f64, 3.0..100.0_f64, radius(), radius(), 0.2..30.0_f64).prop_map(
+        |(points, rho, width, angle, tip, corner, band)| {
+            format!(
+                "{}tip_radius = \"{tip} mm\"\ncorner_radius = \"{corner} mm\"\n[seal]\nband = \"{band} mm\"\n",
+                star(points, rho, width, angle.min(179.0 - 360.0 / f64::from(points)))
+            )
+        },
+    )
+}
+
+/// `spec` with one change of a remedy: "tube_width below 27.4 mm".
+fn with_change(spec: &Spec, change: &str) -> Spec {
+    let mut spec = spec.clone();
+    let name = change.split(' ').next().expect("a key");
+    let value = change.split(' ').find_map(|word| word.parse::<f64>().ok()).expect("a number");
+    let star = &mut spec.stars[0];
+    match name {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "3 to 64")]
+        "points" => star.points = value as u32,
+        "inner_radius" => star.inner_radius = Length(value),
+        "tube_width" => star.tube_width = Length(value),
+        "tip_angle" => star.tip_angle = Angle(value),
+        "tip_radius" => star.tip_radius = Length(value),
+        "corner_radius" => star.corner_radius = Length(value),
+        "band" => spec.seal.band = Length(value),
+        _ => panic!("{change}"),
+    }
+    spec
+}
+
+proptest! {
+    /// Each change that is named for a star without arms, or whose band needs more than there is, mends both faults.
+    #[test]
+    fn every_change_that_is_named_gives_arms_to_the_band(text in any_star()) {
+        let spec = support::read(&text);
+        let armless = |spec: &Spec| -> Vec<Refusal> {
+            let Err(refusals) = Design::new(spec, &support::machine()) else { return Vec::new() };
+            let is_armless = |code| matches!(code, RefusalCode::NoArm | RefusalCode::BandEatsArm);
+            refusals.iter().filter(|refusal| is_armless(refusal.code)).cloned().collect()
+        };
+        for refusal in armless(&spec) {
+            let changes = refusal.remedy.strip_prefix("must be: ").expect("single changes");
+            let changes: Vec<&str> = changes.split("; or alone: ").flat_map(|some| some.split(", or ")).collect();
+            prop_assert!(changes.iter().any(|change| change.starts_with("inner_radius above ")), "{}", refusal);
+            for change in changes {
+                prop_assert_eq!(armless(&with_change(&spec, change)), vec![], "{} of {}", change, refusal);
+            }
+        }
     }
 }
 

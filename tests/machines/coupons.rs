@@ -141,3 +141,50 @@ fn pouches_have_a_mouth_for_the_hose_of_the_spec() {
         assert_eq!(pouches, 1 + 1 + 5);
     }
 }
+
+/// A cut outside of the page is not cut, and one at negative coordinates is off the machine's bed.
+#[test]
+fn every_cut_lies_on_its_page_and_on_the_bed() {
+    let grid = StripGrid {
+        temperatures: vec![Temperature(200.0)],
+        speeds: vec![Speed(0.5)],
+        heights: vec![Length(-0.3)],
+        repeats: 3,
+    };
+    for (star, rest) in [
+        ("", ""),
+        ("", "[seal]\nallowance = \"12 mm\"\n"),
+        ("", "[seal]\nallowance = \"0 mm\"\n"),
+        ("tip_angle = \"60 deg\"", ""),
+        ("tip_angle = \"5 deg\"", "[seal]\nallowance = \"15 mm\"\n"),
+    ] {
+        let text = spec_text(rest);
+        let text = if star.is_empty() { text } else { text.replace("tip_angle = \"40 deg\"", star) };
+        assert!(star.is_empty() || text.contains(star), "{text}");
+        let (spec, machine) = (spec(&text), machine(profile("linuxcnc")));
+        for coupon in proven(&spec, &machine, &grid) {
+            let size = coupon.svg.split_once("viewBox=\"0 0 ").expect("a page").1;
+            let size: Vec<f64> = size
+                .split('"')
+                .next()
+                .expect("two")
+                .split(' ')
+                .filter_map(|side| side.parse().ok())
+                .collect();
+            for piece in &coupon.pieces {
+                let Some(cut) = &piece.shape.cut else { continue };
+                let bounds = cut.bounds();
+                assert!(
+                    bounds.min.x > 0.99 && bounds.min.y > 0.99,
+                    "{} {rest} {star}: {bounds:?}",
+                    coupon.name
+                );
+                assert!(
+                    bounds.max.x < size[0] && bounds.max.y < size[1],
+                    "{} {rest}: {bounds:?}",
+                    coupon.name
+                );
+            }
+        }
+    }
+}

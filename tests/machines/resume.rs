@@ -227,10 +227,39 @@ fn the_rest_tells_its_own_time() {
             );
             let hosts = rest.text.lines().filter(|line| line.contains("estimated printing time = ")).count();
             assert_eq!(hosts, usize::from(name == "klipper"), "{name}");
-            let twice = resume(&rest.text, ResumeAt::Share(0.5), None).expect("twice");
+            let twice = resume(&rest.text, ResumeAt::Share(f64::midpoint(share, 1.0)), None).expect("twice");
             assert_eq!(word(&twice.text, "job", "time_s"), time, "{name}");
             assert!(twice.seconds < 0.6 * rest.seconds + 60.0, "{name}");
         }
+    }
+}
+
+/// A rest shows the percentages of the whole job, so a share is one of the whole job in it, too.
+#[test]
+fn a_share_is_one_of_the_whole_job_however_often_it_was_resumed() {
+    for name in ["generic", "klipper", "grbl", "marlin"] {
+        let job = job(name);
+        let once = resume(&job, ResumeAt::Share(0.5), None).expect("once");
+        let again = resume(&once.text, ResumeAt::Share(0.6), None).expect("again");
+        for text in [&once.text, &again.text] {
+            let [whole, rest] =
+                [&job, text].map(|text| resume(text, ResumeAt::Share(0.75), None).expect("resumed"));
+            assert!(
+                (rest.done - 0.75).abs() < 1e-3 && (whole.done - 0.75).abs() < 1e-3,
+                "{name}: {}",
+                rest.done
+            );
+            // The times in a file are whole seconds, and acceleration is a few more.
+            assert!((rest.seconds - whole.seconds).abs() < 5.0, "{name}: {} {}", rest.seconds, whole.seconds);
+        }
+        // The program shows it at the same place.
+        if let Some(at) = once.text.lines().position(|line| line.starts_with("M73 P75")) {
+            let by_line = resume(&once.text, ResumeAt::Line(at + 1), None).expect("by line");
+            assert!((by_line.done - 0.75).abs() < 0.01, "{name}: {}", by_line.done);
+        }
+        // What lies before the rest is sealed: it begins anew.
+        let early = resume(&again.text, ResumeAt::Share(0.1), None).expect("early");
+        assert!((early.seconds - again.seconds).abs() < 120.0, "{name}");
     }
 }
 
@@ -263,7 +292,7 @@ fn a_resumed_job_can_be_resumed_and_a_damaged_one_cannot() {
     }
     assert!(matches!(resume("", ResumeAt::Line(1), None), Err(ResumeFault::NotOurs(_))));
     let trace = text(&built(&spec_text(""), profile("generic")), "star-1-trace.gcode");
-    assert!(matches!(resume(&trace, ResumeAt::Line(1), None), Err(ResumeFault::NotOurs(_))));
+    assert_eq!(resume(&trace, ResumeAt::Line(1), None), Err(ResumeFault::Trace));
 }
 
 /// The job with every occurrence of a text replaced.

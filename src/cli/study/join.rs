@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell};
 use crate::cli::study::part::{PartJob, is_sound, job, name};
-use crate::cli::study::run::{refuse_foreign, refuse_parquet};
+use crate::cli::study::run::{refuse_no_table, refuse_parquet};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 
@@ -20,7 +20,12 @@ type JoinedPart = (PathBuf, PartJob);
 /// Joins the parts in `dir` to the file `output`.
 pub(super) fn run(dir: &Path, output: &Path, verbosity: Verbosity) -> Result<(), Failure> {
     refuse_parquet(output)?;
-    refuse_foreign(output)?;
+    refuse_no_table(output)?;
+    let into = output.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if is_part(output) && into.canonicalize().ok() == dir.canonicalize().ok() {
+        let text = format!("{} has the name of a part of the study: name another file", shown(output));
+        return Err(Failure::Message(text));
+    }
     let entries = fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))?;
     let mut files: Vec<PathBuf> =
         entries.flatten().map(|entry| entry.path()).filter(|path| is_part(path)).collect();
@@ -36,7 +41,6 @@ pub(super) fn run(dir: &Path, output: &Path, verbosity: Verbosity) -> Result<(),
             return Err(Failure::Message(text));
         }
     }
-    let into = output.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let own = output.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     sweep_leftovers(into, |name| name == own);
     let joined = || -> io::Result<()> {

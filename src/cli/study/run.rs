@@ -1,7 +1,7 @@
 //! Rows of a study to standard output, a file, or parts in a directory: the destinations of `study run`.
 
 use std::fs::File;
-use std::io::{self, BufWriter, IsTerminal, Read, Write, stdout};
+use std::io::{self, BufWriter, IsTerminal, Write, stdout};
 use std::path::{Path, PathBuf};
 
 use crate::cli::escape::shown;
@@ -10,6 +10,7 @@ use crate::cli::interrupt::Listening;
 use crate::cli::progress;
 use crate::cli::study::part::Parts;
 use crate::cli::study::rows::{StudyMonitor, StudyRows};
+use crate::cli::text_file::refuse_foreign;
 use crate::cli::verbosity::{Quiet, Verbosity};
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 use crate::forecast::study::Study;
@@ -60,18 +61,8 @@ pub(super) fn refuse_parquet(path: &Path) -> Result<(), Failure> {
 }
 
 /// Refuses to replace a file that is not a table of a study: every table begins with the column `row`.
-pub(super) fn refuse_foreign(path: &Path) -> Result<(), Failure> {
-    if !path.is_file() {
-        return Ok(());
-    }
-    let mut start = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(4).read_to_end(&mut start));
-    let _ = read.map_err(|error| Failure::file("read", path, &error))?;
-    if start.is_empty() || start == b"row," {
-        return Ok(());
-    }
-    let text = format!("{} exists and is not a table of a study: name another file with -o", shown(path));
-    Err(Failure::Message(text))
+pub(super) fn refuse_no_table(path: &Path) -> Result<(), Failure> {
+    refuse_foreign(path, "a table of a study", |text| text.starts_with("row,"))
 }
 
 /// Parts `from` to `to` of `of`, from 1.
@@ -102,7 +93,7 @@ impl Destination {
             (None, Some(output)) => refuse_parquet(output)?,
         }
         if let Some(output) = &self.output {
-            refuse_foreign(output)?;
+            refuse_no_table(output)?;
         }
         if let Some(threads) = self.threads {
             rayon::ThreadPoolBuilder::new()

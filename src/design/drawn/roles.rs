@@ -137,6 +137,7 @@ fn lost(note: &Note, spec: &DrawingSpec) -> Option<Refusal> {
         Some(_) if note.weight == Weight::Changed => {
             "flatten it, or remove its clip, mask or marker, so that its outline alone shows what is to be made"
         }
+        Some(_) if note.place.layers.is_empty() => "convert it to a path, or remove it",
         Some(_) => "convert it to a path, remove it, or name its layer in `ignore`",
         None => "remove it, or save the drawing as plain SVG",
     };

@@ -8,6 +8,9 @@ use crate::emit::number::number;
 use crate::plan::{CHECK_LENGTH, Program};
 use crate::spec::{Machine, Spec};
 
+/// The first comment of every feed check.
+pub const FEED_CHECK_TITLE: &str = "stargrip-cam feedcheck program";
+
 /// The feed check: every program of `checks` between two pauses, so that it can be timed. Nothing is heated.
 pub fn feed_check(spec: &Spec, machine: &Machine, checks: &[(&'static str, Program)]) -> String {
     let mut out = String::new();
@@ -24,7 +27,7 @@ fn write(
 ) -> fmt::Result {
     let (facts, script) = (Facts::new(spec, machine), &machine.script);
     let mut writer = Writer::new(out, facts);
-    writer.comment("stargrip-cam feedcheck program")?;
+    writer.comment(FEED_CHECK_TITLE)?;
     writer.comment("cold, at travel height: time each line with a watch")?;
     writer.comment("each pause must stop the machine where the comment before it says")?;
     for line in &script.requires {

@@ -24,7 +24,7 @@ use crate::spec::{Dialect, Heating, Machine, Spec};
 use crate::units::Readable;
 use inflatable::geom::{Point, Segment};
 
-pub use feed_check::feed_check;
+pub use feed_check::{FEED_CHECK_TITLE, feed_check};
 pub use writer::Facts;
 
 /// The program as text.

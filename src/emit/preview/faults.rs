@@ -23,6 +23,14 @@ pub struct FaultMark {
     pub text: String,
 }
 
+/// Beginning of the picture's title.
+const TITLE: &str = "check: ";
+
+/// Whether `text` begins as a picture that [`faults`] made.
+pub fn is_faults(text: &str) -> bool {
+    text.starts_with("<svg ") && text.contains(&format!("<title>{TITLE}"))
+}
+
 /// `drawn` with `faults` over it, as an SVG at 1:1.
 pub fn faults(title: &str, drawn: &[Path], faults: &[FaultMark]) -> String {
     let places = Bounds::of_points(faults.iter().filter_map(|fault| fault.at));
@@ -77,5 +85,5 @@ pub fn faults(title: &str, drawn: &[Path], faults: &[FaultMark]) -> String {
     let mut page = Group::new("page");
     page.area(vec![rectangle(&window)], PAGE);
     let groups = vec![page, lines, marks, words, said];
-    Picture { title: title.to_owned(), window, top: around.max.y, groups }.svg()
+    Picture { title: format!("{TITLE}{title}"), window, top: around.max.y, groups }.svg()
 }

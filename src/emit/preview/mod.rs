@@ -27,7 +27,7 @@ use crate::emit::preview::travel::travel_group;
 use inflatable::geom::{Bounds, Point, Vec2};
 
 pub use cells::{GridCell, cells};
-pub use faults::{FaultMark, faults};
+pub use faults::{FaultMark, faults, is_faults};
 pub use subject::Preview;
 
 /// Pixels along the longer side of a PNG: a screen's width.

@@ -12,7 +12,7 @@ use crate::forecast::drawn::chambers::{DrawnChamber, drawn_chambers};
 use crate::forecast::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction};
 use crate::forecast::predict::PredictFault;
 use crate::forecast::seal_load::DrawnSeal;
-use crate::forecast::shell::request::{ShellRefusal, fault};
+use crate::forecast::shell::request::{ShellRefusal, fault, no_pressure, out_of_range};
 use crate::forecast::shell::{Detail, SHELL};
 use crate::forecast::star_answer::mm;
 use crate::spec::{ModelChoice, Spec, key};
@@ -93,8 +93,7 @@ pub fn inflate(
     let found = drawn_chambers(spec, piece).map_err(|why| ShellRefusal::Fault(refused(why)))?;
     let mut prediction = flat(spec, piece, &found).map_err(ShellRefusal::Fault)?;
     let Some(pressure) = spec.load.as_ref().and_then(|load| load.pressure) else {
-        let what = "model shell needs a pressure: set `pressure` in [load]";
-        return Err(fault(key::load::PRESSURE, what.to_owned()));
+        return Err(no_pressure());
     };
     let peel = spec.fabric.seal_strength.map(LineForce::newtons_per_metre);
     let seal = DrawnSeal { pressure: pressure.pascals(), peel };
@@ -145,8 +144,8 @@ fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<Drawn
     let model = spec.accuracy.model;
     if !matches!(model, ModelChoice::Shell | ModelChoice::Auto) {
         let word = ModelChoice::ALL.iter().find(|(_, own)| *own == model).map_or("this", |(word, _)| word);
-        let what = format!("{word} is a model of a star's hinges; only the shell models drawn shapes: {HOW}");
-        return Err(stars_only(what));
+        let what = format!("{word} is a model of a star's hinges; only the shell models drawn shapes");
+        return Err(PredictFault { remedy: Some(HOW.to_owned()), ..stars_only(what) });
     }
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
     let choice = match pressure {
@@ -166,18 +165,28 @@ fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<Drawn
 }
 
 fn stars_only(what: String) -> PredictFault {
-    PredictFault { star: None, key: key::accuracy::MODEL, what }
+    PredictFault { star: None, key: key::accuracy::MODEL, what, remedy: None }
 }
 
 /// The fault of a drawing whose chambers the shell cannot model.
 fn refused(what: String) -> PredictFault {
-    PredictFault { star: None, key: key::drawing::FILE, what }
+    PredictFault { star: None, key: key::drawing::FILE, what, remedy: None }
 }
 
 /// The reason why the shell refuses a chamber, one of `count`, with the spec key to change.
 fn not_inflated(why: &ShellFault, chamber: &ChamberPrediction, count: usize) -> ShellRefusal {
+    let [x, y] = chamber.at_mm;
+    let of = if count == 1 {
+        String::new()
+    } else {
+        format!("chamber {}, around X {x:.1} Y {y:.1} mm: ", chamber.chamber)
+    };
     let key = match why {
         ShellFault::Cancelled => return ShellRefusal::Cancelled,
+        ShellFault::Pressure { found, least, most } => {
+            let fault = out_of_range(*found, [*least, *most]);
+            return ShellRefusal::Fault(PredictFault { what: format!("{of}{}", fault.what), ..fault });
+        }
         ShellFault::Range { name: Input::Poisson, .. } => key::fabric::POISSON_RATIO,
         ShellFault::Range { name: Input::Stretching | Input::Bending | Input::Slenderness, .. } => {
             key::fabric::THICKNESS
@@ -190,12 +199,6 @@ fn not_inflated(why: &ShellFault, chamber: &ChamberPrediction, count: usize) -> 
         ShellFault::Range { name: Input::Bendability | Input::Stretch, .. } | ShellFault::Stopped { .. } => {
             key::load::PRESSURE
         }
-    };
-    let [x, y] = chamber.at_mm;
-    let of = if count == 1 {
-        String::new()
-    } else {
-        format!("chamber {}, around X {x:.1} Y {y:.1} mm: ", chamber.chamber)
     };
     fault(key, format!("{of}{why}"))
 }

@@ -5,7 +5,7 @@ use crate::forecast::drawn::chambers::DrawnChamber;
 use crate::forecast::keys::{keyed, kinds};
 use crate::forecast::prediction::{MeshedPlace, MeshedValue};
 use crate::forecast::ranges::Interval;
-use crate::forecast::seal_load::{Bursting, DrawnSeal};
+use crate::forecast::seal_load::{Bursting, DrawnSeal, bursts_at};
 use crate::spec::key;
 use crate::units::{Length, LineForce, Most, Pressure};
 use inflatable::shell::cases::{InflatedRegion, RegionSeam, SeamPull, Value, Wrinkles};
@@ -197,6 +197,23 @@ impl DrawnPrediction {
         self.evidence.warnings = self.warnings();
     }
 
+    /// The largest pull on each seam of every chamber, with its place; `None` without the shell.
+    pub fn seam_loads(&self) -> Vec<(Option<LineForce>, String)> {
+        let count = self.chambers.len();
+        let of_chamber = |one: &ChamberPrediction| {
+            let of = if count == 1 { String::new() } else { format!(" of {}", one.name(count)) };
+            let seams = one.seams.iter().flatten();
+            let known =
+                seams.map(|seam| (Some(LineForce(seam.pull_N_per_mm.value)), format!("{}{of}", seam.seam)));
+            let mut loads: Vec<_> = known.collect();
+            if loads.is_empty() {
+                loads.push((None, format!("seams{of}")));
+            }
+            loads
+        };
+        self.chambers.iter().flat_map(of_chamber).collect()
+    }
+
     /// Whether the seal bursts at the pressure; `None` if unknown.
     pub fn bursting(&self) -> Option<Bursting> {
         Some(Bursting::at(self.pressure_kPa?, self.burst_pressure_kPa?, self.burst_range_kPa))
@@ -205,10 +222,8 @@ impl DrawnPrediction {
     /// The refusal of a seal that certainly bursts.
     pub fn bursts(&self) -> Option<Refusal> {
         let _ = self.bursting().filter(|one| *one == Bursting::Yes)?;
-        let [sure, most] = self.burst_range_kPa?;
-        let pressure = Pressure(self.pressure_kPa?);
-        let found =
-            format!("the pressure is {pressure}, and the seal is predicted to burst at {} kPa", Most(most));
+        let [sure, _] = self.burst_range_kPa?;
+        let found = bursts_at(Pressure(self.pressure_kPa?), self.burst_pressure_kPa?, self.burst_range_kPa);
         let remedy = format!("at most {} kPa, or a stronger seal or narrower chambers", Most(sure));
         Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, found, remedy))
     }

@@ -2,7 +2,9 @@
 
 use crate::forecast::case::Case;
 use crate::forecast::predict::PredictFault;
-use crate::forecast::shell::{Detail, fabric};
+use crate::forecast::pressures::outside;
+use crate::forecast::ranges::Interval;
+use crate::forecast::shell::{Detail, SHELL, fabric};
 use crate::spec::{KeyPath, key};
 use inflatable::shell::cases::{
     Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Margin, Objects, ShellFault, Tube, Value, Watch,
@@ -24,7 +26,25 @@ pub enum ShellRefusal {
 
 /// A fault that is best mended at `key`.
 pub(in crate::forecast) fn fault(key: KeyPath, what: String) -> ShellRefusal {
-    ShellRefusal::Fault(PredictFault { star: None, key, what })
+    ShellRefusal::Fault(PredictFault { star: None, key, what, remedy: None })
+}
+
+/// The fault of a shell without a pressure.
+pub(in crate::forecast) fn no_pressure() -> ShellRefusal {
+    let (what, remedy) = ("model shell needs a pressure", "set `pressure` in [load]");
+    let fault = PredictFault {
+        star: None,
+        key: key::load::PRESSURE,
+        what: what.to_owned(),
+        remedy: Some(remedy.to_owned()),
+    };
+    ShellRefusal::Fault(fault)
+}
+
+/// The fault of a pressure, Pa, at which there is no shell.
+pub(in crate::forecast) fn out_of_range(found: f64, range: Interval) -> PredictFault {
+    let (what, remedy) = outside(SHELL, found, range);
+    PredictFault { star: None, key: key::load::PRESSURE, what, remedy: Some(remedy) }
 }
 
 /// The shell's values of a star: each number with its mesh error.
@@ -66,8 +86,7 @@ pub(in crate::forecast) struct Measurements {
 /// If no pressure is given, or it has too many points.
 pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
     let Some(pressure) = case.pressure else {
-        let what = "model shell needs a pressure: give one, or use model ring";
-        return Err(fault(key::load::PRESSURE, what.to_owned()));
+        return Err(no_pressure());
     };
     let points = case.mechanism.points;
     if points > MOST_POINTS {
@@ -120,6 +139,9 @@ pub(in crate::forecast) fn entered(case: &Case) -> Option<f64> {
 fn refused(why: &ShellFault) -> ShellRefusal {
     let key = match why {
         ShellFault::Cancelled => return ShellRefusal::Cancelled,
+        ShellFault::Pressure { found, least, most } => {
+            return ShellRefusal::Fault(out_of_range(*found, [*least, *most]));
+        }
         ShellFault::Range { name: Input::Slenderness | Input::Width, .. } => key::star::TUBE_WIDTH,
         ShellFault::Range { name: Input::Poisson, .. } => key::fabric::POISSON_RATIO,
         ShellFault::Range { name: Input::Stretching | Input::Bending, .. } => key::fabric::THICKNESS,

@@ -269,10 +269,11 @@ impl Requirements {
                 "its arms would touch, and the search allows only stars whose arms do not".to_owned()
             }
             "arms" => format!("arms would be {percent:.1} % shorter than half a tube's width"),
-            _ => {
-                "it lies outside the range in which shells were computed: another pressure, or another fabric"
-                    .to_owned()
-            }
+            // A pressure that is free was varied.
+            _ => format!(
+                "it lies outside the range in which shells were computed: an object of another size, or another {}",
+                if self.pressure.is_some() { "pressure or fabric" } else { "fabric" }
+            ),
         }
     }
 }

@@ -77,15 +77,16 @@ impl Study {
             Some(names) => wanted::chosen(names, &file.source, asked)?,
         };
         let detail = file.fineness.as_ref().map_or(Detail::Medium, |(detail, _)| *detail);
-        let is_slow = models.iter().any(|model| matches!(model, ModelChoice::Bvp | ModelChoice::Shell));
+        let is_slow = any_slow(&models);
         Self::of(designs, outputs, Some(detail), is_slow).map_err(|what| told(0..0, what))
     }
 
     /// Every combination of the values of `axes` around the spec `spec`, with the fixed columns of `sweep --vary`
-    /// and its models: `section` answers for `bvp` and `shell`.
+    /// and its models: `section` answers for a spec whose model is `bvp` or `shell`.
     ///
     /// # Errors
-    /// The faults of the spec, or one sentence: no key is varied, one is varied twice, or there are too many rows.
+    /// The faults of the spec, or one sentence: no key is varied, one is varied twice, a varied model is not one of these, or there are
+    /// too many rows.
     pub fn vary(spec: &Source, axes: Vec<Axis>) -> Result<Result<Self, String>, Faults> {
         for (i, key) in axes.iter().map(|axis| axis.field.key()).enumerate() {
             let others = || axes[..i].iter().map(|other| other.field.key());
@@ -96,8 +97,16 @@ impl Study {
                 return Ok(Err(format!("`{twin}` and `{key}` are the same size: vary one of them")));
             }
         }
+        let varies_models = axes.iter().any(|axis| axis.field.key() == key::accuracy::MODEL);
         let blocks = axes.into_iter().filter_map(|axis| Block::new(vec![axis])).collect();
-        Ok(designs(spec, blocks)?.and_then(|designs| Self::of(designs, wanted::plain(), None, false)))
+        Ok(designs(spec, blocks)?.and_then(|designs| {
+            if varies_models && any_slow(&designs.models()) {
+                let what = "`accuracy.model` is varied with bvp or shell, which only a study file computes: vary fit, ring, \
+                            section and auto, or write the same [vary] into a study file";
+                return Err(what.to_owned());
+            }
+            Self::of(designs, wanted::plain(), None, false)
+        }))
     }
 
     /// `detail`: how fine the meshes of shells are; `None` for a sweep without a study file.
@@ -168,6 +177,11 @@ fn designs(spec: &Source, blocks: Vec<Block>) -> Result<Result<Designs, String>,
     }
     let Some(base) = Candidate::of(&reading.spec) else { return Ok(Err("the spec has no star".to_owned())) };
     Ok(Ok(Designs::new(base, (spec.clone(), reading.spec), blocks)))
+}
+
+/// Whether a row of one of these models takes a second to minutes.
+fn any_slow(models: &[ModelChoice]) -> bool {
+    models.iter().any(|model| matches!(model, ModelChoice::Bvp | ModelChoice::Shell))
 }
 
 /// `accuracy.model` as a setting.

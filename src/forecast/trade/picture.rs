@@ -4,6 +4,9 @@ use crate::forecast::trade::shells::{ShellRow, rms};
 use crate::forecast::trade::{QUANTITIES, TradeRow};
 use std::fmt::Write;
 
+/// Widths of the pictures, pixels.
+const RING_WIDTH: u32 = 860;
+const SHELLS_WIDTH: u32 = 1090;
 /// Colours, one a model.
 const COLOURS: [&str; 8] =
     ["#b7791f", "#1b6ca8", "#8e44ad", "#c0392b", "#e67e22", "#7fb3a0", "#27865c", "#0b3d2e"];
@@ -71,10 +74,15 @@ fn head(width: u32) -> String {
     )
 }
 
+/// Whether `text` begins as one of these pictures.
+pub fn is_picture(text: &str) -> bool {
+    [RING_WIDTH, SHELLS_WIDTH].iter().any(|width| text.starts_with(&head(*width)))
+}
+
 /// The errors of the limits against the exact ring.
 pub fn against_ring(rows: &[TradeRow]) -> String {
     let colours = ["#1b6ca8", "#c0392b", "#27865c", "#8e44ad", "#b7791f"];
-    let mut out = head(860);
+    let mut out = head(RING_WIDTH);
     RING.axes(&mut out, (-16..=0).step_by(4).map(|decade| (decade, format!("1e{decade}"))));
     for row in rows {
         let x = RING.x(row.time);
@@ -103,7 +111,7 @@ pub fn against_ring(rows: &[TradeRow]) -> String {
 /// The errors of every model against the shells, the root of the mean square over the stars: a circle a pressure, a panel for closing
 /// and one for force.
 pub fn against_shells(rows: &[ShellRow]) -> String {
-    let mut out = head(1090);
+    let mut out = head(SHELLS_WIDTH);
     let names = ["0.1 %", "1 %", "10 %", "100 %", "1000 %"].map(str::to_owned);
     for (panel, title) in [(CLOSING, "closing: rho_f"), (FORCE, "force on an object")] {
         panel.axes(&mut out, (-3..).zip(names.clone()));

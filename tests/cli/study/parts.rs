@@ -58,6 +58,29 @@ fn a_file_that_is_no_table_is_not_replaced() {
         let _ = done(at, &[args, &["-o", "table.csv"]].concat());
     }
     assert_eq!(fs::read_to_string(at.join("study.toml")).expect("it"), before);
+    for name in ["parts/part-1-of-2.csv", "parts/part-3-of-2.csv"] {
+        let kept = names(&at.join("parts"));
+        let said = refused(at, &["study", "join", "parts", "-o", name], 1);
+        assert!(said.contains("has the name of a part"), "{said}");
+        assert_eq!(names(&at.join("parts")), kept);
+    }
+    let _ = done(at, &["study", "join", "parts", "-o", "parts/table.csv"]);
+}
+
+/// Rows of `section` would have the labels of other models.
+#[test]
+fn models_that_only_a_study_file_computes_are_not_varied() {
+    let dir = folder(STUDY);
+    let at = dir.path();
+    let vary = |models: &str| {
+        let models = format!("accuracy.model={models}");
+        run(at, &["study", "run", "spec.toml", "--vary", &models])
+    };
+    for models in ["section,bvp", "shell"] {
+        let refused = vary(models);
+        assert_eq!((refused.status.code(), refused.stdout.len()), (Some(1), 0), "{models}");
+    }
+    assert_eq!(vary("section,ring,auto").status.code(), Some(0));
 }
 
 #[test]

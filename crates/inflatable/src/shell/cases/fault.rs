@@ -18,6 +18,15 @@ pub enum ShellFault {
         /// The largest that is allowed.
         most: f64,
     },
+    /// The pressure is out of the range in which there are shells of this width and fabric.
+    Pressure {
+        /// The given one, Pa.
+        found: f64,
+        /// The least allowed one, Pa.
+        least: f64,
+        /// The largest allowed one, Pa.
+        most: f64,
+    },
     /// More of something than one call takes.
     TooMany {
         /// The name of the list.
@@ -99,6 +108,12 @@ impl fmt::Display for ShellFault {
         match self {
             Self::Range { name, found, least, most } => {
                 write!(f, "{name} is {found:.4e}, but shells are computed for {least} to {most} only")
+            }
+            Self::Pressure { found, least, most } => {
+                write!(
+                    f,
+                    "the pressure is {found:.4e} Pa, but shells of this width and fabric are computed for {least:.4e} to {most:.4e} Pa only"
+                )
             }
             Self::TooMany { name, found, most } => {
                 write!(

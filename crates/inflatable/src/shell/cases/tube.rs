@@ -70,8 +70,21 @@ impl Tube {
         range(Input::Bending, self.fabric.bending, 1e-15, 1e9)?;
         range(Input::Shear, self.fabric.weave.shear, LEAST_SHEAR, MOST_SHEAR)?;
         range(Input::Slenderness, self.slenderness(), thinnest, THICKEST)?;
-        range(Input::Bendability, self.bendability(), 1.0, most_bendable)?;
-        range(Input::Stretch, self.stretch(), 0.0, MOST_STRETCHED)
+        let bendability = range(Input::Bendability, self.bendability(), 1.0, most_bendable);
+        let fault = bendability.and_then(|()| range(Input::Stretch, self.stretch(), 0.0, MOST_STRETCHED));
+        // Both are in proportion to the pressure.
+        let least = self.pressure_at(1.0);
+        let most = self.pressure_at(most_bendable).min(MOST_STRETCHED * self.fabric.stretch / self.width);
+        if least < most {
+            fault.map_err(|_| ShellFault::Pressure { found: self.pressure, least, most })
+        } else {
+            fault
+        }
+    }
+
+    /// The pressure, Pa, at which 1/eps is `bendability`.
+    fn pressure_at(&self, bendability: f64) -> f64 {
+        bendability * self.fabric.bending / self.width.powi(3)
     }
 
     /// Its fabric in the scales of the shell.
