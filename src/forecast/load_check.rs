@@ -171,3 +171,14 @@ pub(super) fn outside_models(load: &Load, star: &StarPrediction) -> Option<Refus
         format!("{meant}it is modelled from {} to {} kPa", Least(low), Most(high)),
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forces_that_differ_are_printed_so() {
+        assert_eq!(apart(7.7, 8.1), ["7.7", "8.1"]);
+        assert_eq!(apart(7.712, 7.7041), ["7.71", "7.70"]);
+    }
+}
