@@ -357,7 +357,11 @@ fn a_radius_that_would_hold_is_the_same_everywhere_and_holds() {
             format!("a radius of {} would hold", Length(mm))
         });
         let said = |list: &[String]| list.iter().any(|text| text.contains(&advice));
-        let weak: Vec<String> = report.pieces[0].loads.iter().filter_map(|load| load.weakness()).collect();
+        let weak: Vec<String> = report.pieces[0]
+            .loads
+            .iter()
+            .filter_map(stargrip_cam::forecast::seal_load::SealLoad::weakness)
+            .collect();
         assert!(said(&weak) && said(&prediction.evidence.warnings), "{advice}: {report:?}");
         assert_eq!(report.pieces[0].loads[0].safe_radius.map(|radius| radius.0), safe);
         let Some(safe) = safe.filter(|mm| *mm < 5.0) else { continue };

@@ -86,7 +86,7 @@ fn a_weak_seal_is_warned_of_with_the_radius_that_would_hold() {
     let weak = design("[fabric]\nseal_strength = \"1 N/mm\"\n[load]\npressure = \"37 kPa\"\n");
     let found = report(&weak.0, &weak.1, &weak.2);
     assert!(found.leaks.is_empty());
-    let weak = found.pieces[0].loads.iter().filter_map(|load| load.weakness());
+    let weak = found.pieces[0].loads.iter().filter_map(stargrip_cam::forecast::seal_load::SealLoad::weakness);
     let at_tips = weak.into_iter().find(|text| text.contains("at the tips")).expect("a warning");
     assert!(at_tips.contains("a radius of") && at_tips.contains("would hold"), "{at_tips}");
     let loads = &found.pieces[0].loads;

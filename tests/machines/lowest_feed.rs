@@ -146,7 +146,7 @@ fn grbl_says(rest: &str, from: &str, to: &str) -> Option<Refusal> {
 fn steps_that_are_advised_are_enough_for_all_axes() {
     for name in ["fluidnc", "marlin"] {
         let profile = profile(name);
-        let refusal = try_built(&spec_text(""), &profile).map(|_| ()).expect_err("too slow")[0].clone();
+        let refusal = try_built(&spec_text(""), profile).map(|_| ()).expect_err("too slow")[0].clone();
         assert_eq!(refusal.code, RefusalCode::FeedFloor, "{name}");
         let advised: Vec<(&str, &str)> = refusal
             .remedy
