@@ -156,7 +156,7 @@ fn grip_rows(star: &StarPrediction) -> Vec<(&'static str, String)> {
         None => format!("{} mm", shown::rounded(2.0 * radius)),
     };
     let mut rows = vec![
-        ("holds objects", format!("{} to {} across", end(least), end(most))),
+        ("holds objects", format!("{} to {} across", end(least).trim_end_matches(" mm"), end(most))),
         ("cut hole, across", show(2.0 * star.hole_radius_mm, "mm")),
     ];
     if let Some(radius) = star.flap_edge_radius_mm {
