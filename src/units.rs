@@ -56,12 +56,8 @@ pub trait Quantity: Copy + fmt::Display {
     /// The units as a list for messages: "mm, cm, m". Units with a letter that is missing on some keyboards are left out; they always have
     /// another spelling.
     fn unit_list() -> String {
-        Self::UNITS
-            .iter()
-            .map(|(name, _)| *name)
-            .filter(|name| name.is_ascii())
-            .collect::<Vec<_>>()
-            .join(", ")
+        let names = Self::UNITS.iter().map(|(name, _)| *name).filter(|name| name.is_ascii());
+        names.collect::<Vec<_>>().join(", ")
     }
 }
 

@@ -24,8 +24,6 @@ pub struct SealReport {
     pub pieces: Vec<PieceReport>,
     /// Leaks, each with the key to change.
     pub leaks: Refusals,
-    /// Places that may fail.
-    pub weaknesses: Vec<String>,
 }
 
 /// One distinct piece.
@@ -50,8 +48,6 @@ pub fn report(spec: &Spec, machine: &Machine, design: &Design) -> SealReport {
     let mut report = SealReport { leaks: open_ways(&passages, design), ..SealReport::default() };
     for (placed, passage) in passages {
         let name = placed.name();
-        let of_piece = |text: &String| format!("{name}: {text}");
-        report.weaknesses.extend(passage.weaknesses.iter().map(of_piece));
         let loads = match design.part(placed) {
             // A valid spec has a valid case; without one there is no load to report.
             FlatPiece::Star(star) => {
@@ -59,7 +55,6 @@ pub fn report(spec: &Spec, machine: &Machine, design: &Design) -> SealReport {
             }
             FlatPiece::Drawn(_) => Vec::new(),
         };
-        report.weaknesses.extend(loads.iter().filter_map(SealLoad::weakness).map(|text| of_piece(&text)));
         report.pieces.push(PieceReport { name, passage, loads });
     }
     report
@@ -99,9 +94,6 @@ impl fmt::Display for SealReport {
         }
         for leak in self.leaks.iter() {
             writeln!(f, "  LEAK: {}", leak.found)?;
-        }
-        for weakness in &self.weaknesses {
-            writeln!(f, "  warning: {weakness}")?;
         }
         if self.leaks.is_empty() {
             let exception = if self.pieces.iter().any(|piece| piece.passage.inlet.is_some()) {

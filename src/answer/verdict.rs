@@ -2,7 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::forecast::prediction::{MeshedPlace, MeshedValue, StarPrediction};
+use crate::forecast::meshed::{MeshedPlace, MeshedValue};
+use crate::forecast::prediction::StarPrediction;
 use crate::forecast::ranges::scaled;
 use crate::forecast::ranges::shown::{known, rounded, with};
 use crate::forecast::verdict::of_stars;

@@ -8,7 +8,7 @@ use jiff::Zoned;
 use serde_json::Value;
 
 use crate::artifact::{Kind, KindRequest};
-use crate::cli::escape::shown;
+use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
 use crate::cli::load::{Loaded, is_standard_input};
@@ -163,7 +163,7 @@ fn made(
     let target = targets.get(spec).cloned().unwrap_or_else(named);
     let request = request(args, &forecast, &target, verbosity);
     loaded.fit(&forecast, args.anyway)?;
-    let notes = forecast.precautions(&shown(spec));
+    let notes = forecast.precautions(&argument(spec));
     let proven = loaded.proven(forecast, &request)?;
     args.kinds.tell_missing(&proven.built().manifest.files);
     // The fate of earlier files is reported even with --quiet.
@@ -218,15 +218,14 @@ fn request(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity
     if args.kinds.is_default() {
         request.add(before);
         if !verbosity.quiet {
+            let there = shown(target);
             tell(&format!(
-                "note: {names} is built again, as before in {}; `--with` names other kinds",
-                shown(target)
+                "note: {there} has `{names}`, which is built again; to build other kinds, use --with"
             ));
         }
     } else {
         tell(&format!(
-            "note: {names} was in {} and is not built again; to build it: `--with \
-             {names}`",
+            "note: {} has `{names}`, which is not built again; to build it, add --with {names}",
             shown(target)
         ));
     }

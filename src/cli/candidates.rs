@@ -29,8 +29,8 @@ pub(super) fn text(found: &SearchResult, constraints: &Constraints) -> String {
     let SearchResult { best, front, computed } = found;
     let mut out = format!(
         "# {computed} designs computed; the best for each number of points, the best of all first. \
-         `short` lists the missed constraints, and by how much; a design without any is worse in the \
-         goal.\n"
+         `short` lists the constraints that a design misses, and by how much; one that misses none is \
+         worse in the goal.\n"
     );
     out.push_str(&rows(best, constraints));
     if constraints.payload.is_some() || constraints.largest_force.is_some() {

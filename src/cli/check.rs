@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use jiff::Zoned;
 use serde_json::Value;
 
-use crate::cli::escape::shown;
+use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
 use crate::cli::load::Loaded;
@@ -84,7 +84,7 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     let marks = warnings.map(|warning| mark(warning.drawn.as_deref(), &warning.found, &warning.remedy));
     pictured(args, &loaded, &marks.collect::<Vec<_>>())?;
     loaded.fit(&forecast, args.anyway)?;
-    let list = forecast.precautions(&shown(spec));
+    let list = forecast.precautions(&argument(spec));
     let request = args.kinds.request().of_spec(&forecast.spec);
     let proven = loaded.proven(forecast, &request)?;
     args.kinds.tell_missing(&proven.built().manifest.files);

@@ -35,7 +35,7 @@ pub(super) struct Args {
     #[arg(long, default_value = "derived", value_parser = words(&Balance::ALL, &[]))]
     balance: Balance,
     /// Radius at first contact, where the travel is 0; default: the predicted final radius of --spec.
-    #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE), required_unless_present = "spec")]
+    #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE))]
     contact_radius: Option<Length>,
     /// Add the prediction for this spec to the data; its `[load]` must give the pressure.
     #[arg(long)]
@@ -47,6 +47,9 @@ pub(super) struct Args {
 /// Reduces the data, and prints CSV.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let message = |text: String| Failure::Message(text);
+    if args.contact_radius.is_none() && args.spec.is_none() {
+        return Err(Failure::Usage("give --contact-radius, or a --spec that predicts it".to_owned()));
+    }
     let source = Source::new(args.data.display().to_string(), read_table(&args.data)?);
     let test = read_test(&source)?;
     let cone = Cone::new(args.half_angle.rad(), args.friction).map_err(|fault| message(fault.to_string()))?;
@@ -56,9 +59,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         show(args, cone.ratio(args.balance), first, &points)
     };
     let Some(path) = &args.spec else {
-        let first = contact
-            .ok_or_else(|| message("give --contact-radius, or a --spec that predicts it".to_owned()))?;
-        return reduced(first, None);
+        return reduced(contact.unwrap_or_default(), None);
     };
     let spec = Loaded::spoken(path, args.verbosity)?.with_stars("cone")?.reading.spec;
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);

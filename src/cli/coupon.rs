@@ -8,7 +8,7 @@ use serde_json::json;
 use crate::answer::hours;
 use crate::answer::quantity::quantity;
 use crate::artifact::Kind;
-use crate::cli::escape::shown;
+use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::load::Loaded;
 use crate::cli::publish::publish_files;
@@ -18,6 +18,9 @@ use crate::coupon::{CouponGroup, StripGrid};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 use crate::spec::Allowed;
 use crate::units::{Length, Speed, Temperature, counted};
+
+/// How often each setting is sealed by default.
+const REPEATS: u8 = 3;
 
 /// Arguments of `coupon`.
 #[derive(clap::Args, Debug)]
@@ -39,15 +42,35 @@ pub(super) struct Args {
     /// Coupons of these kinds only; default: all.
     #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = words(&CouponGroup::NAMES, &[]))]
     only: Vec<CouponGroup>,
-    /// How often each setting is sealed.
-    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=20))]
-    repeats: u8,
+    /// How often each setting is sealed; default: 3.
+    #[arg(long, value_parser = clap::value_parser!(u8).range(1..=20))]
+    repeats: Option<u8>,
     #[command(flatten)]
     verbosity: Verbosity,
 }
 
+impl Args {
+    /// Refuses options of the grid of strips where `--only` names no strips.
+    fn refuse_strips_alone(&self) -> Result<(), Failure> {
+        if self.only.is_empty() || self.only.contains(&CouponGroup::Strips) {
+            return Ok(());
+        }
+        let given = [
+            ("--temperatures", !self.temperatures.is_empty()),
+            ("--speeds", !self.speeds.is_empty()),
+            ("--heights", !self.heights.is_empty()),
+            ("--repeats", self.repeats.is_some()),
+        ];
+        let given = given.into_iter().find(|(_, is_given)| *is_given);
+        given.map_or(Ok(()), |(option, _)| {
+            Err(Failure::Usage(format!("{option} is for strips: leave it out, or add strips to --only")))
+        })
+    }
+}
+
 /// Writes the coupons.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    args.refuse_strips_alone()?;
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
     let (grid, groups) = (grid(args, &loaded)?, or(&args.only, &CouponGroup::NAMES.map(|(_, group)| group)));
@@ -101,7 +124,7 @@ fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
         temperatures: or(&args.temperatures, &[seal.temperature]),
         speeds: or(&args.speeds, &speeds),
         heights: or(&args.heights, &[heights.contact]),
-        repeats: usize::from(args.repeats),
+        repeats: usize::from(args.repeats.unwrap_or(REPEATS)),
     };
     // Five times the spec's speed may be out of range.
     if let Some(v) = grid.speeds.iter().find(|v| !(1e-3..=1e3).contains(&v.0)) {
@@ -152,9 +175,11 @@ fn text(
         let _ = writeln!(
             out,
             "seal the strips of {}, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in \
-             peel_N in {results}{}, then: stargrip-cam calibrate {results} --spec {spec}",
+             peel_N in {results}{}, then: stargrip-cam calibrate {} --spec {}",
             if settings == 1 { "the program".to_owned() } else { format!("{settings} programs") },
             if has_pressure { String::new() } else { format!(", write `pressure` into [load] of {spec}") },
+            argument(args.output.join(TABLE)),
+            argument(&args.spec)
         );
     }
     out

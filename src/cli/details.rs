@@ -15,8 +15,6 @@ use crate::units::Readable;
 /// The details of a check.
 pub(super) fn checked(forecast: &Forecast) -> String {
     let seal = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
-    // The overview has printed these warnings, and those of the prediction.
-    let seal = airtight::SealReport { weaknesses: Vec::new(), ..seal };
     format!("\n{}{}{}", design(forecast), predicted(forecast), seal)
 }
 

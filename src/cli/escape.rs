@@ -10,6 +10,20 @@ pub(super) fn shown(text: impl AsRef<OsStr>) -> String {
     spelt_out(&text.as_ref().to_string_lossy(), spec::misleads).into_owned()
 }
 
+/// A path, or another text from outside, as one argument of a command for a POSIX shell that is printed: quoted where it must be, and no
+/// option.
+pub(super) fn argument(text: impl AsRef<OsStr>) -> String {
+    let text = shown(text);
+    let text = if text.len() > 1 && text.starts_with('-') { format!("./{text}") } else { text };
+    if !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || "-_./+,:@%".contains(c)) {
+        text
+    } else if text.contains(['$', '`', '"', '\\', '!']) {
+        format!("'{}'", text.replace('\'', "'\\''"))
+    } else {
+        format!("\"{text}\"")
+    }
+}
+
 /// `text` escaped for a terminal: characters that move the cursor, ring the bell or change the direction of text are spelt out.
 ///
 /// All output passes through this function. The spelling, `\u001b`, is that of JSON, so that a JSON object keeps its meaning.
@@ -39,6 +53,22 @@ mod tests {
         );
         assert_eq!(shown("a\nproven, no findings"), "a\\u000aproven, no findings");
         assert_eq!(escaped("two\n\tlines, é 星"), "two\n\tlines, é 星");
+    }
+
+    #[test]
+    fn an_argument_is_one_word_for_a_shell_and_no_option() {
+        for (text, word) in [
+            ("a/b-1.toml", "a/b-1.toml"),
+            ("-", "-"),
+            ("-x.toml", "./-x.toml"),
+            ("my bottle.toml", "\"my bottle.toml\""),
+            ("it's", "\"it's\""),
+            ("it's $5", "'it'\\''s $5'"),
+            ("a;b", "\"a;b\""),
+            ("", "\"\""),
+        ] {
+            assert_eq!(argument(text), word);
+        }
     }
 
     #[test]

@@ -46,7 +46,10 @@ pub enum Failure {
 impl Failure {
     /// A file that could not be read or written.
     pub(super) fn file(what: &str, path: &Path, error: &io::Error) -> Self {
-        Self::File(path.display().to_string(), format!("cannot {what} {}: {error}", shown(path)))
+        Self::File(
+            path.display().to_string(),
+            format!("cannot {what} {}: {}", shown(path), reason(what, error)),
+        )
     }
 
     /// Prints the failure with --json: a refusal is one object on standard output. Returns the exit code of [`Failure::report`].
@@ -129,6 +132,21 @@ impl Failure {
         };
         tell(&fitted(&text, width(&io::stderr())));
         1
+    }
+}
+
+/// The reason why a file cannot be read, written or created (`what`), with a remedy where there is one.
+pub(super) fn reason(what: &str, error: &io::Error) -> String {
+    let text = error.to_string();
+    let text = text.split(" (os error").next().unwrap_or_default();
+    match (error.kind(), what) {
+        (io::ErrorKind::NotFound, "read") => "it does not exist; check its name and its directory".to_owned(),
+        (io::ErrorKind::NotFound, _) => "its directory does not exist; create it, or name another".to_owned(),
+        (io::ErrorKind::IsADirectory, _) => "it is a directory; name a file".to_owned(),
+        (io::ErrorKind::PermissionDenied, _) => {
+            "permission denied; change its rights, or name another".to_owned()
+        }
+        _ => text.to_owned(),
     }
 }
 

@@ -54,7 +54,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     } else {
         write_new(&output, &proven.text)?;
     }
-    replace(&manifest_of(&output), &String::from_utf8_lossy(&proven.manifest.to_json()))?;
+    let manifest = manifest_of(&output);
+    replace(&manifest, &String::from_utf8_lossy(&proven.manifest.to_json()))?;
     let seconds = plan::CHECK_LENGTH / spec.seal.speed.0;
     let remedy = match spec.machine.feed_floor {
         FeedFloor::Chop => "correct `chop_feed` and `acceleration` in the profile's [motion]",
@@ -67,15 +68,17 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         format!("three lines of {length} mm (X, Y, 45 deg)")
     };
     let text = format!(
-        "wrote {}\neach of its {ways} must take {seconds:.0} s; if one is faster, the \
+        "wrote {}, and beside it {} for `verify`\neach of its {ways} must take {seconds:.0} s; if one is faster, the \
          machine cannot go at {}: {remedy}\nat each {} it must stop and wait, at the X, Y and Z in the comment before it; \
          if it runs on, or stops elsewhere, do not seal with this profile\n",
         shown(&output),
+        shown(manifest.file_name().unwrap_or_default()),
         spec.seal.speed,
         machine.script.pause
     );
     let json = json!({
         "wrote": output.to_string_lossy(),
+        "manifest": manifest.to_string_lossy(),
         "line_mm": length,
         "line_time_s": seconds,
         "ways": if machine.controller.arcs { 5 } else { 3 },

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::answer::refused::at_keys;
 use crate::artifact::KindRequest;
 use crate::cli::escape::shown;
-use crate::cli::failure::{Failure, tell, warn};
+use crate::cli::failure::{Failure, reason, tell, warn};
 use crate::cli::findings::Unproven;
 use crate::cli::progress;
 use crate::cli::verbosity::Verbosity;
@@ -218,7 +218,7 @@ fn drawing_bytes(file: &Path) -> Result<Vec<u8>, String> {
     match File::open(file).and_then(|opened| opened.take(DRAWING_LIMIT + 1).read_to_end(&mut bytes)) {
         Ok(_) if bytes.len() as u64 > DRAWING_LIMIT => Err(format!("{} is larger than 64 MiB", shown(file))),
         Ok(_) => Ok(bytes),
-        Err(error) => Err(format!("cannot read {}: {error}", shown(file))),
+        Err(error) => Err(format!("cannot read {}: {}", shown(file), reason("read", &error))),
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use crate::cli::escape::shown;
+use crate::cli::escape::{argument, shown};
 use crate::cli::failure::Failure;
 use crate::cli::load::read_drawing;
 use crate::cli::new_object::{NewGripper, ObjectArgs, chosen, machine};
@@ -52,11 +52,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let verdict = found.as_ref().and_then(|made| made.forecast.verdict());
     let chosen = found.as_ref().map(NewGripper::json);
     let json = json!({ "wrote": path, "schema": schema, "verdict": verdict, "chosen": chosen });
-    let path = shown(&path);
+    let (path, word) = (shown(&path), argument(&path));
     let verdict_line = found.map_or_else(String::new, |made| format!("{name}: {}", made.in_words()));
     let wrote = format!("wrote {path}, and beside it {} for editors", spec::SCHEMA_FILE);
     args.verbosity
-        .report(&format!("{verdict_line}{wrote}\nnext: edit it, then `stargrip-cam build {path}`\n"), &json)
+        .report(&format!("{verdict_line}{wrote}\nnext: edit it, then `stargrip-cam build {word}`\n"), &json)
 }
 
 /// The name of the design, and its file.
@@ -136,11 +136,11 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
             "mm are assumed: if the size is wrong, correct `units`, or use --units. {finding}"
         );
     }
-    let path = shown(&path);
+    let (path, word) = (shown(&path), argument(&path));
     let (number, each) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });
     let report = format!(
         "{number} {each} with a proposed role:\n{lines}wrote {path}, and beside it {} for editors\n\
-         next: look at the roles in it, then `stargrip-cam check {path}`\n",
+         next: look at the roles in it, then `stargrip-cam check {word}`\n",
         spec::SCHEMA_FILE
     );
     args.verbosity.report(&report, &json)

@@ -7,7 +7,7 @@ use crate::answer::object;
 use crate::answer::object::{FORCES, FRICTIONS, MASSES, NoGripper, PRESSURES, Request, sheet};
 use crate::answer::quantity::{SIZE, number, quantity};
 use crate::cli::defaults;
-use crate::cli::escape::shown;
+use crate::cli::escape::argument;
 use crate::cli::failure::Failure;
 use crate::cli::load::read_source;
 use crate::cli::words::words;
@@ -69,12 +69,6 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>
     })
 }
 
-/// `text` quoted as one word of a shell.
-fn argument(text: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
-    if text.chars().all(is_plain) { text.to_owned() } else { format!("\"{}\"", shown(text)) }
-}
-
 /// The nearest request to `requirements` that can be met, and its command.
 fn in_words(
     name: &str,
@@ -86,7 +80,7 @@ fn in_words(
     let stars = if best.stars == 1 { "1 star".to_owned() } else { format!("{} stars", best.stars) };
     let at = best.load.pressure.map_or(String::new(), |pressure| format!(" at {pressure}"));
     let mut words = vec![format!("stargrip-cam new {}", argument(name))];
-    let mut word = |option: &str, value: String| words.push(format!("--{option} \"{}\"", shown(value)));
+    let mut word = |option: &str, value: String| words.push(format!("--{option} {}", argument(value)));
     word("object", Length(2.0 * had.object.0).to_string());
     if let Some(height) = had.height {
         word("height", height.to_string());

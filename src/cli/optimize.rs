@@ -154,7 +154,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
                 tell(&candidates::text(&found, &constraints));
             }
             let why = if found.front.is_empty() {
-                "no design meets all constraints; `short` lists the missed constraints of each, and by how much"
+                "no design meets all constraints; `short` lists those that each misses, and by how much"
             } else {
                 "none of the best designs can be sealed and cut as the spec requires"
             };

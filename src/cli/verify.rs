@@ -7,7 +7,7 @@ use std::io::{Read, stdout};
 use std::path::{Path, PathBuf};
 
 use crate::answer::proof::{json, scope};
-use crate::cli::escape::shown;
+use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, say};
 use crate::cli::feedcheck::manifest_of;
 use crate::cli::terminal::{fitted, width};
@@ -92,7 +92,7 @@ pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
     }
     let entries = fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))?;
     let inside = entries.filter_map(Result::ok).map(|entry| entry.path());
-    let mut builds: Vec<String> = inside.filter(|path| path.join(MANIFEST).is_file()).map(shown).collect();
+    let mut builds: Vec<String> = inside.filter(|path| path.join(MANIFEST).is_file()).map(argument).collect();
     if builds.is_empty() {
         let wanted = "name the directory that `build` or `coupon` published";
         return Err(Failure::Message(format!(

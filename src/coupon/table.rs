@@ -10,6 +10,7 @@ use std::ops::Range;
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::spec::{Allowed, Fault, FaultCode, Faults, Source};
+use crate::units::counted;
 
 /// Largest number of collected faults: a wrong file has one a line.
 const FAULTS: usize = 100;
@@ -214,7 +215,7 @@ impl<'a> Table<'a> {
             return None;
         }
         if record.len() != count {
-            let fault = Fault::error(FaultCode::CellCount, line.clone(), format!("{} cells", record.len()));
+            let fault = Fault::error(FaultCode::CellCount, line.clone(), counted(record.len(), "cell"));
             let help = match (record.len() > count, self.text[line.clone()].contains(';')) {
                 (_, true) => {
                     "the header is not separated by `;`: write one separator throughout, decimals with a point"

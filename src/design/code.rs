@@ -25,7 +25,7 @@ codes! {
         JobTooLarge "job-too-large" "The job has too many moves, or takes too long, to be written; build fewer or smaller pieces at a time.",
         LayerWithoutRole "layer-without-role" "A layer of the drawing has no role; name it in one of the lists of `layers`, or in `ignore`.",
         LongExtent "long-extent" "With this extent the coating windows would meet or run past the arms; make it smaller.",
-        LongLink "long-link" "A warning: the link to the spec is too long for a QR code; previews and report have none.",
+        LongLink "long-link" "A warning: the link is too long for a QR code; leave out `link`, or shorten spec, profile and drawing.",
         LongOverlap "long-overlap" "The overlap is longer than half the loop; make it shorter.",
         LostGeometry "lost-geometry" "The drawing shows something that is not read; convert it to a path, or ignore its layer.",
         MayNotHold "may-not-hold" "A warning: within its ranges the gripper may or may not hold the object of `load`; see the reasons.",

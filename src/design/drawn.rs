@@ -26,7 +26,7 @@ use crate::design::drawn::proposal::LeftOut;
 use crate::design::placement::{SheetLayout, footprint, place};
 use crate::design::star_seam::MOUTH_OVERRUN;
 use crate::design::{Circle, PlacedPart, Refusal, RefusalCode, Refusals, Warning};
-use crate::shape::{Role, Rules, SealedShape, Sealing, Sketch, sealed_shape};
+use crate::shape::{Rules, SealedShape, Sealing, Sketch, sealed_shape};
 use crate::spec::{DrawingSpec, LayerRole, Machine, MaskKind, Spec, key};
 use drawings::{Drawing, Figure, Format, Options, Unit, Weight};
 use inflatable::geom::{Bounds, Path};
@@ -39,10 +39,8 @@ const LABEL_WIDTH: f64 = 15.0;
 pub struct DrawnPiece {
     /// Seams, cut and ports.
     pub shape: SealedShape,
-    /// The edges of the air as drawn.
+    /// The edges of the air as drawn, with the channels of ports as far as the cut, for pictures.
     pub edges: Vec<Path>,
-    /// Outlines of the regions that hold the air, for pictures.
-    pub tube: Vec<Path>,
     /// The boundary of the air, closed, without the channels of ports: the region that inflates.
     pub air: Vec<Path>,
     /// Walls and welds by their centre lines, as far as they lie in the air.
@@ -107,8 +105,7 @@ impl DrawnPiece {
         let labels = label::labels(&shape, &room, &registration, allowance);
         let is_separated = spec.mask.kind == MaskKind::Separator;
         let separator = is_separated.then(|| DrawnSeparator::new(spec, &shape, &air)).transpose()?;
-        let edges: Vec<Path> = sketch.air.into_iter().map(|drawn| drawn.path).collect();
-        let tube = regions(&shape, &edges);
+        let edges = air.edges_to_mouths(shape.band);
         let bounds = footprint(&shape, &tool.outside, machine.process.ramp.0);
         let number = usize::try_from(spec.sheet.copies).unwrap_or(1);
         let boxes: Vec<Bounds> = vec![bounds; number];
@@ -118,7 +115,6 @@ impl DrawnPiece {
         let piece = Self {
             shape,
             edges,
-            tube,
             air,
             inner,
             part,
@@ -138,15 +134,6 @@ impl DrawnPiece {
     pub fn label_width(&self) -> f64 {
         self.passage.unwrap_or(LABEL_WIDTH)
     }
-}
-
-/// The outlines that are filled to show the air: the drawn edges where each is closed, else the middle of the bands.
-fn regions(shape: &SealedShape, edges: &[Path]) -> Vec<Path> {
-    if !edges.is_empty() && edges.iter().all(|edge| edge.closed) {
-        return edges.to_vec();
-    }
-    let boundaries = shape.seams.iter().filter(|seam| seam.role == Role::Boundary);
-    boundaries.map(|seam| seam.center_line.clone()).collect()
 }
 
 /// The rules by which a sketch becomes a shape.
@@ -210,12 +197,15 @@ pub fn propose_layers(name: &str, bytes: &[u8], unit: Option<Unit>) -> Result<La
         })
     });
     let read = read.map_err(|faults| faults.iter().map(faults::unreadable).collect::<Refusals>())?;
+    let is_dxf = Format::of_name(name) == Some(Format::Dxf);
+    if read.elements.is_empty() {
+        return Err(nothing_drawn(&read, is_dxf).into());
+    }
     let bounds = read.elements.iter().fold(Bounds::EMPTY, |all, element| match &element.figure {
         Figure::Path(path) => all.union(path.bounds()),
         Figure::Point(_) => all,
     });
     let size = [bounds.width(), bounds.height()].map(|length| length.max(0.0));
-    let is_dxf = Format::of_name(name) == Some(Format::Dxf);
     let hidden =
         LeftOut::of(&read, is_dxf, Weight::Hidden).into_iter().map(|left_out| left_out.layer).collect();
     Ok(LayerProposal { layers: proposal::proposed(&read, is_dxf), size, unit: given, no_unit, hidden })
@@ -238,16 +228,20 @@ pub fn drawing_notes(spec: &Spec) -> Vec<String> {
     read.iter().flat_map(|read| &read.notes).map(ToString::to_string).collect()
 }
 
-/// The refusal of a `drawing` without air and seams, which names the layers that are hidden or cannot be read.
-fn nothing_drawn(read: &Drawing, drawing: &DrawingSpec) -> Refusal {
+/// The refusal of a drawing without air and seams, which names the layers that are hidden or cannot be read.
+fn nothing_drawn(read: &Drawing, is_dxf: bool) -> Refusal {
     let mut found = "no edge of air and no seam is drawn".to_owned();
-    let mut remedy = "give a layer the role air or seam";
-    for LeftOut { layer, text } in LeftOut::of(read, drawing.is_dxf(), Weight::Lost) {
+    let mut remedy = if read.elements.is_empty() {
+        "draw the edges of the air, and export the drawing again"
+    } else {
+        "give a layer the role air or seam"
+    };
+    for LeftOut { layer, text } in LeftOut::of(read, is_dxf, Weight::Lost) {
         let _ = write!(found, "; nothing on layer {layer:?} can be read ({})", text.trim_end_matches('.'));
         remedy =
             "draw the edges on that layer as lines and arcs in the plane, and give it the role air or seam";
     }
-    for LeftOut { layer, .. } in LeftOut::of(read, drawing.is_dxf(), Weight::Hidden) {
+    for LeftOut { layer, .. } in LeftOut::of(read, is_dxf, Weight::Hidden) {
         let _ = write!(found, "; layer {layer:?} is hidden");
         remedy = "show the layer in the drawing program and save again, then give it the role air or seam";
     }
@@ -260,7 +254,7 @@ fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<String>), R
     roles::refusals(&read, drawing).or(())?;
     let sketch = roles::sketch(&read, drawing);
     if sketch.air.is_empty() && sketch.seams.is_empty() {
-        return Err(nothing_drawn(&read, drawing).into());
+        return Err(nothing_drawn(&read, drawing.is_dxf()).into());
     }
     Ok((sketch, read.notes.iter().map(ToString::to_string).collect()))
 }

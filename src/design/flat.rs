@@ -40,7 +40,7 @@ impl<'a> FlatPiece<'a> {
     pub fn tube(self) -> &'a [Path] {
         match self {
             Self::Star(star) => &star.realised_edges,
-            Self::Drawn(piece) => &piece.tube,
+            Self::Drawn(piece) => &piece.edges,
         }
     }
 

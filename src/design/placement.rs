@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::design::{Refusal, RefusalCode};
 use crate::shape::{PieceName, SealedShape};
-use crate::spec::{KeyPath, Machine, Sheet, key};
+use crate::spec::{Machine, Sheet, key};
 use crate::units::{Least, Length, Most, Readable};
 use inflatable::geom::{Bounds, Isometry, Path, Point};
 
@@ -92,8 +92,7 @@ impl FreeArea {
         if self.takes(part) || sheet.turn && self.takes(&turned(part)) {
             return Ok(());
         }
-        fits(key::sheet::WIDTH, part.width(), on_sheet(sheet.width, sheet), sheet.margin.0)?;
-        fits(key::sheet::HEIGHT, part.height(), on_sheet(sheet.height, sheet), sheet.margin.0)?;
+        fits(part, sheet)?;
         let Some((x, y)) = machine.bench.work_area else { return Ok(()) };
         let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
         let (needed, missing) = (
@@ -195,15 +194,26 @@ fn up(x: f64) -> f64 {
     (x * 10.0).ceil() / 10.0
 }
 
-fn fits(key: KeyPath, needed: f64, room: f64, margin: f64) -> Result<(), Refusal> {
-    if needed <= room {
-        return Ok(());
-    }
+/// Refuses a sheet that is too small for a part, with all sides that are too short.
+fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
+    let sides = [
+        (key::sheet::WIDTH, "wide", part.width(), on_sheet(sheet.width, sheet)),
+        (key::sheet::HEIGHT, "high", part.height(), on_sheet(sheet.height, sheet)),
+    ];
+    let short: Vec<_> = sides.into_iter().filter(|(_, _, needed, room)| needed > room).collect();
+    let Some((key, ..)) = short.first() else { return Ok(()) };
+    let found = short.iter().map(|(_, word, needed, room)| {
+        format!("{} mm {word} where the margins leave {} mm", Least(*needed), Most(room.max(0.0)))
+    });
+    let remedy = short.iter().map(|(key, _, needed, _)| {
+        let least = Least(needed + 2.0 * sheet.margin.0);
+        format!("`{}` at least {least} mm", key.key())
+    });
     Err(Refusal::new(
-        key,
+        *key,
         RefusalCode::SheetTooSmall,
-        format!("a part needs {} mm where the margins leave {} mm", Least(needed), Most(room.max(0.0))),
-        format!("{} mm are missing: at least {} mm", Least(needed - room), Least(needed + 2.0 * margin)),
+        format!("a part is {}", found.collect::<Vec<_>>().join(", and ")),
+        format!("must be {}", remedy.collect::<Vec<_>>().join(" and ")),
     ))
 }
 

@@ -1,9 +1,8 @@
 //! Names and notes on their way into outputs.
 
-/// [`inert`] text of a picture's heading, with points for what was cut off.
-pub(super) fn heading(text: &str) -> String {
-    const MOST: usize = 60;
-    if text.chars().count() > MOST { inert(text, MOST - 3) + "..." } else { inert(text, MOST) }
+/// [`inert`] text of a picture, with points for what is cut off beyond `most` characters.
+pub(super) fn shortened(text: &str, most: usize) -> String {
+    if text.chars().count() > most { inert(text, most.saturating_sub(3)) + "..." } else { inert(text, most) }
 }
 
 /// The text with every character that could have a meaning for a controller replaced by `_`, cut to `most` characters.
@@ -25,8 +24,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_heading_shows_that_it_is_cut() {
-        assert_eq!(heading(&"a".repeat(60)), "a".repeat(60));
-        assert_eq!(heading(&"a".repeat(61)), "a".repeat(57) + "...");
+    fn a_text_shows_that_it_is_cut() {
+        assert_eq!(shortened(&"a".repeat(24), 24), "a".repeat(24));
+        assert_eq!(shortened(&"a".repeat(25), 24), "a".repeat(21) + "...");
     }
 }

@@ -203,6 +203,7 @@ fn of_a_hinge(
     let hinge = actuator.hinge();
     let rest = hinge.rest(model)?;
     let angle = hinge.angle_of(model, &rest);
+    let ranges = ranges(actuator, model, &rest, angle);
     let held = angles.iter().map(|phi| {
         let state = hinge.state_at(model, *phi)?;
         Ok([phi.to_degrees(), -hinge.moment(pressure, &state)])
@@ -217,14 +218,14 @@ fn of_a_hinge(
         volume_mm3: None,
         stiffness_Nm: hinge.stiffness(pressure, &rest),
         moment: (!angles.is_empty()).then_some(held),
-        ranges: ranges(actuator, model, &rest, angle).unwrap_or_default(),
+        ranges: ranges.unwrap_or_default(),
         evidence: ActuatorEvidence {
             residual: rest.effort.residual,
             iterations: rest.effort.iterations,
             numerical_error: rest.effort.error,
             mesh_errors: None,
             unknowns: None,
-            warnings: warnings(actuator, model, angle),
+            warnings: warnings(actuator, model, angle, ranges.is_some()),
         },
     })
 }
@@ -261,7 +262,7 @@ pub(super) fn short_arms(actuator: &Actuator) -> Option<String> {
     (actuator.arm < actuator.width).then(|| short.to_owned())
 }
 
-fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64) -> Vec<String> {
+fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64, has_ranges: bool) -> Vec<String> {
     let limit = model.level() != Level::Section;
     let hinge = actuator.hinge();
     let without_arms = format!("the hinge is computed without arms, with which it would coil {ARMS_LET_OUT}");
@@ -278,5 +279,14 @@ fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64) -> Vec<Stri
         (angle < 0.0, "the arms touch before the hinge reaches its rest angle"),
     ];
     let known = known.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned());
-    known.chain(short_arms(actuator)).collect()
+    let mut warnings: Vec<String> = known.chain(short_arms(actuator)).collect();
+    if !has_ranges && warnings.is_empty() {
+        let ([arm_least, arm_most], [arc_least, arc_most]) = (errors::ACTUATOR_ARM, errors::ARC);
+        warnings.push(format!(
+            "ranges are unknown: no shell like this was computed; those had arms of {arm_least} to {arm_most} widths, hinges of \
+             {arc_least} to {arc_most} deg, and t / W of at least {}",
+            errors::SLENDERNESS_REACHED[0]
+        ));
+    }
+    warnings
 }

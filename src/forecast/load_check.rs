@@ -26,14 +26,14 @@ pub(super) fn too_wide_to_enter(spec: &Spec, part: &StarSpec, star: &StarPredict
 /// No star of the stack touches the object.
 pub(super) fn too_short(load: &Load) -> Refusal {
     let (key, height) = match load.object_height {
-        Some(height) => (key::load::OBJECT_HEIGHT, format!("{height} tall")),
-        None => (load.size_key(), "as tall as it is wide, the default of object_height".to_owned()),
+        Some(height) => (key::load::OBJECT_HEIGHT, format!("{height} high")),
+        None => (load.size_key(), "as high as it is wide, the default of object_height".to_owned()),
     };
     Refusal::new(
         key,
         RefusalCode::ObjectTooShort,
-        format!("the object is {height}: the star passes above or below it"),
-        "a star at the object's height: another count or pitch of [stack], or object_height if it is taller"
+        format!("the object is {height}: none of it is at the height of a star"),
+        "another count or pitch of [stack], so that a star is at the object's height; or object_height, if it is higher"
             .to_owned(),
     )
 }
@@ -108,6 +108,12 @@ pub(super) fn bursts(load: &Load, star: &StarPrediction) -> Option<Refusal> {
     Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, found, remedy))
 }
 
+/// Two forces with as many decimals as tell them apart, one at least.
+pub(super) fn apart(a: f64, b: f64) -> [String; 2] {
+    let texts = |decimals: usize| [a, b].map(|force| format!("{force:.decimals$}"));
+    (1..6).map(texts).find(|[a, b]| a != b).unwrap_or_else(|| texts(6))
+}
+
 /// A star presses with `low` to `high` N, and the object bears `bears` N.
 pub(super) fn too_hard([low, high]: Interval, bears: f64) -> Refusal {
     Refusal::new(
@@ -120,7 +126,8 @@ pub(super) fn too_hard([low, high]: Interval, bears: f64) -> Refusal {
 
 /// All stars press with `low` to `high` N together, and friction needs `needed` N to hold the mass of `load`.
 pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64) -> Refusal {
-    let found = format!("friction needs {needed:.1} N, but at most {high:.1} N are predicted");
+    let [needed, high] = apart(needed, high);
+    let found = format!("friction needs {needed} N, but at most {high} N are predicted");
     let mut ways = Vec::new();
     if let Some(([friction, _], mass)) = load.friction_range().zip(load.mass) {
         // What is rounded to the gram still holds.
@@ -162,4 +169,15 @@ pub(super) fn outside_models(load: &Load, star: &StarPrediction) -> Option<Refus
         format!("no model covers this star at {pressure}"),
         format!("{meant}it is modelled from {} to {} kPa", Least(low), Most(high)),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forces_that_differ_are_printed_so() {
+        assert_eq!(apart(7.7, 8.1), ["7.7", "8.1"]);
+        assert_eq!(apart(7.712, 7.7041), ["7.71", "7.70"]);
+    }
 }

@@ -10,6 +10,7 @@
 //! | [`mod@ranges`] | intervals that contain the values of computed shells |
 //! | [`outcome`] | an inflated star with its load, in closed forms with ranges: the base of all that follow |
 //! | [`pressures`] | values at several pressures, where the spec gives none |
+//! | [`meshed`] | a number of a shell with its mesh error |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
 //! | [`mod@verdict`] | whether the object is held, and the reasons to refuse a gripper that cannot |
 //! | [`mod@pose`] | the shape of the inflated star, for every picture |
@@ -30,6 +31,7 @@ pub mod charts;
 pub mod drawn;
 pub mod keys;
 mod load_check;
+pub mod meshed;
 pub mod model_selection;
 pub mod optimize;
 pub mod outcome;

@@ -48,7 +48,7 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
                 open.map_or(format!("{} kg", Readable(payload)), |open| shown::meshed(payload, open, "kg"))
             }
             None if prediction.first.model == Level::Section.name() => "unknown".to_owned(),
-            None => format!("{} kg, range unknown", Readable(payload)),
+            None => format!("{} kg, range unknown", shown::rounded(payload)),
         };
         let _ = writeln!(out, "\npayload of the whole stack      {text}");
     }
@@ -84,7 +84,7 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         line("target coiling tip, corner", format!("{}, {}", digits(tip), digits(corner)));
     }
     let unknown = |value: f64, unit: &str| {
-        if is_limit { format!("{}, range unknown", show(value, unit)) } else { "unknown".to_owned() }
+        if is_limit { no_range(value, unit) } else { "unknown".to_owned() }
     };
     for (what, value, range, unit) in quantities(star) {
         let text = match (value, range) {
@@ -113,9 +113,7 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     for (what, value, range, unit) in of_the_seal {
         match value.zip(range) {
             Some((value, range)) => line(what, shown::with(value, range, unit)),
-            None => value
-                .into_iter()
-                .for_each(|value| line(what, format!("{}, range unknown", show(value, unit)))),
+            None => value.into_iter().for_each(|value| line(what, no_range(value, unit))),
         }
     }
     for (what, value, unit) in optional {
@@ -144,24 +142,30 @@ fn show(value: f64, unit: &str) -> String {
     format!("{} {unit}", Readable(value)).trim_end().to_owned()
 }
 
+/// A value of unknown error: more than three digits would claim to know it.
+fn no_range(value: f64, unit: &str) -> String {
+    format!("{} {unit}", shown::rounded(value)).trim_end().to_owned() + ", range unknown"
+}
+
 /// The objects that fit the star, and what its flap adds: labels and values.
 fn grip_rows(star: &StarPrediction) -> Vec<(&'static str, String)> {
     let Some([least, most]) = star.graspable_radius_mm else { return Vec::new() };
     // The second value has no better range than the first.
     let end = |radius: f64| match star.ranges.final_radius_mm {
         Some(range) => shown::as_exact_as(2.0 * radius, scaled(range, 2.0), "mm"),
-        None => show(2.0 * radius, "mm"),
+        None => format!("{} mm", shown::rounded(2.0 * radius)),
     };
     let mut rows = vec![
-        ("holds objects across from, to", format!("{}, {}", end(least), end(most))),
+        ("holds objects", format!("{} to {} across", end(least).trim_end_matches(" mm"), end(most))),
         ("cut hole, across", show(2.0 * star.hole_radius_mm, "mm")),
     ];
     if let Some(radius) = star.flap_edge_radius_mm {
-        rows.push(("flap's edge touches from", format!("{} across", end(radius))));
+        rows.push(("flap's edge touches objects", format!("from {} across", end(radius))));
     }
     if let Some(force) = star.flap_force_N.filter(|force| *force > 0.0) {
         let range = star.ranges.object_force_N;
-        let force = range.map_or_else(|| show(force, "N"), |range| shown::as_exact_as(force, range, "N"));
+        let unknown = || format!("{} N", shown::rounded(force));
+        let force = range.map_or_else(unknown, |range| shown::as_exact_as(force, range, "N"));
         let load = star.flap_load_N_per_mm.map(|load| format!("; it folds at {load:.2} N per mm of contact"));
         rows.push(("force if the flap holds", format!("up to {force}{}", load.unwrap_or_default())));
     }

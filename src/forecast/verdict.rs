@@ -2,7 +2,7 @@
 
 use crate::design::{Object, Refusal, RefusalCode};
 use crate::forecast::load_check::{
-    bursts, may_burst, outside_models, too_hard, too_heavy, too_short, too_thin, too_wide_to_enter,
+    apart, bursts, may_burst, outside_models, too_hard, too_heavy, too_short, too_thin, too_wide_to_enter,
     too_wide_to_open,
 };
 use crate::forecast::outcome::Grip;
@@ -233,7 +233,8 @@ impl VerdictLines {
             (Some([_, needed]), Some([low, _]), _) if low < needed => {
                 let least = load.friction_range().map_or(0.0, |[least, _]| least);
                 let of = if load.friction == Some(least) { String::new() } else { format!(" of {least}") };
-                let text = format!("friction{of} needs {needed:.1} N, but there may be only {low:.1} N");
+                let [needed, low] = apart(needed, low);
+                let text = format!("friction{of} needs {needed} N, but there may be only {low} N");
                 (Weight::Doubted, VerdictText::Reason(text))
             }
             // A mass is carried by friction only.

@@ -40,7 +40,10 @@ fn long_link(spec: &Spec, sources: Sources<'_>) -> Option<Warning> {
         key: key::build::LINK,
         code: RefusalCode::LongLink,
         found: format!("the link to this spec has {length} characters"),
-        remedy: format!("a QR code holds at most {MOST_LETTERS}: previews and report have none"),
+        remedy: format!(
+            "a QR code holds at most {MOST_LETTERS}: previews and report have none; leave out `link` in [build], or shorten the \
+             spec, its own profile or its drawing"
+        ),
         drawn: None,
     })
 }

@@ -36,7 +36,7 @@ impl Precaution {
 }
 
 impl Forecast {
-    /// All precautions, the most urgent first; `spec` is the path of the spec in their commands.
+    /// All precautions, the most urgent first; `spec` is the spec's path in their commands, quoted for a shell.
     pub fn precautions(&self, spec: &str) -> Vec<Precaution> {
         let unfit = self.unfit();
         let is_fit = unfit.is_empty();

@@ -79,26 +79,42 @@ pub(super) fn clamps_in_the_way(
         let passes = zone.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
         let place = bounds(zone);
         let blocks = blocks.iter().filter(|block| block.near.overlaps(&place));
-        let mut ways = blocks.flat_map(|block| &block.ways).filter(|way| way.low || !passes);
-        let met = ways.find(|way| way.near.overlaps(&place) && distance(zone, &way.piece) <= way.reach)?;
+        let ways = blocks.flat_map(|block| &block.ways).filter(|way| way.low || !passes);
+        let mut met = ways.filter(|way| way.near.overlaps(&place) && distance(zone, &way.piece) <= way.reach);
+        let first = met.next()?;
+        // A way with the iron down meets the clamp whatever its height.
+        let met = if first.low { first } else { met.find(|way| way.low).unwrap_or(first) };
         let program = programs.get(met.program)?;
         let piece = listed(&program.pieces);
-        let lower =
-            if zone.height.is_some() { "" } else { "; give its height, if it is below travel height" };
+        let travel = machine.process.heights.travel;
+        let lower = match zone.height {
+            _ if met.low => String::new(),
+            None => format!("; give its height, if it is below the travel height of {travel}"),
+            Some(height) => format!("; or raise the travel height above {height}"),
+        };
+        let at = met.piece.point(met.piece.nearest_fraction(place.center()));
         Some(Refusal::new(
             key::machine::PROFILE,
             RefusalCode::ClampInTheWay,
-            format!("{} of {piece} meets the clamp {:?}", met.what, zone.name),
+            format!(
+                "{} of {piece} meets the clamp {:?} at X {:.1} Y {:.1} mm",
+                met.what, zone.name, at.x, at.y
+            ),
             format!("move the clamp{lower}; or change [sheet]"),
         ))
     };
     machine.bench.keep_out.iter().filter_map(refusal).collect()
 }
 
-/// The pieces in words: "star 1, 2", "disc".
+/// The pieces in words: "stars 1, 2", "disc".
 fn listed(pieces: &[PieceName]) -> String {
-    let numbers = pieces.iter().filter_map(PieceName::number).skip(1).map(|number| format!(", {number}"));
-    pieces.first().map_or(String::new(), ToString::to_string) + &numbers.collect::<String>()
+    let numbers: Vec<String> =
+        pieces.iter().filter_map(PieceName::number).map(|number| number.to_string()).collect();
+    match pieces {
+        [first, _, ..] if numbers.len() > 1 => format!("{}s {}", first.kind(), numbers.join(", ")),
+        [first, ..] => first.to_string(),
+        [] => String::new(),
+    }
 }
 
 /// The ways of a program: contacts first, as a clamp in a seal's way is best reported as such.

@@ -45,8 +45,9 @@ fn lowest_on(
 pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -> Option<Refusal> {
     let speed = spec.seal.speed.0;
     let wanted = spec.machine.feed_floor == FeedFloor::Chop;
-    let mut most = 0.0_f64;
+    let (mut most, mut flatness) = (0.0_f64, 0.0_f64);
     for program in programs {
+        flatness = flatness.max(ramp_flatness(&program.steps));
         if let Pace::Chopped(chop) = program.pace {
             let refusal = too_fast_to_chop(spec, &chop).or_else(|| slow_chop_feed(machine, program));
             let refusal = refusal.or_else(|| long_rest(&chop, program));
@@ -68,18 +69,12 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     }
     let (least, flat) = machine.motion.speed_range().unwrap_or((most, most));
     if flat <= speed * (1.0 + 1e-9) {
-        return Some(slow_ramps(spec, machine, most));
+        return Some(slow_ramps(speed, machine, most, flatness));
     }
     let most = most.max(flat);
     let at = match machine.motion.steps_per_mm {
         Some([x, y, _]) if x == y => format!("at {x} steps/mm "),
         Some([x, y, _]) => format!("at {x} (X) and {y} (Y) steps/mm "),
-        None => String::new(),
-    };
-    let better = match machine.motion.steps_needed(speed) {
-        Some((_, diagonal)) => {
-            format!("; or {:.0} steps/mm in the profile, if the machine has them", diagonal.ceil())
-        }
         None => String::new(),
     };
     Some(Refusal::new(
@@ -91,8 +86,9 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
             actual_speed(&machine.motion, speed, (least, most))
         ),
         format!(
-            "write `feed_floor = \"chop\"` in [machine]; or a speed of at least {:.2} mm/s{better}",
-            (most * (1.0 - 1e-9) * 100.0).ceil() / 100.0
+            "write `feed_floor = \"chop\"` in [machine]; or a speed of at least {:.2} mm/s{}",
+            (most * (1.0 - 1e-9) * 100.0).ceil() / 100.0,
+            finer_steps(&machine.motion, speed, flatness)
         ),
     ))
 }
@@ -109,13 +105,33 @@ pub fn actual_speed(motion: &Motion, speed: f64, range: (f64, f64)) -> String {
     format!("at {runs} mm/s instead of {speed}")
 }
 
-/// Only the ramps are too slow for the controller, which are steeper than Z has steps for.
-fn slow_ramps(spec: &Spec, machine: &Machine, lowest: f64) -> Refusal {
-    let (speed, process, motion) = (spec.seal.speed.0, &machine.process, &machine.motion);
-    let rise = process.heights.travel.0 - process.heights.contact.0;
-    let steepness = libm::hypot(process.ramp.0, rise) / rise;
+/// The steps per mm of all axes that hold `speed`, mm/s, on ramps as flat as that, too, as another remedy; empty where they are unknown.
+fn finer_steps(motion: &Motion, speed: f64, flatness: f64) -> String {
+    let Some((_, diagonal)) = motion.steps_needed(speed) else { return String::new() };
     let [_, _, z] = motion.steps_per_mm.unwrap_or_default();
-    let needed = motion.steps_needed(speed).map_or(z, |(along, _)| along * steepness);
+    let climbing = z_steps_needed(motion, speed, flatness).filter(|needed| z < *needed);
+    let ramps = climbing.map_or(String::new(), |z| format!(" and `z_steps_per_mm` of at least {z:.0}"));
+    format!(
+        "; or `x_steps_per_mm` and `y_steps_per_mm` of at least {:.0}{ramps} in the profile, if the machine has them",
+        diagonal.ceil()
+    )
+}
+
+/// Steps per mm of Z that hold `speed`, mm/s, on ramps as flat as that, whatever X and Y have.
+fn z_steps_needed(motion: &Motion, speed: f64, flatness: f64) -> Option<f64> {
+    motion.steps_needed(speed).map(|(along, _)| (along * flatness).ceil())
+}
+
+/// The way along the flattest ramp of `steps`, by its rise; 0 without ramps.
+fn ramp_flatness(steps: &[Step]) -> f64 {
+    let climbs = contact(steps).filter(|(_, rise)| *rise != 0.0);
+    climbs.map(|(piece, rise)| libm::hypot(piece.length(), rise) / rise.abs()).fold(0.0, f64::max)
+}
+
+/// Only the ramps are too slow for the controller, which are steeper than Z has steps for.
+fn slow_ramps(speed: f64, machine: &Machine, lowest: f64, flatness: f64) -> Refusal {
+    let motion = &machine.motion;
+    let [_, _, z] = motion.steps_per_mm.unwrap_or_default();
     Refusal::new(
         key::seal::SPEED,
         RefusalCode::FeedFloor,
@@ -126,7 +142,7 @@ fn slow_ramps(spec: &Spec, machine: &Machine, lowest: f64) -> Refusal {
         format!(
             "write `feed_floor = \"chop\"` in [machine]; or `z_steps_per_mm` of at least {:.0} in the profile, if the \
              machine has them; or a speed of at least {:.2} mm/s",
-            needed.ceil(),
+            z_steps_needed(motion, speed, flatness).unwrap_or(z),
             (lowest * (1.0 - 1e-9) * 100.0).ceil() / 100.0
         ),
     )
@@ -215,20 +231,21 @@ fn cannot_chop(machine: &Machine, speed: f64) -> Refusal {
     let mut missing = Vec::new();
     if motion.chop_speed(speed).is_none() {
         if motion.steps_per_mm.is_none() {
-            missing.push("the steps per mm");
+            missing.push("steps per mm");
         }
         if motion.step_rate == StepRate::Unknown {
-            missing.push("the lowest step rate");
+            missing.push("lowest step rate");
         }
     }
     if motion.acceleration.is_none() {
-        missing.push("the acceleration");
+        missing.push("acceleration");
     }
     Refusal::new(
         key::machine::FEED_FLOOR,
         RefusalCode::NoChop,
-        format!("the profile {} does not have {}", machine.name, missing.join(" and ")),
-        "write them, or `chop_feed` and `acceleration`, in [motion] of your own profile".to_owned(),
+        format!("the profile {} has no {}", machine.name, missing.join(" and no ")),
+        "write what is missing, or `chop_feed` and `acceleration`, in [motion] of your own profile"
+            .to_owned(),
     )
 }
 

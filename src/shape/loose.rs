@@ -144,8 +144,15 @@ pub(super) fn crossings(network: &Network, names: &[String], join: f64, notes: &
         } else {
             format!("{} cross or touch", quoted(&own))
         };
-        let remedy = trimmed(network, [a, b], place, names)
-            .unwrap_or_else(|| "move them apart, or unite their areas".to_owned());
+        let are_closed = [a, b].iter().all(|edge| network.edges[*edge].nodes.is_none());
+        let remedy = trimmed(network, [a, b], place, names).unwrap_or_else(|| {
+            let remedy = match (a == b, are_closed) {
+                (true, _) => "draw it without the crossing",
+                (false, true) => "move them apart, or unite their areas",
+                (false, false) => "move them apart",
+            };
+            remedy.to_owned()
+        });
         notes.fault(ShapeCode::Crossing, &own, place, (what, remedy), [f64::NAN; 2]);
     }
 }

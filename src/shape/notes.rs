@@ -26,7 +26,8 @@ impl SealingNotes {
     fn gaps(&mut self, network: &Network, names: &[String]) {
         for (sources, place, gap) in &network.closed_gaps {
             let names: Vec<String> = sources.iter().map(|source| names[*source].clone()).collect();
-            let what = format!("gap of {gap:.2e} mm in {} closed", quoted(&names));
+            let gap = if *gap < 1e-4 { "less than 0.0001".to_owned() } else { format!("{gap:.4}") };
+            let what = format!("gap of {gap} mm in {} closed", quoted(&names));
             self.repairs.push(Repair { names, place: *place, what });
         }
     }

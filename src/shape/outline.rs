@@ -35,7 +35,9 @@ pub(super) fn outline(
     }
     if outlines.len() > 1 && sketch.cuts.is_empty() {
         let within = Enclosures::new(outlines.iter().map(|(path, _)| path));
-        outlines.retain(|(path, _)| depth(&within, path) == 0);
+        // One that only overlaps another is not within it.
+        let is_within = |segment: &Segment| depth(&within, &Path::open(vec![*segment])) > 0;
+        outlines.retain(|(path, _)| !path.segments.iter().all(is_within));
     }
     match outlines.len() {
         1 => {}
@@ -136,7 +138,11 @@ fn touching(
             } else {
                 format!("{cut} comes within {far:.3} mm of the middle of a band")
             };
-            let remedy = format!("keep {half} mm from the middle of every band, half a band");
+            let remedy = if names.is_empty() {
+                "draw one cut around all of it on a layer with the role `cut`".to_owned()
+            } else {
+                format!("keep {half} mm from the middle of every band, half a band")
+            };
             notes.fault(ShapeCode::CutInBand, names, place, (what, remedy), [far, half]);
         }
         let (place, _) = beside(path, 1e-6);

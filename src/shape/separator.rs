@@ -60,6 +60,12 @@ impl AirSide {
         &self.closed
     }
 
+    /// The edges, where the channel of a port ends at its mouth, on the cut; `band` is the width of the bands, mm.
+    pub fn edges_to_mouths(&self, band: f64) -> Vec<Path> {
+        let back = |mouth: &Mouth, p: Point| (mouth.at - p).dot(mouth.out);
+        self.edges.iter().map(|edge| self.with_ends(edge, band / 2.0, back)).collect()
+    }
+
     /// Whether `p` lies within `margin` mm of the way of a hose into a port.
     pub fn is_on_hose(&self, p: Point, margin: f64) -> bool {
         self.mouths.iter().any(|mouth| {
@@ -138,9 +144,14 @@ impl AirSide {
         Some(united)
     }
 
-    /// The closed `edge` with the channels of its ports as long as they must be to leave the piece that is cut along `cut`. The channel
-    /// of an edge that was drawn as a centre line ends `half` mm earlier.
+    /// The closed `edge` with the channels of its ports as long as they must be to leave the piece that is cut along `cut`.
     fn lengthened(&self, edge: &Path, cut: &Path, half: f64) -> Path {
+        self.with_ends(edge, half, |mouth, _| past(mouth, cut))
+    }
+
+    /// The closed `edge` with each end of a channel `longer` mm farther out. The channel of an edge that was drawn as a centre line ends
+    /// `half` mm earlier.
+    fn with_ends(&self, edge: &Path, half: f64, longer: impl Fn(&Mouth, Point) -> f64) -> Path {
         let moved = |p: Point| {
             let is_end = |mouth: &&Mouth| {
                 let ends = [0.0, half].into_iter().flat_map(|less| {
@@ -148,7 +159,7 @@ impl AirSide {
                 });
                 ends.into_iter().any(|end| end.distance(p) < ALIKE)
             };
-            self.mouths.iter().find(is_end).map_or(p, |mouth| p + mouth.out * past(mouth, cut))
+            self.mouths.iter().find(is_end).map_or(p, |mouth| p + mouth.out * longer(mouth, p))
         };
         let segments = edge.segments.iter().map(|segment| match segment {
             Segment::Line(line) => Line::new(moved(line.start), moved(line.end)).into(),

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::value::{RawNumber, RawValue};
-use crate::units::{Pressure, Quantity, QuantityFault, Readable, Temperature};
+use crate::units::{Percent, Pressure, Quantity, QuantityFault, Readable, Temperature};
 
 /// A number that its range does not hold; the range is left to be named.
 pub(super) fn out_of_range(key: &str, number: &RawNumber, value: &RawValue) -> Fault {
@@ -71,6 +71,20 @@ pub(super) fn usual_unit<Q: Quantity>(key: &str) -> &'static str {
     if is_modulus { "MPa" } else { Q::UNITS[0].0 }
 }
 
+/// The remedy for the bare `number` of `key`. One up to 1 may be a share of one or a number of per cent.
+pub(super) fn bare_number<Q: Quantity>(key: &str, number: &str) -> String {
+    let unit = usual_unit::<Q>(key);
+    match number.parse::<f64>() {
+        Ok(share) if Q::KIND == Percent::KIND && share > 0.0 && share <= 1.0 => {
+            format!(
+                "write {key} = \"{} {unit}\" for a share of {number}, or \"{number} {unit}\"",
+                Readable(100.0 * share)
+            )
+        }
+        _ => format!("write for instance: {key} = \"{number} {unit}\""),
+    }
+}
+
 /// The fault of a text that should be a quantity.
 pub(super) fn malformed<Q: Quantity>(
     key: &str,
@@ -96,7 +110,7 @@ pub(super) fn malformed<Q: Quantity>(
             .help(format!("write for instance: {key} = \"5 {base}\"; units are {units}")),
         QuantityFault::NoUnit => Fault::error(FaultCode::NoUnit, span, format!("{message}, without a unit"))
             .label(format!("{} needs a unit: {units}", article(kind)))
-            .help(format!("write for instance: {key} = \"{} {base}\"", text.trim())),
+            .help(bare_number::<Q>(key, text.trim())),
         QuantityFault::UnknownUnit(unit) => {
             let fault = Fault::error(FaultCode::UnknownUnit, span, message)
                 .label(format!("{} is not a unit of {kind}: must be one of {units}", quoted(unit)));

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
-use crate::spec::message::{article, header, malformed, out_of_range, usual_unit};
+use crate::spec::message::{article, bare_number, header, malformed, out_of_range};
 use crate::spec::raw::RawSpec;
 use crate::spec::shape::ValueShape;
 use crate::spec::unknown::{self, Known, Missing};
@@ -235,7 +235,7 @@ impl<'r> Section<'_, 'r> {
                     format!("`{key}` is the bare number {number}"),
                 )
                 .label(format!("{} needs a unit: {}", article(Q::KIND), Q::unit_list()))
-                .help(format!("write for instance: {key} = \"{example} {}\"", usual_unit::<Q>(key)))
+                .help(bare_number::<Q>(key, &example))
             }
             _ => {
                 let label =

@@ -43,6 +43,7 @@ function drawingFigures() {
 function showChambers() {
   if (!drawn) {
     at("chambers-lead").textContent = "The spec has no pressure.";
+    at("chambers").parentElement.remove();
     return;
   }
   const places = (seams) => seams.map((seam) => `${seam.seam}: ${meshedAt(seam.pull_N_per_mm, "N/mm")}`).join("; ");

@@ -134,7 +134,7 @@ function showSeam(move) {
   document.querySelectorAll("#seams tbody tr").forEach((row, i) => row.classList.toggle("on", i + 1 === seam.order));
   at("seam-says").replaceChildren(
     make("b", {}, `Seam ${seam.order}: ${seamName(seam)}`),
-    make("span", {}, `${figure(seam.length_mm, "mm", 4)} in ${hours(seam.time_s)} at ${data.seal.speed}, of which ${figure(seam.overlap_mm, "mm")} twice`),
+    make("span", {}, `${figure(seam.length_mm, "mm", 4)} in ${hours(seam.time_s)} at ${data.seal.speed}${seam.overlap_mm > 0 ? `, of which ${figure(seam.overlap_mm, "mm")} twice` : ""}`),
     KIND === "star" ? make("span", {}, `Load on the seal: ${loadSays(seam.load)}`) : "",
   );
 }

@@ -190,7 +190,7 @@ fn a_wish_that_cannot_be_is_told_by_its_reason() {
 fn the_closest_request_keeps_what_was_asked() {
     for (args, kept) in [
         (["65 mm", "150 g", "0.1 N"], [" --mass \"0.15 kg\"", " --fragile \""]),
-        (["30 mm", "20 g", "1 N"], [" --fragile \"1 N\"", " --friction \""]),
+        (["30 mm", "20 g", "1 N"], [" --fragile \"1 N\"", " --friction "]),
         (["396 mm", "500 g", "20 N"], [" --mass \"0.5 kg\"", " --fragile \"20 N\""]),
         (["9 mm", "1 g", "0.3 N"], [" --mass \"0.001 kg\"", " --fragile \""]),
         // Neither another size nor another mass is enough alone.

@@ -28,6 +28,15 @@ fn star(points: u32, radius: &str, width: &str, angle: &str, rest: &str) -> Stri
     )
 }
 
+/// A bare number up to 1 is a share of one more often than a number of per cent.
+#[test]
+fn both_meanings_of_a_bare_share_are_offered() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let spec = star(5, "50 mm", "30 mm", "30 deg", "[accuracy]\nresponse = 0.5\n");
+    let (_, said) = pointed_at(dir.path(), &spec, "no-unit", 1);
+    assert!(said.contains("\"50 %\"") && said.contains("\"0.5 %\""), "{said}");
+}
+
 #[test]
 fn a_refusal_points_at_the_value_that_is_out_of_line() {
     let dir = tempfile::tempdir().expect("a directory");

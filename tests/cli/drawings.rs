@@ -38,6 +38,62 @@ fn new_takes_a_unit() {
 }
 
 #[test]
+fn a_drawing_without_figures_is_refused() {
+    for (drawing, words) in [
+        (
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9mm\" height=\"9mm\" viewBox=\"0 0 9 9\"/>",
+            "no edge of air",
+        ),
+        ("", "d.svg: the file is empty; export the drawing again"),
+    ] {
+        let folder = folder(drawing);
+        let output = run(folder.path(), &["new", "a", "--drawing", "d.svg"]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(stderr(&output).contains(words), "{}", stderr(&output));
+        assert!(!folder.path().join("a.toml").exists());
+    }
+    let folder = folder("");
+    let output = run(folder.path(), &["new", "a", "--drawing", "e.svg"]);
+    assert!(
+        stderr(&output).contains("check its name") && !stderr(&output).contains("os error"),
+        "{}",
+        stderr(&output)
+    );
+}
+
+/// Refusals of the spec of a drawing with these layers.
+fn refused(layers: &str) -> Vec<Value> {
+    let folder = folder(&format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"220mm\" height=\"100mm\" viewBox=\"0 0 220 100\">{layers}</svg>"
+    ));
+    let _ = run(folder.path(), &["new", "a", "--drawing", "d.svg"]);
+    json(folder.path(), &["check", "a.toml", "--json"])["refused"].as_array().expect("refusals").clone()
+}
+
+/// No allowance keeps the cut around one shape off the band of another.
+#[test]
+fn two_shapes_need_a_drawn_cut_around_both() {
+    let found = refused(
+        "<g id=\"air\"><rect x=\"20\" y=\"20\" width=\"120\" height=\"60\"/><rect x=\"145\" y=\"20\" width=\"40\" height=\"60\"/></g>\
+         <g id=\"port\"><path d=\"M15 50H25M180 50H190\"/></g>",
+    );
+    assert!(found.iter().all(|one| one["code"] != "cut-in-band"), "{found:?}");
+    let outlines = found.iter().find(|one| one["code"] == "wrong-outlines").expect("two of them");
+    assert!(outlines["allowed"].as_str().is_some_and(|text| text.contains("role `cut`")), "{outlines}");
+}
+
+#[test]
+fn elements_of_one_line_are_told_apart_and_open_curves_have_no_areas() {
+    let found = refused(
+        "<g id=\"seam\"><line x1=\"20\" y1=\"20\" x2=\"80\" y2=\"80\"/><line x1=\"20\" y1=\"80\" x2=\"80\" y2=\"20\"/></g>",
+    );
+    let cross = found.iter().find(|one| one["code"] == "curves-cross").expect("they do");
+    let elements = cross["elements"].as_array().expect("both");
+    assert!(elements.len() == 2 && elements[0] != elements[1], "{cross}");
+    assert!(!cross["allowed"].as_str().expect("one").contains("unite"), "{cross}");
+}
+
+#[test]
 fn warnings_are_in_json_and_in_the_picture() {
     let folder = folder(NOTCH);
     let dir = folder.path();

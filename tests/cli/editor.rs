@@ -260,7 +260,7 @@ fn a_save_has_its_time_and_no_note_twice() {
     child.kill().expect("ended");
     let _ = child.wait().expect("it ends");
     let heard = fs::read_to_string(&log).expect("a log");
-    assert_eq!(heard.matches("preview-png is built again").count(), 1, "{heard}");
+    assert_eq!(heard.matches("has `preview-png`, which is built again").count(), 1, "{heard}");
     let line = heard.lines().find(|line| line.ends_with("was not rebuilt:")).expect("a line");
     assert!(line.as_bytes()[2] == b':' && line.as_bytes()[5] == b':', "{line}");
 }

@@ -465,6 +465,9 @@ fn coupon_refuses_bad_settings_and_writes_nothing() {
     ] {
         let _ = fails(dir.path(), &[&["coupon", "star.toml"][..], &args].concat(), code, &[words]);
     }
+    // A disc is sealed once.
+    let disc = ["coupon", "star.toml", "--only", "disc", "--repeats", "5"];
+    let _ = fails(dir.path(), &disc, 2, &["--repeats is for strips"]);
     assert_eq!(names(dir.path()), ["star.toml"]);
 }
 

@@ -34,6 +34,42 @@ fn predict_prints_one_json_object() {
 }
 
 #[test]
+fn a_value_of_unknown_range_has_three_digits() {
+    let said = text(&run(folder().path(), &["predict", "spec.toml", "--model", "fit"]).stdout);
+    let unknown = said.lines().filter_map(|line| line.strip_suffix(", range unknown"));
+    let digits = |line: &str| {
+        line.chars()
+            .rev()
+            .skip_while(|c| !c.is_ascii_digit())
+            .take_while(|c| "0123456789.".contains(*c))
+            .count()
+    };
+    let most = unknown.map(digits).max().expect("values");
+    assert!(most <= 6, "{said}");
+    let hinge = [
+        "actuator",
+        "--tube-width",
+        "20 mm",
+        "--radius",
+        "10 mm",
+        "--arm-length",
+        "180 mm",
+        "--angle",
+        "90 deg",
+    ];
+    let said = text(&run(folder().path(), &[&hinge[..], &["--pressure", "20 kPa"]].concat()).stdout);
+    assert!(said.contains("ranges are unknown: no shell like this"), "{said}");
+}
+
+#[test]
+fn a_cone_without_a_radius_names_both_options() {
+    let output = run(folder().path(), &["cone", "data.csv"]);
+    assert_eq!(output.status.code(), Some(2));
+    let said = text(&output.stderr);
+    assert!(said.contains("--contact-radius") && said.contains("--spec"), "{said}");
+}
+
+#[test]
 fn refusals_point_at_the_key_and_end_with_one() {
     let dir = folder();
     fs::write(dir.path().join("spec.toml"), GRIPPER.replace("points = 5", "points = 9")).expect("written");

@@ -123,21 +123,25 @@ fn kinds_that_were_asked_for_once_come_again() {
     };
     let _ = build(&["--only", "report"]);
     let said = build(&[]);
-    assert!(there("report.html") && said.contains("note: report is built again"), "{said}");
+    assert!(there("report.html") && said.contains("has `report`, which is built again"), "{said}");
     assert!(!build(&["--with", "preview-png"]).contains("preview-png"));
     assert!(there("sheet-1-preview.png"));
     let said = build(&[]);
-    assert!(there("sheet-1-preview.png") && said.contains("note: preview-png is built again"), "{said}");
+    assert!(
+        there("sheet-1-preview.png") && said.contains("has `preview-png`, which is built again"),
+        "{said}"
+    );
     let said = build(&["--with", "scene-glb"]);
     assert!(!there("sheet-1-preview.png") && there("scene.glb"));
-    assert!(said.contains("preview-png was in out/star and is not built again"), "{said}");
+    assert!(said.contains("out/star has `preview-png`, which is not built again"), "{said}");
     let text = fs::read_to_string(folder.path().join("star.toml")).expect("a spec");
     fs::write(folder.path().join("star.toml"), text + "\n[build]\nwith = [\"report\"]\n").expect("written");
     let said = build(&["-q"]);
     assert!(there("report.html") && there("scene.glb") && said.is_empty(), "{said}");
     let said = build(&["--only", "seal-gcode", "-q"]);
     assert!(
-        !there("report.html") && said.contains("is not built again; to build it: `--with scene-glb,report`"),
+        !there("report.html")
+            && said.contains("is not built again; to build it, add --with scene-glb,report"),
         "{said}"
     );
     assert!(run(folder.path(), &["verify", "out/star"]).status.success());

@@ -378,7 +378,7 @@ fn a_part_is_turned_only_where_that_is_allowed() {
     let tall = narrow.replace("334 mm", "400 mm").replace("height = \"400 mm\"", "height = \"334 mm\"");
     assert!(support::build(&narrow).is_ok());
     let refusals = support::build(&tall).expect_err("336.5 mm high");
-    assert!(refusals[0].remedy.contains("2.43611 mm are missing"), "{}", refusals[0]);
+    assert!(refusals[0].remedy.contains("`height` at least 336.437 mm"), "{}", refusals[0]);
     let turned = support::build(&format!("{tall}turn = true\n")).expect("turned it fits");
     let proof = stargrip_cam::pipeline::read_back(&turned.output_files());
     assert_eq!(proof.findings, []);

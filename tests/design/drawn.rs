@@ -8,7 +8,7 @@ use std::path::Path as File;
 use stargrip_cam::answer::overview_json;
 use stargrip_cam::artifact::KindRequest;
 use stargrip_cam::design::{Design, StarDesign, propose_layers};
-use stargrip_cam::geom::{Enclosures, Isometry, Path, Point, Segment, Vec2};
+use stargrip_cam::geom::{Bounds, Enclosures, Isometry, Path, Point, Segment, Vec2};
 use stargrip_cam::pipeline::{Built, Sources, build, prove_files};
 use stargrip_cam::shape::Seam;
 use stargrip_cam::spec::{self, LayerRole, Source, Spec};
@@ -22,6 +22,23 @@ fn drawn(text: &str, bytes: &[u8]) -> Result<Built, stargrip_cam::design::Refusa
     let spec = reading.with_drawing(bytes).spec;
     let sources = Sources { spec: text, machine: support::generic() };
     build(&spec, &support::machine(), sources, &KindRequest::default())
+}
+
+/// In pictures the air reaches through the ports to the cut, and no farther.
+#[test]
+fn the_air_of_a_picture_is_open_at_its_ports() {
+    let dir = File::new(env!("CARGO_MANIFEST_DIR")).join("designs/drawings");
+    let text = fs::read_to_string(dir.join("hand-rest.toml")).expect("shipped");
+    let build = drawn(&text, &fs::read(dir.join("hand-rest.svg")).expect("shipped")).expect("makeable");
+    let piece = build.forecast.design.drawn().expect("a drawing");
+    let air = piece.edges.iter().fold(Bounds::EMPTY, |all, edge| all.union(edge.bounds()));
+    let (closed, cut) = (piece.air[0].bounds(), piece.part.outside.bounds());
+    // A port on the left and one on the right.
+    assert!(
+        (air.width() - cut.width()).abs() < 1e-6 && air.width() > closed.width() + 1.0,
+        "{air:?} {cut:?}"
+    );
+    assert!((air.height() - closed.height()).abs() < 1e-6, "{air:?} {closed:?}");
 }
 
 /// A quarter of a turn at most, so that no arc's centre is lost in rounding.

@@ -188,7 +188,7 @@ fn equal_stars_are_numbered_apart() {
 fn clamps_work_area_object_and_the_closed_star_are_shown() {
     let profile = spec::builtin_machine("generic").expect("built in");
     let profile = profile.replace("x = \"unknown\"\ny = \"unknown\"", "x = \"345 mm\"\ny = \"900 mm\"")
-        + "\n[[keep_out]]\nname = \"left clamp\"\nx = \"352 mm\"\ny = \"150 mm\"\nwidth = \"40 mm\"\ndepth = \"30 mm\"\n";
+        + "\n[[keep_out]]\nname = \"left clamp of oak, 40 x 30\"\nx = \"352 mm\"\ny = \"150 mm\"\nwidth = \"40 mm\"\ndepth = \"30 mm\"\n";
     let text = format!("{}\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\n", support::PAPER);
     let text = text.replace("[load]", "\n[sheet]\nwidth = \"420 mm\"\n\n[load]");
     let machine =
@@ -199,12 +199,16 @@ fn clamps_work_area_object_and_the_closed_star_are_shown() {
     let (_, picture) = pictures(&build).swap_remove(0);
     let said = words(&picture, build.forecast.design.sheets[0].height);
     let has = |word: &str| said.iter().any(|other| other.text.contains(word));
-    for word in
-        ["left clamp", "clamp", "end of the work area", "work area 345 x 900 mm", "object, radius 30 mm"]
-    {
+    for word in [
+        "left clamp of oak, 40 x 30",
+        "clamp",
+        "end of the work area",
+        "work area 345 x 900 mm",
+        "object, radius 30 mm",
+    ] {
         assert!(has(word), "{word}: {said:?}");
     }
-    assert!(has("shut on the object: 30.0 mm"), "{said:?}");
+    assert!(has("shut on the object: 30.0 mm") && has("sealed twice"), "{said:?}");
 }
 
 /// The colours of a preview, as docs/pictures.md lists them.

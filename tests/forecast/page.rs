@@ -32,7 +32,7 @@ fn a_page_shows_the_predictions_figures_in_its_units() {
         ("tip angle at rest", vec![stated(star.tip_equilibrium_angle_deg)]),
         ("final radius", vec![radius]),
         ("contraction", vec![100.0 * (1.0 - radius / 50.0)]),
-        ("holds objects across from, to", vec![2.0 * least, 2.0 * most]),
+        ("holds objects", vec![2.0 * least, 2.0 * most]),
         ("full actuation from", vec![star.operating_pressure_kPa]),
         ("hinge stiffness tip", vec![hinges.tip]),
         ("hinge stiffness corner", vec![hinges.corner]),
@@ -45,8 +45,8 @@ fn a_page_shows_the_predictions_figures_in_its_units() {
     for (what, expected) in lines {
         let found = numbers(&page, what);
         assert_eq!(found.len(), expected.len(), "{what}");
-        // Six digits are shown.
-        found.iter().zip(expected).for_each(|(found, expected)| close(*found, expected, 1e-5));
+        // Six digits are shown, and three of a value of unknown range.
+        found.iter().zip(expected).for_each(|(found, expected)| close(*found, expected, 5e-3));
     }
     assert!(page.contains("\n3 equal stars, each:\n") && !page.contains("preload of arms"));
 }
@@ -54,7 +54,7 @@ fn a_page_shows_the_predictions_figures_in_its_units() {
 #[test]
 fn a_size_is_as_exact_as_its_range_wherever_it_stands() {
     let (_, page) = page(&gripper(5));
-    let (radius, held) = (numbers(&page, "final radius"), numbers(&page, "holds objects across from, to"));
+    let (radius, held) = (numbers(&page, "final radius"), numbers(&page, "holds objects"));
     assert!((held[0] - 2.0 * radius[0]).abs() < 0.11, "{page}");
     // The range is millimetres wide.
     assert!(held.iter().all(|end| (10.0 * end).fract().abs() < 1e-9), "{page}");
@@ -87,7 +87,7 @@ fn a_star_that_is_pressed_shut_says_so_with_its_preload() {
         assert_eq!(page.contains("preload of arms"), expected);
         assert_eq!(star.evidence.warnings.iter().any(|warning| warning == shut), expected);
         // Arms do not go through each other, whatever the hinges would do.
-        close(numbers(&page, "tip angle at rest")[0], angle.max(0.0), 1e-5);
+        close(numbers(&page, "tip angle at rest")[0], angle.max(0.0), 5e-3);
     }
 }
 

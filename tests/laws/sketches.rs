@@ -234,7 +234,7 @@ fn gaps_and_doubles_are_mended_and_said() {
     assert_eq!(said.len(), 4, "{said:?}");
     assert!(said[0].contains("no length in 'e'"), "{said:?}");
     assert!(said[1].contains("twice in 'b'") && said[2].contains("twice in 'c' and 'd'"), "{said:?}");
-    assert!(said[3].starts_with("gap of 1.20e-2 mm"), "{said:?}");
+    assert!(said[3].starts_with("gap of 0.0120 mm"), "{said:?}");
 }
 
 #[test]

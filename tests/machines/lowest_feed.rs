@@ -141,6 +141,34 @@ fn grbl_says(rest: &str, from: &str, to: &str) -> Option<Refusal> {
     try_built(&spec_text(rest), &changed).map(|_| ()).err().map(|refusals| refusals[0].clone())
 }
 
+/// The steps that are named are enough for the seal and for the ramps, on which Z steps, too.
+#[test]
+fn steps_that_are_advised_are_enough_for_all_axes() {
+    for name in ["fluidnc", "marlin"] {
+        let profile = profile(name);
+        let refusal = try_built(&spec_text(""), profile).map(|_| ()).expect_err("too slow")[0].clone();
+        assert_eq!(refusal.code, RefusalCode::FeedFloor, "{name}");
+        let advised: Vec<(&str, &str)> = refusal
+            .remedy
+            .split(" and `z")
+            .zip(["xy", "z"])
+            .map(|(part, axes)| (axes, part.rsplit_once("steps_per_mm` of at least ").expect("steps").1))
+            .map(|(axes, rest)| (axes, rest.split(' ').next().expect("a number")))
+            .collect();
+        let lines = profile.lines().map(|line| {
+            let of = |axis: char| line.starts_with(&format!("{axis}_steps_per_mm"));
+            let steps = advised.iter().find(|(axes, _)| axes.chars().any(of)).map(|(_, steps)| *steps);
+            steps.map_or(line.to_owned(), |steps| {
+                line.split(" = ").next().expect("a key").to_owned() + " = " + steps
+            })
+        });
+        let finer = lines.collect::<Vec<_>>().join("\n");
+        assert_ne!(finer, profile);
+        let again = try_built(&spec_text(""), &finer).map(|_| ()).err();
+        assert_eq!(again.map(|refusals| refusals[0].code), None, "{name}: {}", refusal.remedy);
+    }
+}
+
 /// With few steps on Z, the XY motor steps more rarely in a ramp than in any move in the plane.
 #[test]
 fn the_speed_that_is_advised_is_one_that_ramps_hold_too() {

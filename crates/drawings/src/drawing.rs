@@ -18,7 +18,7 @@ pub struct Drawing {
 /// One figure of a drawing: a subpath of an SVG path, or an entity of a DXF file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Element {
-    /// The SVG id, or "path at line 12"; the type and handle of a DXF entity ("LINE 2F"). Copies have the chain of
+    /// The SVG id, or "path at line 12", and if it is not the first element there "path at line 12, column 40"; the type and handle of a DXF entity ("LINE 2F"). Copies have the chain of
     /// their references before it ("use1 > path3"), further subpaths a number behind it ("path3#2").
     pub id: String,
     /// All names by which a role may be given to the element, innermost first and each once.
@@ -99,12 +99,17 @@ impl Place {
     pub(crate) fn line(line: usize) -> Self {
         Self { line: Some(line), ..Self::default() }
     }
+
+    /// Whether it is the file as a whole.
+    pub fn is_file(&self) -> bool {
+        self.element.is_none() && self.line.is_none() && self.at.is_none()
+    }
 }
 
 impl std::fmt::Display for Place {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match (&self.element, self.line) {
-            (Some(id), Some(line)) if !id.ends_with(&format!("at line {line}")) => {
+            (Some(id), Some(line)) if !id.contains(&format!("at line {line}")) => {
                 write!(f, "{id} (line {line})")?;
             }
             (Some(id), _) => write!(f, "{id}")?,
@@ -126,6 +131,10 @@ impl std::fmt::Display for Fault {
 
 impl std::fmt::Display for Note {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {}", self.place, self.text)
+        if self.place.is_file() {
+            f.write_str(&self.text)
+        } else {
+            write!(f, "{}: {}", self.place, self.text)
+        }
     }
 }

@@ -43,7 +43,8 @@ pub(in crate::cli) fn run(args: &Args) -> Result<(), Failure> {
 pub(in crate::cli) fn loaded(path: &Path, verbosity: Verbosity) -> Result<Study, Failure> {
     let source = read_source(path)?;
     if spec::read(&source).is_ok() {
-        let text = "this is a spec and varies no key: add --vary KEY=VALUES, or name a study file";
+        let text =
+            "this is a spec and varies no key: name a study file, or use `study run` with --vary KEY=VALUES";
         return Err(Failure::Usage(text.to_owned()));
     }
     let file = read_study(&source)?;

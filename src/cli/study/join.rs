@@ -14,6 +14,9 @@ use crate::cli::study::run::{refuse_no_table, refuse_parquet};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 
+/// Number of parts in a list.
+const SHOWN: usize = 20;
+
 /// A part with its job.
 type JoinedPart = (PathBuf, PartJob);
 
@@ -72,19 +75,33 @@ fn whole(dir: &Path, files: &[PathBuf]) -> Result<Vec<JoinedPart>, Failure> {
     };
     let alike =
         |job: &PartJob| (&job.study, job.parts, job.units) == (&first.study, first.parts, first.units);
+    let mut others: BTreeMap<(usize, bool), Vec<&Path>> = BTreeMap::new();
     for (path, job) in jobs.iter().cloned() {
-        let own = job.filter(|job| alike(job) && is_named(path, job));
-        match own {
-            Some(job) => {
+        match job.filter(|job| is_named(path, job)) {
+            Some(job) if alike(&job) => {
                 let _ = found.insert(job.part, (path.clone(), job));
             }
-            None => faults.push(format!("{} is not a part of this study", shown(path))),
+            Some(job) if job.study == first.study => {
+                others.entry((job.parts, job.units)).or_default().push(path);
+            }
+            _ => faults.push(format!("{} is not a part of this study; move it elsewhere", shown(path))),
         }
+    }
+    for ((parts, units), paths) in others {
+        let units = if units == first.units { "" } else { ", and differ in --units" };
+        let list: Vec<String> = paths.iter().take(SHOWN).map(shown).collect();
+        let more = if paths.len() > SHOWN { ", ..." } else { "" };
+        faults.push(format!(
+            "{}{more} are of {parts} parts{units}, and {} is of {}: move one kind to another directory",
+            list.join(", "),
+            name(first.part, first.parts),
+            first.parts
+        ));
     }
     let missing: Vec<usize> = (1..=first.parts).filter(|part| !found.contains_key(part)).collect();
     if !missing.is_empty() {
-        let list = missing.iter().take(20).map(ToString::to_string).collect::<Vec<_>>().join(", ");
-        let more = if missing.len() > 20 { ", ..." } else { "" };
+        let list = missing.iter().take(SHOWN).map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        let more = if missing.len() > SHOWN { ", ..." } else { "" };
         faults.push(format!(
             "{} of {} parts are missing: {list}{more}; compute them with --part k/{}",
             missing.len(),

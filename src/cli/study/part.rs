@@ -61,6 +61,7 @@ impl Parts<'_> {
         [from, to]: [usize; 2],
         ear: &StudyMonitor<'_>,
     ) -> Result<usize, Failure> {
+        self.refuse_other_division()?;
         let made = fs::create_dir_all(self.dir);
         made.map_err(|error| Failure::file("create", self.dir, &error))?;
         sweep_leftovers(self.dir, |name| name.starts_with("part-"));
@@ -84,6 +85,21 @@ impl Parts<'_> {
             }
         }
         Ok(there)
+    }
+
+    /// Refuses a directory with parts of another number of parts: they could not be joined together.
+    fn refuse_other_division(&self) -> Result<(), Failure> {
+        let entries = fs::read_dir(self.dir).into_iter().flatten().flatten();
+        let mut names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
+        let Some(name) = names.find(|name| parts_of(name).is_some_and(|of| of != self.of)) else {
+            return Ok(());
+        };
+        Err(Failure::Message(format!(
+            "{} is one of {} parts, and this run is of {}: choose another directory, or the same number of parts",
+            shown(self.dir.join(&name)),
+            parts_of(&name).unwrap_or_default(),
+            self.of
+        )))
     }
 
     fn path(&self, part: usize) -> PathBuf {
@@ -147,6 +163,11 @@ impl Parts<'_> {
 pub(super) fn name(part: usize, parts: usize) -> String {
     let width = parts.to_string().len();
     format!("part-{part:0width$}-of-{parts}.csv")
+}
+
+/// The number of all parts in the name of one.
+fn parts_of(name: &str) -> Option<usize> {
+    name.strip_prefix("part-")?.strip_suffix(".csv")?.split_once("-of-")?.1.parse().ok()
 }
 
 /// Longest job that is read, bytes: far more than one has.

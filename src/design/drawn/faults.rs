@@ -9,10 +9,23 @@ use drawings::Fault;
 pub(super) fn unreadable(fault: &Fault) -> Refusal {
     let elements = fault.place.element.iter().cloned().collect();
     let at = fault.place.at.map(|at| [at.x, at.y]);
-    let found = format!("{}: {}", fault.place, fault.text.trim_end_matches('.'));
+    let text = clause(&fault.text);
+    let found = if fault.place.is_file() { text } else { format!("{}: {text}", fault.place) };
     let refusal =
-        Refusal::new(key::drawing::FILE, RefusalCode::UnreadableDrawing, found, fault.remedy.clone());
+        Refusal::new(key::drawing::FILE, RefusalCode::UnreadableDrawing, found, clause(&fault.remedy));
     refusal.drawn_at(DrawnPlace { elements, at })
+}
+
+/// A sentence of the reader as a clause of a message: no capital, unless the word has more of them, and no full stop.
+pub(super) fn clause(sentence: &str) -> String {
+    let text = sentence.trim_end_matches('.');
+    let mut letters = text.chars();
+    match (letters.next(), letters.next()) {
+        (Some(first), Some(second)) if first.is_ascii_uppercase() && !second.is_ascii_uppercase() => {
+            format!("{}{}", first.to_ascii_lowercase(), &text[1..])
+        }
+        _ => text.to_owned(),
+    }
 }
 
 /// A fault of the shape.
@@ -72,10 +85,10 @@ fn of(fault: &ShapeFault) -> (KeyPath, RefusalCode) {
         ShapeCode::PortTooWide => (key::inlet::TUBE_DIAMETER, RefusalCode::PortTooWide),
         ShapeCode::ShortSeam => (key::seal::OVERLAP, RefusalCode::ShortSeam),
         ShapeCode::Outlines => (LAYERS, RefusalCode::WrongOutlines),
-        // Only a cut that follows the bands depends on the allowance; it has no name.
-        ShapeCode::CutInBand if !fault.names.is_empty() => (FILE, RefusalCode::CutInBand),
+        // A cut that follows the bands has no name, and no allowance keeps it off the bands of others.
+        ShapeCode::CutInBand if fault.names.is_empty() => (LAYERS, RefusalCode::CutInBand),
         ShapeCode::ThinWeb => (FILE, RefusalCode::ThinWeb),
-        ShapeCode::CutInBand => (key::seal::ALLOWANCE, RefusalCode::CutInBand),
+        ShapeCode::CutInBand => (FILE, RefusalCode::CutInBand),
         ShapeCode::Empty => (LAYERS, RefusalCode::NothingDrawn),
         ShapeCode::Leak => (FILE, RefusalCode::WrongOpening),
     }

@@ -6,7 +6,8 @@ use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{
     CLAMP, CLAMP_AREA, GREY, PAGE, SHEET, Style, TEXT, WORK_AREA, arrow_head, circle, rectangle, straight,
 };
-use crate::spec::Machine;
+use crate::emit::text::{inert, shortened};
+use crate::spec::{Machine, NAME_LENGTH};
 use crate::units::Readable;
 use inflatable::geom::{Bounds, Path, Point, Vec2};
 
@@ -100,9 +101,10 @@ pub(super) fn clamp_labels(machine: &Machine, window: &Bounds, style: Style, pla
         let min = Point::new(clamp.x.0, clamp.y.0);
         let area = Bounds { min, max: min + Vec2::new(clamp.width.0, clamp.depth.0) };
         let Some(seen) = common(&area, window) else { continue };
-        let words = crate::emit::text::inert(&clamp.name, 24);
-        let texts = [0.9, 0.7, 0.5].into_iter().flat_map(|share| {
-            let size = share * style.unit;
+        // The whole name where there is room for it.
+        let names = [inert(&clamp.name, NAME_LENGTH), shortened(&clamp.name, 24)];
+        let tried = names.iter().flat_map(|words| [0.9, 0.7, 0.5].map(|share| (words, share * style.unit)));
+        let texts = tried.flat_map(|(words, size)| {
             let half = 0.5 * Text::centered(min, size, CLAMP, words.clone()).width();
             let (across, up) = (0.5 * seen.width() + half + size, 0.5 * seen.height() + size);
             let aside = [
@@ -114,7 +116,6 @@ pub(super) fn clamp_labels(machine: &Machine, window: &Bounds, style: Style, pla
                 (across, up),
                 (-across, -up),
             ];
-            let words = &words;
             aside.map(|(x, y)| Text::centered(seen.center() + Vec2::new(x, y), size, CLAMP, words.clone()))
         });
         let texts: Vec<Text> = texts.collect();

@@ -135,18 +135,26 @@ impl Swatch {
     }
 }
 
-/// Draws the blocks from the upper left corner `at`, none reaching beyond `width` that need not; their height.
+/// Draws the blocks from the upper left corner `at`, each as high as there is room and then as far left, none reaching beyond `width` that
+/// need not; their height.
 pub(super) fn flow(group: &mut Group, blocks: &[Block<'_>], at: Point, width: f64, style: Style) -> f64 {
-    let (mut right, mut down, mut row) = (0.0, 0.0, 0.0_f64);
+    // Left, right with the gap, and foot of each block that is drawn.
+    let mut drawn: Vec<[f64; 3]> = Vec::new();
     for block in blocks {
         let wide = block.width(style);
-        if right > 0.0 && right + wide > width {
-            down += row + style.unit;
-            (right, row) = (0.0, 0.0);
-        }
-        block.draw(group, at + Vec2::new(right, -down), style);
-        right += wide + GAP * style.unit;
-        row = row.max(block.height(style));
+        let top = |left: f64| {
+            let above = drawn
+                .iter()
+                .filter(|[other, right, _]| left < *right && *other < left + wide + GAP * style.unit);
+            above.map(|[_, _, foot]| foot + style.unit).fold(0.0, f64::max)
+        };
+        let lefts =
+            drawn.iter().flat_map(|[left, right, _]| [*left, *right]).filter(|left| left + wide <= width);
+        let (left, down) = lefts.map(|left| (left, top(left))).fold((0.0, top(0.0)), |best, next| {
+            if (next.1, next.0) < (best.1, best.0) { next } else { best }
+        });
+        block.draw(group, at + Vec2::new(left, -down), style);
+        drawn.push([left, left + wide + GAP * style.unit, down + block.height(style)]);
     }
-    down + row
+    drawn.iter().map(|[_, _, foot]| *foot).fold(0.0, f64::max)
 }

@@ -2,7 +2,8 @@
 
 use crate::emit::picture::{Anchor, Group, Pen, Picture, Text};
 use crate::emit::preview::style::{BAND, CUT, FABRIC, LABEL, PAGE, Style, TEXT, rectangle};
-use crate::emit::text::{heading, inert};
+use crate::emit::text::{inert, shortened};
+use crate::spec::NAME_LENGTH;
 use inflatable::geom::{Bounds, Path, Point, Vec2};
 
 /// One strip.
@@ -43,7 +44,7 @@ pub fn cells(title: &str, cells: &[GridCell], band: f64) -> String {
         }
     }
     let head = Point::new(all.min.x, all.max.y + 2.0 * style.unit);
-    let content = format!("{}, seen from the iron's side, 1:1 in mm", heading(title));
+    let content = format!("{}, seen from the iron's side, 1:1 in mm", shortened(title, NAME_LENGTH));
     let heading = Text { at: head, size: style.unit, anchor: Anchor::Start, ink: TEXT, content };
     let window = all.union(heading.bounds()).grown(2.0 * style.unit);
     words.text(heading);

@@ -3,7 +3,8 @@
 use crate::emit::picture::{Group, Picture, Text};
 use crate::emit::preview::block::{Block, flow};
 use crate::emit::preview::style::{CUT, GREY, PAGE, Style, circle, rectangle, straight};
-use crate::emit::text::heading;
+use crate::emit::text::shortened;
+use crate::spec::NAME_LENGTH;
 use inflatable::geom::{Bounds, Path, Point, Vec2};
 
 /// Characters a line of the legend.
@@ -48,7 +49,7 @@ pub fn faults(title: &str, drawn: &[Path], faults: &[FaultMark]) -> String {
         1 => "1 finding".to_owned(),
         number => format!("{number} findings"),
     };
-    let mut legend = Block::new(format!("{}: {number}", heading(title)));
+    let mut legend = Block::new(format!("{}: {number}", shortened(title, NAME_LENGTH)));
     for (number, fault) in (1..).zip(faults) {
         let mut rest = format!("{number}  {}", fault.text);
         while !rest.is_empty() {

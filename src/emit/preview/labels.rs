@@ -7,7 +7,7 @@ use crate::emit::picture::{Group, Pen, Text};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{LABEL, START, Style, TEXT, circle, straight};
 use crate::emit::preview::travel::Start;
-use crate::emit::text::inert;
+use crate::emit::text::shortened;
 use inflatable::geom::{Bounds, Point, Vec2};
 
 /// Sizes that are tried in turn, relative to the first; smaller text is not readable.
@@ -66,7 +66,7 @@ pub(super) fn drawn_labels(
         let (Some(at), Some(along)) = (path.point_at(middle), path.tangent_at(middle)) else { continue };
         let along = along.perp();
         let size = (0.9 * style.unit).min(0.3 * piece.label_width());
-        let words = inert(&seam.name, 24);
+        let words = shortened(&seam.name, 24);
         beside(&mut group, places, &Callout { at, along, size, words: &words, ring: false });
     }
     for port in &piece.shape.ports {

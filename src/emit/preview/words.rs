@@ -9,8 +9,9 @@ use crate::emit::preview::style::{
     star_ink,
 };
 use crate::emit::preview::subject::Preview;
-use crate::emit::text::{heading, inert};
+use crate::emit::text::{inert, shortened};
 use crate::plan::SeamReport;
+use crate::spec::NAME_LENGTH;
 use crate::units::Readable;
 
 /// Length of the scale bar, mm.
@@ -21,7 +22,7 @@ pub(super) fn blocks<'a>(preview: &Preview<'a>, sheet: usize, style: Style) -> V
     let assembly = preview.design.assembly();
     let mut out = vec![design(preview, sheet)];
     out.extend(assembly.map(|assembly| stars(assembly, sheet)));
-    out.extend([order(preview, sheet), legend(preview, style)]);
+    out.extend([order(preview, sheet), legend(preview, sheet, style)]);
     if let Some(assembly) = assembly.filter(|_| sheet == 1) {
         out.push(stack(preview, assembly, style));
     }
@@ -31,11 +32,11 @@ pub(super) fn blocks<'a>(preview: &Preview<'a>, sheet: usize, style: Style) -> V
 
 fn design(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
     let Preview { spec, machine, design, .. } = preview;
-    let mut block = Block::new(heading(&spec.name));
+    let mut block = Block::new(inert(&spec.name, NAME_LENGTH));
     block.say(format!("sheet {sheet} of {}, seen from the iron's side, 1:1 in mm", design.sheets.len()));
     block
         .say(format!("sealed at {} and {}, band {}", spec.seal.temperature, spec.seal.speed, spec.seal.band));
-    block.say(format!("machine: {}", inert(&machine.name, 40)));
+    block.say(format!("machine: {}", shortened(&machine.name, 40)));
     if let Some((x, y)) = machine.bench.work_area {
         block.say(format!("work area {} x {} mm from X0 Y0", Readable(x.0), Readable(y.0)));
     }
@@ -95,7 +96,7 @@ fn order(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
     for (orders, stars, seam) in rows {
         let orders: Vec<String> = orders.iter().map(ToString::to_string).collect();
         let each = if stars.len() > 1 { " each" } else { "" };
-        let (side, orders) = (inert(&seam.name.seam, 24), orders.join(", "));
+        let (side, orders) = (shortened(&seam.name.seam, 24), orders.join(", "));
         block.say(match seam.name.piece.kind() {
             "star" => format!("{orders}: {side} loop of {}", listed(&stars)),
             kind => {
@@ -114,12 +115,16 @@ fn hours(seconds: f64) -> String {
     format!("{} h {:02} min", (minutes / 60.0).floor(), minutes % 60.0)
 }
 
-fn legend(preview: &Preview<'_>, style: Style) -> Block<'static> {
+fn legend(preview: &Preview<'_>, sheet: usize, style: Style) -> Block<'static> {
     let mut block = Block::new("On the sheet");
     let line = |ink, weight| Swatch::Line(style.pen(ink, weight));
     block.explain(Swatch::Area(TUBE), "tube");
     block.explain(Swatch::Line(Pen::new(BAND, 0.5 * style.unit)), "sealed band");
-    block.explain(line(TWICE, 2.5), "sealed twice");
+    let mut seams =
+        preview.programs.iter().filter(|program| program.sheet == sheet).flat_map(|program| &program.seams);
+    if seams.any(|seam| seam.overlap > 0.0) {
+        block.explain(line(TWICE, 2.5), "sealed twice");
+    }
     block.explain(line(RAMP, 2.0), "iron goes down or up");
     block.explain(Swatch::Dot(START), "start, with its order");
     block.explain(Swatch::Area(FABRIC), "flap");

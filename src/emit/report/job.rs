@@ -26,7 +26,7 @@ fn drawn_part(placed: &PlacedPart, piece: &DrawnPiece) -> Value {
         "band_mm": piece.shape.band,
         "outside": polyline(&piece.part.outside),
         "insides": piece.part.inside.iter().map(polyline).collect::<Vec<_>>(),
-        "tube": piece.air.iter().map(polyline).collect::<Vec<_>>(),
+        "tube": piece.edges.iter().map(polyline).collect::<Vec<_>>(),
         "bands": piece.shape.seams.iter().map(|seam| polyline(&seam.center_line)).collect::<Vec<_>>(),
         "closed": piece.shape.seams.iter().map(|seam| seam.center_line.closed).collect::<Vec<_>>(),
         "holes": [],

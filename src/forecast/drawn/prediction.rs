@@ -3,7 +3,7 @@
 use crate::design::{Refusal, RefusalCode};
 use crate::forecast::drawn::chambers::DrawnChamber;
 use crate::forecast::keys::{keyed, kinds};
-use crate::forecast::prediction::{MeshedPlace, MeshedValue};
+use crate::forecast::meshed::{MeshedPlace, MeshedValue};
 use crate::forecast::ranges::Interval;
 use crate::forecast::seal_load::{Bursting, DrawnSeal, bursts_at};
 use crate::spec::key;

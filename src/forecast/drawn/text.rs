@@ -1,7 +1,7 @@
 //! The prediction of a drawn piece as a text for people: each number with its mesh error.
 
 use crate::forecast::drawn::prediction::{ChamberPrediction, DrawnPrediction};
-use crate::forecast::prediction::{MeshedPlace, MeshedValue};
+use crate::forecast::meshed::{MeshedPlace, MeshedValue};
 use crate::forecast::ranges::shown;
 use crate::forecast::shell::SHELL;
 use crate::spec::Spec;

@@ -1,6 +1,7 @@
 //! The shell's values of a star as a text for people: each number with its mesh error.
 
-use crate::forecast::prediction::{FabricStretch, ForceAt, MeshedPlace, StarPrediction};
+use crate::forecast::meshed::MeshedPlace;
+use crate::forecast::prediction::{FabricStretch, ForceAt, StarPrediction};
 use crate::forecast::ranges::shown;
 use crate::units::Readable;
 use std::fmt::Write;

@@ -3,9 +3,10 @@
 
 use crate::design::{Design, Meeting, PlacedPart, StarDesign};
 use crate::forecast::case::{Case, weave};
+use crate::forecast::meshed::MeshedPlace;
 use crate::forecast::predict::{PredictFault, stars_of};
 use crate::forecast::prediction::{
-    FabricStretch, ForceAt, MeshErrors, MeshedPlace, ModelEvidence, Prediction, StarPrediction,
+    FabricStretch, ForceAt, MeshErrors, ModelEvidence, Prediction, StarPrediction,
 };
 use crate::forecast::shell::request::{Measurements, ask, entered, fault};
 use crate::forecast::shell::{Detail, SHELL};

@@ -248,7 +248,7 @@ impl Requirements {
                 format!("it can safely carry {safe} of the {}", self.mass)
             }
             "sheet" => format!(
-                "the star is {percent:.1} % larger than the sheet or the machine: a larger one, --sheet"
+                "the star is {percent:.1} % larger than the sheet, or than the machine reaches: give a larger --sheet, or another --machine"
             ),
             "pressing" => format!(
                 "its force on the object is {percent:.1} % above what the object bears: more friction, a lighter object, or --fragile with a larger force"

@@ -95,6 +95,11 @@ pub(super) fn counted_out(field: &Field, text: &str) -> Result<Vec<KeyValue>, St
         return Err(format!("{count} values; allowed are 1 to {MOST_VALUES}"));
     }
     let [from, to] = between(field, ends)?;
+    if count == 1 && from != to {
+        return Err(format!(
+            "`{text}` has two ends and takes 1 value; take 2 or more, or write one end alone"
+        ));
+    }
     let step = f64::from(count.saturating_sub(1)).max(1.0);
     let values: Vec<f64> = (0..count).map(|i| from + (to - from) * f64::from(i) / step).collect();
     if let Some(part) = values.iter().find(|value| field.is_whole() && value.fract() != 0.0) {
@@ -254,6 +259,10 @@ mod tests {
             ),
             ("load.friction=0", "`friction` is 0: must be more than 0 and at most 10"),
             ("load.pressure=1 kPa..2 kPa", "`1 kPa..2 kPa` lacks the number of values: FROM..TO/COUNT"),
+            (
+                "load.pressure=1 kPa..2 kPa/1",
+                "`1 kPa..2 kPa/1` has two ends and takes 1 value; take 2 or more, or write one end alone",
+            ),
             ("load.pressure=1 kPa..2 kPa/x", "`x` is not a number of values"),
             ("load.pressure=1 kPa..2 kPa/0", "0 values; allowed are 1 to 1000000"),
             ("load.pressure=1 kPa..2 kPa/1000001", "1000001 values; allowed are 1 to 1000000"),

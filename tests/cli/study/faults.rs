@@ -161,7 +161,7 @@ fn faults_show_the_line_and_the_place() {
     assert!(said.contains("study.toml:4:22") && said.contains("must be from 3 to 64"), "{said}");
     assert!(said.contains("star.points = [4, 5, 66]") && said.contains("^^"), "{said}");
     let said = refused(dir.path(), &["sweep", "spec.toml"], 2);
-    assert!(said.contains("varies no key: add --vary KEY=VALUES, or name a study file"), "{said}");
+    assert!(said.contains("varies no key: name a study file, or use `study run` with --vary"), "{said}");
     let said = refused(dir.path(), &["sweep", "spec.toml", "--vary", "star.pionts=4"], 1);
     assert!(said.contains("did you mean `star.points`?"), "{said}");
 }

@@ -44,6 +44,24 @@ fn parts_stand_alone_and_join_to_the_whole() {
     }
 }
 
+/// The rows of three parts and of four are the same, but a directory holds one division: `run` refuses the second, and `join` says so of
+/// files that were copied together.
+#[test]
+fn two_divisions_of_a_study_are_not_mixed() {
+    let dir = folder(STUDY);
+    let at = dir.path();
+    let _ = done(at, &["study", "run", "study.toml", "--parts", "3", "-o", "parts"]);
+    let said = refused(at, &["study", "run", "study.toml", "--parts", "4", "-o", "parts"], 1);
+    assert!(said.contains("of-3.csv is one of 3 parts, and this run is of 4"), "{said}");
+    let _ = done(at, &["study", "run", "study.toml", "--parts", "4", "-o", "others"]);
+    for name in names(&at.join("others")) {
+        let _ = fs::copy(at.join("others").join(&name), at.join("parts").join(&name)).expect("copied");
+    }
+    let said = refused(at, &["study", "join", "parts", "-o", "joined.csv"], 1);
+    assert!(said.contains("part-4-of-4.csv are of 4 parts, and part-1-of-3.csv is of 3: move one"), "{said}");
+    assert!(!said.contains("not a part of this study"), "{said}");
+}
+
 /// A spec, a study, a program: a table replaces nothing but a table.
 #[test]
 fn a_file_that_is_no_table_is_not_replaced() {

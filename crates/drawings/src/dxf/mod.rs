@@ -98,7 +98,7 @@ fn unit(sections: &tables::Sections<'_, '_>, collector: &mut Collector<'_>) -> O
     };
     match (collector.options().unit, own) {
         (Some(given), Some(own)) if given != own => {
-            let text = format!("The unit {} replaces the file's unit {}.", given.name(), own.name());
+            let text = format!("The unit \"{}\" replaces the file's unit \"{}\".", given.name(), own.name());
             collector.note(Weight::Information, Place::default(), text);
             Some(given.millimetres())
         }

@@ -46,20 +46,33 @@ pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> 
 
 /// Facts about a file that its tree does not hold.
 struct Source {
-    /// Offsets at which lines start.
-    lines: Vec<usize>,
+    /// Offsets at which lines start, and those of the first character in each that is no blank.
+    lines: Vec<(usize, usize)>,
     sheet: style::Sheet,
 }
 
 impl Source {
     /// The line of a node, from 1.
     fn line(&self, node: Node<'_, '_>) -> usize {
-        self.lines.partition_point(|&start| start <= node.range().start)
+        self.lines.partition_point(|(start, _)| *start <= node.range().start)
+    }
+
+    /// The place of a node in words: "line 12", and if it is not the first there, "line 12, column 40".
+    fn place_in_words(&self, node: Node<'_, '_>) -> String {
+        let (line, at) = (self.line(node), node.range().start);
+        match self.lines.get(line.saturating_sub(1)) {
+            Some((start, first)) if at > *first => format!("line {line}, column {}", at - start + 1),
+            _ => format!("line {line}"),
+        }
     }
 }
 
-fn line_starts(text: &str) -> Vec<usize> {
-    std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect()
+fn line_starts(text: &str) -> Vec<(usize, usize)> {
+    let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1));
+    let blanks = |start: usize| {
+        text.as_bytes()[start..].iter().take_while(|byte| matches!(byte, b' ' | b'\t' | b'\r')).count()
+    };
+    starts.map(|start| (start, start + blanks(start))).collect()
 }
 
 fn utf8(bytes: &[u8]) -> Result<&str, Vec<Fault>> {

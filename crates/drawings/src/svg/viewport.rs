@@ -190,8 +190,10 @@ fn by_unit(
     let unit = given.millimetres();
     let written = from.map_or(own.map(|_| PIXEL), |from| own.map(|[w, h]| (w / from.w).min(h / from.h)));
     if let Some(written) = written.filter(|written| (written / unit - 1.0).abs() > 1e-6) {
-        let text =
-            format!("The unit {} ({unit:.6} mm) replaces the file's unit of {written:.6} mm.", given.name());
+        let text = format!(
+            "The unit \"{}\" ({unit:.6} mm) replaces the file's unit of {written:.6} mm.",
+            given.name()
+        );
         out.note(Weight::Information, Place::default(), text);
     }
     let number =

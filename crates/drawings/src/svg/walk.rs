@@ -381,7 +381,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         let line = self.source.line(node);
         let own = match node.attribute("id").filter(|id| !id.is_empty()) {
             Some(id) => id.to_owned(),
-            None => format!("{} at line {line}", node.tag_name().name()),
+            None => format!("{} at {}", node.tag_name().name(), self.source.place_in_words(node)),
         };
         let mut layers: Vec<&str> = names(node).collect();
         layers.reverse();

@@ -123,7 +123,7 @@ fn illustrator_entities_classes_switch_and_its_pixels() {
     assert!(read_svg(bare.as_bytes(), &Options::new(0.01)).is_err());
     let drawing = read_svg(bare.as_bytes(), &options).expect("a drawing");
     assert_eq!(drawing.elements[0].layers, ["fill #000000", "a", "Layer 1"]);
-    assert!(near(path(&drawing, "path at line 1").start().unwrap(), 0.0, 25.4));
+    assert!(near(path(&drawing, "path at line 1, column 88").start().unwrap(), 0.0, 25.4));
 }
 
 #[test]
@@ -350,7 +350,7 @@ fn hidden_elements_and_own_names() {
     let hidden = drawing.notes.iter().filter(|note| note.weight == Weight::Hidden);
     assert_eq!(
         hidden.filter_map(|note| note.place.element.as_deref()).collect::<Vec<_>>(),
-        ["a", "b", "g at line 1"]
+        ["a", "b", "g at line 1, column 191"]
     );
     let unseen = drawing.notes.iter().filter(|note| note.text.starts_with("Neither its stroke nor its fill"));
     assert_eq!(unseen.filter_map(|note| note.place.element.as_deref()).collect::<Vec<_>>(), ["d"]);
