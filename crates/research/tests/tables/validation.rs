@@ -4,26 +4,40 @@ use research::stars::draw::Set;
 use research::stars::shipped::shipped;
 use research::validation::{Comparison, Opened, Pair, compare, opened};
 
-/// Where fewer stars were computed: thin fabric, many points, short and long arms, and the paper's star of eight points. All of their radii, angles
-/// and stiffnesses lie strictly in their ranges; from stars 1 to 13 and 17 and the paper's the widths of these were taken.
+/// Where fewer stars were computed: thin fabric, many points, short and long arms, and the paper's star of eight points. The widths of ranges were
+/// taken from stars 1 to 13 and 17 and from the paper's, and hold all of their numbers strictly; of the others' they hold 95 of 100.
 #[test]
 fn wider_ranges_hold_stars_that_are_unlike_the_others() {
     let all: Vec<Comparison> = shipped().iter().filter_map(compare).collect();
     let eight = |one: &&Comparison| one.set == Set::Paper && one.points == 8;
     assert_eq!(all.iter().filter(eight).count(), 4);
     let wide: Vec<&Comparison> = all.iter().filter(|one| one.set == Set::Wide || eight(one)).collect();
-    assert!(wide.len() >= 22, "{}", wide.len());
-    for one in wide {
-        let pairs = [Some(one.radius), one.angle, one.stiffness];
-        for (what, pair) in ["radius", "angle", "stiffness"].into_iter().zip(pairs) {
-            assert!(
-                pair.is_none_or(|pair| pair.holds_strictly()),
-                "{what} of {} {}",
-                one.set.name(),
-                one.number
-            );
-        }
-    }
+    assert_eq!(wide.len(), 44);
+    let taken = |one: &&Comparison| eight(one) || one.number <= 13 || one.number == 17;
+    let (taken, others): (Vec<&Comparison>, Vec<&Comparison>) = wide.into_iter().partition(taken);
+    let numbers = |stars: &[&Comparison]| -> Vec<(String, Pair)> {
+        let of = |one: &&Comparison| {
+            let pairs = [("radius", Some(one.radius)), ("angle", one.angle), ("stiffness", one.stiffness)];
+            let number = one.number;
+            pairs
+                .map(|(what, pair)| pair.map(|pair| (format!("{what} of {number}"), pair)))
+                .into_iter()
+                .flatten()
+        };
+        stars.iter().flat_map(of).collect()
+    };
+    let outside = |numbers: &[(String, Pair)]| -> Vec<String> {
+        numbers.iter().filter(|(_, pair)| !pair.holds_strictly()).map(|(what, _)| what.clone()).collect()
+    };
+    assert_eq!(outside(&numbers(&taken)), Vec::<String>::new());
+    let others = numbers(&others);
+    let outside = outside(&others);
+    assert!(
+        others.len() > 60 && 20 * outside.len() <= others.len(),
+        "{} of {}: {outside:?}",
+        outside.len(),
+        others.len()
+    );
 }
 
 /// Stars 241 to 300 of the test set: no constant was taken from them. Strictly, without their mesh errors, 95 of 100 radii and stiffnesses lie
