@@ -200,7 +200,7 @@ mod tests {
             for friction in [-0.2, 0.2] {
                 let (changed, friction) = with_friction((&mut solver, post), &state, aim, friction);
                 let error = changed / force - 1.0 - friction * slip;
-                assert!(error.abs() < 0.002, "R {radius}, friction {friction}, slip {slip}: {error}");
+                assert!(error.abs() < 0.003, "R {radius}, friction {friction}, slip {slip}: {error}");
             }
             let _ = solver.rest(&mut state, aim).expect("an equilibrium");
         }
