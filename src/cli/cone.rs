@@ -47,8 +47,9 @@ pub(super) struct Args {
 /// Reduces the data, and prints CSV.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let message = |text: String| Failure::Message(text);
+    let no_radius = || Failure::Usage("give --contact-radius, or a --spec that predicts it".to_owned());
     if args.contact_radius.is_none() && args.spec.is_none() {
-        return Err(Failure::Usage("give --contact-radius, or a --spec that predicts it".to_owned()));
+        return Err(no_radius());
     }
     let source = Source::new(args.data.display().to_string(), read_table(&args.data)?);
     let test = read_test(&source)?;
@@ -59,7 +60,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         show(args, cone.ratio(args.balance), first, &points)
     };
     let Some(path) = &args.spec else {
-        return reduced(contact.unwrap_or_default(), None);
+        return reduced(contact.ok_or_else(no_radius)?, None);
     };
     let spec = Loaded::spoken(path, args.verbosity)?.with_stars("cone")?.reading.spec;
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);

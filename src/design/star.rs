@@ -78,7 +78,7 @@ impl Star {
                 format!("tip_angle must be below {} deg for {n} points", Most(180.0 - 360.0 / f64::from(n))),
             ));
         }
-        let l = arm_length(spec, n);
+        let l = arm_length(spec);
         if l <= 0.0 {
             return Err(no_arm(spec, l, band.0 / 2.0));
         }

@@ -134,20 +134,20 @@ fn between(mut bad: f64, mut good: f64, fits: impl Fn(f64) -> bool) -> Option<f6
 /// than that the band takes some (design/contour.rs).
 fn has_arms(spec: &StarSpec, half: f64) -> bool {
     let sector = 2.0 * PI / f64::from(spec.points);
-    let (l, phi) = (arm_length(spec, spec.points), spec.tip_angle.rad());
+    let (l, phi) = (arm_length(spec), spec.tip_angle.rad());
     let left = |radius: Length, phi: f64| l - (half - radius.0).max(0.0) / libm::tan(phi / 2.0);
     let least = left(spec.tip_radius, phi).min(left(spec.corner_radius, phi + sector));
     phi + sector < PI - 1e-6 && l > 0.0 && least > 1e-9 * l
 }
 
-/// Arm length l of the star that `spec` describes with `n` points, mm; it may come out negative.
+/// Arm length l of the star that `spec` describes, mm; it may come out negative.
 ///
 /// `(rho_0 + W + R_e) sin(pi/n) = l sin(phi_i0/2) + (W + R_i + R_e) cos(phi_i0/2)`: Andrade-Silva and
 /// Marthelot, supplement, Eq. for l, which is the case R_i = R_e = 0.
-pub fn arm_length(spec: &StarSpec, n: u32) -> f64 {
+pub fn arm_length(spec: &StarSpec) -> f64 {
     let (sin, cos) = libm::sincos(spec.tip_angle.rad() / 2.0);
     let (w, r_i, r_e) = (spec.tube_width.0, spec.tip_radius.0, spec.corner_radius.0);
-    ((spec.inner_radius.0 + w + r_e) * libm::sin(PI / f64::from(n)) - (w + r_i + r_e) * cos) / sin
+    ((spec.inner_radius.0 + w + r_e) * libm::sin(PI / f64::from(spec.points)) - (w + r_i + r_e) * cos) / sin
 }
 
 #[cfg(test)]

@@ -84,9 +84,9 @@ pub fn outside_section(
     // Both are in proportion to the pressure.
     let [bendability, stretch] = [sheet.bendability(1.0, width), sheet.stretch(1.0, width)];
     let most = (BENDABILITY.end() / bendability).min(MOST_STRETCH / stretch);
-    let range = [BENDABILITY.start() / bendability, most];
-    let is_due = |p: f64| !(range[0]..=range[1]).contains(&p);
-    (range[0] < range[1] && is_due(pressure)).then(|| outside("section", pressure, range))
+    let least = BENDABILITY.start() / bendability;
+    let is_due = least < most && !(least..=most).contains(&pressure);
+    is_due.then(|| outside("section", pressure, [least, most]))
 }
 
 /// Pressures that a spec may have, kPa: 1 Pa to 1 GPa.

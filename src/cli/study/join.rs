@@ -89,23 +89,20 @@ fn whole(dir: &Path, files: &[PathBuf]) -> Result<Vec<JoinedPart>, Failure> {
     }
     for ((parts, units), paths) in others {
         let units = if units == first.units { "" } else { ", and differ in --units" };
-        let list: Vec<String> = paths.iter().take(SHOWN).map(shown).collect();
-        let more = if paths.len() > SHOWN { ", ..." } else { "" };
         faults.push(format!(
-            "{}{more} are of {parts} parts{units}, and {} is of {}: move one kind to another directory",
-            list.join(", "),
+            "{} are of {parts} parts{units}, and {} is of {}: move one kind to another directory",
+            listed(paths.iter().map(shown)),
             name(first.part, first.parts),
             first.parts
         ));
     }
     let missing: Vec<usize> = (1..=first.parts).filter(|part| !found.contains_key(part)).collect();
     if !missing.is_empty() {
-        let list = missing.iter().take(SHOWN).map(ToString::to_string).collect::<Vec<_>>().join(", ");
-        let more = if missing.len() > SHOWN { ", ..." } else { "" };
         faults.push(format!(
-            "{} of {} parts are missing: {list}{more}; compute them with --part k/{}",
+            "{} of {} parts are missing: {}; compute them with --part k/{}",
             missing.len(),
             first.parts,
+            listed(missing.iter().map(ToString::to_string)),
             first.parts
         ));
     }
@@ -114,6 +111,12 @@ fn whole(dir: &Path, files: &[PathBuf]) -> Result<Vec<JoinedPart>, Failure> {
     } else {
         Err(Failure::Message(faults.join("\n")))
     }
+}
+
+/// A list of at most [`SHOWN`] words.
+fn listed(words: impl ExactSizeIterator<Item = String>) -> String {
+    let more = if words.len() > SHOWN { ", ..." } else { "" };
+    words.take(SHOWN).collect::<Vec<_>>().join(", ") + more
 }
 
 /// Whether the file's name is that of its part.

@@ -18,7 +18,7 @@ impl Solver {
         let slides = self.slides(obstacle, state);
         let all: f64 = slides.iter().map(|(point, _)| point.force).sum();
         if all > 0.0 {
-            slides.iter().map(|(point, slide)| point.force * norm(*slide)).sum::<f64>() / all
+            slides.iter().map(|(point, slide)| point.force * dot(*slide, *slide).sqrt()).sum::<f64>() / all
         } else {
             0.0
         }
@@ -40,8 +40,4 @@ impl Solver {
         };
         touching.into_iter().map(slide).collect()
     }
-}
-
-fn norm(vector: Vector) -> f64 {
-    dot(vector, vector).sqrt()
 }

@@ -11,10 +11,10 @@ use nalgebra::{RealField, convert};
 
 /// The factor's numbers, panel by panel, each by columns, and the buffers to compute them.
 pub(super) struct Numeric<R> {
-    pub(super) numbers: Vec<R>,
+    numbers: Vec<R>,
     waiting: Vec<Waiting>,
     work: Work<R>,
-    pub(super) solution: TriangularSolve<R>,
+    solution: TriangularSolve<R>,
 }
 
 /// A supernode on its way through those that take from it.
