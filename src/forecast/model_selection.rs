@@ -8,8 +8,8 @@ use inflatable::mechanics::hinge::fit::Fit;
 use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::mechanics::hinge::section::{Section, Tabled};
 use inflatable::mechanics::hinge::{HingeModel, Level, fit};
-use inflatable::mechanics::star::Correction;
-use inflatable::mechanics::star::correction::Ratios;
+use inflatable::mechanics::star::residuals::Ratios;
+use inflatable::mechanics::star::{Correction, Mechanism};
 use inflatable::mechanics::strength::{ElasticSheet, FULL_ACTUATION, INEXTENSIBLE};
 
 /// Beta of the `bvp` level; its distance from the exact ring is about ln(beta)/beta.
@@ -35,13 +35,33 @@ pub fn tabled(case: &Case, pressure: f64) -> Result<Tabled, StarFault> {
 /// # Errors
 /// If the model refuses the corner's hinge.
 pub fn corrected(case: &Case, model: &dyn HingeModel) -> Result<Case, HingeFault> {
+    corrected_by(case, model, Correction::new)
+}
+
+/// The same with the corrections that `make` makes of the star, its hinges' inflated width over W, and its ratios.
+///
+/// # Errors
+/// As for [`corrected`].
+pub fn corrected_by(
+    case: &Case,
+    model: &dyn HingeModel,
+    make: impl Fn(&Mechanism, f64, Ratios) -> Correction,
+) -> Result<Case, HingeFault> {
     let mut corrected = *case;
-    correct(&mut corrected, model)?;
+    correct_by(&mut corrected, model, make)?;
     Ok(corrected)
 }
 
-/// The same in place.
+/// [`corrected`] in place.
 pub(super) fn correct(case: &mut Case, model: &dyn HingeModel) -> Result<(), HingeFault> {
+    correct_by(case, model, Correction::new)
+}
+
+fn correct_by(
+    case: &mut Case,
+    model: &dyn HingeModel,
+    make: impl Fn(&Mechanism, f64, Ratios) -> Correction,
+) -> Result<(), HingeFault> {
     if model.level() != Level::Section {
         return Ok(());
     }
@@ -53,7 +73,7 @@ pub(super) fn correct(case: &mut Case, model: &dyn HingeModel) -> Result<(), Hin
             stretch: sheet.stretch(pressure, width),
             bendability: sheet.bendability(pressure, width),
         };
-        case.mechanism.correction = Correction::new(&case.mechanism, edges.width, ratios);
+        case.mechanism.correction = make(&case.mechanism, edges.width, ratios);
     }
     Ok(())
 }

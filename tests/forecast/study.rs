@@ -93,7 +93,7 @@ fn append(own: &mut ColumnValues, more: ColumnValues) {
 }
 
 /// `sweep spec.toml --vary star.points=3,5,9 --vary "star.tube_width=20 mm..40 mm/3" --vary "load.pressure=0.001 kPa,37 kPa,600 kPa"`
-/// of the version before study files. Forces, empty cells and remedies are those of this version.
+/// of the version before study files. Predictions, empty cells and remedies are those of this version.
 #[test]
 fn what_was_swept_before_is_swept_the_same() {
     let spec = Source::new("spec.toml", PAPER.replace("[seal]\nband = \"1 mm\"\n", ""));

@@ -34,6 +34,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/machines.md", "cargo test --release --locked --test machines clock:: -- --i"),
     ("docs/models.md", "cargo run --release -p research --example section_table > /t"),
     ("docs/models.md", "cargo run --release -p research -- ladders ladders"),
+    ("docs/models.md", "cargo run --release -p research -- residuals --lengths"),
     ("docs/models.md", "cargo run --release -p research -- stars stars --set all"),
     ("docs/models.md", "stargrip-cam predict five.toml --model shell --vtu five.vtu"),
     ("docs/models.md", "cargo run --release -p inflatable --example weave -- half 5"),

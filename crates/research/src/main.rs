@@ -9,6 +9,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 use inflatable::shell::cases::{Fineness, Watch};
 use research::ladders::{self, Ladder, LadderTable, ladders};
+use research::residuals;
 use research::stars::computed::{self, ComputedStar, FORCE_FINENESS, OPENINGS, in_turn};
 use research::stars::draw::{DrawnStar, Set};
 use research::stars::{finest, shipped};
@@ -40,6 +41,12 @@ enum Table {
         /// Open the stars by round objects, too.
         #[arg(long)]
         forces: bool,
+    },
+    /// Print the table of residuals beyond the closed forms of a star.
+    Residuals {
+        /// Print the lengths of the most likely interpolation instead.
+        #[arg(long)]
+        lengths: bool,
     },
     /// Print the paper's stars as `stargrip-cam trade` ships them.
     Finest,
@@ -119,6 +126,8 @@ fn run(table: Table) -> Result<(), Box<dyn Error>> {
             print!("{}", shipped::join(&joined));
         }
         Table::Stars { work, set, forces } => stars(&work, &set.0, forces)?,
+        Table::Residuals { lengths: true } => println!("{:.2?}", residuals::likeliest(&shipped::shipped())),
+        Table::Residuals { .. } => print!("{}", residuals::fitted(&shipped::shipped())?.table()),
         Table::Finest => print!("{}", finest::table(&shipped::shipped())),
     }
     Ok(())

@@ -1,16 +1,19 @@
 //! Compares the predictions with the stars computed as shells: the source of the constants of [`errors`](stargrip_cam::forecast::ranges::errors),
 //! and a check of the ranges.
 
+use crate::residuals::fitted;
 use crate::stars::computed::{ComputedStar, Number, ShellNumbers};
 use crate::stars::draw::{DrawnStar, POISSON, Set, YOUNG};
 use crate::stars::shipped::shipped;
+use inflatable::mechanics::star::residuals::{Ratios, Residuals};
 use inflatable::mechanics::star::response::Inflated;
+use inflatable::mechanics::star::{Correction, Mechanism};
 use inflatable::mechanics::strength::ElasticSheet;
 use stargrip_cam::design::Star;
 use stargrip_cam::forecast::case::Case;
-use stargrip_cam::forecast::model_selection::{corrected, tabled};
+use stargrip_cam::forecast::model_selection::{corrected_by, tabled};
 use stargrip_cam::forecast::outcome::Outcome;
-use stargrip_cam::forecast::ranges::{Interval, angle_unit};
+use stargrip_cam::forecast::ranges::Interval;
 use stargrip_cam::spec::StarSpec;
 use stargrip_cam::units::{Angle, Length, Pressure};
 use std::f64::consts::PI;
@@ -53,22 +56,49 @@ pub struct Comparison {
 }
 
 /// Largest relative mesh error of a stiffness or force in the comparison.
-const SETTLED: f64 = 0.25;
+pub(crate) const SETTLED: f64 = 0.25;
 
 /// Compares `star` with its prediction; `None` where the shell refuses it, or there is no prediction.
 pub fn compare(star: &ComputedStar) -> Option<Comparison> {
+    compare_by(star, Correction::new)
+}
+
+/// All shipped stars compared with their predictions. Those that the table of residuals is made of are predicted from all others of it.
+///
+/// # Errors
+/// As for [`fitted`].
+pub fn compare_all() -> Result<Vec<Comparison>, &'static str> {
+    let stars = shipped();
+    let left_out = fitted(&stars)?.left_out;
+    let compared = |one: &ComputedStar| match left_out.iter().find(|(star, _)| *star == one.star) {
+        Some((_, residuals)) => compare_with(one, residuals),
+        None => compare(one),
+    };
+    Ok(stars.iter().filter_map(compared).collect())
+}
+
+/// The same with `residuals` in place of those of the program.
+pub fn compare_with(star: &ComputedStar, residuals: &Residuals) -> Option<Comparison> {
+    compare_by(star, |moves, width, ratios| Correction::trend(moves, width, ratios).with(residuals))
+}
+
+fn compare_by(
+    star: &ComputedStar,
+    correction: impl Fn(&Mechanism, f64, Ratios) -> Correction,
+) -> Option<Comparison> {
     let found = star.found.as_ref()?;
-    predicted(&star.star, |case, inflated, own| compared(star, found, (case, inflated, own)))
+    predicted(&star.star, correction, |case, inflated, own| compared(star, found, (case, inflated, own)))
 }
 
 /// What `see` makes of the prediction of a drawn star: its corrected case, the inflated star, and its outcome; `None` without a prediction.
-fn predicted<T>(
+pub(crate) fn predicted<T>(
     drawn: &DrawnStar,
+    correction: impl Fn(&Mechanism, f64, Ratios) -> Correction,
     see: impl FnOnce(&Case, &Inflated<'_>, &Outcome) -> Option<T>,
 ) -> Option<T> {
     let (case, pressure) = case_of(drawn)?;
     let model = tabled(&case, pressure).ok()?;
-    let case = corrected(&case, &model).ok()?;
+    let case = corrected_by(&case, &model, correction).ok()?;
     let inflated = Inflated::new(&case.mechanism, &model, pressure).ok()?;
     let own = Outcome::linear(&case, &inflated);
     see(&case, &inflated, &own)
@@ -114,7 +144,7 @@ fn compared(
         points: star.star.points,
         width: moves.width,
         radius: Pair { error: rest.error / unit, ..rest },
-        angle: angle.map(|pair| Pair { error: pair.error / angle_unit(moves.arm / moves.width), ..pair }),
+        angle,
         stiffness: spring.filter(|_| settled).map(|pair| Pair { error: pair.shell / pair.predicted, ..pair }),
         forces: forces.collect(),
     })
@@ -179,7 +209,7 @@ fn one_opened(stars: &[ComputedStar], line: &str) -> Option<Opened> {
         .star;
     let numbers: Vec<f64> = numbers.1.split(' ').filter_map(|number| number.parse().ok()).collect();
     let [object, shell, mesh, radius] = numbers[..] else { return None };
-    predicted(drawn, |case, inflated, own| {
+    predicted(drawn, Correction::new, |case, inflated, own| {
         let object = 1e-3 * object;
         let predicted = inflated.linear_force(object, &own.rest).ok()?;
         let range = own.ranges.force(&inflated.grasp(&own.rest)?, predicted, object, &own.rest)?;

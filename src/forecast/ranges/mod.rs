@@ -52,13 +52,13 @@ impl Ranges {
         let about =
             |value: f64, errors: Interval, scale: f64| errors.map(|error| value + wider * error * scale);
         let star = &case.mechanism;
-        let long = star.arm / star.width;
-        let unit = errors::radius_unit(star.points) * star.width / star.sector_sine();
-        let stiffer = wider * errors::stiffness_unit(star.points, long);
+        let unit = errors::radius_unit(star.points);
+        let stiffer = wider * errors::stiffness_unit(star.points);
         // Arms that touch press on each other; hinge models do not include the effect on the stiffness.
         let free = rest.equilibrium > star.correction.contact_angle;
-        let radius = about(rest.radius, errors::RADIUS, unit).map(|end| end.max(0.0));
-        let angle = about(rest.equilibrium, errors::ANGLE, angle_unit(long));
+        let radius = about(rest.radius, errors::RADIUS, unit * star.width / star.sector_sine())
+            .map(|end| end.max(0.0));
+        let angle = about(rest.equilibrium, errors::ANGLE, unit);
         Self {
             domain,
             wider,
@@ -115,11 +115,6 @@ impl Ranges {
             force + libm::hypot(most - force, force * (high - 1.0)),
         ])
     }
-}
-
-/// The unit of the error of a tip's angle with arms of `arm` widths: short arms end before they are straight.
-pub fn angle_unit(arm: f64) -> f64 {
-    libm::pow(arm, if arm < 1.0 { -errors::SHORT_ARM } else { -1.0 })
 }
 
 /// Whether stars like `case` were computed as shells, and the factor on the width of its ranges; `None` if too far outside.

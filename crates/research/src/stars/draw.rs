@@ -109,9 +109,9 @@ impl Set {
         match self {
             Self::Fit => 36,
             Self::Range => 48,
-            Self::Test => 300,
+            Self::Test => 420,
             Self::Paper => 24,
-            Self::Wide => 40,
+            Self::Wide => 60,
         }
     }
 

@@ -1,75 +1,89 @@
-//! Ranges of predictions, held against stars as shells from which no constant was taken.
+//! Ranges of predictions, held against stars as shells from which no constant was taken; and the table of residuals.
 
+use research::residuals::fitted;
 use research::stars::draw::Set;
 use research::stars::shipped::shipped;
-use research::validation::{Comparison, Opened, Pair, compare, opened};
+use research::validation::{Comparison, Opened, Pair, compare, compare_all, opened};
+use std::ops::RangeInclusive;
 
-/// Where fewer stars were computed: thin fabric, many points, short and long arms, and the paper's star of eight points. The widths of ranges were
-/// taken from stars 1 to 13 and 17 and from the paper's, and hold all of their numbers strictly; of the others' they hold 95 of 100.
-#[test]
-fn wider_ranges_hold_stars_that_are_unlike_the_others() {
-    let all: Vec<Comparison> = shipped().iter().filter_map(compare).collect();
-    let eight = |one: &&Comparison| one.set == Set::Paper && one.points == 8;
-    assert_eq!(all.iter().filter(eight).count(), 4);
-    let wide: Vec<&Comparison> = all.iter().filter(|one| one.set == Set::Wide || eight(one)).collect();
-    assert_eq!(wide.len(), 44);
-    let taken = |one: &&Comparison| eight(one) || one.number <= 13 || one.number == 17;
-    let (taken, others): (Vec<&Comparison>, Vec<&Comparison>) = wide.into_iter().partition(taken);
-    let numbers = |stars: &[&Comparison]| -> Vec<(String, Pair)> {
-        let of = |one: &&Comparison| {
-            let pairs = [("radius", Some(one.radius)), ("angle", one.angle), ("stiffness", one.stiffness)];
-            let number = one.number;
-            pairs
-                .map(|(what, pair)| pair.map(|pair| (format!("{what} of {number}"), pair)))
-                .into_iter()
-                .flatten()
-        };
-        stars.iter().flat_map(of).collect()
-    };
-    let outside = |numbers: &[(String, Pair)]| -> Vec<String> {
-        numbers.iter().filter(|(_, pair)| !pair.holds_strictly()).map(|(what, _)| what.clone()).collect()
-    };
-    assert_eq!(outside(&numbers(&taken)), Vec::<String>::new());
-    let others = numbers(&others);
-    let outside = outside(&others);
-    assert!(
-        others.len() > 60 && 20 * outside.len() <= others.len(),
-        "{} of {}: {outside:?}",
-        outside.len(),
-        others.len()
-    );
+/// The stars of a set that no constant was taken from.
+fn unused(set: Set, numbers: RangeInclusive<u32>) -> Vec<Comparison> {
+    let of_set = |one: &Comparison| one.set == set && numbers.contains(&one.number);
+    shipped().iter().filter_map(compare).filter(of_set).collect()
 }
 
-/// Stars 241 to 300 of the test set: no constant was taken from them. Strictly, without their mesh errors, 95 of 100 radii and stiffnesses lie
-/// in their ranges, and nine of ten of each number of points.
+/// Asserts that `of` in `all` of the numbers lie strictly in their ranges.
+fn hold(what: &str, pairs: &[Pair], [of, all]: [usize; 2]) {
+    let inside = pairs.iter().filter(|pair| pair.holds_strictly()).count();
+    assert!(all * inside >= of * pairs.len(), "{what}: {inside} of {}", pairs.len());
+}
+
+#[test]
+fn the_shipped_residuals_are_those_of_the_stars() {
+    let table = fitted(&shipped()).expect("no star is there twice").table();
+    let known = include_str!("../../../inflatable/src/mechanics/star/residuals.txt");
+    // Weights differ by rounding from processor to processor.
+    let numbers = |text: &str| -> Vec<Vec<f64>> {
+        let lines = text.lines().filter(|line| !line.starts_with('#'));
+        lines.map(|line| line.split(' ').map(|word| word.parse().expect("a number")).collect()).collect()
+    };
+    let (table, known) = (numbers(&table), numbers(known));
+    assert_eq!(table.len(), known.len());
+    for (one, other) in table.iter().zip(&known) {
+        assert!(one.iter().zip(other).all(|(a, b)| (a - b).abs() < 2e-6), "{one:?} {other:?}");
+    }
+}
+
+/// Where fewer stars were computed: thin fabric, many points, short and long arms. Ranges were taken from stars 1 to 40 of the set.
+#[test]
+fn wider_ranges_hold_stars_that_are_unlike_the_others() {
+    let all = unused(Set::Wide, 41..=60);
+    let numbers = |one: &Comparison| [Some(one.radius), one.angle, one.stiffness];
+    let pairs: Vec<Pair> = all.iter().flat_map(numbers).flatten().collect();
+    assert!(all.len() == 20 && pairs.len() > 55);
+    hold("wide", &pairs, [95, 100]);
+}
+
+/// Strictly, without their mesh errors, 95 of 100 radii, angles and stiffnesses lie in their ranges, and nine of ten of each number of points.
 #[test]
 fn ranges_hold_on_stars_that_they_were_not_taken_from() {
-    let unused = |one: &Comparison| one.set == Set::Test && (241..=300).contains(&one.number);
-    let all: Vec<Comparison> = shipped().iter().filter_map(compare).filter(unused).collect();
+    let all = unused(Set::Test, 361..=420);
     assert_eq!(all.len(), 60);
-    let quantities: [(&str, Vec<Pair>); 3] = [
-        ("radius", all.iter().map(|one| one.radius).collect()),
-        ("angle", all.iter().filter_map(|one| one.angle).collect()),
-        ("stiffness", all.iter().filter_map(|one| one.stiffness).collect()),
-    ];
-    for (what, pairs) in quantities {
-        assert!(pairs.len() >= 50, "{what}: {}", pairs.len());
-        let inside = pairs.iter().filter(|pair| pair.holds_strictly()).count();
-        assert!(20 * inside >= 19 * pairs.len(), "{what}: {inside} of {}", pairs.len());
-    }
-    for points in 3..=8 {
-        let of_n: Vec<&Comparison> = all.iter().filter(|one| one.points == points).collect();
-        let radii: Vec<Pair> = of_n.iter().map(|one| one.radius).collect();
-        let stiffnesses: Vec<Pair> = of_n.iter().filter_map(|one| one.stiffness).collect();
-        for (what, pairs) in [("radius", radii), ("stiffness", stiffnesses)] {
-            let inside = pairs.iter().filter(|pair| pair.holds_strictly()).count();
-            assert!(10 * inside >= 9 * pairs.len(), "{what}, {points} points: {inside} of {}", pairs.len());
+    for points in std::iter::once(None).chain((3..=8).map(Some)) {
+        let of_n = || all.iter().filter(|one| points.is_none_or(|points| one.points == points));
+        let quantities: [(&str, Vec<Pair>); 3] = [
+            ("radius", of_n().map(|one| one.radius).collect()),
+            ("angle", of_n().filter_map(|one| one.angle).collect()),
+            ("stiffness", of_n().filter_map(|one| one.stiffness).collect()),
+        ];
+        for (what, pairs) in quantities {
+            assert!(pairs.len() >= if points.is_some() { 8 } else { 50 }, "{what}: {}", pairs.len());
+            hold(what, &pairs, if points.is_some() { [9, 10] } else { [95, 100] });
         }
     }
 }
 
+/// Of the forces on the same object eight of ten are within 15 %, of stars that no constant was taken from, and of the others where each is
+/// predicted from all others. Of the latter the error is 13 % rms.
+#[test]
+fn forces_are_as_accurate_as_stated() {
+    let is_new = |one: &Comparison| one.set == Set::Test && one.number > 300;
+    let all = compare_all().expect("no star is there twice");
+    let (new, others): (Vec<&Comparison>, Vec<&Comparison>) = all.iter().partition(|one| is_new(one));
+    for (what, stars, count) in [("new", new, 60), ("left out", others, 300)] {
+        let pairs: Vec<Pair> = stars.iter().flat_map(|one| &one.forces).map(|(_, pair)| *pair).collect();
+        let off: Vec<f64> = pairs.iter().map(|pair| pair.predicted / pair.shell - 1.0).collect();
+        let near = off.iter().filter(|off| off.abs() <= 0.15).count();
+        assert!(off.len() >= count && 10 * near >= 8 * off.len(), "{what}: {near} of {}", off.len());
+        #[expect(clippy::cast_precision_loss, reason = "a few hundred forces")]
+        let rms = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();
+        assert!(rms <= 0.13 || what == "new", "{what}: {rms}");
+        hold(what, &pairs, [95, 100]);
+    }
+}
+
 /// Forces on coarse shells whose arms touch while they are empty, and on objects that open a star by more than 0.95 W. No constant was taken
-/// from them: the law of forces was fitted to stars whose arms are apart, opened by up to 0.9 W.
+/// from them: the forces of the table are of stars whose arms are apart, opened by up to 0.9 W.
 #[test]
 fn ranges_hold_forces_of_touching_arms_and_of_wide_objects() {
     let (touching, wide): (Vec<Opened>, Vec<Opened>) = opened().into_iter().partition(|one| one.touches);

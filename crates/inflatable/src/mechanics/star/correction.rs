@@ -33,6 +33,7 @@
 //! The force on a round object is given by [`Grasp`](super::grasp::Grasp).
 
 use crate::mechanics::star::Mechanism;
+use crate::mechanics::star::residuals::{OPENINGS, Ratios, Residuals};
 use std::f64::consts::{FRAC_2_PI, PI};
 
 /// Response of an inflated star beyond its hinges.
@@ -52,6 +53,10 @@ pub struct Correction {
     pub stiffness_factor: f64,
     /// Whether corners are compliant where the object pushes.
     pub corner_compliance: bool,
+    /// By how much the equilibrium lies further open than that of the hinges, rad.
+    pub angle_offset: f64,
+    /// Logarithm of the force on an object over that of the force law, at the [`OPENINGS`].
+    pub force_beyond: [f64; OPENINGS.len()],
 }
 
 /// No correction: tubes as wide as cylinders, rigid arms that touch when they are parallel.
@@ -65,19 +70,10 @@ impl Default for Correction {
             arm_compliance: 0.0,
             stiffness_factor: 1.0,
             corner_compliance: false,
+            angle_offset: 0.0,
+            force_beyond: [0.0; OPENINGS.len()],
         }
     }
-}
-
-/// Dimensionless properties of a star's fabric at its pressure.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ratios {
-    /// t/W.
-    pub thickness: f64,
-    /// p W / Y.
-    pub stretch: f64,
-    /// 1/eps = p W^3 / B.
-    pub bendability: f64,
 }
 
 /// Arc from which on a hinge has much of its own width, rad; this and all below by least squares over stars computed as shells.
@@ -106,6 +102,11 @@ const CURVED: [f64; 2] = [1.424, 20.8];
 impl Correction {
     /// The correction of `star` with `ratios`, whose hinges, if they were endless, would be `width` W wide when inflated.
     pub fn new(star: &Mechanism, width: f64, ratios: Ratios) -> Self {
+        Self::trend(star, width, ratios).with(&Residuals::of(star, ratios))
+    }
+
+    /// The closed forms alone, without what shells give beyond them.
+    pub fn trend(star: &Mechanism, width: f64, ratios: Ratios) -> Self {
         let Ratios { thickness, stretch, bendability } = ratios;
         let own = |arc: f64| FRAC_2_PI + (width - FRAC_2_PI) * libm::tanh(arc / OWN_WIDTH);
         let (tip, corner) = (own(star.tip().arc()), own(star.corner().arc()));
@@ -130,6 +131,21 @@ impl Correction {
                 firm + by_arm * long + by_thickness * thickness + by_stretch * stretch,
             ),
             corner_compliance: true,
+            ..Self::default()
+        }
+    }
+
+    /// The correction with `residuals`.
+    #[must_use]
+    pub fn with(self, residuals: &Residuals) -> Self {
+        let Residuals { angle, radius, stiffness, force } = *residuals;
+        Self {
+            angle_offset: angle,
+            rim_offset: self.rim_offset + radius,
+            stiffness_factor: self.stiffness_factor * libm::exp(stiffness),
+            // The residual of the force counts from the stiffness of the closed form.
+            force_beyond: force.map(|force| force - stiffness),
+            ..self
         }
     }
 
@@ -141,6 +157,22 @@ impl Correction {
         linear
             - self.hinge_nonlinearity
                 * (part * (linear - tip).powi(2) + (1.0 - part) * (linear - corner).powi(2))
+    }
+
+    /// Logarithm of the force on an object that opens the star by `opening` W over that of the force law: straight between the [`OPENINGS`]
+    /// in their logarithm, and constant beyond them.
+    pub(super) fn force_beyond(&self, opening: f64) -> f64 {
+        let [least, middle, most] = OPENINGS;
+        let [a, b, c] = self.force_beyond;
+        let between = |[from, to]: [f64; 2], [low, high]: [f64; 2]| {
+            low + (high - low) * libm::log(opening / from) / libm::log(to / from)
+        };
+        match opening {
+            _ if opening <= least => a,
+            _ if opening <= middle => between([least, middle], [a, b]),
+            _ if opening < most => between([middle, most], [b, c]),
+            _ => c,
+        }
     }
 
     /// The stiffness of a hinge between the star's arms, from that of the table's hinge; both over p W^3.
@@ -167,7 +199,7 @@ mod tests {
     const RATIOS: Ratios = Ratios { thickness: 0.01, stretch: 0.01, bendability: 1000.0 };
 
     fn corrected(star: Mechanism) -> Mechanism {
-        Mechanism { correction: Correction::new(&star, 0.8, RATIOS), ..star }
+        Mechanism { correction: Correction::trend(&star, 0.8, RATIOS), ..star }
     }
 
     fn softness(star: &Mechanism) -> f64 {
@@ -219,7 +251,7 @@ mod tests {
             assert!((found - root).abs() < 0.1 * curved * 0.06_f64.powi(2) + 1e-15, "{found} {root}");
         }
         let curved =
-            |stretch| Correction::new(&paper(5), 0.8, Ratios { stretch, ..RATIOS }).hinge_nonlinearity;
+            |stretch| Correction::trend(&paper(5), 0.8, Ratios { stretch, ..RATIOS }).hinge_nonlinearity;
         assert!(curved(0.0) == CURVED[0] && curved(0.05) < 0.4 * curved(0.0));
     }
 
@@ -231,12 +263,12 @@ mod tests {
         let rigidity = PI * r.powi(3) * stretch;
         let star = Mechanism { arm: 6.0 * w, ..paper(4) };
         let scale = RATIOS.stretch * stretch * w * w;
-        let bends = Correction::new(&star, 0.8, RATIOS).arm_compliance;
+        let bends = Correction::trend(&star, 0.8, RATIOS).arm_compliance;
         assert!((bends / scale - 2.0 * w / rigidity).abs() < 1e-12 * bends / scale);
         let correction = corrected(star).correction;
         assert!(correction.bent(2.0) < 2.0 && (1.0 / correction.bent(2.0) - 0.5 - bends).abs() < 1e-12);
         // Shorter arms than the table's stiffen, and never turn a hinge around.
-        let short = Correction::new(&paper(7), 0.8, Ratios { stretch: 0.1, ..RATIOS });
+        let short = Correction::trend(&paper(7), 0.8, Ratios { stretch: 0.1, ..RATIOS });
         assert!(short.arm_compliance < 0.0 && short.bent(0.3) > 0.3 && short.bent(1e3) > 0.0);
         assert_eq!(Correction::default().bent(2.0), 2.0);
     }
@@ -245,7 +277,7 @@ mod tests {
     fn fabric_that_stretches_and_round_corners_make_a_star_larger() {
         let rim = |ratios, corner_radius| {
             let star = Mechanism { corner_radius, ..paper(5) };
-            Correction::new(&star, 0.8, ratios).rim_offset
+            Correction::trend(&star, 0.8, ratios).rim_offset
         };
         let plain = rim(RATIOS, 0.0);
         assert!(rim(Ratios { stretch: 0.05, ..RATIOS }, 0.0) > plain + 0.03);
@@ -274,5 +306,22 @@ mod tests {
         assert!((two.radius(0.1).value / one.radius(0.1).value - 2.0).abs() < 1e-12);
         assert!((softness(&two) - softness(&one)).abs() < 1e-12);
         assert!((two.correction.contact_angle - one.correction.contact_angle).abs() < 1e-12);
+    }
+
+    #[test]
+    fn residuals_move_angle_rim_and_stiffness_and_the_force_between_the_openings() {
+        let trend = Correction::trend(&paper(5), 0.8, RATIOS);
+        let residuals = Residuals { angle: 0.01, radius: 0.02, stiffness: 0.1, force: [0.1, 0.3, 0.0] };
+        let with = trend.with(&residuals);
+        assert!((with.rim_offset - trend.rim_offset - 0.02).abs() < 1e-15 && with.angle_offset == 0.01);
+        assert!((with.stiffness_factor / trend.stiffness_factor - libm::exp(0.1)).abs() < 1e-15);
+        // The stiffness is in the force already.
+        let force = |opening: f64| with.force_beyond(opening) + 0.1;
+        for (opening, expected) in [(0.0, 0.1), (0.15, 0.1), (0.45, 0.3), (0.9, 0.0), (5.0, 0.0)] {
+            assert!((force(opening) - expected).abs() < 1e-12, "{opening}");
+        }
+        assert!((force((0.15_f64 * 0.45).sqrt()) - 0.2).abs() < 1e-12);
+        assert_eq!(trend.with(&Residuals::default()), trend);
+        assert_eq!(Correction::new(&paper(5), 0.8, RATIOS), trend.with(&Residuals::of(&paper(5), RATIOS)));
     }
 }

@@ -111,7 +111,8 @@ impl Grasp {
     /// Radial force (N, all corners together) on an object of radius `rho` (m), if it is met from the radius `from` (m) on.
     pub fn force_from(&self, rho: f64, from: f64) -> f64 {
         let opening = (rho - from).max(0.0);
-        RIM * self.stiffness * opening * self.secant(opening)
+        let by_shells = libm::exp(self.star.correction.force_beyond(opening / self.star.width));
+        RIM * self.stiffness * opening * self.secant(opening) * by_shells
     }
 
     /// S of an opening, m.

@@ -18,6 +18,7 @@
 
 pub mod correction;
 pub mod grasp;
+pub mod residuals;
 pub mod response;
 
 pub use self::correction::Correction;

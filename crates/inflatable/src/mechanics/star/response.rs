@@ -113,11 +113,17 @@ impl<'a> Inflated<'a> {
         self.arms.iter().all(Option::is_some)
     }
 
-    /// Equilibrium of linear hinges: `(C_i phi_it + C_e (phi_et - 2 pi / n)) / (C_i + C_e)`, rad.
-    pub fn linear_equilibrium(&self) -> f64 {
+    /// The tips' angles at which tip and corner would rest in the star, rad: those of their targets, moved by what shells give beyond them.
+    fn own_rests(&self) -> [f64; 2] {
         let (phi_it, phi_et) = self.target_angles();
-        let [tip, corner] = self.weights();
-        (tip * phi_it + corner * (phi_et - self.star.turn())) / (tip + corner)
+        [phi_it, phi_et - self.star.turn()].map(|angle| angle + self.star.correction.angle_offset)
+    }
+
+    /// Equilibrium of linear hinges: `(C_i phi_it + C_e (phi_et - 2 pi / n)) / (C_i + C_e)`, rad; with a correction, moved by its
+    /// [`angle_offset`](crate::mechanics::star::Correction::angle_offset).
+    pub fn linear_equilibrium(&self) -> f64 {
+        let ([one, other], [tip, corner]) = (self.own_rests(), self.weights());
+        (tip * one + corner * other) / (tip + corner)
     }
 
     /// The stiffness of tip and corner in the equilibrium; the ratio does not depend on the pressure, which may be 0.
@@ -132,8 +138,7 @@ impl<'a> Inflated<'a> {
     ///
     /// If the arms touch, the stiffness is the one at the touching arms.
     pub fn linear_rest(&self) -> Rest {
-        let (phi_it, phi_et) = self.target_angles();
-        let equilibrium = self.star.correction.balance([phi_it, phi_et - self.star.turn()], self.weights());
+        let equilibrium = self.star.correction.balance(self.own_rests(), self.weights());
         let (tip, corner) = self.hinge_stiffness();
         let angle = equilibrium.max(self.star.correction.contact_angle);
         let sector = self.star.sector_sine();
@@ -161,8 +166,7 @@ impl<'a> Inflated<'a> {
 
     /// Angle phi_i at which the torque vanishes, rad, not clamped.
     fn equilibrium(&self) -> Result<f64, StarFault> {
-        let (phi_it, phi_et) = self.target_angles();
-        let (one, other) = (phi_it, phi_et - self.star.turn());
+        let [one, other] = self.own_rests();
         if (one - other).abs() < ANGLE_TOLERANCE {
             return Ok(one);
         }
@@ -198,6 +202,7 @@ impl<'a> Inflated<'a> {
     fn scaled_torque(&self, phi: f64) -> Result<(f64, f64), StarFault> {
         let points = f64::from(self.star.points);
         let (tip, corner) = (self.star.tip(), self.star.corner());
+        let phi = phi - self.star.correction.angle_offset;
         let at = |hinge: Hinge, phi: f64| hinge.state_at(self.model, phi);
         let (of_tip, of_corner) = (at(tip, phi)?, at(corner, phi + self.star.turn())?);
         let spring = -of_tip.curvature / tip.arc() - of_corner.curvature / corner.arc();
@@ -255,8 +260,8 @@ impl<'a> Inflated<'a> {
         if !self.star.correction.corner_compliance {
             return None;
         }
-        let ((tip, corner), (of_tip, of_corner)) = (self.hinge_stiffness(), self.target_angles());
-        let hinges = HingePair { stiffness: [tip, corner], target: [of_tip, of_corner - self.star.turn()] };
+        let (tip, corner) = self.hinge_stiffness();
+        let hinges = HingePair { stiffness: [tip, corner], target: self.own_rests() };
         let stiffness =
             if rest.equilibrium < rest.angle { self.free_stiffness(rest) } else { rest.stiffness };
         Some(Grasp::new(self.star, hinges, [rest.equilibrium, rest.widest.angle], stiffness))

@@ -1,0 +1,201 @@
+//! What shells give beyond the closed forms of a star: their **residuals**, interpolated between the computed stars (kriging).
+//!
+//! The closed forms of [`Correction`](super::Correction) and [`Grasp`](super::grasp::Grasp) leave residuals that change smoothly from star
+//! to star. A star has seven ratios z: ln(l/W), R_i*, R_e*, phi_i0, ln(p W / Y), ln(1/eps) and sin(pi/n). A residual of it is the best
+//! linear estimate from those of the computed stars z_j (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, eq. 2.25):
+//!
+//! ```text
+//! r(z) = sum_j w_j k(q_j)        q_j = sum_i [(z_i - z_ji) / L_i]^2        k(q) = (1 + q/4)^-2
+//! ```
+//!
+//! k is the rational quadratic kernel (eq. 4.19, with alpha = 2): a division, no exponential. A residual fades with the distance from the
+//! computed stars, and the closed form is left. The weights w_j solve `(K + N) w = r` for the stars' own residuals r, where N has the
+//! nugget and the mesh errors of the shells. They are shipped; the research crate makes them, finds the lengths L_i by maximum
+//! likelihood, and predicts each star from all others (docs/ranges.md).
+
+use crate::mechanics::star::Mechanism;
+use std::array::from_fn;
+use std::sync::LazyLock;
+use wide::f32x8;
+
+/// Dimensionless properties of a star's fabric at its pressure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ratios {
+    /// t/W.
+    pub thickness: f64,
+    /// p W / Y.
+    pub stretch: f64,
+    /// 1/eps = p W^3 / B.
+    pub bendability: f64,
+}
+
+/// Opening by W of the stars whose forces were computed.
+pub const OPENINGS: [f64; 3] = [0.15, 0.45, 0.9];
+/// The ratios z of a star, in the order of the text above.
+pub type StarPlace = [f64; 7];
+/// L_i, in the units of z.
+pub const LENGTHS: StarPlace = [0.92, 0.79, 0.54, 0.76, 2.02, 1.96, 0.28];
+/// The table as it is shipped.
+const SHIPPED: &str = include_str!("residuals.txt");
+/// Weights of a computed star: of angle, radius, stiffness, and of the force at each opening.
+pub const WEIGHTS: usize = 3 + OPENINGS.len();
+/// What shells give beyond the closed forms of one star.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Residuals {
+    /// Angle of the tips at rest, rad.
+    pub angle: f64,
+    /// Radius at rest, over W / sin(pi/n).
+    pub radius: f64,
+    /// Logarithm of the radial stiffness.
+    pub stiffness: f64,
+    /// Logarithm of the force on an object that opens the star by each of the [`OPENINGS`], both with the stiffness of the closed form.
+    pub force: [f64; OPENINGS.len()],
+}
+
+/// Stars that the processor takes at a time; they are always added in the same order. Single precision is a hundred times finer than the table.
+const LANES: usize = 8;
+
+/// So many of the computed stars.
+#[derive(Clone, Copy, Debug)]
+struct LaneBlock {
+    /// Their [`halved`] ratios.
+    places: [f32x8; LENGTHS.len()],
+    weights: [f32x8; WEIGHTS],
+}
+
+impl Residuals {
+    /// The residuals of `star` with `ratios`.
+    pub fn of(star: &Mechanism, ratios: Ratios) -> Self {
+        static TABLE: LazyLock<Vec<LaneBlock>> = LazyLock::new(|| read(SHIPPED));
+        Self::at(&place(star, ratios), &TABLE)
+    }
+
+    fn at(place: &StarPlace, table: &[LaneBlock]) -> Self {
+        // 1 + q/4 = 1 + (u - v)^2, u and v being the halved ratios of two places.
+        let place = halved(place).map(f32x8::splat);
+        let mut sums = [f32x8::ZERO; WEIGHTS];
+        for LaneBlock { places, weights } in table {
+            let mut root = f32x8::ONE;
+            for (own, others) in place.iter().zip(places) {
+                let apart = *own - *others;
+                root += apart * apart;
+            }
+            let near = f32x8::ONE / (root * root);
+            for (sum, weight) in sums.iter_mut().zip(weights) {
+                *sum += *weight * near;
+            }
+        }
+        let [angle, radius, stiffness, force @ ..] =
+            sums.map(|sum| sum.to_array().iter().map(|lane| f64::from(*lane)).sum());
+        Self { angle, radius, stiffness, force }
+    }
+}
+
+/// Reads the table: a star a line, its ratios and its weights. The last block is filled up with stars without weight.
+fn read(text: &str) -> Vec<LaneBlock> {
+    const NUMBERS: usize = LENGTHS.len() + WEIGHTS;
+    let star = |line: &str| {
+        let mut numbers = line.split(' ').map(|word| word.parse().unwrap_or(f64::NAN));
+        from_fn::<f64, NUMBERS, _>(|_| numbers.next().unwrap_or(f64::NAN))
+    };
+    let stars: Vec<[f64; NUMBERS]> = text.lines().filter(|line| !line.starts_with('#')).map(star).collect();
+    let block = |stars: &[[f64; NUMBERS]]| {
+        let star = |lane: usize| stars.get(lane).copied().unwrap_or([0.0; NUMBERS]);
+        let places: [[f32; LENGTHS.len()]; LANES] = from_fn(|lane| halved(&from_fn(|i| star(lane)[i])));
+        LaneBlock {
+            places: from_fn(|i| f32x8::new(places.map(|place| place[i]))),
+            weights: from_fn(|i| f32x8::new(from_fn(|lane| single(star(lane)[LENGTHS.len() + i])))),
+        }
+    };
+    stars.chunks(LANES).map(block).collect()
+}
+
+/// The ratios of `star`, with `ratios` of its fabric at its pressure.
+pub fn place(star: &Mechanism, ratios: Ratios) -> StarPlace {
+    [
+        libm::log(star.arm / star.width),
+        star.tip().r_star,
+        star.corner().r_star,
+        star.tip_angle,
+        libm::log(ratios.stretch),
+        libm::log(ratios.bendability),
+        star.sector_sine(),
+    ]
+}
+
+/// k of q, the square of a distance: from 1 at the same place to 0.
+pub fn kernel(far: f64) -> f64 {
+    let root = 1.0 + 0.25 * far;
+    1.0 / (root * root)
+}
+
+/// Ratios over twice their lengths.
+fn halved(place: &StarPlace) -> [f32; LENGTHS.len()] {
+    from_fn(|i| single(place[i] / (2.0 * LENGTHS[i])))
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "the table is less precise")]
+const fn single(number: f64) -> f32 {
+    number as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::star::tests::{flat, paper};
+
+    const RATIOS: Ratios = Ratios { thickness: 0.01, stretch: 0.01, bendability: 1000.0 };
+
+    /// The places and weights of the shipped table.
+    fn shipped() -> Vec<(StarPlace, [f64; WEIGHTS])> {
+        let star = |line: &str| {
+            let numbers: Vec<f64> = line.split(' ').map(|word| word.parse().expect("a number")).collect();
+            assert_eq!(numbers.len(), LENGTHS.len() + WEIGHTS);
+            (from_fn(|i| numbers[i]), from_fn(|i| numbers[LENGTHS.len() + i]))
+        };
+        SHIPPED.lines().filter(|line| !line.starts_with('#')).map(star).collect()
+    }
+
+    #[test]
+    fn they_are_the_sum_of_the_weights_by_distance() {
+        let table = shipped();
+        let sharp = paper(5);
+        for star in [sharp, flat(0.05, Mechanism { tip_radius: 0.004, corner_radius: 0.002, ..paper(7) })] {
+            let place = place(&star, RATIOS);
+            let mut sums = [0.0; WEIGHTS];
+            for (other, weights) in &table {
+                let far: f64 = (0..place.len()).map(|i| ((place[i] - other[i]) / LENGTHS[i]).powi(2)).sum();
+                for (sum, weight) in sums.iter_mut().zip(weights) {
+                    *sum += weight * kernel(far);
+                }
+            }
+            let Residuals { angle, radius, stiffness, force } = Residuals::of(&star, RATIOS);
+            let found = [angle, radius, stiffness, force[0], force[1], force[2]];
+            assert!(
+                found.iter().zip(sums).all(|(found, sum)| (found - sum).abs() < 3e-6),
+                "{found:?} {sums:?}"
+            );
+            assert!(sums.iter().any(|sum| sum.abs() > 1e-3));
+        }
+    }
+
+    #[test]
+    fn they_fade_with_the_distance_from_the_computed_stars() {
+        let far = |bendability| {
+            let Residuals { angle, radius, stiffness, force } =
+                Residuals::of(&paper(5), Ratios { bendability, ..RATIOS });
+            [angle, radius, stiffness, force[0]].into_iter().map(f64::abs).fold(0.0, f64::max)
+        };
+        assert!(far(1e12) < 0.1 * far(1e3), "{} {}", far(1e12), far(1e3));
+        assert_eq!(far(f64::INFINITY), 0.0);
+        assert_eq!([kernel(0.0), kernel(4.0)], [1.0, 0.25]);
+    }
+
+    #[test]
+    fn all_lengths_scale_together() {
+        let one = flat(0.05, Mechanism { tip_radius: 0.002, ..paper(5) });
+        let Mechanism { arm, width, tip_radius, .. } = one;
+        let two = Mechanism { arm: 2.0 * arm, width: 2.0 * width, tip_radius: 2.0 * tip_radius, ..one };
+        assert_eq!(Residuals::of(&one, RATIOS), Residuals::of(&two, RATIOS));
+    }
+}

@@ -1,0 +1,152 @@
+//! Makes the table of residuals of `inflatable`: the weights of the computed stars, and what all others give for each of them.
+//!
+//! Residuals count from the closed forms. Those of the radius, the stiffness and the forces also count from the angle that the
+//! interpolation gives, because a star is as wide as its angle makes it.
+
+mod regression;
+mod sample;
+
+use self::regression::{Rows, Solved, near};
+use self::sample::{Sample, sample};
+use crate::sha256;
+use crate::stars::computed::ComputedStar;
+use crate::stars::draw::{DrawnStar, Set};
+use inflatable::mechanics::star::residuals::{LENGTHS, Residuals, StarPlace, WEIGHTS};
+use std::array::from_fn;
+use std::fmt::Write;
+
+/// Stars that get a weight; all others count in it.
+const CENTRES: usize = 200;
+
+/// The weights of the centres, and what is found without each star.
+pub struct Fitted {
+    centres: Vec<(StarPlace, [f64; WEIGHTS])>,
+    /// The residuals of each star as all others give them.
+    pub left_out: Vec<(DrawnStar, Residuals)>,
+}
+
+/// Whether the table is made of `star`. Others are for its validation: stars 301 on of the set `test`, and 41 on of the set `wide`.
+pub fn is_used(star: &DrawnStar) -> bool {
+    match star.set {
+        Set::Fit | Set::Range | Set::Paper => true,
+        Set::Test => star.number <= 300,
+        Set::Wide => star.number <= 40,
+    }
+}
+
+/// The interpolation of `stars`, of those that are used.
+///
+/// # Errors
+/// If stars are the same.
+pub fn fitted(stars: &[ComputedStar]) -> Result<Fitted, &'static str> {
+    let (used, samples) = used(stars);
+    let places: Vec<StarPlace> = samples.iter().map(|sample| sample.place).collect();
+    let centres = spread(&places);
+    let solved = |samples: &[Sample], of| Solved::new(Rows::new(samples, of, &LENGTHS), &centres);
+    let angles = solved(&samples, 0..1)?;
+    let moved =
+        |(star, place): (&&ComputedStar, &StarPlace)| sample(star, angles.at(place, &angles.weights, 0));
+    let samples: Vec<Sample> = used.iter().zip(&places).filter_map(moved).collect();
+    let of = |which| solved(&samples, which);
+    let kinds = [angles, of(1..2)?, of(2..3)?, of(3..WEIGHTS)?];
+    // Residuals and weights in their order: one of angle, radius and stiffness each, and one for each opening.
+    let place_of = |which: usize| if which < 3 { (which, 0) } else { (3, which - 3) };
+    let weights = |centre: usize| {
+        from_fn(|which| {
+            let (kind, opening) = place_of(which);
+            kinds[kind].weight_of(centre, opening)
+        })
+    };
+    let left_out = used.iter().enumerate().map(|(star, one)| {
+        let without = kinds.each_ref().map(|kind| kind.weights_without(star));
+        let [angle, radius, stiffness, force @ ..]: [f64; WEIGHTS] = from_fn(|which| {
+            let (kind, opening) = place_of(which);
+            kinds[kind].at(&places[star], &without[kind], opening)
+        });
+        (one.star, Residuals { angle, radius, stiffness, force })
+    });
+    let left_out = left_out.collect();
+    let of_centres = centres.iter().enumerate().map(|(centre, star)| (places[*star], weights(centre)));
+    Ok(Fitted { centres: of_centres.collect(), left_out })
+}
+
+/// The stars among `places` that serve as centres: each the one that is worst interpolated from those before it (a pivoted Cholesky
+/// factor of the kernel).
+fn spread(places: &[StarPlace]) -> Vec<usize> {
+    let mut left = vec![1.0_f64; places.len()];
+    let mut columns: Vec<Vec<f64>> = Vec::new();
+    let mut chosen = Vec::new();
+    while chosen.len() < CENTRES.min(places.len()) {
+        let Some((pivot, root)) = left
+            .iter()
+            .enumerate()
+            .max_by(|one, other| one.1.total_cmp(other.1))
+            .map(|(i, left)| (i, left.sqrt()))
+        else {
+            break;
+        };
+        let entry = |row: usize| {
+            let known: f64 = columns.iter().map(|column| column[row] * column[pivot]).sum();
+            (near([&places[row], &places[pivot]], &LENGTHS) - known) / root
+        };
+        let column: Vec<f64> = (0..places.len()).map(entry).collect();
+        for (left, entry) in left.iter_mut().zip(&column) {
+            *left -= entry * entry;
+        }
+        left[pivot] = f64::NEG_INFINITY;
+        columns.push(column);
+        chosen.push(pivot);
+    }
+    chosen
+}
+
+/// The lengths of the most likely interpolation of `stars`, by steps along one after the other.
+pub fn likeliest(stars: &[ComputedStar]) -> StarPlace {
+    let (_, samples) = used(stars);
+    let unlikely = |lengths: &StarPlace| -> f64 {
+        [0..1, 1..2, 2..3, 3..WEIGHTS].map(|of| Rows::new(&samples, of, lengths).unlikelihood()).iter().sum()
+    };
+    let (mut best, mut step) = (LENGTHS, [1.5_f64; LENGTHS.len()]);
+    let mut least = unlikely(&best);
+    while step.iter().any(|step| *step > 1.02) {
+        for i in 0..best.len() {
+            let tried = [step[i], 1.0 / step[i]].map(|factor| {
+                let mut lengths = best;
+                lengths[i] *= factor;
+                (unlikely(&lengths), lengths)
+            });
+            match tried.into_iter().min_by(|one, other| one.0.total_cmp(&other.0)) {
+                Some((unlikelihood, lengths)) if unlikelihood < least => {
+                    (least, best) = (unlikelihood, lengths)
+                }
+                _ => step[i] = step[i].sqrt(),
+            }
+        }
+    }
+    best
+}
+
+/// The stars of the table among `stars` for which there are a shell and a prediction, with their residuals beyond the closed forms.
+fn used(stars: &[ComputedStar]) -> (Vec<&ComputedStar>, Vec<Sample>) {
+    let of_table = stars.iter().filter(|one| is_used(&one.star));
+    of_table.filter_map(|star| Some((star, sample(star, 0.0)?))).unzip()
+}
+
+impl Fitted {
+    /// The table as it is shipped.
+    pub fn table(&self) -> String {
+        let mut body = String::new();
+        for (place, weights) in &self.centres {
+            let numbers: Vec<String> = place.iter().map(|ratio| format!("{ratio:.5}")).collect();
+            let weights: Vec<String> = weights.iter().map(|weight| format!("{weight:.6}")).collect();
+            let _ = writeln!(body, "{} {}", numbers.join(" "), weights.join(" "));
+        }
+        let hash = sha256(&body);
+        format!(
+            "# Residuals of computed stars; read by crates/inflatable/src/mechanics/star/residuals.rs.\n\
+             # Made by `cargo run --release -p research -- residuals`. SHA-256 of the lines below: {hash}\n\
+             # ln(l/W), R_i*, R_e*, phi_i0 rad, ln(p W / Y), ln(1/eps), sin(pi/n); weights of angle, radius, stiffness, and force at \
+             three openings.\n{body}"
+        )
+    }
+}

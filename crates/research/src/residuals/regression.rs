@@ -1,0 +1,149 @@
+//! The interpolation of one kind of residual: kernels, weights, and the weights without a star.
+
+use crate::residuals::sample::Sample;
+use inflatable::mechanics::star::residuals::{LENGTHS, OPENINGS, StarPlace, kernel};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use std::ops::Range;
+
+/// Standard deviations of the residuals: of angle (rad), radius (W / sin(pi/n)), stiffness and force (logarithms).
+const SCALES: [f64; 4] = [0.033, 0.02, 0.16, 0.21];
+/// Part of a residual that is no smooth function of the ratios, over its scale.
+const NUGGET: f64 = 0.1;
+/// Standard deviation of a number of a shell over its mesh error.
+const MESH: f64 = 0.5;
+/// Length of the forces' kernel along the logarithm of the opening.
+const ALONG_OPENING: f64 = 1.5;
+
+/// Residuals of one kind: for each the star, the opening, the value, and the variance of its noise.
+pub(super) struct Rows {
+    pub(super) places: Vec<StarPlace>,
+    lengths: StarPlace,
+    rows: Vec<(usize, usize, f64, f64)>,
+}
+
+impl Rows {
+    pub(super) fn new(samples: &[Sample], of: Range<usize>, lengths: &StarPlace) -> Self {
+        let scale = SCALES[of.start];
+        let row = |star: usize, which: usize| {
+            let (value, error) = samples[star].residuals[which]?;
+            Some((star, which - of.start, value, NUGGET.powi(2) + (MESH * error / scale).powi(2)))
+        };
+        let all = (0..samples.len()).flat_map(|star| of.clone().map(move |which| (star, which)));
+        Self {
+            places: samples.iter().map(|sample| sample.place).collect(),
+            lengths: *lengths,
+            rows: all.filter_map(|(star, which)| row(star, which)).collect(),
+        }
+    }
+
+    fn values(&self) -> DVector<f64> {
+        DVector::from_iterator(self.rows.len(), self.rows.iter().map(|row| row.2))
+    }
+
+    fn factor(&self) -> Option<Cholesky<f64, Dyn>> {
+        let rows = &self.rows;
+        let entry = |i: usize, j: usize| {
+            let ((one, first, ..), (other, second, ..)) = (rows[i], rows[j]);
+            let own = if i == j { rows[i].3 } else { 0.0 };
+            near([&self.places[one], &self.places[other]], &self.lengths) * along([first, second]) + own
+        };
+        Cholesky::new(DMatrix::from_fn(rows.len(), rows.len(), entry))
+    }
+
+    /// Minus the logarithm of the marginal likelihood, with the scale that makes it least (Rasmussen and Williams, eq. 2.30), without
+    /// what is the same for all lengths.
+    pub(super) fn unlikelihood(&self) -> f64 {
+        let Some(factor) = self.factor() else { return f64::INFINITY };
+        let values = self.values();
+        let count = f64::from(u32::try_from(values.len()).unwrap_or(u32::MAX));
+        let logarithms: f64 = factor.l_dirty().diagonal().iter().map(|entry| entry.ln()).sum();
+        logarithms + 0.5 * count * values.dot(&factor.solve(&values)).ln()
+    }
+}
+
+/// k between two places.
+pub(super) fn near([one, other]: [&StarPlace; 2], lengths: &StarPlace) -> f64 {
+    let apart = |i: usize| ((one[i] - other[i]) / lengths[i]).powi(2);
+    kernel((0..one.len()).map(apart).sum())
+}
+
+/// The kernel between two openings.
+fn along([one, other]: [usize; 2]) -> f64 {
+    let apart = (OPENINGS[one] / OPENINGS[other]).ln() / ALONG_OPENING;
+    (-0.5 * apart * apart).exp()
+}
+
+/// The interpolation of one kind of residual: by kernels around the centres, of forces also around each opening, with the weights of least
+/// squares (the subset of regressors of Rasmussen and Williams, eq. 8.14).
+pub(super) struct Solved {
+    rows: Rows,
+    centres: Vec<StarPlace>,
+    /// How many openings there are: 1 where there is no opening.
+    openings: usize,
+    /// Kernels of the rows, a row each.
+    kernels: DMatrix<f64>,
+    factor: Cholesky<f64, Dyn>,
+    pub(super) weights: DVector<f64>,
+}
+
+impl Solved {
+    pub(super) fn new(rows: Rows, centres: &[usize]) -> Result<Self, &'static str> {
+        let centres: Vec<StarPlace> = centres.iter().map(|star| rows.places[*star]).collect();
+        let openings = 1 + rows.rows.iter().map(|row| row.1).max().unwrap_or(0);
+        let count = centres.len() * openings;
+        let between = |place: &StarPlace, opening: usize, basis: usize| {
+            near([place, &centres[basis / openings]], &LENGTHS) * along([opening, basis % openings])
+        };
+        let kernels = DMatrix::from_fn(rows.rows.len(), count, |row, basis| {
+            let (star, opening, ..) = rows.rows[row];
+            between(&rows.places[star], opening, basis)
+        });
+        let mut weighted = kernels.clone();
+        for (mut row, (.., noise)) in weighted.row_iter_mut().zip(&rows.rows) {
+            row /= *noise;
+        }
+        let prior = DMatrix::from_fn(count, count, |one, other| {
+            between(&centres[one / openings], one % openings, other)
+        });
+        let factor = Cholesky::new(prior + kernels.tr_mul(&weighted)).ok_or("stars are the same")?;
+        let weights = factor.solve(&weighted.tr_mul(&rows.values()));
+        Ok(Self { rows, centres, openings, kernels, factor, weights })
+    }
+
+    /// The residual at `place` and at an opening, by `weights`.
+    pub(super) fn at(&self, place: &StarPlace, weights: &DVector<f64>, opening: usize) -> f64 {
+        let of = |(centre, near_to): (usize, &StarPlace)| {
+            near([place, near_to], &LENGTHS) * self.along_opening(weights, centre, opening)
+        };
+        self.centres.iter().enumerate().map(of).sum()
+    }
+
+    /// The weight of a centre in the residual at an opening.
+    pub(super) fn weight_of(&self, centre: usize, opening: usize) -> f64 {
+        self.along_opening(&self.weights, centre, opening)
+    }
+
+    fn along_opening(&self, weights: &DVector<f64>, centre: usize, opening: usize) -> f64 {
+        (0..self.openings).map(|own| weights[centre * self.openings + own] * along([opening, own])).sum()
+    }
+
+    /// The weights without the rows of a star: of errors e of its rows, whose part H of the fit is their own, others leave
+    /// `(1 - H)^-1 e`.
+    pub(super) fn weights_without(&self, star: usize) -> DVector<f64> {
+        let own: Vec<usize> =
+            (0..self.rows.rows.len()).filter(|row| self.rows.rows[*row].0 == star).collect();
+        if own.is_empty() {
+            return self.weights.clone();
+        }
+        let kernels = self.kernels.select_rows(&own);
+        let noises = DVector::from_iterator(own.len(), own.iter().map(|row| self.rows.rows[*row].3));
+        let values = DVector::from_iterator(own.len(), own.iter().map(|row| self.rows.rows[*row].2));
+        let mut moves = self.factor.solve(&kernels.transpose());
+        for (mut column, noise) in moves.column_iter_mut().zip(&noises) {
+            column /= *noise;
+        }
+        let others = DMatrix::identity(own.len(), own.len()) - &kernels * &moves;
+        let errors = others.lu().solve(&(values - kernels * &self.weights));
+        errors.map_or_else(|| self.weights.clone(), |errors| &self.weights - moves * errors)
+    }
+}

@@ -1,0 +1,57 @@
+//! The residuals of one computed star.
+
+use crate::stars::computed::{ComputedStar, Number};
+use crate::validation::{SETTLED, predicted};
+use inflatable::mechanics::star::Correction;
+use inflatable::mechanics::star::residuals::{OPENINGS, Residuals, StarPlace, WEIGHTS, place};
+use std::cell::Cell;
+use std::f64::consts::PI;
+
+/// A residual with the mesh error of the shell's number.
+pub(super) type Residual = (f64, f64);
+
+/// A computed star, its ratios, and its residuals in the order of the weights; `None` where the number is missing, or not settled.
+pub(super) struct Sample {
+    pub(super) place: StarPlace,
+    pub(super) residuals: [Option<Residual>; WEIGHTS],
+}
+
+/// The residuals of `star` where its angle is `angle` (rad) further open than that of the closed form.
+pub(super) fn sample(star: &ComputedStar, angle: f64) -> Option<Sample> {
+    let found = star.found.as_ref()?;
+    let at = Cell::new(None);
+    let moved = Residuals { angle, ..Residuals::default() };
+    let residuals = predicted(
+        &star.star,
+        |moves, width, ratios| {
+            at.set(Some(place(moves, ratios)));
+            Correction::trend(moves, width, ratios).with(&moved)
+        },
+        |case, inflated, own| {
+            let (moves, rest) = (&case.mechanism, &own.rest);
+            let unit = 1e3 * moves.width / (PI / f64::from(moves.points)).sin();
+            // Where arms touch, contact is part of the angle and the stiffness.
+            let apart = found.arm_contact.value == 0.0 && rest.equilibrium > moves.correction.contact_angle;
+            let Number { value, error } = found.angle;
+            let tips = (value.to_radians() - rest.equilibrium, error.to_radians());
+            let radius = ((found.radius.value - 1e3 * rest.radius) / unit, found.radius.error / unit);
+            let Number { value: stiffness, error } = found.stiffness;
+            let open = error / stiffness.abs();
+            let spring = ((1e3 * stiffness / rest.stiffness).ln(), open);
+            let force = |part: f64| {
+                let (_, secant) = found.secants.iter().find(|(opening, _)| *opening == part)?;
+                let opening = part * moves.width;
+                let shell = secant.value * 1e3 * stiffness * opening;
+                let passes = 1e-3 * found.radius.value + opening <= case.inner_radius;
+                let settled = secant.error.abs() < SETTLED * secant.value && passes;
+                let same = inflated.linear_force(rest.radius + opening, rest).ok()?;
+                settled.then(|| ((shell / same).ln(), open + secant.error / secant.value))
+            };
+            let settled = apart && open < SETTLED && stiffness > 0.0;
+            let [a, b, c] = OPENINGS.map(|part| force(part).filter(|_| settled));
+            Some([apart.then_some(tips), Some(radius), settled.then_some(spring), a, b, c])
+        },
+    )?;
+    // As the table has it.
+    Some(Sample { place: at.take()?.map(|ratio| (1e5 * ratio).round() / 1e5), residuals })
+}
