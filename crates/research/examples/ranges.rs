@@ -25,6 +25,9 @@ const GROUPS: [Group; 8] = [
 ];
 
 /// All tables, in the order of the page.
+///
+/// # Panics
+/// If a computed star is shipped twice.
 pub fn tables() -> String {
     let all = compare_all().expect("no star is there twice");
     let of = |(_, set, first, last): Group| {

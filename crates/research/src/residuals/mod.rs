@@ -117,7 +117,7 @@ pub fn likeliest(stars: &[ComputedStar]) -> StarPlace {
             });
             match tried.into_iter().min_by(|one, other| one.0.total_cmp(&other.0)) {
                 Some((unlikelihood, lengths)) if unlikelihood < least => {
-                    (least, best) = (unlikelihood, lengths)
+                    (least, best) = (unlikelihood, lengths);
                 }
                 _ => step[i] = step[i].sqrt(),
             }

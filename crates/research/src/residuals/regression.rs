@@ -14,11 +14,21 @@ const MESH: f64 = 0.5;
 /// Length of the forces' kernel along the logarithm of the opening.
 const ALONG_OPENING: f64 = 1.5;
 
-/// Residuals of one kind: for each the star, the opening, the value, and the variance of its noise.
+/// One residual of a star.
+struct ResidualRow {
+    /// Numbers of the star and of the opening.
+    star: usize,
+    opening: usize,
+    value: f64,
+    /// Variance of its noise, over the square of its scale.
+    noise: f64,
+}
+
+/// Residuals of one kind.
 pub(super) struct Rows {
     pub(super) places: Vec<StarPlace>,
     lengths: StarPlace,
-    rows: Vec<(usize, usize, f64, f64)>,
+    all: Vec<ResidualRow>,
 }
 
 impl Rows {
@@ -26,28 +36,29 @@ impl Rows {
         let scale = SCALES[of.start];
         let row = |star: usize, which: usize| {
             let (value, error) = samples[star].residuals[which]?;
-            Some((star, which - of.start, value, NUGGET.powi(2) + (MESH * error / scale).powi(2)))
+            let noise = NUGGET.powi(2) + (MESH * error / scale).powi(2);
+            Some(ResidualRow { star, opening: which - of.start, value, noise })
         };
         let all = (0..samples.len()).flat_map(|star| of.clone().map(move |which| (star, which)));
         Self {
             places: samples.iter().map(|sample| sample.place).collect(),
             lengths: *lengths,
-            rows: all.filter_map(|(star, which)| row(star, which)).collect(),
+            all: all.filter_map(|(star, which)| row(star, which)).collect(),
         }
     }
 
     fn values(&self) -> DVector<f64> {
-        DVector::from_iterator(self.rows.len(), self.rows.iter().map(|row| row.2))
+        DVector::from_iterator(self.all.len(), self.all.iter().map(|row| row.value))
     }
 
     fn factor(&self) -> Option<Cholesky<f64, Dyn>> {
-        let rows = &self.rows;
         let entry = |i: usize, j: usize| {
-            let ((one, first, ..), (other, second, ..)) = (rows[i], rows[j]);
-            let own = if i == j { rows[i].3 } else { 0.0 };
-            near([&self.places[one], &self.places[other]], &self.lengths) * along([first, second]) + own
+            let (one, other) = (&self.all[i], &self.all[j]);
+            let own = if i == j { one.noise } else { 0.0 };
+            let places = [&self.places[one.star], &self.places[other.star]];
+            near(places, &self.lengths) * along([one.opening, other.opening]) + own
         };
-        Cholesky::new(DMatrix::from_fn(rows.len(), rows.len(), entry))
+        Cholesky::new(DMatrix::from_fn(self.all.len(), self.all.len(), entry))
     }
 
     /// Minus the logarithm of the marginal likelihood, with the scale that makes it least (Rasmussen and Williams, eq. 2.30), without
@@ -89,18 +100,18 @@ pub(super) struct Solved {
 impl Solved {
     pub(super) fn new(rows: Rows, centres: &[usize]) -> Result<Self, &'static str> {
         let centres: Vec<StarPlace> = centres.iter().map(|star| rows.places[*star]).collect();
-        let openings = 1 + rows.rows.iter().map(|row| row.1).max().unwrap_or(0);
+        let openings = 1 + rows.all.iter().map(|row| row.opening).max().unwrap_or(0);
         let count = centres.len() * openings;
         let between = |place: &StarPlace, opening: usize, basis: usize| {
             near([place, &centres[basis / openings]], &LENGTHS) * along([opening, basis % openings])
         };
-        let kernels = DMatrix::from_fn(rows.rows.len(), count, |row, basis| {
-            let (star, opening, ..) = rows.rows[row];
+        let kernels = DMatrix::from_fn(rows.all.len(), count, |row, basis| {
+            let ResidualRow { star, opening, .. } = rows.all[row];
             between(&rows.places[star], opening, basis)
         });
         let mut weighted = kernels.clone();
-        for (mut row, (.., noise)) in weighted.row_iter_mut().zip(&rows.rows) {
-            row /= *noise;
+        for (mut row, own) in weighted.row_iter_mut().zip(&rows.all) {
+            row /= own.noise;
         }
         let prior = DMatrix::from_fn(count, count, |one, other| {
             between(&centres[one / openings], one % openings, other)
@@ -130,14 +141,14 @@ impl Solved {
     /// The weights without the rows of a star: of errors e of its rows, whose part H of the fit is their own, others leave
     /// `(1 - H)^-1 e`.
     pub(super) fn weights_without(&self, star: usize) -> DVector<f64> {
-        let own: Vec<usize> =
-            (0..self.rows.rows.len()).filter(|row| self.rows.rows[*row].0 == star).collect();
+        let all = &self.rows.all;
+        let own: Vec<usize> = (0..all.len()).filter(|row| all[*row].star == star).collect();
         if own.is_empty() {
             return self.weights.clone();
         }
         let kernels = self.kernels.select_rows(&own);
-        let noises = DVector::from_iterator(own.len(), own.iter().map(|row| self.rows.rows[*row].3));
-        let values = DVector::from_iterator(own.len(), own.iter().map(|row| self.rows.rows[*row].2));
+        let noises = DVector::from_iterator(own.len(), own.iter().map(|row| all[*row].noise));
+        let values = DVector::from_iterator(own.len(), own.iter().map(|row| all[*row].value));
         let mut moves = self.factor.solve(&kernels.transpose());
         for (mut column, noise) in moves.column_iter_mut().zip(&noises) {
             column /= *noise;
