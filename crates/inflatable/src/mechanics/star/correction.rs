@@ -30,7 +30,8 @@
 //! s^2 / (s^2 + (0.42 W / sin(pi/n))^2) exp(-0.598 + 0.073 l/W + 18.7 t/W + 6.07 p W / Y)
 //! ```
 //!
-//! The force on a round object is given by [`Grasp`](super::grasp::Grasp).
+//! The force on a round object is given by [`Grasp`](super::grasp::Grasp). What shells give beyond all of these are the
+//! [`Residuals`](super::residuals).
 
 use crate::mechanics::star::Mechanism;
 use crate::mechanics::star::residuals::{OPENINGS, Ratios, Residuals};

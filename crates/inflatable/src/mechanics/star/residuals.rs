@@ -1,17 +1,18 @@
 //! What shells give beyond the closed forms of a star: their **residuals**, interpolated between the computed stars (kriging).
 //!
 //! The closed forms of [`Correction`](super::Correction) and [`Grasp`](super::grasp::Grasp) leave residuals that change smoothly from star
-//! to star. A star has seven ratios z: ln(l/W), R_i*, R_e*, phi_i0, ln(p W / Y), ln(1/eps) and sin(pi/n). A residual of it is the best
-//! linear estimate from those of the computed stars z_j (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, eq. 2.25):
+//! to star. A star has seven ratios z: ln(l/W), R_i*, R_e*, phi_i0, ln(p W / Y), ln(1/eps) and sin(pi/n). Some of the computed stars are
+//! the centres z_j, and a residual is the sum of kernels around them:
 //!
 //! ```text
 //! r(z) = sum_j w_j k(q_j)        q_j = sum_i [(z_i - z_ji) / L_i]^2        k(q) = (1 + q/4)^-2
 //! ```
 //!
-//! k is the rational quadratic kernel (eq. 4.19, with alpha = 2): a division, no exponential. A residual fades with the distance from the
-//! computed stars, and the closed form is left. The weights w_j solve `(K + N) w = r` for the stars' own residuals r, where N has the
-//! nugget and the mesh errors of the shells. They are shipped; the research crate makes them, finds the lengths L_i by maximum
-//! likelihood, and predicts each star from all others (docs/ranges.md).
+//! k is the rational quadratic kernel (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, eq. 4.19, with alpha = 2): a
+//! division, no exponential. A residual fades with the distance from the computed stars, and the closed form is left. The weights w_j are
+//! those of least squares over all computed stars, with the kernel as the prior (eq. 8.14) and noise from the shells' mesh errors. They are
+//! shipped; the research crate makes them, finds the lengths L_i by maximum likelihood, and predicts each star from all others
+//! (docs/ranges.md).
 
 use crate::mechanics::star::Mechanism;
 use std::array::from_fn;
@@ -29,7 +30,7 @@ pub struct Ratios {
     pub bendability: f64,
 }
 
-/// Opening by W of the stars whose forces were computed.
+/// Openings by W of the stars whose forces were computed.
 pub const OPENINGS: [f64; 3] = [0.15, 0.45, 0.9];
 /// The ratios z of a star, in the order of the text above.
 pub type StarPlace = [f64; 7];
@@ -37,8 +38,9 @@ pub type StarPlace = [f64; 7];
 pub const LENGTHS: StarPlace = [0.92, 0.79, 0.54, 0.76, 2.02, 1.96, 0.28];
 /// The table as it is shipped.
 const SHIPPED: &str = include_str!("residuals.txt");
-/// Weights of a computed star: of angle, radius, stiffness, and of the force at each opening.
+/// Weights of a centre: of angle, radius, stiffness, and of the force at each opening.
 pub const WEIGHTS: usize = 3 + OPENINGS.len();
+
 /// What shells give beyond the closed forms of one star.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residuals {
@@ -52,10 +54,10 @@ pub struct Residuals {
     pub force: [f64; OPENINGS.len()],
 }
 
-/// Stars that the processor takes at a time; they are always added in the same order. Single precision is a hundred times finer than the table.
+/// Centres that the processor takes at a time; they are always added in the same order. Single precision is a hundred times finer than the table.
 const LANES: usize = 8;
 
-/// So many of the computed stars.
+/// So many centres.
 #[derive(Clone, Copy, Debug)]
 struct LaneBlock {
     /// Their [`halved`] ratios.
@@ -91,7 +93,7 @@ impl Residuals {
     }
 }
 
-/// Reads the table: a star a line, its ratios and its weights. The last block is filled up with stars without weight.
+/// Reads the table: a centre a line, its ratios and its weights. The last block is filled up with centres without weight.
 fn read(text: &str) -> Vec<LaneBlock> {
     const NUMBERS: usize = LENGTHS.len() + WEIGHTS;
     let star = |line: &str| {
