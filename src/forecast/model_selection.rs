@@ -35,20 +35,8 @@ pub fn tabled(case: &Case, pressure: f64) -> Result<Tabled, StarFault> {
 /// # Errors
 /// If the model refuses the corner's hinge.
 pub fn corrected(case: &Case, model: &dyn HingeModel) -> Result<Case, HingeFault> {
-    corrected_by(case, model, Correction::new)
-}
-
-/// The same with the corrections that `make` makes of the star, its hinges' inflated width over W, and its ratios.
-///
-/// # Errors
-/// As for [`corrected`].
-pub fn corrected_by(
-    case: &Case,
-    model: &dyn HingeModel,
-    make: impl Fn(&Mechanism, f64, Ratios) -> Correction,
-) -> Result<Case, HingeFault> {
     let mut corrected = *case;
-    correct_by(&mut corrected, model, make)?;
+    correct(&mut corrected, model)?;
     Ok(corrected)
 }
 
@@ -57,7 +45,11 @@ pub(super) fn correct(case: &mut Case, model: &dyn HingeModel) -> Result<(), Hin
     correct_by(case, model, Correction::new)
 }
 
-fn correct_by(
+/// The same with the correction that `make` makes of the star, its hinges' inflated width over W, and its ratios.
+///
+/// # Errors
+/// As for [`corrected`].
+pub fn correct_by(
     case: &mut Case,
     model: &dyn HingeModel,
     make: impl Fn(&Mechanism, f64, Ratios) -> Correction,

@@ -11,7 +11,7 @@ use inflatable::mechanics::star::{Correction, Mechanism};
 use inflatable::mechanics::strength::ElasticSheet;
 use stargrip_cam::design::Star;
 use stargrip_cam::forecast::case::Case;
-use stargrip_cam::forecast::model_selection::{corrected_by, tabled};
+use stargrip_cam::forecast::model_selection::{correct_by, tabled};
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::forecast::ranges::Interval;
 use stargrip_cam::spec::StarSpec;
@@ -78,7 +78,7 @@ pub fn compare_all() -> Result<Vec<Comparison>, &'static str> {
 }
 
 /// The same with `residuals` in place of those of the program.
-pub fn compare_with(star: &ComputedStar, residuals: &Residuals) -> Option<Comparison> {
+fn compare_with(star: &ComputedStar, residuals: &Residuals) -> Option<Comparison> {
     compare_by(star, |moves, width, ratios| Correction::trend(moves, width, ratios).with(residuals))
 }
 
@@ -96,9 +96,9 @@ pub(crate) fn predicted<T>(
     correction: impl Fn(&Mechanism, f64, Ratios) -> Correction,
     see: impl FnOnce(&Case, &Inflated<'_>, &Outcome) -> Option<T>,
 ) -> Option<T> {
-    let (case, pressure) = case_of(drawn)?;
+    let (mut case, pressure) = case_of(drawn)?;
     let model = tabled(&case, pressure).ok()?;
-    let case = corrected_by(&case, &model, correction).ok()?;
+    correct_by(&mut case, &model, correction).ok()?;
     let inflated = Inflated::new(&case.mechanism, &model, pressure).ok()?;
     let own = Outcome::linear(&case, &inflated);
     see(&case, &inflated, &own)

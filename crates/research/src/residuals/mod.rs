@@ -26,7 +26,7 @@ pub struct Fitted {
 }
 
 /// Whether the table is made of `star`. Others are for its validation: stars 301 on of the set `test`, and 41 on of the set `wide`.
-pub fn is_used(star: &DrawnStar) -> bool {
+fn is_used(star: &DrawnStar) -> bool {
     match star.set {
         Set::Fit | Set::Range | Set::Paper => true,
         Set::Test => star.number <= 300,

@@ -5,7 +5,6 @@ use crate::validation::{SETTLED, predicted};
 use inflatable::mechanics::star::Correction;
 use inflatable::mechanics::star::residuals::{OPENINGS, Residuals, StarPlace, WEIGHTS, place};
 use std::cell::Cell;
-use std::f64::consts::PI;
 
 /// A residual with the mesh error of the shell's number.
 pub(super) type Residual = (f64, f64);
@@ -29,7 +28,7 @@ pub(super) fn sample(star: &ComputedStar, angle: f64) -> Option<Sample> {
         },
         |case, inflated, own| {
             let (moves, rest) = (&case.mechanism, &own.rest);
-            let unit = 1e3 * moves.width / (PI / f64::from(moves.points)).sin();
+            let unit = 1e3 * moves.width / moves.sector_sine();
             // Where arms touch, contact is part of the angle and the stiffness.
             let apart = found.arm_contact.value == 0.0 && rest.equilibrium > moves.correction.contact_angle;
             let Number { value, error } = found.angle;

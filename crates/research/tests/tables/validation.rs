@@ -64,20 +64,20 @@ fn ranges_hold_on_stars_that_they_were_not_taken_from() {
 }
 
 /// Of the forces on the same object eight of ten are within 15 %, of stars that no constant was taken from, and of the others where each is
-/// predicted from all others. Of the latter the error is 13 % rms.
+/// predicted from all others. Of the latter the error is 13 % rms; one of the new stars alone makes it 18 % there (docs/ranges.md).
 #[test]
 fn forces_are_as_accurate_as_stated() {
     let is_new = |one: &Comparison| one.set == Set::Test && one.number > 300;
     let all = compare_all().expect("no star is there twice");
     let (new, others): (Vec<&Comparison>, Vec<&Comparison>) = all.iter().partition(|one| is_new(one));
-    for (what, stars, count) in [("new", new, 60), ("left out", others, 300)] {
+    for (what, stars, count, most) in [("new", new, 60, 0.18), ("left out", others, 300, 0.13)] {
         let pairs: Vec<Pair> = stars.iter().flat_map(|one| &one.forces).map(|(_, pair)| *pair).collect();
         let off: Vec<f64> = pairs.iter().map(|pair| pair.predicted / pair.shell - 1.0).collect();
         let near = off.iter().filter(|off| off.abs() <= 0.15).count();
         assert!(off.len() >= count && 10 * near >= 8 * off.len(), "{what}: {near} of {}", off.len());
         #[expect(clippy::cast_precision_loss, reason = "a few hundred forces")]
         let rms = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();
-        assert!(rms <= 0.13 || what == "new", "{what}: {rms}");
+        assert!(rms <= most, "{what}: {rms}");
         hold(what, &pairs, [95, 100]);
     }
 }
