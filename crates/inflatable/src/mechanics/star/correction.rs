@@ -36,6 +36,7 @@
 use crate::mechanics::star::Mechanism;
 use crate::mechanics::star::residuals::{OPENINGS, Ratios, Residuals};
 use std::f64::consts::{FRAC_2_PI, PI};
+use std::sync::LazyLock;
 
 /// Response of an inflated star beyond its hinges.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -163,15 +164,20 @@ impl Correction {
     /// Logarithm of the force on an object that opens the star by `opening` W over that of the force law: straight between the [`OPENINGS`]
     /// in their logarithm, and constant beyond them.
     pub(super) fn force_beyond(&self, opening: f64) -> f64 {
+        /// Logarithms of the ratios of neighbouring openings, for designs in millions.
+        static STEPS: LazyLock<[f64; 2]> = LazyLock::new(|| {
+            let [least, middle, most] = OPENINGS;
+            [libm::log(middle / least), libm::log(most / middle)]
+        });
         let [least, middle, most] = OPENINGS;
         let [a, b, c] = self.force_beyond;
-        let between = |[from, to]: [f64; 2], [low, high]: [f64; 2]| {
-            low + (high - low) * libm::log(opening / from) / libm::log(to / from)
+        let between = |from: f64, step: f64, [low, high]: [f64; 2]| {
+            low + (high - low) * libm::log(opening / from) / step
         };
         match opening {
             _ if opening <= least => a,
-            _ if opening <= middle => between([least, middle], [a, b]),
-            _ if opening < most => between([middle, most], [b, c]),
+            _ if opening <= middle => between(least, STEPS[0], [a, b]),
+            _ if opening < most => between(middle, STEPS[1], [b, c]),
             _ => c,
         }
     }
