@@ -77,15 +77,10 @@ impl Residuals {
         let place = halved(place).map(f32x8::splat);
         let mut sums = [f32x8::ZERO; WEIGHTS];
         for LaneBlock { places, weights } in table {
-            let mut root = f32x8::ONE;
-            for (own, others) in place.iter().zip(places) {
-                let apart = *own - *others;
-                root += apart * apart;
-            }
+            let apart: [f32x8; LENGTHS.len()] = from_fn(|i| place[i] - places[i]);
+            let root = apart.iter().fold(f32x8::ONE, |root, apart| root + *apart * *apart);
             let near = f32x8::ONE / (root * root);
-            for (sum, weight) in sums.iter_mut().zip(weights) {
-                *sum += *weight * near;
-            }
+            sums = from_fn(|i| sums[i] + weights[i] * near);
         }
         let [angle, radius, stiffness, force @ ..] =
             sums.map(|sum| sum.to_array().iter().map(|lane| f64::from(*lane)).sum());
