@@ -19,7 +19,7 @@ use crate::forecast::optimize::{
 use crate::forecast::shell::Detail;
 use crate::forecast::shell::star;
 use crate::forecast::shell::star::ShellRefusal;
-use crate::forecast::sizing::is_result;
+use crate::forecast::sizing::{BURST_MARGIN, is_result};
 use crate::spec;
 use crate::spec::edit::{StarEdit, with_comments, with_star, with_value};
 use crate::spec::{Allowed, Setting, Source, key, settings};
@@ -67,7 +67,7 @@ pub(super) struct Args {
     /// Largest radial force of one star, such as "20 N"; default: the `[load]`'s largest_force.
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity_or_number::<Force>(Allowed::above(0.0, 1e6)))]
     largest_force: Option<f64>,
-    /// Least burst pressure over pressure; default: 1 if the seal's strength is given.
+    /// Least burst pressure over pressure; default: 1.5 if the seal's strength is given, as for `new`.
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
     burst_margin: Option<f64>,
     /// Also compute the best star with the shell: seconds to minutes.
@@ -222,7 +222,7 @@ fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Const
     if args.burst_margin.is_some() && !strong {
         return Err(message("a burst margin needs [load] pressure and [fabric] seal_strength"));
     }
-    let margin = args.burst_margin.or((strong && is_at_pressure(base.model)).then_some(1.0));
+    let margin = args.burst_margin.or((strong && is_at_pressure(base.model)).then_some(BURST_MARGIN));
     let sheet = &loaded.reading.spec.sheet;
     let side = [sheet.width, sheet.height].into_iter().flatten().map(|side| side.0).reduce(f64::min);
     let constraints = Constraints {

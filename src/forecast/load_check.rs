@@ -45,7 +45,8 @@ pub(super) fn too_thin(load: &Load, object: f64, least: f64) -> Refusal {
         load.size_key(),
         RefusalCode::ObjectTooThin,
         format!(
-            "the inflated star closes to {} mm across and does not touch the object, which is {} mm across there",
+            "the inflated star closes to {} mm across at the least, and the object is {} mm across there: its corners do \
+             not reach it",
             Least(2.0 * least),
             Most(2.0 * object)
         ),

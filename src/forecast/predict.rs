@@ -147,7 +147,7 @@ impl PlacedCase<'_> {
     fn automatic(&self) -> Result<StarPrediction, StarFault> {
         let Some(pressure) = self.case.pressure else {
             let why = "the prediction depends on the pressure, and none is given";
-            let rows = rows(&self.case, self.seal.burst);
+            let rows = rows(&self.case, self.seal.burst, self.seal.sure());
             let mut star = self.unknown(why.to_owned());
             if rows.is_empty() {
                 star.evidence.warnings.push(format!(
@@ -314,6 +314,11 @@ impl SealForecast {
             burst_range,
             safe: if bursts { possible_radius(case, star, LoadedHinge::Tip) } else { None },
         }
+    }
+
+    /// The largest pressure, Pa, at which it does not burst: the lower end of the range, if that is known.
+    fn sure(&self) -> Option<f64> {
+        self.burst_range.map_or(self.burst, |[sure, _]| Some(sure))
     }
 
     fn ranges(&self) -> StarRanges {

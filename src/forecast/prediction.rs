@@ -357,7 +357,7 @@ pub struct ModelEvidence {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh_errors: Option<MeshErrors>,
     /// Least inner radius at which the seal withstands the pressure, mm, rounded up to a hundredth; `None` if the seal
-    /// withstands it already, no radius of such a star is enough, or it is unknown.
+    /// withstands it already, no radius of such a star is known to be enough, or it is unknown.
     pub safe_radius_mm: Option<f64>,
     /// Limits of a model's validity that are exceeded, and other warnings for the user.
     pub warnings: Vec<String>,

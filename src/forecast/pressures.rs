@@ -30,7 +30,7 @@ pub struct PressureRow {
     pub burst_margin: Option<f64>,
     /// Whether stars around it were computed as shells; otherwise ranges are four times as wide.
     pub tried: bool,
-    /// Whether it is the best of those that do not burst: the largest lower end of the object's force, or without an object the least
+    /// Whether it is the best of those at which no seal may burst: the largest lower end of the object's force, or without an object the least
     /// radius.
     pub best: bool,
 }
@@ -42,8 +42,9 @@ pub const LEAST: f64 = 1.0;
 /// Largest, kPa.
 pub const MOST: f64 = 100.0;
 
-/// The pressures at which `section` and its arms cover the star of `case`, which bursts at `burst` (Pa), if its burst pressure is known.
-pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
+/// The pressures at which `section` and its arms cover the star of `case`, which bursts at `burst` and surely holds `sure` (Pa), if
+/// these are known.
+pub fn rows(case: &Case, burst: Option<f64>, sure: Option<f64>) -> Vec<PressureRow> {
     let decades = [LEAST, 10.0 * LEAST, MOST];
     let all = decades.iter().flat_map(|decade| STEPS.iter().map(move |step| decade * step));
     let mut rows: Vec<PressureRow> =
@@ -51,8 +52,8 @@ pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
     // The first of equals: less pressure does the same.
     let merit = |row: &PressureRow| merit(row, case.object.is_some());
     let any_tried = rows.iter().any(|row| row.tried);
-    let fit =
-        |row: &PressureRow| row.burst_margin.is_none_or(|margin| margin >= 1.0) && (row.tried || !any_tried);
+    let holds = |row: &PressureRow| sure.is_none_or(|sure| Pressure(row.pressure_kPa).pascals() <= sure);
+    let fit = |row: &PressureRow| holds(row) && (row.tried || !any_tried);
     // Of equals `max_by` takes the last, which is the first of the reversed.
     let best = (0..rows.len())
         .rev()

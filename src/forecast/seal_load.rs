@@ -85,8 +85,18 @@ fn range(case: &Case, radius: f64, pressure: f64) -> Option<Interval> {
     let width = case.mechanism.width;
     let bendability = case.sheet.bendability(pressure, width);
     let places = [("", radius / width, R_STAR), ("", bendability, errors::BENDABILITY)];
-    let wider = widening(&places.map(|(what, x, tried)| TriedRatio::new(what, x, tried)))?;
-    Some(RANGE.map(|part| libm::pow(part, wider)))
+    widening(&places.map(|(what, x, tried)| TriedRatio::new(what, x, tried))).map(wider)
+}
+
+/// The same at pressures too far from the shells: as wide as where ranges end. `None` where the radius is too far from them.
+fn widest(case: &Case, radius: f64) -> Option<Interval> {
+    let round = TriedRatio::new("", radius / case.mechanism.width, R_STAR);
+    widening(&[round]).map(|_| wider(errors::BEYOND))
+}
+
+/// [`RANGE`], so much wider.
+fn wider(factor: f64) -> Interval {
+    RANGE.map(|part| libm::pow(part, factor))
 }
 
 /// Whether a seal bursts.
@@ -150,11 +160,24 @@ pub fn burst_range(case: &Case) -> Option<Interval> {
     hinge_burst_range(case, k, hinge)
 }
 
-/// The range of the burst pressure (Pa) of a hinge.
+/// The range of the burst pressure (Pa) of a hinge; `None` where no shell had a hinge like it.
+///
+/// At its lower end the upper end of the pull is the seal's strength. So a pressure lies below the range if the seal bears the range of the pull
+/// there, whatever is known of the pull at the burst pressure.
 fn hinge_burst_range(case: &Case, k: f64, hinge: (LoadedHinge, f64)) -> Option<Interval> {
     let peel = case.peel?;
-    let [low, high] = range(case, hinge.1, bursting(case, k, hinge, peel))?;
-    Some([high, low].map(|part| bursting(case, k, hinge, peel / part)))
+    let at = |part: f64| bursting(case, k, hinge, peel / part);
+    let mut bursts = at(1.0);
+    let [low, high] = range(case, hinge.1, bursts).or_else(|| widest(case, hinge.1))?;
+    let mut holds = at(high);
+    // The pull is known best at the shells' pressures, which may lie between the two. Each round halves the ratio's logarithm: after 50 the
+    // ends differ by rounding.
+    for _ in 0..50 {
+        let middle = f64::sqrt(holds * bursts);
+        let most = range(case, hinge.1, middle).map_or(high, |[_, own]| high.min(own));
+        if most * pull(case, k, hinge, middle) <= peel { holds = middle } else { bursts = middle }
+    }
+    Some([holds, at(low)])
 }
 
 /// The pressure (Pa) at which the pull at a hinge is `peel` (N per m): the pull grows with the pressure, and less than in proportion.
@@ -203,7 +226,12 @@ pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
 /// [`safe_radius`], if `star`, whose case is `case`, can have it at both tips and corners: it has arms then, and a prediction if
 /// it has one now.
 pub(super) fn possible_radius(case: &Case, star: &Star, hinge: LoadedHinge) -> Option<Length> {
-    let radius = safe_radius(case, hinge)?;
+    let own = match hinge {
+        LoadedHinge::Tip => case.realised.tip,
+        LoadedHinge::Corner => case.realised.corner,
+    };
+    // What is advised is computed for the pressures of the shells. Beyond them the pull is less certain, and no rounder hinge may be needed.
+    let radius = safe_radius(case, hinge).filter(|radius| radius.metres() > own)?;
     let round = Case { mechanism: mechanism(&star.with_radii(radius)?), ..*case };
     let pressure = case.pressure?;
     (is_modelled(&round, pressure) || !is_modelled(case, pressure)).then_some(radius)
@@ -214,7 +242,8 @@ pub fn remedy(safe: Option<Length>) -> String {
     match safe {
         Some(radius) => format!("a radius of {radius} would hold"),
         None => {
-            "no radius of such a star is enough: less pressure, a narrower tube or a stronger seal".to_owned()
+            "less pressure, a narrower tube or a stronger seal: no radius of such a star is known to be enough"
+                .to_owned()
         }
     }
 }

@@ -353,7 +353,7 @@ fn a_radius_that_would_hold_is_the_same_everywhere_and_holds() {
         let prediction = predict::predict(&spec, &design).expect("predictable").first;
         let safe = prediction.evidence.safe_radius_mm;
         assert_eq!(safe.is_some(), helps, "{kilopascals} kPa");
-        let advice = safe.map_or("no radius of such a star is enough".to_owned(), |mm| {
+        let advice = safe.map_or("no radius of such a star is known to be enough".to_owned(), |mm| {
             format!("a radius of {} would hold", Length(mm))
         });
         let said = |list: &[String]| list.iter().any(|text| text.contains(&advice));

@@ -392,6 +392,21 @@ fn what_a_study_depends_on_is_in_its_fingerprint() {
     }
 }
 
+#[test]
+fn a_key_draws_the_same_whatever_else_is_drawn() {
+    let of = |keys: &str| {
+        let study = study(&format!("[draw]\ncount = 5\nmethod = \"random\"\n[draw.between]\n{keys}"));
+        let design = |row| study.design(row).expect("a design");
+        [0, 1, 2, 3, 4].map(|row| (design(row).star.tip_angle, design(row).load.pressure))
+    };
+    let [angle, pressure] = ["star.tip_angle = \"20 deg..40 deg\"\n", "load.pressure = \"20 kPa..40 kPa\"\n"];
+    let both = of(&format!("{angle}{pressure}"));
+    assert_eq!(both, of(&format!("{pressure}{angle}")));
+    let alone = (of(angle), of(pressure));
+    assert!((0..5).all(|row| both[row] == (alone.0[row].0, alone.1[row].1)));
+    assert!(both.iter().all(|(angle, pressure)| pressure.is_some_and(|pressure| angle.0 != pressure.0)));
+}
+
 const MIXED: &str = "[draw]\ncount = 37\nseed = 3\n[draw.between]\nstar.tube_width = \"10 mm..60 mm\"\nstar.points = \"3..9\"\n\
                      [vary]\nseal.band = [\"1 mm\", \"3 mm\"]\nload.pressure = \"5 kPa..60 kPa/40\"\n";
 

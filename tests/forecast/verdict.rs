@@ -33,7 +33,7 @@ fn without_an_object_there_is_no_verdict() {
 fn what_cannot_be_is_refuted_with_its_reason() {
     type Change = fn(&mut Spec);
     let cases: [(Change, &str); 4] = [
-        (|spec| spec.load.as_mut().expect("given").object_radius = Some(Length(5.0)), "does not touch"),
+        (|spec| spec.load.as_mut().expect("given").object_radius = Some(Length(5.0)), "do not reach it"),
         (|spec| spec.load.as_mut().expect("given").object_radius = Some(Length(51.0)), "does not enter"),
         (|spec| spec.fabric.seal_strength.as_mut().expect("given").0 = 0.1, "to burst at"),
         (|spec| spec.load.as_mut().expect("given").mass = Some(Mass(1e3)), "friction needs"),

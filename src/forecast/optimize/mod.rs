@@ -193,7 +193,7 @@ impl<'a> DesignSearch<'a> {
         }
         let sides = self.sides();
         let [tip_angle, width, tip_radius, corner_radius, inner_radius, pressure] =
-            std::array::from_fn(|k| sides[k][0] + place[k] * (sides[k][1] - sides[k][0]));
+            std::array::from_fn(|k| written(sides[k][0] + place[k] * (sides[k][1] - sides[k][0]), sides[k]));
         let mut point = self.base.clone();
         let star = &mut point.star;
         star.points = points;
@@ -323,6 +323,11 @@ impl<'a> DesignSearch<'a> {
             }
         }
     }
+}
+
+/// A value as a spec has it, in thousandths, so that the design that is written is the one that was judged; the ends of its box are exact.
+fn written(value: f64, [least, most]: [f64; 2]) -> f64 {
+    ((value * 1e3).round() / 1e3).clamp(least, most)
 }
 
 /// Less is better: first the violation, then the goal, then the smaller fabric so that ties are decided.

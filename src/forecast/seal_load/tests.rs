@@ -106,3 +106,29 @@ fn a_margin_below_one_never_reads_as_one() {
     assert_eq!(rounded_down(0.9999), 0.99);
     assert_eq!(rounded_down(1.0), 1.0);
 }
+
+#[test]
+fn a_stronger_seal_never_makes_the_verdict_worse() {
+    let mut case = case(&spec(37.0));
+    // Three pressures: among those of the shells, beyond them, and far beyond.
+    for pressure in [37e3, 75e3, 150e3] {
+        case.pressure = Some(pressure);
+        let (_, pull, _) = largest_pull(&case).expect("known");
+        let mut before = Bursting::Yes;
+        for tenths in 1..600 {
+            case.peel = Some(100.0 * f64::from(tenths));
+            let (burst, range) = (burst(&case, &Ring).expect("known"), burst_range(&case).expect("tried"));
+            assert!(range[0] < burst && burst < range[1], "{tenths}: {range:?} {burst}");
+            let now = Bursting::at(pressure, burst, Some(range));
+            assert!((now as u8) <= (before as u8), "{pressure} Pa, {tenths}: {before:?} {now:?}");
+            // It holds for sure where it bears the range of the pull.
+            let bears = pull.map(|[_, most]| most <= 100.0 * f64::from(tenths) * (1.0 + 1e-9));
+            assert!(
+                bears.is_none_or(|bears| bears == (now == Bursting::No)),
+                "{pressure} Pa, {tenths}: {pull:?} {now:?}"
+            );
+            before = now;
+        }
+        assert_eq!(before, Bursting::No);
+    }
+}

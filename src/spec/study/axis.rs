@@ -87,8 +87,12 @@ fn unknown(name: &str) -> String {
 
 /// Reads `FROM..TO/COUNT`: values at equal distances, both ends included.
 pub(super) fn counted_out(field: &Field, text: &str) -> Result<Vec<KeyValue>, String> {
-    let (ends, count) =
-        text.split_once('/').ok_or(format!("`{text}` lacks the number of values: FROM..TO/COUNT"))?;
+    // The slash of a unit such as N/mm is not that of the count.
+    let of_unit = field.unit().and_then(|unit| unit.split_once('/')).map(|(_, below)| below);
+    let (ends, count) = text
+        .rsplit_once('/')
+        .filter(|(_, count)| of_unit != Some(count.trim()))
+        .ok_or(format!("`{text}` lacks the number of values: FROM..TO/COUNT"))?;
     let count: u32 =
         count.trim().parse().map_err(|_| format!("`{}` is not a number of values", count.trim()))?;
     if !(1..=MOST_VALUES).contains(&count) {
@@ -158,8 +162,8 @@ pub struct Draw {
     pub whole: bool,
     /// The seed of the draw.
     pub seed: u64,
-    /// Index of the axis in the study, so that no two draw the same.
-    pub axis: u64,
+    /// [`Draw::number`] of the key, so that no two draw the same.
+    pub key: u64,
     /// Number of values.
     pub count: u64,
     /// Whether each `count`-th of the way from end to end holds exactly one of them: a Latin hypercube.
@@ -167,9 +171,14 @@ pub struct Draw {
 }
 
 impl Draw {
+    /// The number of a key, by its name.
+    pub fn number(key: &str) -> u64 {
+        mixed(&key.bytes().map(u64::from).collect::<Vec<_>>())
+    }
+
     /// Value number `i`, from 0.
     pub fn value(&self, i: u64) -> f64 {
-        let own = unit(mixed(&[self.seed, self.axis, i]));
+        let own = unit(mixed(&[self.seed, self.key, i]));
         #[expect(clippy::cast_precision_loss, reason = "at most 1e9")]
         let part = if self.latin { (self.stratum(i) as f64 + own) / self.count as f64 } else { own };
         if self.whole {
@@ -189,7 +198,7 @@ impl Draw {
         loop {
             let (mut left, mut right) = (at >> half, at & mask);
             for round in 0..ROUNDS {
-                let next = left ^ (mixed(&[!self.seed, self.axis, round, right]) & mask);
+                let next = left ^ (mixed(&[!self.seed, self.key, round, right]) & mask);
                 (left, right) = (right, next);
             }
             at = left << half | right;
@@ -239,6 +248,8 @@ mod tests {
         assert_eq!(numbers("load.pressure = 10 kPa, 0.2 bar"), [10.0, 20.0]);
         assert_eq!(numbers("star.points=5..5/1"), [5.0]);
         assert_eq!(numbers("star.points=3,64"), [3.0, 64.0]);
+        assert_eq!(numbers("fabric.seal_strength=1 N/mm..3 N/mm/3"), [1.0, 2.0, 3.0]);
+        assert_eq!(numbers("seal.speed=0.1 mm/s..0.2 mm/s/2"), [0.1, 0.2]);
         assert_eq!(numbers("load.pressure=1 kPa..2 kPa/1000000").len(), 1_000_000);
         let words = Axis::parse("mask.mirror=true,false").expect("two values");
         assert_eq!(*words.value(1), KeyValue::Truth(false));
@@ -259,6 +270,10 @@ mod tests {
             ),
             ("load.friction=0", "`friction` is 0: must be more than 0 and at most 10"),
             ("load.pressure=1 kPa..2 kPa", "`1 kPa..2 kPa` lacks the number of values: FROM..TO/COUNT"),
+            (
+                "fabric.seal_strength=1 N/mm..3 N/mm",
+                "`1 N/mm..3 N/mm` lacks the number of values: FROM..TO/COUNT",
+            ),
             (
                 "load.pressure=1 kPa..2 kPa/1",
                 "`1 kPa..2 kPa/1` has two ends and takes 1 value; take 2 or more, or write one end alone",
@@ -283,7 +298,7 @@ mod draw_tests {
     use super::*;
 
     fn draw(count: u64, latin: bool) -> Draw {
-        Draw { from: 10.0, to: 20.0, whole: false, seed: 7, axis: 1, count, latin }
+        Draw { from: 10.0, to: 20.0, whole: false, seed: 7, key: 1, count, latin }
     }
 
     #[test]
@@ -305,7 +320,7 @@ mod draw_tests {
         let random = draw(10_000, false);
         assert!((mean(&random) - 15.0).abs() < 5.0 * 10.0 / (12.0 * 1e4_f64).sqrt());
         assert!((mean(&draw(10_000, true)) - 15.0).abs() < 1e-3, "strata leave no room for chance");
-        let others = [Draw { seed: 8, ..random.clone() }, Draw { axis: 2, ..random.clone() }];
+        let others = [Draw { seed: 8, ..random.clone() }, Draw { key: 2, ..random.clone() }];
         for other in others {
             let product = |i| (random.value(i) - 15.0) * (other.value(i) - 15.0);
             let correlation = (0..10_000).map(product).sum::<f64>() / 1e4 / (100.0 / 12.0);

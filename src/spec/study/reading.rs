@@ -227,7 +227,7 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
         return None;
     };
     let mut axes = Vec::new();
-    for (axis, leaf) in (0..).zip(leaves(table, &mut reader.faults)) {
+    for leaf in leaves(table, &mut reader.faults) {
         let Leaf { field, place, value } = leaf;
         seen.add(field.key(), place, "draw", &mut reader.faults);
         let ends = match &value.kind {
@@ -249,7 +249,7 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
                     to,
                     whole: field.is_whole(),
                     seed: u64::from(seed),
-                    axis,
+                    key: Draw::number(&field.key().to_string()),
                     count,
                     latin: method,
                 };
