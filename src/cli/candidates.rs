@@ -11,6 +11,7 @@ use crate::forecast::optimize::{
 };
 use crate::forecast::outcome::{Grip, Outcome};
 use crate::forecast::ranges::{mm, shown};
+use crate::spec::ModelChoice;
 use crate::units::Length;
 
 /// Number of rows of the front in the printed table.
@@ -33,7 +34,14 @@ pub(super) fn text(found: &SearchResult, constraints: &Constraints) -> String {
          worse in the goal.\n"
     );
     out.push_str(&rows(best, constraints));
-    if constraints.payload.is_some() || constraints.largest_force.is_some() {
+    let model = best.first().map(|best| best.point.model);
+    if matches!(model, Some(ModelChoice::Bvp | ModelChoice::Shell)) {
+        out.push_str(
+            "# searches compute with section, not with the model of the spec: it takes seconds a design\n",
+        );
+    }
+    let at_pressure = model.is_some_and(is_at_pressure);
+    if at_pressure && (constraints.payload.is_some() || constraints.largest_force.is_some()) {
         // Writing to a String does not fail.
         let _ = writeln!(
             out,

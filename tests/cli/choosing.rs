@@ -377,3 +377,29 @@ fn holes_admit_what_they_are_for_and_stacks_are_no_taller() {
     }
     assert!(granted >= 10 && stacks >= 1, "{granted} granted, {stacks} stacks");
 }
+
+#[test]
+fn the_thickness_of_which_tubes_are_known_is_the_one_that_is_named() {
+    let dir = folder();
+    let asked = |thickness: &str, poisson: f64| {
+        let fabric = format!(
+            "schema = 1\nname = \"f\"\n[fabric]\nthickness = \"{thickness}\"\npoisson_ratio = {poisson}\n[star]\npoints = 5\n\
+             inner_radius = \"50 mm\"\ntube_width = \"20 mm\"\ntip_angle = \"30 deg\"\n"
+        );
+        fs::write(dir.path().join("fabric.toml"), fabric).expect("written");
+        let args = ["new", "wish.toml", "--object", "50 mm", "--mass", "1 g", "--fabric", "fabric.toml"];
+        text(&run(dir.path(), &args).stderr)
+    };
+    for poisson in [0.1, 0.39] {
+        let said = asked("0.05 mm", poisson);
+        let (_, ends) = said.split_once("it must be ").expect("a remedy");
+        let mut numbers = ends.split(' ').filter_map(|word| word.parse::<f64>().ok());
+        let [least, most] = [(); 2].map(|()| numbers.next().expect("two ends"));
+        for (thickness, known) in
+            [(0.999 * least, false), (1.001 * least, true), (0.999 * most, true), (1.001 * most, false)]
+        {
+            let said = asked(&format!("{thickness:.6} mm"), poisson);
+            assert_eq!(said.contains("makes no tube"), !known, "{thickness} {poisson}: {said}");
+        }
+    }
+}

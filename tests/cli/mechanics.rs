@@ -122,10 +122,24 @@ fn optimize_ends_in_a_spec_that_keeps_its_promise() {
     let payload = value["ranges"]["payload_kg"][0].as_f64();
     assert!(payload >= Some(0.3) && value["ranges"]["final_radius_mm"][1].as_f64() <= Some(24.0), "{value}");
     assert!(value["graspable_radius_mm"][1].as_f64() >= Some(40.0), "{value}");
-    assert!(value["burst_margin"].as_f64() >= Some(1.0), "{value}");
+    assert!(value["burst_margin"].as_f64() >= Some(1.5), "{value}");
     let impossible = run(dir.path(), &["optimize", "spec.toml", "--payload", "1000", "--points", "5"]);
     assert_eq!(impossible.status.code(), Some(1));
     assert!(text(&impossible.stderr).contains("no design meets"));
+}
+
+#[test]
+fn a_search_tells_which_model_it_takes_in_place_of_a_slow_one() {
+    let dir = folder();
+    for (model, told) in [("bvp", true), ("shell", true), ("section", false), ("fit", false)] {
+        fs::write(dir.path().join("spec.toml"), format!("{GRIPPER}[accuracy]\nmodel = \"{model}\"\n"))
+            .expect("written");
+        let output = run(dir.path(), &["optimize", "spec.toml", "--points", "5", "--payload", "0.1"]);
+        let said = text(&output.stdout) + &text(&output.stderr);
+        assert_eq!(said.contains("searches compute with section"), told, "{model}: {said}");
+        // A limit has no ranges, and no part of their ends is taken.
+        assert_eq!(said.contains("a payload's lower end"), model != "fit", "{model}: {said}");
+    }
 }
 
 #[test]

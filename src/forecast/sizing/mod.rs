@@ -16,9 +16,9 @@ use crate::forecast::case::sheet;
 use crate::forecast::optimize::{
     Constraints, DesignSearch, Evaluation, Goal, SearchBounds, SearchEffort, SearchResult, Short, shortfalls,
 };
-use crate::forecast::ranges::errors;
-use crate::spec::{Load, ObjectShape, ObjectSize, StarSpec};
-use crate::units::{Angle, Force, Length, Mass, Pressure};
+use crate::forecast::ranges::{Interval, errors};
+use crate::spec::{Fabric, Load, ObjectShape, ObjectSize, StarSpec};
+use crate::units::{Angle, Force, Least, Length, Mass, Most, Pressure};
 use inflatable::mechanics::hinge::ring::RingTable;
 use inflatable::mechanics::hinge::section::arms;
 use inflatable::mechanics::strength::GRAVITY;
@@ -184,11 +184,9 @@ impl Requirements {
     /// The box of the validated domain; `None` if it has no tube of this fabric.
     fn bounds(&self, base: &Candidate) -> Option<SearchBounds> {
         let sheet = sheet(&base.fabric).ok()?;
-        let (thickness, poisson) = (Length::from_metres(sheet.thickness).0, sheet.poisson_ratio);
-        let slender = (12.0 * (1.0 - poisson * poisson)).sqrt();
-        let [thin, _, thick] = arms::TAUS.map(|tau| thickness / (slender * tau));
-        // Values at the edge in the last digit are left out; t/W beyond 0.03 is not a thin tube.
-        let width = [(1.01 * thick).max(thickness / 0.0297).max(WIDTHS[0].0), (0.99 * thin).min(WIDTHS[1].0)];
+        let thickness = Length::from_metres(sheet.thickness).0;
+        let [thin, thick] = slenderness(sheet.poisson_ratio);
+        let width = [(thickness / thick).max(WIDTHS[0].0), (thickness / thin).min(WIDTHS[1].0)];
         let flap = base.seal.band.0 + base.seal.hole_allowance.0;
         let hole = self.object.0 + room(self.object).0 + flap;
         let degrees = errors::TIP_ANGLE.map(Angle);
@@ -278,11 +276,24 @@ impl Requirements {
     }
 }
 
+/// t/W of the tubes of fabric with this Poisson ratio that were tried. Values at the edge in the last digit are left out; t/W beyond 0.03 is not a
+/// thin tube.
+fn slenderness(poisson: f64) -> Interval {
+    let [thin, _, thick] = arms::TAUS.map(|tau| tau * (12.0 * (1.0 - poisson * poisson)).sqrt());
+    [thin / 0.99, (thick / 1.01).min(0.0297)]
+}
+
 fn no_tube(base: &Candidate) -> String {
+    let Fabric { thickness, poisson_ratio, .. } = base.fabric;
+    let [thin, thick] = slenderness(poisson_ratio);
+    let [narrow, wide] = WIDTHS.map(|width| width.0);
     format!(
-        "fabric of {} is too thin or too thick for any tube that was tried, 10 to 60 mm wide: t/W is 0.01 to 0.03; fabric \
-         of 0.3 mm makes tubes 10 to 29 mm wide",
-        base.fabric.thickness
+        "fabric of {thickness} with a Poisson ratio of {poisson_ratio} makes no tube that was tried, {narrow} to {wide} mm wide \
+         with t/W from {} to {}: it must be {} to {} mm thick",
+        Least(thin),
+        Most(thick),
+        Least(narrow * thin),
+        Most(wide * thick)
     )
 }
 

@@ -222,7 +222,7 @@ const fn open(
 }
 
 /// Values by shells alone, in order.
-pub(super) const SHELL_OUTPUTS: [OutputColumn; 17] = [
+pub(super) const SHELL_OUTPUTS: [OutputColumn; 19] = [
     measured("tip_angle_deg", Some("deg"), "angle of the tips between their arms' lines", |_, shell| {
         Some(shell.tip_angle.value)
     }),
@@ -256,4 +256,10 @@ pub(super) const SHELL_OUTPUTS: [OutputColumn; 17] = [
     open("arm_contact_mesh_error_mm2", Some("mm^2"), |_, shell| Some(shell.contact_area.error)),
     open("seal_tension_mesh_error_N_per_mm", Some("N/mm"), |_, shell| Some(shell.seal_tension()[1])),
     open("largest_stretch_mesh_error", None, |_, shell| Some(shell.extremes.stretch_error)),
+    measured("seal_pull_N_per_mm", Some("N/mm"), "largest pull on the seal", |_, shell| {
+        Some(1e-3 * shell.extremes.seal_pull)
+    }),
+    open("seal_pull_mesh_error_N_per_mm", Some("N/mm"), |_, shell| {
+        Some(1e-3 * shell.extremes.seal_pull_error)
+    }),
 ];

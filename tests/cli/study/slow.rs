@@ -168,6 +168,8 @@ fn a_row_by_the_shell_says_what_a_prediction_says() {
             ("seal_tension_mesh_error_N_per_mm", "seal_tension.mesh_error"),
             ("largest_stretch", "stretch.value"),
             ("largest_stretch_mesh_error", "stretch.mesh_error"),
+            ("seal_pull_N_per_mm", "seal_pull_N_per_mm"),
+            ("seal_pull_mesh_error_N_per_mm", "evidence.mesh_errors.seal_pull_N_per_mm"),
             ("final_radius_mesh_error_mm", "evidence.mesh_errors.final_radius_mm"),
             ("contraction_mesh_error", "evidence.mesh_errors.contraction"),
             ("tip_angle_mesh_error_deg", "evidence.mesh_errors.tip_angle_deg"),
