@@ -328,6 +328,50 @@ fn what_a_comment_says_is_not_believed() {
     }
 }
 
+#[test]
+fn lengths_and_times_that_the_moves_contradict_are_refused() {
+    let refused = |job: &str, words: &str| match resume(job, ResumeAt::Share(0.5), None) {
+        Err(ResumeFault::Disagrees(finding)) => {
+            assert_eq!(finding.code, "other-comment", "{finding}");
+            assert!(finding.found.contains(words) && finding.line.is_some(), "{finding}");
+        }
+        other => panic!("{words}: {other:?}"),
+    };
+    for name in ["generic", "klipper", "grbl", "marlin"] {
+        let job = job(name);
+        let rest = resume(&job, ResumeAt::Share(0.4), None).expect("resumed").text;
+        for text in [&job, &rest] {
+            for (key, value, to) in [
+                ("total", "length_mm", "1.000"),
+                ("total", "time_s", "10"),
+                ("length", "length_mm", "1.000"),
+                ("length", "time_s", "10"),
+                ("seam", "time_s", "9000"),
+                ("job", "time_s", "90000"),
+                ("job", "time_s", "9000"),
+                ("total", "time_s", "30000"),
+            ] {
+                if key == "job" && text == &job {
+                    continue;
+                }
+                let line = text.lines().find(|line| line.starts_with(&format!("; {key}: "))).expect(key);
+                let old = line.split(' ').find(|word| word.starts_with(&format!("{value}="))).expect(value);
+                let lie = line.replace(old, &format!("{value}={to}"));
+                let words =
+                    if key == "total" && to == "30000" && text == &rest { "job: " } else { &lie[2..] };
+                refused(&text.replace(line, &lie), words);
+            }
+        }
+    }
+    // One corner 8 mm beside the seam.
+    let job = job("generic");
+    let line =
+        job.lines().filter(|line| line.starts_with("G1 X") && !line.contains('Z')).nth(60).expect("a move");
+    let x: f64 = line[4..].split(' ').next().and_then(|x| x.parse().ok()).expect("X");
+    let moved = line.replacen(&line[..4 + x.to_string().len()], &format!("G1 X{}", x + 8.0), 1);
+    refused(&job.replacen(line, &moved, 1), "seam=");
+}
+
 /// A job with a line inserted before the first one that begins with `before`, and the correct number of lines in its last line.
 fn with_line(name: &str, before: &str, line: &str) -> (String, usize) {
     let job = job(name);
