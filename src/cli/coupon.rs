@@ -10,7 +10,7 @@ use crate::answer::quantity::quantity;
 use crate::artifact::Kind;
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
-use crate::cli::load::Loaded;
+use crate::cli::load::{Loaded, lasting};
 use crate::cli::publish::publish_files;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
@@ -170,16 +170,21 @@ fn text(
     }
     let settings = proven.made().coupons.iter().filter(|coupon| coupon.is_strips()).count();
     if settings > 0 {
-        let (look, results, spec) = (place(OVERVIEW), place(TABLE), shown(&args.spec));
+        let spec = lasting(&args.spec, &args.output);
+        let (look, results) = (place(OVERVIEW), place(TABLE));
         let _ = writeln!(out, "look at {look}: every strip with its setting and its cut");
         let _ = writeln!(
             out,
             "seal the strips of {}, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in \
              peel_N in {results}{}, then: stargrip-cam calibrate {} --spec {}",
             if settings == 1 { "the program".to_owned() } else { format!("{settings} programs") },
-            if has_pressure { String::new() } else { format!(", write `pressure` into [load] of {spec}") },
+            if has_pressure {
+                String::new()
+            } else {
+                format!(", write `pressure` into [load] of {}", shown(&spec))
+            },
             argument(args.output.join(TABLE)),
-            argument(&args.spec)
+            argument(&spec)
         );
     }
     out
