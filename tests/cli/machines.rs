@@ -202,6 +202,9 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
     let _ = fails(dir.path(), &["resume", job, "--at", "50%"], 1, &["resume.gcode exists already"]);
     let _ = fails(dir.path(), &["resume", job, "--at", "50%", "-o", job], 1, &["exists already"]);
     assert_eq!(read(dir.path(), target), resumed);
+    let inside = ["resume", job, "--at", "50%", "-o", "out/star/rest.gcode"];
+    let _ = fails(dir.path(), &inside, 1, &["out/star/rest.gcode is in a published directory", "beside it"]);
+    assert!(!dir.path().join("out/star/rest.gcode").exists());
     assert_eq!(read(dir.path(), job), before);
 
     let said = done(dir.path(), &["resume", job, "--at", "37%", "--overlap", "2 mm", "-o", "at.gcode"]);
