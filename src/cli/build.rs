@@ -11,7 +11,7 @@ use crate::artifact::{Kind, KindRequest};
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
-use crate::cli::load::{Loaded, is_standard_input};
+use crate::cli::load::{Loaded, is_standard_input, lasting};
 use crate::cli::open::open;
 use crate::cli::publish::extras_of;
 use crate::cli::rebuilt::Snapshot;
@@ -163,7 +163,7 @@ fn made(
     let target = targets.get(spec).cloned().unwrap_or_else(named);
     let request = request(args, &forecast, &target, verbosity);
     loaded.fit(&forecast, args.anyway)?;
-    let notes = forecast.precautions(&argument(spec));
+    let notes = forecast.precautions(&argument(lasting(spec, &target)));
     let proven = loaded.proven(forecast, &request)?;
     args.kinds.tell_missing(&proven.built().manifest.files);
     // The fate of earlier files is reported even with --quiet.

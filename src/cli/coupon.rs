@@ -10,13 +10,13 @@ use crate::answer::quantity::quantity;
 use crate::artifact::Kind;
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
-use crate::cli::load::Loaded;
+use crate::cli::load::{Loaded, lasting};
 use crate::cli::publish::publish_files;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
-use crate::coupon::{CouponGroup, StripGrid};
+use crate::coupon::{CouponGroup, SPEEDS, StripGrid, TEMPERATURES};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
-use crate::spec::Allowed;
+use crate::spec::CONTACT;
 use crate::units::{Length, Speed, Temperature, counted};
 
 /// How often each setting is sealed by default.
@@ -30,14 +30,14 @@ pub(super) struct Args {
     /// A new directory for the programs, drawings and the table.
     #[arg(short, long, value_name = "DIR", default_value = "coupons")]
     output: PathBuf,
-    /// Temperatures of the grid, below 300 C, where the PTFE release layer gives off toxic fumes; default: the spec's.
-    #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Temperature>(Allowed::between(0.0, 300.0)))]
+    /// Temperatures of the grid, above 40 C and below 300 C, where the PTFE release layer gives off toxic fumes; default: the spec's.
+    #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Temperature>(TEMPERATURES))]
     temperatures: Vec<Temperature>,
     /// Speeds of the grid; default: once, twice and five times the spec's.
-    #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Speed>(Allowed::closed(1e-3, 1e3)))]
+    #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Speed>(SPEEDS))]
     speeds: Vec<Speed>,
     /// Heights of the tip in contact; default: the profile's.
-    #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>(Allowed::closed(-20.0, 1e5)), allow_hyphen_values = true)]
+    #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>(CONTACT), allow_hyphen_values = true)]
     heights: Vec<Length>,
     /// Coupons of these kinds only; default: all.
     #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = words(&CouponGroup::NAMES, &[]))]
@@ -127,7 +127,7 @@ fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
         repeats: usize::from(args.repeats.unwrap_or(REPEATS)),
     };
     // Five times the spec's speed may be out of range.
-    if let Some(v) = grid.speeds.iter().find(|v| !(1e-3..=1e3).contains(&v.0)) {
+    if let Some(v) = grid.speeds.iter().find(|v| !SPEEDS.holds(v.0)) {
         return Err(Failure::Message(format!("a speed of {v}; it must be from 0.001 to 1000 mm/s")));
     }
     let (lowest, travel) = (loaded.machine.process.lowest_contact(), heights.travel);
@@ -170,16 +170,21 @@ fn text(
     }
     let settings = proven.made().coupons.iter().filter(|coupon| coupon.is_strips()).count();
     if settings > 0 {
-        let (look, results, spec) = (place(OVERVIEW), place(TABLE), shown(&args.spec));
+        let spec = lasting(&args.spec, &args.output);
+        let (look, results) = (place(OVERVIEW), place(TABLE));
         let _ = writeln!(out, "look at {look}: every strip with its setting and its cut");
         let _ = writeln!(
             out,
             "seal the strips of {}, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in \
              peel_N in {results}{}, then: stargrip-cam calibrate {} --spec {}",
             if settings == 1 { "the program".to_owned() } else { format!("{settings} programs") },
-            if has_pressure { String::new() } else { format!(", write `pressure` into [load] of {spec}") },
+            if has_pressure {
+                String::new()
+            } else {
+                format!(", write `pressure` into [load] of {}", shown(&spec))
+            },
             argument(args.output.join(TABLE)),
-            argument(&args.spec)
+            argument(&spec)
         );
     }
     out

@@ -165,6 +165,11 @@ pub(super) fn read_source(path: &Path) -> Result<Source, Failure> {
     Ok(Source::from_bytes(path.display().to_string(), &bytes)?)
 }
 
+/// The path of the spec in commands that follow: for standard input that of its copy in the published `directory`.
+pub(super) fn lasting(spec: &Path, directory: &Path) -> PathBuf {
+    if is_standard_input(spec) { directory.join(SPEC) } else { spec.to_owned() }
+}
+
 /// A message that `path` is a directory, with the spec in it that may be meant.
 fn is_directory(path: &Path) -> String {
     let (dir, spec) = (shown(path), path.join(SPEC));

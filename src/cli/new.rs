@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::Failure;
 use crate::cli::load::read_drawing;
-use crate::cli::new_object::{NewGripper, ObjectArgs, chosen, machine};
+use crate::cli::new_object::{NewGripper, OBJECT_OPTIONS, ObjectArgs, chosen, machine};
 use crate::cli::text_file::write_new;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::{defaults, progress, schema};
@@ -22,8 +22,8 @@ use drawings::Unit;
 pub(super) struct Args {
     /// Name of the design, and of its file; default: that of the drawing, without one "star".
     name: Option<String>,
-    /// Your own drawing, SVG or DXF: a spec that names all of its layers.
-    #[arg(long, value_name = "FILE", conflicts_with = "object")]
+    /// Your own drawing, SVG or DXF: a spec that names all of its layers. Not with --object and its options.
+    #[arg(long, value_name = "FILE", conflicts_with_all = OBJECT_OPTIONS)]
     drawing: Option<PathBuf>,
     /// Unit of the drawing's numbers, in place of the file's own: mm, cm, in, px and others.
     #[arg(long, value_name = "UNIT", requires = "drawing", value_parser = unit)]

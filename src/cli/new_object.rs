@@ -18,10 +18,14 @@ use crate::units::{Force, Length, Mass, Pressure};
 
 pub(super) use crate::answer::object::NewGripper;
 
+/// All of [`ObjectArgs`], which a drawing excludes.
+pub(super) const OBJECT_OPTIONS: [&str; 10] =
+    ["object", "height", "shape", "mass", "pressure", "friction", "fragile", "fabric", "machine", "sheet"];
+
 /// Arguments about the object.
 #[derive(clap::Args, Debug)]
 pub(super) struct ObjectArgs {
-    /// Width of the object where it is gripped: "70 mm".
+    /// Width of the object where it is gripped: "70 mm"; needs --mass.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE), requires = "mass")]
     object: Option<Length>,
     /// Height of the object along the gripper's axis: "57 mm"; default: as tall as wide.
@@ -30,7 +34,7 @@ pub(super) struct ObjectArgs {
     /// Shape of the object; default: ball.
     #[arg(long, value_name = "SHAPE", value_parser = words(&ObjectShape::ALL, &[]), requires = "object")]
     shape: Option<ObjectShape>,
-    /// Mass of the object: "1.3 kg".
+    /// Mass of the object: "1.3 kg"; required with --object.
     #[arg(long, value_name = "MASS", allow_hyphen_values = true, value_parser = quantity::<Mass>(MASSES), requires = "object")]
     mass: Option<Mass>,
     /// The pressure that your pump gives; default: the best from 5 to 60 kPa.

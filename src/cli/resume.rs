@@ -87,6 +87,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         is_published(&args.job, &manifest, &text)?;
     }
     let target = args.output.clone().unwrap_or_else(|| target(&args.job, known));
+    refuse_published(&target)?;
     write_new(&target, &resumed.text)?;
     let text = format!(
         "wrote {}\ncontinues at line {} of the old program, after {:.1} % of the job's time; seals the last {:.1} mm again\n\
@@ -141,6 +142,16 @@ fn target(job: &Path, published: bool) -> PathBuf {
         Some(parent) => parent.with_file_name(name),
         None => job.with_file_name("..").join(name),
     }
+}
+
+/// Refuses a new file in a published directory: the next `build` and `verify` would find it foreign.
+fn refuse_published(target: &Path) -> Result<(), Failure> {
+    let is_inside = target.with_file_name(MANIFEST).is_file() && target.symlink_metadata().is_err();
+    if !is_inside {
+        return Ok(());
+    }
+    let text = "is in a published directory, in which `build` and `verify` take no other files; name a file beside it";
+    Err(Failure::Message(format!("{} {text}", shown(target))))
 }
 
 /// Checks that the job equals, byte by byte, the file that the manifest beside it names.

@@ -12,6 +12,7 @@
 use std::fmt;
 
 use crate::coupon::cone::Press;
+use crate::units::Readable;
 
 /// Least length over width: the clamps stiffen a shorter strip by more than 6 % where the sheet is soft in shear.
 const SLENDER: f64 = 5.0;
@@ -19,6 +20,11 @@ const SLENDER: f64 = 5.0;
 const LEAST: usize = 3;
 /// Largest distance of a point from the fitted line, relative to the range of loads: a curve has no single slope.
 const STRAIGHT: f64 = 0.05;
+/// Largest stiffness along the bias over that along the warp: a weave is softer along the bias, an isotropic sheet as stiff, and clamps
+/// add up to a tenth.
+const STIFFEST: f64 = 1.1;
+/// Least shear modulus over that of an isotropic sheet: in a looser weave the threads lie apart.
+const SOFTEST: f64 = 1e-3;
 
 /// A strip between two clamps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,8 +46,10 @@ pub enum BiasFault {
     NoSlope,
     /// A point is too far from the line; the distance relative to the range of loads.
     Curved(f64),
-    /// No shear modulus gives such a stiff strip: its stiffness E_45 t, and the limit, N/mm.
+    /// No weave gives such a stiff strip: its stiffness E_45 t, and the limit, N/mm.
     TooStiff(f64, f64),
+    /// No sheet gives such a soft strip: its stiffness E_45 t, and the limit, N/mm.
+    TooSoft(f64, f64),
 }
 
 impl fmt::Display for BiasFault {
@@ -67,9 +75,17 @@ impl fmt::Display for BiasFault {
             ),
             Self::TooStiff(found, most) => write!(
                 f,
-                "the strip bears {found:.3} N/mm of width and strain; along the bias it is below {most:.3} \
-                 N/mm for any shear modulus: check that it is one sheet, cut at 45 deg, and check the \
-                 stretch stiffness"
+                "the strip bears {found:.3} N/mm of width and strain; must be at most {most:.3}, {STIFFEST} times the \
+                 stiffness along the warp, because a weave is softer along the bias: check the strip's length, width \
+                 and units, that it is one sheet, cut at 45 deg, and the stretch stiffness; leave `shear_modulus` out \
+                 for an isotropic sheet"
+            ),
+            Self::TooSoft(found, least) => write!(
+                f,
+                "the strip bears {} N/mm of width and strain; must be at least {}, where the shear modulus is a \
+                 thousandth of the isotropic one: check the strip's length, width and units, and the stretch stiffness",
+                Readable(*found),
+                Readable(*least)
             ),
         }
     }
@@ -116,13 +132,20 @@ impl BiasStrip {
 /// `along_bias` E_45 t (N/mm).
 ///
 /// # Errors
-/// If no shear modulus gives this stiffness: E_45 t must be below 2 Y / (1 - nu).
+/// If no weave has this stiffness. E_45 t is at most 1.1 Y, and below 2 Y / (1 - nu), where the shear modulus would be infinite; G is at
+/// least a thousandth of the isotropic one.
 pub fn shear_stiffness(along_bias: f64, stretch: f64, poisson: f64) -> Result<f64, BiasFault> {
-    let most = 2.0 * stretch / (1.0 - poisson);
-    if along_bias >= most {
-        return Err(BiasFault::TooStiff(along_bias, most));
+    let rigid = 2.0 * (1.0 - poisson) / stretch;
+    let most = STIFFEST * stretch;
+    if along_bias > most || along_bias * rigid >= 4.0 {
+        return Err(BiasFault::TooStiff(along_bias, most.min(4.0 / rigid)));
     }
-    Ok(1.0 / (4.0 / along_bias - 2.0 * (1.0 - poisson) / stretch))
+    let softest = SOFTEST * stretch / (2.0 * (1.0 + poisson));
+    let least = 4.0 / (1.0 / softest + rigid);
+    if along_bias < least {
+        return Err(BiasFault::TooSoft(along_bias, least));
+    }
+    Ok(1.0 / (4.0 / along_bias - rigid))
 }
 
 #[cfg(test)]
@@ -158,5 +181,18 @@ mod tests {
         assert!(matches!(STRIP.stiffness(&line(1.0, 0.5)), Err(BiasFault::Curved(_))));
         assert!(STRIP.stiffness(&line(1.0, 0.05)).is_ok());
         assert!(matches!(shear_stiffness(130.0, 38.4, 0.39), Err(BiasFault::TooStiff(..))));
+    }
+
+    #[test]
+    fn no_weave_is_much_stiffer_along_the_bias_or_nearly_without_shear() {
+        let (y, nu) = (38.4, 0.39);
+        // Ten times the length, and loads in kN.
+        for (strip, words) in [(113.0, "at most 42.240"), (0.0113, "at least 0.0552")] {
+            let fault = shear_stiffness(strip, y, nu).expect_err(words).to_string();
+            assert!(fault.contains(words) && fault.contains("length, width and units"), "{fault}");
+        }
+        assert!(shear_stiffness(1.09 * y, y, nu).is_ok() && shear_stiffness(0.06, y, nu).is_ok());
+        // A sheet that widens when it is pulled has an earlier asymptote.
+        assert!(shear_stiffness(40.0, y, -0.9).is_ok() && shear_stiffness(41.0, y, -0.9).is_err());
     }
 }

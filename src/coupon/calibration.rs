@@ -11,7 +11,8 @@ use std::fmt::Write;
 
 use crate::coupon::strips::WIDTH;
 use crate::coupon::table::{TableColumn, read_table};
-use crate::spec::{Allowed, Faults, Source};
+use crate::spec::{Allowed, CONTACT, Faults, Source, TOXIC};
+use crate::units::Readable;
 
 /// Least number of specimens of a setting.
 const LEAST: usize = 3;
@@ -20,13 +21,47 @@ const WEAKEST: f64 = 1e-3;
 /// Largest standard deviation over the mean.
 const SPREAD: f64 = 0.25;
 
-/// The columns of the table that `coupon` writes, with the required numbers.
+/// Temperatures of strips, C: no coating melts in a hot room, and from the upper end on the release layer is toxic.
+pub const TEMPERATURES: Allowed = Allowed::between(40.0, TOXIC.0);
+/// Speeds of strips, mm/s; those of a spec.
+pub const SPEEDS: Allowed = Allowed::closed(1e-3, 1e3);
+/// Largest peel strength, N/mm: the strongest coated fabrics tear at about this pull (PVC-coated polyester of type V, 10 kN on 50 mm by
+/// EN ISO 1421), and a seal bears no more than its fabric.
+const STRONGEST: f64 = 200.0;
+/// Ten times the speed of the paper, mm/s: above it, mm/min may have been written as mm/s.
+const FAST: f64 = 1.0;
+
+/// The columns of the table that `coupon` writes, with the numbers that a spec and a profile may have.
 const COLUMNS: [TableColumn; 4] = [
-    TableColumn { names: &["temperature"], unit: "C", allowed: Allowed::closed(0.0, 1e3), optional: false },
-    TableColumn { names: &["speed"], unit: "mm_s", allowed: Allowed::closed(1e-3, 1e3), optional: false },
-    TableColumn { names: &["height"], unit: "mm", allowed: Allowed::closed(-20.0, 1e3), optional: false },
+    TableColumn {
+        names: &["temperature"],
+        unit: "C",
+        allowed: TEMPERATURES,
+        optional: false,
+        slip: "convert degrees Fahrenheit to C; check whether the columns are exchanged",
+    },
+    TableColumn {
+        names: &["speed"],
+        unit: "mm_s",
+        allowed: SPEEDS,
+        optional: false,
+        slip: "convert mm/min to mm/s; check whether the columns are exchanged",
+    },
+    TableColumn {
+        names: &["height"],
+        unit: "mm",
+        allowed: CONTACT,
+        optional: false,
+        slip: "convert um to mm; check whether the columns are exchanged",
+    },
     // Empty where a strip was not tested.
-    TableColumn { names: &["peel"], unit: "N", allowed: Allowed::closed(0.0, 1e6), optional: true },
+    TableColumn {
+        names: &["peel"],
+        unit: "N",
+        allowed: Allowed::closed(0.0, STRONGEST * WIDTH),
+        optional: true,
+        slip: "write pulls above 0, and convert mN to N: no fabric bears more on 25 mm",
+    },
 ];
 
 /// One filled-in row.
@@ -175,13 +210,23 @@ impl Calibration {
         let Self { setting, mean, deviation, strength, count } = self;
         // A lower bound is rounded down; 1e-6 of the last digit is rounding error.
         let strength = (strength * 1e3 + 1e-6).floor() / 1e3;
+        let speed = setting.speed;
+        let fast = if speed > FAST {
+            format!(
+                "# {speed} mm/s is more than ten times the paper's 0.1 mm/s; if the strips were sealed at {speed} mm/min, \
+                 write speed = \"{} mm/s\"\n",
+                Readable(speed / 60.0)
+            )
+        } else {
+            String::new()
+        };
         format!(
             "# {count} specimens: {mean:.3} N/mm, standard deviation {deviation:.3}; strength: mean less two \
              standard deviations\n\
              [fabric]\nseal_strength = \"{strength:.3} N/mm\"\n\n\
              # tip at {} mm: heights.contact of the machine profile\n\
-             [seal]\ntemperature = \"{} C\"\nspeed = \"{} mm/s\"\n",
-            setting.height, setting.temperature, setting.speed
+             {fast}[seal]\ntemperature = \"{} C\"\nspeed = \"{speed} mm/s\"\n",
+            setting.height, setting.temperature
         )
     }
 }
@@ -237,6 +282,35 @@ mod tests {
         let row = |peel| PeelRow { temperature: 200.0, speed: 1.0, height: 0.0, peel };
         let settings = settings(&[row(49.99), row(49.99), row(49.99)]);
         assert!(settings[0].toml().contains("seal_strength = \"1.999 N/mm\""), "{}", settings[0].toml());
+    }
+
+    #[test]
+    fn what_no_spec_may_say_is_refused_with_its_line_and_the_likely_slip() {
+        let head = "temperature_C,speed_mm_s,height_mm,peel_N\n200,0.1,-0.3,144\n";
+        for (row, words) in [
+            ("0.2,200,-0.3,144", ["`temperature_C` is `0.2`", "more than 40 and less than 300", "exchanged"]),
+            (
+                "392,0.1,-0.3,144",
+                ["`temperature_C` is `392`", "more than 40 and less than 300", "Fahrenheit"],
+            ),
+            ("200,2000,-0.3,144", ["`speed_mm_s` is `2000`", "at most 1000", "mm/s"]),
+            ("200,0.1,300,144", ["`height_mm` is `300`", "at least -20 and at most 5", "um"]),
+            ("200,0.1,-0.3,144000", ["`peel_N` is `144000`", "at most 5000", "mN"]),
+        ] {
+            let faults = read_rows(&Source::new("results.csv", format!("{head}{row}\n"))).expect_err(row);
+            let said = faults.to_string();
+            assert!(said.contains("results.csv:3"), "{said}");
+            assert!(words.iter().all(|word| said.contains(word)), "{said}");
+        }
+    }
+
+    #[test]
+    fn a_speed_that_may_be_in_mm_per_minute_is_said_to() {
+        let row = PeelRow { temperature: 200.0, speed: 12.0, height: 0.0, peel: 50.0 };
+        let text = settings(&[row; 3])[0].toml();
+        assert!(text.contains("sealed at 12 mm/min, write speed = \"0.2 mm/s\""), "{text}");
+        let slow = settings(&[PeelRow { speed: 1.0, ..row }; 3])[0].toml();
+        assert!(!slow.contains("mm/min"), "{slow}");
     }
 
     #[test]

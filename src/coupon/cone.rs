@@ -24,8 +24,15 @@ const COLUMNS: [TableColumn; 2] = [
         unit: "mm",
         allowed: Allowed::closed(-1e5, 1e5),
         optional: false,
+        slip: "convert um to mm",
     },
-    TableColumn { names: &["load"], unit: "N", allowed: Allowed::closed(-1e6, 1e6), optional: false },
+    TableColumn {
+        names: &["load"],
+        unit: "N",
+        allowed: Allowed::closed(-1e6, 1e6),
+        optional: false,
+        slip: "convert mN to N",
+    },
 ];
 
 /// The balance of forces that reduces the test.

@@ -23,7 +23,8 @@ use crate::spec::{Machine, Spec};
 use inflatable::geom::{Bounds, Isometry, Path, Point};
 
 pub use calibration::{
-    Calibration, CalibrationFault, PeelRow, calibrate, listing, read_rows, settings, steady,
+    Calibration, CalibrationFault, PeelRow, SPEEDS, TEMPERATURES, calibrate, listing, read_rows, settings,
+    steady,
 };
 pub use shapes::{disc, hose, vee};
 pub use strips::{StripGrid, TestStrip, overview, table};

@@ -30,6 +30,8 @@ pub struct TableColumn {
     pub allowed: Allowed,
     /// Whether its cells may be empty.
     pub optional: bool,
+    /// The remedy for a number outside its range: the likely slip.
+    pub slip: &'static str,
 }
 
 impl TableColumn {
@@ -272,7 +274,8 @@ fn bad_number(column: &TableColumn, cell: &str, place: Range<usize>) -> Fault {
     }
     let found = if cell.is_empty() { "empty".to_owned() } else { format!("`{}`", shortened(cell)) };
     let label = format!("a number is needed; it {}", column.allowed.in_words(""));
-    Fault::error(FaultCode::Cell, place, format!("`{name}` is {found}")).label(label)
+    let fault = Fault::error(FaultCode::Cell, place, format!("`{name}` is {found}")).label(label);
+    if cell.parse::<f64>().is_ok_and(f64::is_finite) { fault.help(column.slip) } else { fault }
 }
 
 /// The first 40 characters of a cell, for a message.
@@ -295,8 +298,15 @@ mod tests {
             unit: "mm",
             allowed: Allowed::closed(-10.0, 1e3),
             optional: false,
+            slip: "are these um?",
         },
-        TableColumn { names: &["speed"], unit: "mm_s", allowed: Allowed::closed(0.0, 10.0), optional: true },
+        TableColumn {
+            names: &["speed"],
+            unit: "mm_s",
+            allowed: Allowed::closed(0.0, 10.0),
+            optional: true,
+            slip: "are these mm/min?",
+        },
     ];
 
     fn rows(text: &str) -> Vec<[Option<f64>; 2]> {

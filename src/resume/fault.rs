@@ -23,6 +23,8 @@ pub enum ResumeFault {
     Unproven(Finding),
     /// The line does not exist; the number of lines in the file.
     NoSuchLine(usize, usize),
+    /// This program, the rest of a job, begins at this fraction of it, and the place lies before.
+    BeforeStart(f64),
     /// No seam is within reach of the point; the distance of the nearest one, mm.
     Nowhere(f64),
     /// The job is complete.
@@ -54,6 +56,12 @@ impl fmt::Display for ResumeFault {
                 write!(f, "the program for the rest was not written, because it would be wrong: {finding}")
             }
             Self::NoSuchLine(line, lines) => write!(f, "there is no line {line}: the file has 1 to {lines}"),
+            Self::BeforeStart(share) => write!(
+                f,
+                "this program begins at {:.1} % of the job's time: resume the program before it, or run this one again \
+                 from its start",
+                100.0 * share
+            ),
             Self::Nowhere(distance) => write!(
                 f,
                 "no seam passes there: the nearest is {distance:.1} mm away; give a point on a seam, in the sheet's frame"

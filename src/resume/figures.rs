@@ -87,7 +87,7 @@ impl Figures {
 }
 
 /// The comment in a line that contains nothing else.
-fn comment(record: &Record, line: &str) -> Option<Comment> {
+pub(super) fn comment(record: &Record, line: &str) -> Option<Comment> {
     let text = match line.strip_prefix(';') {
         Some(text) => text,
         None => line.strip_prefix('(')?.strip_suffix(')')?,

@@ -11,6 +11,7 @@ mod figures;
 mod judge;
 mod record;
 mod resume_at;
+mod stated;
 mod toolpath;
 mod window;
 
@@ -52,6 +53,7 @@ pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resum
         return Err(ResumeFault::Disagrees(finding));
     }
     judge::agrees(&record, text, &toolpath.reach)?;
+    stated::agrees(&toolpath)?;
     let stop = place.find(&toolpath)?;
     let wanted = overlap.unwrap_or(record.seal.overlap.0);
     // At a stop of the machine the seam may continue one stroke farther back.

@@ -8,6 +8,8 @@ use inflatable::geom::Point;
 
 /// Largest distance of a given point from a seam, mm: the accuracy of a position read from a display or a ruler.
 const REACH: f64 = 10.0;
+/// Displays show whole percentages.
+const SHOWN: f64 = 0.01;
 
 /// The place where the job stopped.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,6 +52,9 @@ impl ResumeAt {
                 Err(ResumeFault::NoSuchLine(line, toolpath.lines))
             }
             Self::Line(line) => first(toolpath, |step| (step.step.line >= line).then_some(0.0)),
+            Self::Share(share) if share < toolpath.share_at(0.0) - SHOWN => {
+                Err(ResumeFault::BeforeStart(toolpath.share_at(0.0)))
+            }
             Self::Share(share) => {
                 let time = toolpath.time_at(share);
                 first(toolpath, |step| {

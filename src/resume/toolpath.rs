@@ -121,7 +121,7 @@ impl<'a> Toolpath<'a> {
         whole.filter(|whole| *whole > 0.0).unwrap_or(self.seconds)
     }
 
-    /// The time of this program, s, at which `share` of the whole job is over; the start of the program if it begins later.
+    /// The time of this program, s, at which `share` of the whole job is over; the start of the program if it begins a little later.
     pub(super) fn time_at(&self, share: f64) -> f64 {
         // The end of both is the same, and a rest seals an overlap again.
         (self.seconds - (1.0 - share) * self.whole()).max(0.0)

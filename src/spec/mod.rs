@@ -60,7 +60,7 @@ pub use model::{
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, NameFault, check_name, misleads};
 pub use profile::{
-    UnknownMachine, builtin_machine, builtin_machines, limits_set_by, read_machine, usual_profile,
+    CONTACT, UnknownMachine, builtin_machine, builtin_machines, limits_set_by, read_machine, usual_profile,
 };
 pub use raw::RawSpec;
 pub use reading::{Reading, SMALLEST_HOLE, TOXIC, read};

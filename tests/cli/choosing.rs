@@ -183,6 +183,24 @@ fn a_wish_that_cannot_be_is_told_by_its_reason() {
         let output = run(folder().path(), &[&["new", "wish"], wrong].concat());
         assert_eq!(output.status.code(), Some(2), "{wrong:?}");
     }
+    let help = text(&run(folder().path(), &["new", "--help"]).stdout);
+    assert!(help.contains("required with --object"), "{help}");
+    // An option that a drawing excludes is named, and not what it would need without a drawing.
+    for (option, value) in [
+        ("--object", "70 mm"),
+        ("--height", "70 mm"),
+        ("--shape", "ball"),
+        ("--mass", "1 kg"),
+        ("--pressure", "30 kPa"),
+        ("--friction", "0.3"),
+        ("--fragile", "20 N"),
+        ("--fabric", "paper"),
+        ("--machine", "grbl"),
+        ("--sheet", "A4"),
+    ] {
+        let said = text(&run(folder().path(), &["new", "wish", "--drawing", "a.svg", option, value]).stderr);
+        assert!(said.contains("cannot be used with") && said.contains(option), "{option}: {said}");
+    }
 }
 
 /// The proposal keeps the object's largest force, and its mass if coated corners hold it.

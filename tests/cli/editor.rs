@@ -125,6 +125,13 @@ fn a_spec_comes_from_a_pipe() {
     assert_eq!(built.status.code(), Some(0), "{}", stderr(&built));
     let copy = fs::read_to_string(dir.path().join("out/paper-star-5-points/spec.toml")).expect("by its name");
     assert_eq!(copy, support::PAPER);
+    // Commands that follow name that copy.
+    let said = fed(dir.path(), support::PAPER, &["build", "-", "-o", "made", "--only", "seal-svg"]);
+    let told = stdout(&said) + &stderr(&said);
+    assert!(told.contains("feedcheck made/spec.toml") && !told.contains("feedcheck -`"), "{told}");
+    let said = stdout(&fed(dir.path(), support::PAPER, &["coupon", "-", "-o", "cc", "--only", "strips"]));
+    assert!(said.contains("into [load] of cc/spec.toml, then: "), "{said}");
+    assert!(said.contains("calibrate cc/results.csv --spec cc/spec.toml\n"), "{said}");
 }
 
 #[test]

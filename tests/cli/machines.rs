@@ -202,6 +202,9 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
     let _ = fails(dir.path(), &["resume", job, "--at", "50%"], 1, &["resume.gcode exists already"]);
     let _ = fails(dir.path(), &["resume", job, "--at", "50%", "-o", job], 1, &["exists already"]);
     assert_eq!(read(dir.path(), target), resumed);
+    let inside = ["resume", job, "--at", "50%", "-o", "out/star/rest.gcode"];
+    let _ = fails(dir.path(), &inside, 1, &["out/star/rest.gcode is in a published directory", "beside it"]);
+    assert!(!dir.path().join("out/star/rest.gcode").exists());
     assert_eq!(read(dir.path(), job), before);
 
     let said = done(dir.path(), &["resume", job, "--at", "37%", "--overlap", "2 mm", "-o", "at.gcode"]);
@@ -447,7 +450,7 @@ fn a_hose_that_fits_no_coupon_is_refused() {
 fn coupon_refuses_bad_settings_and_writes_nothing() {
     let dir = workshop();
     for (args, code, words) in [
-        (["--temperatures", "300 C"], 2, "the temperature must be more than 0 C and less than 300 C"),
+        (["--temperatures", "300 C"], 2, "the temperature must be more than 40 C and less than 300 C"),
         (["--temperatures", "nan C"], 2, "write the temperature as a number and one of C"),
         (["--temperatures", "200"], 2, "write the temperature as a number and one of C"),
         (
@@ -458,7 +461,7 @@ fn coupon_refuses_bad_settings_and_writes_nothing() {
         (["--temperatures", "180.1 C,180.3 C"], 1, "--repeats"),
         (["--speeds", "0 mm/s"], 2, "must be at least 0.001 mm/s and at most 1000 mm/s"),
         (["--speeds", "0.1 mm/s,0.1001 mm/s"], 1, "at least 0.001 mm/s"),
-        (["--heights", "6 mm"], 1, "to below 5 mm"),
+        (["--heights", "6 mm"], 2, "at most 5 mm"),
         (["--heights", "-21 mm"], 2, "must be at least -20 mm"),
         (["--repeats", "0"], 2, "1..=20"),
         (["--repeats", "21"], 2, "1..=20"),

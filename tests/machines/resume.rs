@@ -257,9 +257,12 @@ fn a_share_is_one_of_the_whole_job_however_often_it_was_resumed() {
             let by_line = resume(&once.text, ResumeAt::Line(at + 1), None).expect("by line");
             assert!((by_line.done - 0.75).abs() < 0.01, "{name}: {}", by_line.done);
         }
-        // What lies before the rest is sealed: it begins anew.
-        let early = resume(&again.text, ResumeAt::Share(0.1), None).expect("early");
-        assert!((early.seconds - again.seconds).abs() < 120.0, "{name}");
+        // What lies before the rest is in another program; displays show whole percentages.
+        let early = resume(&again.text, ResumeAt::Share(0.1), None);
+        let Err(ResumeFault::BeforeStart(start)) = early else { panic!("{name}: {early:?}") };
+        assert!((0.58..0.6).contains(&start), "{name}: {start}");
+        let shown = resume(&again.text, ResumeAt::Share(start - 0.009), None).expect("its start");
+        assert!((shown.seconds - again.seconds).abs() < 120.0, "{name}");
     }
 }
 
@@ -326,6 +329,50 @@ fn what_a_comment_says_is_not_believed() {
         );
         assert!(matches!(&other, Err(ResumeFault::Disagrees(f)) if f.line.is_some()), "{name}: {other:?}");
     }
+}
+
+#[test]
+fn lengths_and_times_that_the_moves_contradict_are_refused() {
+    let refused = |job: &str, words: &str| match resume(job, ResumeAt::Share(0.5), None) {
+        Err(ResumeFault::Disagrees(finding)) => {
+            assert_eq!(finding.code, "other-comment", "{finding}");
+            assert!(finding.found.contains(words) && finding.line.is_some(), "{finding}");
+        }
+        other => panic!("{words}: {other:?}"),
+    };
+    for name in ["generic", "klipper", "grbl", "marlin"] {
+        let job = job(name);
+        let rest = resume(&job, ResumeAt::Share(0.4), None).expect("resumed").text;
+        for text in [&job, &rest] {
+            for (key, value, to) in [
+                ("total", "length_mm", "1.000"),
+                ("total", "time_s", "10"),
+                ("length", "length_mm", "1.000"),
+                ("length", "time_s", "10"),
+                ("seam", "time_s", "9000"),
+                ("job", "time_s", "90000"),
+                ("job", "time_s", "9000"),
+                ("total", "time_s", "30000"),
+            ] {
+                if key == "job" && text == &job {
+                    continue;
+                }
+                let line = text.lines().find(|line| line.starts_with(&format!("; {key}: "))).expect(key);
+                let old = line.split(' ').find(|word| word.starts_with(&format!("{value}="))).expect(value);
+                let lie = line.replace(old, &format!("{value}={to}"));
+                let words =
+                    if key == "total" && to == "30000" && text == &rest { "job: " } else { &lie[2..] };
+                refused(&text.replace(line, &lie), words);
+            }
+        }
+    }
+    // One corner 8 mm beside the seam.
+    let job = job("generic");
+    let line =
+        job.lines().filter(|line| line.starts_with("G1 X") && !line.contains('Z')).nth(60).expect("a move");
+    let x: f64 = line[4..].split(' ').next().and_then(|x| x.parse().ok()).expect("X");
+    let moved = line.replacen(&line[..4 + x.to_string().len()], &format!("G1 X{}", x + 8.0), 1);
+    refused(&job.replacen(line, &moved, 1), "seam=");
 }
 
 /// A job with a line inserted before the first one that begins with `before`, and the correct number of lines in its last line.

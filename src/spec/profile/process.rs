@@ -10,7 +10,7 @@ use crate::spec::section::{Reader, Section};
 use crate::units::{Length, Speed};
 
 /// Height in contact: a thick release layer is less than 5 mm.
-const CONTACT: Allowed = Allowed::closed(lowest_contact(true), 5.0);
+pub const CONTACT: Allowed = Allowed::closed(lowest_contact(true), 5.0);
 /// Heights without contact: above the release layer, below any gantry.
 pub(super) const HEIGHT: Allowed = Allowed::above(0.0, 1000.0);
 /// Speeds of moves without sealing, up to 10 m/s.

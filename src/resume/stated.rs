@@ -1,0 +1,194 @@
+//! Lengths and times as the comments state them, against the moves.
+
+use std::collections::HashMap;
+use std::ops::ControlFlow;
+
+use crate::plan::Pace;
+use crate::resume::ResumeFault;
+use crate::resume::figures::comment;
+use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
+use crate::verify::gcode::Comment;
+use crate::verify::{Finding, FindingCode};
+
+/// Rounding of coordinates and of a stated length, for each seam, mm.
+const LENGTH: f64 = 0.02;
+/// Rounding of a stated time, s.
+const TIME: f64 = 0.6;
+/// The most by which strokes and dwells leave the schedule of a contact, s.
+const SCHEDULE: f64 = 5.0;
+/// The same where the controller joins short moves, of the time in contact.
+const JOINED: f64 = 5e-3;
+/// Rounding of a stated percentage, as a fraction.
+const SHARE: f64 = 6e-4;
+/// Least acceleration of a profile, mm/s^2.
+const SLOWEST: f64 = 0.1;
+/// Where every axis has the travel speed, a way is faster by at most this: the diagonal of a cube.
+const DIAGONAL: f64 = 1.733;
+
+/// Moves of a seam, or of all of them.
+#[derive(Clone, Copy, Debug, Default)]
+struct WalkedSeam {
+    /// Path in contact, mm.
+    length: f64,
+    /// The most by which chords are shorter than the arcs that they replace, mm.
+    chords: f64,
+    /// Time with ramps, s.
+    seconds: f64,
+}
+
+impl WalkedSeam {
+    fn add(&mut self, step: &TimedMove, tolerance: f64) {
+        self.seconds += step.seconds;
+        let flat = step.flat();
+        if step.phase == JobPhase::Contact {
+            self.length += flat;
+        }
+        // A chord c with the sagitta s is shorter than its arc by 8 s^2 / (3 c).
+        self.chords += 3.0 * tolerance * tolerance / flat.max(tolerance);
+    }
+}
+
+/// Checks that the comments of the program state its lengths and times, and the place in the whole job where it begins.
+///
+/// # Errors
+/// The first comment that does not.
+pub(super) fn agrees(toolpath: &Toolpath<'_>) -> Result<(), ResumeFault> {
+    StatedFigures::new(toolpath).first_fault().map_or(Ok(()), |finding| Err(ResumeFault::Disagrees(finding)))
+}
+
+/// A program's moves and what its comments state about them.
+struct StatedFigures<'a> {
+    toolpath: &'a Toolpath<'a>,
+    comments: Vec<Comment>,
+    /// By the number of the seam in its title.
+    seams: HashMap<u64, WalkedSeam>,
+    all: WalkedSeam,
+    contacts: f64,
+    /// Least and largest time of the travels, s.
+    travels: [f64; 2],
+    /// Time before the first contact, s.
+    ahead: f64,
+}
+
+impl<'a> StatedFigures<'a> {
+    fn new(toolpath: &'a Toolpath<'a>) -> Self {
+        let record = toolpath.record;
+        let comments: Vec<Comment> = (1..)
+            .zip(toolpath.text.lines())
+            .filter_map(|(line, text)| Some(Comment { line, ..comment(record, text)? }))
+            .filter(|comment| matches!(comment.key(), Some("length" | "seam" | "total" | "job" | "resume")))
+            .collect();
+        let titles: HashMap<usize, u64> = comments
+            .iter()
+            .filter(|comment| comment.key() == Some("seam"))
+            .filter_map(|comment| Some((comment.line - 1, comment.number("seam")?.to_bits())))
+            .collect();
+        let mut out = Self {
+            toolpath,
+            comments,
+            seams: titles.values().map(|number| (*number, WalkedSeam::default())).collect(),
+            all: WalkedSeam::default(),
+            contacts: 0.0,
+            travels: [0.0; 2],
+            ahead: 0.0,
+        };
+        let acceleration = if let Pace::Chopped(chop) = record.pace { chop.acceleration } else { SLOWEST };
+        let mut before = JobPhase::Clear;
+        toolpath.walk(|step| {
+            let begins = before == JobPhase::Clear && step.phase != JobPhase::Clear;
+            before = step.phase;
+            if begins {
+                out.contacts += 1.0;
+            }
+            if step.phase == JobPhase::Clear {
+                let [least, most] = &mut out.travels;
+                *least += step.seconds / DIAGONAL;
+                *most += step.seconds + 2.0 * (step.step.length() / acceleration).sqrt();
+            } else {
+                if out.all.length == 0.0 {
+                    out.ahead =
+                        step.begins + if step.phase == JobPhase::Contact { 0.0 } else { step.seconds };
+                }
+                let number = step.title.and_then(|title| titles.get(&title));
+                if let Some(seam) = number.and_then(|number| out.seams.get_mut(number)) {
+                    seam.add(step, record.path.0);
+                }
+                out.all.add(step, record.path.0);
+            }
+            ControlFlow::Continue(())
+        });
+        out
+    }
+
+    fn first_fault(&self) -> Option<Finding> {
+        self.comments.iter().find_map(|comment| {
+            let allowed = match comment.key()? {
+                "total" => self.wrong_total(comment),
+                "job" => self.wrong_job(),
+                "resume" => None,
+                _ => self.wrong_seam(comment),
+            }?;
+            Some(Finding::at(FindingCode::OtherComment, comment.line, comment.text.clone(), allowed))
+        })
+    }
+
+    /// What a comment about a seam should state.
+    fn wrong_seam(&self, comment: &Comment) -> Option<String> {
+        let Some(walked) = self.seams.get(&comment.number("seam")?.to_bits()) else {
+            return Some("a seam that the program has".to_owned());
+        };
+        let time = walked.chords / self.speed() + TIME + LENGTH / self.speed();
+        wrong_length(comment, walked, 1.0)
+            .or_else(|| wrong_time(comment, [walked.seconds - time, walked.seconds + time]))
+    }
+
+    /// What the comment about the whole program should state.
+    fn wrong_total(&self, comment: &Comment) -> Option<String> {
+        let (all, contacts) = (&self.all, self.contacts.max(1.0));
+        let off = (all.chords + LENGTH * contacts) / self.speed() + SCHEDULE * contacts;
+        let off = if self.toolpath.record.joins_moves() { off + JOINED * all.seconds } else { off };
+        let [least, most] = self.travels.map(|travels| all.seconds + travels);
+        // The accelerations of a rest are those of the whole job; its time is proven with the job's.
+        let most = if self.toolpath.job.is_some() { f64::INFINITY } else { most + off };
+        wrong_length(comment, all, contacts).or_else(|| wrong_time(comment, [least - off, most]))
+    }
+
+    /// What the comment about the whole job should state, of which this program is the rest.
+    fn wrong_job(&self) -> Option<String> {
+        let note = self.comments.iter().find(|comment| comment.key() == Some("resume"));
+        let Some((overlap, percent)) =
+            note.and_then(|note| note.number("overlap_mm").zip(note.number("percent")))
+        else {
+            return Some("a comment \"resume: ... overlap_mm=... percent=...\" beside it".to_owned());
+        };
+        let heights = &self.toolpath.record.process.heights;
+        // The job may have stopped on the way up, after the seam.
+        let rise = libm::hypot(self.toolpath.record.process.ramp.0, heights.travel.0 - heights.contact.0);
+        let contact = self.ahead + overlap / self.speed();
+        let first = if overlap > 0.0 { contact } else { 0.0 };
+        let [low, high] = [first - SCHEDULE, contact + rise / self.speed() + SCHEDULE]
+            .map(|time| self.toolpath.share_at(time));
+        let is_there = (low - SHARE..=high + SHARE).contains(&(percent / 100.0));
+        (!is_there)
+            .then(|| format!("a time with which {percent} % of the job are over where this program begins"))
+    }
+
+    /// The seal's speed, mm/s.
+    fn speed(&self) -> f64 {
+        self.toolpath.record.seal.speed.0
+    }
+}
+
+/// The length that was walked instead of a stated one, for so many `seams`.
+fn wrong_length(comment: &Comment, walked: &WalkedSeam, seams: f64) -> Option<String> {
+    let off = comment.number("length_mm")? - walked.length;
+    let is_there = (-LENGTH * seams..=LENGTH * seams + walked.chords).contains(&off);
+    (!is_there).then(|| format!("length_mm={:.3}", walked.length))
+}
+
+/// The possible times instead of a stated one, s.
+fn wrong_time(comment: &Comment, [least, most]: [f64; 2]) -> Option<String> {
+    let time = comment.number("time_s")?;
+    let most_in_words = if most.is_finite() { format!(" to {most:.0}") } else { " or more".to_owned() };
+    (!(least..=most).contains(&time)).then(|| format!("time_s={least:.0}{most_in_words}"))
+}
