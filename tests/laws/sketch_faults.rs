@@ -59,6 +59,22 @@ fn a_hole_keeps_off_the_cut() {
 }
 
 #[test]
+fn a_pouch_does_not_lie_in_a_hole() {
+    let (near, far) = (rectangle(5.0, 15.0, 150.0, 110.0), rectangle(-20.0, -20.0, 200.0, 200.0));
+    let hole =
+        Sketch { holes: vec![drawn("h", near.clone())], cuts: vec![drawn("c", far.clone())], ..cushion() };
+    let hole = fault(&hole);
+    assert!(hole.code == ShapeCode::CutInBand && hole.what == "the hole 'h' lies around a band", "{hole:?}");
+    let frame = |cuts: Vec<(&str, Path)>| {
+        fault(&Sketch { cuts: cuts.into_iter().map(|(name, path)| drawn(name, path)).collect(), ..cushion() })
+    };
+    for cuts in [vec![("c", near.clone()), ("f", far.clone())], vec![("f", far), ("c", near)]] {
+        let nested = frame(cuts);
+        assert!(nested.code == ShapeCode::Outlines && nested.names == ["c"], "{nested:?}");
+    }
+}
+
+#[test]
 fn a_port_marks_one_place() {
     let with = |port| Sketch { ports: vec![port], ..cushion() };
     let both = fault(&with(across("p", (10.0, 70.0), (150.0, 70.0))));
