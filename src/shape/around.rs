@@ -251,9 +251,9 @@ fn necks(
         if ports.len() > 1 {
             let what =
                 format!("{:.3} mm of fabric between the channels of ports {}", neck.width, quoted(&ports));
-            let remedy = format!("put ports at least {:.3} mm from each other", rules.port_width + both);
             own.extend(ports);
-            notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), (what, remedy), [neck.width, both]);
+            let text = (what, rules.ports_apart());
+            notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), text, [neck.width, both]);
             continue;
         }
         let what = format!(

@@ -37,9 +37,8 @@ pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rule
             let allowed = rules.port_width.max(5.0);
             let name = quoted(&names);
             let text = if *distance <= allowed {
-                let least = rules.port_width + 2.0 * rules.band;
                 let what = format!("port {name} lies in the channel of another port");
-                (what, format!("put ports at least {least:.3} mm from each other, or remove it"))
+                (what, format!("{}, or remove it", rules.ports_apart()))
             } else if distance.is_finite() {
                 let what = format!("port {name} lies {distance:.3} mm from the nearest outer edge");
                 (what, format!("put it on an edge, or at most {allowed:.3} mm from it"))

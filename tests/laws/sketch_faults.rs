@@ -1,7 +1,9 @@
 //! Faults and warnings of sketches: each has the right code, the place and a remedy that works.
 
+use std::f64::consts::FRAC_PI_2;
+
 use stargrip_cam::geom::Path;
-use stargrip_cam::shape::{DrawnPort, PortPlace, ShapeCode, ShapeFault, Sketch, sealed_shape};
+use stargrip_cam::shape::{DrawnPort, PortPlace, Rules, ShapeCode, ShapeFault, Sketch, sealed_shape};
 
 use crate::sketches::{RULES, circle, drawn, open, p, port, rectangle, sketch};
 
@@ -108,6 +110,27 @@ fn copies_of_ports_are_merged_and_other_near_ports_are_told() {
     };
     for fault in faults(&near) {
         assert!(fault.remedy.starts_with("put ports at least 10.000 mm from each other"), "{fault:?}");
+    }
+}
+
+/// The bands of two ports may touch, whatever the number of ports and their distance from there on.
+#[test]
+fn ports_are_no_farther_from_each_other_than_is_told() {
+    let apart = |distance: f64, rules: &Rules| {
+        let ports = (0..3).map(|i| port(20.0, 40.0 + f64::from(i) * distance)).collect();
+        sealed_shape(&Sketch { ports, ..cushion() }, rules)
+    };
+    for width in [6.0, 4.0 * FRAC_PI_2] {
+        let rules = Rules { port_width: width, ..RULES };
+        let near = apart(width + 3.9, &rules).expect_err("too near");
+        let told = near[0].remedy.trim_start_matches("put ports at least ").split(' ').next();
+        let least: f64 = told.expect("a number").parse().expect("a number");
+        assert!((least - width - 4.0).abs() < 1e-3, "{near:#?}");
+        for more in [0.0, 0.01, 1.0, 2.0, 5.0, 6.5, 8.0, 12.0] {
+            let found = apart(least + more, &rules);
+            let ports = found.as_ref().map(|sealing| sealing.shape.ports.len());
+            assert!(matches!(ports, Ok(3)), "{width} {more}: {found:#?}");
+        }
     }
 }
 
