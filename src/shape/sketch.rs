@@ -64,6 +64,11 @@ pub struct Rules {
 }
 
 impl Rules {
+    /// Largest distance of a port from its edge, mm.
+    pub(super) fn farthest_port(&self) -> f64 {
+        self.port_width.max(5.0)
+    }
+
     /// The remedy for ports whose channels meet: their least distance, rounded up.
     pub(super) fn ports_apart(&self) -> String {
         let apart = self.port_width + 2.0 * self.band;

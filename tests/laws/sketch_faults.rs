@@ -104,12 +104,14 @@ fn copies_of_ports_are_merged_and_other_near_ports_are_told() {
     let sealing = sealed_shape(&twice, &RULES).unwrap_or_else(|faults| panic!("{faults:#?}"));
     assert_eq!(sealing.shape.ports.len(), 1);
     assert!(sealing.repairs.iter().any(|repair| repair.what == "a port drawn twice in 'p' and 'q' merged"));
-    let near = Sketch {
-        ports: vec![across("p", (16.0, 70.0), (24.0, 70.0)), across("q", (16.0, 77.0), (24.0, 77.0))],
-        ..cushion()
-    };
-    for fault in faults(&near) {
-        assert!(fault.remedy.starts_with("put ports at least 10.000 mm from each other"), "{fault:?}");
+    for distance in [4.5, 5.0, 7.0] {
+        let second = across("q", (16.0, 70.0 + distance), (24.0, 70.0 + distance));
+        let ports = vec![across("p", (16.0, 70.0), (24.0, 70.0)), second];
+        let air = Sketch { ports, ..cushion() };
+        let seams = Sketch { seams: air.air.clone(), air: vec![], ..air.clone() };
+        for fault in [air, seams].iter().flat_map(faults) {
+            assert!(fault.remedy.starts_with("put ports at least 10.000 mm from each other"), "{fault:?}");
+        }
     }
 }
 
