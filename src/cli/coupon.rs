@@ -37,7 +37,7 @@ pub(super) struct Args {
     #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Speed>(Allowed::closed(1e-3, 1e3)))]
     speeds: Vec<Speed>,
     /// Heights of the tip in contact; default: the profile's.
-    #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>(Allowed::closed(-20.0, 1e5)), allow_hyphen_values = true)]
+    #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>(Allowed::closed(-20.0, 0.0)), allow_hyphen_values = true)]
     heights: Vec<Length>,
     /// Coupons of these kinds only; default: all.
     #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = words(&CouponGroup::NAMES, &[]))]
@@ -130,15 +130,10 @@ fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
     if let Some(v) = grid.speeds.iter().find(|v| !(1e-3..=1e3).contains(&v.0)) {
         return Err(Failure::Message(format!("a speed of {v}; it must be from 0.001 to 1000 mm/s")));
     }
-    let (lowest, travel) = (loaded.machine.process.lowest_contact(), heights.travel);
-    if let Some(h) = grid.heights.iter().find(|h| !(lowest.0..travel.0).contains(&h.0)) {
-        let tip = if loaded.machine.process.spring_loaded {
-            ""
-        } else {
-            "; the profile has a tip without a spring: set `spring_loaded = true` if it has one"
-        };
+    let lowest = loaded.machine.process.lowest_contact();
+    if let Some(h) = grid.heights.iter().find(|h| h.0 < lowest.0) {
         return Err(Failure::Message(format!(
-            "a height of {h}; it must be from {lowest} to below {travel}{tip}"
+            "a height of {h}; it must be {lowest} for the profile's tip without a spring: set `spring_loaded = true` if it has one"
         )));
     }
     grid.alike().map_or(Ok(grid), |why| Err(Failure::Message(why)))
