@@ -100,7 +100,8 @@ pub fn actual_speed(motion: &Motion, speed: f64, range: (f64, f64)) -> String {
         let percent = (1000.0 * part - 1e-9).ceil() / 10.0;
         return format!("up to {percent:.1} % too fast, for it rounds up to whole steps a second");
     }
-    let (least, most) = range;
+    // No controller runs below the programmed speed.
+    let (least, most) = (range.0.max(speed), range.1);
     let runs = if most - least < 0.005 { format!("{most:.2}") } else { format!("{least:.2} to {most:.2}") };
     format!("at {runs} mm/s instead of {speed}")
 }

@@ -209,6 +209,13 @@ fn a_stroke_that_takes_too_long_is_refused_with_the_speed_that_works() {
     assert_eq!(slow(advised + 0.002).map(|refusal| refusal.code), Some(RefusalCode::NoChop));
 }
 
+/// Along an axis such a machine is slow enough.
+#[test]
+fn no_controller_runs_below_the_speed() {
+    let refusal = grbl_says("", "_steps_per_mm = 80", "_steps_per_mm = 350").expect("too slow");
+    assert_eq!(refusal.found, "at 350 steps/mm GRBL runs this at 0.10 to 0.12 mm/s instead of 0.1");
+}
+
 #[test]
 fn unequal_steps_are_both_told() {
     let refusal = grbl_says("", "y_steps_per_mm = 80", "y_steps_per_mm = 100").expect("too slow");
