@@ -130,15 +130,10 @@ fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
     if let Some(v) = grid.speeds.iter().find(|v| !SPEEDS.holds(v.0)) {
         return Err(Failure::Message(format!("a speed of {v}; it must be from 0.001 to 1000 mm/s")));
     }
-    let (lowest, travel) = (loaded.machine.process.lowest_contact(), heights.travel);
-    if let Some(h) = grid.heights.iter().find(|h| !(lowest.0..travel.0).contains(&h.0)) {
-        let tip = if loaded.machine.process.spring_loaded {
-            ""
-        } else {
-            "; the profile has a tip without a spring: set `spring_loaded = true` if it has one"
-        };
+    let lowest = loaded.machine.process.lowest_contact();
+    if let Some(h) = grid.heights.iter().find(|h| h.0 < lowest.0) {
         return Err(Failure::Message(format!(
-            "a height of {h}; it must be from {lowest} to below {travel}{tip}"
+            "a height of {h}; it must be {lowest} for the profile's tip without a spring: set `spring_loaded = true` if it has one"
         )));
     }
     grid.alike().map_or(Ok(grid), |why| Err(Failure::Message(why)))

@@ -213,10 +213,9 @@ fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<(StripGrid, Vec<Co
         !values.is_empty() && values.iter().all(|value| (low..=high).contains(value))
     };
     let CouponChoice { temperatures, speeds, heights, repeats, only } = choice;
-    let (lowest, travel) = (machine.process.lowest_contact().0, machine.process.heights.travel.0);
     let right = within(temperatures, 1e-9, 300.0 - 1e-9)
         && within(speeds, 1e-3, 1e3)
-        && within(heights, lowest, travel - 1e-9)
+        && within(heights, machine.process.lowest_contact().0, 0.0)
         && (1..=20).contains(repeats)
         && [speeds.len(), heights.len(), *repeats]
             .iter()

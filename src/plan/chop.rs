@@ -86,6 +86,12 @@ impl Chop {
         if spared > 0.0 { self.cost() / spared } else { f64::INFINITY }
     }
 
+    /// Whether the rest after a longest stroke, where the mean speed is to be `speed`, mm/s, is one that leaves no scar.
+    pub(super) fn rests(&self, speed: f64) -> bool {
+        let moving = self.start_delay + move_time(self.longest, self.speed, Some(self.acceleration));
+        self.longest / speed - moving <= self.rest
+    }
+
     /// Steps of the three axes from one position to another; 0 where the stepper is unknown.
     pub(super) fn steps(&self, from: [f64; 3], to: [f64; 3]) -> [f64; 3] {
         let Some(stepper) = self.stepper else { return [0.0; 3] };

@@ -6,7 +6,7 @@ use crate::design::{Refusal, RefusalCode};
 use crate::plan::whole_rates::rounded_up;
 use crate::plan::{Chop, Pace, Program, Step};
 use crate::spec::{FeedFloor, Machine, Motion, Spec, StepRate, key};
-use crate::units::{Least, Most};
+use crate::units::{Least, Most, Speed};
 use inflatable::geom::Segment;
 
 /// The lowest speed that `motion` holds all along `piece`, which climbs by `rise`: that of its worst direction.
@@ -49,8 +49,8 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     for program in programs {
         flatness = flatness.max(ramp_flatness(&program.steps));
         if let Pace::Chopped(chop) = program.pace {
-            let refusal = too_fast_to_chop(spec, &chop).or_else(|| slow_chop_feed(machine, program));
-            let refusal = refusal.or_else(|| long_rest(&chop, program));
+            let refusal = too_fast_to_chop(spec, machine, &chop).or_else(|| slow_chop_feed(machine, program));
+            let refusal = refusal.or_else(|| long_rest(machine, &chop, program));
             if refusal.is_some() {
                 return refusal;
             }
@@ -100,7 +100,8 @@ pub fn actual_speed(motion: &Motion, speed: f64, range: (f64, f64)) -> String {
         let percent = (1000.0 * part - 1e-9).ceil() / 10.0;
         return format!("up to {percent:.1} % too fast, for it rounds up to whole steps a second");
     }
-    let (least, most) = range;
+    // No controller runs below the programmed speed.
+    let (least, most) = (range.0.max(speed), range.1);
     let runs = if most - least < 0.005 { format!("{most:.2}") } else { format!("{least:.2} to {most:.2}") };
     format!("at {runs} mm/s instead of {speed}")
 }
@@ -149,7 +150,7 @@ fn slow_ramps(speed: f64, machine: &Machine, lowest: f64, flatness: f64) -> Refu
 }
 
 /// The refusal where there is no time for dwells: in strokes of half a band at most, each needs one, of a step or two.
-fn too_fast_to_chop(spec: &Spec, chop: &Chop) -> Option<Refusal> {
+fn too_fast_to_chop(spec: &Spec, machine: &Machine, chop: &Chop) -> Option<Refusal> {
     let (speed, stroke) = (spec.seal.speed, spec.seal.band.0 / 2.0);
     if 2.0 * chop.least > stroke {
         let found = format!("the controller makes no move below {:.3} mm in every direction", chop.least);
@@ -162,20 +163,39 @@ fn too_fast_to_chop(spec: &Spec, chop: &Chop) -> Option<Refusal> {
     }
     let seconds = stroke / chop.speed + chop.cost();
     let limit = (stroke / seconds).min(spec.seal.band.0 / 10.0 / (2.0 * chop.step));
-    Some(Refusal::new(
-        key::seal::SPEED,
-        RefusalCode::NoChop,
-        format!(
-            "a stroke of {stroke:.3} mm at {:.3} mm/s takes {seconds:.3} s with the shortest dwell, too long for {speed}",
-            chop.speed
-        ),
-        format!("speed must be below {} mm/s", Most(limit)),
-    ))
+    let found = format!(
+        "a stroke of {stroke:.3} mm at {:.3} mm/s takes {seconds:.3} s with the shortest dwell, too long for {speed}",
+        chop.speed
+    );
+    let mut slower = spec.clone();
+    slower.seal.speed = Speed(limit);
+    let (key, remedy) = if Chop::new(&slower, machine).is_some_and(|chop| chop.rests(limit)) {
+        (key::seal::SPEED, format!("speed must be below {} mm/s", Most(limit)))
+    } else {
+        (
+            key::machine::PROFILE,
+            format!("strokes must be slower: {} in the profile", slower_strokes(machine, chop)),
+        )
+    };
+    Some(Refusal::new(key, RefusalCode::NoChop, found, remedy))
+}
+
+/// The change of a profile that lets the controller travel strokes more slowly than those of `chop`.
+fn slower_strokes(machine: &Machine, chop: &Chop) -> &'static str {
+    let motion = &machine.motion;
+    let any = Motion { min_feed: Speed(0.0), ..*motion };
+    if motion.chop_feed.is_some() {
+        "a lower `chop_feed`"
+    } else if any.chop_speed(0.0).is_some_and(|speed| speed < chop.speed / 2.0) {
+        "a lower `min_feed`"
+    } else {
+        "more steps per mm"
+    }
 }
 
 /// The refusal of a rest that is too long in one place: around a corner, where the controller joins moves of few steps, or after
 /// every stroke, where strokes are long because the axes speed up slowly.
-fn long_rest(chop: &Chop, program: &Program) -> Option<Refusal> {
+fn long_rest(machine: &Machine, chop: &Chop, program: &Program) -> Option<Refusal> {
     if program.overdue <= 0.0 {
         return None;
     }
@@ -189,7 +209,8 @@ fn long_rest(chop: &Chop, program: &Program) -> Option<Refusal> {
                 chop.least,
                 rest + overdue
             ),
-            "make the arms longer, round tips and corners, or use a machine with more steps per mm",
+            "make the arms longer, round tips and corners, or use a machine with more steps per mm"
+                .to_owned(),
         )
     } else {
         (
@@ -198,10 +219,13 @@ fn long_rest(chop: &Chop, program: &Program) -> Option<Refusal> {
                 "after strokes of {:.3} mm the iron would rest for more than {rest:.2} s in one place",
                 chop.longest
             ),
-            "choose another speed, or a higher acceleration in the profile if the machine has it",
+            format!(
+                "choose another speed, or a higher acceleration or {} in the profile if the machine has it",
+                slower_strokes(machine, chop)
+            ),
         )
     };
-    Some(Refusal::new(key, RefusalCode::NoChop, found, remedy.to_owned()))
+    Some(Refusal::new(key, RefusalCode::NoChop, found, remedy))
 }
 
 /// The profile's own `chop_feed` is one that the controller runs faster, on the ramps or in the plane.

@@ -10,7 +10,7 @@ use crate::shape::loose::{crossings, loose_ends};
 use crate::shape::mouth::{Mouth, NoChannel, ambiguous, cap, channel};
 use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
-use crate::shape::ports::no_channel;
+use crate::shape::ports::{no_channel, reason};
 use crate::shape::sketch::{Rules, Sketch};
 use inflatable::geom::{Bounds, Path, Point, Vec2};
 
@@ -196,12 +196,9 @@ fn open_edges(
             }
             // Perhaps a drawn seam is nearer.
             Err(NoChannel::Far(_)) if !sketch.seams.is_empty() => {}
-            Err(mut why) => {
+            Err(why) => {
                 taken.push(number);
-                if let NoChannel::Far(far) = &mut why {
-                    // Not from the channel of another port.
-                    *far = edges.iter().map(|edge| edge.distance(place)).fold(f64::INFINITY, f64::min);
-                }
+                let why = reason(why, place, &edges, mouths, rules);
                 no_channel(&why, &port.name, place, rules, notes);
             }
         }
@@ -251,9 +248,9 @@ fn necks(
         if ports.len() > 1 {
             let what =
                 format!("{:.3} mm of fabric between the channels of ports {}", neck.width, quoted(&ports));
-            let remedy = format!("put ports at least {:.3} mm from each other", rules.port_width + both);
             own.extend(ports);
-            notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), (what, remedy), [neck.width, both]);
+            let text = (what, rules.ports_apart());
+            notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), text, [neck.width, both]);
             continue;
         }
         let what = format!(

@@ -7,7 +7,7 @@ use crate::shape::loose::crossings;
 use crate::shape::mouth::{NoChannel, ambiguous, channel};
 use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
-use crate::shape::ports::no_channel;
+use crate::shape::ports::{no_channel, reason};
 use crate::shape::sketch::{Rules, Sketch};
 use inflatable::geom::{Bounds, BoxIndex, Enclosures, Path, Point, Segment};
 
@@ -83,8 +83,11 @@ fn open_rims(
     let mut outer: Vec<(usize, Bounds)> = outer.map(|(at, (path, ..))| (at, path.bounds())).collect();
     let drawn: Vec<Path> = outer.iter().map(|(at, _)| edges[*at].0.clone()).collect();
     let mut mouths = Vec::new();
-    for (number, port) in sketch.ports.iter().enumerate().filter(|(number, _)| !taken.contains(number)) {
+    for (number, port) in sketch.ports.iter().enumerate() {
         let place = port.place.middle();
+        if taken.contains(&number) {
+            continue;
+        }
         let rims = outer.iter().map(|(at, around)| (&edges[*at].0, *around));
         let Some(nearest) = nearest_path(rims, place) else { continue };
         if let Some(why) = ambiguous(&port.place, &drawn) {
@@ -99,13 +102,15 @@ fn open_rims(
                 *around = opened.bounds();
                 *path = opened;
                 mouth.half -= half;
-                mouths.push((number, mouth));
+                taken.push(number);
+                mouths.push(mouth);
             }
-            Err(why) => no_channel(&why, &port.name, place, rules, notes),
+            Err(why) => {
+                no_channel(&reason(why, place, &drawn, &mouths, rules), &port.name, place, rules, notes);
+            }
         }
     }
-    taken.extend(mouths.iter().map(|(number, _)| *number));
-    lines.mouths.extend(mouths.into_iter().map(|(_, mouth)| mouth));
+    lines.mouths.extend(mouths);
 }
 
 /// Notes which ends of welds lie on another band, within half a band of its centre line: those with two are walls.

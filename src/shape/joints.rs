@@ -95,7 +95,7 @@ impl Joints {
     }
 }
 
-/// Pairs of free ends with a port between them: of one seam if there are, else the nearest pair.
+/// Pairs of free ends with a port between them, in the middle of two as far apart as its bands are.
 fn mouths(shape: &SealedShape, free: &[(usize, usize, Point)]) -> Vec<MouthEnds> {
     let index = BoxIndex::new(free.iter().map(|(_, _, end)| Bounds::of_points([*end])));
     let middles = free.windows(2).map(|pair| Bounds::of_points([pair[0].2.midpoint(pair[1].2)]));
@@ -111,12 +111,13 @@ fn mouths(shape: &SealedShape, free: &[(usize, usize, Point)]) -> Vec<MouthEnds>
         let near = index.overlapping(&zone.grown(reach));
         let pairs = near.iter().flat_map(|i| near.iter().map(move |j| (*i, *j))).filter(|(i, j)| i < j);
         let far = |(i, j): (usize, usize)| free[i].2.midpoint(free[j].2).distance(*at);
-        let parted = |(i, j): (usize, usize)| free[i].0 != free[j].0;
+        // Where ports are near each other, the seam between two of them has its own middle near to both.
+        let off = |(i, j): (usize, usize)| far((i, j)) + (free[i].2.distance(free[j].2) - reach).abs();
         let best = same
             .into_iter()
             .chain(pairs)
             .filter(|(i, j)| !used[*i] && !used[*j] && far((*i, *j)) <= reach)
-            .min_by(|a, b| parted(*a).cmp(&parted(*b)).then(far(*a).total_cmp(&far(*b))));
+            .min_by(|a, b| off(*a).total_cmp(&off(*b)));
         if let Some((i, j)) = best {
             (used[i], used[j]) = (true, true);
             let ends = [free[i], free[j]];

@@ -13,6 +13,7 @@ mod clean;
 mod drawn_seams;
 mod faces;
 mod fault;
+mod holes;
 mod join;
 mod joints;
 mod leak;

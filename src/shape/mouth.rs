@@ -80,6 +80,8 @@ pub(super) enum NoChannel {
     Far(f64),
     /// The edge is at most this wide there, mm.
     Narrow(f64),
+    /// The channel of another port is too near.
+    Beside,
     /// Its line runs along the edge.
     Along,
     /// Its line crosses outer edges at these places, more than one.

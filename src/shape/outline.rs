@@ -1,8 +1,9 @@
-//! The cut around a sealed shape, the cuts inside it, and fabric between them that is too narrow.
+//! The cut around a sealed shape, and the cuts inside it.
 
 use crate::shape::air::{beside, depth};
 use crate::shape::around::{Layout, Line};
-use crate::shape::fault::{ShapeCode, ShapeFault, quoted};
+use crate::shape::fault::{ShapeCode, quoted};
+use crate::shape::holes::{around_bands, webs};
 use crate::shape::loose::{crossings, loose_ends};
 use crate::shape::mouth::Mouth;
 use crate::shape::notes::{SealingNotes, named};
@@ -18,6 +19,7 @@ pub(super) fn outline(
     notes: &mut SealingNotes,
 ) -> (Option<Path>, Vec<Path>) {
     let mut inner = closed(&sketch.holes, rules, notes);
+    let holes = inner.len();
     let before = notes.faults.len();
     let drawn = closed(&sketch.cuts, rules, notes);
     let around = Enclosures::new(drawn.iter().map(|(path, _)| path));
@@ -60,6 +62,7 @@ pub(super) fn outline(
     if outlines.len() < 2 || !sketch.cuts.is_empty() {
         touching(&outlines, &inner, rules, lines, notes);
     }
+    around_bands(&inner, holes, lines, notes);
     webs(&outlines, &inner, rules, notes);
     (outlines.into_iter().next().map(|(path, _)| path), inner.into_iter().map(|(path, _)| path).collect())
 }
@@ -177,60 +180,6 @@ fn outside(outlines: &[(Path, Vec<String>)], lines: &Layout, notes: &mut Sealing
             let what = format!("the seam of {} lies outside of the cut", quoted(&line.names));
             let remedy = "draw the cut around it".to_owned();
             notes.fault(ShapeCode::CutInBand, &line.names, place, (what, remedy), [f64::NAN; 2]);
-        }
-    }
-}
-
-/// A narrower web of fabric between two cuts tears easily, mm: registration holes of a drawing keep as far from its cuts.
-const LEAST_WEB: f64 = 3.0;
-
-/// Faults of cuts and holes that cross or touch each other, and warnings of thin webs between them.
-pub(super) fn webs(
-    outlines: &[(Path, Vec<String>)],
-    inner: &[(Path, Vec<String>)],
-    rules: &Rules,
-    notes: &mut SealingNotes,
-) {
-    let cuts = || outlines.iter().chain(inner).enumerate();
-    let segments: Vec<(usize, Segment)> =
-        cuts().flat_map(|(at, (path, _))| path.segments.iter().map(move |s| (at, *s))).collect();
-    let index = BoxIndex::new(segments.iter().map(|(_, segment)| segment.bounds()));
-    for (number, (path, names)) in cuts().skip(outlines.len()) {
-        let mut least = (LEAST_WEB, Point::ORIGIN, number);
-        for segment in &path.segments {
-            for i in index.overlapping(&segment.bounds().grown(LEAST_WEB)) {
-                let (other, across) = &segments[i];
-                let far = inflatable::geom::segment_distance(segment, across);
-                if *other < number && far < least.0 - 1e-6 {
-                    let near = across.point(across.nearest_fraction(segment.point(0.5)));
-                    least = (far, segment.point(segment.nearest_fraction(near)), *other);
-                }
-            }
-        }
-        let (far, place, other) = least;
-        if other == number {
-            continue;
-        }
-        let own =
-            [names.clone(), cuts().nth(other).map_or(Vec::new(), |(_, (_, names))| names.clone())].concat();
-        let hole = quoted(names);
-        let cut = match cuts().nth(other).map(|(_, (_, names))| names.as_slice()) {
-            Some([]) | None => "the cut".to_owned(),
-            Some(names) => quoted(names),
-        };
-        if far <= rules.join.max(1e-6) {
-            let text = (
-                format!("{hole} crosses or touches {cut}"),
-                format!(
-                    "move it, so that {LEAST_WEB} mm of fabric stay between them, or draw both as one cut"
-                ),
-            );
-            notes.fault(ShapeCode::CutInBand, &own, place, text, [far, LEAST_WEB]);
-        } else {
-            let what = format!("only {far:.3} mm of fabric between {hole} and {cut}");
-            let remedy = format!("it may tear: leave {LEAST_WEB} mm, or more");
-            let (code, allowed) = (ShapeCode::ThinWeb, LEAST_WEB);
-            notes.warnings.push(ShapeFault { code, names: own, place, found: far, allowed, what, remedy });
         }
     }
 }

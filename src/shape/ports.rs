@@ -1,10 +1,10 @@
 //! Drawn ports: copies are merged, and those that no edge takes are faults.
 
 use crate::shape::fault::{Repair, ShapeCode, quoted};
-use crate::shape::mouth::NoChannel;
+use crate::shape::mouth::{Mouth, NoChannel};
 use crate::shape::notes::SealingNotes;
 use crate::shape::sketch::{DrawnPort, PortPlace, Rules};
-use inflatable::geom::Point;
+use inflatable::geom::{Path, Point};
 
 /// The ports, each that was drawn twice at one place once.
 pub(super) fn once(ports: &[DrawnPort], join: f64, notes: &mut SealingNotes) -> Vec<DrawnPort> {
@@ -29,18 +29,34 @@ pub(super) fn once(ports: &[DrawnPort], join: f64, notes: &mut SealingNotes) -> 
     kept
 }
 
+/// The reason `why` there is no channel at `place` on `edges`, which no port has opened: that of `mouths` which takes the room, if
+/// one does.
+pub(super) fn reason(
+    why: NoChannel,
+    place: Point,
+    edges: &[Path],
+    mouths: &[Mouth],
+    rules: &Rules,
+) -> NoChannel {
+    let aside = rules.port_width / 2.0 + 2.0 * rules.band;
+    match why {
+        NoChannel::Narrow(_) if mouths.iter().any(|mouth| mouth.is_beside(place, aside)) => NoChannel::Beside,
+        NoChannel::Far(_) => {
+            let far = edges.iter().map(|edge| edge.distance(place)).fold(f64::INFINITY, f64::min);
+            if far <= rules.farthest_port() { NoChannel::Beside } else { NoChannel::Far(far) }
+        }
+        why => why,
+    }
+}
+
 /// Notes the fault of a port that has no channel for the reason `why`.
 pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rules, notes: &mut SealingNotes) {
     let names = [name.to_owned()];
     match why {
         NoChannel::Far(distance) => {
-            let allowed = rules.port_width.max(5.0);
+            let allowed = rules.farthest_port();
             let name = quoted(&names);
-            let text = if *distance <= allowed {
-                let least = rules.port_width + 2.0 * rules.band;
-                let what = format!("port {name} lies in the channel of another port");
-                (what, format!("put ports at least {least:.3} mm from each other, or remove it"))
-            } else if distance.is_finite() {
+            let text = if distance.is_finite() {
                 let what = format!("port {name} lies {distance:.3} mm from the nearest outer edge");
                 (what, format!("put it on an edge, or at most {allowed:.3} mm from it"))
             } else {
@@ -48,6 +64,11 @@ pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rule
                 (what, "draw a closed edge of air, or give a layer that role".to_owned())
             };
             notes.fault(ShapeCode::LostPort, &names, place, text, [*distance, allowed]);
+        }
+        NoChannel::Beside => {
+            let what = format!("port {} lies in the channel of another port, or beside it", quoted(&names));
+            let remedy = format!("{}, or remove it", rules.ports_apart());
+            notes.fault(ShapeCode::LostPort, &names, place, (what, remedy), [f64::NAN; 2]);
         }
         NoChannel::Along => {
             let what = format!("port {} runs along the edge", quoted(&names));

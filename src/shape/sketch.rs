@@ -63,6 +63,19 @@ pub struct Rules {
     pub least_passage: f64,
 }
 
+impl Rules {
+    /// Largest distance of a port from its edge, mm.
+    pub(super) fn farthest_port(&self) -> f64 {
+        self.port_width.max(5.0)
+    }
+
+    /// The remedy for ports whose channels meet: their least distance, rounded up.
+    pub(super) fn ports_apart(&self) -> String {
+        let apart = self.port_width + 2.0 * self.band;
+        format!("put ports at least {:.3} mm from each other", (1000.0 * apart - 1e-6).ceil() / 1000.0)
+    }
+}
+
 impl PortPlace {
     /// The middle of the place.
     pub fn middle(&self) -> Point {

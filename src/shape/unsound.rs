@@ -74,7 +74,6 @@ fn leaking(
         Leak::SealedPort(_) => "a band seals the port".to_owned(),
         Leak::NarrowPort(_, width) => format!("the bands leave {width:.3} mm of the port"),
     };
-    let apart = rules.port_width + 2.0 * rules.band;
     let (code, names, found, remedy) = match ports.as_slice() {
         [] => (
             ShapeCode::Crossing,
@@ -93,7 +92,7 @@ fn leaking(
             ShapeCode::Leak,
             ports.to_vec(),
             format!("the channels of ports {} meet", quoted(ports)),
-            format!("put ports at least {apart:.3} mm from each other, and draw each as one line or point"),
+            format!("{}, and draw each as one line or point", rules.ports_apart()),
         ),
     };
     let same = |fault: &ShapeFault| fault.code == code && fault.what == found;

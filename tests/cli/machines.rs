@@ -461,7 +461,7 @@ fn coupon_refuses_bad_settings_and_writes_nothing() {
         (["--temperatures", "180.1 C,180.3 C"], 1, "--repeats"),
         (["--speeds", "0 mm/s"], 2, "must be at least 0.001 mm/s and at most 1000 mm/s"),
         (["--speeds", "0.1 mm/s,0.1001 mm/s"], 1, "at least 0.001 mm/s"),
-        (["--heights", "6 mm"], 2, "at most 5 mm"),
+        (["--heights", "0.5 mm"], 2, "must be at least -20 mm and at most 0 mm"),
         (["--heights", "-21 mm"], 2, "must be at least -20 mm"),
         (["--repeats", "0"], 2, "1..=20"),
         (["--repeats", "21"], 2, "1..=20"),
@@ -483,7 +483,10 @@ fn coupons_do_not_press_a_rigid_tip_into_the_bed() {
     fs::write(dir.path().join("mine.toml"), profile).expect("written");
     let strips = ["coupon", "star.toml", "--only", "strips", "--heights"];
     let low = [&strips[..], &["-0.5 mm"]].concat();
-    let words = ["a height of -0.5 mm; it must be from 0 mm to below 5 mm", "`spring_loaded = true`"];
+    let words = [
+        "a height of -0.5 mm; it must be 0 mm for the profile's tip without a spring",
+        "`spring_loaded = true`",
+    ];
     let _ = fails(dir.path(), &low, 1, &words);
     let said = done(dir.path(), &["coupon", "star.toml", "--only", "disc"]);
     assert!(said.contains("wrote 1 program and 1 drawing to coupons"), "{said}");

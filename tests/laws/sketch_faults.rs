@@ -1,7 +1,9 @@
 //! Faults and warnings of sketches: each has the right code, the place and a remedy that works.
 
+use std::f64::consts::FRAC_PI_2;
+
 use stargrip_cam::geom::Path;
-use stargrip_cam::shape::{DrawnPort, PortPlace, ShapeCode, ShapeFault, Sketch, sealed_shape};
+use stargrip_cam::shape::{DrawnPort, PortPlace, Rules, ShapeCode, ShapeFault, Sketch, sealed_shape};
 
 use crate::sketches::{RULES, circle, drawn, open, p, port, rectangle, sketch};
 
@@ -59,6 +61,22 @@ fn a_hole_keeps_off_the_cut() {
 }
 
 #[test]
+fn a_pouch_does_not_lie_in_a_hole() {
+    let (near, far) = (rectangle(5.0, 15.0, 150.0, 110.0), rectangle(-20.0, -20.0, 200.0, 200.0));
+    let hole =
+        Sketch { holes: vec![drawn("h", near.clone())], cuts: vec![drawn("c", far.clone())], ..cushion() };
+    let hole = fault(&hole);
+    assert!(hole.code == ShapeCode::CutInBand && hole.what == "the hole 'h' lies around a band", "{hole:?}");
+    let frame = |cuts: Vec<(&str, Path)>| {
+        fault(&Sketch { cuts: cuts.into_iter().map(|(name, path)| drawn(name, path)).collect(), ..cushion() })
+    };
+    for cuts in [vec![("c", near.clone()), ("f", far.clone())], vec![("f", far), ("c", near)]] {
+        let nested = frame(cuts);
+        assert!(nested.code == ShapeCode::Outlines && nested.names == ["c"], "{nested:?}");
+    }
+}
+
+#[test]
 fn a_port_marks_one_place() {
     let with = |port| Sketch { ports: vec![port], ..cushion() };
     let both = fault(&with(across("p", (10.0, 70.0), (150.0, 70.0))));
@@ -86,12 +104,35 @@ fn copies_of_ports_are_merged_and_other_near_ports_are_told() {
     let sealing = sealed_shape(&twice, &RULES).unwrap_or_else(|faults| panic!("{faults:#?}"));
     assert_eq!(sealing.shape.ports.len(), 1);
     assert!(sealing.repairs.iter().any(|repair| repair.what == "a port drawn twice in 'p' and 'q' merged"));
-    let near = Sketch {
-        ports: vec![across("p", (16.0, 70.0), (24.0, 70.0)), across("q", (16.0, 77.0), (24.0, 77.0))],
-        ..cushion()
+    for distance in [4.5, 5.0, 7.0] {
+        let second = across("q", (16.0, 70.0 + distance), (24.0, 70.0 + distance));
+        let ports = vec![across("p", (16.0, 70.0), (24.0, 70.0)), second];
+        let air = Sketch { ports, ..cushion() };
+        let seams = Sketch { seams: air.air.clone(), air: vec![], ..air.clone() };
+        for fault in [air, seams].iter().flat_map(faults) {
+            assert!(fault.remedy.starts_with("put ports at least 10.000 mm from each other"), "{fault:?}");
+        }
+    }
+}
+
+/// The bands of two ports may touch, whatever the number of ports and their distance from there on.
+#[test]
+fn ports_are_no_farther_from_each_other_than_is_told() {
+    let apart = |distance: f64, rules: &Rules| {
+        let ports = (0..3).map(|i| port(20.0, 40.0 + f64::from(i) * distance)).collect();
+        sealed_shape(&Sketch { ports, ..cushion() }, rules)
     };
-    for fault in faults(&near) {
-        assert!(fault.remedy.starts_with("put ports at least 10.000 mm from each other"), "{fault:?}");
+    for width in [6.0, 4.0 * FRAC_PI_2] {
+        let rules = Rules { port_width: width, ..RULES };
+        let near = apart(width + 3.9, &rules).expect_err("too near");
+        let told = near[0].remedy.trim_start_matches("put ports at least ").split(' ').next();
+        let least: f64 = told.expect("a number").parse().expect("a number");
+        assert!((least - width - 4.0).abs() < 1e-3, "{near:#?}");
+        for more in [0.0, 0.01, 1.0, 2.0, 5.0, 6.5, 8.0, 12.0] {
+            let found = apart(least + more, &rules);
+            let ports = found.as_ref().map(|sealing| sealing.shape.ports.len());
+            assert!(matches!(ports, Ok(3)), "{width} {more}: {found:#?}");
+        }
     }
 }
 

@@ -209,6 +209,29 @@ fn a_stroke_that_takes_too_long_is_refused_with_the_speed_that_works() {
     assert_eq!(slow(advised + 0.002).map(|refusal| refusal.code), Some(RefusalCode::NoChop));
 }
 
+/// Where the strokes are far too fast, no speed of the seal helps, but the profile's key that makes them so.
+#[test]
+fn strokes_that_are_too_fast_for_any_speed_are_told_with_the_key() {
+    for (from, to, cause) in [
+        ("_steps_per_mm = 80", "_steps_per_mm = 0.01", "more steps per mm"),
+        ("min_feed = \"1 mm/min\"", "min_feed = \"900 mm/s\"", "a lower `min_feed`"),
+        ("min_feed = \"1 mm/min\"", "chop_feed = \"900 mm/s\"", "a lower `chop_feed`"),
+    ] {
+        let refusal = grbl_says("[machine]\nfeed_floor = \"chop\"\n", from, to).expect("too fast");
+        assert_eq!(
+            (refusal.code, refusal.remedy),
+            (RefusalCode::NoChop, format!("strokes must be slower: {cause} in the profile"))
+        );
+    }
+}
+
+/// Along an axis such a machine is slow enough.
+#[test]
+fn no_controller_runs_below_the_speed() {
+    let refusal = grbl_says("", "_steps_per_mm = 80", "_steps_per_mm = 350").expect("too slow");
+    assert_eq!(refusal.found, "at 350 steps/mm GRBL runs this at 0.10 to 0.12 mm/s instead of 0.1");
+}
+
 #[test]
 fn unequal_steps_are_both_told() {
     let refusal = grbl_says("", "y_steps_per_mm = 80", "y_steps_per_mm = 100").expect("too slow");

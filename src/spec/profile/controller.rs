@@ -2,7 +2,7 @@
 
 use crate::spec::allowed::Allowed;
 use crate::spec::machine::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating};
-use crate::spec::profile::modes::check_arcs;
+use crate::spec::profile::modes::{check_arcs, check_dwell_unit, check_heating};
 use crate::spec::section::Section;
 use crate::spec::{Fault, FaultCode};
 use crate::units::Duration;
@@ -16,6 +16,7 @@ pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
     let comments = root
         .choice("comments", &[("semicolon", Comments::Semicolon), ("parentheses", Comments::Parentheses)])
         .unwrap_or(Comments::Semicolon);
+    check_heating(root, dialect, heating);
     let arcs = root.truth("arcs");
     let arcs = check_arcs(root, dialect, arcs);
     let thumbnails = root.truth("thumbnails").unwrap_or(false);
@@ -52,11 +53,12 @@ fn read_line_length(root: &mut Section<'_, '_>, dialect: Dialect) -> usize {
 /// Dwells of exactly the programmed time.
 const EXACT: Dwells = Dwells { unit: DwellUnit::Seconds, step: Duration(1e-3) };
 
-/// Reads `[dwell]`.
-pub(super) fn read_dwells(s: &mut Section<'_, '_>) -> Dwells {
+/// Reads `[dwell]` of a controller of the family `dialect`.
+pub(super) fn read_dwells(s: &mut Section<'_, '_>, dialect: Dialect) -> Dwells {
     let units = [("s", DwellUnit::Seconds), ("ms", DwellUnit::Milliseconds)];
+    let written = s.choice("unit", &units);
     Dwells {
-        unit: s.choice("unit", &units).unwrap_or(EXACT.unit),
+        unit: check_dwell_unit(s, dialect, written),
         step: s.quantity("step", Allowed::closed(1e-3, 1.0)).unwrap_or(EXACT.step),
     }
 }

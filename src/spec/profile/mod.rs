@@ -52,7 +52,8 @@ pub(in crate::spec) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let description = read_description(&mut root);
     let controller = read_controller(&mut root);
     let tip = read_tip(&mut root);
-    let controller = Controller { dwell: read_dwells(&mut reader.section("dwell")), ..controller };
+    let dwell = read_dwells(&mut reader.section("dwell"), controller.dialect);
+    let controller = Controller { dwell, ..controller };
     let process = read_process(reader, tip);
     let bench = read_bench(reader);
     let motion = read_motion(&mut reader.section("motion"), controller.dialect);

@@ -1,6 +1,6 @@
-//! Modes that a profile must set in `start`, and the limits of its dialect: programs state every position and arc in these modes.
+//! Modes that a profile must set in `start`, and the limits of its dialect: programs state every position, arc and dwell as it reads them.
 
-use crate::spec::machine::{Controller, Dialect};
+use crate::spec::machine::{Controller, Dialect, DwellUnit, Heating};
 use crate::spec::section::Section;
 use crate::spec::{Fault, FaultCode, Vocabulary};
 
@@ -38,6 +38,39 @@ pub(super) fn check_arcs(root: &mut Section<'_, '_>, dialect: Dialect, arcs: Opt
         .label("must be false for this dialect: the program cuts arcs into chords");
     root.report(fault);
     false
+}
+
+/// Reports a profile whose controller is to heat, by a word that it does not read.
+pub(super) fn check_heating(root: &mut Section<'_, '_>, dialect: Dialect, heating: Heating) {
+    if heating == Heating::Operator || Vocabulary::of(dialect).command(b'M', 109.0).is_some() {
+        return;
+    }
+    let found = format!("`heating` is \"hotend\", but controllers of `{}` read no M109", dialect.name());
+    let fault = Fault::error(FaultCode::Conflict, root.place_of("heating"), found)
+        .label("must be \"operator\" for this dialect");
+    root.report(fault);
+}
+
+/// The unit of P in G4 on a controller of the family `dialect`. A profile with another one `written` is refused.
+pub(super) fn check_dwell_unit(
+    dwell: &mut Section<'_, '_>,
+    dialect: Dialect,
+    written: Option<DwellUnit>,
+) -> DwellUnit {
+    let (unit, name, words) = match dialect {
+        Dialect::Marlin | Dialect::Klipper | Dialect::RepRapFirmware => {
+            (DwellUnit::Milliseconds, "ms", "milliseconds")
+        }
+        _ => (DwellUnit::Seconds, "s", "seconds"),
+    };
+    if written.is_some_and(|written| written != unit) {
+        let found =
+            format!("`unit` is not {words}, in which controllers of `{}` read G4's P", dialect.name());
+        let fault = Fault::error(FaultCode::Conflict, dwell.place_of("unit"), found)
+            .label(format!("must be \"{name}\" for this dialect"));
+        dwell.report(fault);
+    }
+    unit
 }
 
 /// Reports the modes that the lines of `start`, in `[program]`, do not set and that programs for `controller` need.
@@ -101,6 +134,18 @@ mod tests {
         assert_eq!(codes("grbl", "\"G91.1\", ", ""), ["program-line"]);
         assert_eq!(codes("grbl", "\"G17\", \"G91.1\", ", ""), ["program-line"]);
         assert_eq!(codes("reprapfirmware", "\"G17\", ", ""), ["program-line"]);
+    }
+
+    #[test]
+    fn dwells_and_heating_are_those_of_the_dialect() {
+        for name in ["generic", "linuxcnc", "grbl", "grblhal", "fluidnc"] {
+            assert_eq!(codes(name, "unit = \"s\"", "unit = \"ms\""), ["conflict"], "{name}");
+            assert_eq!(codes(name, "heating = \"operator\"", "heating = \"hotend\""), ["conflict"], "{name}");
+        }
+        for name in ["marlin", "klipper", "reprapfirmware"] {
+            assert_eq!(codes(name, "unit = \"ms\"", "unit = \"s\""), ["conflict"], "{name}");
+            assert_eq!(codes(name, "unit = \"ms\"", ""), [""; 0], "{name}");
+        }
     }
 
     #[test]

@@ -9,8 +9,8 @@ use crate::spec::profile::known::{known, known_as};
 use crate::spec::section::{Reader, Section};
 use crate::units::{Length, Speed};
 
-/// Height in contact: a thick release layer is less than 5 mm.
-pub const CONTACT: Allowed = Allowed::closed(lowest_contact(true), 5.0);
+/// Height in contact: above the release layer the iron seals nothing.
+pub const CONTACT: Allowed = Allowed::closed(lowest_contact(true), 0.0);
 /// Heights without contact: above the release layer, below any gantry.
 pub(super) const HEIGHT: Allowed = Allowed::above(0.0, 1000.0);
 /// Speeds of moves without sealing, up to 10 m/s.
@@ -53,7 +53,7 @@ fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights
             s.place_of("contact"),
             format!("`contact` is {}", Length(contact)),
         )
-        .label("must be 0 mm or above for a tip without a spring (`spring_loaded = false`)");
+        .label("must be 0 mm for a tip without a spring (`spring_loaded = false`)");
         s.report(fault);
     }
     for (low, low_key, high, high_key) in
@@ -131,4 +131,19 @@ fn read_keep_out(reader: &mut Reader<'_>) -> Vec<KeepOut> {
             KeepOut { name, x, y, width, depth, height }
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::spec::source::Source;
+    use crate::spec::{builtin_machine, read_machine};
+
+    #[test]
+    fn the_iron_is_in_contact_at_the_release_layer_or_below() {
+        let faults = |height: &str| {
+            let text = builtin_machine("grbl").expect("built in").replace("-0.3 mm", height);
+            read_machine(&Source::new("own", text)).err().map_or(0, |faults| faults.list().len())
+        };
+        assert_eq!(["-0.3 mm", "0 mm", "0.001 mm", "1 mm"].map(faults), [0, 0, 1, 1]);
+    }
 }

@@ -108,6 +108,14 @@ fn measured(
     let from = view_box(root).map_err(|text| (text, "Set it to the size of the drawing.".to_owned()))?;
     let length = |name| root.attribute(name).and_then(|value| Length::from_str(value.trim()).ok());
     let lengths = [length("width"), length("height")];
+    for (name, length) in ["width", "height"].into_iter().zip(lengths) {
+        if length.is_some_and(|length| length.number < 0.0) {
+            return Err((
+                format!("The {name} of the page is negative."),
+                "Correct width and height.".to_owned(),
+            ));
+        }
+    }
     let own = sizes(lengths, from);
     if let Some(given) = out.options().unit {
         return Ok(by_unit(given, from, lengths, own, out));

@@ -194,6 +194,9 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             };
             let [w, h] = context.viewport.0;
             let size = [length("width", 0, w)?, length("height", 1, h)?];
+            if size.iter().any(|side| *side < 0.0) {
+                return Err("Its width or height is negative.".to_owned());
+            }
             let corner = |name, axis| {
                 let value = node.attribute(name).filter(|_| node.tag_name().name() == "svg");
                 value.map_or(Ok(0.0), |value| context.viewport.length(name, value, axis))

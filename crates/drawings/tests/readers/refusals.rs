@@ -81,6 +81,19 @@ fn all_faults_are_told_at_once_with_their_places() {
 }
 
 #[test]
+fn a_page_has_no_negative_size() {
+    for (size, side) in [("width='-9mm' height='9mm'", "width"), ("width='9mm' height='-1'", "height")] {
+        let text = format!("<svg {size} viewBox='0 0 9 9'><path d='M0 0h1'/></svg>");
+        for unit in [None, Some(drawings::Unit::Millimetre)] {
+            let found = read_svg(text.as_bytes(), &Options { unit, ..options() }).expect_err(size);
+            assert_eq!(found[0].text, format!("The {side} of the page is negative."));
+        }
+    }
+    let nested = faults("<svg width='-1'><path d='M0 0h1'/></svg>");
+    assert_eq!(nested[0].text, "Its width or height is negative.");
+}
+
+#[test]
 fn other_formats_and_endings_are_named() {
     let says = |name: &str, bytes: &[u8], word: &str| {
         let found = read(name, bytes, &options()).expect_err(name);

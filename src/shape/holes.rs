@@ -1,0 +1,99 @@
+//! Cuts and holes inside the outline: those that would cut out bands, those that touch each other, and fabric between them that
+//! is too narrow.
+
+use crate::shape::air::beside;
+use crate::shape::around::Layout;
+use crate::shape::fault::{ShapeCode, ShapeFault, quoted};
+use crate::shape::notes::SealingNotes;
+use crate::shape::sketch::Rules;
+use inflatable::geom::{BoxIndex, Enclosures, Path, Point, Segment};
+
+/// Faults of cuts inside the outline that have bands inside: these would fall out of the piece. The first `holes` of `inner` are
+/// drawn as holes.
+pub(super) fn around_bands(
+    inner: &[(Path, Vec<String>)],
+    holes: usize,
+    lines: &Layout,
+    notes: &mut SealingNotes,
+) {
+    let around = Enclosures::new(inner.iter().map(|(path, _)| path));
+    let mut within: Vec<usize> =
+        lines.lines.iter().flat_map(|line| around.around(beside(&line.path, 1e-6).0)).collect();
+    within.sort_unstable();
+    within.dedup();
+    for number in within {
+        let (path, names) = &inner[number];
+        // One that crosses a band is known.
+        if notes.faults.iter().any(|fault| fault.code == ShapeCode::CutInBand && fault.names == *names) {
+            continue;
+        }
+        let place = path.start().unwrap_or(Point::ORIGIN);
+        let (code, what, remedy) = if number < holes {
+            let remedy =
+                "draw holes beside the bands; the cut around all of it is on a layer with the role `cut`";
+            (ShapeCode::CutInBand, format!("the hole {} lies around a band", quoted(names)), remedy)
+        } else {
+            let remedy = "draw one cut around all of it; a frame belongs on a layer with the role `ignore`";
+            (
+                ShapeCode::Outlines,
+                format!("{} lies around a band and within another cut", quoted(names)),
+                remedy,
+            )
+        };
+        notes.fault(code, names, place, (what, remedy.to_owned()), [f64::NAN; 2]);
+    }
+}
+
+/// A narrower web of fabric between two cuts tears easily, mm: registration holes of a drawing keep as far from its cuts.
+const LEAST_WEB: f64 = 3.0;
+
+/// Faults of cuts and holes that cross or touch each other, and warnings of thin webs between them.
+pub(super) fn webs(
+    outlines: &[(Path, Vec<String>)],
+    inner: &[(Path, Vec<String>)],
+    rules: &Rules,
+    notes: &mut SealingNotes,
+) {
+    let cuts = || outlines.iter().chain(inner).enumerate();
+    let segments: Vec<(usize, Segment)> =
+        cuts().flat_map(|(at, (path, _))| path.segments.iter().map(move |s| (at, *s))).collect();
+    let index = BoxIndex::new(segments.iter().map(|(_, segment)| segment.bounds()));
+    for (number, (path, names)) in cuts().skip(outlines.len()) {
+        let mut least = (LEAST_WEB, Point::ORIGIN, number);
+        for segment in &path.segments {
+            for i in index.overlapping(&segment.bounds().grown(LEAST_WEB)) {
+                let (other, across) = &segments[i];
+                let far = inflatable::geom::segment_distance(segment, across);
+                if *other < number && far < least.0 - 1e-6 {
+                    let near = across.point(across.nearest_fraction(segment.point(0.5)));
+                    least = (far, segment.point(segment.nearest_fraction(near)), *other);
+                }
+            }
+        }
+        let (far, place, other) = least;
+        if other == number {
+            continue;
+        }
+        let own =
+            [names.clone(), cuts().nth(other).map_or(Vec::new(), |(_, (_, names))| names.clone())].concat();
+        let hole = quoted(names);
+        let cut = match cuts().nth(other).map(|(_, (_, names))| names.as_slice()) {
+            Some([]) | None => "the cut".to_owned(),
+            Some(names) => quoted(names),
+        };
+        if far <= rules.join.max(1e-6) {
+            let text = (
+                format!("{hole} crosses or touches {cut}"),
+                format!(
+                    "move it, so that {LEAST_WEB} mm of fabric stay between them, or draw both as one cut"
+                ),
+            );
+            notes.fault(ShapeCode::CutInBand, &own, place, text, [far, LEAST_WEB]);
+        } else {
+            let what = format!("only {far:.3} mm of fabric between {hole} and {cut}");
+            let remedy = format!("it may tear: leave {LEAST_WEB} mm, or more");
+            let (code, allowed) = (ShapeCode::ThinWeb, LEAST_WEB);
+            notes.warnings.push(ShapeFault { code, names: own, place, found: far, allowed, what, remedy });
+        }
+    }
+}
