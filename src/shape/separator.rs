@@ -38,6 +38,11 @@ impl Separator {
         sum(&self.pieces) - sum(&self.windows)
     }
 
+    /// Whether all edges are closed around some paper: operations on slivers of air leave others.
+    fn is_closed(&self) -> bool {
+        self.pieces.iter().chain(&self.windows).all(|path| path.area() > 0.0 && path.largest_gap() < REACHED)
+    }
+
     /// Whether its edges keep `least` mm from the centre lines of `seams`, measured at nine points of each segment.
     fn spares(&self, seams: &[Seam], least: f64) -> bool {
         let lines =
@@ -105,7 +110,8 @@ impl AirSide {
             separator.pieces.iter().any(|piece| piece.distance(end) < REACHED)
         };
         let is_made = separator.pieces.len() == chambers && self.mouths.iter().all(reached);
-        (is_made && separator.spares(&shape.seams, band / 2.0 + creep)).then_some(separator)
+        (is_made && separator.is_closed() && separator.spares(&shape.seams, band / 2.0 + creep))
+            .then_some(separator)
     }
 
     /// The islands, and strips `half` mm to both sides of seams, of which overlapping ones are united.

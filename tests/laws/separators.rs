@@ -35,6 +35,20 @@ pub(crate) fn spares_the_bands(sealing: &Sealing, creep: f64) -> Result<(), Test
 }
 
 #[test]
+fn slivers_of_air_have_no_broken_paper() {
+    // The port closes the line's own two ends, and the operations leave an edge with no paper in it.
+    let sliver = sketch(
+        vec![("", open(&[p(10.0, 40.0), p(0.0, 40.0)]))],
+        vec![port(0.445_519_462_094_059_57, 41.311_750_531_621_94)],
+    );
+    if let Ok(sealing) = sealed_shape(&sliver, &RULES) {
+        for creep in [0.0, 0.7] {
+            spares_the_bands(&sealing, creep).expect("whole");
+        }
+    }
+}
+
+#[test]
 fn the_paper_covers_all_that_no_band_takes() {
     let air = vec![("", rectangle(0.0, 0.0, 200.0, 100.0)), ("eye", circle(50.0, 50.0, 10.0))];
     let mut both = sketch(air, vec![port(0.0, 50.0)]);
