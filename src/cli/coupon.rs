@@ -14,9 +14,9 @@ use crate::cli::load::{Loaded, lasting};
 use crate::cli::publish::publish_files;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
-use crate::coupon::{CouponGroup, SPEEDS, StripGrid, TEMPERATURES};
+use crate::coupon::{CouponGroup, StripGrid, TEMPERATURES};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
-use crate::spec::CONTACT;
+use crate::spec::{CONTACT, SEAL_SPEEDS};
 use crate::units::{Length, Speed, Temperature, counted};
 
 /// How often each setting is sealed by default.
@@ -34,7 +34,7 @@ pub(super) struct Args {
     #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Temperature>(TEMPERATURES))]
     temperatures: Vec<Temperature>,
     /// Speeds of the grid; default: once, twice and five times the spec's.
-    #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Speed>(SPEEDS))]
+    #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Speed>(SEAL_SPEEDS))]
     speeds: Vec<Speed>,
     /// Heights of the tip in contact; default: the profile's.
     #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>(CONTACT), allow_hyphen_values = true)]
@@ -126,17 +126,8 @@ fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
         heights: or(&args.heights, &[heights.contact]),
         repeats: usize::from(args.repeats.unwrap_or(REPEATS)),
     };
-    // Five times the spec's speed may be out of range.
-    if let Some(v) = grid.speeds.iter().find(|v| !SPEEDS.holds(v.0)) {
-        return Err(Failure::Message(format!("a speed of {v}; it must be from 0.001 to 1000 mm/s")));
-    }
-    let lowest = loaded.machine.process.lowest_contact();
-    if let Some(h) = grid.heights.iter().find(|h| h.0 < lowest.0) {
-        return Err(Failure::Message(format!(
-            "a height of {h}; it must be {lowest} for the profile's tip without a spring: set `spring_loaded = true` if it has one"
-        )));
-    }
-    grid.alike().map_or(Ok(grid), |why| Err(Failure::Message(why)))
+    // The spec's temperature, and five times its speed, may be out of range, too.
+    grid.refusal(&loaded.machine).map_or(Ok(grid), |why| Err(Failure::Message(why)))
 }
 
 /// The `given` values, or without any the `usual` ones.

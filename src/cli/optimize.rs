@@ -14,7 +14,7 @@ use crate::design::{Design, room};
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{
     Confirmation, Constraints, DesignSearch, Evaluation, Goal, ROUNDING, SearchBounds, SearchResult,
-    is_at_pressure,
+    is_at_pressure, thousandths,
 };
 use crate::forecast::shell::Detail;
 use crate::forecast::shell::star;
@@ -261,11 +261,10 @@ fn bounds(args: &Args, base: &Candidate) -> SearchBounds {
     }
 }
 
-/// The spec's text with the candidate's values, rounded to a micrometre, a thousandth of a degree and a Pascal.
+/// The spec's text with the candidate's values.
 fn edited(loaded: &Loaded, candidate: &Evaluation) -> Result<String, Failure> {
     let Evaluation { point, .. } = candidate;
     let star = &point.star;
-    let thousandths = |value: f64| (value * 1e3).round() / 1e3;
     let mm = |length: Length| Length(thousandths(length.0));
     let edit = StarEdit {
         points: star.points,

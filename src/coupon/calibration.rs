@@ -9,9 +9,9 @@ use std::collections::HashMap;
 use std::fmt;
 use std::fmt::Write;
 
-use crate::coupon::strips::WIDTH;
+use crate::coupon::strips::{TEMPERATURES, WIDTH};
 use crate::coupon::table::{TableColumn, read_table};
-use crate::spec::{Allowed, CONTACT, Faults, Source, TOXIC};
+use crate::spec::{Allowed, CONTACT, Faults, SEAL_SPEEDS, Source};
 use crate::units::Readable;
 
 /// Least number of specimens of a setting.
@@ -21,10 +21,6 @@ const WEAKEST: f64 = 1e-3;
 /// Largest standard deviation over the mean.
 const SPREAD: f64 = 0.25;
 
-/// Temperatures of strips, C: no coating melts in a hot room, and from the upper end on the release layer is toxic.
-pub const TEMPERATURES: Allowed = Allowed::between(40.0, TOXIC.0);
-/// Speeds of strips, mm/s; those of a spec.
-pub const SPEEDS: Allowed = Allowed::closed(1e-3, 1e3);
 /// Largest peel strength, N/mm: half a ton on a strip. What is above was written in mN.
 const STRONGEST: f64 = 200.0;
 /// Ten times the speed of the paper, mm/s: above it, mm/min may have been written as mm/s.
@@ -42,7 +38,7 @@ const COLUMNS: [TableColumn; 4] = [
     TableColumn {
         names: &["speed"],
         unit: "mm_s",
-        allowed: SPEEDS,
+        allowed: SEAL_SPEEDS,
         optional: false,
         slip: "convert mm/min to mm/s; check whether the columns are exchanged",
     },

@@ -23,11 +23,10 @@ use crate::spec::{Machine, Spec};
 use inflatable::geom::{Bounds, Isometry, Path, Point};
 
 pub use calibration::{
-    Calibration, CalibrationFault, PeelRow, SPEEDS, TEMPERATURES, calibrate, listing, read_rows, settings,
-    steady,
+    Calibration, CalibrationFault, PeelRow, calibrate, listing, read_rows, settings, steady,
 };
 pub use shapes::{disc, hose, vee};
-pub use strips::{StripGrid, TestStrip, overview, table};
+pub use strips::{StripGrid, TEMPERATURES, TestStrip, overview, table};
 pub use table::{TableColumn, read_table};
 
 /// A kind of coupons, which can be made on its own.

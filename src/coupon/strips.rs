@@ -4,10 +4,12 @@ use std::fmt::Write;
 
 use crate::emit;
 use crate::emit::GridCell;
-use crate::spec::{Machine, Spec};
+use crate::spec::{Allowed, CONTACT, Machine, SEAL_SPEEDS, Spec, TOXIC};
 use crate::units::{Length, Speed, Temperature};
 use inflatable::geom::{Bounds, Line, Path, Point, Vec2};
 
+/// Temperatures of strips, C: no coating melts in a hot room, and from the upper end on the release layer is toxic.
+pub const TEMPERATURES: Allowed = Allowed::between(40.0, TOXIC.0);
 /// Width of a specimen of the T-peel test, mm (ASTM F88).
 pub(super) const WIDTH: f64 = 25.0;
 /// Length of its legs, mm.
@@ -54,8 +56,26 @@ impl StripGrid {
         pairs.flat_map(|(t, v)| self.heights.iter().map(move |h| (t, v, *h)))
     }
 
+    /// Why `machine` does not seal strips with these settings, as text with the allowed ones; `None` if it does.
+    pub fn refusal(&self, machine: &Machine) -> Option<String> {
+        if let Some(t) = self.temperatures.iter().find(|t| !TEMPERATURES.holds(t.0)) {
+            return Some(format!("a temperature of {t}; it {}", TEMPERATURES.in_words("C")));
+        }
+        if let Some(v) = self.speeds.iter().find(|v| !SEAL_SPEEDS.holds(v.0)) {
+            return Some(format!("a speed of {v}; it {}", SEAL_SPEEDS.in_words("mm/s")));
+        }
+        if let Some(h) = self.heights.iter().find(|h| !CONTACT.holds(h.0)) {
+            return Some(format!("a height of {h}; it {}", CONTACT.in_words("mm")));
+        }
+        let lowest = machine.process.lowest_contact();
+        let too_low = self.heights.iter().find(|h| h.0 < lowest.0).map(|h| {
+            format!("a height of {h}; it must be {lowest} for the profile's tip without a spring: set `spring_loaded = true` if it has one")
+        });
+        too_low.or_else(|| self.alike())
+    }
+
     /// Two settings with the same file name, as text with the required difference; `None` if all names differ.
-    pub fn alike(&self) -> Option<String> {
+    fn alike(&self) -> Option<String> {
         let names: Vec<String> = self.settings().map(|(t, v, h)| program_name(self, t, v, h)).collect();
         let settings: Vec<_> = self.settings().collect();
         let twin = (0..names.len()).find(|i| names[..*i].contains(&names[*i]))?;

@@ -8,6 +8,7 @@ use crate::units::{Least, Length, Most, Pressure};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::section::{BENDABILITY, MOST_STRETCH};
 use inflatable::mechanics::strength::ElasticSheet;
+use inflatable::numerics::last_holding;
 use serde::Serialize;
 
 /// One pressure, with the star's values there.
@@ -111,14 +112,7 @@ pub fn modelled(case: &Case) -> Option<Interval> {
     let (first, last) = (*known.first()?, *known.last()?);
     // From a pressure with a prediction towards its neighbour without one.
     let end = |inside: u32, outside: Option<u32>| {
-        let (mut inside, Some(mut outside)) = (tried(inside), outside.map(tried)) else {
-            return tried(inside);
-        };
-        for _ in 0..20 {
-            let middle = (inside * outside).sqrt();
-            if is_known(middle) { inside = middle } else { outside = middle }
-        }
-        inside
+        outside.map_or(tried(inside), |outside| last_holding(tried(inside), tried(outside), 20, is_known))
     };
     let low = end(first, first.checked_sub(1));
     let high = end(last, Some(last + 1).filter(|k| *k < TRIED));

@@ -209,13 +209,8 @@ pub(super) fn prove_coupons(written: &CouponManifest, files: &OutputFiles<'_>) -
 
 /// The settings and groups of a manifest; `None` if `coupon` would refuse them.
 fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<(StripGrid, Vec<CouponGroup>)> {
-    let within = |values: &[f64], low: f64, high: f64| {
-        !values.is_empty() && values.iter().all(|value| (low..=high).contains(value))
-    };
     let CouponChoice { temperatures, speeds, heights, repeats, only } = choice;
-    let right = within(temperatures, 1e-9, 300.0 - 1e-9)
-        && within(speeds, 1e-3, 1e3)
-        && within(heights, machine.process.lowest_contact().0, 0.0)
+    let right = [temperatures, speeds, heights].iter().all(|values| !values.is_empty())
         && (1..=20).contains(repeats)
         && [speeds.len(), heights.len(), *repeats]
             .iter()
@@ -230,7 +225,7 @@ fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<(StripGrid, Vec<Co
         heights: heights.iter().copied().map(Length).collect(),
         repeats: *repeats,
     };
-    (right && grid.alike().is_none()).then_some((grid, groups))
+    (right && grid.refusal(machine).is_none()).then_some((grid, groups))
 }
 
 /// The task that the program of a coupon must perform.

@@ -7,6 +7,7 @@ use crate::plan::Pace;
 use crate::resume::ResumeFault;
 use crate::resume::figures::comment;
 use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
+use crate::spec::LEAST_ACCELERATION;
 use crate::verify::gcode::Comment;
 use crate::verify::{Finding, FindingCode};
 
@@ -20,8 +21,6 @@ const SCHEDULE: f64 = 5.0;
 const JOINED: f64 = 5e-3;
 /// Rounding of a stated percentage, as a fraction.
 const SHARE: f64 = 6e-4;
-/// Least acceleration of a profile, mm/s^2.
-const SLOWEST: f64 = 0.1;
 /// Where every axis has the travel speed, a way is faster by at most this: the diagonal of a cube.
 const DIAGONAL: f64 = 1.733;
 
@@ -92,7 +91,8 @@ impl<'a> StatedFigures<'a> {
             travels: [0.0; 2],
             ahead: 0.0,
         };
-        let acceleration = if let Pace::Chopped(chop) = record.pace { chop.acceleration } else { SLOWEST };
+        let acceleration =
+            if let Pace::Chopped(chop) = record.pace { chop.acceleration } else { LEAST_ACCELERATION };
         let mut before = JobPhase::Clear;
         toolpath.walk(|step| {
             let begins = before == JobPhase::Clear && step.phase != JobPhase::Clear;

@@ -60,10 +60,11 @@ pub use model::{
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, NameFault, check_name, misleads};
 pub use profile::{
-    CONTACT, UnknownMachine, builtin_machine, builtin_machines, limits_set_by, read_machine, usual_profile,
+    CONTACT, LEAST_ACCELERATION, UnknownMachine, builtin_machine, builtin_machines, limits_set_by,
+    read_machine, usual_profile,
 };
 pub use raw::RawSpec;
-pub use reading::{Reading, SMALLEST_HOLE, TOXIC, read};
+pub use reading::{Reading, SEAL_SPEEDS, SMALLEST_HOLE, TOXIC, read};
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{drawing_starter, quoted, starter};

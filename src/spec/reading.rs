@@ -194,7 +194,7 @@ pub(super) fn read_fabric(s: &mut Section<'_, '_>) -> Fabric {
 fn read_seal(s: &mut Section<'_, '_>) -> Seal {
     let seal = Seal {
         temperature: s.quantity("temperature", Allowed::above(0.0, 400.0)).unwrap_or(Temperature(200.0)),
-        speed: s.quantity("speed", Allowed::closed(1e-3, 1e3)).unwrap_or(Speed(0.1)),
+        speed: s.quantity("speed", SEAL_SPEEDS).unwrap_or(Speed(0.1)),
         band: length(s, "band", SIZE, 2.0),
         overlap: length(s, "overlap", EXTRA, 5.0),
         allowance: length(s, "allowance", EXTRA, 8.0),
@@ -203,6 +203,9 @@ fn read_seal(s: &mut Section<'_, '_>) -> Seal {
     check_ptfe(s, seal.temperature);
     seal
 }
+
+/// Speeds of the iron, mm/s.
+pub const SEAL_SPEEDS: Allowed = Allowed::closed(1e-3, 1e3);
 
 /// From here on the PTFE release layer gives off toxic fumes: no seal is this hot.
 pub const TOXIC: Temperature = Temperature(300.0);

@@ -468,6 +468,12 @@ fn coupon_refuses_bad_settings_and_writes_nothing() {
     ] {
         let _ = fails(dir.path(), &[&["coupon", "star.toml"][..], &args].concat(), code, &[words]);
     }
+    // Without options the grid is the spec's: strips that `calibrate` would refuse are not sealed.
+    let cold = read(dir.path(), "star.toml") + "\n[seal]\ntemperature = \"30 C\"\n";
+    fs::write(dir.path().join("cold.toml"), cold).expect("written");
+    let words = ["a temperature of 30 C; it must be more than 40 C and less than 300 C"];
+    let _ = fails(dir.path(), &["coupon", "cold.toml"], 1, &words);
+    fs::remove_file(dir.path().join("cold.toml")).expect("removed");
     // A disc is sealed once.
     let disc = ["coupon", "star.toml", "--only", "disc", "--repeats", "5"];
     let _ = fails(dir.path(), &disc, 2, &["--repeats is for strips"]);

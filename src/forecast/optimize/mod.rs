@@ -40,7 +40,7 @@ pub enum Goal {
     Payload,
 }
 
-/// The box that is searched. Equal ends fix a value.
+/// The box that is searched, the lower end of each range first. Equal ends fix a value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SearchBounds {
     /// Number of points.
@@ -192,8 +192,12 @@ impl<'a> DesignSearch<'a> {
             return None;
         }
         let sides = self.sides();
+        // The design that is written is the one that is judged; the ends of the box are exact.
         let [tip_angle, width, tip_radius, corner_radius, inner_radius, pressure] =
-            std::array::from_fn(|k| written(sides[k][0] + place[k] * (sides[k][1] - sides[k][0]), sides[k]));
+            std::array::from_fn(|k| {
+                let [least, most] = sides[k];
+                thousandths(least + place[k] * (most - least)).clamp(least, most)
+            });
         let mut point = self.base.clone();
         let star = &mut point.star;
         star.points = points;
@@ -325,9 +329,9 @@ impl<'a> DesignSearch<'a> {
     }
 }
 
-/// A value as a spec has it, in thousandths, so that the design that is written is the one that was judged; the ends of its box are exact.
-fn written(value: f64, [least, most]: [f64; 2]) -> f64 {
-    ((value * 1e3).round() / 1e3).clamp(least, most)
+/// A length, angle or pressure as a search writes it into a spec: a micrometre, a thousandth of a degree, a Pascal.
+pub fn thousandths(value: f64) -> f64 {
+    (value * 1e3).round() / 1e3
 }
 
 /// Less is better: first the violation, then the goal, then the smaller fabric so that ties are decided.

@@ -1,5 +1,6 @@
 use super::*;
 use crate::design::Star;
+use crate::forecast::seal_load::pull::R_STAR;
 use crate::spec::{Load, Source, Spec, StarSpec, read, starter};
 
 /// The paper's star with a seal of 1 N/mm.

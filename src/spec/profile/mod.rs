@@ -29,6 +29,7 @@ use crate::spec::section::{Reader, Section};
 use crate::spec::source::Source;
 
 pub use builtin::{builtin_machine, builtin_machines, usual_profile};
+pub use motion::LEAST_ACCELERATION;
 pub use process::CONTACT;
 pub use script::limits_set_by;
 

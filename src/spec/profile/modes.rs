@@ -61,7 +61,9 @@ pub(super) fn check_dwell_unit(
         Dialect::Marlin | Dialect::Klipper | Dialect::RepRapFirmware => {
             (DwellUnit::Milliseconds, "ms", "milliseconds")
         }
-        _ => (DwellUnit::Seconds, "s", "seconds"),
+        Dialect::Generic | Dialect::LinuxCnc | Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => {
+            (DwellUnit::Seconds, "s", "seconds")
+        }
     };
     if written.is_some_and(|written| written != unit) {
         let found =

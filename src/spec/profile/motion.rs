@@ -9,6 +9,8 @@ use crate::spec::profile::known::{known, known_number, says};
 use crate::spec::section::Section;
 use crate::units::{Duration, Speed};
 
+/// Least acceleration of the axes, mm/s^2.
+pub const LEAST_ACCELERATION: f64 = 0.1;
 /// Steps per mm: from a coarse belt to a fine screw with microsteps.
 const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
 /// Lowest step rates, steps/s: from a step a quarter of an hour to a rate that only a broken timer would have.
@@ -65,7 +67,7 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         steps_per_mm,
         step_rate,
         min_feed: s.quantity("min_feed", Allowed::closed(0.0, 1e3)).unwrap_or(Speed(0.0)),
-        acceleration: known(s, "acceleration", Allowed::closed(0.1, 1e6)),
+        acceleration: known(s, "acceleration", Allowed::closed(LEAST_ACCELERATION, 1e6)),
         chop_feed: known(s, "chop_feed", Allowed::closed(1e-3, 1e3)),
         start_delay: s.quantity("start_delay", Allowed::closed(0.0, 1.0)).unwrap_or(Duration(0.0)),
         tick: known(s, "tick", Allowed::closed(0.0, 0.1)),

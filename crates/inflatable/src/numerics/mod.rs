@@ -20,6 +20,6 @@ pub use cholesky::SymmetricBand;
 pub use dual::Dual;
 pub use newton::{NewtonFault, NewtonReport, newton};
 pub use range::spans;
-pub use root::{RootFault, bracketed_root};
+pub use root::{RootFault, bracketed_root, last_holding};
 pub(crate) use threads::Threads;
 pub use vector::dot;

@@ -87,6 +87,20 @@ pub fn bracketed_root<E: From<RootFault>>(
     Ok(if at_low.abs() < at_high.abs() { low } else { high })
 }
 
+/// The number nearest to `fails` at which `test` holds, of those between it and `holds`. Both are above 0, and `test` holds at `holds`. Each
+/// round halves the logarithm of their ratio.
+pub fn last_holding(mut holds: f64, mut fails: f64, rounds: u32, test: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..rounds {
+        let middle = (holds * fails).sqrt();
+        if test(middle) {
+            holds = middle;
+        } else {
+            fails = middle;
+        }
+    }
+    holds
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -107,5 +121,16 @@ mod tests {
     fn refuses_what_it_cannot_do() {
         assert!(matches!(root(1.0, 2.0, |x| x), Err(RootFault::NoSignChange { .. })));
         assert!(matches!(root(-1.0, 2.0, f64::ln), Err(RootFault::NotFinite { .. })));
+    }
+
+    #[test]
+    fn the_last_number_that_holds_lies_on_its_side() {
+        for (holds, fails) in [(1.0, 100.0), (100.0, 1e-3)] {
+            let test = |x: f64| if holds < fails { x <= 7.0 } else { x >= 7.0 };
+            let found = last_holding(holds, fails, 50, test);
+            assert!(test(found) && (found / 7.0 - 1.0).abs() < 1e-14, "{found}");
+        }
+        assert_eq!(last_holding(2.0, 8.0, 1, |x| x < 4.0), 2.0);
+        assert_eq!(last_holding(2.0, 8.0, 1, |x| x <= 4.0), 4.0);
     }
 }
