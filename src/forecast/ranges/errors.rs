@@ -105,8 +105,8 @@ pub const EXTRAPOLATED_MESSAGE: &str = "few stars like this one, or none, were c
 
 /// 1/eps that was tried of fabric of t/W = `slender`: from 100 on, of thin fabric from more on.
 pub fn bendability(slender: f64) -> Interval {
-    let [least, most] = BENDABILITY;
-    [least * libm::pow(THIN_BENDABILITY / least, thinness(slender)), most]
+    let ([least, most], thin) = (BENDABILITY, thinness(slender));
+    [if thin > 0.0 { least * libm::pow(THIN_BENDABILITY / least, thin) } else { least }, most]
 }
 
 /// [`HINGE`] of fabric of t/W = `slender`, wider where that is thin.
@@ -118,6 +118,11 @@ pub fn hinge(slender: f64) -> Interval {
 /// [`ACTUATOR`] of fabric of t/W = `slender`, wider where that is thin.
 pub fn actuator(slender: f64) -> Interval {
     ACTUATOR.map(|error| error * (1.0 + (THIN_ACTUATOR - 1.0) * thinness(slender)))
+}
+
+/// The factors `range` to the power `wider`: mostly 1, and designs come in millions.
+pub(super) fn widened(range: Interval, wider: f64) -> Interval {
+    if wider == 1.0 { range } else { range.map(|factor| libm::pow(factor, wider)) }
 }
 
 /// How thin fabric is, by its logarithm: from 0 at t/W = 0.01 to 1 where ranges end.

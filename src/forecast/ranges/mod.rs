@@ -64,7 +64,8 @@ impl Ranges {
             wider,
             radius: Some(radius),
             angle: (angle[0] > star.correction.contact_angle).then_some(angle),
-            stiffness: free.then(|| errors::STIFFNESS.map(|part| rest.stiffness * libm::pow(part, stiffer))),
+            stiffness: free
+                .then(|| errors::widened(errors::STIFFNESS, stiffer).map(|part| rest.stiffness * part)),
         }
     }
 
@@ -73,7 +74,7 @@ impl Ranges {
         if self.domain == Domain::Unknown {
             return None;
         }
-        let [low, high] = errors::HINGE.map(|part| libm::pow(part, self.wider));
+        let [low, high] = errors::widened(errors::HINGE, self.wider);
         let thin = errors::hinge(case.sheet.thickness / case.mechanism.width);
         Some([low.min(thin[0]), high.max(thin[1])])
     }
@@ -103,8 +104,7 @@ impl Ranges {
         }
         // An opening beyond the validated one widens the range continuously: a jump would mislead a search.
         let further = (opened / errors::OPENING - 1.0) / (errors::NOT_FAR - 1.0);
-        let [low, high] =
-            errors::FORCE.map(|part| libm::pow(part, self.wider * (1.0 + further.clamp(0.0, 1.0))));
+        let [low, high] = errors::widened(errors::FORCE, self.wider * (1.0 + further.clamp(0.0, 1.0)));
         // The start of contact is as uncertain as the radius. Both errors are treated as independent, so
         // they are added in quadrature; ranges made so hold (docs/ranges.md).
         // Arms that touch: the radius without contact is as uncertain.

@@ -152,11 +152,11 @@ impl Mechanism {
         let straight = PI - self.turn();
         let last = from + NEARLY_STRAIGHT * (straight - from);
         let slope = |phi: f64| self.radius_of_sector(phi, sector).slope;
-        let angle = if slope(last) >= 0.0 {
-            last
-        } else if self.tip_radius == 0.0 && self.corner_radius == 0.0 {
+        let angle = if self.tip_radius == 0.0 && self.corner_radius == 0.0 {
             // l cos(phi/2) = W' sin(phi/2).
-            2.0 * libm::atan2(self.arm, self.inflated_width())
+            last.min(2.0 * libm::atan2(self.arm, self.inflated_width()))
+        } else if slope(last) >= 0.0 {
+            last
         } else {
             // The slope changes its sign between the two, so there is a root.
             bracketed_root(from, last, WIDEST_TOLERANCE, |phi| Ok::<_, RootFault>(slope(phi))).unwrap_or(from)

@@ -16,6 +16,7 @@
 
 use crate::mechanics::star::Mechanism;
 use std::array::from_fn;
+use std::cell::RefCell;
 use std::sync::LazyLock;
 use wide::f32x8;
 
@@ -56,36 +57,66 @@ pub struct Residuals {
 
 /// Centres that the processor takes at a time; they are always added in the same order. Single precision is a hundred times finer than the table.
 const LANES: usize = 8;
+/// Ratios that most rows of a study share with the row before.
+const SLOW: [usize; 5] = [1, 2, 4, 5, 6];
+/// The other ratios.
+const FAST: [usize; 2] = [0, 3];
 
 /// So many centres.
 #[derive(Clone, Copy, Debug)]
 struct LaneBlock {
     /// Their [`halved`] ratios.
-    places: [f32x8; LENGTHS.len()],
+    slow: [f32x8; SLOW.len()],
+    fast: [f32x8; FAST.len()],
     weights: [f32x8; WEIGHTS],
+}
+
+/// The last star of a thread.
+#[derive(Debug, Default)]
+struct LastStar {
+    /// Its slow ratios; none before the first star.
+    slow: Option<[f32; SLOW.len()]>,
+    /// 1 and its distances from the blocks in these ratios, squared.
+    apart: Vec<f32x8>,
 }
 
 impl Residuals {
     /// The residuals of `star` with `ratios`.
     pub fn of(star: &Mechanism, ratios: Ratios) -> Self {
         static TABLE: LazyLock<Vec<LaneBlock>> = LazyLock::new(|| read(SHIPPED));
-        Self::at(&place(star, ratios), &TABLE)
+        thread_local! {
+            static LAST: RefCell<LastStar> = RefCell::default();
+        }
+        LAST.with_borrow_mut(|last| Self::at(&place(star, ratios), &TABLE, last))
     }
 
-    fn at(place: &StarPlace, table: &[LaneBlock]) -> Self {
+    fn at(place: &StarPlace, table: &[LaneBlock], last: &mut LastStar) -> Self {
         // 1 + q/4 = 1 + (u - v)^2, u and v being the halved ratios of two places.
-        let place = halved(place).map(f32x8::splat);
+        let place = halved(place);
+        let (slow, fast) = (SLOW.map(|i| place[i]), FAST.map(|i| place[i]));
+        if last.slow != Some(slow) {
+            last.slow = Some(slow);
+            last.apart.clear();
+            last.apart.extend(table.iter().map(|block| further(f32x8::ONE, &slow, &block.slow)));
+        }
         let mut sums = [f32x8::ZERO; WEIGHTS];
-        for LaneBlock { places, weights } in table {
-            let apart: [f32x8; LENGTHS.len()] = from_fn(|i| place[i] - places[i]);
-            let root = apart.iter().fold(f32x8::ONE, |root, apart| root + *apart * *apart);
+        for (block, apart) in table.iter().zip(&last.apart) {
+            let root = further(*apart, &fast, &block.fast);
             let near = f32x8::ONE / (root * root);
-            sums = from_fn(|i| sums[i] + weights[i] * near);
+            sums = from_fn(|i| sums[i] + block.weights[i] * near);
         }
         let [angle, radius, stiffness, force @ ..] =
             sums.map(|sum| sum.to_array().iter().map(|lane| f64::from(*lane)).sum());
         Self { angle, radius, stiffness, force }
     }
+}
+
+/// `apart` and the squared distance of `place` from `places`.
+fn further<const N: usize>(apart: f32x8, place: &[f32; N], places: &[f32x8; N]) -> f32x8 {
+    place.iter().zip(places).fold(apart, |apart, (own, other)| {
+        let difference = f32x8::splat(*own) - *other;
+        apart + difference * difference
+    })
 }
 
 /// Reads the table: a centre a line, its ratios and its weights. The last block is filled up with centres without weight.
@@ -100,7 +131,8 @@ fn read(text: &str) -> Vec<LaneBlock> {
         let star = |lane: usize| stars.get(lane).copied().unwrap_or([0.0; NUMBERS]);
         let places: [[f32; LENGTHS.len()]; LANES] = from_fn(|lane| halved(&from_fn(|i| star(lane)[i])));
         LaneBlock {
-            places: from_fn(|i| f32x8::new(places.map(|place| place[i]))),
+            slow: SLOW.map(|i| f32x8::new(places.map(|place| place[i]))),
+            fast: FAST.map(|i| f32x8::new(places.map(|place| place[i]))),
             weights: from_fn(|i| f32x8::new(from_fn(|lane| single(star(lane)[LENGTHS.len() + i])))),
         }
     };
