@@ -23,3 +23,4 @@ pub use range::spans;
 pub use root::{RootFault, bracketed_root, last_holding};
 pub(crate) use threads::Threads;
 pub use vector::dot;
+pub(crate) use vector::single;

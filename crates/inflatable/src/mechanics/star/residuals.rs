@@ -15,6 +15,7 @@
 //! (docs/ranges.md).
 
 use crate::mechanics::star::Mechanism;
+use crate::numerics::single;
 use std::array::from_fn;
 use std::cell::RefCell;
 use std::sync::LazyLock;
@@ -163,11 +164,6 @@ fn halved(place: &StarPlace) -> [f32; LENGTHS.len()] {
     from_fn(|i| single(place[i] / (2.0 * LENGTHS[i])))
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "the table is less precise")]
-const fn single(number: f64) -> f32 {
-    number as f32
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -205,6 +201,19 @@ mod tests {
                 "{found:?} {sums:?}"
             );
             assert!(sums.iter().any(|sum| sum.abs() > 1e-3));
+        }
+    }
+
+    #[test]
+    fn they_do_not_depend_on_the_star_before() {
+        let one = paper(5);
+        let first = Residuals::of(&one, RATIOS);
+        let like_it = Mechanism { tip_angle: 0.9, ..one };
+        for (before, ratios) in
+            [(like_it, RATIOS), (paper(7), RATIOS), (one, Ratios { stretch: 0.02, ..RATIOS })]
+        {
+            assert_ne!(Residuals::of(&before, ratios), first);
+            assert_eq!(Residuals::of(&one, RATIOS), first);
         }
     }
 
