@@ -8,6 +8,8 @@ use crate::units::Readable;
 pub(super) const SIZE: Allowed = Allowed::closed(1e-3, 1e5);
 /// Lengths that may be zero, up to 100 m.
 pub(super) const EXTRA: Allowed = Allowed::closed(0.0, 1e5);
+/// Speeds of the iron, mm/s.
+pub const SEAL_SPEEDS: Allowed = Allowed::closed(1e-3, 1e3);
 
 /// A range of numbers, each end in or out; it never holds NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]

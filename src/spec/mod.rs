@@ -40,7 +40,7 @@ mod values;
 mod vocabulary;
 
 pub use accuracy::{Accuracy, Detail, ModelChoice};
-pub use allowed::Allowed;
+pub use allowed::{Allowed, SEAL_SPEEDS};
 pub(crate) use code::codes;
 pub use code::{Code, FaultCode};
 pub use defaults::with_defaults;
@@ -64,7 +64,7 @@ pub use profile::{
     read_machine, usual_profile,
 };
 pub use raw::RawSpec;
-pub use reading::{Reading, SEAL_SPEEDS, SMALLEST_HOLE, TOXIC, read};
+pub use reading::{Reading, SMALLEST_HOLE, TOXIC, read};
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{drawing_starter, quoted, starter};

@@ -4,7 +4,7 @@
 //! then refuse the spec.
 
 use crate::spec::accuracy::{Accuracy, ModelChoice};
-use crate::spec::allowed::{Allowed, EXTRA, SIZE};
+use crate::spec::allowed::{Allowed, EXTRA, SEAL_SPEEDS, SIZE};
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
 use crate::spec::foreign::{self, Document};
@@ -203,9 +203,6 @@ fn read_seal(s: &mut Section<'_, '_>) -> Seal {
     check_ptfe(s, seal.temperature);
     seal
 }
-
-/// Speeds of the iron, mm/s.
-pub const SEAL_SPEEDS: Allowed = Allowed::closed(1e-3, 1e3);
 
 /// From here on the PTFE release layer gives off toxic fumes: no seal is this hot.
 pub const TOXIC: Temperature = Temperature(300.0);
