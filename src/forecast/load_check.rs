@@ -7,6 +7,7 @@ use crate::forecast::ranges::shown::with;
 use crate::forecast::seal_load::{Bursting, bursts_at};
 use crate::spec::{Load, Spec, StarSpec, key};
 use crate::units::{Least, Length, Mass, Most, Pressure};
+use inflatable::mechanics::hinge::section;
 use inflatable::mechanics::strength::GRAVITY;
 
 /// Largest friction that is proposed, and how to get it: silicone-coated corners reach about 1, in the paper 0.85 to 1.57.
@@ -150,8 +151,8 @@ pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64) -> Refu
     Refusal::new(key::load::MASS, RefusalCode::TooHeavy, found, ways.join("; or "))
 }
 
-/// No model covers `star` at the pressure of `load`.
-pub(super) fn outside_models(load: &Load, star: &StarPrediction) -> Option<Refusal> {
+/// No model covers `star`, of the fabric of `spec`, at the pressure of `load`.
+pub(super) fn outside_models(spec: &Spec, load: &Load, star: &StarPrediction) -> Option<Refusal> {
     let pressure = load.pressure.filter(|_| star.graspable_radius_mm.is_none())?;
     let refusal = |key, found, remedy| Some(Refusal::new(key, RefusalCode::OutsideModels, found, remedy));
     let Some([low, high]) = star.modelled_kPa else {
@@ -159,7 +160,9 @@ pub(super) fn outside_models(load: &Load, star: &StarPrediction) -> Option<Refus
         let _ = load.object_radius?;
         let remedy = "another star or fabric within the stated limits; or no object_diameter in [load]: then \
              no force is predicted";
-        return refusal(key::star::TUBE_WIDTH, star.evidence.choice.clone(), remedy.to_owned());
+        let is_known = section::POISSON.contains(&spec.fabric.poisson_ratio);
+        let key = if is_known { key::star::TUBE_WIDTH } else { key::fabric::POISSON_RATIO };
+        return refusal(key, star.evidence.choice.clone(), remedy.to_owned());
     };
     let meant = UNITS.iter().map(|unit| pressure.0 * unit).find(|kpa| (low..=high).contains(kpa));
     let slip = pressure.0 > SLIP * high || pressure.0 < low / SLIP;

@@ -203,7 +203,7 @@ impl VerdictLines {
         if let Some(reason) = may_burst(load, star) {
             self.add(Weight::Doubted, index, VerdictText::Reason(reason));
         }
-        if let Some(refusal) = outside_models(load, star) {
+        if let Some(refusal) = outside_models(spec, load, star) {
             return self.add(Weight::Unknown, index, VerdictText::Refusal(refusal));
         }
         let Some(object) = star.object_radius_mm else { return };

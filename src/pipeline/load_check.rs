@@ -75,15 +75,21 @@ mod tests {
         let soft = forecast("[load]\npressure = \"0.1 kPa\"\nobject_radius = \"30 mm\"\n");
         assert_eq!((holds(&soft), codes(&soft)), (Some(Holds::Unknown), vec!["outside-models".to_owned()]));
         // Without an object, a star outside all models is still made.
-        let text =
-            starter("x").expect("a name").replace("# thickness = \"0.3 mm\"", "thickness = \"0.1 mm\"");
-        let with = |more: &str| {
+        let with = |[default, own]: [&str; 2], more: &str| {
+            let text = starter("x").expect("a name").replace(&format!("# {default}"), own);
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\n{more}");
             let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
             Forecast::of(spec, Machine::builtin("generic").expect("built in")).expect("a design")
         };
-        assert_eq!(codes(&with("")), [""; 0]);
-        assert_eq!(codes(&with("object_diameter = \"60 mm\"\n")), ["outside-models"]);
+        for (change, key) in [
+            (["thickness = \"0.3 mm\"", "thickness = \"0.1 mm\""], "tube_width"),
+            (["poisson_ratio = 0.39", "poisson_ratio = 0.5"], "poisson_ratio"),
+        ] {
+            assert_eq!(codes(&with(change, "")), [""; 0]);
+            let unknown = with(change, "object_diameter = \"60 mm\"\n");
+            assert_eq!(codes(&unknown), ["outside-models"]);
+            assert_eq!(unknown.unfit()[0].key.key(), key);
+        }
     }
 
     #[test]

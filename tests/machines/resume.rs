@@ -57,8 +57,7 @@ fn length(steps: &[Move]) -> f64 {
 }
 
 /// Resumes at `line` and compares the sealed path with the remaining one.
-fn check(name: &str, job: &str, original: &[Move], line: usize) {
-    let whole = contacts(original);
+fn check(name: &str, job: &str, whole: &[(Vec<Move>, Vec<Move>)], line: usize) {
     // The completed parts of the contacts before `line`, of the interrupted one only a part.
     let done = |run: &[Move]| run.iter().filter(|step| step.line < line).map(Move::length).sum::<f64>();
     let resumed = match resume(job, ResumeAt::Line(line), None) {
@@ -81,6 +80,9 @@ fn check(name: &str, job: &str, original: &[Move], line: usize) {
     }
     for (i, ((down, run), (old_down, old_run))) in rest.iter().zip(&whole[first..]).enumerate() {
         assert!(run.iter().chain(down).all(|step| step.heated == Some(200.0)), "{name} line {line}: cold");
+        if i > 0 && segments(run) == segments(old_run) && segments(down) == segments(old_down) {
+            continue;
+        }
         let start = if i == 0 { (done(old_run) - overlap).max(0.0) } else { 0.0 };
         let whole_run = Path::open(segments(old_run));
         let exact = whole_run.part(start, whole_run.length());
@@ -105,13 +107,15 @@ fn check(name: &str, job: &str, original: &[Move], line: usize) {
     }
 }
 
+/// At every second move in one dialect, at the others in another.
 #[test]
 fn at_every_move_of_a_job() {
-    for name in ["generic", "klipper"] {
+    for (first, name) in ["generic", "klipper"].into_iter().enumerate() {
         let job = job(name);
         let original = moves(name, &job);
-        for step in &original {
-            check(name, &job, &original, step.line);
+        let whole = contacts(&original);
+        for step in original.iter().skip(first).step_by(2) {
+            check(name, &job, &whole, step.line);
         }
     }
 }
@@ -126,12 +130,12 @@ fn at_many_lines_of_chopped_jobs_and_in_every_dialect() {
         |name: &&str| chosen.as_ref().is_none_or(|chosen| chosen.split(',').any(|one| one == *name));
     for name in PROFILES.into_iter().filter(is_chosen) {
         let job = job(name);
-        let original = moves(name, &job);
+        let whole = contacts(&moves(name, &job));
         let lines = job.lines().count();
         let mut tried: Vec<usize> = (0..count).map(|i| 1 + i * (lines - 1) / (count - 1).max(1)).collect();
         tried.dedup();
         for line in &tried {
-            check(name, &job, &original, *line);
+            check(name, &job, &whole, *line);
         }
         let dwells = job.lines().filter(|line| line.starts_with("G4")).count();
         let arcs = job.lines().filter(|line| line.starts_with("G2 ") || line.starts_with("G3 ")).count();
