@@ -39,9 +39,9 @@ pub(super) fn too_short(load: &Load) -> Refusal {
     )
 }
 
-/// The star closes to `least` (mm) at the least, and the object of radius `object` is thinner.
-pub(super) fn too_thin(load: &Load, object: f64, least: f64) -> Refusal {
-    let wanted = Object::widest_for(load, object, least);
+/// The star closes to `least` (mm) at the least, and the object of radius `object` is thinner. One of `reached` is certainly reached.
+pub(super) fn too_thin(load: &Load, object: f64, [least, reached]: Interval) -> Refusal {
+    let wanted = Object::widest_for(load, object, reached);
     Refusal::new(
         load.size_key(),
         RefusalCode::ObjectTooThin,
@@ -58,7 +58,7 @@ pub(super) fn too_thin(load: &Load, object: f64, least: f64) -> Refusal {
     )
 }
 
-/// The star opens to `most` (mm) and the object of radius `object` is wider.
+/// The star opens to `most` (mm) and the object of radius `object` is wider. One of `least` is certainly reached.
 pub(super) fn too_wide_to_open(load: &Load, object: f64, [least, most]: Interval) -> Refusal {
     Refusal::new(
         load.size_key(),

@@ -80,6 +80,9 @@ fn needed_at(load: &Load, friction: f64) -> Option<f64> {
     Some(mass * GRAVITY / friction)
 }
 
+/// Rounding of radii, mm: an object as wide as the hole enters, and is held.
+const ROUNDING: f64 = 1e-9;
+
 /// The weight of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Weight {
@@ -132,18 +135,30 @@ impl VerdictLine {
 #[derive(Debug, Default)]
 struct VerdictLines {
     findings: Vec<VerdictLine>,
-    /// Distinct stars: one that holds the object will do.
+    /// How many stars they name; 1 if all are equal, and none is named.
     stars: usize,
+    /// Whether the lowest or the highest star lets the object in.
+    enters: bool,
 }
 
 impl VerdictLines {
     fn of(spec: &Spec, load: &Load, stars: &[StarPrediction]) -> Self {
-        let is_first =
-            |(index, star): &(usize, &StarPrediction)| !stars.iter().take(*index).any(|other| other == *star);
-        let distinct: Vec<(usize, &StarPrediction)> = stars.iter().enumerate().filter(is_first).collect();
-        let mut judged = Self { stars: distinct.len(), ..Self::default() };
-        for star in distinct {
-            judged.star(spec, load, star);
+        // Equal stars are judged together.
+        let mut distinct: Vec<(usize, Vec<usize>)> = Vec::new();
+        for (index, star) in stars.iter().enumerate() {
+            match distinct.iter_mut().find(|(first, _)| stars[*first] == *star) {
+                Some((_, numbers)) => numbers.push(index + 1),
+                None => distinct.push((index, vec![index + 1])),
+            }
+        }
+        let several = distinct.len() > 1;
+        let lets_in = |star: &StarPrediction| {
+            load.object_radius.is_some_and(|widest| widest.0 <= star.hole_radius_mm + ROUNDING)
+        };
+        let enters = [stars.first(), stars.last()].into_iter().flatten().any(lets_in);
+        let mut judged = Self { stars: if several { stars.len() } else { 1 }, enters, ..Self::default() };
+        for (index, numbers) in distinct {
+            judged.star(spec, load, (index, &stars[index]), if several { &numbers } else { &[] });
         }
         if load.object_radius.is_some() && !judged.is_refuted() {
             judged.mass(load, stars);
@@ -187,37 +202,52 @@ impl VerdictLines {
         found.or(Some(RefusalCode::MayNotHold.as_str()))
     }
 
-    fn add(&mut self, weight: Weight, index: usize, what: VerdictText) {
-        let star = (self.stars > 1).then_some(index + 1);
+    fn add(&mut self, weight: Weight, stars: &[usize], what: VerdictText) {
         let same = self.findings.iter_mut().find(|finding| finding.weight == weight && finding.what == what);
         match same {
-            Some(finding) => finding.stars.extend(star),
-            None => self.findings.push(VerdictLine { weight, stars: star.into_iter().collect(), what }),
+            Some(finding) => {
+                finding.stars.extend(stars);
+                finding.stars.sort_unstable();
+            }
+            None => self.findings.push(VerdictLine { weight, stars: stars.to_vec(), what }),
         }
     }
 
-    fn star(&mut self, spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction)) {
+    fn star(&mut self, spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction), numbers: &[usize]) {
         if let Some(refusal) = bursts(load, star) {
-            self.add(Weight::Refuted, index, VerdictText::Refusal(refusal));
+            self.add(Weight::Refuted, numbers, VerdictText::Refusal(refusal));
         }
         if let Some(reason) = may_burst(load, star) {
-            self.add(Weight::Doubted, index, VerdictText::Reason(reason));
+            self.add(Weight::Doubted, numbers, VerdictText::Reason(reason));
         }
         if let Some(refusal) = outside_models(spec, load, star) {
-            return self.add(Weight::Unknown, index, VerdictText::Refusal(refusal));
+            return self.add(Weight::Unknown, numbers, VerdictText::Refusal(refusal));
         }
         let Some(object) = star.object_radius_mm else { return };
-        if let Some(refusal) = idle(spec, load, (index, star), object) {
-            return self.add(Weight::Idle, index, VerdictText::Refusal(refusal));
+        if let Some(refusal) = spec.stars.get(index).and_then(|part| too_wide_to_enter(spec, part, star)) {
+            return self.blocks(numbers, refusal);
+        }
+        if let Some(refusal) = idle(load, star, object) {
+            return self.add(Weight::Idle, numbers, VerdictText::Refusal(refusal));
         }
         let doubts = doubts(load, star, object);
         for reason in doubts {
-            self.add(Weight::Doubted, index, VerdictText::Reason(reason));
+            self.add(Weight::Doubted, numbers, VerdictText::Reason(reason));
         }
         if let Some((Force(bears), range)) = load.largest_force.zip(star.ranges.object_force_N)
             && range[0] > bears
         {
-            self.add(Weight::Refuted, index, VerdictText::Refusal(too_hard(range, bears)));
+            self.add(Weight::Refuted, numbers, VerdictText::Refusal(too_hard(range, bears)));
+        }
+    }
+
+    /// Stars whose holes stop the object on the way to its place. Those before them may hold it where it stops.
+    fn blocks(&mut self, numbers: &[usize], refusal: Refusal) {
+        let weight = if self.enters { Weight::Idle } else { Weight::Refuted };
+        self.add(weight, numbers, VerdictText::Refusal(refusal));
+        if self.enters {
+            let text = "it stops there, so where other stars hold it, and how hard, is unknown";
+            self.add(Weight::Doubted, numbers, VerdictText::Reason(text.to_owned()));
         }
     }
 
@@ -243,6 +273,11 @@ impl VerdictLines {
                      bare fabric has about 0.3";
                 (Weight::Doubted, VerdictText::Reason(text.to_owned()))
             }
+            (_, None, None) if self.has(Weight::Idle) && !self.has(Weight::Doubted) => {
+                let text =
+                    "the force of all stars together is unknown: not each of them closes around the object";
+                (Weight::Doubted, VerdictText::Reason(text.to_owned()))
+            }
             (_, None, Some(force)) => {
                 let needs =
                     needed.map_or(String::new(), |needed| format!(" and friction needs {needed:.1} N,"));
@@ -255,21 +290,18 @@ impl VerdictLines {
     }
 }
 
-/// The reason why star `index` certainly does not hold the object of radius `object` (mm).
-fn idle(spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction), object: f64) -> Option<Refusal> {
+/// The reason why `star`, which the object enters, certainly does not hold it where it has the radius `object` (mm).
+fn idle(load: &Load, star: &StarPrediction, object: f64) -> Option<Refusal> {
     let [least, most] = star.graspable_radius_mm?;
     if star.hold == Some(Grip::Beside) {
         return Some(too_short(load));
     }
-    if let Some(refusal) = spec.stars.get(index).and_then(|part| too_wide_to_enter(spec, part, star)) {
-        return Some(refusal);
-    }
     // Where the range is known, the object may lie within it.
-    let sure = star.ranges.final_radius_mm.map_or(least, |[low, _]| low);
+    let [sure, reached] = star.ranges.final_radius_mm.unwrap_or([least; 2]);
     if object < sure {
-        return Some(too_thin(load, object, sure));
+        return Some(too_thin(load, object, [sure, reached.min(most)]));
     }
-    (object > most).then(|| too_wide_to_open(load, object, [sure, most]))
+    (object > most + ROUNDING).then(|| too_wide_to_open(load, object, [reached.min(most), most]))
 }
 
 /// The reasons why it is not certain that a star holds the object of radius `object` (mm).
