@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::forecast::meshed::{MeshedPlace, MeshedValue};
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::ranges::scaled;
-use crate::forecast::ranges::shown::{known, rounded, with};
+use crate::forecast::ranges::shown::{known, or_unknown, rounded, with};
 use crate::forecast::verdict::of_stars;
 use crate::pipeline::Forecast;
 use crate::spec::key;
@@ -65,10 +65,7 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
         .iter()
         .filter_map(|star| Some((star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa)));
     if let Some((burst, range)) = bursting.min_by(|a, b| a.0.total_cmp(&b.0)) {
-        let at = match range {
-            Some(range) => with(burst, range, "kPa"),
-            None => format!("{} kPa, range unknown", rounded(burst)),
-        };
+        let at = or_unknown(burst, range, "kPa");
         rows.push(("bursts", format!("at {at}; {} times its pressure", rounded(burst / pressure.0))));
     }
     rows

@@ -3,7 +3,7 @@
 use crate::design::{Object, Refusal, RefusalCode, does_not_enter};
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::ranges::Interval;
-use crate::forecast::ranges::shown::with;
+use crate::forecast::ranges::shown::or_unknown;
 use crate::forecast::seal_load::{Bursting, bursts_at};
 use crate::spec::{Load, Spec, StarSpec, key};
 use crate::units::{Least, Length, Mass, Most, Pressure};
@@ -93,8 +93,8 @@ fn bursting(load: &Load, star: &StarPrediction) -> Option<Bursting> {
 /// The seal may peel below the pressure of `load`, in words.
 pub(super) fn may_burst(load: &Load, star: &StarPrediction) -> Option<String> {
     let _ = bursting(load, star).filter(|one| *one == Bursting::Perhaps)?;
-    let range = with(star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa?, "kPa");
-    Some(format!("the seal may burst: its burst pressure is {range}"))
+    let burst = or_unknown(star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa, "kPa");
+    Some(format!("the seal may burst: its burst pressure is {burst}"))
 }
 
 /// The seal peels below the pressure of `load`.

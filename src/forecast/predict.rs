@@ -316,9 +316,9 @@ impl SealForecast {
         }
     }
 
-    /// The largest pressure, Pa, at which it does not burst: the lower end of the range, if that is known.
+    /// The largest pressure, Pa, at which it surely does not burst: 0 without a range; `None` if no seal is known.
     fn sure(&self) -> Option<f64> {
-        self.burst_range.map_or(self.burst, |[sure, _]| Some(sure))
+        self.burst.map(|_| self.burst_range.map_or(0.0, |[sure, _]| sure))
     }
 
     fn ranges(&self) -> StarRanges {
@@ -333,6 +333,9 @@ impl SealForecast {
         let (burst, pressure) = self.burst.zip(case.pressure)?;
         let what = match Bursting::at(pressure, burst, self.burst_range) {
             Bursting::No => return None,
+            Bursting::Perhaps if self.burst_range.is_none() => {
+                "the seal may burst: the range of its burst pressure is unknown"
+            }
             Bursting::Perhaps => "the seal may burst: the pressure is within the range of its burst pressure",
             Bursting::Yes => "the pressure is above the seal's burst pressure",
         };

@@ -48,7 +48,7 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
                 open.map_or(format!("{} kg", Readable(payload)), |open| shown::meshed(payload, open, "kg"))
             }
             None if prediction.first.model == Level::Section.name() => "unknown".to_owned(),
-            None => format!("{} kg, range unknown", shown::rounded(payload)),
+            None => shown::or_unknown(payload, None, "kg"),
         };
         let _ = writeln!(out, "\npayload of the whole stack      {text}");
     }
@@ -84,7 +84,7 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         line("target coiling tip, corner", format!("{}, {}", digits(tip), digits(corner)));
     }
     let unknown = |value: f64, unit: &str| {
-        if is_limit { no_range(value, unit) } else { "unknown".to_owned() }
+        if is_limit { shown::or_unknown(value, None, unit) } else { "unknown".to_owned() }
     };
     for (what, value, range, unit) in quantities(star) {
         let text = match (value, range) {
@@ -113,7 +113,7 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     for (what, value, range, unit) in of_the_seal {
         match value.zip(range) {
             Some((value, range)) => line(what, shown::with(value, range, unit)),
-            None => value.into_iter().for_each(|value| line(what, no_range(value, unit))),
+            None => value.into_iter().for_each(|value| line(what, shown::or_unknown(value, None, unit))),
         }
     }
     for (what, value, unit) in optional {
@@ -140,11 +140,6 @@ fn star_text(out: &mut String, star: &StarPrediction) {
 
 fn show(value: f64, unit: &str) -> String {
     format!("{} {unit}", Readable(value)).trim_end().to_owned()
-}
-
-/// A value of unknown error: more than three digits would claim to know it.
-fn no_range(value: f64, unit: &str) -> String {
-    format!("{} {unit}", shown::rounded(value)).trim_end().to_owned() + ", range unknown"
 }
 
 /// The objects that fit the star, and what its flap adds: labels and values.

@@ -12,7 +12,7 @@ pub use self::burst::{Bursting, DrawnSeal, burst, burst_range, bursts_at};
 pub use self::pull::{LoadedHinge, RANGE, factor, largest_pull, pull};
 
 use self::burst::{bursting, hinge_burst_range};
-use self::pull::range;
+use self::pull::{R_STAR, range, widest};
 use crate::design::{Star, StarDesign};
 use crate::forecast::case::{Case, mechanism};
 use crate::forecast::pressures::is_modelled;
@@ -28,21 +28,22 @@ const ROUNDEST: f64 = 10.0;
 /// Sharpest hinge that is looked at, R*: there k is 1e5, more than any seal holds.
 const SHARPEST: f64 = 1e-6;
 
-/// The least inner radius of `hinge` at which its seal withstands the pressure at the upper end of [`RANGE`],
-/// rounded up to a hundredth of a mm, so the printed radius is safe; `None` if no radius is large enough, or
-/// pressure or peel strength are unknown.
+/// The least inner radius of `hinge` at which its seal surely withstands the pressure, rounded up to a hundredth of a mm, so the printed
+/// radius is safe; `None` if no radius is known to be large enough, or pressure or peel strength are unknown.
 pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
     let width = case.mechanism.width;
     let (allowed, pressure) = (case.peel?, case.pressure?);
-    let at = |r_star: f64| {
-        factor(&Ring, r_star).map(|k| RANGE[1] * pull(case, k, (hinge, r_star * width), pressure))
+    let holds = |r_star: f64| {
+        let Some(k) = factor(&Ring, r_star) else { return false };
+        let hinge = (hinge, r_star * width);
+        let range = range(case, k, hinge, pressure).or_else(|| widest(case, k, hinge, pressure));
+        range.is_some_and(|[_, most]| most * pull(case, k, hinge, pressure) <= allowed)
     };
-    if at(ROUNDEST)? > allowed {
-        return None;
-    }
-    // The pull falls with R*. After 60 rounds the ends differ by rounding.
-    let holds = |r_star: f64| at(r_star).is_some_and(|pull| pull <= allowed);
-    let r_star = last_holding(ROUNDEST, SHARPEST, 60, holds);
+    // The pull falls with R*; its range is least where the shells were. After 60 rounds the ends differ by rounding.
+    let r_star = match [R_STAR[1], ROUNDEST].into_iter().find(|r_star| holds(*r_star))? {
+        ROUNDEST => last_holding(ROUNDEST, R_STAR[1], 60, holds),
+        known => last_holding(known, SHARPEST, 60, holds),
+    };
     let hundredths = (Length::from_metres(r_star * width).0 * 100.0).ceil();
     Some(Length(hundredths / 100.0))
 }
@@ -119,8 +120,8 @@ fn at_place(
         None => Some(FRAC_1_PI * pressure * width),
     };
     let load = case.pressure.and_then(at);
-    let pull_range = load.zip(case.pressure).and_then(|(load, p)| match hinge {
-        Some((_, radius)) => range(case, radius, p).map(|range| scaled(range, load)),
+    let pull_range = load.zip(case.pressure).and_then(|(load, p)| match k {
+        Some((hinge, k)) => range(case, k?, hinge, p).map(|range| scaled(range, load)),
         None => Some([load; 2]),
     });
     let burst = case.peel.and_then(|peel| match k {
@@ -160,9 +161,12 @@ impl SealLoad {
         match bursting {
             Bursting::No => None,
             Bursting::Perhaps => {
-                let [low, high] = self.burst_range.unwrap_or_default().map(|p| p.0);
+                let holds = match self.burst_range {
+                    Some([low, high]) => format!("it holds {:.1} to {:.1} kPa", low.0, high.0),
+                    None => "how far it holds is unknown".to_owned(),
+                };
                 Some(format!(
-                    "the seal may burst at the {}: it holds {low:.1} to {high:.1} kPa, burst margin {margin:.2}; {remedy}",
+                    "the seal may burst at the {}: {holds}, burst margin {margin:.2}; {remedy}",
                     self.place
                 ))
             }

@@ -11,6 +11,14 @@ pub fn known(value: Option<f64>, range: Option<Interval>, unit: &str) -> String 
     }
 }
 
+/// `value` with its range, both in `unit`; without a range to three digits, and that it is unknown.
+pub fn or_unknown(value: f64, range: Option<Interval>, unit: &str) -> String {
+    match range {
+        Some(range) => with(value, range, unit),
+        None => format!("{} {unit}", rounded(value)).trim_end().to_owned() + ", range unknown",
+    }
+}
+
 /// `value` with its range, both in `unit`.
 pub fn with(value: f64, [low, high]: Interval, unit: &str) -> String {
     let gap = if unit.is_empty() { "" } else { " " };
@@ -21,12 +29,17 @@ pub fn with(value: f64, [low, high]: Interval, unit: &str) -> String {
     // Ends are rounded outwards, so the printed range holds. A small low end keeps a digit: 5 to 140, not 0 to 140.
     let fine = if low < step && low >= 0.1 * step { 0.1 * step } else { step };
     let [low, high] = [text((low / fine).floor() * fine, fine), text((high / step).ceil() * step, step)];
-    format!("{}{gap}{unit}, {low} to {high}", text(value, step))
+    format!("{}{gap}{unit}, {low} to {high}", text(value, step_of(value, step)))
 }
 
 /// `value` in `unit`, as exact as a number with this range is.
 pub fn as_exact_as(value: f64, [low, high]: Interval, unit: &str) -> String {
-    format!("{} {unit}", text(value, step(high - low)))
+    format!("{} {unit}", text(value, step_of(value, step(high - low))))
+}
+
+/// The step to which a value with a range of `step` is rounded: 140 with a range of 500 keeps a digit more, so it is not 100.
+fn step_of(value: f64, step: f64) -> f64 {
+    if (0.5..2.0).contains(&(value.abs() / step)) { 0.1 * step } else { step }
 }
 
 /// `value` with its mesh error, both in `unit`.

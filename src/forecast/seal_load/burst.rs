@@ -14,16 +14,16 @@ use std::f64::consts::FRAC_1_PI;
 pub enum Bursting {
     /// Nowhere in the range of its burst pressure.
     No,
-    /// Within the range it may.
+    /// Within the range it may; without a range, below the predicted burst pressure.
     Perhaps,
-    /// Yes, over the whole range; without a range, by the predicted burst pressure.
+    /// Yes, over the whole range; without a range, above the predicted burst pressure.
     Yes,
 }
 
 impl Bursting {
     /// At the pressure `pressure` of a seal that bursts at `burst`, with the range of that; all in one unit.
     pub fn at(pressure: f64, burst: f64, range: Option<Interval>) -> Self {
-        let [least, most] = range.unwrap_or([burst; 2]);
+        let [least, most] = range.unwrap_or([0.0, burst]);
         match pressure {
             _ if pressure > most => Self::Yes,
             _ if pressure > least => Self::Perhaps,
@@ -45,13 +45,13 @@ pub fn burst(case: &Case, ring: &dyn HingeModel) -> Option<f64> {
     Some(bursting(case, k, hinge, peel))
 }
 
-/// The range of [`burst`], from that of the pull at this pressure; `None` where no such shell was computed.
+/// The range of [`burst`], from that of the pull at this pressure; `None` where no shell had a hinge nearly as sharp.
 pub fn burst_range(case: &Case) -> Option<Interval> {
     let (k, hinge) = hardest(case, &Ring)?;
     hinge_burst_range(case, k, hinge)
 }
 
-/// The range of the burst pressure (Pa) of a hinge; `None` where no shell had a hinge like it.
+/// The range of the burst pressure (Pa) of a hinge; `None` where no shell had one nearly as sharp.
 ///
 /// At its lower end the upper end of the pull is the seal's strength. So a pressure lies below the range if the seal bears the range of the pull
 /// there, whatever is known of the pull at the burst pressure.
@@ -59,10 +59,10 @@ pub(super) fn hinge_burst_range(case: &Case, k: f64, hinge: (LoadedHinge, f64)) 
     let peel = case.peel?;
     let at = |part: f64| bursting(case, k, hinge, peel / part);
     let predicted = at(1.0);
-    let [low, high] = range(case, hinge.1, predicted).or_else(|| widest(case, hinge.1))?;
+    let [low, high] = range(case, k, hinge, predicted).or_else(|| widest(case, k, hinge, predicted))?;
     // The pull is known best at the shells' pressures, which may lie between the two. After 50 rounds they differ by rounding.
     let sure = last_holding(at(high), predicted, 50, |pressure| {
-        let most = range(case, hinge.1, pressure).map_or(high, |[_, own]| high.min(own));
+        let most = range(case, k, hinge, pressure).map_or(high, |[_, own]| high.min(own));
         most * pull(case, k, hinge, pressure) <= peel
     });
     Some([sure, at(low)])

@@ -14,6 +14,7 @@ use crate::forecast::ranges::{Interval, TriedRatio, errors, scaled, widening};
 use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::mechanics::hinge::{HingeModel, seal_load};
 use std::f64::consts::FRAC_1_PI;
+use std::sync::LazyLock;
 
 /// A kind of hinge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,19 +79,38 @@ pub fn pull(case: &Case, k: f64, (hinge, radius): (LoadedHinge, f64), pressure: 
     pressure * width * (FRAC_1_PI + (k - FRAC_1_PI).max(0.0) * hinge.excess() * band * bending)
 }
 
-/// [`RANGE`] at a hinge of radius `radius` (m) at `pressure` (Pa), wider with the distance from the shells;
-/// `None` where they are far.
-pub(super) fn range(case: &Case, radius: f64, pressure: f64) -> Option<Interval> {
-    let width = case.mechanism.width;
-    let bendability = case.sheet.bendability(pressure, width);
-    let places = [("", radius / width, R_STAR), ("", bendability, errors::BENDABILITY)];
-    widening(&places.map(|(what, x, tried)| TriedRatio::new(what, x, tried))).map(wider)
+/// [`RANGE`] of [`pull`] with the same arguments, wider with the distance from the shells; `None` where they are far.
+pub(super) fn range(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> Option<Interval> {
+    let bendability = case.sheet.bendability(pressure, case.mechanism.width);
+    let bendability = TriedRatio::new("", bendability, errors::BENDABILITY);
+    let wider = widening(&[roundness(case, hinge.1), bendability])?;
+    Some(as_round_as(case, k, hinge, pressure, wider))
 }
 
-/// The same at pressures too far from the shells: as wide as where ranges end. `None` where the radius is too far from them.
-pub(super) fn widest(case: &Case, radius: f64) -> Option<Interval> {
-    let round = TriedRatio::new("", radius / case.mechanism.width, R_STAR);
-    widening(&[round]).map(|_| wider(errors::BEYOND))
+/// The same at pressures too far from the shells: as wide as where ranges end. `None` where the radius is too small.
+pub(super) fn widest(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> Option<Interval> {
+    let _ = widening(&[roundness(case, hinge.1)])?;
+    Some(as_round_as(case, k, hinge, pressure, errors::BEYOND))
+}
+
+/// R* where ranges end.
+const ROUND: f64 = R_STAR[1] * errors::NOT_FAR;
+
+/// R* of a hinge of radius `radius` (m) among those of the shells; of one rounder than [`ROUND`] that.
+fn roundness(case: &Case, radius: f64) -> TriedRatio {
+    TriedRatio::new("", (radius / case.mechanism.width).min(ROUND), R_STAR)
+}
+
+/// [`RANGE`], `factor` times as wide. A hinge rounder than [`ROUND`] is nearer to a straight tube, whose pull is exact: what its pull is
+/// beyond that is as uncertain as there.
+fn as_round_as(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64, factor: f64) -> Interval {
+    static K: LazyLock<Option<f64>> = LazyLock::new(|| self::factor(&Ring, ROUND));
+    let (range, last) = (wider(factor), ROUND * case.mechanism.width);
+    let Some(least_round) = K.filter(|_| hinge.1 > last) else { return range };
+    let tube = FRAC_1_PI * pressure * case.mechanism.width;
+    let (own, there) = (pull(case, k, hinge, pressure), pull(case, least_round, (hinge.0, last), pressure));
+    let part = (own - tube) / (there - tube);
+    range.map(|end| (tube + (end * there - tube) * part) / own)
 }
 
 /// [`RANGE`], so much wider.
@@ -114,5 +134,5 @@ pub(super) fn hardest(case: &Case, ring: &dyn HingeModel) -> Option<(f64, (Loade
 pub fn largest_pull(case: &Case) -> Option<(f64, Option<Interval>, &'static str)> {
     let (pressure, (k, hinge)) = (case.pressure?, hardest(case, &Ring)?);
     let pull = pull(case, k, hinge, pressure);
-    Some((pull, range(case, hinge.1, pressure).map(|range| scaled(range, pull)), hinge.0.place()))
+    Some((pull, range(case, k, hinge, pressure).map(|range| scaled(range, pull)), hinge.0.place()))
 }
