@@ -85,21 +85,16 @@ fn size(load: &Load, [across, radius]: [String; 2], limit: &str) -> String {
     }
 }
 
-/// Whether the seal of `star` bursts at the pressure of `load`; `None` if its strength is unknown.
-fn bursting(load: &Load, star: &StarPrediction) -> Option<Bursting> {
-    Some(Bursting::at(load.pressure?.0, star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa))
-}
-
-/// The seal may peel below the pressure of `load`, in words.
-pub(super) fn may_burst(load: &Load, star: &StarPrediction) -> Option<String> {
-    let _ = bursting(load, star).filter(|one| *one == Bursting::Perhaps)?;
+/// The seal of `star` may peel, in words.
+pub(super) fn may_burst(star: &StarPrediction) -> Option<String> {
+    let _ = star.evidence.bursting.filter(|one| *one == Bursting::Perhaps)?;
     let burst = or_unknown(star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa, "kPa");
     Some(format!("the seal may burst: its burst pressure is {burst}"))
 }
 
 /// The seal peels below the pressure of `load`.
 pub(super) fn bursts(load: &Load, star: &StarPrediction) -> Option<Refusal> {
-    let _ = bursting(load, star).filter(|one| *one == Bursting::Yes)?;
+    let _ = star.evidence.bursting.filter(|one| *one == Bursting::Yes)?;
     let (pressure, burst, range) = (load.pressure?, star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa);
     let [sure, _] = range.unwrap_or([burst; 2]);
     let round = star.evidence.safe_radius_mm.map_or_else(String::new, |mm| {

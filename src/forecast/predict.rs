@@ -8,7 +8,7 @@ use crate::forecast::prediction::{ForceAt, Hinges, ModelEvidence, Prediction, St
 use crate::forecast::pressures::{LEAST, MOST, modelled, outside_section, rows};
 use crate::forecast::ranges::{Domain, Interval, Ranges, StarRanges, errors, outside, sum};
 use crate::forecast::seal_load::{
-    Bursting, LoadedHinge, burst, burst_range, factor, largest_pull, possible_radius, remedy,
+    Bursting, LoadedHinge, burst, burst_range, factor, hardest_bounds, largest_pull, possible_radius, remedy,
 };
 use crate::forecast::star_answer::{StarAnswer, bare, of_the_shape};
 use crate::forecast::verdict::verdict;
@@ -200,7 +200,7 @@ impl PlacedCase<'_> {
     /// The values that need no model, with the reason why no model applies.
     fn unknown(&self, choice: String) -> StarPrediction {
         let Self { case, part, spec, seal } = self;
-        let of_burst = seal.warning(case);
+        let of_burst = seal.warning();
         let mut warnings: Vec<String> = of_burst.iter().cloned().collect();
         if spec.accuracy.model == ModelChoice::Shell {
             warnings.push(
@@ -224,6 +224,7 @@ impl PlacedCase<'_> {
                 numerical_error: Some(0.0),
                 safe_radius_mm: seal.safe.map(|radius| radius.0),
                 warnings,
+                bursting: seal.bursting,
                 of_burst,
                 ..bare.evidence.clone()
             },
@@ -298,27 +299,32 @@ struct SealForecast {
     pull: Option<(f64, Option<Interval>, &'static str)>,
     burst: Option<f64>,
     burst_range: Option<Interval>,
+    /// The least and most pressure, Pa, at which it may burst.
+    bounds: Option<Interval>,
+    bursting: Option<Bursting>,
     safe: Option<Length>,
 }
 
 impl SealForecast {
     fn new(case: &Case, star: &Star) -> Self {
         let load = |radius: f64| factor(&Ring, radius / case.mechanism.width);
-        let (burst, burst_range) = (burst(case, &Ring), burst_range(case));
-        let at = burst.zip(case.pressure).map(|(burst, p)| Bursting::at(p, burst, burst_range));
-        let bursts = at.is_some_and(|at| at != Bursting::No);
+        let (burst, bounds) = (burst(case, &Ring), hardest_bounds(case));
+        let bursting = burst.zip(case.pressure).map(|(burst, p)| Bursting::at(p, burst, bounds));
+        let bursts = bursting.is_some_and(|at| at != Bursting::No);
         Self {
             load: Hinges { tip: load(case.realised.tip), corner: load(case.realised.corner) },
             pull: largest_pull(case),
             burst,
-            burst_range,
+            burst_range: burst_range(case),
+            bounds,
+            bursting,
             safe: if bursts { possible_radius(case, star, LoadedHinge::Tip) } else { None },
         }
     }
 
-    /// The largest pressure, Pa, at which it surely does not burst: 0 without a range; `None` if no seal is known.
+    /// The largest pressure, Pa, at which it surely does not burst; `None` if no seal is known.
     fn sure(&self) -> Option<f64> {
-        self.burst.map(|_| self.burst_range.map_or(0.0, |[sure, _]| sure))
+        self.burst.map(|_| self.bounds.map_or(0.0, |[sure, _]| sure))
     }
 
     fn ranges(&self) -> StarRanges {
@@ -329,9 +335,9 @@ impl SealForecast {
         }
     }
 
-    fn warning(&self, case: &Case) -> Option<String> {
-        let (burst, pressure) = self.burst.zip(case.pressure)?;
-        let what = match Bursting::at(pressure, burst, self.burst_range) {
+    fn warning(&self) -> Option<String> {
+        let (burst, bursting) = self.burst.zip(self.bursting)?;
+        let what = match bursting {
             Bursting::No => return None,
             Bursting::Perhaps if self.burst_range.is_none() => {
                 "the seal may burst: the range of its burst pressure is unknown"

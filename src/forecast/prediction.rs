@@ -6,6 +6,7 @@ use crate::forecast::meshed::MeshedPlace;
 use crate::forecast::outcome::Grip;
 use crate::forecast::pressures::PressureRow;
 use crate::forecast::ranges::{Interval, StarRanges, shown};
+use crate::forecast::seal_load::Bursting;
 use inflatable::mechanics::star::Correction;
 use serde::Serialize;
 
@@ -361,6 +362,9 @@ pub struct ModelEvidence {
     pub safe_radius_mm: Option<f64>,
     /// Limits of a model's validity that are exceeded, and other warnings for the user.
     pub warnings: Vec<String>,
+    /// Whether the seal bursts; `None` if its strength or the pressure is unknown.
+    #[serde(skip)]
+    pub bursting: Option<Bursting>,
     /// Index of the warning about a bursting seal.
     #[serde(skip)]
     pub of_burst: Option<String>,

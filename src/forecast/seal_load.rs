@@ -8,11 +8,12 @@
 mod burst;
 mod pull;
 
+pub(super) use self::burst::hardest_bounds;
 pub use self::burst::{Bursting, DrawnSeal, burst, burst_range, bursts_at};
 pub use self::pull::{LoadedHinge, RANGE, factor, largest_pull, pull};
 
-use self::burst::{bursting, hinge_burst_range};
-use self::pull::{R_STAR, range, widest};
+use self::burst::{burst_bounds, bursting};
+use self::pull::{R_STAR, is_tried, range};
 use crate::design::{Star, StarDesign};
 use crate::forecast::case::{Case, mechanism};
 use crate::forecast::pressures::is_modelled;
@@ -32,12 +33,10 @@ const SHARPEST: f64 = 1e-6;
 /// radius is safe; `None` if no radius is known to be large enough, or pressure or peel strength are unknown.
 pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
     let width = case.mechanism.width;
-    let (allowed, pressure) = (case.peel?, case.pressure?);
+    let pressure = case.pressure?;
     let holds = |r_star: f64| {
-        let Some(k) = factor(&Ring, r_star) else { return false };
-        let hinge = (hinge, r_star * width);
-        let range = range(case, k, hinge, pressure).or_else(|| widest(case, k, hinge, pressure));
-        range.is_some_and(|[_, most]| most * pull(case, k, hinge, pressure) <= allowed)
+        let range = factor(&Ring, r_star).and_then(|k| burst_bounds(case, k, (hinge, r_star * width)));
+        range.is_some_and(|[sure, _]| pressure <= sure)
     };
     // The pull falls with R*; its range is least where the shells were. After 60 rounds the ends differ by rounding.
     let r_star = match [R_STAR[1], ROUNDEST].into_iter().find(|r_star| holds(*r_star))? {
@@ -128,12 +127,13 @@ fn at_place(
         Some((hinge, k)) => k.map(|k| bursting(case, k, hinge, peel)),
         None => Some(PI * peel / width),
     });
-    let burst_range = burst.and_then(|burst| match k {
-        Some((hinge, k)) => hinge_burst_range(case, k?, hinge),
+    let bounds = burst.and_then(|burst| match k {
+        Some((hinge, k)) => burst_bounds(case, k?, hinge),
         None => Some([burst; 2]),
     });
+    let burst_range = bounds.filter(|_| hinge.is_none_or(|(_, radius)| is_tried(case, radius)));
     let margin = burst.zip(case.pressure).map(|(burst, p)| burst / p);
-    let bursting = burst.zip(case.pressure).map(|(burst, p)| Bursting::at(p, burst, burst_range));
+    let bursting = burst.zip(case.pressure).map(|(burst, p)| Bursting::at(p, burst, bounds));
     let weak = hinge.filter(|_| bursting.is_some_and(|one| one != Bursting::No));
     SealLoad {
         place,

@@ -217,7 +217,7 @@ impl VerdictLines {
         if let Some(refusal) = bursts(load, star) {
             self.add(Weight::Refuted, numbers, VerdictText::Refusal(refusal));
         }
-        if let Some(reason) = may_burst(load, star) {
+        if let Some(reason) = may_burst(star) {
             self.add(Weight::Doubted, numbers, VerdictText::Reason(reason));
         }
         if let Some(refusal) = outside_models(spec, load, star) {

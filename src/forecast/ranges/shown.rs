@@ -39,7 +39,7 @@ pub fn as_exact_as(value: f64, [low, high]: Interval, unit: &str) -> String {
 
 /// The step to which a value with a range of `step` is rounded: 140 with a range of 500 keeps a digit more, so it is not 100.
 fn step_of(value: f64, step: f64) -> f64 {
-    if (0.5..2.0).contains(&(value.abs() / step)) { 0.1 * step } else { step }
+    if (0.5..1.6).contains(&(value.abs() / step)) { 0.1 * step } else { step }
 }
 
 /// `value` with its mesh error, both in `unit`.

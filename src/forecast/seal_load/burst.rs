@@ -2,14 +2,14 @@
 
 use crate::forecast::case::Case;
 use crate::forecast::ranges::{Interval, shown};
-use crate::forecast::seal_load::pull::{BENDABILITY, LoadedHinge, hardest, pull, range, widest};
+use crate::forecast::seal_load::pull::{BENDABILITY, LoadedHinge, bounds, hardest, is_tried, pull, widest};
 use crate::units::Pressure;
 use inflatable::mechanics::hinge::HingeModel;
 use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::numerics::last_holding;
 use std::f64::consts::FRAC_1_PI;
 
-/// Whether a seal bursts.
+/// Whether a seal bursts. The range that it is judged by is wider than any that is printed where hinges are sharper than the shells'.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bursting {
     /// Nowhere in the range of its burst pressure.
@@ -48,21 +48,27 @@ pub fn burst(case: &Case, ring: &dyn HingeModel) -> Option<f64> {
 /// The range of [`burst`], from that of the pull at this pressure; `None` where no shell had a hinge nearly as sharp.
 pub fn burst_range(case: &Case) -> Option<Interval> {
     let (k, hinge) = hardest(case, &Ring)?;
-    hinge_burst_range(case, k, hinge)
+    burst_bounds(case, k, hinge).filter(|_| is_tried(case, hinge.1))
 }
 
-/// The range of the burst pressure (Pa) of a hinge; `None` where no shell had one nearly as sharp.
+/// The same for any hinge, to judge the seal by.
+pub(in crate::forecast) fn hardest_bounds(case: &Case) -> Option<Interval> {
+    let (k, hinge) = hardest(case, &Ring)?;
+    burst_bounds(case, k, hinge)
+}
+
+/// The range of the burst pressure (Pa) of a hinge; `None` without a peel strength.
 ///
 /// At its lower end the upper end of the pull is the seal's strength. So a pressure lies below the range if the seal bears the range of the pull
 /// there, whatever is known of the pull at the burst pressure.
-pub(super) fn hinge_burst_range(case: &Case, k: f64, hinge: (LoadedHinge, f64)) -> Option<Interval> {
+pub(super) fn burst_bounds(case: &Case, k: f64, hinge: (LoadedHinge, f64)) -> Option<Interval> {
     let peel = case.peel?;
     let at = |part: f64| bursting(case, k, hinge, peel / part);
     let predicted = at(1.0);
-    let [low, high] = range(case, k, hinge, predicted).or_else(|| widest(case, k, hinge, predicted))?;
+    let [low, high] = bounds(case, k, hinge, predicted).unwrap_or_else(|| widest(case, k, hinge, predicted));
     // The pull is known best at the shells' pressures, which may lie between the two. After 50 rounds they differ by rounding.
     let sure = last_holding(at(high), predicted, 50, |pressure| {
-        let most = range(case, k, hinge, pressure).map_or(high, |[_, own]| high.min(own));
+        let most = bounds(case, k, hinge, pressure).map_or(high, |[_, own]| high.min(own));
         most * pull(case, k, hinge, pressure) <= peel
     });
     Some([sure, at(low)])

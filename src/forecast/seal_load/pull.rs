@@ -81,36 +81,47 @@ pub fn pull(case: &Case, k: f64, (hinge, radius): (LoadedHinge, f64), pressure: 
 
 /// [`RANGE`] of [`pull`] with the same arguments, wider with the distance from the shells; `None` where they are far.
 pub(super) fn range(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> Option<Interval> {
+    bounds(case, k, hinge, pressure).filter(|_| is_tried(case, hinge.1))
+}
+
+/// Whether shells had hinges nearly as sharp as one of radius `radius` (m).
+pub(super) fn is_tried(case: &Case, radius: f64) -> bool {
+    radius >= R_STAR[0] / errors::NOT_FAR * case.mechanism.width
+}
+
+/// The same for hinges of any radius, to judge seals by; `None` at pressures that are far from the shells'.
+pub(super) fn bounds(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> Option<Interval> {
     let bendability = case.sheet.bendability(pressure, case.mechanism.width);
-    let bendability = TriedRatio::new("", bendability, errors::BENDABILITY);
-    let wider = widening(&[roundness(case, hinge.1), bendability])?;
-    Some(as_round_as(case, k, hinge, pressure, wider))
+    let wider = widening(&[TriedRatio::new("", bendability, errors::BENDABILITY)])?;
+    Some(of_hinge(case, k, hinge, pressure, wider))
 }
 
-/// The same at pressures too far from the shells: as wide as where ranges end. `None` where the radius is too small.
-pub(super) fn widest(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> Option<Interval> {
-    let _ = widening(&[roundness(case, hinge.1)])?;
-    Some(as_round_as(case, k, hinge, pressure, errors::BEYOND))
+/// The same at pressures too far from the shells: as wide as where ranges end.
+pub(super) fn widest(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> Interval {
+    of_hinge(case, k, hinge, pressure, errors::BEYOND)
 }
 
-/// R* where ranges end.
-const ROUND: f64 = R_STAR[1] * errors::NOT_FAR;
-
-/// R* of a hinge of radius `radius` (m) among those of the shells; of one rounder than [`ROUND`] that.
-fn roundness(case: &Case, radius: f64) -> TriedRatio {
-    TriedRatio::new("", (radius / case.mechanism.width).min(ROUND), R_STAR)
-}
-
-/// [`RANGE`], `factor` times as wide. A hinge rounder than [`ROUND`] is nearer to a straight tube, whose pull is exact: what its pull is
-/// beyond that is as uncertain as there.
-fn as_round_as(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64, factor: f64) -> Interval {
+/// [`RANGE`] where it is `factor` times as wide for the pressure. A hinge rounder than [`ROUND`] is nearer to a straight tube, whose pull is
+/// exact: what its pull is beyond that is as uncertain as there.
+fn of_hinge(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64, factor: f64) -> Interval {
     static K: LazyLock<Option<f64>> = LazyLock::new(|| self::factor(&Ring, ROUND));
-    let (range, last) = (wider(factor), ROUND * case.mechanism.width);
+    let (width, last) = (case.mechanism.width, ROUND * case.mechanism.width);
+    let range = wider(factor.max(beyond(hinge.1 / width)));
     let Some(least_round) = K.filter(|_| hinge.1 > last) else { return range };
-    let tube = FRAC_1_PI * pressure * case.mechanism.width;
+    let tube = FRAC_1_PI * pressure * width;
     let (own, there) = (pull(case, k, hinge, pressure), pull(case, least_round, (hinge.0, last), pressure));
     let part = (own - tube) / (there - tube);
     range.map(|end| (tube + (end * there - tube) * part) / own)
+}
+
+/// R* of the roundest hinge to which ranges widen.
+const ROUND: f64 = R_STAR[1] * errors::NOT_FAR;
+
+/// By how much the range is wider for a hinge of this R*: as far outside of the shells' as [`TriedRatio`] widens, and on at that rate for
+/// sharper hinges.
+fn beyond(r_star: f64) -> f64 {
+    let outside = (R_STAR[0] / r_star).max(r_star.min(ROUND) / R_STAR[1]).max(1.0);
+    1.0 + (errors::BEYOND - 1.0) * libm::log(outside) / libm::log(errors::NOT_FAR)
 }
 
 /// [`RANGE`], so much wider.

@@ -1,5 +1,6 @@
 use super::*;
 use crate::design::Star;
+use crate::forecast::seal_load::pull::bounds;
 use crate::spec::{Load, Source, Spec, StarSpec, read, starter};
 
 /// The paper's star with a seal of 1 N/mm.
@@ -130,21 +131,30 @@ fn a_stronger_seal_never_makes_the_verdict_worse() {
     }
 }
 
-/// A hinge rounder than those of the shells has a range without a jump, which narrows to the pull of a straight tube; one much sharper has none.
+/// The range of a hinge unlike those of the shells has no jump. It narrows to the pull of a straight tube for round ones, and widens on for
+/// sharp ones.
 #[test]
-fn round_hinges_have_a_range_and_sharp_ones_none() {
+fn ranges_of_round_and_sharp_hinges() {
     let (case, pressure) = (case(&spec(37.0)), 37e3);
     let at = |r_star: f64| {
         let k = factor(&Ring, r_star).expect("in range");
-        range(&case, k, (LoadedHinge::Tip, r_star * case.mechanism.width), pressure)
+        let hinge = (LoadedHinge::Tip, r_star * case.mechanism.width);
+        // Judged by, but not printed.
+        assert_eq!(range(&case, k, hinge, pressure).is_some(), r_star >= 0.02);
+        bounds(&case, k, hinge, pressure).expect("tried")
     };
-    let width = |r_star: f64| at(r_star).map(|[low, high]| high - low).expect("a range");
-    assert_eq!(at(0.015), None);
-    assert!((width(0.4499) - width(0.4501)).abs() < 1e-3 * width(0.45));
-    assert!(width(0.45) > width(1.0) && width(1.0) > width(10.0) && width(1e4) < 0.01);
-    assert!(
-        [0.45, 1.0, 10.0].iter().all(|r_star| at(*r_star).is_some_and(|[low, high]| low < 1.0 && 1.0 < high))
-    );
+    let width = |r_star: f64| at(r_star)[1] - at(r_star)[0];
+    for edge in [0.02, 0.03, 0.3, 0.45] {
+        assert!((width(0.999 * edge) - width(1.001 * edge)).abs() < 0.02 * width(edge), "{edge}");
+    }
+    for rising in [[10.0, 1.0, 0.45, 0.31], [0.03, 0.02, 0.015, 0.01]] {
+        let widths = rising.map(width);
+        let is_sharp = rising[0] < 0.1;
+        assert!(widths.windows(2).take(2).all(|pair| pair[0] < pair[1]), "{widths:?}");
+        assert!(!is_sharp || widths[2] < widths[3], "{widths:?}");
+    }
+    assert!(width(1e4) < 0.01);
+    assert!([0.01, 0.45, 1.0, 10.0].iter().all(|r_star| at(*r_star)[0] < 1.0 && 1.0 < at(*r_star)[1]));
     // Without a range, a seal below its predicted burst pressure may burst.
     assert_eq!([0.9, 1.1].map(|p| Bursting::at(p, 1.0, None)), [Bursting::Perhaps, Bursting::Yes]);
 }

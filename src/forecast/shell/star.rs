@@ -8,6 +8,7 @@ use crate::forecast::predict::{PredictFault, stars_of};
 use crate::forecast::prediction::{
     FabricStretch, ForceAt, MeshErrors, ModelEvidence, Prediction, StarPrediction,
 };
+use crate::forecast::ranges::shown::meshed;
 use crate::forecast::shell::request::{Measurements, ask, entered, fault};
 use crate::forecast::shell::{Detail, SHELL};
 use crate::forecast::star_answer::{bare, mm};
@@ -234,7 +235,7 @@ fn warnings(case: &Case, flat: &FlatStar, measured: &Measurements) -> Vec<String
         ),
         (
             radius.error > 0.05 * radius.value,
-            format!("the final radius has a mesh error of {:.2} mm: use finer meshes", radius.error),
+            format!("the final radius is {}: use finer meshes", meshed(radius.value, radius.error, "mm")),
         ),
     ];
     candidates.into_iter().filter(|(holds, _)| *holds).map(|(_, text)| text).collect()
