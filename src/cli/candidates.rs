@@ -40,14 +40,20 @@ pub(super) fn text(found: &SearchResult, constraints: &Constraints) -> String {
             "# searches compute with section, not with the model of the spec: it takes seconds a design\n",
         );
     }
-    let at_pressure = model.is_some_and(is_at_pressure);
-    if at_pressure && (constraints.payload.is_some() || constraints.largest_force.is_some()) {
+    let has_margin = constraints.payload.is_some() || constraints.largest_force.is_some();
+    if let Some(model) = model.filter(|_| has_margin) {
+        let text = if is_at_pressure(model) {
+            format!(
+                "a search prefers designs that the model overestimates: so `short` uses {SEARCHED} of a payload's \
+                 lower end, and a force's upper end divided by {SEARCHED}"
+            )
+        } else {
+            "the model of the spec has no ranges: payloads and forces have no margin here, and `check` doubts them; \
+             section has ranges"
+                .to_owned()
+        };
         // Writing to a String does not fail.
-        let _ = writeln!(
-            out,
-            "# a search prefers designs that the model overestimates: so `short` uses {SEARCHED} of a \
-             payload's lower end, and a force's upper end divided by {SEARCHED}"
-        );
+        let _ = writeln!(out, "# {text}");
     }
     if !front.is_empty() {
         // Writing to a String does not fail.

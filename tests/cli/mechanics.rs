@@ -137,6 +137,7 @@ fn a_search_tells_which_model_it_takes_in_place_of_a_slow_one() {
         let output = run(dir.path(), &["optimize", "spec.toml", "--points", "5", "--payload", "0.1"]);
         let said = text(&output.stdout) + &text(&output.stderr);
         assert_eq!(said.contains("searches compute with section"), told, "{model}: {said}");
+        assert_eq!(said.contains("has no ranges"), model == "fit", "{model}: {said}");
         // A limit has no ranges, and no part of their ends is taken.
         assert_eq!(said.contains("a payload's lower end"), model != "fit", "{model}: {said}");
     }

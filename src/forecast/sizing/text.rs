@@ -236,7 +236,10 @@ impl Lines {
             self.value("friction_least", &format!("{least}"), "lowest expected friction");
             self.value("friction_most", &format!("{most}"), "highest expected friction");
         }
-        self.quantity("mass", requirements.mass, &payload(sure_payload(point, answer), answer.payload_range));
+        // The range of an assumed friction, which widens that of `predict`, comes on top.
+        let at = if is_assumed { format!(" at friction {FRICTION}") } else { String::new() };
+        let held = payload(sure_payload(point, answer), &at, answer.payload_range);
+        self.quantity("mass", requirements.mass, &held);
         if let Some(force) = requirements.largest_force {
             self.quantity(
                 "largest_force",
@@ -247,9 +250,9 @@ impl Lines {
     }
 }
 
-/// The payload that is designed for, and the range of which it is a part.
-fn payload(sure: Option<f64>, range: Option<Interval>) -> String {
+/// The payload that is designed for, at which friction if that is not the spec's alone, and the range of which it is a part.
+fn payload(sure: Option<f64>, at: &str, range: Option<Interval>) -> String {
     let sure = sure.map_or_else(|| "unknown".to_owned(), |kg| format!("{kg:.2} kg"));
     let range = range.map_or_else(String::new, |[low, high]| format!("; predicted {low:.2} to {high:.2} kg"));
-    format!("safe payload {sure}{range}")
+    format!("safe payload {sure}{at}{range}")
 }
