@@ -15,7 +15,7 @@ use crate::coupon::bias::{BiasFault, BiasStrip, shear_stiffness};
 use crate::coupon::cone::read_test;
 use crate::design::realised_radius;
 use crate::forecast::case::sheet;
-use crate::forecast::stiffness::{BenchFault, DiscBench, VBench};
+use crate::forecast::stiffness::{BenchFault, DiscBench, VBench, least_angle};
 use crate::spec::{Allowed, Source, Spec};
 use crate::units::{Angle, BendingStiffness, Length, LineForce, Pressure};
 use inflatable::mechanics::hinge::ring::Ring;
@@ -79,6 +79,13 @@ impl BenchArgs {
             let known = known(loaded)?;
             let bench = self.vee(&loaded.reading.spec, pressure, 0.0);
             let predicted = bench.and_then(|bench| {
+        let least = least_angle(flat.to_radians()).to_degrees();
+        if inflated < least {
+            return Err(Failure::Message(format!(
+                "--inflated-angle is {inflated} deg; must be: at least {least:.1} deg, because no hinge of {flat} deg, flat, \
+                 closes further; check the sign, and that both are the angle between the arms"
+            )));
+        }
                 let (bending, stretch) = (known.bending_modulus(), known.stretching_modulus());
                 bench.predicted(bending, stretch, known.poisson_ratio).ok()
             });
