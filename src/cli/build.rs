@@ -165,7 +165,7 @@ fn made(
     loaded.fit(&forecast, args.anyway)?;
     let notes = forecast.precautions(&argument(lasting(spec, &target)));
     let proven = loaded.proven(forecast, &request)?;
-    args.kinds.tell_missing(&proven.built().manifest.files);
+    args.kinds.tell_missing(proven.built(), &request);
     // The fate of earlier files is reported even with --quiet.
     tell(&publish(&target, &proven)?.to_string());
     let (source, machine) = (loaded.source.clone(), loaded.sources().machine.to_owned());

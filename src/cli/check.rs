@@ -87,7 +87,7 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     let list = forecast.precautions(&argument(spec));
     let request = args.kinds.request().of_spec(&forecast.spec);
     let proven = loaded.proven(forecast, &request)?;
-    args.kinds.tell_missing(&proven.built().manifest.files);
+    args.kinds.tell_missing(proven.built(), &request);
     let forecast = &proven.built().forecast;
     if verbosity.json {
         let mut answer = overview::json(forecast, &list);
