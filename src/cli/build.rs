@@ -159,8 +159,7 @@ fn made(
 ) -> Result<PublishedOutput, Failure> {
     let loaded = Loaded::spoken(spec, verbosity)?;
     let forecast = loaded.forecast()?;
-    let named = || Path::new("out").join(new::file_stem(&forecast.spec.name));
-    let target = targets.get(spec).cloned().unwrap_or_else(named);
+    let target = targets.get(spec).cloned().map_or_else(|| output_by_name(&forecast.spec.name), Ok)?;
     let request = request(args, &forecast, &target, verbosity);
     loaded.fit(&forecast, args.anyway)?;
     let notes = forecast.precautions(&argument(lasting(spec, &target)));
@@ -233,6 +232,18 @@ fn request(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity
 }
 
 /// The default output directory: `out/` and the spec's file name without its ending.
+/// The output directory of a design that is read from standard input: `out/` and its name.
+///
+/// # Errors
+/// If the name has no letter or digit for it: all such designs would share one directory.
+fn output_by_name(name: &str) -> Result<PathBuf, Failure> {
+    let stem = new::file_stem(name).ok_or_else(|| {
+        let why = new::nameless(name, "a directory");
+        Failure::Message(format!("{why}: name one with -o"))
+    })?;
+    Ok(Path::new("out").join(stem))
+}
+
 fn default_output(spec: &Path) -> PathBuf {
     Path::new("out").join(spec.file_stem().unwrap_or(std::ffi::OsStr::new("design")))
 }
