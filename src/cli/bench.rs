@@ -64,6 +64,11 @@ pub(super) struct BenchArgs {
 }
 
 impl BenchArgs {
+    /// The path of the table that is read for the bias strip.
+    pub(super) fn table(&self) -> Option<&PathBuf> {
+        self.bias_strip.as_ref()
+    }
+
     /// The measured angle of the V-actuator and its prediction: at its pressure by `section` for the fabric of the spec, else by the exact
     /// ring; `None` without a measurement.
     pub(super) fn coiling(&self, spec: Option<&Loaded>) -> Result<Option<Coiling>, Failure> {
@@ -74,11 +79,6 @@ impl BenchArgs {
                  hinge closes; check whether the two are exchanged"
             )));
         }
-        let measured = (180.0 - inflated) / (180.0 - flat);
-        if let (Some(loaded), Some(pressure)) = (spec, self.angle_pressure) {
-            let known = known(loaded)?;
-            let bench = self.vee(&loaded.reading.spec, pressure, 0.0);
-            let predicted = bench.and_then(|bench| {
         let least = least_angle(flat.to_radians()).to_degrees();
         if inflated < least {
             return Err(Failure::Message(format!(
@@ -86,6 +86,11 @@ impl BenchArgs {
                  closes further; check the sign, and that both are the angle between the arms"
             )));
         }
+        let measured = (180.0 - inflated) / (180.0 - flat);
+        if let (Some(loaded), Some(pressure)) = (spec, self.angle_pressure) {
+            let known = known(loaded)?;
+            let bench = self.vee(&loaded.reading.spec, pressure, 0.0);
+            let predicted = bench.and_then(|bench| {
                 let (bending, stretch) = (known.bending_modulus(), known.stretching_modulus());
                 bench.predicted(bending, stretch, known.poisson_ratio).ok()
             });

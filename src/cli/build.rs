@@ -11,7 +11,7 @@ use crate::artifact::{Kind, KindRequest};
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
-use crate::cli::load::{Loaded, is_standard_input, lasting};
+use crate::cli::load::{Loaded, is_standard_input, lasting, once};
 use crate::cli::open::open;
 use crate::cli::publish::extras_of;
 use crate::cli::rebuilt::Snapshot;
@@ -46,6 +46,7 @@ pub(super) struct Args {
 
 /// Builds, proves and publishes each spec.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    once(&args.specs)?;
     let targets = targets(args)?;
     if args.watch {
         if args.specs.iter().any(|spec| is_standard_input(spec)) {
@@ -231,7 +232,6 @@ fn request(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity
     request
 }
 
-/// The default output directory: `out/` and the spec's file name without its ending.
 /// The output directory of a design that is read from standard input: `out/` and its name.
 ///
 /// # Errors
@@ -244,6 +244,7 @@ fn output_by_name(name: &str) -> Result<PathBuf, Failure> {
     Ok(Path::new("out").join(stem))
 }
 
+/// The default output directory: `out/` and the spec's file name without its ending.
 fn default_output(spec: &Path) -> PathBuf {
     Path::new("out").join(spec.file_stem().unwrap_or(std::ffi::OsStr::new("design")))
 }

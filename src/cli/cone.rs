@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::answer::quantity::{SIZE, number, quantity};
 use crate::cli::failure::{Failure, say, tell};
-use crate::cli::load::Loaded;
+use crate::cli::load::{Loaded, once};
 use crate::cli::text_file::read_table;
 use crate::cli::verbosity::{Verbosity, pretty};
 use crate::cli::words::words;
@@ -48,6 +48,7 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let message = |text: String| Failure::Message(text);
     let no_radius = || Failure::Usage("give --contact-radius, or a --spec that predicts it".to_owned());
+    once([&args.data].into_iter().chain(&args.spec))?;
     if args.contact_radius.is_none() && args.spec.is_none() {
         return Err(no_radius());
     }

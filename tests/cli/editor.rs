@@ -153,6 +153,23 @@ fn a_design_without_a_latin_name_is_put_where_o_says() {
 }
 
 #[test]
+fn standard_input_is_read_once() {
+    let dir = workshop();
+    for args in [
+        &["check", "-", "-"][..],
+        &["build", "-", "star.toml", "-"],
+        &["cone", "-", "--spec", "-"],
+        &["calibrate", "-", "--spec", "-"],
+        &["calibrate", "-", "--bias-strip", "-", "--bias-length", "200 mm", "--spec", "star.toml"],
+    ] {
+        let refused = run(dir.path(), args);
+        let said = stderr(&refused);
+        assert_eq!(refused.status.code(), Some(2), "{args:?}: {said}");
+        assert!(said.contains("standard input is named 2 times, and can be read once"), "{args:?}: {said}");
+    }
+}
+
+#[test]
 fn of_several_specs_each_has_its_answer() {
     let dir = workshop();
     fs::write(dir.path().join("bad.toml"), support::PAPER.replace("points = 5", "points = 9"))
