@@ -78,8 +78,8 @@ fn cone(source: &Source) {
         Ok(test) => test,
         Err(faults) => return shown::faults(&faults),
     };
-    let cone = Cone::new(0.5, 0.1).expect("valid");
-    let reduced = csv(&reduce(&test, &cone, Balance::Derived, 0.02, None));
+    let cone = Cone::new(0.5, 0.1, Balance::Derived).expect("valid");
+    let reduced = csv(&reduce(&test, &cone, 0.02, None));
     assert!(!reduced.contains("NaN") && !reduced.contains("inf"), "{reduced}");
     assert_eq!(read_test(&Source::new("again", reduced)).expect("a table"), test);
 }

@@ -149,11 +149,12 @@ impl Output {
         }
     }
 
-    /// The same for each paper that fits.
-    fn on_paper(self, design: &Design) -> impl Iterator<Item = Self> {
+    /// The same for each paper that takes it, or with `fits` false for each that does not.
+    fn on_paper(self, design: &Design, fits: bool) -> impl Iterator<Item = Self> {
         let drawing = self.drawing(design);
-        let takes = move |paper: &Paper| drawing.as_ref().is_some_and(|drawing| paper.takes(drawing));
-        Paper::ALL.into_iter().filter(takes).map(move |paper| Self { paper: Some(paper), ..self })
+        let chosen =
+            move |paper: &Paper| drawing.as_ref().is_some_and(|drawing| paper.takes(drawing) == fits);
+        Paper::ALL.into_iter().filter(chosen).map(move |paper| Self { paper: Some(paper), ..self })
     }
 }
 
@@ -164,6 +165,24 @@ pub fn program_ending(dialect: Dialect) -> &'static str {
 
 /// All files of `design`, described by `spec` for a machine of `dialect`, of the kinds in `request`, in the order of the manifest.
 pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest) -> Vec<Output> {
+    all(spec, dialect, design, &FileChoice { request, fits: true })
+}
+
+/// The files of the kinds in `request` that are left out because their drawing is too large for their paper.
+pub fn too_large(spec: &Spec, design: &Design, request: &KindRequest) -> Vec<Output> {
+    let mut out = all(spec, Dialect::Generic, design, &FileChoice { request, fits: false });
+    out.retain(|output| output.paper.is_some());
+    out
+}
+
+/// The kinds of files to list, and of those on paper whether the ones that fit it or the others.
+struct FileChoice<'a> {
+    request: &'a KindRequest,
+    fits: bool,
+}
+
+/// All files of `design`: with `fits` as they are written, else with those on paper that are not.
+fn all(spec: &Spec, dialect: Dialect, design: &Design, wanted: &FileChoice<'_>) -> Vec<Output> {
     let mut out = vec![Output::of(Kind::Spec), Output::of(Kind::Machine)];
     out.extend(spec.drawing.as_ref().map(|drawing| Output::of(drawing_kind(drawing))));
     for kind in [Kind::SealGcode, Kind::TraceGcode] {
@@ -190,28 +209,28 @@ pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, request: &KindReq
         out.extend(papers(
             Output { sheet: Some(sheet.index), ..Output::of(Kind::OutlinePdf) },
             design,
-            request,
+            wanted,
         ));
     }
     if let Some(assembly) = design.assembly() {
-        of_assembly(spec, (design, assembly), request, &mut out);
+        of_assembly(spec, (design, assembly), wanted, &mut out);
     }
-    separators(design, request, &mut out);
+    separators(design, wanted, &mut out);
     if spec.load.is_some() {
         out.push(Output::of(Kind::Prediction));
     }
     out.extend([Kind::SceneGlb, Kind::Report].map(Output::of));
-    out.retain(|output| request.takes(output.kind));
+    out.retain(|output| wanted.request.takes(output.kind));
     out
 }
 
 /// The separator of a drawn piece: one file, because all copies are equal.
-fn separators(design: &Design, request: &KindRequest, out: &mut Vec<Output>) {
+fn separators(design: &Design, wanted: &FileChoice<'_>, out: &mut Vec<Output>) {
     let Some(first) = design.firsts().next() else { return };
     if design.drawn().is_some_and(|piece| piece.separator.is_some()) {
         let of_mask = |kind| Output { copy: Some(first.index), ..Output::of(kind) };
         out.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
-        out.extend(papers(of_mask(Kind::MaskPdf), design, request));
+        out.extend(papers(of_mask(Kind::MaskPdf), design, wanted));
     }
 }
 
@@ -224,17 +243,17 @@ fn drawing_kind(drawing: &DrawingSpec) -> Kind {
 fn of_assembly(
     spec: &Spec,
     (design, assembly): (&Design, &StarAssembly),
-    request: &KindRequest,
+    wanted: &FileChoice<'_>,
     out: &mut Vec<Output>,
 ) {
     for placed in assembly.firsts() {
-        masks(spec, (design, assembly), placed, request, out);
+        masks(spec, (design, assembly), placed, wanted, out);
     }
     for plate in &assembly.frame.plates {
         let plate = plate.numbers.first().copied();
         let of_plate = |kind| Output { plate, ..Output::of(kind) };
         out.extend([Kind::FrameSvg, Kind::FrameDxf, Kind::FrameStl].map(of_plate));
-        out.extend(papers(of_plate(Kind::FramePdf), design, request));
+        out.extend(papers(of_plate(Kind::FramePdf), design, wanted));
     }
 }
 
@@ -245,10 +264,11 @@ fn programs<'a>(spec: &Spec, design: &'a Design) -> impl Iterator<Item = (usize,
     pieces.chain(design.sheets.iter().filter(move |_| !by_piece).map(|sheet| (sheet.index, None)))
 }
 
-/// One file for each paper that fits; empty if the kind is not requested.
-fn papers(output: Output, design: &Design, request: &KindRequest) -> impl Iterator<Item = Output> {
-    let wanted = Some(output).filter(|output| request.takes(output.kind));
-    wanted.into_iter().flat_map(|output| output.on_paper(design))
+/// One file for each paper of `wanted`; empty if the kind is not requested.
+fn papers(output: Output, design: &Design, wanted: &FileChoice<'_>) -> impl Iterator<Item = Output> {
+    let requested = Some(output).filter(|output| wanted.request.takes(output.kind));
+    let fits = wanted.fits;
+    requested.into_iter().flat_map(move |output| output.on_paper(design, fits))
 }
 
 /// The masks of a distinct star; also for its other face, if the spec requests it.
@@ -256,7 +276,7 @@ fn masks(
     spec: &Spec,
     (design, assembly): (&Design, &StarAssembly),
     placed: &PlacedPart,
-    request: &KindRequest,
+    wanted: &FileChoice<'_>,
     out: &mut Vec<Output>,
 ) {
     let pieces = &assembly.part(placed).pieces;
@@ -270,6 +290,6 @@ fn masks(
         } else {
             out.push(of_mask(Kind::MaskStl));
         }
-        out.extend(papers(of_mask(Kind::MaskPdf), design, request));
+        out.extend(papers(of_mask(Kind::MaskPdf), design, wanted));
     }
 }

@@ -15,7 +15,7 @@ use crate::coupon::bias::{BiasFault, BiasStrip, shear_stiffness};
 use crate::coupon::cone::read_test;
 use crate::design::realised_radius;
 use crate::forecast::case::sheet;
-use crate::forecast::stiffness::{BenchFault, DiscBench, VBench};
+use crate::forecast::stiffness::{BenchFault, DiscBench, VBench, least_angle};
 use crate::spec::{Allowed, Source, Spec};
 use crate::units::{Angle, BendingStiffness, Length, LineForce, Pressure};
 use inflatable::mechanics::hinge::ring::Ring;
@@ -64,6 +64,11 @@ pub(super) struct BenchArgs {
 }
 
 impl BenchArgs {
+    /// The path of the table that is read for the bias strip.
+    pub(super) fn table(&self) -> Option<&PathBuf> {
+        self.bias_strip.as_ref()
+    }
+
     /// The measured angle of the V-actuator and its prediction: at its pressure by `section` for the fabric of the spec, else by the exact
     /// ring; `None` without a measurement.
     pub(super) fn coiling(&self, spec: Option<&Loaded>) -> Result<Option<Coiling>, Failure> {
@@ -72,6 +77,13 @@ impl BenchArgs {
             return Err(Failure::Message(format!(
                 "--inflated-angle is {inflated} deg; must be: at most the flat one, {flat} deg, because a \
                  hinge closes; check whether the two are exchanged"
+            )));
+        }
+        let least = least_angle(flat.to_radians()).to_degrees();
+        if inflated < least {
+            return Err(Failure::Message(format!(
+                "--inflated-angle is {inflated} deg; must be: at least {least:.1} deg, because no hinge of {flat} deg, flat, \
+                 closes further; check the sign, and that both are the angle between the arms"
             )));
         }
         let measured = (180.0 - inflated) / (180.0 - flat);

@@ -11,7 +11,7 @@ use crate::artifact::{Kind, KindRequest};
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
-use crate::cli::load::{Loaded, is_standard_input, lasting};
+use crate::cli::load::{Loaded, is_standard_input, lasting, once};
 use crate::cli::open::open;
 use crate::cli::publish::extras_of;
 use crate::cli::rebuilt::Snapshot;
@@ -46,6 +46,7 @@ pub(super) struct Args {
 
 /// Builds, proves and publishes each spec.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    once(&args.specs)?;
     let targets = targets(args)?;
     if args.watch {
         if args.specs.iter().any(|spec| is_standard_input(spec)) {
@@ -159,13 +160,12 @@ fn made(
 ) -> Result<PublishedOutput, Failure> {
     let loaded = Loaded::spoken(spec, verbosity)?;
     let forecast = loaded.forecast()?;
-    let named = || Path::new("out").join(new::file_stem(&forecast.spec.name));
-    let target = targets.get(spec).cloned().unwrap_or_else(named);
+    let target = targets.get(spec).cloned().map_or_else(|| output_by_name(&forecast.spec.name), Ok)?;
     let request = request(args, &forecast, &target, verbosity);
     loaded.fit(&forecast, args.anyway)?;
     let notes = forecast.precautions(&argument(lasting(spec, &target)));
     let proven = loaded.proven(forecast, &request)?;
-    args.kinds.tell_missing(&proven.built().manifest.files);
+    args.kinds.tell_missing(proven.built(), &request);
     // The fate of earlier files is reported even with --quiet.
     tell(&publish(&target, &proven)?.to_string());
     let (source, machine) = (loaded.source.clone(), loaded.sources().machine.to_owned());
@@ -230,6 +230,18 @@ fn request(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity
         ));
     }
     request
+}
+
+/// The output directory of a design that is read from standard input: `out/` and its name.
+///
+/// # Errors
+/// If the name has no letter or digit for it: all such designs would share one directory.
+fn output_by_name(name: &str) -> Result<PathBuf, Failure> {
+    let stem = new::file_stem(name).ok_or_else(|| {
+        let why = new::nameless(name, "a directory");
+        Failure::Message(format!("{why}: name one with -o"))
+    })?;
+    Ok(Path::new("out").join(stem))
 }
 
 /// The default output directory: `out/` and the spec's file name without its ending.

@@ -8,7 +8,7 @@ use crate::answer::quantity::{number, quantity};
 use crate::cli::bench::{BenchArgs, Coiling, Stiffnesses};
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::load::Loaded;
+use crate::cli::load::{Loaded, once};
 use crate::cli::shell::{not_computed, watched_by};
 use crate::cli::text_file::read_table;
 use crate::cli::verbosity::Verbosity;
@@ -49,6 +49,7 @@ pub(super) struct Args {
 
 /// Prints the values that the spec should have.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    once(args.results.iter().chain(&args.spec).chain(args.bench.table()))?;
     let settings = match &args.results {
         Some(path) => settings(&read_rows(&Source::new(path.display().to_string(), read_table(path)?))?),
         None => Vec::new(),

@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
-use crate::cli::load::Loaded;
+use crate::cli::load::{Loaded, once};
 use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::{batch, details, overview};
@@ -38,6 +38,7 @@ pub(super) struct Args {
 
 /// Makes and proves the files as `build` does, in memory, and prints the result.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    once(&args.specs)?;
     if args.picture.is_some() && args.specs.len() > 1 {
         return Err(Failure::Usage("--picture is for one spec: check them one by one".to_owned()));
     }
@@ -87,7 +88,7 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     let list = forecast.precautions(&argument(spec));
     let request = args.kinds.request().of_spec(&forecast.spec);
     let proven = loaded.proven(forecast, &request)?;
-    args.kinds.tell_missing(&proven.built().manifest.files);
+    args.kinds.tell_missing(proven.built(), &request);
     let forecast = &proven.built().forecast;
     if verbosity.json {
         let mut answer = overview::json(forecast, &list);

@@ -6,11 +6,11 @@ use serde_json::{Value, json};
 
 use crate::answer::quantity::{SIZE, number, quantity};
 use crate::cli::failure::{Failure, say, tell};
-use crate::cli::load::Loaded;
+use crate::cli::load::{Loaded, once};
 use crate::cli::text_file::read_table;
 use crate::cli::verbosity::{Verbosity, pretty};
 use crate::cli::words::words;
-use crate::coupon::cone::{Balance, Cone, Overlay, Predicted, ReducedPoint, csv, read_test, reduce};
+use crate::coupon::cone::{Balance, Cone, Overlay, Predicted, ReducedPoint, csv, read_cone_test, reduce};
 use crate::design::Star;
 use crate::forecast::case::Case;
 use crate::forecast::model_selection::of_spec;
@@ -48,16 +48,17 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let message = |text: String| Failure::Message(text);
     let no_radius = || Failure::Usage("give --contact-radius, or a --spec that predicts it".to_owned());
+    once([&args.data].into_iter().chain(&args.spec))?;
     if args.contact_radius.is_none() && args.spec.is_none() {
         return Err(no_radius());
     }
     let source = Source::new(args.data.display().to_string(), read_table(&args.data)?);
-    let test = read_test(&source)?;
-    let cone = Cone::new(args.half_angle.rad(), args.friction).map_err(|fault| message(fault.to_string()))?;
+    let cone = Cone::new(args.half_angle.rad(), args.friction, args.balance)
+        .map_err(|fault| message(fault.to_string()))?;
     let contact = args.contact_radius.map(Length::metres);
     let reduced = |first: f64, overlay: Option<Overlay<'_>>| {
-        let points = reduce(&test, &cone, args.balance, first, overlay);
-        show(args, cone.ratio(args.balance), first, &points)
+        let test = read_cone_test(&source, &cone, first)?;
+        show(args, cone.ratio(), first, &reduce(&test, &cone, first, overlay))
     };
     let Some(path) = &args.spec else {
         return reduced(contact.ok_or_else(no_radius)?, None);

@@ -1,10 +1,13 @@
 //! The kinds of files that `build` makes and `check` proves: the same arguments for both.
 
+use std::collections::BTreeMap;
+
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use crate::artifact::{Kind, KindRequest};
+use crate::artifact::{Kind, KindRequest, Output, too_large};
 use crate::cli::failure::tell;
-use crate::manifest::ManifestFile;
+use crate::design::Paper;
+use crate::pipeline::{Built, Forecast};
 
 /// The kinds of files to make.
 #[derive(clap::Args, Clone, Debug)]
@@ -23,20 +26,47 @@ impl Kinds {
         KindRequest { only: self.only.clone(), with: self.with.clone() }
     }
 
-    /// Reports the requested kinds that no file of `made` has.
-    pub(super) fn tell_missing(&self, made: &[ManifestFile]) {
+    /// Reports the kinds named in the options that the design of `built` does not have, and the files of `request` that are too large for
+    /// their paper.
+    pub(super) fn tell_missing(&self, built: &Built, request: &KindRequest) {
+        let Built { forecast: Forecast { spec, design, .. }, manifest, .. } = built;
+        let large = too_large(spec, design, request);
         let named = self.only.iter().chain(&self.with);
-        let missing = named.filter(|kind| made.iter().all(|file| file.kind != **kind));
-        let names: Vec<&str> = missing.map(|kind| kind.name()).collect();
+        let has = |kind: Kind| {
+            manifest.files.iter().any(|file| file.kind == kind) || large.iter().any(|file| file.kind == kind)
+        };
+        let names: Vec<&str> = named.filter(|kind| !has(**kind)).map(|kind| kind.name()).collect();
         if !names.is_empty() {
             tell(&format!("note: this design has no {}", names.join(", ")));
         }
+        tell(&left_out(&large));
     }
 
     /// Whether neither `--only` nor `--with` names a kind.
     pub(super) fn is_default(&self) -> bool {
         self.only.is_empty() && self.with.is_empty()
     }
+}
+
+/// Most files that a note names.
+const SHOWN: usize = 4;
+
+/// The notes on files that are too `large` for their paper, a line for each reason.
+fn left_out(large: &[Output]) -> String {
+    let mut by_reason: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for output in large {
+        let reason = output.paper.map_or_else(String::new, Paper::excess);
+        by_reason.entry(reason).or_default().push(output.name());
+    }
+    let line = |(reason, names): (String, Vec<String>)| {
+        let number = names.len();
+        let more = number.checked_sub(SHOWN).filter(|more| *more > 0);
+        let mut list = names.into_iter().take(SHOWN).collect::<Vec<_>>().join(", ");
+        list.push_str(&more.map_or_else(String::new, |more| format!(" and {more} more")));
+        let (are, each) = if number == 1 { ("is", "it needs") } else { ("are", "each needs") };
+        format!("note: {list} {are} left out: {each} {reason}; SVG and DXF have no limit")
+    };
+    by_reason.into_iter().map(line).collect::<Vec<_>>().join("\n")
 }
 
 fn extra_parser() -> impl TypedValueParser<Value = Kind> {

@@ -147,6 +147,19 @@ pub(super) fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
+/// Refuses to read standard input for more than one of `paths`: the first would take all of it.
+///
+/// # Errors
+/// If two of them are "-".
+pub(super) fn once<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<(), Failure> {
+    match paths.into_iter().filter(|path| is_standard_input(path)).count() {
+        0 | 1 => Ok(()),
+        number => Err(Failure::Usage(format!(
+            "standard input is named {number} times, and can be read once: leave one `-`, and name files for the others"
+        ))),
+    }
+}
+
 /// Reads a text file, or standard input for "-", up to the size limit of a spec.
 pub(super) fn read_source(path: &Path) -> Result<Source, Failure> {
     let limit = u64::try_from(SIZE_LIMIT).unwrap_or(u64::MAX).saturating_add(1);

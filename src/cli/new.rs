@@ -62,13 +62,15 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 /// The name of the design, and its file.
 fn named(given: &str) -> Result<(&str, PathBuf), Failure> {
     let name = given.strip_suffix(".toml").unwrap_or(given);
-    if name.chars().any(|c| c.is_ascii_alphanumeric()) {
-        return Ok((name, PathBuf::from(format!("{}.toml", file_stem(name)))));
-    }
-    Err(Failure::Message(format!(
-        "the name `{}` has no letter from a to z and no digit for the name of a file; a name is such as my-star",
-        shown(given)
-    )))
+    let stem = file_stem(name).ok_or_else(|| {
+        Failure::Message(format!("{}; a name is such as my-star", nameless(given, "a file")))
+    })?;
+    Ok((name, PathBuf::from(format!("{stem}.toml"))))
+}
+
+/// The reason why the design's `name` names no file, or no directory.
+pub(super) fn nameless(name: &str, what: &str) -> String {
+    format!("the name `{}` has no letter from a to z and no digit for the name of {what}", shown(name))
 }
 
 /// `text` with the user's defaults, whose machine profile exists.
@@ -146,8 +148,8 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     args.verbosity.report(&report, &json)
 }
 
-/// The name as a portable file name: ASCII letters, digits, dashes, and points between them.
-pub(super) fn file_stem(name: &str) -> String {
+/// The name as a portable file name: ASCII letters, digits, dashes, and points between them; `None` if it has none of the former two.
+pub(super) fn file_stem(name: &str) -> Option<String> {
     // A name that ends in .toml is that of the file.
     let name = name.strip_suffix(".toml").unwrap_or(name);
     let mut stem = String::new();
@@ -161,7 +163,7 @@ pub(super) fn file_stem(name: &str) -> String {
         }
     }
     let stem = stem.trim_end_matches(['-', '.']);
-    if stem.is_empty() { "star".to_owned() } else { stem.to_owned() }
+    (!stem.is_empty()).then(|| stem.to_owned())
 }
 
 #[cfg(test)]
@@ -176,9 +178,11 @@ mod tests {
             ("../\u{e9}star", "star"),
             ("a..b - c.", "a.b-c"),
             (".hidden", "hidden"),
-            ("\u{661f}", "star"),
         ] {
-            assert_eq!(file_stem(name), stem, "{name}");
+            assert_eq!(file_stem(name).as_deref(), Some(stem), "{name}");
+        }
+        for name in ["\u{661f}", "", "-.-", ".toml"] {
+            assert_eq!(file_stem(name), None, "{name}");
         }
     }
 }

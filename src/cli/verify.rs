@@ -179,28 +179,31 @@ fn verdict(dir: &Path, proof: &Proof) -> String {
 /// The files of a directory. Only files that its design has are read, and no more bytes than their manifest states; of all others only the
 /// name is recorded.
 pub(super) fn read_directory(dir: &Path) -> Result<(PublishedBuild, OutputFiles<'static>), Failure> {
-    let mut names = Vec::new();
+    let (mut names, mut files) = (Vec::new(), OutputFiles::default());
     for entry in fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))? {
         let entry = entry.map_err(|error| Failure::file("read", dir, &error))?;
+        let name = entry.file_name().to_string_lossy().into_owned();
         // An entry that is not a regular file is not opened; the proof reports it.
-        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
-        names.push((entry.file_name().to_string_lossy().into_owned(), is_file));
+        match entry.file_type() {
+            Ok(kind) if kind.is_file() => names.push(name),
+            kind => files.others.push((name.into(), kind.map_or("an entry without a type", named))),
+        }
     }
     names.sort();
-    let mut files = OutputFiles { files: Vec::new() };
+    files.others.sort();
     for name in SOURCES {
-        if names.contains(&(name.to_owned(), true)) {
+        if names.iter().any(|known| known == name) {
             files.files.push((name.into(), read(&dir.join(name), SOURCE_LIMIT)?.into()));
         }
     }
     let published = PublishedBuild::of(&files);
     let wanted: BTreeSet<String> = published.wanted().into_iter().collect();
     let stated: BTreeMap<&str, usize> = published.stated_sizes().collect();
-    for (name, is_file) in names {
+    for name in names {
         if files.get(&name).is_some() {
             continue;
         }
-        let most = stated.get(name.as_str()).copied().filter(|_| is_file && wanted.contains(&name));
+        let most = stated.get(name.as_str()).copied().filter(|_| wanted.contains(&name));
         let bytes = match most {
             // One byte more than stated shows that there are more.
             Some(most) => read(&dir.join(&name), (most as u64).saturating_add(1).min(FILE_LIMIT))?,
@@ -210,6 +213,17 @@ pub(super) fn read_directory(dir: &Path) -> Result<(PublishedBuild, OutputFiles<
     }
     files.files.sort();
     Ok((published, files))
+}
+
+/// What an entry is that is no regular file.
+fn named(kind: fs::FileType) -> &'static str {
+    if kind.is_symlink() {
+        "a link"
+    } else if kind.is_dir() {
+        "a directory"
+    } else {
+        "a pipe, a socket or a device"
+    }
 }
 
 /// The first `most` bytes of a file.

@@ -9,6 +9,9 @@
 //! ```
 //!
 //! The paper prints `+ mu`, which is the balance of a corner that slides inwards on the plate.
+//!
+//! Where a balance leaves no force outwards the cone **locks**: by the derived one from `mu = (1 - sin(gamma)) / cos(gamma)` on,
+//! because the plate's friction then bears all that the cone pushes; by the paper's from `mu = 1 / tan(gamma)` on.
 
 use std::fmt;
 use std::fmt::Write;
@@ -17,12 +20,15 @@ use crate::coupon::table::{TableColumn, read_table};
 use crate::spec::{Allowed, Fault, FaultCode, Faults, Source};
 use crate::units::Readable;
 
+/// Range of a travel, mm.
+const TRAVELS: [f64; 2] = [-1e5, 1e5];
+
 /// The columns of a test; `travel` is 0 at first contact.
 const COLUMNS: [TableColumn; 2] = [
     TableColumn {
         names: &["travel", "displacement", "extension"],
         unit: "mm",
-        allowed: Allowed::closed(-1e5, 1e5),
+        allowed: Allowed::closed(TRAVELS[0], TRAVELS[1]),
         optional: false,
         slip: "convert um to mm",
     },
@@ -48,6 +54,17 @@ pub enum Balance {
 impl Balance {
     /// Every balance, by its name.
     pub const ALL: [(&'static str, Self); 2] = [("derived", Self::Derived), ("published", Self::Published)];
+
+    /// The least friction at which a cone of half the angle `half_angle` (rad) locks.
+    ///
+    /// With `mu = tan(phi)` the cone pushes outwards with `P / tan(gamma + phi)`. This is `mu P` where `gamma + 2 phi` is a
+    /// right angle, and 0 where `gamma + phi` is.
+    fn locks(self, half_angle: f64) -> f64 {
+        match self {
+            Self::Derived => (1.0 - libm::sin(half_angle)) / libm::cos(half_angle),
+            Self::Published => 1.0 / libm::tan(half_angle),
+        }
+    }
 }
 
 /// The cone of a test.
@@ -55,8 +72,10 @@ impl Balance {
 pub struct Cone {
     /// Half the cone's angle gamma, rad, in (0, pi/2).
     pub half_angle: f64,
-    /// Kinetic friction mu with cone and plate, 0 or more.
+    /// Kinetic friction mu with cone and plate, 0 or more, and below that at which the cone locks.
     pub friction: f64,
+    /// The balance of forces at its corners.
+    pub balance: Balance,
 }
 
 /// The reason why a cone is invalid.
@@ -64,7 +83,7 @@ pub struct Cone {
 pub enum ConeFault {
     /// Half the angle, rad, is not above 0 and below pi/2.
     HalfAngle(f64),
-    /// The friction is below 0, or so large that the cone cannot slide: its half angle, rad, and the friction.
+    /// The friction is below 0, or so large that the cone locks: the friction, and from where on it locks.
     Friction(f64, f64),
 }
 
@@ -75,12 +94,12 @@ impl fmt::Display for ConeFault {
                 let found = Readable(found.to_degrees());
                 write!(f, "half the cone's angle is {found} deg; it must be above 0 and below 90 deg")
             }
-            Self::Friction(half_angle, found) => {
-                let most = Readable(1.0 / libm::tan(half_angle));
-                let found = Readable(found);
+            Self::Friction(found, locks) => {
+                let (found, locks) = (Readable(found), Readable(locks));
                 write!(
                     f,
-                    "the friction is {found}; it must be 0 or more, and below {most}, where the cone locks"
+                    "the friction is {found}; it must be 0 or more, and below {locks}, where the cone locks: check the \
+                     friction, or press a cone with a smaller half angle"
                 )
             }
         }
@@ -93,23 +112,26 @@ impl Cone {
     /// The cone, checked.
     ///
     /// # Errors
-    /// If the angle or the friction is out of range, or friction locks the cone (`mu tan(gamma) >= 1`).
-    pub fn new(half_angle: f64, friction: f64) -> Result<Self, ConeFault> {
+    /// If the angle or the friction is out of range, or friction locks the cone.
+    pub fn new(half_angle: f64, friction: f64, balance: Balance) -> Result<Self, ConeFault> {
         if !(half_angle > 0.0 && half_angle < std::f64::consts::FRAC_PI_2) {
             return Err(ConeFault::HalfAngle(half_angle));
         }
-        if friction >= 0.0 && friction * libm::tan(half_angle) < 1.0 {
-            Ok(Self { half_angle, friction })
+        let locks = balance.locks(half_angle);
+        let cone = Self { half_angle, friction, balance };
+        // Within rounding of the lock the ratio may already be 0.
+        if friction >= 0.0 && friction < locks && cone.ratio() > 0.0 {
+            Ok(cone)
         } else {
-            Err(ConeFault::Friction(half_angle, friction))
+            Err(ConeFault::Friction(friction, locks))
         }
     }
 
-    /// Radial force per vertical load, F_s / P.
-    pub fn ratio(&self, balance: Balance) -> f64 {
+    /// Radial force per vertical load, F_s / P, above 0.
+    pub fn ratio(&self) -> f64 {
         let (tan, mu) = (libm::tan(self.half_angle), self.friction);
         let cone = (1.0 - mu * tan) / (mu + tan);
-        match balance {
+        match self.balance {
             Balance::Derived => cone - mu,
             Balance::Published => cone + mu,
         }
@@ -135,7 +157,27 @@ pub struct Press {
 /// # Errors
 /// All faults of the table, see [`read_table`]; or that it has no rows.
 pub fn read_test(source: &Source) -> Result<Vec<Press>, Faults> {
-    let presses: Vec<Press> = read_table(source, &COLUMNS)?
+    read_presses(source, &COLUMNS)
+}
+
+/// The same of a `cone` that first touches the star at the radius `first` (m).
+///
+/// # Errors
+/// As for [`read_test`]; or for each travel at which the radius would not be above 0.
+pub fn read_cone_test(source: &Source, cone: &Cone, first: f64) -> Result<Vec<Press>, Faults> {
+    let [mut travel, load] = COLUMNS;
+    let tip = -1e3 * first / libm::tan(cone.half_angle);
+    if tip > TRAVELS[0] {
+        travel.allowed = Allowed::above(tip, TRAVELS[1]);
+        travel.slip = "travel is 0 at first contact and grows as the cone goes down, and at the least one the radius would be 0: \
+                       check its sign and unit, and --contact-radius";
+    }
+    read_presses(source, &[travel, load])
+}
+
+/// The rows of a test in `source` with `columns`.
+fn read_presses(source: &Source, columns: &[TableColumn; 2]) -> Result<Vec<Press>, Faults> {
+    let presses: Vec<Press> = read_table(source, columns)?
         .into_iter()
         .filter_map(|row| match row {
             [Some(travel), Some(load)] => Some(Press { travel, load }),
@@ -179,14 +221,8 @@ pub struct ReducedPoint {
 /// Reduces a test to radius and radial force.
 ///
 /// `first` is the radius (m) at first contact, where the travel is 0; with `overlay` each point has its prediction.
-pub fn reduce(
-    test: &[Press],
-    cone: &Cone,
-    balance: Balance,
-    first: f64,
-    overlay: Option<Overlay<'_>>,
-) -> Vec<ReducedPoint> {
-    let ratio = cone.ratio(balance);
+pub fn reduce(test: &[Press], cone: &Cone, first: f64, overlay: Option<Overlay<'_>>) -> Vec<ReducedPoint> {
+    let ratio = cone.ratio();
     let reduced = |press: &Press| {
         let radius = cone.radius(first, press.travel * 1e-3);
         ReducedPoint {
@@ -232,12 +268,12 @@ mod tests {
 
     #[test]
     fn a_test_is_reduced_line_by_line() {
-        let cone = Cone::new(30.0_f64.to_radians(), 0.1).expect("valid");
+        let cone = Cone::new(30.0_f64.to_radians(), 0.1, Balance::Derived).expect("valid");
         let test = test("travel_mm,load_N\n0,0\n10,2.5\n").expect("two rows");
-        let plain = csv(&reduce(&test, &cone, Balance::Derived, 0.015, None));
+        let plain = csv(&reduce(&test, &cone, 0.015, None));
         assert_eq!(plain.lines().nth(2), Some("10,2.5,20.773503,3.227761"));
         let overlay = |radius: f64| Predicted { force: Some(radius * 100.0), range: None };
-        let laid = csv(&reduce(&test, &cone, Balance::Published, 0.015, Some(&overlay)));
+        let laid = csv(&reduce(&test, &cone, 0.015, Some(&overlay)));
         assert_eq!(
             laid.lines().next(),
             Some("travel_mm,load_N,radius_mm,force_N,predicted_N,predicted_lo_N,predicted_hi_N")
@@ -261,28 +297,56 @@ mod tests {
 
     #[test]
     fn balances_of_the_papers_cone() {
-        let cone = Cone::new(30.0_f64.to_radians(), 0.1).expect("valid");
-        let (derived, published) = (cone.ratio(Balance::Derived), cone.ratio(Balance::Published));
+        let ratio = |balance| Cone::new(30.0_f64.to_radians(), 0.1, balance).expect("valid").ratio();
+        let (derived, published) = (ratio(Balance::Derived), ratio(Balance::Published));
         assert!((published - derived - 0.2).abs() < 1e-15);
         assert!((published - 1.491).abs() < 1e-3, "{published}");
     }
 
     #[test]
     fn without_friction_it_is_a_wedge() {
-        let cone = Cone::new(0.4, 0.0).expect("valid");
-        for balance in [Balance::Derived, Balance::Published] {
-            assert!((cone.ratio(balance) - 1.0 / 0.4_f64.tan()).abs() < 1e-15);
+        for (_, balance) in Balance::ALL {
+            let cone = Cone::new(0.4, 0.0, balance).expect("valid");
+            assert!((cone.ratio() - 1.0 / 0.4_f64.tan()).abs() < 1e-15);
+            assert!((cone.radius(0.02, 0.01) - (0.02 + 0.01 * 0.4_f64.tan())).abs() < 1e-15);
         }
-        assert!((cone.radius(0.02, 0.01) - (0.02 + 0.01 * 0.4_f64.tan())).abs() < 1e-15);
     }
 
     #[test]
     fn a_cone_that_locks_is_refused() {
+        let derived = |half_angle, friction| Cone::new(half_angle, friction, Balance::Derived);
+        assert!(derived(0.5, -0.1).is_err() && derived(0.5, f64::NAN).is_err());
+        assert!(derived(0.0, 0.1).is_err() && derived(1.6, 0.1).is_err());
+        // By the derived balance from gamma + 2 phi = 90 deg on, by the published one from gamma + phi = 90 deg on.
+        for (balance, degrees, locks) in [
+            (Balance::Derived, 30.0_f64, 30.0_f64),
+            (Balance::Derived, 60.0, 15.0),
+            (Balance::Published, 30.0, 60.0),
+            (Balance::Published, 60.0, 30.0),
+        ] {
+            let (half_angle, locks) = (degrees.to_radians(), locks.to_radians().tan());
+            let cone = Cone::new(half_angle, locks - 1e-9, balance).expect("slides");
+            assert!(cone.ratio() > 0.0, "{cone:?}");
+            let fault = Cone::new(half_angle, locks + 1e-9, balance).expect_err("locks").to_string();
+            assert!(fault.contains(&format!("below {}, where the cone locks", Readable(locks))), "{fault}");
+        }
+    }
+
+    #[test]
+    fn a_travel_past_the_tip_of_the_cone_is_refused_with_its_row() {
+        let cone = Cone::new(30.0_f64.to_radians(), 0.1, Balance::Derived).expect("valid");
+        let read = |csv: &str| read_cone_test(&Source::new("test.csv", csv), &cone, 0.015);
+        assert_eq!(read("travel_mm,load_N\n-25.9,3\n0,0\n").expect("above 0").len(), 2);
+        let faults = read("travel_mm,load_N\n-1,0\n-26,3\n-40,3\n").expect_err("below 0");
+        assert_eq!(faults.list().len(), 2);
+        let said = faults.to_string();
+        for words in ["test.csv:3", "`travel_mm` is `-26`", "more than -25.9808", "--contact-radius"] {
+            assert!(said.contains(words), "{said}");
+        }
+        // A blunt cone's tip lies beyond every travel.
+        let blunt = Cone::new(1e-9, 0.1, Balance::Derived).expect("valid");
         assert!(
-            Cone::new(0.5, 2.0).is_err()
-                && Cone::new(0.5, -0.1).is_err()
-                && Cone::new(0.5, f64::NAN).is_err()
+            read_cone_test(&Source::new("test.csv", "travel_mm,load_N\n-99999,1\n"), &blunt, 1.0).is_ok()
         );
-        assert!(Cone::new(0.0, 0.1).is_err() && Cone::new(1.6, 0.1).is_err());
     }
 }

@@ -63,6 +63,14 @@ impl Paper {
         }
     }
 
+    /// What a drawing would need on it that is not written.
+    pub fn excess(self) -> String {
+        match self {
+            Self::Large => format!("a page of more than {} m", LARGEST / 1000.0),
+            Self::A4 | Self::Letter => format!("more than {MOST_TILES} pages"),
+        }
+    }
+
     /// Whether `drawing` can be printed on it: on at most 100 tiles, and on no page larger than 10 m.
     pub fn takes(self, drawing: &Drawing) -> bool {
         let cut = self.cut(drawing);
@@ -72,7 +80,7 @@ impl Paper {
     /// The pages on which `drawing` is printed, row by row from the upper left; `caption` names it on every page. Where they are
     /// several, an overview comes first.
     ///
-    /// None if it cannot be printed, see [`Paper::takes`].
+    /// Empty if it cannot be printed, see [`Paper::takes`].
     pub fn pages(self, drawing: &Drawing, caption: &str) -> Vec<Page> {
         if !self.takes(drawing) {
             return Vec::new();

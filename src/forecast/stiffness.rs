@@ -5,8 +5,9 @@
 
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::section::{Section, arms};
-use inflatable::mechanics::hinge::{Hinge, HingeModel};
+use inflatable::mechanics::hinge::{Hinge, HingeModel, ring};
 use inflatable::numerics::{RootFault, bracketed_root};
+use std::f64::consts::{FRAC_PI_4, PI};
 use std::fmt;
 
 /// p W / Y of discs that are looked at.
@@ -15,6 +16,20 @@ const STRETCH: [f64; 2] = [2e-4, 0.1];
 const PLACES: u32 = 40;
 /// Roots are found to this part.
 const TOLERANCE: f64 = 1e-6;
+/// Most by which arms let a hinge close further, deg: the largest delta of their tables, 14.3, and its mesh error of 3.1.
+const MOST_ARMS: f64 = 17.4;
+/// What the errors of both measured angles may add, deg.
+const OFF_ANGLES: f64 = 2.0;
+
+/// The least angle (rad) to which a hinge may close, with arms at the angle `flat` (rad) when it is flat, whatever its fabric, size and
+/// pressure; below 0 if the arms would cross.
+///
+/// A hinge alone coils at most as the ring does for R* -> infinity, and its arms let it close further (`section::arms`).
+pub fn least_angle(flat: f64) -> f64 {
+    let arc = PI - flat;
+    let arms = MOST_ARMS.to_radians() * libm::tanh(arc / FRAC_PI_4);
+    PI - ring::limit().lambda * arc - arms - OFF_ANGLES.to_radians()
+}
 
 /// A V-actuator on the bench; SI units, angles in rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -206,6 +221,26 @@ mod tests {
         let inflated = 0.1 * disc.part(3.4e-4, 20_000.0, 0.39).expect("solved");
         let found = DiscBench { inflated, ..disc }.stretch_stiffness(3.4e-4, 0.39).expect("found");
         assert!((found / 20_000.0 - 1.0).abs() < 1e-3, "{found}");
+    }
+
+    #[test]
+    fn no_hinge_of_any_model_closes_below_the_least_angle() {
+        assert!((least_angle(58.7_f64.to_radians()).to_degrees() + 6.7).abs() < 0.1);
+        for rest_angle in [10.0_f64, 60.0, 120.0, 175.0].map(f64::to_radians) {
+            let least = least_angle(rest_angle);
+            for r_star in [0.0, 0.02, 0.15, 1.0] {
+                let hinge = Hinge { r_star, width: 0.02, rest_angle };
+                let rest = ring::Ring.target(r_star).expect("in range");
+                assert!(hinge.angle_of(&ring::Ring, &rest) > least, "{hinge:?}");
+                for tau in [1.5e-3, 3.162e-3, 9.935e-3] {
+                    for bendability in [100.0, 630.0, 1e4_f64.min(0.1 / (tau * tau))] {
+                        let section = Section::by_ratios(bendability, tau, 0.39);
+                        let Ok(rest) = section.target(r_star) else { continue };
+                        assert!(hinge.angle_of(&section, &rest) > least, "{hinge:?} {tau} {bendability}");
+                    }
+                }
+            }
+        }
     }
 
     #[test]

@@ -98,7 +98,7 @@ impl MadeCoupons {
         files.extend(
             self.files.iter().map(|(name, _, bytes)| (name.as_str().into(), bytes.as_slice().into())),
         );
-        OutputFiles { files }
+        OutputFiles { files, ..OutputFiles::default() }
     }
 
     /// Reads every program among `files`, whose manifest is `written`, and compares all files with these.
@@ -112,13 +112,13 @@ impl MadeCoupons {
             if let Some(found) = files.get(name) {
                 self.judge((name, *kind, bytes), found, written, &mut findings, &mut proof);
             } else {
-                findings.add(FindingCode::MissingFile, "no such file", format!("a {kind}"));
+                findings.push(files.lacks(name, &format!("a {kind}")));
             }
             proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(name)));
         }
         let known =
             |name: &str| name == MANIFEST || name == TABLE || self.files.iter().any(|(own, ..)| own == name);
-        for (name, _) in files.files.iter().filter(|(name, _)| !known(name)) {
+        for name in files.names().filter(|name| !known(name)) {
             let found = "a file that the coupons do not have";
             let finding = Finding::new(FindingCode::UnnamedFile, found, "only their files");
             proof.findings.push(finding.in_file(name));

@@ -24,9 +24,7 @@ fn source_of<T>(
     read: impl Fn(&Source) -> Result<T, Faults>,
 ) -> Result<T, Finding> {
     let Some(bytes) = files.get(name) else {
-        return Err(
-            Finding::new(FindingCode::MissingFile, "no such file", "the file of the build").in_file(name)
-        );
+        return Err(files.lacks(name, "the file of the build"));
     };
     Source::from_bytes(name, bytes).and_then(|source| read(&source)).map_err(|faults| {
         let found = faults.list().first().map_or("faults", |fault| &fault.message).to_owned();

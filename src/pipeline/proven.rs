@@ -28,7 +28,8 @@ impl Built {
 
     /// The files for the verifier.
     pub fn output_files(&self) -> OutputFiles<'_> {
-        OutputFiles { files: self.files().map(|(name, bytes)| (name.into(), bytes)).collect() }
+        let files = self.files().map(|(name, bytes)| (name.into(), bytes)).collect();
+        OutputFiles { files, ..OutputFiles::default() }
     }
 
     /// Reads every file back and compares it with the design.
@@ -114,7 +115,7 @@ impl PublishedBuild {
         if let Some(coupons) = &self.coupons {
             return prove_coupons(coupons, files);
         }
-        if self.written.is_none() && self.forecast.is_ok() && files.get(MANIFEST).is_some() {
+        if self.written.is_none() && self.forecast.is_ok() && files.names().any(|name| name == MANIFEST) {
             return self.without_manifest(files);
         }
         let forecast = match self.forecast {
@@ -139,12 +140,15 @@ impl PublishedBuild {
     /// The findings for an unreadable manifest: the fault itself, and files that are not outputs of a build. Without the manifest's lengths no
     /// other file was read, so each would seem empty.
     fn without_manifest(&self, files: &OutputFiles<'_>) -> Proof {
-        let what = "it is damaged, or another program wrote it";
-        let finding =
-            Finding::new(FindingCode::Manifest, what, "the manifest.json of the build: build it again");
+        let right = "the manifest.json of the build: build it again";
+        let what = match files.get(MANIFEST) {
+            Some(_) => "it is damaged, or another program wrote it".to_owned(),
+            None => files.lacks(MANIFEST, right).found,
+        };
+        let finding = Finding::new(FindingCode::Manifest, what, right);
         let wanted = self.wanted();
         let is_ours = |name: &str| name == MANIFEST || wanted.iter().any(|wanted| wanted == name);
-        let foreign = files.files.iter().filter(|(name, _)| !is_ours(name)).map(|(name, _)| {
+        let foreign = files.names().filter(|name| !is_ours(name)).map(|name| {
             Finding::new(FindingCode::UnnamedFile, "it belongs to no build", "the files of the build")
                 .in_file(name)
         });

@@ -35,7 +35,7 @@ object_radius = "30 mm"  # half of object_diameter, which it replaces; set one o
 # A shape by your own drawing, in place of [star], [stack] and [frame].
 [drawing]
 file = "outline.svg"  # SVG or ASCII DXF, beside this file
-units = "mm"  # of the file's numbers, if it does not state them
+units = "mm"  # of the file's numbers; it replaces the unit that the file states, and a note says so
 # join = "0.02 mm"  # ends of curves up to this far apart are joined, and reported
 # passage = "15 mm"  # a narrower passage of the air gives a warning
 layers = { "air": ["chamber"], "port": ["inlet"] }  # the role of each layer: air edges, seam centre lines, ports, cut, holes, or ignored
@@ -69,7 +69,7 @@ acceleration = "10 mm/s^2"  # of X and Y; chopping counts with it
 # first_step_rate = "none"
 # min_move_steps = 0
 [dwell]
-# unit = "s"
+# unit = "s"  # of G4's P; of the dialects marlin, klipper and reprapfirmware it is "ms", and no other is taken
 # step = "1 ms"
 [keep_out]
 # name = "clamp"  # what messages and the preview call it

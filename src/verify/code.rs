@@ -41,6 +41,7 @@ codes! {
         ModalConflict "modal-conflict" "One line holds words that exclude each other.",
         ModeUnset "mode-unset" "A mode is needed before it is set.",
         MoreFindings "more-findings" "There are more findings of this file than are listed.",
+        NotAFile "not-a-file" "A file of the build is a link, a directory or a device, which is not opened.",
         NotText "not-text" "The file is not UTF-8.",
         NotWatertight "not-watertight" "The solid is not closed.",
         OpenLoop "open-loop" "A loop is not closed.",

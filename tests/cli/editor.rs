@@ -135,6 +135,41 @@ fn a_spec_comes_from_a_pipe() {
 }
 
 #[test]
+fn a_design_without_a_latin_name_is_put_where_o_says() {
+    let dir = tempfile::tempdir().expect("a directory");
+    for name in ["\u{6f22}\u{5b57}", "\u{304b}\u{306a}"] {
+        let spec = support::PAPER.replace("paper star, 5 points", name);
+        assert!(spec.contains(name));
+        let refused = fed(dir.path(), &spec, &["build", "-", "--only", "seal-svg"]);
+        let said = stderr(&refused);
+        assert_eq!(refused.status.code(), Some(1), "{said}");
+        let words =
+            format!("the name `{name}` has no letter from a to z and no digit for the name of a directory");
+        assert!(said.contains(&words) && said.contains("name one with -o"), "{said}");
+        assert!(!dir.path().join("out").exists());
+        let built = fed(dir.path(), &spec, &["build", "-", "-q", "--only", "seal-svg", "-o", name]);
+        assert_eq!(built.status.code(), Some(0), "{}", stderr(&built));
+    }
+}
+
+#[test]
+fn standard_input_is_read_once() {
+    let dir = workshop();
+    for args in [
+        &["check", "-", "-"][..],
+        &["build", "-", "star.toml", "-"],
+        &["cone", "-", "--spec", "-"],
+        &["calibrate", "-", "--spec", "-"],
+        &["calibrate", "-", "--bias-strip", "-", "--bias-length", "200 mm", "--spec", "star.toml"],
+    ] {
+        let refused = run(dir.path(), args);
+        let said = stderr(&refused);
+        assert_eq!(refused.status.code(), Some(2), "{args:?}: {said}");
+        assert!(said.contains("standard input is named 2 times, and can be read once"), "{args:?}: {said}");
+    }
+}
+
+#[test]
 fn of_several_specs_each_has_its_answer() {
     let dir = workshop();
     fs::write(dir.path().join("bad.toml"), support::PAPER.replace("points = 5", "points = 9"))

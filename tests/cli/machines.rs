@@ -791,6 +791,8 @@ fn calibrate_refuses_what_no_bench_shows() {
         let _ = fails(dir.path(), &call, code, words);
     };
     refused(&["--flat-angle", "30", "--inflated-angle", "31"], 1, &["at most the flat one, 30 deg"]);
+    let crossed = ["--flat-angle", "58.7 deg", "--inflated-angle", "-100 deg"];
+    refused(&crossed, 1, &["is -100 deg", "at least -6.6 deg", "check the sign", "between the arms"]);
     let wide = ["--flat-angle", "60", "--inflated-angle", "59", "--angle-pressure", "20 kPa"];
     refused(&wide, 1, &["--inflated-angle", "no stiffness of the fabric explains", "closes to between"]);
     refused(&["--angle-pressure", "20 kPa"], 2, &["--inflated-angle"]);

@@ -248,9 +248,13 @@ fn numbers_without_sense_are_wrong_usage() {
             assert!(said.contains(option) && said.contains(words), "{option}={value}: {said}");
         }
     }
-    let locked = run(dir.path(), &[&cone[..], &["--half-angle", "60 deg", "--friction", "0.6"]].concat());
-    assert_eq!(locked.status.code(), Some(1));
-    assert!(text(&locked.stderr).contains("below 0.57735, where the cone locks"), "{}", text(&locked.stderr));
+    let published = ["--half-angle", "60 deg", "--friction", "0.6", "--balance", "published"];
+    for args in [&["--friction", "0.58"][..], &published] {
+        let locked = run(dir.path(), &[&cone[..], args].concat());
+        assert_eq!(locked.status.code(), Some(1));
+        let said = text(&locked.stderr);
+        assert!(said.contains("below 0.57735, where the cone locks"), "{said}");
+    }
 }
 
 /// `optimize` can write into every layout that `check` accepts; other layouts are refused before the search.

@@ -195,6 +195,33 @@ fn only_some_kinds() {
 }
 
 #[test]
+fn files_too_large_for_their_paper_are_named() {
+    let dir = workshop();
+    let large = |file: &str, inner_radius: &str, tube_width: &str| {
+        let spec = format!(
+            "schema = 1\nname = \"large\"\n[star]\npoints = 5\ninner_radius = \"{inner_radius}\"\n\
+             tube_width = \"{tube_width}\"\ntip_angle = \"30 deg\"\n[seal]\nspeed = \"5 mm/s\"\n"
+        );
+        fs::write(dir.path().join(file), spec).expect("written");
+    };
+    large("huge.toml", "2500 mm", "800 mm");
+    large("big.toml", "900 mm", "300 mm");
+    let huge = run(dir.path(), &["build", "huge.toml", "-q", "--only", "mask-pdf,outline-pdf,pieces-svg"]);
+    assert_code(&huge, 0);
+    let said = stderr(&huge);
+    assert!(said.starts_with("note: this design has no pieces-svg\n"), "{said}");
+    let page = "note: sheet-1-outline.pdf, star-1-mask.pdf are left out: each needs a page of more than 10 m";
+    let pages = "note: sheet-1-outline-a4.pdf, sheet-1-outline-letter.pdf, star-1-mask-a4.pdf, star-1-mask-letter.pdf are \
+                 left out: each needs more than 100 pages; SVG and DXF have no limit\n";
+    assert!(said.contains(page) && said.contains(pages), "{said}");
+    assert_code(&run(dir.path(), &["verify", "out/huge"]), 0);
+    // Masks are on paper by default.
+    let big = stderr(&run(dir.path(), &["check", "big.toml", "-q"]));
+    assert!(big.contains("note: star-1-mask-a4.pdf, star-1-mask-letter.pdf are left out: "), "{big}");
+    assert!(!big.contains("star-1-mask.pdf") && !big.contains("outline"), "{big}");
+}
+
+#[test]
 fn new_writes_a_spec_that_builds_and_never_overwrites() {
     let dir = tempfile::tempdir().expect("a directory");
     assert_code(&run(dir.path(), &["new", "My \"first\" Star; ../x"]), 0);

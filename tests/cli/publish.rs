@@ -161,6 +161,24 @@ fn a_refused_build_leaves_nothing_it_made() {
 
 #[cfg(unix)]
 #[test]
+fn a_file_of_a_build_that_is_a_link_is_called_one() {
+    let (dir, target) = built();
+    let (file, moved) = (target.join("star-1-seal.gcode"), dir.path().join("moved.gcode"));
+    fs::rename(&file, &moved).expect("moved");
+    std::os::unix::fs::symlink("../../moved.gcode", &file).expect("a link");
+    let refused = run(dir.path(), &["build", "star.toml", "-o", "out/star"]);
+    assert_code(&refused, 1);
+    let said = stderr(&refused);
+    assert!(said.contains("out/star/star-1-seal.gcode is a link, so its directory is not changed"), "{said}");
+    let verified = run(dir.path(), &["verify", "out/star"]);
+    assert_code(&verified, 1);
+    let said = stdout(&verified);
+    assert!(said.contains("star-1-seal.gcode: not-a-file: found a link, allowed a seal-gcode"), "{said}");
+    assert!(said.ends_with("out/star: 1 finding\n"), "{said}");
+}
+
+#[cfg(unix)]
+#[test]
 fn a_manifest_that_is_a_pipe_is_not_waited_for() {
     let (dir, _) = built();
     let pipe = dir.path().join("piped");

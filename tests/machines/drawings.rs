@@ -40,7 +40,10 @@ fn a_drawing_is_made_on_every_machine() {
         let (text, spec) = pillow(&rest);
         let machine = machine(profile(name));
         let built = made(&text, &spec, &machine, name);
-        let files = OutputFiles { files: built.files().map(|(file, bytes)| (file.into(), bytes)).collect() };
+        let files = OutputFiles {
+            files: built.files().map(|(file, bytes)| (file.into(), bytes)).collect(),
+            ..OutputFiles::default()
+        };
         assert_eq!(read_back(&files).findings, [], "{name}");
         let has = |file: &str| built.artifacts.iter().any(|artifact| artifact.name == file);
         for file in

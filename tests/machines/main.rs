@@ -108,5 +108,5 @@ fn findings_with(build: &Built, name: &str, text: &str) -> Vec<Finding> {
         };
         (file.into(), bytes)
     });
-    read_back(&OutputFiles { files: files.collect() }).findings
+    read_back(&OutputFiles { files: files.collect(), ..OutputFiles::default() }).findings
 }

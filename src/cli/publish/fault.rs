@@ -12,6 +12,8 @@ pub enum PublishFault {
     NotADirectory(PathBuf),
     /// The target holds this entry, which the program did not write.
     Foreign(PathBuf),
+    /// This entry of the target is a link, which is never replaced.
+    Link(PathBuf),
     /// The target, or a file in it, is write-protected.
     ReadOnly(PathBuf),
     /// The target has no name, such as `/`.
@@ -50,6 +52,11 @@ impl fmt::Display for PublishFault {
                 f,
                 "{} is not named in a manifest beside it, so its directory is not changed; move it away or \
                  choose another directory with -o",
+                shown(path)
+            ),
+            Self::Link(path) => write!(
+                f,
+                "{} is a link, so its directory is not changed; move it away or choose another directory with -o",
                 shown(path)
             ),
             Self::ReadOnly(path) => write!(

@@ -100,6 +100,9 @@ pub(super) fn ours(target: &Path) -> Result<Option<PublishRecord>, PublishFault>
     }
     let record = PublishRecord::read(target);
     for entry in disk::entries(target).map_err(PublishFault::io("read", target))? {
+        if entry.is_symlink() {
+            return Err(PublishFault::Link(entry));
+        }
         if !record.as_ref().is_some_and(|record| record.names(&entry)) {
             return Err(PublishFault::Foreign(entry));
         }

@@ -5,6 +5,7 @@ use crate::forecast::drawn::prediction::DrawnPrediction;
 use crate::forecast::prediction::Prediction;
 use crate::manifest::Manifest;
 use crate::spec::{Machine, Spec};
+use crate::verify::{Finding, FindingCode};
 use std::borrow::Cow;
 
 /// Everything that the files of a build must agree with. None of it was read from them but the spec and the profile.
@@ -29,11 +30,31 @@ pub struct Expected<'a> {
 pub struct OutputFiles<'a> {
     /// (name, content), in any order.
     pub files: Vec<(Cow<'a, str>, Cow<'a, [u8]>)>,
+    /// Entries that are no regular files, with what each is: "a link". Their content is not known.
+    pub others: Vec<(Cow<'a, str>, &'static str)>,
 }
 
 impl OutputFiles<'_> {
     /// The content of the file called `name`.
     pub fn get(&self, name: &str) -> Option<&[u8]> {
         self.files.iter().find(|(known, _)| known == name).map(|(_, bytes)| bytes.as_ref())
+    }
+
+    /// The names of all entries.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let others = self.others.iter().map(|(name, _)| name.as_ref());
+        self.files.iter().map(|(name, _)| name.as_ref()).chain(others)
+    }
+
+    /// The finding that there is no file called `name`, which should be `allowed`: another entry has its name, or none.
+    pub(crate) fn lacks(&self, name: &str, allowed: &str) -> Finding {
+        let other = self.others.iter().find(|(known, _)| known == name);
+        let finding = match other {
+            Some((_, what)) => {
+                Finding::new(FindingCode::NotAFile, *what, format!("{allowed} as a regular file"))
+            }
+            None => Finding::new(FindingCode::MissingFile, "no such file", allowed),
+        };
+        finding.in_file(name)
     }
 }

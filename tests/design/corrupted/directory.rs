@@ -246,9 +246,21 @@ fn verify_opens_nothing_but_what_the_design_names() {
         ("pipe", "unnamed-file"),
         ("zero", "unnamed-file"),
         ("foreign", "unnamed-file"),
-        (TRACE, "size"),
+        (TRACE, "not-a-file"),
         (SEAL, "size"),
     ] {
         assert!(findings.iter().any(|f| f["file"] == file && f["code"] == code), "{file}: {findings:#?}");
     }
+    let of_link: Vec<_> = findings.iter().filter(|f| f["file"] == TRACE).collect();
+    assert_eq!(of_link.len(), 1, "{of_link:#?}");
+    assert_eq!(of_link[0]["found"], "a link");
+    // Without the manifest only what is certain is said.
+    let manifest = out.join("manifest.json");
+    fs::rename(&manifest, shop.path().join("moved")).expect("moved");
+    std::os::unix::fs::symlink("../../moved", &manifest).expect("a link");
+    let verified = support::program::run(shop.path(), &["verify", out.to_str().expect("UTF-8"), "--json"]);
+    let said: serde_json::Value = serde_json::from_slice(&verified.stdout).expect("JSON");
+    let findings = said["findings"].as_array().expect("a list");
+    assert_eq!((&findings[0]["file"], &findings[0]["found"]), (&"manifest.json".into(), &"a link".into()));
+    assert!(findings[1..].iter().all(|f| f["code"] == "unnamed-file"), "{findings:#?}");
 }

@@ -26,7 +26,7 @@ fn output_files() -> OutputFiles<'static> {
 fn archive_of(text: &str) -> OutputFiles<'static> {
     let build = support::build(text).expect("a gripper");
     let own = |(name, bytes): (&str, Cow<'_, [u8]>)| (name.to_owned().into(), bytes.into_owned().into());
-    OutputFiles { files: build.files().map(own).collect() }
+    OutputFiles { files: build.files().map(own).collect(), ..OutputFiles::default() }
 }
 
 fn text(files: &OutputFiles<'_>, file: &str) -> String {

@@ -44,9 +44,8 @@ pub(crate) fn directories() -> Vec<Directory> {
 
 /// A directory as the verifier sees it.
 pub(crate) fn output_files(files: &Directory) -> OutputFiles<'_> {
-    OutputFiles {
-        files: files.iter().map(|(name, bytes)| (name.as_str().into(), bytes.as_slice().into())).collect(),
-    }
+    let files = files.iter().map(|(name, bytes)| (name.as_str().into(), bytes.as_slice().into()));
+    OutputFiles { files: files.collect(), ..OutputFiles::default() }
 }
 
 /// A kind of file, as the table has it.

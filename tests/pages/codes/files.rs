@@ -159,22 +159,28 @@ pub(crate) fn messages() -> Vec<Message> {
     for &Edit { code, base, file, old, new } in EDITS {
         let (_, build) = builds.iter().find(|(known, _)| *known == base).expect("built");
         all.extend(found(code, build.output_files(), |files| {
-            if let Some((_, bytes)) = files.iter_mut().find(|(name, _)| name == file) {
+            if let Some((_, bytes)) = files.files.iter_mut().find(|(name, _)| name == file) {
                 *bytes = replaced(bytes, old.as_bytes(), new.as_bytes()).into();
             }
         }));
     }
     let (_, plain) = &builds[0];
-    all.extend(found("missing-file", plain.output_files(), |files| files.retain(|(name, _)| name != SVG)));
+    all.extend(found("missing-file", plain.output_files(), |files| {
+        files.files.retain(|(name, _)| name != SVG);
+    }));
+    all.extend(found("not-a-file", plain.output_files(), |files| {
+        files.files.retain(|(name, _)| name != SVG);
+        files.others.push((SVG.into(), "a link"));
+    }));
     all.extend(found("unnamed-file", plain.output_files(), |files| {
-        files.push(("notes.txt".into(), Cow::Borrowed(b"x")));
+        files.files.push(("notes.txt".into(), Cow::Borrowed(b"x")));
     }));
     all.extend(found("not-text", plain.output_files(), |files| {
-        let (_, bytes) = files.iter_mut().find(|(name, _)| name == SVG).expect("a file");
+        let (_, bytes) = files.files.iter_mut().find(|(name, _)| name == SVG).expect("a file");
         bytes.to_mut()[1] = 0xff;
     }));
     all.extend(found("not-watertight", plain.output_files(), |files| {
-        let (_, bytes) = files.iter_mut().find(|(name, _)| name == "star-1-mask.stl").expect("a file");
+        let (_, bytes) = files.files.iter_mut().find(|(name, _)| name == "star-1-mask.stl").expect("a file");
         bytes.to_mut()[96] ^= 0x40;
     }));
     all
@@ -184,9 +190,9 @@ pub(crate) fn messages() -> Vec<Message> {
 fn found(
     code: &str,
     mut files: OutputFiles<'_>,
-    change: impl FnOnce(&mut Vec<(Cow<'_, str>, Cow<'_, [u8]>)>),
+    change: impl FnOnce(&mut OutputFiles<'_>),
 ) -> Option<Message> {
-    change(&mut files.files);
+    change(&mut files);
     let of_code =
         |findings: Vec<stargrip_cam::verify::Finding>| findings.into_iter().find(|one| one.code == code);
     let finding = of_code(read_back(&files).findings).or_else(|| of_code(prove_files(&files).findings))?;

@@ -87,8 +87,8 @@ fn touch(kilopascals: f64) -> Touch {
 
 /// The balance of forces, and the offset.
 pub(crate) fn tables() -> [String; 2] {
-    let cone = Cone::new(HALF_ANGLE, 0.1).expect("valid");
-    let (derived, published) = (cone.ratio(Balance::Derived), cone.ratio(Balance::Published));
+    let ratio = |balance| Cone::new(HALF_ANGLE, 0.1, balance).expect("valid").ratio();
+    let (derived, published) = (ratio(Balance::Derived), ratio(Balance::Published));
     let balance = format!(
         "| balance | F_s / P, gamma = 30 deg, mu = 0.1 |\n|---|---|\n| derived | {derived:.4} |\n| published | {published:.4} |\n\n"
     );

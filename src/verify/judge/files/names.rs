@@ -14,13 +14,13 @@ type Entries<'a> = BTreeMap<&'a str, &'a ManifestFile>;
 
 /// The manifest of a directory.
 pub(in crate::verify) fn read(files: &OutputFiles<'_>) -> Result<Manifest, Finding> {
-    let read = files.get(MANIFEST).map(serde_json::from_slice::<Manifest>);
-    let found = match read {
-        Some(Ok(manifest)) => return Ok(manifest),
-        Some(Err(error)) => error.to_string(),
-        None => "no such file".to_owned(),
+    let right = "the manifest of the build";
+    let Some(bytes) = files.get(MANIFEST) else {
+        let found = files.lacks(MANIFEST, right).found;
+        return Err(Finding::new(FindingCode::Manifest, found, right).in_file(MANIFEST));
     };
-    Err(Finding::new(FindingCode::Manifest, found, "the manifest of the build").in_file(MANIFEST))
+    serde_json::from_slice(bytes)
+        .map_err(|error| Finding::new(FindingCode::Manifest, error.to_string(), right).in_file(MANIFEST))
 }
 
 /// Names every file that is missing, superfluous or misnamed. The entries of those that are not; none without a manifest.
@@ -33,22 +33,19 @@ pub(in crate::verify) fn check<'a>(
     let order: Vec<String> = wanted.iter().map(Output::name).collect();
     let wanted: BTreeMap<String, &Output> = wanted.iter().map(|output| (output.name(), output)).collect();
     let entries = manifest.map_or_else(Entries::new, |manifest| named(manifest, &wanted, findings));
-    let mut blame = |file: &str, code: FindingCode, found: &str, allowed: String| {
-        findings.push(Finding::new(code, found, allowed).in_file(file));
-    };
     for (name, output) in &wanted {
         if manifest.is_some() && !entries.contains_key(name.as_str()) {
-            blame(name, FindingCode::Manifest, "not named in the manifest", format!("a {}", output.kind));
+            let (found, allowed) = ("not named in the manifest", format!("a {}", output.kind));
+            findings.push(Finding::new(FindingCode::Manifest, found, allowed).in_file(name));
         }
         if files.get(name).is_none() {
-            blame(name, FindingCode::MissingFile, "no such file", format!("a {}", output.kind));
+            findings.push(files.lacks(name, &format!("a {}", output.kind)));
         }
     }
-    for (name, _) in files.files.iter().filter(|(name, _)| *name != MANIFEST) {
-        if !wanted.contains_key(name.as_ref()) {
-            let found = "a file that the design does not have";
-            blame(name, FindingCode::UnnamedFile, found, "only files of the design".to_owned());
-        }
+    for name in files.names().filter(|name| *name != MANIFEST && !wanted.contains_key(*name)) {
+        let found = "a file that the design does not have";
+        let finding = Finding::new(FindingCode::UnnamedFile, found, "only files of the design");
+        findings.push(finding.in_file(name));
     }
     let listed = manifest.map_or(&[][..], |manifest| &manifest.files).iter().map(|entry| &entry.path);
     if manifest.is_some() && findings.is_empty() && !listed.eq(&order) {
