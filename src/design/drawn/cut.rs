@@ -1,6 +1,6 @@
 //! The cut of a drawn piece, and the paper that goes between its sheets.
 
-use crate::design::cut::{tool_around, tool_inside};
+use crate::design::cut::{leaves_no_hole, tool_around, tool_inside};
 use crate::design::{Circle, Refusal, RefusalCode};
 use crate::shape::{AirSide, SealedShape, Separator};
 use crate::spec::{SMALLEST_HOLE, Spec, key};
@@ -44,7 +44,7 @@ impl DrawnCut {
 
     /// The lines of a tool whose cut is `kerf` wide, for a piece with these registration holes.
     pub(super) fn for_tool(&self, kerf: f64, holes: &[Circle]) -> Result<Self, Refusal> {
-        if let Some(hole) = holes.iter().find(|hole| kerf > 0.0 && hole.diameter - kerf < SMALLEST_HOLE) {
+        if let Some(hole) = holes.iter().find(|hole| leaves_no_hole(kerf, hole.diameter)) {
             return Err(Refusal::new(
                 key::cut::KERF,
                 RefusalCode::WideKerf,
