@@ -1,13 +1,45 @@
 //! What a refusal advises works: the design with that value, or drawn as it says, is not refused for the same reason.
 
+use std::fmt::Write;
+
 use stargrip_cam::design::{Design, Refusal, Refusals};
+use stargrip_cam::spec::{self, Source};
 
 use crate::support;
+
+/// The design of a drawing with these groups, on a page whose lower left is X -50 and Y -50 of the drawing.
+fn drawn(groups: &[(&str, &str)], rest: &str) -> Result<Design, Refusals> {
+    let mut svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300mm\" height=\"300mm\" \
+                   viewBox=\"-50 -50 300 300\">"
+        .to_owned();
+    let mut layers = Vec::new();
+    for (role, curves) in groups.iter().filter(|(_, curves)| !curves.is_empty()) {
+        let _ = write!(svg, "<g id=\"{role}\">{curves}</g>");
+        layers.push(format!("{role} = [\"{role}\"]"));
+    }
+    svg += "</svg>";
+    let text = format!(
+        "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = {{ {} }}\n{rest}",
+        layers.join(", ")
+    );
+    let reading = spec::read(&Source::new("x", &text)).unwrap_or_else(|faults| panic!("{faults}"));
+    Design::new(&reading.with_drawing(svg.as_bytes()).spec, &support::machine())
+}
+
+fn port(y: f64) -> String {
+    format!("<line id=\"p\" x1=\"-4\" y1=\"{y}\" x2=\"4\" y2=\"{y}\"/>")
+}
 
 /// The one refusal.
 fn only(refusals: &Refusals) -> Refusal {
     let [refusal] = refusals.iter().as_slice() else { panic!("{refusals}") };
     refusal.clone()
+}
+
+/// The number before `unit`, after `words`.
+fn number(text: &str, words: &str) -> f64 {
+    let (_, rest) = text.split_once(words).unwrap_or_else(|| panic!("{words}: {text}"));
+    rest.split_whitespace().next().and_then(|word| word.parse().ok()).unwrap_or_else(|| panic!("{text}"))
 }
 
 fn star(text: &str) -> Result<Design, Refusals> {
@@ -26,5 +58,30 @@ fn the_kerf_that_is_named_leaves_a_hole() {
         let refusal = only(&with(hole).expect_err("no hole"));
         let most = refusal.remedy.strip_prefix("kerf must be at most ").expect("a kerf");
         assert!(with(most).is_ok(), "{hole}: {refusal}");
+    }
+}
+
+const CURVED: &str = "<path id=\"s1\" d=\"M0 70.62 C 31.6 0 47.42 92.29 57.89 47.62\"/>";
+
+/// A curved weld of many arcs: its strips fell apart at some widths.
+#[test]
+fn paper_is_made_around_a_curved_weld_with_any_creep() {
+    let air = "<rect id=\"a\" x=\"0\" y=\"0\" width=\"94.84\" height=\"92.29\"/>";
+    let ports = format!("{}{}", port(14.93), port(65.31).replace("\"p\"", "\"q\""));
+    let groups = [("air", air), ("seam", CURVED), ("port", ports.as_str())];
+    let with = |creep: f64| {
+        drawn(
+            &groups,
+            &format!("[seal]\nband = \"1 mm\"\n[mask]\nkind = \"separator\"\ncreep = \"{creep} mm\"\n"),
+        )
+    };
+    for creep in (0_u32..=31).map(|i| 0.05 * f64::from(i)).chain([0.29, 0.305, 0.31]) {
+        assert!(with(creep).is_ok(), "{creep}");
+    }
+    // The passage between the weld and the lower port closes.
+    for creep in [1.58, 1.6, 2.0, 2.5] {
+        let refusal = only(&with(creep).expect_err("a passage is closed"));
+        let most = number(&refusal.remedy, "at most ");
+        assert!((1.55..1.58).contains(&most) && with(most).is_ok(), "{creep}: {refusal}");
     }
 }
