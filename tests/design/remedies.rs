@@ -2,10 +2,13 @@
 
 use std::fmt::Write;
 
-use stargrip_cam::design::{Design, Refusal, Refusals};
+use stargrip_cam::design::{Design, Refusal, RefusalCode, Refusals};
 use stargrip_cam::spec::{self, Source};
 
 use crate::support;
+
+const FOUR: &str = "schema = 1\nname = \"x\"\n[star]\npoints = 4\ninner_radius = \"40 mm\"\ntube_width = \"20 mm\"\n\
+                    tip_angle = \"30 deg\"\n[inlet]\nlength = \"70 mm\"\n";
 
 /// The design of a drawing with these groups, on a page whose lower left is X -50 and Y -50 of the drawing.
 fn drawn(groups: &[(&str, &str)], rest: &str) -> Result<Design, Refusals> {
@@ -44,6 +47,17 @@ fn number(text: &str, words: &str) -> f64 {
 
 fn star(text: &str) -> Result<Design, Refusals> {
     Design::new(&support::read(text), &support::machine())
+}
+
+#[test]
+fn the_bed_that_is_named_has_room_for_all_pieces() {
+    for bed in ["50 mm x 50 mm", "128.8 mm x 128.8 mm", "200 mm x 60 mm", "20 mm x 300 mm"] {
+        let with = |bed: &str| star(&format!("{FOUR}[mask]\nbed = \"{bed}\"\n"));
+        let refusal = only(&with(bed).expect_err("too small"));
+        assert_eq!(refusal.code, RefusalCode::SmallBed);
+        let enough = refusal.remedy.split('"').nth(1).expect("a bed");
+        assert!(with(enough).is_ok(), "{bed}: {refusal}");
+    }
 }
 
 #[test]
