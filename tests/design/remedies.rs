@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use stargrip_cam::design::{Design, Refusal, RefusalCode, Refusals};
+use stargrip_cam::pipeline::Designed;
 use stargrip_cam::spec::{self, Source};
 
 use crate::support;
@@ -73,6 +74,21 @@ fn the_kerf_that_is_named_leaves_a_hole() {
         let most = refusal.remedy.strip_prefix("kerf must be at most ").expect("a kerf");
         assert!(with(most).is_ok(), "{hole}: {refusal}");
     }
+}
+
+#[test]
+fn the_speed_that_is_named_is_fast_enough() {
+    let text = support::PAPER.replace("50 mm", "2500 mm").replace("30 mm", "800 mm");
+    let with = |rest: &str| {
+        let spec = support::read(&format!("{text}{rest}"));
+        Designed::new(spec, support::machine()).and_then(Designed::plan).map(|_| ())
+    };
+    let refusal = only(&with("").expect_err("too long"));
+    assert_eq!(refusal.code, RefusalCode::JobTooLarge);
+    let speed = number(&refusal.remedy, "a speed of at least ");
+    let seal = |speed: f64| with(&format!("[seal]\nspeed = \"{speed} mm/s\"\n"));
+    assert_eq!(seal(speed), Ok(()), "{refusal}");
+    assert!(seal(0.99 * speed).is_err(), "{refusal}");
 }
 
 const CURVED: &str = "<path id=\"s1\" d=\"M0 70.62 C 31.6 0 47.42 92.29 57.89 47.62\"/>";
