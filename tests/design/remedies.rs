@@ -34,6 +34,8 @@ fn port(y: f64) -> String {
     format!("<line id=\"p\" x1=\"-4\" y1=\"{y}\" x2=\"4\" y2=\"{y}\"/>")
 }
 
+const SQUARE: &str = "<path id=\"a\" d=\"M0 0h100v100h-100z\"/>";
+
 /// The one refusal.
 fn only(refusals: &Refusals) -> Refusal {
     let [refusal] = refusals.iter().as_slice() else { panic!("{refusals}") };
@@ -113,5 +115,66 @@ fn paper_is_made_around_a_curved_weld_with_any_creep() {
         let refusal = only(&with(creep).expect_err("a passage is closed"));
         let most = number(&refusal.remedy, "at most ");
         assert!((1.55..1.58).contains(&most) && with(most).is_ok(), "{creep}: {refusal}");
+    }
+}
+
+/// The edge at the port is an arc, and has more room than the hose needs.
+#[test]
+fn a_port_on_a_bend_is_told_how_far_the_edge_falls_back() {
+    let air = "<rect id=\"a\" x=\"0\" y=\"0\" width=\"100\" height=\"100\" rx=\"10\"/>";
+    let with = |y: f64| drawn(&[("air", air), ("port", &port(y))], "");
+    let refusal = only(&with(3.19).expect_err("beside the corner"));
+    assert_eq!(refusal.code, RefusalCode::PortTooWide);
+    let (found, allowed) = (number(&refusal.found, "falls back by "), number(&refusal.remedy, "at most "));
+    assert!(found > allowed, "{refusal}");
+    // The place is on the arc: 10 - sqrt(10^2 - 6.81^2) from the edge's line.
+    let at = refusal.drawn.as_ref().and_then(|place| place.at).expect("a place");
+    assert!((at[0] - 52.677).abs() < 1e-3 && (at[1] - 246.81).abs() < 1e-3, "{at:?}");
+    assert!(with(3.3).is_ok());
+}
+
+#[test]
+fn a_port_at_the_end_of_a_weld_is_told_its_distance() {
+    // The end lies on the air's edge, or on the middle of the band around it.
+    for (end, most) in [(0, 4.0), (-1, 3.0)] {
+        let seam = format!("<path id=\"s\" d=\"M{end} 50H60\"/>");
+        let with = |far: f64| drawn(&[("air", SQUARE), ("seam", &seam), ("port", &port(50.0 + far))], "");
+        for far in [0.5, 2.0, most] {
+            let refusal = only(&with(far).expect_err("too near"));
+            assert_eq!(refusal.code, RefusalCode::BandsOverlap, "{refusal}");
+            let found = format!("port 'p' lies {far:.3} mm from the end of 's'");
+            assert!(refusal.found.starts_with(&found), "{refusal}");
+            assert!(with(number(&refusal.remedy, "at least ")).is_ok(), "{refusal}");
+        }
+    }
+}
+
+#[test]
+fn a_cut_at_a_port_is_told_its_distance_from_the_edge() {
+    let with = |out: f64| {
+        let cut =
+            format!("<rect id=\"c\" x=\"{}\" y=\"-12\" width=\"{}\" height=\"124\"/>", -out, 122.0 + out);
+        drawn(&[("air", SQUARE), ("port", &port(50.0)), ("cut", &cut)], "")
+    };
+    let refusal = only(&with(4.0).expect_err("too near"));
+    assert_eq!(refusal.code, RefusalCode::CutInBand);
+    let least = number(&refusal.remedy, "at port 'p' it must lie at least ");
+    assert!((least - 4.182).abs() < 1e-9, "{refusal}");
+    assert!(with(least).is_ok() && with(least - 0.01).is_err());
+}
+
+#[test]
+fn a_hole_keeps_a_band_from_its_island() {
+    let air =
+        "<circle id=\"a\" cx=\"50\" cy=\"50\" r=\"50\"/><circle id=\"i\" cx=\"50\" cy=\"50\" r=\"30\"/>";
+    let with = |radius: f64| {
+        let hole = format!("<circle id=\"h\" cx=\"50\" cy=\"50\" r=\"{radius}\"/>");
+        drawn(&[("air", air), ("port", &port(50.0)), ("hole", &hole)], "")
+    };
+    for (radius, found) in [(30.0, "'h' lies on the edge of the air"), (40.0, "'h' lies in the air")] {
+        let refusal = only(&with(radius).expect_err("no band around it"));
+        assert!(refusal.found.starts_with(found), "{refusal}");
+        let band = number(&refusal.remedy, "whose edge keeps ");
+        assert!(with(30.0 - band).is_ok() && with(30.01 - band).is_err(), "{refusal}");
     }
 }
