@@ -48,7 +48,7 @@ codes! {
         OutOfReach "out-of-reach" "The machine does not reach all of a part or a coupon; make it smaller, or take a larger machine.",
         OutsideModels "outside-models" "No model covers the star at the pressure of `load`; see the pressures shown, or use `--anyway`.",
         PortOffEdge "port-off-edge" "A port of a drawing lies on no edge; move it onto one.",
-        PortTooWide "port-too-wide" "An edge of a drawing is too short for the hose at its port; take a thinner hose, or draw more room.",
+        PortTooWide "port-too-wide" "An edge of a drawing is too short, or bends too much, for the hose at its port; take a thinner hose, or draw more room.",
         PostMeetsHose "post-meets-hose" "A post of the frame would obstruct a hose; use fewer posts or line up the inlets.",
         ProfileLimit "profile-limit" "A line of the profile's `start` contradicts the seal's speed or the job's time; change that line.",
         SeamCrossesItself "seam-crosses-itself" "A leak: a seam crosses itself; narrow the band or lengthen the arms.",

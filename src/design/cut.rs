@@ -30,8 +30,7 @@ impl CutLines {
     /// # Errors
     /// If the cut is wider than something that it is to cut out.
     pub fn new(kerf: f64, star: &Star, outline: &Outline, mask: &MaskPlate) -> Result<Self, Refusal> {
-        let is_lost = |diameter: f64| kerf > 0.0 && diameter - kerf < SMALLEST_HOLE;
-        if let Some(hole) = outline.registration.iter().find(|hole| is_lost(hole.diameter)) {
+        if let Some(hole) = outline.registration.iter().find(|hole| leaves_no_hole(kerf, hole.diameter)) {
             let (found, diameter) = (Readable(kerf), Readable(hole.diameter));
             return Err(refusal(
                 format!("a cut of {found} mm leaves nothing of a registration hole of {diameter} mm"),
@@ -57,6 +56,14 @@ impl CutLines {
             windows,
         })
     }
+}
+
+/// Rounding of a difference of two lengths of a spec, mm.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether a cut `kerf` wide leaves less than the smallest hole of one of `diameter`.
+pub(super) fn leaves_no_hole(kerf: f64, diameter: f64) -> bool {
+    kerf > 0.0 && diameter - kerf < SMALLEST_HOLE - ROUNDING
 }
 
 /// The line of a tool with this kerf that cuts `path` out of a part.

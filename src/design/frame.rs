@@ -6,6 +6,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::design::cut::leaves_no_hole;
 use crate::design::{Refusal, RefusalCode, Refusals, Stack, Star, StarDesign, round_tube};
 use crate::spec::{SMALLEST_HOLE, Spec, key};
 use crate::units::{Most, Readable};
@@ -48,7 +49,7 @@ impl Frame {
         let frame = &spec.frame;
         let (post, clearance) = (frame.post_diameter.0, frame.clearance.0);
         let mut refusals = Refusals::new();
-        if post - frame.kerf.0 < SMALLEST_HOLE && frame.kerf.0 > 0.0 {
+        if leaves_no_hole(frame.kerf.0, post) {
             refusals.push(Refusal::new(
                 key::frame::KERF,
                 RefusalCode::WideKerf,

@@ -9,7 +9,7 @@ use crate::design::engraving::Spot;
 use crate::design::joint::{JointCut, RADII, WALL};
 use crate::design::{MaskPlate, Outline, Refusal, RefusalCode, Star};
 use crate::spec::{Bed, key};
-use crate::units::Readable;
+use crate::units::{Length, Readable};
 use inflatable::geom::{Bounds, Isometry, Path, Point, Vec2};
 
 /// The pieces in which the mask of one star is printed.
@@ -60,37 +60,43 @@ impl Pieces {
         if lie.spare >= 0.0 {
             return Ok(whole(lie));
         }
-        // Knobs take room, too: with smaller ones the middle may fit.
-        let mut refusal = None;
-        for most in RADII {
-            let cuts: Vec<JointCut> =
-                (1..=star.n).filter_map(|tip| JointCut::new(star, outline, mask, tip, most)).collect();
-            match Self::cut_up(&cuts, mask, bed) {
-                Ok(pieces) => return Ok(pieces),
-                Err(found) => refusal = Some(found),
-            }
-        }
-        refusal.map_or_else(|| Ok(whole(lie)), Err)
+        let tips = |most| (1..=star.n).filter_map(move |tip| JointCut::new(star, outline, mask, tip, most));
+        let cuts: Vec<Vec<JointCut>> = RADII.into_iter().map(|most| tips(most).collect()).collect();
+        Self::fitted(&cuts, mask, bed).map_err(|large| large.refusal(bed_for_all(&cuts, mask, bed)))
     }
 
-    fn cut_up(cuts: &[JointCut], mask: &MaskPlate, bed: Bed) -> Result<Self, Refusal> {
+    /// The pieces with the largest knobs with which all fit on `bed`, of the cuts with each largest radius.
+    fn fitted(cuts: &[Vec<JointCut>], mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
+        // Knobs take room, too: with smaller ones the middle may fit.
+        let mut large = TooLarge { what: "the plate", size: lie(&[&mask.plate], bed).size };
+        for cuts in cuts {
+            match Self::cut_up(cuts, mask, bed) {
+                Ok(pieces) => return Ok(pieces),
+                Err(found) => large = found,
+            }
+        }
+        Err(large)
+    }
+
+    fn cut_up(cuts: &[JointCut], mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
         let mut core = mask.plate.clone();
         let mut tips = Vec::new();
+        let too_large = |what, edge: &Path| TooLarge { what, size: lie(&[edge], bed).size };
         for cut in cuts {
             let Some((tip, rest)) = cut.split(&core) else {
-                return Err(too_small("a tip", &lie(&[&core], bed)));
+                return Err(too_large("a tip", &core));
             };
             core = rest;
             tips.push(tip);
         }
-        let (turn, kept) = most_kept(&core, &tips, bed)
-            .ok_or_else(|| too_small("the middle with all windows", &lie(&[&core], bed)))?;
+        let (turn, kept) =
+            most_kept(&core, &tips, bed).ok_or_else(|| too_large("the middle with all windows", &core))?;
         let mut pieces = Self { list: Vec::new(), joints: Vec::new() };
         let mut middle = mask.plate.clone();
         for ((cut, edge), _) in cuts.iter().zip(tips).zip(&kept).filter(|(_, kept)| !**kept) {
             let lie = lie(&[&edge], bed);
             if lie.spare < 0.0 {
-                return Err(too_small("a tip", &lie));
+                return Err(TooLarge { what: "a tip", size: lie.size });
             }
             if let Some((_, rest)) = cut.split(&middle) {
                 middle = rest;
@@ -195,17 +201,52 @@ fn most_kept(core: &Path, tips: &[Path], bed: Bed) -> Option<(f64, Vec<bool>)> {
     best.map(|(_, _, turn, kept)| (turn, kept))
 }
 
-fn too_small(what: &str, lie: &Lie) -> Refusal {
-    let up = |x: f64| Readable((x * 10.0).ceil() / 10.0);
-    let [w, h] = lie.size;
-    Refusal::new(
-        key::mask::BED,
-        RefusalCode::SmallBed,
-        format!("{what} of a mask takes {} x {} mm, in any orientation", up(w), up(h)),
-        format!(
-            "bed must be at least \"{} mm x {} mm\"; without bed the mask is written whole, to be cut from its drawings",
-            up(w),
-            up(h)
-        ),
-    )
+/// A piece that is larger than the bed.
+struct TooLarge {
+    what: &'static str,
+    /// Its extent where it is least too large, mm.
+    size: [f64; 2],
+}
+
+impl TooLarge {
+    /// The refusal of the bed, on which `enough` would have room for all pieces.
+    fn refusal(&self, enough: Bed) -> Refusal {
+        let [w, h] = self.size.map(|side| Readable(tenths_up(side)));
+        Refusal::new(
+            key::mask::BED,
+            RefusalCode::SmallBed,
+            format!("{} of a mask takes {w} x {h} mm, in any orientation", self.what),
+            format!(
+                "bed must be at least \"{} mm x {} mm\" for all pieces; without bed the mask is written whole, \
+                 to be cut from its drawings",
+                Readable(enough.width.0),
+                Readable(enough.depth.0)
+            ),
+        )
+    }
+}
+
+/// A bed on which all pieces fit: `bed`, grown by each piece that is too large for it until none is, or the whole plate fits.
+fn bed_for_all(cuts: &[Vec<JointCut>], mask: &MaskPlate, bed: Bed) -> Bed {
+    let mut bed = bed;
+    loop {
+        let whole = lie(&[&mask.plate], bed);
+        if whole.spare >= 0.0 {
+            return bed;
+        }
+        let Err(TooLarge { size, .. }) = Pieces::fitted(cuts, mask, bed) else { return bed };
+        let larger = grown(bed, size);
+        // A plate that no joint cuts must fit as a whole, whatever rounding takes.
+        bed = if larger == bed { grown(bed, whole.size.map(|side| side + 0.1)) } else { larger };
+    }
+}
+
+/// `bed`, where its sides are shorter as long as `size`, in tenths of a millimetre.
+fn grown(bed: Bed, size: [f64; 2]) -> Bed {
+    let [width, depth] = size.map(tenths_up);
+    Bed { width: Length(bed.width.0.max(width)), depth: Length(bed.depth.0.max(depth)) }
+}
+
+fn tenths_up(mm: f64) -> f64 {
+    (mm * 10.0).ceil() / 10.0
 }

@@ -10,6 +10,7 @@ use crate::plan::seal::batches;
 use crate::plan::{Pace, Program};
 use crate::shape::{PlacedPiece, laid_seams};
 use crate::spec::{Machine, Spec, key};
+use crate::units::Readable;
 use inflatable::geom::Segment;
 
 /// Most moves in contact of all programs together: 40 times those of three large stars, chopped.
@@ -66,18 +67,34 @@ fn contacts(machine: &Machine, pieces: &[PlacedPiece<'_>]) -> Vec<(Segment, f64)
 
 /// The reason for which one of `programs` takes longer than a program may.
 pub(super) fn too_long(spec: &Spec, programs: &[Program]) -> Option<Refusal> {
-    let time = programs.iter().map(|program| program.time).fold(0.0, f64::max);
-    if time < LONGEST_TIME {
+    let longest = programs.iter().max_by(|a, b| a.time.total_cmp(&b.time))?;
+    if longest.time < LONGEST_TIME {
         return None;
     }
-    let found = format!("a program takes {:.0} h", time / 3600.0);
+    let found = format!("a program takes {:.0} h", longest.time / 3600.0);
     let piece = if spec.has_stars() { "star" } else { "piece" };
+    let speeds: Option<Vec<f64>> =
+        programs.iter().map(|program| fast_enough(spec.seal.speed.0, program)).collect();
+    let faster = speeds.map_or_else(String::new, |speeds| {
+        let speed = Readable(speeds.into_iter().fold(0.0, f64::max));
+        format!(", or a speed of at least {speed} mm/s if a coupon holds it")
+    });
     let remedy = format!(
-        "it must take less than {:.0} h: one program a {piece}, a smaller {piece}, or a speed above {} mm/s if a coupon holds it",
+        "it must take less than {:.0} h: one program a {piece}, a smaller {piece}{faster}",
         LONGEST_TIME / 3600.0,
-        spec.seal.speed.0
     );
     Some(Refusal::new(key::seal::SPEED, RefusalCode::JobTooLarge, found, remedy))
+}
+
+/// The speed, to three digits, at which a program that was planned at `speed` is short enough; `None` if its travels alone take too
+/// long.
+fn fast_enough(speed: f64, program: &Program) -> Option<f64> {
+    let contact: f64 = program.seams.iter().map(|seam| seam.time).sum();
+    let left = LONGEST_TIME - (program.time - contact);
+    // What does not depend on the speed, such as the start of each stroke, is within the last digit.
+    let least = 1.001 * speed * contact / left;
+    let digit = libm::pow(10.0, libm::log10(least).floor() - 2.0);
+    (left > 0.0).then(|| digit * (least / digit).ceil())
 }
 
 #[cfg(test)]

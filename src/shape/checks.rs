@@ -2,18 +2,18 @@
 
 use std::collections::BTreeMap;
 
-use crate::shape::around::{Layout, Line};
+use crate::shape::around::{Layout, Line, LineUse};
 use crate::shape::bottleneck::{Bottleneck, GapCurve, bottlenecks};
 use crate::shape::fault::{ShapeCode, ShapeFault, quoted};
 use crate::shape::notes::SealingNotes;
-use crate::shape::sketch::Rules;
+use crate::shape::sketch::{Rules, Sketch, thousandths_up};
 use inflatable::geom::{BoxIndex, Enclosures, Path, Point, Segment, intersections};
 
 /// Lengths that differ by less are alike, mm.
 const ALIKE: f64 = 1e-6;
 
 /// Faults where bands overlap or a tube is too narrow, and warnings of narrow passages.
-pub(super) fn checked(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
+pub(super) fn checked(lines: &Layout, sketch: &Sketch, rules: &Rules, notes: &mut SealingNotes) {
     crossing_bands(&lines.lines, rules.band, notes);
     let curves: Vec<GapCurve<'_>> =
         lines.lines.iter().map(|line| GapCurve { path: &line.path, joined: line.joined }).collect();
@@ -27,6 +27,9 @@ pub(super) fn checked(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
         }
         let mut names: Vec<String> = neck.curves.iter().flat_map(|i| lines.lines[*i].names.clone()).collect();
         names.dedup();
+        if tube < 2.0 * rules.band - ALIKE && port_at_foot(lines, sketch, &neck, rules, notes) {
+            continue;
+        }
         let what = |found: String| format!("{found} between the bands of {}", quoted(&names));
         let (code, text, numbers) = if tube < -ALIKE {
             (
@@ -63,6 +66,49 @@ pub(super) fn checked(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
         let list = if code == ShapeCode::NarrowPassage { &mut notes.warnings } else { &mut notes.faults };
         list.push(fault);
     }
+}
+
+/// Notes the port whose channel takes the place where a weld or a wall meets the edge, if that is why `neck` is too narrow.
+fn port_at_foot(
+    lines: &Layout,
+    sketch: &Sketch,
+    neck: &Bottleneck,
+    rules: &Rules,
+    notes: &mut SealingNotes,
+) -> bool {
+    let [one, other] = neck.curves.map(|i| &lines.lines[i]);
+    let is_inner = |line: &Line| matches!(line.kind, LineUse::Weld | LineUse::Wall);
+    let inner = match [is_inner(one), is_inner(other)] {
+        [true, false] => one,
+        [false, true] => other,
+        _ => return false,
+    };
+    for mouth in lines.mouths.iter().filter(|mouth| mouth.is_beside(neck.middle(), 2.0 * rules.band)) {
+        let least = mouth.half + rules.band / 2.0;
+        let feet = [inner.path.start(), inner.path.end()].into_iter().flatten();
+        let from_axis = |foot: Point| (foot - mouth.at).dot(mouth.out.perp()).abs();
+        let beside = feet.filter(|foot| mouth.is_beside(*foot, rules.band));
+        let Some((foot, far)) = beside.map(|foot| (foot, from_axis(foot))).find(|(_, far)| *far < least)
+        else {
+            continue;
+        };
+        let port = sketch.ports.get(mouth.port).map(|port| port.name.clone());
+        let (port, names) = (port.unwrap_or_default(), inner.names.clone());
+        let what = format!(
+            "port {} lies {far:.3} mm from the end of {}, whose band meets the hose's channel",
+            quoted(std::slice::from_ref(&port)),
+            quoted(&names)
+        );
+        let remedy =
+            format!("put the port at least {:.3} mm from there along the edge", thousandths_up(least));
+        let names = [vec![port], names].concat();
+        // The end may be near both sides of the channel.
+        if notes.faults.iter().all(|fault| fault.names != names || fault.place != foot) {
+            notes.fault(ShapeCode::BandsOverlap, &names, foot, (what, remedy), [far, least]);
+        }
+        return true;
+    }
+    false
 }
 
 /// Whether a narrow place is the channel of a port, whose width is that of its hose.

@@ -146,7 +146,7 @@ pub(super) fn lost_ports(sketch: &Sketch, rules: &Rules, taken: &[usize], notes:
     for (number, port) in sketch.ports.iter().enumerate() {
         let known = notes.faults.iter().any(|fault| {
             [ShapeCode::LostPort, ShapeCode::PortTooWide].contains(&fault.code)
-                && fault.place == port.place.middle()
+                && fault.names == [port.name.as_str()]
         });
         if !taken.contains(&number) && !known {
             no_channel(&NoChannel::Far(f64::INFINITY), &port.name, port.place.middle(), rules, notes);

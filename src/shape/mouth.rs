@@ -15,6 +15,8 @@ pub(super) struct Mouth {
     pub out: Vec2,
     /// Half the width between the air's edges, mm.
     pub half: f64,
+    /// Distance of the mouth from the drawn edge, mm.
+    pub length: f64,
     /// Distance of the closed edge past the mouth, mm.
     pub beyond: f64,
     /// Largest distance of the channel's start behind the mouth, mm.
@@ -68,7 +70,8 @@ pub(super) fn cap(port: usize, ends: [Point; 2], leading: [Vec2; 2], beyond: f64
         out = -out;
     }
     let at = ends[0].midpoint(ends[1]);
-    let mouth = Mouth { port, at, out, half: ends[0].distance(ends[1]) / 2.0, beyond, depth: 1.0 };
+    let half = ends[0].distance(ends[1]) / 2.0;
+    let mouth = Mouth { port, at, out, half, length: 0.0, beyond, depth: 1.0 };
     let far = ends.map(|end| end + out * beyond);
     let corners = [ends[0], far[0], far[1], ends[1]];
     (Path::open(corners.windows(2).map(|pair| Line::new(pair[0], pair[1]).into()).collect()), mouth)
@@ -79,7 +82,9 @@ pub(super) enum NoChannel {
     /// The edge is this far away, mm.
     Far(f64),
     /// The edge is at most this wide there, mm.
-    Narrow(f64),
+    Narrow { width: f64, at: Point },
+    /// Across the channel the edge falls back by this much, mm, and may by at most `most`.
+    Deep { depth: f64, most: f64, at: Point },
     /// The channel of another port is too near.
     Beside,
     /// Its line runs along the edge.
@@ -126,24 +131,24 @@ pub(super) fn channel(
     let (s, middle, out) = foot(path, place, width)?;
     let (across, half, total) = (out.perp(), width / 2.0, path.length());
     let side = |s: f64| (path.point_at(s.rem_euclid(total)).unwrap_or(middle) - middle).dot(across);
+    let narrow = || NoChannel::Narrow { width: extent(path, s, side), at: middle };
     // Travelling with the air on the left, the way out is on the right: the edge goes on to the left of it.
-    let ahead = first_across(path, s, middle, across, half)
-        .ok_or_else(|| NoChannel::Narrow(extent(path, s, side)))?;
-    let back = first_across(&path.reversed(), total - s, middle, -across, half)
-        .ok_or_else(|| NoChannel::Narrow(extent(path, s, side)))?;
+    let ahead = first_across(path, s, middle, across, half).ok_or_else(narrow)?;
+    let back = first_across(&path.reversed(), total - s, middle, -across, half).ok_or_else(narrow)?;
     let length = length(middle, out);
     let far = |lateral: f64, along: f64| middle + across * lateral + out * along;
     let (from, to) = (ahead, total - back);
     let rest = path.part(from, if to > from { to } else { to + total });
-    let (Some(start), Some(end)) = (rest.start(), rest.end()) else { return Err(NoChannel::Narrow(0.0)) };
-    // Sides that begin deep inside have run past a narrower neck.
-    if [start, end].iter().any(|p| (*p - middle).dot(out).abs() > width) {
-        return Err(NoChannel::Narrow(extent(path, s, side)));
+    let (Some(start), Some(end)) = (rest.start(), rest.end()) else { return Err(narrow()) };
+    // Sides that begin deep inside have run past a narrower neck, or along a bend.
+    let depth = [start, end].map(|p| (p - middle).dot(out).abs()).into_iter().fold(0.0, f64::max);
+    if depth > width {
+        return Err(NoChannel::Deep { depth, most: width, at: middle });
     }
     let corners = [end, far(-half, length + beyond), far(half, length + beyond), start];
     let lines = corners.windows(2).map(|pair| Segment::Line(Line::new(pair[0], pair[1])));
     let opened = Path::closed(rest.segments.iter().copied().chain(lines).collect());
-    Ok((opened, Mouth { port, at: far(0.0, length), out, half, beyond, depth: length + width }))
+    Ok((opened, Mouth { port, at: far(0.0, length), out, half, length, beyond, depth: length + width }))
 }
 
 /// The place of the port on the path: the arc length, the point, and the way out.

@@ -7,7 +7,7 @@ use inflatable::geom::{Arc, BoxIndex, Line, Path, Point, Segment};
 /// Distance below which positions are one, and by how much a point of an offset may be nearer to its path than the distance, mm.
 /// The first is above the rounding of coordinates of metres. A file states lines and arcs that touch to its own decimals, so that
 /// with the first their offsets may miss each other or cross far away: then the next are taken.
-const SLACKS: [(f64, f64); 4] = [(1e-9, 1e-8), (1e-7, 1e-6), (1e-6, 1e-5), (1e-5, 1e-4)];
+pub(super) const SLACKS: [(f64, f64); 4] = [(1e-9, 1e-8), (1e-7, 1e-6), (1e-6, 1e-5), (1e-5, 1e-4)];
 /// A point of an offset is at its distance to this, mm.
 const SOUND: f64 = 2e-4;
 

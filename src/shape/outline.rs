@@ -8,7 +8,7 @@ use crate::shape::loose::{crossings, loose_ends};
 use crate::shape::mouth::Mouth;
 use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
-use crate::shape::sketch::{DrawnCurve, Rules, Sketch};
+use crate::shape::sketch::{DrawnCurve, Rules, Sketch, thousandths_up};
 use inflatable::geom::{BoxIndex, Enclosures, Line as Chord, Path, Point, Segment};
 
 /// The outline, and the closed paths that are cut inside it.
@@ -60,7 +60,7 @@ pub(super) fn outline(
     }
     // Several outlines along the bands lie in the bands of each other: that follows from their number.
     if outlines.len() < 2 || !sketch.cuts.is_empty() {
-        touching(&outlines, &inner, rules, lines, notes);
+        touching(&outlines, &inner, sketch, rules, lines, notes);
     }
     around_bands(&inner, holes, lines, notes);
     webs(&outlines, &inner, rules, notes);
@@ -106,6 +106,7 @@ fn offset_cut(edge: &Path, by: f64, mouths: &[Mouth], across: f64) -> Option<Pat
 fn touching(
     outlines: &[(Path, Vec<String>)],
     inner: &[(Path, Vec<String>)],
+    sketch: &Sketch,
     rules: &Rules,
     lines: &Layout,
     notes: &mut SealingNotes,
@@ -114,12 +115,8 @@ fn touching(
     let segments: Vec<Segment> =
         lines.lines.iter().flat_map(|Line { path, .. }| path.segments.clone()).collect();
     let index = BoxIndex::new(segments.iter().map(Segment::bounds));
-    let in_mouth = |p: Point| {
-        lines
-            .mouths
-            .iter()
-            .any(|mouth| (p - mouth.at).length() <= mouth.half + rules.band + 2.0 * rules.overrun + 1e-6)
-    };
+    let in_mouth =
+        |p: Point| lines.mouths.iter().any(|mouth| (p - mouth.at).length() <= reach(mouth, rules) + 1e-6);
     let outline = Enclosures::new(outlines.iter().map(|(path, _)| path));
     let air = Enclosures::new(&lines.closed);
     for (number, (path, names)) in outlines.iter().chain(inner).enumerate() {
@@ -141,8 +138,11 @@ fn touching(
             } else {
                 format!("{cut} comes within {far:.3} mm of the middle of a band")
             };
+            let beside = |mouth: &&Mouth| number < outlines.len() && is_past_edge(mouth, place, rules.band);
             let remedy = if names.is_empty() {
                 "draw one cut around all of it on a layer with the role `cut`".to_owned()
+            } else if let Some(mouth) = lines.mouths.iter().find(beside) {
+                across_channel(mouth, sketch, rules)
             } else {
                 format!("keep {half} mm from the middle of every band, half a band")
             };
@@ -160,12 +160,39 @@ fn touching(
             );
         }
         if number >= outlines.len() && air.around(place).len() % 2 == 1 {
-            let what = format!("{} lies in the air", quoted(names));
-            let remedy = "move it, or draw an island around it".to_owned();
+            let is_on_edge = lines.closed.iter().any(|edge| edge.distance(place) <= half + rules.join);
+            let place_of = if is_on_edge { "on the edge of the air" } else { "in the air" };
+            let what = format!("{} lies {place_of}", quoted(names));
+            let remedy = format!(
+                "move it, or draw an island around it whose edge keeps {} mm from it, the width of a band",
+                rules.band
+            );
             notes.fault(ShapeCode::CutInBand, names, place, (what, remedy), [f64::NAN; 2]);
         }
     }
     outside(outlines, lines, notes);
+}
+
+/// Distance from the middle of a mouth within which a cut may cross the bands beside the hose, mm.
+fn reach(mouth: &Mouth, rules: &Rules) -> f64 {
+    mouth.half + rules.band + 2.0 * rules.overrun
+}
+
+/// Whether `p` lies beside the channel of `mouth` outside the drawn edge, at most a band from it.
+fn is_past_edge(mouth: &Mouth, p: Point, band: f64) -> bool {
+    (p - mouth.at).dot(mouth.out) > -mouth.length && mouth.is_beside(p, band)
+}
+
+/// The remedy of an outline that crosses the bands beside the hose too near the edge.
+fn across_channel(mouth: &Mouth, sketch: &Sketch, rules: &Rules) -> String {
+    let across = mouth.half + rules.band / 2.0;
+    let least = mouth.length - (reach(mouth, rules).powi(2) - across.powi(2)).sqrt();
+    let port = sketch.ports.get(mouth.port).map(|port| port.name.clone());
+    format!(
+        "at port {} it must lie at least {:.3} mm outside the edge: only there may it cross the bands beside the hose",
+        quoted(&port.into_iter().collect::<Vec<_>>()),
+        thousandths_up(least.max(rules.band))
+    )
 }
 
 /// Faults of seams outside of the outline, except for those out of a mouth.

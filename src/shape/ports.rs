@@ -3,7 +3,7 @@
 use crate::shape::fault::{Repair, ShapeCode, quoted};
 use crate::shape::mouth::{Mouth, NoChannel};
 use crate::shape::notes::SealingNotes;
-use crate::shape::sketch::{DrawnPort, PortPlace, Rules};
+use crate::shape::sketch::{DrawnPort, PortPlace, Rules, thousandths_up};
 use inflatable::geom::{Path, Point};
 
 /// The ports, each that was drawn twice at one place once.
@@ -40,7 +40,11 @@ pub(super) fn reason(
 ) -> NoChannel {
     let aside = rules.port_width / 2.0 + 2.0 * rules.band;
     match why {
-        NoChannel::Narrow(_) if mouths.iter().any(|mouth| mouth.is_beside(place, aside)) => NoChannel::Beside,
+        NoChannel::Narrow { .. } | NoChannel::Deep { .. }
+            if mouths.iter().any(|mouth| mouth.is_beside(place, aside)) =>
+        {
+            NoChannel::Beside
+        }
         NoChannel::Far(_) => {
             let far = edges.iter().map(|edge| edge.distance(place)).fold(f64::INFINITY, f64::min);
             if far <= rules.farthest_port() { NoChannel::Beside } else { NoChannel::Far(far) }
@@ -87,13 +91,25 @@ pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rule
                 "draw a short line for each port, with one end in the air and one outside".to_owned();
             notes.fault(ShapeCode::LostPort, &names, place, (what, remedy), [f64::NAN; 2]);
         }
-        NoChannel::Narrow(width) => {
+        NoChannel::Narrow { width, at } => {
             let what = format!("the edge at port {} has room for {width:.3} mm only", quoted(&names));
             let remedy = format!(
                 "the hose needs {:.3} mm: make the edge longer, or take a thinner hose",
                 rules.port_width
             );
-            notes.fault(ShapeCode::PortTooWide, &names, place, (what, remedy), [*width, rules.port_width]);
+            notes.fault(ShapeCode::PortTooWide, &names, *at, (what, remedy), [*width, rules.port_width]);
+        }
+        NoChannel::Deep { depth, most, at } => {
+            let what = format!(
+                "across the hose at port {} the edge falls back by {:.3} mm",
+                quoted(&names),
+                thousandths_up(*depth)
+            );
+            let remedy = format!(
+                "it may by at most {most:.3} mm: put the port on a straighter or wider part of the edge, or take a \
+                 thinner hose"
+            );
+            notes.fault(ShapeCode::PortTooWide, &names, *at, (what, remedy), [*depth, *most]);
         }
     }
 }

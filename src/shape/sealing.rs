@@ -56,7 +56,7 @@ pub fn sealed_shape(sketch: &Sketch, rules: &Rules) -> Result<Sealing, Vec<Shape
     join_ends(&mut lines.lines, rules.band);
     let (cut, holes) = outline(sketch, rules, &lines, &mut notes);
     lines.lines = ordered(lines.lines);
-    checked(&lines, rules, &mut notes);
+    checked(&lines, sketch, rules, &mut notes);
     sharp_corners(&lines, rules, &mut notes);
     let is_inner = |line: &&Line| matches!(line.kind, LineUse::Weld | LineUse::Wall);
     let inner = lines.lines.iter().filter(is_inner).map(|line| line.path.clone()).collect();

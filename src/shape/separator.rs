@@ -3,10 +3,12 @@
 //! It covers the air, and runs as a tongue through each port to the edge of the cut. It spares islands and the bands of seams that lie in
 //! the air. Everything that it does not cover is welded.
 
-use cavalier_contours::polyline::{BooleanOp, BooleanResultInfo, PlineSource, PlineSourceMut, Polyline};
+use cavalier_contours::polyline::{
+    BooleanOp, BooleanResultInfo, PlineOffsetOptions, PlineSource, PlineSourceMut, Polyline,
+};
 
 use crate::shape::mouth::Mouth;
-use crate::shape::offset::merged;
+use crate::shape::offset::{SLACKS, merged};
 use crate::shape::{SealedShape, Seam, of_polyline, offset_right, polyline};
 use inflatable::geom::{Arc, Line, Path, Point, Segment, SegmentIndex, intersections};
 
@@ -212,12 +214,20 @@ fn combined(a: &Polyline<f64>, b: &Polyline<f64>, operation: BooleanOp) -> Optio
 
 /// The region within `half` mm of an open path; `None` where it bends too sharply for that.
 fn strip(path: &Path, half: f64) -> Option<Polyline<f64>> {
+    // The sides of a weld of many arcs may fall apart with one slack and be whole with another.
+    SLACKS.into_iter().rev().find_map(|slack| strip_with(path, half, slack))
+}
+
+/// The same with this slack of the offset.
+fn strip_with(path: &Path, half: f64, (same, slack): (f64, f64)) -> Option<Polyline<f64>> {
     let mut line = polyline(path);
     line.set_is_closed(false);
     let end = path.end()?;
     line.add(end.x, end.y, 0.0);
+    let options =
+        PlineOffsetOptions { pos_equal_eps: same, offset_dist_eps: slack, ..PlineOffsetOptions::new() };
     let side = |by: f64| -> Option<Path> {
-        let [one] = <[Polyline<f64>; 1]>::try_from(line.parallel_offset(by)).ok()?;
+        let [one] = <[Polyline<f64>; 1]>::try_from(line.parallel_offset_opt(by, &options)).ok()?;
         Some(Path { closed: false, ..of_polyline(&one) })
     };
     let (right, left) = (side(-half)?, side(half)?.reversed());

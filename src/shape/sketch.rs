@@ -72,8 +72,13 @@ impl Rules {
     /// The remedy for ports whose channels meet: their least distance, rounded up.
     pub(super) fn ports_apart(&self) -> String {
         let apart = self.port_width + 2.0 * self.band;
-        format!("put ports at least {:.3} mm from each other", (1000.0 * apart - 1e-6).ceil() / 1000.0)
+        format!("put ports at least {:.3} mm from each other", thousandths_up(apart))
     }
+}
+
+/// A least length, mm, to the thousandth that a message prints.
+pub(super) fn thousandths_up(mm: f64) -> f64 {
+    (1000.0 * mm - 1e-6).ceil() / 1000.0
 }
 
 impl PortPlace {

@@ -13,6 +13,7 @@ mod links;
 mod pictures;
 mod published;
 mod readers;
+mod remedies;
 mod report;
 mod scene;
 #[path = "../support/mod.rs"]

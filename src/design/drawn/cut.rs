@@ -1,6 +1,8 @@
 //! The cut of a drawn piece, and the paper that goes between its sheets.
 
-use crate::design::cut::{tool_around, tool_inside};
+use std::iter::successors;
+
+use crate::design::cut::{leaves_no_hole, tool_around, tool_inside};
 use crate::design::{Circle, Refusal, RefusalCode};
 use crate::shape::{AirSide, SealedShape, Separator};
 use crate::spec::{SMALLEST_HOLE, Spec, key};
@@ -44,7 +46,7 @@ impl DrawnCut {
 
     /// The lines of a tool whose cut is `kerf` wide, for a piece with these registration holes.
     pub(super) fn for_tool(&self, kerf: f64, holes: &[Circle]) -> Result<Self, Refusal> {
-        if let Some(hole) = holes.iter().find(|hole| kerf > 0.0 && hole.diameter - kerf < SMALLEST_HOLE) {
+        if let Some(hole) = holes.iter().find(|hole| leaves_no_hole(kerf, hole.diameter)) {
             return Err(Refusal::new(
                 key::cut::KERF,
                 RefusalCode::WideKerf,
@@ -89,14 +91,17 @@ fn no_separator(creep: f64, is_made: impl Fn(f64) -> bool) -> Refusal {
             "draw seams in the air farther from each other, or without sharp bends; or delete [mask]";
         return refusal(found, remedy.to_owned());
     }
-    let (mut fits, mut fails) = (0.0, creep);
-    while fails - fits > 1e-2 {
+    let (mut fits, mut fails): (f64, f64) = (0.0, creep);
+    while fails - fits > 1e-3 {
         let middle = f64::midpoint(fits, fails);
         let side = if is_made(middle) { &mut fits } else { &mut fails };
         *side = middle;
     }
+    // What is printed is itself tried: rounded down, a creep may be another that fails.
+    let hundredths = successors(Some((fits * 100.0).floor()), |last| Some(last - 1.0));
+    let most = hundredths.map(|last| last / 100.0).find(|most| *most <= 0.0 || is_made(*most));
     refusal(
         format!("a creep of {} mm closes a port or a passage of the separator", Readable(creep)),
-        format!("creep must be at most {} mm", Most((fits * 100.0_f64).floor() / 100.0)),
+        format!("creep must be at most {} mm", Most(most.unwrap_or(0.0))),
     )
 }
