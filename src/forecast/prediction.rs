@@ -357,18 +357,17 @@ pub struct ModelEvidence {
     /// Mesh error of each of the shell's numbers, in its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh_errors: Option<MeshErrors>,
-    /// Least inner radius at which the seal withstands the pressure, mm, rounded up to a hundredth; `None` if the seal
-    /// withstands it already, no radius of such a star is known to be enough, or it is unknown.
+    /// Least inner radius at which the seal surely holds, mm; `None` if it does already, no radius is known to be enough, or it is unknown.
     pub safe_radius_mm: Option<f64>,
     /// Limits of a model's validity that are exceeded, and other warnings for the user.
     pub warnings: Vec<String>,
     /// Whether the seal bursts; `None` if its strength or the pressure is unknown.
     #[serde(skip)]
     pub bursting: Option<Bursting>,
-    /// Index of the warning about a bursting seal.
+    /// The warning about a bursting seal.
     #[serde(skip)]
     pub of_burst: Option<String>,
-    /// Index of the warning about an object that is not held.
+    /// The warning about an object that is not held.
     #[serde(skip)]
     pub of_object: Option<String>,
 }
