@@ -40,8 +40,8 @@ pub(super) fn text(found: &SearchResult, constraints: &Constraints) -> String {
             "# searches compute with section, not with the model of the spec: it takes seconds a design\n",
         );
     }
-    let has_margin = constraints.payload.is_some() || constraints.largest_force.is_some();
-    if let Some(model) = model.filter(|_| has_margin) {
+    let limits_force = constraints.payload.is_some() || constraints.largest_force.is_some();
+    if let Some(model) = model.filter(|_| limits_force) {
         let text = if is_at_pressure(model) {
             format!(
                 "a search prefers designs that the model overestimates: so `short` uses {SEARCHED} of a payload's \

@@ -12,6 +12,8 @@ use inflatable::mechanics::strength::GRAVITY;
 
 /// Largest friction that is proposed, and how to get it: silicone-coated corners reach about 1, in the paper 0.85 to 1.57.
 pub(super) const COATED: f64 = 1.1;
+/// Rounding of radii, mm: an object as wide as the hole enters, and is held.
+pub(super) const ROUNDING: f64 = 1e-9;
 /// A pressure is taken for a slip of the unit if it is off by more than this factor.
 const SLIP: f64 = 5.0;
 /// Pressures in other units that were meant as kPa: bar, MPa, mbar, Pa.
@@ -19,8 +21,7 @@ const UNITS: [f64; 4] = [1e-2, 1e-3, 1e1, 1e3];
 
 /// `star`, made of `part`, does not let the object in: its widest part does not pass the cut hole.
 pub(super) fn too_wide_to_enter(spec: &Spec, part: &StarSpec, star: &StarPrediction) -> Option<Refusal> {
-    // An object as wide as the hole enters; 1e-9 mm is rounding.
-    let gap = star.object_gap_mm.filter(|gap| *gap < -1e-9)?;
+    let gap = star.object_gap_mm.filter(|gap| *gap < -ROUNDING)?;
     Some(does_not_enter(spec, (part.inner_radius.0, star.hole_radius_mm), star.hole_radius_mm - gap))
 }
 

@@ -308,14 +308,16 @@ struct SealForecast {
 impl SealForecast {
     fn new(case: &Case, star: &Star) -> Self {
         let load = |radius: f64| factor(&Ring, radius / case.mechanism.width);
-        let (burst, bounds) = (burst(case, &Ring), hardest_bounds(case));
+        let (burst, burst_range) = (burst(case, &Ring), burst_range(case));
+        // They differ only for hinges that are too sharp for a range.
+        let bounds = burst_range.or_else(|| hardest_bounds(case));
         let bursting = burst.zip(case.pressure).map(|(burst, p)| Bursting::at(p, burst, bounds));
         let bursts = bursting.is_some_and(|at| at != Bursting::No);
         Self {
             load: Hinges { tip: load(case.realised.tip), corner: load(case.realised.corner) },
             pull: largest_pull(case),
             burst,
-            burst_range: burst_range(case),
+            burst_range,
             bounds,
             bursting,
             safe: if bursts { possible_radius(case, star, LoadedHinge::Tip) } else { None },
@@ -324,7 +326,7 @@ impl SealForecast {
 
     /// The largest pressure, Pa, at which it surely does not burst; `None` if no seal is known.
     fn sure(&self) -> Option<f64> {
-        self.burst.map(|_| self.bounds.map_or(0.0, |[sure, _]| sure))
+        self.bounds.map(|[sure, _]| sure)
     }
 
     fn ranges(&self) -> StarRanges {

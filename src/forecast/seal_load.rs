@@ -38,11 +38,11 @@ pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
         let range = factor(&Ring, r_star).and_then(|k| burst_bounds(case, k, (hinge, r_star * width)));
         range.is_some_and(|[sure, _]| pressure <= sure)
     };
-    // The pull falls with R*; its range is least where the shells were. After 60 rounds the ends differ by rounding.
-    let r_star = match [R_STAR[1], ROUNDEST].into_iter().find(|r_star| holds(*r_star))? {
-        ROUNDEST => last_holding(ROUNDEST, R_STAR[1], 60, holds),
-        known => last_holding(known, SHARPEST, 60, holds),
-    };
+    // The pull falls with R*; its range is least where the shells were.
+    let ends = [(R_STAR[1], SHARPEST), (ROUNDEST, R_STAR[1])];
+    let (safe, sharp) = ends.into_iter().find(|(round, _)| holds(*round))?;
+    // After 60 rounds the ends differ by rounding.
+    let r_star = last_holding(safe, sharp, 60, holds);
     let hundredths = (Length::from_metres(r_star * width).0 * 100.0).ceil();
     Some(Length(hundredths / 100.0))
 }

@@ -2,8 +2,8 @@
 
 use crate::design::{Object, Refusal, RefusalCode};
 use crate::forecast::load_check::{
-    apart, bursts, may_burst, outside_models, too_hard, too_heavy, too_short, too_thin, too_wide_to_enter,
-    too_wide_to_open,
+    ROUNDING, apart, bursts, may_burst, outside_models, too_hard, too_heavy, too_short, too_thin,
+    too_wide_to_enter, too_wide_to_open,
 };
 use crate::forecast::outcome::Grip;
 use crate::forecast::prediction::StarPrediction;
@@ -79,9 +79,6 @@ fn needed_at(load: &Load, friction: f64) -> Option<f64> {
     let Mass(mass) = load.mass?;
     Some(mass * GRAVITY / friction)
 }
-
-/// Rounding of radii, mm: an object as wide as the hole enters, and is held.
-const ROUNDING: f64 = 1e-9;
 
 /// The weight of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -36,7 +36,10 @@ mod tests {
     use crate::spec::{Machine, Source, read, starter};
 
     fn forecast(more: &str) -> Forecast {
-        let text = starter("x").expect("a name") + more;
+        of_text(starter("x").expect("a name") + more)
+    }
+
+    fn of_text(text: String) -> Forecast {
         let reading = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}"));
         let machine = Machine::builtin("generic").expect("built in");
         Forecast::of(reading.spec, machine).expect("a design")
@@ -78,8 +81,7 @@ mod tests {
         let with = |[default, own]: [&str; 2], more: &str| {
             let text = starter("x").expect("a name").replace(&format!("# {default}"), own);
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\n{more}");
-            let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
-            Forecast::of(spec, Machine::builtin("generic").expect("built in")).expect("a design")
+            of_text(text)
         };
         for (change, key) in [
             (["thickness = \"0.3 mm\"", "thickness = \"0.1 mm\""], "tube_width"),
@@ -140,8 +142,7 @@ mod tests {
             .expect("a name")
             .replace("inner_radius = \"50 mm\"", &format!("inner_radius = \"{radius} mm\""));
         let text = text + "[load]\npressure = \"37 kPa\"\nobject_diameter = \"95 mm\"\n";
-        let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
-        let wider = Forecast::of(spec, Machine::builtin("generic").expect("built in")).expect("a design");
+        let wider = of_text(text);
         assert!(codes(&wider).is_empty() && !warned(&wider), "{remedy}");
     }
 
@@ -151,8 +152,7 @@ mod tests {
         let with = |mm: f64| {
             let text = starter("x").expect("a name").replace("[stack]", wide);
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\nobject_radius = \"{mm} mm\"\n");
-            let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
-            Forecast::of(spec, Machine::builtin("generic").expect("built in")).expect("a design")
+            of_text(text)
         };
         // The upper star may hold what stops at the lower one.
         let upper = with(55.0);
@@ -167,8 +167,7 @@ mod tests {
         let with = |[stack, load]: [&str; 2]| {
             let text = starter("x").expect("a name").replace("[stack]", &format!("[stack]\n{stack}"));
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\nfriction = 0.3\n{load}");
-            let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
-            Forecast::of(spec, Machine::builtin("generic").expect("built in")).expect("a design")
+            of_text(text)
         };
         let cylinder = "object_shape = \"cylinder\"\nobject_diameter";
         for (stack, load, expected) in [
@@ -215,8 +214,7 @@ mod tests {
             let text = starter("x").expect("a name") + &load;
             let text =
                 text.replace("inner_radius = \"50 mm\"", &format!("inner_radius = \"{} mm\"", mm(inner)));
-            let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
-            let found = Forecast::of(spec, Machine::builtin("generic").expect("built in")).expect("a design");
+            let found = of_text(text);
             assert_eq!(codes(&found), [""; 0], "{inner}: {:?}", found.unfit());
         }
     }
@@ -225,8 +223,7 @@ mod tests {
     fn stars_that_are_alike_are_all_named() {
         let text = starter("x").expect("a name").replace("[stack]", "[stack]\ncount = 6");
         let text = format!("{text}\n[load]\npressure = \"37 kPa\"\nobject_diameter = \"90 mm\"\n");
-        let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
-        let found = Forecast::of(spec, Machine::builtin("generic").expect("built in")).expect("a design");
+        let found = of_text(text);
         let reasons = found.verdict().expect("an object").reasons;
         assert!(reasons.iter().any(|reason| reason.starts_with("stars 1, 2, 5, 6: ")), "{reasons:?}");
     }
@@ -241,8 +238,7 @@ mod tests {
                 &format!("\n[star]\ntip_radius = \"{radius}\"\ncorner_radius = \"{radius}\"\n"),
             );
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\n");
-            let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
-            Forecast::of(spec, Machine::builtin("generic").expect("built in")).expect("a design")
+            of_text(text)
         };
         assert_eq!(codes(&with("10 N/mm", "0 mm")), [""; 0]);
         let weak = with("3 N/mm", "0 mm");

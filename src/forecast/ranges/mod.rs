@@ -167,8 +167,12 @@ impl TriedRatio {
 
     /// By how much ranges are wider for it; `None` too far out.
     fn widens(&self) -> Option<f64> {
-        let far = self.far();
-        (far <= EXACT).then_some(1.0 + (self.wider - 1.0) * far)
+        (self.far() <= EXACT).then(|| self.widens_on())
+    }
+
+    /// The same, which widens on at that rate further out.
+    pub(super) fn widens_on(&self) -> f64 {
+        1.0 + (self.wider - 1.0) * self.far()
     }
 }
 

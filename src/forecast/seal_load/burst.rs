@@ -48,7 +48,7 @@ pub fn burst(case: &Case, ring: &dyn HingeModel) -> Option<f64> {
 /// The range of [`burst`], from that of the pull at this pressure; `None` where no shell had a hinge nearly as sharp.
 pub fn burst_range(case: &Case) -> Option<Interval> {
     let (k, hinge) = hardest(case, &Ring)?;
-    burst_bounds(case, k, hinge).filter(|_| is_tried(case, hinge.1))
+    if is_tried(case, hinge.1) { burst_bounds(case, k, hinge) } else { None }
 }
 
 /// The same for any hinge, to judge the seal by.

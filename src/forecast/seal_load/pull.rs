@@ -86,7 +86,7 @@ pub(super) fn range(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f6
 
 /// Whether shells had hinges nearly as sharp as one of radius `radius` (m).
 pub(super) fn is_tried(case: &Case, radius: f64) -> bool {
-    radius >= R_STAR[0] / errors::NOT_FAR * case.mechanism.width
+    widening(&[roundness(case, radius)]).is_some()
 }
 
 /// The same for hinges of any radius, to judge seals by; `None` at pressures that are far from the shells'.
@@ -106,7 +106,7 @@ pub(super) fn widest(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f
 fn of_hinge(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64, factor: f64) -> Interval {
     static K: LazyLock<Option<f64>> = LazyLock::new(|| self::factor(&Ring, ROUND));
     let (width, last) = (case.mechanism.width, ROUND * case.mechanism.width);
-    let range = wider(factor.max(beyond(hinge.1 / width)));
+    let range = wider(factor.max(roundness(case, hinge.1).widens_on()));
     let Some(least_round) = K.filter(|_| hinge.1 > last) else { return range };
     let tube = FRAC_1_PI * pressure * width;
     let (own, there) = (pull(case, k, hinge, pressure), pull(case, least_round, (hinge.0, last), pressure));
@@ -117,11 +117,9 @@ fn of_hinge(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64, facto
 /// R* of the roundest hinge to which ranges widen.
 const ROUND: f64 = R_STAR[1] * errors::NOT_FAR;
 
-/// By how much the range is wider for a hinge of this R*: as far outside of the shells' as [`TriedRatio`] widens, and on at that rate for
-/// sharper hinges.
-fn beyond(r_star: f64) -> f64 {
-    let outside = (R_STAR[0] / r_star).max(r_star.min(ROUND) / R_STAR[1]).max(1.0);
-    1.0 + (errors::BEYOND - 1.0) * libm::log(outside) / libm::log(errors::NOT_FAR)
+/// R* of a hinge of radius `radius` (m) among those of the shells; of one rounder than [`ROUND`] that.
+fn roundness(case: &Case, radius: f64) -> TriedRatio {
+    TriedRatio::new("", (radius / case.mechanism.width).min(ROUND), R_STAR)
 }
 
 /// [`RANGE`], so much wider.

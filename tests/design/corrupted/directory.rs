@@ -254,7 +254,7 @@ fn verify_opens_nothing_but_what_the_design_names() {
     let of_link: Vec<_> = findings.iter().filter(|f| f["file"] == TRACE).collect();
     assert_eq!(of_link.len(), 1, "{of_link:#?}");
     assert_eq!(of_link[0]["found"], "a link");
-    // Without the manifest only what is certain is said.
+    // Without the manifest only certain findings are listed.
     let manifest = out.join("manifest.json");
     fs::rename(&manifest, shop.path().join("moved")).expect("moved");
     std::os::unix::fs::symlink("../../moved", &manifest).expect("a link");
