@@ -50,13 +50,26 @@ pub struct Comparison {
     pub angle: Option<Pair>,
     /// Radial stiffness, N/m; `None` where arms touch, or where meshes leave a quarter of it open.
     pub stiffness: Option<Pair>,
-    /// Radial forces, N, on an object that opens the shell so far by W and passes the flat star's hole; none where arms touch, or where meshes
-    /// leave a quarter open. The mesh error counts that of the radius, too: the object is the same, not the opening.
-    pub forces: Vec<(f64, Pair)>,
+    /// Radial forces on objects that pass the flat tube's hole; none where arms touch, or where meshes leave a quarter open.
+    pub forces: Vec<Pressed>,
+}
+
+/// A force on an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pressed {
+    /// By how much the object opens the shell, over W.
+    pub opening: f64,
+    /// Whether it passes the hole as a spec cuts it that has no other band and flap than the default ones: only then such a spec gets this number.
+    pub passes: bool,
+    /// N. The mesh error counts that of the radius, too: the object is the same, not the opening.
+    pub force: Pair,
 }
 
 /// Largest relative mesh error of a stiffness or force in the comparison.
 pub(crate) const SETTLED: f64 = 0.25;
+
+/// Depth of the default flap in front of the corners, mm: `band` and `hole_allowance`.
+pub const FLAP: f64 = 3.0;
 
 /// Compares `star` with its prediction; `None` where the shell refuses it, or there is no prediction.
 pub fn compare(star: &ComputedStar) -> Option<Comparison> {
@@ -133,8 +146,13 @@ fn compared(
             if object < own.rest.radius { 0.0 } else { inflated.linear_force(object, &own.rest).ok()? };
         let grasp = inflated.grasp(&own.rest)?;
         let range = own.ranges.force(&grasp, grasp.force(object), object, &own.rest)?;
-        let pair = Pair { shell, mesh: open * shell + reached, predicted, range, error: shell / same };
-        (open < SETTLED && shell > 0.0 && object <= case.inner_radius).then_some((*part, pair))
+        let force = Pair { shell, mesh: open * shell + reached, predicted, range, error: shell / same };
+        let passes = object <= case.inner_radius - 1e-3 * FLAP;
+        (open < SETTLED && shell > 0.0 && object <= case.inner_radius).then_some(Pressed {
+            opening: *part,
+            passes,
+            force,
+        })
     };
     let touch = own.ranges.angle.is_none() || found.arm_contact.value > 0.0;
     let forces = found.secants.iter().filter(|_| !touch).filter_map(opened);

@@ -69,7 +69,7 @@ fn forces() -> Plot {
             let (rest, width) = (found.radius.value, star.star.width);
             own.forces
                 .iter()
-                .map(move |(part, force)| with(rest + part * width, open([force.shell, force.mesh])))
+                .map(move |one| with(rest + one.opening * width, open([one.force.shell, one.force.mesh])))
         });
         all.push(series(&format!("shell, {pressure} kPa"), colour, Look::Discs, discs.collect()));
     }

@@ -3,7 +3,7 @@
 use research::stars::computed::ComputedStar;
 use research::stars::draw::{PAPER_PRESSURES, Set};
 use research::stars::shipped::shipped;
-use research::validation::{Comparison, case_of, compare};
+use research::validation::{Comparison, Pressed, case_of, compare};
 use stargrip_cam::design::{Refusal, Star};
 use stargrip_cam::forecast::case::{Case, mechanism};
 use stargrip_cam::forecast::model_selection::tabled;
@@ -142,14 +142,14 @@ pub(crate) fn forces() -> String {
     );
     for (star, own) in stars() {
         let (Some(found), Some(own)) = (&star.found, own) else { continue };
-        for (part, force) in own.forces {
+        for Pressed { opening, force, .. } in own.forces {
             let [low, high] = force.range;
             let _ = writeln!(
                 out,
                 "| {} kPa | {} | {:.1} mm | {:.1} N | {:.1} N | {:.1} N | {low:.1} to {high:.1} N |",
                 star.star.pressure,
                 star.star.points,
-                found.radius.value + part * star.star.width,
+                found.radius.value + opening * star.star.width,
                 force.shell,
                 force.mesh,
                 force.predicted

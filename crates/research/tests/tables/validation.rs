@@ -3,7 +3,8 @@
 use research::residuals::fitted;
 use research::stars::draw::Set;
 use research::stars::shipped::shipped;
-use research::validation::{Comparison, Opened, Pair, compare, compare_all, opened};
+use research::validation::{Comparison, FLAP, Opened, Pair, Pressed, compare, compare_all, opened};
+use stargrip_cam::spec::{self, Source};
 use std::ops::RangeInclusive;
 
 /// The stars of a set that no constant was taken from.
@@ -64,7 +65,8 @@ fn ranges_hold_on_stars_that_they_were_not_taken_from() {
 }
 
 /// Of the forces on the same object eight of ten are within 15 %, of stars that no constant was taken from, and of the others where each is
-/// predicted from all others. Of the latter the error is 13 % rms; one of the new stars alone makes it 18 % there (docs/ranges.md).
+/// predicted from all others. The error is 13 % rms of objects that pass the hole as it is cut by default, and of all objects of the others;
+/// one of the new stars alone makes it 18 % of all of theirs (docs/ranges.md).
 #[test]
 fn forces_are_as_accurate_as_stated() {
     let all = compare_all().expect("no star is there twice");
@@ -72,12 +74,17 @@ fn forces_are_as_accurate_as_stated() {
     let (others, new): (Vec<&Comparison>, Vec<&Comparison>) = all.iter().partition(|one| is_left_out(one));
     let (new, newest): (Vec<&Comparison>, Vec<&Comparison>) =
         new.into_iter().partition(|one| one.number < 350);
-    for (what, stars, count, most, held) in [
-        ("new", new, 60, 0.18, [95, 100]),
-        ("newest", newest, 60, 0.11, [95, 100]),
-        ("left out", others, 300, 0.13, [95, 100]),
+    let of = |stars: &[&Comparison]| -> Vec<Pressed> {
+        stars.iter().flat_map(|one| one.forces.iter().copied()).collect()
+    };
+    let passing = [of(&new), of(&newest)].concat().into_iter().filter(|one| one.passes).collect();
+    for (what, forces, count, most, held) in [
+        ("new", of(&new), 60, 0.18, [95, 100]),
+        ("newest", of(&newest), 60, 0.11, [95, 100]),
+        ("through the hole as it is cut", passing, 100, 0.1, [98, 100]),
+        ("left out", of(&others), 300, 0.13, [95, 100]),
     ] {
-        let pairs: Vec<Pair> = stars.iter().flat_map(|one| &one.forces).map(|(_, pair)| *pair).collect();
+        let pairs: Vec<Pair> = forces.iter().map(|one| one.force).collect();
         let off: Vec<f64> = pairs.iter().map(|pair| pair.predicted / pair.shell - 1.0).collect();
         let near = off.iter().filter(|off| off.abs() <= 0.15).count();
         assert!(off.len() >= count && 10 * near >= 8 * off.len(), "{what}: {near} of {}", off.len());
@@ -86,6 +93,13 @@ fn forces_are_as_accurate_as_stated() {
         assert!(rms <= most, "{what}: {rms}");
         hold(what, &pairs, held);
     }
+}
+
+#[test]
+fn the_flap_of_the_comparison_is_the_default_one() {
+    let star = "schema = 1\n[star]\npoints = 5\ninner_radius = \"50 mm\"\ntube_width = \"30 mm\"\ntip_angle = \"30 deg\"\n";
+    let seal = spec::read(&Source::new("spec.toml", star)).expect("a spec").spec.seal;
+    assert_eq!(seal.band.0 + seal.hole_allowance.0, FLAP);
 }
 
 /// Forces on coarse shells whose arms touch while they are empty, and on objects that open a star by more than 0.95 W. No constant was taken
