@@ -97,7 +97,7 @@ fn forces_are_as_accurate_as_stated() {
 
 #[test]
 fn the_flap_of_the_comparison_is_the_default_one() {
-    let star = "schema = 1\n[star]\npoints = 5\ninner_radius = \"50 mm\"\ntube_width = \"30 mm\"\ntip_angle = \"30 deg\"\n";
+    let star = "schema = 1\nname = \"star\"\n[star]\npoints = 5\ninner_radius = \"50 mm\"\ntube_width = \"30 mm\"\ntip_angle = \"30 deg\"\n";
     let seal = spec::read(&Source::new("spec.toml", star)).expect("a spec").spec.seal;
     assert_eq!(seal.band.0 + seal.hole_allowance.0, FLAP);
 }

@@ -9,6 +9,7 @@
 
 mod actuator;
 mod arm_line;
+mod around;
 mod bend;
 #[cfg(test)]
 mod cell;
@@ -32,6 +33,7 @@ mod value;
 mod woven;
 
 pub use actuator::{Actuator, Fineness, MOST_ANGLES, VActuator, actuator};
+pub use around::{Around, Touch, around};
 pub use extremes::Extremes;
 pub use fault::{Input, ShellFault};
 pub use margin::{Margin, MarginLaw};

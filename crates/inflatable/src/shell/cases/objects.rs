@@ -171,8 +171,8 @@ mod tests {
         (contact.force(post), solver.multiplier)
     }
 
-    #[test]
-    fn friction_changes_the_force_as_the_slip_says() {
+    /// The paper's star at 37 kPa on a coarse mesh, inflated, with its object as the last obstacle.
+    fn inflated() -> (Solver, usize, State, Aim) {
         let tube = tube(0.03, 37e3);
         let sector = HalfSector {
             n: 5,
@@ -191,7 +191,12 @@ mod tests {
         solver.contact = Some(Contact::new(&solver.assembly, obstacles));
         let equilibrium = tube.continuation().run(&mut solver, |_| {}).expect("an equilibrium");
         let aim = tube.continuation().aim(equilibrium.pressure);
-        let mut state = equilibrium.state;
+        (solver, post, equilibrium.state, aim)
+    }
+
+    #[test]
+    fn friction_changes_the_force_as_the_slip_says() {
+        let (mut solver, post, mut state, aim) = inflated();
         let mut largest = 0.0_f64;
         for radius in [1.25, 1.35, 1.45] {
             open((&mut solver, post), &mut state, aim, [radius - 0.4, radius]).expect("an equilibrium");
@@ -205,5 +210,40 @@ mod tests {
             }
         }
         assert!(largest > 0.1, "friction changes the force by more than the test tolerates: {largest}");
+    }
+
+    /// Points that stick stay where they are while the object grows. Their force is still the energy's slope, and it rises faster than that of
+    /// points that slide.
+    #[test]
+    fn points_that_stick_hold_an_opening_back() {
+        let (mut solver, post, mut state, aim) = inflated();
+        open((&mut solver, post), &mut state, aim, [1.0, 1.35]).expect("an equilibrium");
+        let sliding = solver.contact.clone();
+        let touching = solver.contact.as_ref().expect("contact").touching(post, &state);
+        solver.contact.as_mut().expect("contact").stick(post, 1e4 * aim.pressure);
+        let _ = solver.rest(&mut state, aim).expect("an equilibrium");
+        let sticking = solver.contact.clone();
+        let mut opened = |contact: &Option<Contact>, growth: f64| {
+            let mut opened = state.clone();
+            solver.contact.clone_from(contact);
+            solver.contact.as_mut().expect("contact").replace(post, Obstacle::Post { radius: 1.35 + growth });
+            let rest = solver.rest(&mut opened, aim).expect("an equilibrium");
+            let around = |point: usize| {
+                let [angle, before] = [&opened, &state]
+                    .map(|shape| libm::atan2(shape.points[point][1], shape.points[point][0]));
+                (angle - before).abs()
+            };
+            let farthest = touching.iter().map(|one| around(one.point)).fold(0.0, f64::max);
+            let energy = rest.energy.total(aim.pressure);
+            (solver.contact.as_ref().expect("contact").force(post), energy, farthest)
+        };
+        let step = 2e-3;
+        let [(_, below, _), (force, _, _), (stuck, above, stays)] =
+            [-step, 0.0, step].map(|growth| opened(&sticking, growth));
+        let (slid, _, slides) = opened(&sliding, step);
+        let slope = (above - below) / (2.0 * step);
+        assert!((slope / force - 1.0).abs() < 1e-4, "{slope} {force}");
+        assert!(stuck - force > 1.5 * (slid - force) && slid > force, "{stuck} {slid} {force}");
+        assert!(stays < 0.05 * slides, "{stays} {slides}");
     }
 }

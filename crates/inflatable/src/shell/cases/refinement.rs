@@ -116,7 +116,7 @@ impl Family<'_> {
         Ok((values, evidence))
     }
 
-    fn solver(&self, meshed: &Meshed, watch: &Watch) -> Result<Solver, ShellFault> {
+    pub(super) fn solver(&self, meshed: &Meshed, watch: &Watch) -> Result<Solver, ShellFault> {
         let mesh = &meshed.mesh;
         let mut sheet = Sheet::new(mesh, self.tube.scaled());
         let supports = (self.hold)(meshed, &mut sheet);
@@ -129,7 +129,8 @@ impl Family<'_> {
         Ok(solver)
     }
 
-    fn pressurise(&self, solver: &mut Solver, watch: &Watch) -> Result<Equilibrium, ShellFault> {
+    /// From flat to the pressure of the case.
+    pub(super) fn pressurise(&self, solver: &mut Solver, watch: &Watch) -> Result<Equilibrium, ShellFault> {
         if self.from_above {
             let flat = solver.assembly.sheet.flat();
             return self.let_down(solver, flat);

@@ -1,7 +1,7 @@
 //! The star: half a sector of it between a reentrant corner's plane of symmetry and a tip's, or all of it where the weave has other
 //! directions of symmetry.
 
-use crate::shell::assembly::Sheet;
+use crate::shell::assembly::{Sheet, Supports};
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::extremes::{self, Extremes};
 use crate::shell::cases::fault::ShellFault;
@@ -97,6 +97,15 @@ impl FlatStar {
         }
     }
 
+    /// The supports of a mesh of `modelled`; it adds the margin to the sheet.
+    pub(super) fn hold(&self, modelled: &ModelledPart) -> impl Fn(&Meshed, &mut Sheet) -> Supports {
+        move |meshed, sheet| {
+            let mut supports = modelled.supports(&meshed.mesh);
+            self.margin.apply(meshed, sheet, &mut supports);
+            supports
+        }
+    }
+
     pub(super) fn sector(&self) -> Result<HalfSector, ShellFault> {
         self.tube.check()?;
         let w = self.tube.width;
@@ -144,11 +153,7 @@ pub fn star_by_sizes(
     let coarsest = modelled.meshed(sizes)?;
     let obstacles = modelled.obstacles();
     let post = obstacles.len() - 1;
-    let hold = |meshed: &Meshed, sheet: &mut Sheet| {
-        let mut supports = modelled.supports(&meshed.mesh);
-        case.margin.apply(meshed, sheet, &mut supports);
-        supports
-    };
+    let hold = case.hold(&modelled);
     let family =
         Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles, from_above: false };
     let (mut worst, mut shape) = (Extremes::default(), InflatedShape::default());

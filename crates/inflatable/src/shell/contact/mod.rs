@@ -5,10 +5,12 @@
 //! a stiffness k. A **round** minimises it and then updates q = max(0, q - k g); penetration falls by a large factor a round,
 //! for any k. Nocedal and Wright, "Numerical Optimization", section 17.4.
 //!
-//! Points slide along an obstacle without friction.
+//! Points slide along an obstacle without friction. On a round object they can also **stick**: each stays where it first touched as long as it
+//! touches, held by a spring along the surface whose other end each round moves by how far the point still slides. That is friction without
+//! a limit.
 
 use crate::shell::assembly::{Assembly, Plane, State};
-use crate::shell::element::vector::{Vector, along, times};
+use crate::shell::element::vector::{Vector, along, dot, times};
 
 /// An obstacle that the sheet must not penetrate.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +57,51 @@ pub struct Contact {
     pub stiffness: f64,
     /// Least k with which a solve begins.
     pub floor: f64,
+    grip: Option<Grip>,
+}
+
+/// Points that stick to a round object.
+#[derive(Clone, Debug)]
+struct Grip {
+    obstacle: usize,
+    /// Shear traction a unit of sliding.
+    stiffness: f64,
+    /// Of each point that sticks.
+    anchors: Vec<Option<Anchor>>,
+}
+
+/// Where a point first touched a round object.
+#[derive(Clone, Copy, Debug)]
+struct Anchor {
+    /// Its direction from the axis.
+    direction: [f64; 2],
+    height: f64,
+    /// How far the spring's end has moved, around the axis and upwards.
+    pulled: [f64; 2],
+}
+
+impl Anchor {
+    fn at(x: Vector) -> Self {
+        let distance = libm::hypot(x[0], x[1]);
+        Self { direction: [x[0] / distance, x[1] / distance], height: x[2], pulled: [0.0; 2] }
+    }
+
+    /// Around the axis.
+    fn across(&self) -> Vector {
+        [-self.direction[1], self.direction[0], 0.0]
+    }
+
+    /// How far the point at `x` has slid, around the axis and upwards. The object may have grown meanwhile.
+    fn slid(&self, x: Vector) -> [f64; 2] {
+        [dot(self.across(), x), x[2] - self.height]
+    }
+}
+
+impl Grip {
+    /// Each point that sticks, with its anchor.
+    fn held(&self) -> impl Iterator<Item = (usize, &Anchor)> {
+        self.anchors.iter().enumerate().filter_map(|(point, anchor)| Some((point, anchor.as_ref()?)))
+    }
 }
 
 /// A point that touches an obstacle.
@@ -91,7 +138,15 @@ impl Contact {
             areas,
             stiffness: 0.0,
             floor: 0.0,
+            grip: None,
         }
+    }
+
+    /// Lets points stick to the round obstacle `index` from now on, each where it first touches, at a shear traction of `stiffness` a unit of
+    /// sliding.
+    pub(crate) fn stick(&mut self, index: usize, stiffness: f64) {
+        let anchors = vec![None; self.areas[index].len()];
+        self.grip = Some(Grip { obstacle: index, stiffness, anchors });
     }
 
     /// The start on the finer sheet of `finer`, whose points are these and then the middles of edges with these `ends`. The pressure on a
@@ -122,6 +177,13 @@ impl Contact {
         self.each(state, |area, kept, push, _, _, _| {
             energy += area * (push * push - kept * kept) / (2.0 * self.stiffness);
         });
+        if let Some(grip) = &self.grip {
+            for (point, anchor) in grip.held() {
+                let part = 0.5 * self.areas[grip.obstacle][point] * grip.stiffness;
+                let slid = anchor.slid(state.points[point]).into_iter().zip(anchor.pulled);
+                energy += slid.map(|(slid, pulled)| part * slid * (slid + 2.0 * pulled)).sum::<f64>();
+            }
+        }
         energy
     }
 
@@ -139,6 +201,17 @@ impl Contact {
                 along(times(own, normal), turned, across)
             });
         });
+        if let Some(grip) = &self.grip {
+            for (point, anchor) in grip.held() {
+                let stiffness = self.areas[grip.obstacle][point] * grip.stiffness;
+                let ([around, up], across) = (anchor.slid(state.points[point]), anchor.across());
+                let [around, up] = [around + anchor.pulled[0], up + anchor.pulled[1]];
+                let slope = along([0.0, 0.0, stiffness * up], stiffness * around, across);
+                assembly.add_at_point(point, slope, |v| {
+                    along([0.0, 0.0, stiffness * v[2]], stiffness * dot(across, v), across)
+                });
+            }
+        }
     }
 
     /// Calls `see` with area, kept pressure, push max(0, q - k g), point, normal and obstacle of every pair.
@@ -166,12 +239,33 @@ impl Contact {
         for (index, point, push) in kept {
             self.pressures[index][point] = push;
         }
+        if let Some(grip) = &mut self.grip {
+            let pressures = &self.pressures[grip.obstacle];
+            for ((anchor, x), pressure) in grip.anchors.iter_mut().zip(&state.points).zip(pressures) {
+                let held = (*pressure > 0.0).then(|| anchor.unwrap_or_else(|| Anchor::at(*x)));
+                *anchor = held.map(|held| {
+                    let [around, up] = held.slid(*x);
+                    Anchor { pulled: [held.pulled[0] + around, held.pulled[1] + up], ..held }
+                });
+            }
+        }
         worst
     }
 
     /// The sum of contact pressure times area on one obstacle.
     pub fn force(&self, index: usize) -> f64 {
         self.pressures[index].iter().zip(&self.areas[index]).map(|(pressure, area)| pressure * area).sum()
+    }
+
+    /// The sum of all shear forces that hold points where they stick.
+    pub(crate) fn shear(&self) -> f64 {
+        let of = |grip: &Grip| {
+            let forces = grip.held().map(|(point, Anchor { pulled: [around, up], .. })| {
+                self.areas[grip.obstacle][point] * grip.stiffness * libm::hypot(*around, *up)
+            });
+            forces.sum::<f64>()
+        };
+        self.grip.iter().map(of).sum()
     }
 
     /// The points that touch an obstacle.
