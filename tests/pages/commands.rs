@@ -38,6 +38,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/models.md", "cargo run --release -p research -- stars stars --set all"),
     ("docs/models.md", "stargrip-cam predict five.toml --model shell --vtu five.vtu"),
     ("docs/models.md", "cargo run --release -p inflatable --example weave -- half 5"),
+    ("docs/models.md", "cargo run --release -p research --example around"),
     ("docs/models.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
     ("docs/paper.md", "cargo run --release -p research --example paper -- --svg doc"),
     ("docs/paper.md", "cargo run --release -p research --example paper -- --shells"),

@@ -21,7 +21,7 @@ pub enum Touch {
 
 /// A star around an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Around {
+pub struct StarAround {
     /// The sum of the radial forces on the object, N.
     pub force: Value,
     /// The sum of the shear forces by which points stick, over that of the radial ones: the friction that they need in the mean.
@@ -40,7 +40,7 @@ pub fn around(
     (radius, touch): (f64, Touch),
     fineness: Fineness,
     watch: &Watch,
-) -> Result<Around, ShellFault> {
+) -> Result<StarAround, ShellFault> {
     let modelled = ModelledPart {
         part: case.part(),
         sector: case.sector()?,
@@ -61,7 +61,7 @@ pub fn around(
     }
     let value = |of: usize| Value::new(std::array::from_fn(|mesh| found[mesh.min(found.len() - 1)][of]));
     let unit = modelled.count() * case.tube.fabric.stretch * case.tube.width;
-    Ok(Around { force: value(0).scaled(unit), friction: value(1) })
+    Ok(StarAround { force: value(0).scaled(unit), friction: value(1) })
 }
 
 /// Force, scaled, and friction of the modelled sheet on one mesh.

@@ -33,7 +33,7 @@ mod value;
 mod woven;
 
 pub use actuator::{Actuator, Fineness, MOST_ANGLES, VActuator, actuator};
-pub use around::{Around, Touch, around};
+pub use around::{StarAround, Touch, around};
 pub use extremes::Extremes;
 pub use fault::{Input, ShellFault};
 pub use margin::{Margin, MarginLaw};

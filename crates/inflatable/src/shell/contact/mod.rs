@@ -57,22 +57,22 @@ pub struct Contact {
     pub stiffness: f64,
     /// Least k with which a solve begins.
     pub floor: f64,
-    grip: Option<Grip>,
+    sticking: Option<Sticking>,
 }
 
 /// Points that stick to a round object.
 #[derive(Clone, Debug)]
-struct Grip {
+struct Sticking {
     obstacle: usize,
     /// Shear traction a unit of sliding.
     stiffness: f64,
     /// Of each point that sticks.
-    anchors: Vec<Option<Anchor>>,
+    places: Vec<Option<TouchedPlace>>,
 }
 
 /// Where a point first touched a round object.
 #[derive(Clone, Copy, Debug)]
-struct Anchor {
+struct TouchedPlace {
     /// Its direction from the axis.
     direction: [f64; 2],
     height: f64,
@@ -80,7 +80,7 @@ struct Anchor {
     pulled: [f64; 2],
 }
 
-impl Anchor {
+impl TouchedPlace {
     fn at(x: Vector) -> Self {
         let distance = libm::hypot(x[0], x[1]);
         Self { direction: [x[0] / distance, x[1] / distance], height: x[2], pulled: [0.0; 2] }
@@ -97,10 +97,10 @@ impl Anchor {
     }
 }
 
-impl Grip {
-    /// Each point that sticks, with its anchor.
-    fn held(&self) -> impl Iterator<Item = (usize, &Anchor)> {
-        self.anchors.iter().enumerate().filter_map(|(point, anchor)| Some((point, anchor.as_ref()?)))
+impl Sticking {
+    /// Each point that sticks, with its place.
+    fn held(&self) -> impl Iterator<Item = (usize, &TouchedPlace)> {
+        self.places.iter().enumerate().filter_map(|(point, place)| Some((point, place.as_ref()?)))
     }
 }
 
@@ -138,15 +138,15 @@ impl Contact {
             areas,
             stiffness: 0.0,
             floor: 0.0,
-            grip: None,
+            sticking: None,
         }
     }
 
     /// Lets points stick to the round obstacle `index` from now on, each where it first touches, at a shear traction of `stiffness` a unit of
     /// sliding.
     pub(crate) fn stick(&mut self, index: usize, stiffness: f64) {
-        let anchors = vec![None; self.areas[index].len()];
-        self.grip = Some(Grip { obstacle: index, stiffness, anchors });
+        let places = vec![None; self.areas[index].len()];
+        self.sticking = Some(Sticking { obstacle: index, stiffness, places });
     }
 
     /// The start on the finer sheet of `finer`, whose points are these and then the middles of edges with these `ends`. The pressure on a
@@ -177,10 +177,10 @@ impl Contact {
         self.each(state, |area, kept, push, _, _, _| {
             energy += area * (push * push - kept * kept) / (2.0 * self.stiffness);
         });
-        if let Some(grip) = &self.grip {
-            for (point, anchor) in grip.held() {
-                let part = 0.5 * self.areas[grip.obstacle][point] * grip.stiffness;
-                let slid = anchor.slid(state.points[point]).into_iter().zip(anchor.pulled);
+        if let Some(sticking) = &self.sticking {
+            for (point, place) in sticking.held() {
+                let part = 0.5 * self.areas[sticking.obstacle][point] * sticking.stiffness;
+                let slid = place.slid(state.points[point]).into_iter().zip(place.pulled);
                 energy += slid.map(|(slid, pulled)| part * slid * (slid + 2.0 * pulled)).sum::<f64>();
             }
         }
@@ -201,11 +201,11 @@ impl Contact {
                 along(times(own, normal), turned, across)
             });
         });
-        if let Some(grip) = &self.grip {
-            for (point, anchor) in grip.held() {
-                let stiffness = self.areas[grip.obstacle][point] * grip.stiffness;
-                let ([around, up], across) = (anchor.slid(state.points[point]), anchor.across());
-                let [around, up] = [around + anchor.pulled[0], up + anchor.pulled[1]];
+        if let Some(sticking) = &self.sticking {
+            for (point, place) in sticking.held() {
+                let stiffness = self.areas[sticking.obstacle][point] * sticking.stiffness;
+                let ([around, up], across) = (place.slid(state.points[point]), place.across());
+                let [around, up] = [around + place.pulled[0], up + place.pulled[1]];
                 let slope = along([0.0, 0.0, stiffness * up], stiffness * around, across);
                 assembly.add_at_point(point, slope, |v| {
                     along([0.0, 0.0, stiffness * v[2]], stiffness * dot(across, v), across)
@@ -239,13 +239,13 @@ impl Contact {
         for (index, point, push) in kept {
             self.pressures[index][point] = push;
         }
-        if let Some(grip) = &mut self.grip {
-            let pressures = &self.pressures[grip.obstacle];
-            for ((anchor, x), pressure) in grip.anchors.iter_mut().zip(&state.points).zip(pressures) {
-                let held = (*pressure > 0.0).then(|| anchor.unwrap_or_else(|| Anchor::at(*x)));
-                *anchor = held.map(|held| {
+        if let Some(sticking) = &mut self.sticking {
+            let pressures = &self.pressures[sticking.obstacle];
+            for ((place, x), pressure) in sticking.places.iter_mut().zip(&state.points).zip(pressures) {
+                let held = (*pressure > 0.0).then(|| place.unwrap_or_else(|| TouchedPlace::at(*x)));
+                *place = held.map(|held| {
                     let [around, up] = held.slid(*x);
-                    Anchor { pulled: [held.pulled[0] + around, held.pulled[1] + up], ..held }
+                    TouchedPlace { pulled: [held.pulled[0] + around, held.pulled[1] + up], ..held }
                 });
             }
         }
@@ -259,13 +259,13 @@ impl Contact {
 
     /// The sum of all shear forces that hold points where they stick.
     pub(crate) fn shear(&self) -> f64 {
-        let of = |grip: &Grip| {
-            let forces = grip.held().map(|(point, Anchor { pulled: [around, up], .. })| {
-                self.areas[grip.obstacle][point] * grip.stiffness * libm::hypot(*around, *up)
+        let of = |sticking: &Sticking| {
+            let forces = sticking.held().map(|(point, TouchedPlace { pulled: [around, up], .. })| {
+                self.areas[sticking.obstacle][point] * sticking.stiffness * libm::hypot(*around, *up)
             });
             forces.sum::<f64>()
         };
-        self.grip.iter().map(of).sum()
+        self.sticking.iter().map(of).sum()
     }
 
     /// The points that touch an obstacle.
