@@ -69,6 +69,7 @@ const DESIGNS: &[(&str, &str)] = &[
     ("short-inlet", "[inlet]\nlength = \"2 mm\"\n"),
     ("small-bed", "[mask]\nbed = \"50 mm x 50 mm\"\n"),
     ("thick-hose", "[inlet]\ntube_diameter = \"22 mm\"\n"),
+    ("thin-rim", "[seal]\nallowance = \"0 mm\"\n[mask]\nborder = \"0 mm\"\n"),
     ("tube-between-plates", "[stack]\ncount = 2\npitch = \"5 mm\"\n"),
     ("wide-frame", "[stack]\ncount = 2\npitch = \"200 mm\"\n"),
     ("wide-kerf", "[cut]\nkerf = \"20 mm\"\n"),
