@@ -3,7 +3,7 @@
 use crate::design::{Object, Refusal, RefusalCode, does_not_enter};
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::ranges::Interval;
-use crate::forecast::ranges::shown::or_unknown;
+use crate::forecast::ranges::shown::{apart, or_unknown};
 use crate::forecast::seal_load::{Bursting, bursts_at};
 use crate::spec::{Load, Spec, StarSpec, key};
 use crate::units::{Least, Length, Mass, Most, Pressure};
@@ -106,20 +106,23 @@ pub(super) fn bursts(load: &Load, star: &StarPrediction) -> Option<Refusal> {
     Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, found, remedy))
 }
 
-/// Two forces with as many decimals as tell them apart, one at least.
-pub(super) fn apart(a: f64, b: f64) -> [String; 2] {
-    let texts = |decimals: usize| [a, b].map(|force| format!("{force:.decimals$}"));
-    (1..6).map(texts).find(|[a, b]| a != b).unwrap_or_else(|| texts(6))
-}
-
 /// A star presses with `low` to `high` N, and the object bears `bears` N.
 pub(super) fn too_hard([low, high]: Interval, bears: f64) -> Refusal {
+    let [low, _] = apart(low, bears);
     Refusal::new(
         key::load::LARGEST_FORCE,
         RefusalCode::TooHard,
-        format!("it presses with at least {low:.1} N, but the object bears {bears} N"),
-        format!("an object that bears at least {high:.1} N; or less pressure, or a larger inner_radius"),
+        format!("it presses with at least {low} N, but the object bears {bears} N"),
+        format!(
+            "an object that bears at least {:.1} N; or less pressure, or a larger inner_radius",
+            tenths_up(high)
+        ),
     )
+}
+
+/// `x`, rounded up to a tenth: an upper end of a range, so that the printed one holds.
+pub(super) fn tenths_up(x: f64) -> f64 {
+    (10.0 * x).ceil() / 10.0
 }
 
 /// All stars press with `low` to `high` N together, and friction needs `needed` N to hold the mass of `load`.
@@ -169,15 +172,4 @@ pub(super) fn outside_models(spec: &Spec, load: &Load, star: &StarPrediction) ->
         format!("no model covers this star at {pressure}"),
         format!("{meant}it is modelled from {} to {} kPa", Least(low), Most(high)),
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn forces_that_differ_are_printed_so() {
-        assert_eq!(apart(7.7, 8.1), ["7.7", "8.1"]);
-        assert_eq!(apart(7.712, 7.7041), ["7.71", "7.70"]);
-    }
 }

@@ -162,7 +162,11 @@ impl SealLoad {
             Bursting::No => None,
             Bursting::Perhaps => {
                 let holds = match self.burst_range {
-                    Some([low, high]) => format!("it holds {:.1} to {:.1} kPa", low.0, high.0),
+                    // Rounded outwards: the pressure lies between them.
+                    Some(range) => {
+                        let [low, high] = range.map(|end| 10.0 * end.0);
+                        format!("it holds {:.1} to {:.1} kPa", low.floor() / 10.0, high.ceil() / 10.0)
+                    }
                     None => "how far it holds is unknown".to_owned(),
                 };
                 Some(format!(

@@ -2,12 +2,13 @@
 
 use crate::design::{Object, Refusal, RefusalCode};
 use crate::forecast::load_check::{
-    ROUNDING, apart, bursts, may_burst, outside_models, too_hard, too_heavy, too_short, too_thin,
+    ROUNDING, bursts, may_burst, outside_models, tenths_up, too_hard, too_heavy, too_short, too_thin,
     too_wide_to_enter, too_wide_to_open,
 };
 use crate::forecast::outcome::Grip;
 use crate::forecast::prediction::StarPrediction;
 pub use crate::forecast::prediction::{Holds, Verdict};
+use crate::forecast::ranges::shown::apart;
 use crate::forecast::ranges::{Interval, sum};
 use crate::spec::{Code, Load, Spec};
 use crate::units::{Force, Mass};
@@ -309,13 +310,15 @@ fn doubts(load: &Load, star: &StarPrediction, object: f64) -> Vec<String> {
         return reasons;
     }
     if let Some([_, high]) = star.ranges.final_radius_mm.filter(|[_, high]| object < *high) {
-        reasons.push(format!("it may close only to {:.1} mm across, and not reach the object", 2.0 * high));
+        let across = tenths_up(2.0 * high);
+        reasons.push(format!("it may close only to {across:.1} mm across, and not reach the object"));
     }
     if star.hold == Some(Grip::Untried) {
         reasons.push("the force on the object is unknown".to_owned());
     }
     match (load.largest_force, star.ranges.object_force_N, star.object_force_N) {
         (Some(Force(bears)), Some([low, high]), _) if low <= bears && high > bears => {
+            let high = tenths_up(high);
             reasons.push(format!("it may press with {high:.1} N, but the object bears {bears} N"));
         }
         (Some(Force(bears)), None, Some(force)) if force > bears => {

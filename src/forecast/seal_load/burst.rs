@@ -34,7 +34,8 @@ impl Bursting {
 
 /// The finding that a seal, which bursts at `burst` kPa, with its range if that is known, certainly bursts at `pressure`.
 pub fn bursts_at(pressure: Pressure, burst: f64, range: Option<Interval>) -> String {
-    let burst = range.map_or_else(|| Pressure(burst).to_string(), |range| shown::with(burst, range, "kPa"));
+    let with_range = |range| shown::with_limit(burst, range, "kPa", Some(pressure.0));
+    let burst = range.map_or_else(|| Pressure(burst).to_string(), with_range);
     format!("the pressure is {pressure}, and the seal is predicted to burst at {burst}")
 }
 
