@@ -368,6 +368,10 @@ pub struct ModelEvidence {
     /// Whether the seal bursts; `None` if its strength or the pressure is unknown.
     #[serde(skip)]
     pub bursting: Option<Bursting>,
+    /// The least and the largest radius, mm, of an object on which the star surely presses. `None` where there is none, or if it surely
+    /// presses on its own object.
+    #[serde(skip)]
+    pub surely_held_mm: Option<Interval>,
     /// The warning about a bursting seal.
     #[serde(skip)]
     pub of_burst: Option<String>,
