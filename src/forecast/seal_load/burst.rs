@@ -75,6 +75,12 @@ pub(super) fn burst_bounds(case: &Case, k: f64, hinge: (LoadedHinge, f64)) -> Op
     Some([sure, at(low)])
 }
 
+/// The peel strength (N per m) with which the seal of a hinge surely holds `pressure` (Pa): the upper end of the range of its pull.
+pub(super) fn sure_strength(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> f64 {
+    let range = bounds(case, k, hinge, pressure).unwrap_or_else(|| widest(case, k, hinge, pressure));
+    range[1] * pull(case, k, hinge, pressure)
+}
+
 /// The pressure (Pa) at which the pull at a hinge is `peel` (N per m): the pull grows with the pressure, and less than in proportion.
 pub(super) fn bursting(case: &Case, k: f64, hinge: (LoadedHinge, f64), peel: f64) -> f64 {
     // pull = tube p + bent p^(1 - BENDABILITY): between two powers of p, so Newton's method in logarithms gains digits from the start, and
