@@ -213,9 +213,16 @@ impl fmt::Display for Least {
 /// Prints an upper limit: as [`Readable`], but rounded down, so that the printed value satisfies it.
 pub struct Most(pub f64);
 
+impl Most {
+    /// The number that is printed.
+    pub fn printed(&self) -> f64 {
+        directed(self.0, f64::floor)
+    }
+}
+
 impl fmt::Display for Most {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Readable(directed(self.0, f64::floor)).fmt(f)
+        Readable(self.printed()).fmt(f)
     }
 }
 

@@ -13,7 +13,7 @@ use crate::forecast::verdict::Verdict;
 use crate::pipeline::Forecast;
 use crate::spec;
 use crate::spec::{Allowed, FeedFloor, Machine, ObjectShape, Source, Spec};
-use crate::units::{Force, Length, Mass, Pressure};
+use crate::units::{Force, Length, Mass, Most, Pressure};
 use inflatable::mechanics::hinge::ring::RingTable;
 
 /// Masses of objects, kg.
@@ -157,7 +157,8 @@ impl Request {
             height: self.height,
             shape: self.shape,
             mass: self.mass,
-            pressure: self.pressure,
+            // As it is written: of a pressure in psi never more than the pump has.
+            pressure: self.pressure.map(|pressure| Pressure(Most(pressure.0).printed())),
             friction: self.friction.unwrap_or(FRICTION),
             largest_force: self.fragile,
             room: Workspace {

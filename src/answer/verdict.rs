@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::forecast::meshed::{MeshedPlace, MeshedValue};
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::ranges::scaled;
-use crate::forecast::ranges::shown::{known, or_unknown, rounded, with};
+use crate::forecast::ranges::shown::{or_unknown, rounded, with_limit};
 use crate::forecast::verdict::of_stars;
 use crate::pipeline::Forecast;
 use crate::spec::key;
@@ -27,10 +27,11 @@ pub fn in_words(forecast: &Forecast) -> String {
     let object = load.object_radius.map_or_else(String::new, across);
     let pressure = load.pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
     let payload = prediction.first.payload_kg.zip(prediction.first.ranges.payload_kg);
+    let mass = load.mass.map(|mass| mass.0);
     let payload = payload.zip(load.friction).map_or_else(String::new, |((kg, range), friction)| {
         let within = load.friction_range().filter(|[least, most]| least < most);
         let within = within.map_or_else(String::new, |[least, most]| format!(", {least} to {most},"));
-        format!("; with a friction of {friction}{within} it carries {}", with(kg, range, "kg"))
+        format!("; with a friction of {friction}{within} it carries {}", with_limit(kg, range, "kg", mass))
     });
     let why =
         if verdict.reasons.is_empty() { String::new() } else { format!(": {}", verdict.reasons.join("; ")) };
@@ -65,7 +66,8 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
         .iter()
         .filter_map(|star| Some((star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa)));
     if let Some((burst, range)) = bursting.min_by(|a, b| a.0.total_cmp(&b.0)) {
-        let at = or_unknown(burst, range, "kPa");
+        let with_range = |range| with_limit(burst, range, "kPa", Some(pressure.0));
+        let at = range.map_or_else(|| or_unknown(burst, None, "kPa"), with_range);
         rows.push(("bursts", format!("at {at}; {} times its pressure", rounded(burst / pressure.0))));
     }
     rows
@@ -91,7 +93,8 @@ pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
         let times = prediction
             .burst_margin
             .map_or_else(String::new, |margin| format!("; {} times its pressure", rounded(margin)));
-        rows.push(("bursts", format!("at {}{times}", with(burst, range, "kPa"))));
+        let limit = pressure.map(|pressure| pressure.0);
+        rows.push(("bursts", format!("at {}{times}", with_limit(burst, range, "kPa", limit))));
     }
     rows
 }
@@ -119,7 +122,10 @@ fn closing(star: &StarPrediction) -> String {
         _ => String::new(),
     };
     let Some([_, most]) = star.graspable_radius_mm else { return format!("unknown; {hole}{room}") };
-    let across = star.ranges.final_radius_mm.map(|range| scaled(range, 2.0));
-    let across = known(star.final_radius_mm.map(|radius| 2.0 * radius), across, "mm");
+    let object = star.object_radius_mm.map(|radius| 2.0 * radius);
+    let across = star.final_radius_mm.zip(star.ranges.final_radius_mm).map_or_else(
+        || "unknown".to_owned(),
+        |(radius, range)| with_limit(2.0 * radius, scaled(range, 2.0), "mm", object),
+    );
     format!("to {across} across; takes objects up to {} mm across; {hole}{room}", rounded(2.0 * most))
 }

@@ -1,5 +1,6 @@
 //! `stargrip-cam calibrate`
 
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
@@ -86,11 +87,13 @@ impl BenchResult<'_> {
         let Self { args, settings, .. } = self;
         let refused = |fault| Failure::Message(format!("{}: {fault}", shown(results)));
         let need = match (args.needed, &self.spec) {
-            (Some(needed), _) => Some((needed.0, String::new())),
-            (None, Some(spec)) => Some(need_of(spec, args.verbosity)?),
+            (Some(needed), _) => {
+                Some(Need { force: needed.0, margin: args.margin, why: String::new(), hint: "" })
+            }
+            (None, Some(spec)) => Some(Need::of(spec, args)?),
             (None, None) => None,
         };
-        let Some((needed, why)) = need else {
+        let Some(need) = need else {
             let _ = steady(settings).map_err(refused)?;
             let why = "no setting is chosen: give the required strength by --needed FORCE, or by --spec SPEC with a pressure in [load]"
                 .to_owned();
@@ -100,19 +103,21 @@ impl BenchResult<'_> {
             args.verbosity.remark(&listing(settings))?;
             return Err(Failure::Message(why));
         };
-        let chosen = calibrate(settings, needed, args.margin).map_err(refused)?;
+        let chosen = calibrate(settings, need.force, need.margin)
+            .map_err(|fault| Failure::Message(format!("{}: {fault}{}", shown(results), need.hint)))?;
         // One [fabric] section in all, so that the lines can be copied as they are.
         let fabric = format!("[fabric]\n{}", self.fabric.toml());
         let chosen_toml = chosen.toml().replacen("[fabric]\n", &fabric, 1);
         let all = if args.verbosity.verbose { listing(settings) } else { String::new() };
-        args.verbosity.report(&format!("{all}{why}{chosen_toml}"), &self.json(Some(needed), Some(&chosen)))
+        let text = format!("{all}{}{chosen_toml}", need.why);
+        args.verbosity.report(&text, &self.json(Some(&need), Some(&chosen)))
     }
 
     /// The JSON answer.
-    fn json(&self, needed: Option<f64>, chosen: Option<&Calibration>) -> Value {
+    fn json(&self, need: Option<&Need>, chosen: Option<&Calibration>) -> Value {
         json!({
-            "needed_N_mm": needed,
-            "margin": self.args.margin,
+            "needed_N_mm": need.map(|need| need.force),
+            "margin": need.map_or(self.args.margin, |need| need.margin),
             "settings": self.settings.iter().map(setting).collect::<Vec<_>>(),
             "chosen": chosen.map(setting),
             "coiling": self.coiling.as_ref().map(Coiling::json),
@@ -135,32 +140,61 @@ fn setting(found: &Calibration) -> Value {
     })
 }
 
-/// The largest load on a seal of the spec, N/mm, and a comment that names its place.
-fn need_of(loaded: &Loaded, verbosity: Verbosity) -> Result<(f64, String), Failure> {
-    let spec = &loaded.reading.spec;
-    let refused = |why: &str| Failure::Message(format!("{}: {why}", shown(&loaded.source.name)));
-    let pressure = spec.load.as_ref().and_then(|load| load.pressure);
-    let pressure = pressure.ok_or_else(|| refused("[load] has no pressure; write one, or give --needed"))?;
-    let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
-    let mut loads = Vec::new();
-    for part in design.assembly().into_iter().flat_map(|assembly| &assembly.distinct) {
-        let case = Case::of(spec, &part.star).map_err(|fault| refused(&fault.to_string()))?;
-        loads.extend(seal_loads(&case, part).into_iter().map(|load| (load.load, load.place.to_owned())));
-    }
-    if let Some(piece) = design.drawn() {
-        let found = watched_by(verbosity, |watch| {
-            inflate(spec, piece, Detail::Coarse, watch).map_err(|refusal| not_computed(loaded, refusal))
-        })?;
-        loads.extend(found.prediction.seam_loads());
-    }
-    let mut largest = (0.0, String::new());
-    for (load, place) in loads {
-        let unknown = || refused(&format!("the load at the {place} is unknown; give --needed"));
-        let force = load.ok_or_else(unknown)?;
-        if force.0 > largest.0 {
-            largest = (force.0, place);
+/// A required strength.
+struct Need {
+    /// The largest load on the seal, N/mm.
+    force: f64,
+    /// Required ratio of the seal's strength to it.
+    margin: f64,
+    /// A comment that names its place; empty if it was given.
+    why: String,
+    /// The end of the message that no setting has that strength; empty if there is nothing to add.
+    hint: &'static str,
+}
+
+impl Need {
+    /// The need of the seal of a spec. The margin is at least such that `check` finds no seal that may burst.
+    fn of(loaded: &Loaded, args: &Args) -> Result<Self, Failure> {
+        let spec = &loaded.reading.spec;
+        let refused = |why: &str| Failure::Message(format!("{}: {why}", shown(&loaded.source.name)));
+        let pressure = spec.load.as_ref().and_then(|load| load.pressure);
+        let pressure =
+            pressure.ok_or_else(|| refused("[load] has no pressure; write one, or give --needed"))?;
+        let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
+        let (mut loads, mut surely) = (Vec::new(), 0.0_f64);
+        for part in design.assembly().into_iter().flat_map(|assembly| &assembly.distinct) {
+            let case = Case::of(spec, &part.star).map_err(|fault| refused(&fault.to_string()))?;
+            for load in seal_loads(&case, part) {
+                surely = surely.max(load.sure_strength.map_or(0.0, |strength| strength.0));
+                loads.push((load.load, load.place.to_owned()));
+            }
         }
+        if let Some(piece) = design.drawn() {
+            let found = watched_by(args.verbosity, |watch| {
+                inflate(spec, piece, Detail::Coarse, watch).map_err(|refusal| not_computed(loaded, refusal))
+            })?;
+            loads.extend(found.prediction.seam_loads());
+        }
+        let mut largest = (0.0, String::new());
+        for (load, place) in loads {
+            let unknown = || refused(&format!("the load at the {place} is unknown; give --needed"));
+            let force = load.ok_or_else(unknown)?;
+            if force.0 > largest.0 {
+                largest = (force.0, place);
+            }
+        }
+        let (force, place) = largest;
+        let mut why = format!("# at {pressure} the seal has to hold {force:.3} N/mm at the {place}\n");
+        let (mut margin, mut hint) = (args.margin, "");
+        if surely > margin * force {
+            margin = (100.0 * surely / force).ceil() / 100.0;
+            let _ = writeln!(
+                why,
+                "# it may have to hold {surely:.3} N/mm, so the margin is {margin}: the pull of such hinges is uncertain"
+            );
+            hint =
+                "; the pull of such hinges is uncertain: a larger tip_radius and corner_radius may need less";
+        }
+        Ok(Self { force, margin, why, hint })
     }
-    let (force, place) = largest;
-    Ok((force, format!("# at {pressure} the seal has to hold {force:.3} N/mm at the {place}\n")))
 }

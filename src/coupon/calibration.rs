@@ -143,7 +143,7 @@ pub fn calibrate(
     let steady = steady(settings)?;
     let best = steady
         .iter()
-        .filter(|c| c.strength >= least)
+        .filter(|c| c.written() >= least)
         .max_by(|a, b| a.setting.speed.total_cmp(&b.setting.speed).then(a.strength.total_cmp(&b.strength)));
     best.copied().ok_or_else(|| {
         let strongest = steady.iter().map(|c| c.strength).fold(0.0, f64::max);
@@ -200,11 +200,15 @@ impl Calibration {
         }
     }
 
+    /// The strength as it is written into the spec, N/mm: a lower bound is rounded down; 1e-6 of the last digit is rounding error.
+    fn written(&self) -> f64 {
+        (self.strength * 1e3 + 1e-6).floor() / 1e3
+    }
+
     /// The lines for the spec.
     pub fn toml(&self) -> String {
-        let Self { setting, mean, deviation, strength, count } = self;
-        // A lower bound is rounded down; 1e-6 of the last digit is rounding error.
-        let strength = (strength * 1e3 + 1e-6).floor() / 1e3;
+        let Self { setting, mean, deviation, count, .. } = self;
+        let strength = self.written();
         let speed = setting.speed;
         let fast = if speed > FAST {
             format!(

@@ -64,6 +64,7 @@ codes! {
         SteepRamp "steep-ramp" "The iron would go straight down onto the fabric; write a longer ramp in the machine profile.",
         StraightCorner "straight-corner" "The reentrant corners would be straight or open outwards; narrow the tips or add points.",
         ThickHose "thick-hose" "A warning: the hose is thicker than the inflated tube; take a thinner hose, or a wider tube.",
+        ThinRim "thin-rim" "The coating windows reach the edge of the mask's plate; make border or allowance larger.",
         ThinWeb "thin-web" "A warning: little fabric stays between a hole of a drawing and another cut; move the hole.",
         TightHole "tight-hole" "A warning: the object has little room in the cut hole; make inner_radius larger, or align it exactly.",
         TooHard "too-hard" "A star presses harder than `largest_force`, even at the lower end of its range; lower the pressure, or use `--anyway`.",

@@ -4,8 +4,15 @@ use crate::design::offset::offset;
 use crate::design::window::{Reach, Zone};
 use crate::design::{Outline, Refusal, RefusalCode, Star, Warning};
 use crate::spec::{Spec, StarSpec, key};
-use crate::units::Readable;
+use crate::units::{Least, Readable};
 use inflatable::geom::{Isometry, Path};
+
+/// Least width of the plate's **rim**, the strip between its edge and the windows, mm: no tool leaves a narrower one, and the
+/// chords of an STL stay within 0.02 mm of either side, so that walls of two sides never meet.
+const LEAST_RIM: f64 = 0.1;
+
+/// Rounding of a sum of lengths of a spec, mm.
+const ROUNDING: f64 = 1e-9;
 
 /// The mask of one star, in the star's frame, for the face that the iron touches; seen from above it is
 /// turned over, mirrored, for the other face. Its registration holes are the outline's.
@@ -30,7 +37,7 @@ impl MaskPlate {
     /// neighbouring windows.
     ///
     /// # Errors
-    /// If the requested extent does not fit, or the windows become empty.
+    /// If the requested extent does not fit, the windows become empty, or they reach the plate's edge.
     pub fn new(spec: &Spec, star_spec: &StarSpec, star: &Star, outline: &Outline) -> Result<Self, Refusal> {
         let mask = &spec.mask;
         let zone = Zone::new(star, &spec.seal, mask);
@@ -45,6 +52,10 @@ impl MaskPlate {
         };
         let window = zone.window(extent)?;
         let windows = (1..=star.n).map(|k| Isometry::rotation(star.corner_ray(k)).path(&window)).collect();
+        let [rim, border, allowance] = rim(spec);
+        if rim < LEAST_RIM - ROUNDING {
+            return Err(thin_rim(rim, border, allowance));
+        }
         let plate = offset(&outline.outside, mask.border.0).ok_or_else(|| no_plate(mask.border.0))?;
         Ok(Self { plate, windows, extent, wanted, border: mask.border.0 })
     }
@@ -99,12 +110,34 @@ fn too_far(wanted: f64, most: f64) -> Refusal {
     )
 }
 
+/// Width of the rim of a mask of `spec`, and the border and the allowance that would be just enough if the other stayed, mm.
+///
+/// Outside, a window ends where the band does, less the creep; the plate's edge is `allowance` and `border` farther out.
+fn rim(spec: &Spec) -> [f64; 3] {
+    let (border, allowance) = (spec.mask.border.0, spec.seal.allowance.0);
+    let rim = border + allowance + spec.mask.creep.0;
+    [rim, border + LEAST_RIM - rim, allowance + LEAST_RIM - rim]
+}
+
+fn thin_rim(rim: f64, border: f64, allowance: f64) -> Refusal {
+    Refusal::new(
+        key::mask::BORDER,
+        RefusalCode::ThinRim,
+        format!("{} mm of the mask's plate stay between its edge and the coating windows", Readable(rim)),
+        format!(
+            "border must be at least {} mm; or alone: an allowance of at least {} mm",
+            Least(border),
+            Least(allowance)
+        ),
+    )
+}
+
 fn no_plate(border: f64) -> Refusal {
     Refusal::new(
         key::mask::BORDER,
         RefusalCode::NoPlate,
         format!("the outline cannot be grown by {} mm", Readable(border)),
-        "make border smaller, or \"0 mm\" for a plate as large as the outline".to_owned(),
+        "make border smaller".to_owned(),
     )
 }
 

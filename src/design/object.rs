@@ -122,8 +122,9 @@ impl Star {
     }
 }
 
-/// An object that does not pass the hole of radius `hole` of a star of inner radius `inner`.
-pub fn does_not_enter(spec: &Spec, (inner, hole): (f64, f64), entering: f64) -> Refusal {
+/// An object of radius `entering` that does not pass the hole of radius `hole` of a star of inner radius `inner`, which surely holds
+/// objects up to the radius `widest`; `None` if it holds none. All in mm.
+pub fn does_not_enter(spec: &Spec, (inner, hole): (f64, f64), entering: f64, widest: Option<f64>) -> Refusal {
     let key = spec.load.as_ref().map_or(key::load::OBJECT_DIAMETER, Load::size_key);
     let flap = inner - hole;
     let found = format!(
@@ -134,11 +135,10 @@ pub fn does_not_enter(spec: &Spec, (inner, hole): (f64, f64), entering: f64) -> 
         Readable(flap),
     );
     let wanted = entering + room(Length(entering)).0 + flap;
-    let remedy = format!(
-        "an object of at most {} mm across, or an inner_radius of at least {} mm",
-        Most(2.0 * hole),
-        Least(wanted)
-    );
+    let narrower = widest.map_or_else(String::new, |radius| {
+        format!("an object of at most {} mm across, or ", Most(2.0 * radius))
+    });
+    let remedy = format!("{narrower}an inner_radius of at least {} mm", Least(wanted));
     Refusal::new(key, RefusalCode::ObjectTooWide, found, remedy)
 }
 

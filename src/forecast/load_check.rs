@@ -3,7 +3,7 @@
 use crate::design::{Object, Refusal, RefusalCode, does_not_enter};
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::ranges::Interval;
-use crate::forecast::ranges::shown::or_unknown;
+use crate::forecast::ranges::shown::{apart, or_unknown};
 use crate::forecast::seal_load::{Bursting, bursts_at};
 use crate::spec::{Load, Spec, StarSpec, key};
 use crate::units::{Least, Length, Mass, Most, Pressure};
@@ -22,7 +22,37 @@ const UNITS: [f64; 4] = [1e-2, 1e-3, 1e1, 1e3];
 /// `star`, made of `part`, does not let the object in: its widest part does not pass the cut hole.
 pub(super) fn too_wide_to_enter(spec: &Spec, part: &StarSpec, star: &StarPrediction) -> Option<Refusal> {
     let gap = star.object_gap_mm.filter(|gap| *gap < -ROUNDING)?;
-    Some(does_not_enter(spec, (part.inner_radius.0, star.hole_radius_mm), star.hole_radius_mm - gap))
+    let hole = star.hole_radius_mm;
+    // One that enters may still be wider than the inflated star opens.
+    let widest = match held(star) {
+        HeldSizes::Radii([_, most]) => {
+            let (load, there) = (spec.load.as_ref()?, star.object_radius_mm?);
+            Some(hole.min(Object::widest_for(load, there, most)))
+        }
+        HeldSizes::None => None,
+        HeldSizes::Unknown => Some(hole),
+    };
+    Some(does_not_enter(spec, (part.inner_radius.0, hole), hole - gap, widest))
+}
+
+/// The radii of objects, mm, that a star surely holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum HeldSizes {
+    /// From the least to the largest.
+    Radii(Interval),
+    /// It surely holds no object.
+    None,
+    /// No model covers the star.
+    Unknown,
+}
+
+/// The objects that `star` surely holds. Models without ranges hold all that they reach.
+pub(super) fn held(star: &StarPrediction) -> HeldSizes {
+    match (star.graspable_radius_mm, star.ranges.final_radius_mm) {
+        (None, _) => HeldSizes::Unknown,
+        (Some(radii), None) => HeldSizes::Radii(radii),
+        (Some(_), Some(_)) => star.evidence.surely_held_mm.map_or(HeldSizes::None, HeldSizes::Radii),
+    }
 }
 
 /// No star of the stack touches the object.
@@ -40,9 +70,13 @@ pub(super) fn too_short(load: &Load) -> Refusal {
     )
 }
 
-/// The star closes to `least` (mm) at the least, and the object of radius `object` is thinner. One of `reached` is certainly reached.
-pub(super) fn too_thin(load: &Load, object: f64, [least, reached]: Interval) -> Refusal {
-    let wanted = Object::widest_for(load, object, reached);
+/// The star closes to `least` (mm) at the least, and the object of radius `object` is thinner than those that are `held`.
+pub(super) fn too_thin(load: &Load, object: f64, least: f64, held: HeldSizes) -> Refusal {
+    let closer = "a star that closes further: a smaller inner_radius";
+    let remedy = match held {
+        HeldSizes::Radii([wanted, _]) => format!("{}, or {closer}", at_least(load, object, wanted)),
+        HeldSizes::None | HeldSizes::Unknown => format!("{NONE_HELD}; {closer}"),
+    };
     Refusal::new(
         load.size_key(),
         RefusalCode::ObjectTooThin,
@@ -52,15 +86,41 @@ pub(super) fn too_thin(load: &Load, object: f64, [least, reached]: Interval) -> 
             Least(2.0 * least),
             Most(2.0 * object)
         ),
-        format!(
-            "{}, or a star that closes further: a smaller inner_radius",
-            size(load, [Least(2.0 * wanted).to_string(), Least(wanted).to_string()], "at least")
-        ),
+        remedy,
     )
 }
 
-/// The star opens to `most` (mm) and the object of radius `object` is wider. One of `least` is certainly reached.
-pub(super) fn too_wide_to_open(load: &Load, object: f64, [least, most]: Interval) -> Refusal {
+/// That the object, of radius `object` (mm) at a star, would have to have the radius `wanted` there, in the words of its key.
+fn at_least(load: &Load, object: f64, wanted: f64) -> String {
+    let wanted = Object::widest_for(load, object, wanted);
+    size(load, [Least(2.0 * wanted).to_string(), Least(wanted).to_string()], "at least")
+}
+
+/// `star` may press on the object of radius `object` (mm) with no force, in words.
+pub(super) fn may_not_press(load: &Load, star: &StarPrediction, object: f64) -> Option<String> {
+    let _ = star.ranges.object_force_N.filter(|[low, _]| *low <= 0.0)?;
+    let surely = match held(star) {
+        HeldSizes::Radii([wanted, _]) if wanted > object => {
+            format!("an object of {} is surely held", at_least(load, object, wanted))
+        }
+        _ => NONE_HELD.to_owned(),
+    };
+    Some(format!("it may touch the object without force: {surely}"))
+}
+
+const NONE_HELD: &str = "it surely holds no object of any size";
+
+/// The star opens to `most` (mm) and the object of radius `object` is wider than those that are `held`.
+pub(super) fn too_wide_to_open(load: &Load, object: f64, most: f64, held: HeldSizes) -> Refusal {
+    let wider = "a larger inner_radius, fewer points or a smaller tube_width";
+    let remedy = match held {
+        HeldSizes::Radii([least, most]) => format!(
+            "from {} to {} mm across; or {wider}",
+            Least(2.0 * Object::widest_for(load, object, least)),
+            Most(2.0 * Object::widest_for(load, object, most))
+        ),
+        HeldSizes::None | HeldSizes::Unknown => format!("{NONE_HELD}; {wider}"),
+    };
     Refusal::new(
         load.size_key(),
         RefusalCode::ObjectTooWide,
@@ -69,11 +129,7 @@ pub(super) fn too_wide_to_open(load: &Load, object: f64, [least, most]: Interval
             Most(2.0 * most),
             Least(2.0 * object)
         ),
-        format!(
-            "from {} to {} mm across; or a larger inner_radius, fewer points or a smaller tube_width",
-            Least(2.0 * Object::widest_for(load, object, least)),
-            Most(2.0 * Object::widest_for(load, object, most))
-        ),
+        remedy,
     )
 }
 
@@ -106,20 +162,23 @@ pub(super) fn bursts(load: &Load, star: &StarPrediction) -> Option<Refusal> {
     Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, found, remedy))
 }
 
-/// Two forces with as many decimals as tell them apart, one at least.
-pub(super) fn apart(a: f64, b: f64) -> [String; 2] {
-    let texts = |decimals: usize| [a, b].map(|force| format!("{force:.decimals$}"));
-    (1..6).map(texts).find(|[a, b]| a != b).unwrap_or_else(|| texts(6))
-}
-
 /// A star presses with `low` to `high` N, and the object bears `bears` N.
 pub(super) fn too_hard([low, high]: Interval, bears: f64) -> Refusal {
+    let [low, _] = apart(low, bears);
     Refusal::new(
         key::load::LARGEST_FORCE,
         RefusalCode::TooHard,
-        format!("it presses with at least {low:.1} N, but the object bears {bears} N"),
-        format!("an object that bears at least {high:.1} N; or less pressure, or a larger inner_radius"),
+        format!("it presses with at least {low} N, but the object bears {bears} N"),
+        format!(
+            "an object that bears at least {:.1} N; or less pressure, or a larger inner_radius",
+            tenths_up(high)
+        ),
     )
+}
+
+/// `x`, rounded up to a tenth: an upper end of a range, so that the printed one holds.
+pub(super) fn tenths_up(x: f64) -> f64 {
+    (10.0 * x).ceil() / 10.0
 }
 
 /// All stars press with `low` to `high` N together, and friction needs `needed` N to hold the mass of `load`.
@@ -169,15 +228,4 @@ pub(super) fn outside_models(spec: &Spec, load: &Load, star: &StarPrediction) ->
         format!("no model covers this star at {pressure}"),
         format!("{meant}it is modelled from {} to {} kPa", Least(low), Most(high)),
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn forces_that_differ_are_printed_so() {
-        assert_eq!(apart(7.7, 8.1), ["7.7", "8.1"]);
-        assert_eq!(apart(7.712, 7.7041), ["7.71", "7.70"]);
-    }
 }

@@ -9,6 +9,7 @@ use inflatable::mechanics::hinge::HingeModel;
 use inflatable::mechanics::star::grasp::Grasp;
 use inflatable::mechanics::star::response::{Inflated, Rest};
 use inflatable::mechanics::strength::payload;
+use inflatable::numerics::last_holding;
 
 /// Shortest arm over tube width: shorter ones are no straight tube any more, and the model's hinges would overlap.
 pub const SHORTEST_ARM: f64 = 0.5;
@@ -47,6 +48,9 @@ pub struct Outcome {
     /// Range of the payload of this star alone, kg.
     pub payload_range: Option<Interval>,
 }
+
+/// Rounds of halving an interval of radii: its ends then differ by less than is printed.
+const ROUNDS: u32 = 40;
 
 /// Rounding of radii, m: an object as wide as the hole enters.
 const ROUNDING: f64 = 1e-12;
@@ -138,6 +142,24 @@ impl Outcome {
             }
             _ => Some([0.0; 2]),
         }
+    }
+
+    /// The least and the largest radius, m, of an object that the star of `case`, which is `inflated`, surely presses on: the range of the
+    /// force on it begins above 0. `None` if there is no such object.
+    pub fn surely_held(&self, case: &Case, inflated: &Inflated<'_>) -> Option<Interval> {
+        let range = |rho: f64| {
+            let case = Case { object: Some(rho), entering: None, ..*case };
+            Self::linear(&case, inflated).force_range
+        };
+        let presses = |rho: f64| range(rho).is_some_and(|[low, _]| low > 0.0);
+        let [least, most] = self.graspable;
+        // Where shells were not opened so far, there is no range.
+        let widest = if range(most).is_some() {
+            most
+        } else {
+            last_holding(least, most, ROUNDS, |rho| range(rho).is_some())
+        };
+        presses(widest).then(|| [last_holding(widest, least, ROUNDS, presses), widest])
     }
 
     /// `range` of the force. If the model's force has grown since the edge of the validated domain, its lower end is at least the one

@@ -6,7 +6,7 @@ use crate::forecast::model_selection::{corrected, hinge_model, limits_of_validit
 use crate::forecast::outcome::{Grip, Outcome};
 use crate::forecast::prediction::{ForceAt, Hinges, ModelEvidence, Prediction, StarPrediction};
 use crate::forecast::pressures::{LEAST, MOST, modelled, outside_section, rows};
-use crate::forecast::ranges::{Domain, Interval, Ranges, StarRanges, errors, outside, sum};
+use crate::forecast::ranges::{Domain, Interval, Ranges, StarRanges, errors, mm, outside, sum};
 use crate::forecast::seal_load::{
     Bursting, LoadedHinge, burst, burst_range, factor, hardest_bounds, largest_pull, possible_radius, remedy,
 };
@@ -179,6 +179,10 @@ impl PlacedCase<'_> {
         let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
         let outcome = Outcome::linear(case, &inflated);
         let known = outcome.known;
+        // Needed for a remedy only.
+        let presses = outcome.force_range.is_some_and(|[low, _]| low > 0.0);
+        let held =
+            if presses || outcome.hold.is_none() { None } else { outcome.surely_held(case, &inflated) };
         let answered = StarAnswer { model, inflated, outcome };
         let mut star = self.unknown(if outcome.known { choice } else { unlike(case) });
         let warnings = &mut star.evidence.warnings;
@@ -188,6 +192,7 @@ impl PlacedCase<'_> {
             warnings.extend(of_the_shape(case, &outcome));
             star.evidence.of_object = outcome.object_warning(case);
             warnings.extend(star.evidence.of_object.clone());
+            star.evidence.surely_held_mm = held.map(mm);
         }
         star.nonlinear = answered.nonlinear(case, self.spec.accuracy.response, warnings);
         answered.fill(&mut star, case)?;

@@ -91,18 +91,22 @@ impl Verdict {
         let word = self.word();
         let force = match (self.force_N, self.force_range_N) {
             (Some(force), Some(range)) if range[1] > 0.0 => {
-                format!(" with {}", shown::with(force, range, "N"))
+                let limit = Some(self.needed_N.unwrap_or(0.0));
+                format!(" with {}", shown::with_limit(force, range, "N", limit))
             }
             _ => String::new(),
         };
-        let needed = self.needed_N.map_or(String::new(), |needed| format!(" ({needed:.1} N are needed)"));
+        let needed = self.needed_N.map_or(String::new(), |needed| {
+            let needed = shown::apart_from(needed, self.force_range_N.unwrap_or([0.0; 2]));
+            format!(" ({needed} N are needed)")
+        });
         format!("{word}{force}{needed}")
     }
 
     /// The force of one star, if it differs from the force of all and a limit is set.
     pub fn one_star(&self) -> Option<String> {
         let bears = self.largest_force_N.filter(|_| self.stars > 1)?;
-        let force = shown::with(self.star_force_N?, self.star_force_range_N?, "N");
+        let force = shown::with_limit(self.star_force_N?, self.star_force_range_N?, "N", Some(bears));
         Some(format!(
             "of these {} stars the hardest presses with {force}; the object bears {bears} N of one star",
             self.stars
@@ -364,6 +368,10 @@ pub struct ModelEvidence {
     /// Whether the seal bursts; `None` if its strength or the pressure is unknown.
     #[serde(skip)]
     pub bursting: Option<Bursting>,
+    /// The least and the largest radius, mm, of an object on which the star surely presses. `None` where there is none, or if it surely
+    /// presses on its own object.
+    #[serde(skip)]
+    pub surely_held_mm: Option<Interval>,
     /// The warning about a bursting seal.
     #[serde(skip)]
     pub of_burst: Option<String>,

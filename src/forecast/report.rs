@@ -41,7 +41,10 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
     }
     if let Some(payload) = prediction.first.payload_kg {
         let text = match prediction.first.ranges.payload_kg {
-            Some(range) => shown::with(payload, range, "kg"),
+            Some(range) => {
+                let mass = spec.load.as_ref().and_then(|load| load.mass).map(|mass| mass.0);
+                shown::with_limit(payload, range, "kg", mass)
+            }
             None if prediction.first.model == SHELL => {
                 let open =
                     prediction.stars.iter().filter_map(payload_mesh_error).reduce(|sum, one| sum + one);
@@ -110,9 +113,11 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         ("largest pull on the seal", star.seal_pull_N_per_mm, star.ranges.seal_pull_N_per_mm, "N/mm"),
         ("burst pressure", star.burst_pressure_kPa, star.ranges.burst_pressure_kPa, "kPa"),
     ];
+    let pressure = star.burst_pressure_kPa.zip(star.burst_margin).map(|(burst, margin)| burst / margin);
     for (what, value, range, unit) in of_the_seal {
+        let limit = pressure.filter(|_| unit == "kPa");
         match value.zip(range) {
-            Some((value, range)) => line(what, shown::with(value, range, unit)),
+            Some((value, range)) => line(what, shown::with_limit(value, range, unit, limit)),
             None => value.into_iter().for_each(|value| line(what, shown::or_unknown(value, None, unit))),
         }
     }

@@ -12,7 +12,7 @@ pub(super) use self::burst::hardest_bounds;
 pub use self::burst::{Bursting, DrawnSeal, burst, burst_range, bursts_at};
 pub use self::pull::{LoadedHinge, RANGE, factor, largest_pull, pull};
 
-use self::burst::{burst_bounds, bursting};
+use self::burst::{burst_bounds, bursting, sure_strength};
 use self::pull::{R_STAR, is_tried, range};
 use crate::design::{Star, StarDesign};
 use crate::forecast::case::{Case, mechanism};
@@ -81,6 +81,8 @@ pub struct SealLoad {
     pub load: Option<LineForce>,
     /// Its range; a straight tube's is exact.
     pub range: Option<[LineForce; 2]>,
+    /// Peel strength with which the seal surely holds that pressure, also where the range is too uncertain to be printed.
+    pub sure_strength: Option<LineForce>,
     /// Pressure at which the peel strength is reached; `None` without a `seal_strength`.
     pub burst: Option<Pressure>,
     /// Its range; a straight tube's is exact.
@@ -123,6 +125,10 @@ fn at_place(
         Some((hinge, k)) => range(case, k?, hinge, p).map(|range| scaled(range, load)),
         None => Some([load; 2]),
     });
+    let sure = load.zip(case.pressure).and_then(|(load, p)| match k {
+        Some((hinge, k)) => Some(sure_strength(case, k?, hinge, p)),
+        None => Some(load),
+    });
     let burst = case.peel.and_then(|peel| match k {
         Some((hinge, k)) => k.map(|k| bursting(case, k, hinge, peel)),
         None => Some(PI * peel / width),
@@ -141,6 +147,7 @@ fn at_place(
         factor: load.zip(case.pressure).map(|(load, p)| load / (p * width)),
         range: pull_range.map(|range| range.map(LineForce::from_newtons_per_metre)),
         load: load.map(LineForce::from_newtons_per_metre),
+        sure_strength: sure.map(LineForce::from_newtons_per_metre),
         burst: burst.map(Pressure::from_pascals),
         burst_range: burst_range.map(|range| range.map(Pressure::from_pascals)),
         bursting,
@@ -162,7 +169,11 @@ impl SealLoad {
             Bursting::No => None,
             Bursting::Perhaps => {
                 let holds = match self.burst_range {
-                    Some([low, high]) => format!("it holds {:.1} to {:.1} kPa", low.0, high.0),
+                    // Rounded outwards: the pressure lies between them.
+                    Some(range) => {
+                        let [low, high] = range.map(|end| 10.0 * end.0);
+                        format!("it holds {:.1} to {:.1} kPa", low.floor() / 10.0, high.ceil() / 10.0)
+                    }
                     None => "how far it holds is unknown".to_owned(),
                 };
                 Some(format!(

@@ -2,12 +2,13 @@
 
 use crate::design::{Object, Refusal, RefusalCode};
 use crate::forecast::load_check::{
-    ROUNDING, apart, bursts, may_burst, outside_models, too_hard, too_heavy, too_short, too_thin,
-    too_wide_to_enter, too_wide_to_open,
+    ROUNDING, bursts, held, may_burst, may_not_press, outside_models, tenths_up, too_hard, too_heavy,
+    too_short, too_thin, too_wide_to_enter, too_wide_to_open,
 };
 use crate::forecast::outcome::Grip;
 use crate::forecast::prediction::StarPrediction;
 pub use crate::forecast::prediction::{Holds, Verdict};
+use crate::forecast::ranges::shown::apart;
 use crate::forecast::ranges::{Interval, sum};
 use crate::spec::{Code, Load, Spec};
 use crate::units::{Force, Mass};
@@ -294,11 +295,11 @@ fn idle(load: &Load, star: &StarPrediction, object: f64) -> Option<Refusal> {
         return Some(too_short(load));
     }
     // Where the range is known, the object may lie within it.
-    let [sure, reached] = star.ranges.final_radius_mm.unwrap_or([least; 2]);
+    let [sure, _] = star.ranges.final_radius_mm.unwrap_or([least; 2]);
     if object < sure {
-        return Some(too_thin(load, object, [sure, reached.min(most)]));
+        return Some(too_thin(load, object, sure, held(star)));
     }
-    (object > most + ROUNDING).then(|| too_wide_to_open(load, object, [reached.min(most), most]))
+    (object > most + ROUNDING).then(|| too_wide_to_open(load, object, most, held(star)))
 }
 
 /// The reasons why it is not certain that a star holds the object of radius `object` (mm).
@@ -309,13 +310,17 @@ fn doubts(load: &Load, star: &StarPrediction, object: f64) -> Vec<String> {
         return reasons;
     }
     if let Some([_, high]) = star.ranges.final_radius_mm.filter(|[_, high]| object < *high) {
-        reasons.push(format!("it may close only to {:.1} mm across, and not reach the object", 2.0 * high));
+        let across = tenths_up(2.0 * high);
+        reasons.push(format!("it may close only to {across:.1} mm across, and not reach the object"));
+    } else {
+        reasons.extend(may_not_press(load, star, object));
     }
     if star.hold == Some(Grip::Untried) {
         reasons.push("the force on the object is unknown".to_owned());
     }
     match (load.largest_force, star.ranges.object_force_N, star.object_force_N) {
         (Some(Force(bears)), Some([low, high]), _) if low <= bears && high > bears => {
+            let high = tenths_up(high);
             reasons.push(format!("it may press with {high:.1} N, but the object bears {bears} N"));
         }
         (Some(Force(bears)), None, Some(force)) if force > bears => {

@@ -69,6 +69,7 @@ codes! {
         MissingKey "missing-key" "A required key is missing; write it.",
         Name "name" "A name is empty, too long, or holds control characters; choose another.",
         NoColumn "no-column" "A table lacks a column; add it, under the name shown.",
+        NoEffect "no-effect" "A warning: the key has no effect at this place; move it, or delete it.",
         NoHeader "no-header" "A table does not begin with the names of its columns; write them above the numbers.",
         NoRows "no-rows" "A table has a header and no rows; check whether it is the right file.",
         NoUnit "no-unit" "A quantity is a bare number; write it in quotes, with one of the units shown.",

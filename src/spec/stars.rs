@@ -139,6 +139,12 @@ fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32,
             .label("[inlet] has `none = true`");
             section.report(fault);
         }
+        if index == Some(1) && stars.len() > 1 && section.has("pitch") {
+            let fault = Fault::warning(FaultCode::NoEffect, section.place_of("pitch"), "`pitch` of star 1")
+                .label("has no effect: it is the distance from the star below, and star 1 is the bottom")
+                .help("write it into the section of star 2, or delete it");
+            section.report(fault);
+        }
         let Some(slot) = slot else { continue };
         if std::mem::replace(&mut seen[slot], true) {
             let fault = Fault::error(

@@ -110,6 +110,25 @@ fn two_hundred_wishes() {
     assert_eq!(held, 112);
 }
 
+/// To six digits, and of 34.47379 kPa never more than the pump has.
+#[test]
+fn a_pressure_that_is_requested_is_written() {
+    for (requested, written) in
+        [("34.52 kPa", "34.52 kPa"), ("27.38 kPa", "27.38 kPa"), ("5 psi", "34.4737 kPa")]
+    {
+        let dir = folder();
+        let output = run(
+            dir.path(),
+            &["new", "wish", "--object", "70 mm", "--mass", "300 g", "--pressure", requested],
+        );
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let spec = fs::read_to_string(dir.path().join("wish.toml")).expect("written");
+        let line = format!("pressure = \"{written}\"");
+        assert!(spec.lines().any(|found| found.starts_with(&line)), "{line}: {spec}");
+        holds(dir.path(), 0.3, 70.0, requested);
+    }
+}
+
 #[test]
 fn what_is_said_is_kept() {
     let dir = folder();

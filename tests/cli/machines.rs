@@ -593,6 +593,44 @@ fn calibrate_takes_the_need_from_the_spec_or_asks() {
     let _ = fails(dir.path(), &both, 2, &["cannot be used with"]);
 }
 
+/// The pull of sharp hinges has no printed range. The strength that is chosen holds for sure, and one that may not is not chosen.
+#[test]
+fn calibrate_covers_the_pull_of_sharp_hinges() {
+    let spec = format!(
+        "{}[fabric]\nthickness = \"0.6 mm\"\n[load]\npressure = \"15 kPa\"\nobject_diameter = \"120 mm\"\n",
+        support::PAPER.replace("50 mm", "120 mm").replace("30 mm", "60 mm")
+    );
+    let holds = |newtons: f64| {
+        let peels = [newtons - 1.0, newtons, newtons + 1.0];
+        let dir = calibration(&table(&[(0.1, &peels)]));
+        fs::write(dir.path().join("star.toml"), &spec).expect("written");
+        let found = run(dir.path(), &["calibrate", "results.csv", "--spec", "star.toml"]);
+        let said = if found.status.success() { stdout(&found) } else { stderr(&found) };
+        let strength = said.lines().find(|line| line.starts_with("seal_strength")).map(ToOwned::to_owned);
+        let Some(strength) = strength else {
+            assert!(
+                said.contains("the strongest setting holds") && said.contains("a larger tip_radius"),
+                "{said}"
+            );
+            return None;
+        };
+        let strong = spec.replace("[load]", &format!("{strength}\n[load]"));
+        fs::write(dir.path().join("strong.toml"), strong).expect("written");
+        let args = ["check", "strong.toml", "--json"];
+        assert_eq!(json_of(&done(dir.path(), &args))["verdict"]["holds"], true, "{said}");
+        assert!(said.contains("so the margin is "), "{said}");
+        Some(strength)
+    };
+    // 14.4 N/mm are 1.5 times the predicted pull.
+    assert_eq!(holds(361.0), None);
+    let [mut weak, mut strong] = [361.0, 1500.0];
+    assert!(holds(strong).is_some());
+    for _ in 0..6 {
+        let middle = f64::midpoint(weak, strong);
+        if holds(middle).is_some() { strong = middle } else { weak = middle }
+    }
+}
+
 /// The pull of a drawing is that of its shell. The command that `coupon` prints works as soon as the table is filled in.
 #[test]
 fn calibrate_takes_the_need_of_a_drawing_from_its_shell() {

@@ -2,8 +2,8 @@
 
 use crate::{gripper, predict};
 use stargrip_cam::forecast::verdict::{Holds, Verdict, refusals, verdict};
-use stargrip_cam::spec::{Code, Spec};
-use stargrip_cam::units::{Force, Length, LineForce, Mass, Pressure};
+use stargrip_cam::spec::{Code, ObjectSize, Spec};
+use stargrip_cam::units::{Angle, Force, Length, LineForce, Mass, Pressure};
 
 fn judged(change: impl Fn(&mut Spec)) -> Verdict {
     let mut spec = gripper(5);
@@ -235,4 +235,111 @@ fn a_star_beside_the_object_adds_no_force_to_the_range() {
     let star = predict(&spec).first;
     let [low, high] = star.ranges.object_force_N.expect("known");
     assert!(star.object_force_N == Some(0.0) && low == 0.0 && high > 0.0, "{low} {high}");
+}
+
+/// The printed force is on the same side of the printed need as the force is.
+#[test]
+fn a_force_is_printed_on_its_side_of_the_need() {
+    let light = with_mass(0.01);
+    let friction = light.needed_N.expect("a mass").recip() * 0.01 * 9.806_65;
+    for end in light.force_range_N.expect("a range") {
+        for part in [0.95, 0.9999, 1.0001, 1.05] {
+            let found = with_mass(part * end * friction / 9.806_65);
+            let line = found.line();
+            let words: Vec<f64> = line.split([' ', '(', ',']).filter_map(|word| word.parse().ok()).collect();
+            let [_, low, high, needed] = words[..] else { panic!("{line}") };
+            let holds = if needed <= low { Holds::Yes } else { Holds::Unknown };
+            assert_eq!(found.holds, if needed > high { Holds::No } else { holds }, "{line}");
+        }
+    }
+}
+
+/// A star of the paper's spec alone, on a cylinder of this radius (mm).
+fn alone(radius: f64, change: impl Fn(&mut Spec)) -> Spec {
+    let mut spec = gripper(5);
+    spec.stars.truncate(1);
+    let load = spec.load.as_mut().expect("given");
+    (load.mass, load.object_radius) = (None, Some(Length(radius)));
+    (load.object_height, load.object_size) = (None, ObjectSize::Diameter);
+    spec.fabric.seal_strength = Some(LineForce(6e3));
+    change(&mut spec);
+    spec
+}
+
+/// The sizes, mm across, that refusals and reasons about `spec` name as surely held; whether one says that there are none.
+fn remedies(spec: &Spec) -> (Verdict, Vec<f64>, bool) {
+    let stars = predict(spec).stars;
+    let found = verdict(spec, &stars).expect("an object");
+    let texts = refusals(spec, &stars).into_iter().map(|one| one.remedy).chain(found.reasons.clone());
+    let (mut sizes, mut none) = (Vec::new(), false);
+    for text in texts {
+        none |= text.contains("surely holds no object") || text.starts_with("an inner_radius of at least ");
+        for begin in ["from ", "an object of at most ", "an object of at least ", "at least "] {
+            let Some((_, rest)) = text.split_once(begin).filter(|(_, rest)| rest.contains("mm across"))
+            else {
+                continue;
+            };
+            sizes.extend(rest.split([' ', ',']).map_while(|word| match word {
+                "to" => Some(None),
+                word => word.parse::<f64>().ok().map(Some),
+            }));
+            break;
+        }
+    }
+    (found, sizes.into_iter().flatten().collect(), none)
+}
+
+/// From an object that is too thin to one that is too wide: a star that holds it presses on it, and a size that is named is surely held.
+#[test]
+fn an_object_is_held_with_a_force_and_the_size_that_is_named_is_held() {
+    type Change = fn(&mut Spec);
+    let specs: [(Change, bool); 4] = [
+        (|_| (), true),
+        // Sharp hinges of a thick fabric: the force begins at 0 where the star surely closes.
+        (|spec| spec.fabric.thickness = Length(0.6), true),
+        // It opens less than the hole, and just as far as it surely closes.
+        (
+            |spec| {
+                let star = &mut spec.stars[0];
+                (star.points, star.inner_radius) = (9, Length(74.0861));
+                star.tip_angle = Angle(75.2807);
+                spec.load.as_mut().expect("given").pressure = Some(Pressure(23.2941));
+            },
+            false,
+        ),
+        // It opens less than the hole.
+        (
+            |spec| {
+                let star = &mut spec.stars[0];
+                (star.points, star.inner_radius, star.tube_width) = (8, Length(49.495), Length(22.458));
+                star.tip_angle = Angle(47.62);
+                (star.tip_radius, star.corner_radius) = (Length(2.0), Length(2.0));
+                spec.load.as_mut().expect("given").pressure = Some(Pressure(51.76));
+            },
+            true,
+        ),
+    ];
+    for (i, (change, is_held)) in specs.into_iter().enumerate() {
+        let mut named = 0;
+        for k in 1..40 {
+            let radius = 0.03 * f64::from(k) * alone(30.0, change).stars[0].inner_radius.0;
+            let (found, sizes, none) = remedies(&alone(radius, change));
+            let [low, _] = found.force_range_N.unwrap_or([0.0; 2]);
+            assert_eq!(
+                found.holds == Holds::Yes,
+                low > 0.0 && found.reasons.is_empty(),
+                "{i}, {radius}: {found:?}"
+            );
+            let needs =
+                found.holds == Holds::No || found.reasons.iter().any(|why| why.contains("without force"));
+            assert_eq!(needs && !none, !sizes.is_empty(), "{i}, {radius}: {found:?}");
+            assert!(!(none && is_held), "{i}, {radius}: {found:?}");
+            named += sizes.len();
+            for size in sizes {
+                let (there, ..) = remedies(&alone(0.5 * size, change));
+                assert_eq!(there.holds, Holds::Yes, "{i}, {radius}, {size}: {there:?}");
+            }
+        }
+        assert_eq!(named > 0, is_held, "{i}");
+    }
 }

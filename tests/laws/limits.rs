@@ -29,7 +29,7 @@ fn star(points: u32, radius: f64, width: f64, angle: f64) -> String {
     )
 }
 
-const LIMITS: [Limit; 11] = [
+const LIMITS: [Limit; 12] = [
     Limit {
         code: RefusalCode::StraightCorner,
         key: key::star::TIP_ANGLE,
@@ -77,6 +77,12 @@ const LIMITS: [Limit; 11] = [
         key: key::mask::EXTENT,
         spec: |mm| paper(&format!("[mask]\nextent = \"{mm} mm\"\n")),
         wrong: 150.0,
+    },
+    Limit {
+        code: RefusalCode::ThinRim,
+        key: key::mask::BORDER,
+        spec: |mm| paper(&format!("[seal]\nallowance = \"0 mm\"\n[mask]\nborder = \"{mm} mm\"\n")),
+        wrong: 0.0,
     },
     Limit {
         code: RefusalCode::SheetTooSmall,

@@ -20,7 +20,8 @@ pub fn text(spec: &Spec, prediction: &DrawnPrediction) -> String {
         line(&mut out, "volume of all chambers", &litres(volume));
     }
     if let Some((burst, range)) = prediction.burst_pressure_kPa.zip(prediction.burst_range_kPa) {
-        line(&mut out, "burst pressure", &shown::with(burst, range, "kPa"));
+        let burst = shown::with_limit(burst, range, "kPa", prediction.pressure_kPa);
+        line(&mut out, "burst pressure", &burst);
     }
     if let Some(margin) = prediction.burst_margin {
         line(&mut out, "burst margin", &shown::rounded(margin));

@@ -20,7 +20,13 @@ pub fn or_unknown(value: f64, range: Option<Interval>, unit: &str) -> String {
 }
 
 /// `value` with its range, both in `unit`.
-pub fn with(value: f64, [low, high]: Interval, unit: &str) -> String {
+pub fn with(value: f64, range: Interval, unit: &str) -> String {
+    with_limit(value, range, unit, None)
+}
+
+/// `value` with its range, both in `unit`, which are judged by `limit`: both ends are printed with so many digits that each stays on
+/// its side of it.
+pub fn with_limit(value: f64, [low, high]: Interval, unit: &str, limit: Option<f64>) -> String {
     let gap = if unit.is_empty() { "" } else { " " };
     if [value, low, high] == [0.0; 3] {
         return format!("0{gap}{unit}");
@@ -28,8 +34,31 @@ pub fn with(value: f64, [low, high]: Interval, unit: &str) -> String {
     let step = step(high - low);
     // Ends are rounded outwards, so the printed range holds. A small low end keeps a digit: 5 to 140, not 0 to 140.
     let fine = if low < step && low >= 0.1 * step { 0.1 * step } else { step };
-    let [low, high] = [text((low / fine).floor() * fine, fine), text((high / step).ceil() * step, step)];
+    let [low, high] = [end(low, fine, f64::floor, limit), end(high, step, f64::ceil, limit)];
     format!("{}{gap}{unit}, {low} to {high}", text(value, step_of(value, step)))
+}
+
+/// The end `x` of a range, rounded by `round` to `step`, or to a finer one that leaves it on its side of `limit`.
+fn end(x: f64, step: f64, round: fn(f64) -> f64, limit: Option<f64>) -> String {
+    let at = |step: f64| round(x / step) * step;
+    let is_kept =
+        |step: f64| limit.is_none_or(|limit| (at(step) < limit, at(step) > limit) == (x < limit, x > limit));
+    // An end within a millionth of a step of the limit is printed as any other.
+    let finer = (0..=6).map(|digits| step * 0.1_f64.powi(digits)).find(|step| is_kept(*step));
+    let step = finer.unwrap_or(step);
+    text(at(step), step)
+}
+
+/// Two numbers with as many decimals as tell them apart, one at least.
+pub fn apart(a: f64, b: f64) -> [String; 2] {
+    let texts = |decimals: usize| [a, b].map(|number| format!("{number:.decimals$}"));
+    (1..6).map(texts).find(|[a, b]| a != b).unwrap_or_else(|| texts(6))
+}
+
+/// `value` with as many decimals as tell it from both ends of a range, one at least.
+pub fn apart_from(value: f64, range: Interval) -> String {
+    let [low, high] = range.map(|end| apart(value, end)).map(|[text, _]| text);
+    if high.len() > low.len() { high } else { low }
 }
 
 /// `value` in `unit`, as exact as a number with this range is.
@@ -105,6 +134,39 @@ mod tests {
         assert_eq!(with(0.0, [0.0, 0.0], "N"), "0 N");
         assert_eq!(with(18.2, [5.3, 131.0], "N"), "20 N, 5 to 140");
         assert_eq!(with(18.2, [0.03, 131.0], "N"), "20 N, 0 to 140");
+    }
+
+    #[test]
+    fn ends_stay_on_their_side_of_the_limit() {
+        let at = |limit: f64| with_limit(40.0, [15.33, 96.5], "kPa", Some(limit));
+        assert_eq!(with(40.0, [15.33, 96.5], "kPa"), "40 kPa, 10 to 100");
+        assert_eq!(at(15.0), "40 kPa, 15.3 to 100");
+        assert_eq!(at(15.4), "40 kPa, 10 to 100");
+        assert_eq!(at(97.0), "40 kPa, 10 to 96.5");
+        assert_eq!(at(96.0), "40 kPa, 10 to 100");
+        assert_eq!(with_limit(1.6, [0.0043, 3.4], "N", Some(0.0)), "1.6 N, 0.004 to 3.4");
+        assert_eq!(with_limit(1.6, [0.0, 3.4], "N", Some(0.0)), "1.6 N, 0.0 to 3.4");
+        for k in 1..500 {
+            let (low, width) = (0.037 * f64::from(k), 0.011 * f64::from(k % 17 + 1));
+            let high = low + width;
+            for part in [-0.3, -1e-3, 1e-3, 0.5, 0.999, 1.001, 1.3] {
+                let limit = low + part * width;
+                let said = with_limit(low, [low, high], "", Some(limit));
+                let ends: Vec<f64> = said.split([' ', ',']).filter_map(|word| word.parse().ok()).collect();
+                assert_eq!(
+                    [ends[1] < limit, ends[2] < limit],
+                    [low < limit, high < limit],
+                    "{said}: {limit}"
+                );
+                assert!(ends[1] <= low + 1e-9 && ends[2] >= high - 1e-9, "{said}: {low} {width}");
+            }
+        }
+    }
+
+    #[test]
+    fn numbers_that_differ_are_printed_so() {
+        assert_eq!(apart(7.7, 8.1), ["7.7", "8.1"]);
+        assert_eq!(apart(7.712, 7.7041), ["7.71", "7.70"]);
     }
 
     #[test]

@@ -34,7 +34,8 @@ impl Bursting {
 
 /// The finding that a seal, which bursts at `burst` kPa, with its range if that is known, certainly bursts at `pressure`.
 pub fn bursts_at(pressure: Pressure, burst: f64, range: Option<Interval>) -> String {
-    let burst = range.map_or_else(|| Pressure(burst).to_string(), |range| shown::with(burst, range, "kPa"));
+    let with_range = |range| shown::with_limit(burst, range, "kPa", Some(pressure.0));
+    let burst = range.map_or_else(|| Pressure(burst).to_string(), with_range);
     format!("the pressure is {pressure}, and the seal is predicted to burst at {burst}")
 }
 
@@ -72,6 +73,12 @@ pub(super) fn burst_bounds(case: &Case, k: f64, hinge: (LoadedHinge, f64)) -> Op
         most * pull(case, k, hinge, pressure) <= peel
     });
     Some([sure, at(low)])
+}
+
+/// The peel strength (N per m) with which the seal of a hinge surely holds `pressure` (Pa): the upper end of the range of its pull.
+pub(super) fn sure_strength(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> f64 {
+    let range = bounds(case, k, hinge, pressure).unwrap_or_else(|| widest(case, k, hinge, pressure));
+    range[1] * pull(case, k, hinge, pressure)
 }
 
 /// The pressure (Pa) at which the pull at a hinge is `peel` (N per m): the pull grows with the pressure, and less than in proportion.

@@ -124,7 +124,7 @@ fn feasible(
     let kept = requirements.constraints(&base, MARGIN);
     let round = |found: &SearchResult| -> Vec<Evaluation> {
         let met = found.best.iter().filter(|one| one.violation == 0.0);
-        met.filter_map(|one| rounded(one, &kept, ring)).collect()
+        met.filter_map(|one| rounded(one, &kept, requirements.pressure, ring)).collect()
     };
     let asked = requirements.constraints(&base, SEARCHED_MARGIN);
     let (base, bounds) = (&base, &bounds);
@@ -297,12 +297,17 @@ fn no_tube(base: &Candidate) -> String {
     )
 }
 
-/// Values that are rounded: tube width, inner radius, tip angle, pressure.
+/// Values that are rounded: tube width, inner radius, tip angle, and the pressure if it is free.
 const ROUNDED: u32 = 4;
 
 /// The same in rounded values, if it still meets the requirements: the nearest tenths, or, where the best lies on an edge, those of the
-/// tenths around it that take the least fabric.
-fn rounded(found: &Evaluation, constraints: &Constraints, ring: &RingTable) -> Option<Evaluation> {
+/// tenths around it that take the least fabric. A pressure that was requested stays `fixed`.
+fn rounded(
+    found: &Evaluation,
+    constraints: &Constraints,
+    fixed: Option<Pressure>,
+    ring: &RingTable,
+) -> Option<Evaluation> {
     let to = |whole: &dyn Fn(u32, f64) -> f64| {
         let mut point = found.point.clone();
         let tenths = |which: u32, value: f64| whole(which, 10.0 * value) / 10.0;
@@ -311,7 +316,8 @@ fn rounded(found: &Evaluation, constraints: &Constraints, ring: &RingTable) -> O
         star.inner_radius = Length(tenths(1, star.inner_radius.0));
         star.tip_angle = Angle(tenths(2, star.tip_angle.0));
         star.pitch = pitch_for(star.tube_width, point.plate);
-        point.load.pressure = point.load.pressure.map(|pressure| Pressure(tenths(3, pressure.0)));
+        point.load.pressure =
+            fixed.or_else(|| point.load.pressure.map(|pressure| Pressure(tenths(3, pressure.0))));
         let answer = point.answer(ring).ok()?;
         let missed = shortfalls(&point, &answer, constraints);
         missed.is_empty().then_some(Evaluation { point, answer, violation: 0.0 })

@@ -93,11 +93,14 @@ pub(super) fn counted_out(field: &Field, text: &str) -> Result<Vec<KeyValue>, St
         .rsplit_once('/')
         .filter(|(_, count)| of_unit != Some(count.trim()))
         .ok_or(format!("`{text}` lacks the number of values: FROM..TO/COUNT"))?;
-    let count: u32 =
-        count.trim().parse().map_err(|_| format!("`{}` is not a number of values", count.trim()))?;
-    if !(1..=MOST_VALUES).contains(&count) {
-        return Err(format!("{count} values; allowed are 1 to {MOST_VALUES}"));
+    let count = count.trim();
+    let allowed = format!("allowed are 1 to {MOST_VALUES}");
+    // A count may have more digits than a number of this program.
+    if count.is_empty() || count.contains(|c: char| !c.is_ascii_digit()) {
+        return Err(format!("`{count}` is not a number of values; {allowed}"));
     }
+    let known = count.parse().ok().filter(|count| (1..=MOST_VALUES).contains(count));
+    let count = known.ok_or_else(|| format!("{count} values; {allowed}"))?;
     let [from, to] = between(field, ends)?;
     if count == 1 && from != to {
         return Err(format!(
@@ -278,9 +281,10 @@ mod tests {
                 "load.pressure=1 kPa..2 kPa/1",
                 "`1 kPa..2 kPa/1` has two ends and takes 1 value; take 2 or more, or write one end alone",
             ),
-            ("load.pressure=1 kPa..2 kPa/x", "`x` is not a number of values"),
+            ("load.pressure=1 kPa..2 kPa/x", "`x` is not a number of values; allowed are 1 to 1000000"),
             ("load.pressure=1 kPa..2 kPa/0", "0 values; allowed are 1 to 1000000"),
             ("load.pressure=1 kPa..2 kPa/1000001", "1000001 values; allowed are 1 to 1000000"),
+            ("load.pressure=1 kPa..2 kPa/99999999999", "99999999999 values; allowed are 1 to 1000000"),
             ("mask.mirror=true..false/2", "`mask.mirror` takes no numbers: list its values"),
             (
                 "star.points=3..6/3",

@@ -46,7 +46,7 @@ static SHAPES: LazyLock<Vec<(&'static str, &'static str, ValueShape)>> = LazyLoc
 
 impl Field {
     /// The field of the key `name`, "star.points"; `None` if a study cannot set it: the key does not exist, or it is `schema`,
-    /// the list of single stars, a key of `[build]`, or one of a drawing, since studies cover only stars.
+    /// the list of single stars, `build.with`, or one of a drawing, since studies cover only stars.
     pub fn of(name: &str) -> Option<Self> {
         let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
         let own =

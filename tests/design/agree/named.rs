@@ -46,6 +46,21 @@ fn a_plate_in_a_scene_is_as_high_as_wide() {
     }
 }
 
+/// The edges of windows lay on the edge of the plate.
+#[test]
+fn windows_at_the_edge_of_the_plate_are_refused_and_a_narrow_rim_is_made() {
+    let with = |border: &str, round: &str| {
+        let rest = format!("{round}[seal]\nallowance = \"0 mm\"\n[mask]\nborder = \"{border}\"\n");
+        star(50.0, &rest)
+    };
+    for round in ["", "corner_radius = \"15 mm\"\n"] {
+        for border in ["0 mm", "0.001 mm", "0.099 mm"] {
+            assert_eq!(refused(&with(border, round), profile("generic")), ["thin-rim"], "{border}");
+        }
+        assert_eq!(findings(&with("0.1 mm", round), profile("generic"), &[]), [""; 0], "{round}");
+    }
+}
+
 /// A height is written to a thousandth, which of a thin mask is more than its edges may be off.
 #[test]
 fn a_thin_mask_in_a_scene_has_its_volume_but_for_rounding() {

@@ -100,6 +100,18 @@ fn a_hot_iron_is_warned_of_and_a_hotter_one_refused() {
     assert_eq!(codes(&at("0 C")), ["out-of-range"]);
 }
 
+/// The pitch is the distance from the star below; a single star's gives its plates room.
+#[test]
+fn a_pitch_below_the_bottom_star_is_warned_of() {
+    let with = |count: u32, index: u32| {
+        format!("{SHORTEST}[stack]\ncount = {count}\n[[stack.star]]\nindex = {index}\npitch = \"50 mm\"\n")
+    };
+    assert_eq!(codes(&with(2, 1)), ["no-effect"]);
+    for [count, index] in [[1, 1], [2, 2], [3, 2], [3, 3]] {
+        assert_eq!(codes(&with(count, index)), [""; 0], "{count}, {index}");
+    }
+}
+
 #[test]
 fn a_wrong_file_is_not_told_line_by_line() {
     let faults = try_read(&"= 1\n".repeat(100_000)).expect_err("no spec");

@@ -69,6 +69,7 @@ const DESIGNS: &[(&str, &str)] = &[
     ("short-inlet", "[inlet]\nlength = \"2 mm\"\n"),
     ("small-bed", "[mask]\nbed = \"50 mm x 50 mm\"\n"),
     ("thick-hose", "[inlet]\ntube_diameter = \"22 mm\"\n"),
+    ("thin-rim", "[seal]\nallowance = \"0 mm\"\n[mask]\nborder = \"0 mm\"\n"),
     ("tube-between-plates", "[stack]\ncount = 2\npitch = \"5 mm\"\n"),
     ("wide-frame", "[stack]\ncount = 2\npitch = \"200 mm\"\n"),
     ("wide-kerf", "[cut]\nkerf = \"20 mm\"\n"),
@@ -165,6 +166,8 @@ pub(crate) fn messages() -> [Vec<Message>; 3] {
         let read = Source::from_bytes("spec.toml", bytes).and_then(|source| spec::read(&source));
         faults.extend(read.err().iter().flat_map(of_faults));
     }
+    let idle = format!("{STAR}[stack]\ncount = 2\n[[stack.star]]\nindex = 1\npitch = \"50 mm\"\n");
+    faults.extend(of_faults(&spec::read(&Source::new("spec.toml", idle)).expect("a warning only").warnings));
     let profile = generic().replace("\"G90\"", "\"G91\"");
     faults.extend(spec::read_machine(&Source::new("own.toml", profile)).err().iter().flat_map(of_faults));
     all
