@@ -169,10 +169,9 @@ fn open_edges(
     taken: &mut Vec<usize>,
     notes: &mut SealingNotes,
 ) {
-    let outer = air.boundaries.iter_mut().filter(|boundary| boundary.outer);
-    let mut outer: Vec<(Bounds, &mut Boundary)> =
-        outer.map(|boundary| (boundary.path.bounds(), boundary)).collect();
-    let edges: Vec<Path> = outer.iter().map(|(_, boundary)| boundary.path.clone()).collect();
+    let mut outer: Vec<&mut Boundary> = air.boundaries.iter_mut().filter(|boundary| boundary.outer).collect();
+    let edges: Vec<Path> = outer.iter().map(|boundary| boundary.path.clone()).collect();
+    let around: Vec<Bounds> = edges.iter().map(Path::bounds).collect();
     for (number, port) in sketch.ports.iter().enumerate() {
         let place = port.place.middle();
         if taken.contains(&number) {
@@ -183,13 +182,12 @@ fn open_edges(
             no_channel(&why, &port.name, place, rules, notes);
             continue;
         }
-        let paths = outer.iter().map(|(around, boundary)| (&boundary.path, *around));
-        let Some(nearest) = nearest_path(paths, place) else { continue };
-        let (around, boundary) = &mut outer[nearest];
+        let Some(nearest) = nearest_path(edges.iter().zip(around.iter().copied()), place) else { continue };
+        let boundary = &mut *outer[nearest];
         let leads = |_: Point, _: Vec2| length;
-        match channel(&boundary.path, number, &port.place, rules.port_width, leads, rules.overrun + 1.0) {
+        let paths = (&boundary.path, &edges[nearest]);
+        match channel(paths, number, &port.place, rules.port_width, leads, rules.overrun + 1.0) {
             Ok((path, mouth)) => {
-                *around = path.bounds();
                 boundary.path = path;
                 mouths.push(mouth);
                 taken.push(number);
@@ -198,7 +196,7 @@ fn open_edges(
             Err(NoChannel::Far(_)) if !sketch.seams.is_empty() => {}
             Err(why) => {
                 taken.push(number);
-                let why = reason(why, place, &edges, mouths, rules);
+                let why = reason(why, place, mouths, rules);
                 no_channel(&why, &port.name, place, rules, notes);
             }
         }

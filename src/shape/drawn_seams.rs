@@ -80,33 +80,31 @@ fn open_rims(
 ) {
     let (half, length) = (rules.band / 2.0, rules.band / 2.0 + rules.allowance);
     let outer = edges.iter().enumerate().filter(|(_, (_, _, outer))| *outer);
-    let mut outer: Vec<(usize, Bounds)> = outer.map(|(at, (path, ..))| (at, path.bounds())).collect();
-    let drawn: Vec<Path> = outer.iter().map(|(at, _)| edges[*at].0.clone()).collect();
+    let (outer, drawn): (Vec<usize>, Vec<Path>) = outer.map(|(at, (path, ..))| (at, path.clone())).unzip();
+    let around: Vec<Bounds> = drawn.iter().map(Path::bounds).collect();
     let mut mouths = Vec::new();
     for (number, port) in sketch.ports.iter().enumerate() {
         let place = port.place.middle();
         if taken.contains(&number) {
             continue;
         }
-        let rims = outer.iter().map(|(at, around)| (&edges[*at].0, *around));
-        let Some(nearest) = nearest_path(rims, place) else { continue };
+        let Some(nearest) = nearest_path(drawn.iter().zip(around.iter().copied()), place) else { continue };
         if let Some(why) = ambiguous(&port.place, &drawn) {
             no_channel(&why, &port.name, place, rules, notes);
             continue;
         }
-        let (at, around) = &mut outer[nearest];
-        let path = &mut edges[*at].0;
+        let path = &mut edges[outer[nearest]].0;
         let width = rules.port_width + rules.band;
-        match channel(path, number, &port.place, width, |_, _| length, rules.overrun + 1.0) {
+        match channel((path, &drawn[nearest]), number, &port.place, width, |_, _| length, rules.overrun + 1.0)
+        {
             Ok((opened, mut mouth)) => {
-                *around = opened.bounds();
                 *path = opened;
                 mouth.half -= half;
                 taken.push(number);
                 mouths.push(mouth);
             }
             Err(why) => {
-                no_channel(&reason(why, place, &drawn, &mouths, rules), &port.name, place, rules, notes);
+                no_channel(&reason(why, place, &mouths, rules), &port.name, place, rules, notes);
             }
         }
     }

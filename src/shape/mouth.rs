@@ -119,16 +119,19 @@ pub(super) fn ambiguous(place: &PortPlace, edges: &[Path]) -> Option<NoChannel> 
 }
 
 /// A channel of `width` through the closed `path` (air on its left) at `place`, which runs `length` mm past the edge to its mouth and
-/// `beyond` on: the path with it, and the mouth.
+/// `beyond` on: the path with it, and the mouth. `drawn` is the path before other ports opened it: the port lies on it.
 pub(super) fn channel(
-    path: &Path,
+    (path, drawn): (&Path, &Path),
     port: usize,
     place: &PortPlace,
     width: f64,
     length: impl Fn(Point, Vec2) -> f64,
     beyond: f64,
 ) -> Result<(Path, Mouth), NoChannel> {
-    let (s, middle, out) = foot(path, place, width)?;
+    let (middle, out) = foot(drawn, place, width)?;
+    // The channel of another port has taken the edge there.
+    let on_path = path.nearest(middle).filter(|nearest| nearest.distance < 1e-6);
+    let s = on_path.ok_or(NoChannel::Beside)?.s;
     let (across, half, total) = (out.perp(), width / 2.0, path.length());
     let side = |s: f64| (path.point_at(s.rem_euclid(total)).unwrap_or(middle) - middle).dot(across);
     let narrow = || NoChannel::Narrow { width: extent(path, s, side), at: middle };
@@ -151,20 +154,18 @@ pub(super) fn channel(
     Ok((opened, Mouth { port, at: far(0.0, length), out, half, length, beyond, depth: length + width }))
 }
 
-/// The place of the port on the path: the arc length, the point, and the way out.
-fn foot(path: &Path, place: &PortPlace, width: f64) -> Result<(f64, Point, Vec2), NoChannel> {
+/// The place of the port on the path, and the way out.
+fn foot(path: &Path, place: &PortPlace, width: f64) -> Result<(Point, Vec2), NoChannel> {
     let nearest = path.nearest(place.middle()).ok_or(NoChannel::Far(f64::INFINITY))?;
     if let PortPlace::Across([a, b]) = place {
         let line = Segment::Line(Line::new(*a, *b));
-        let mut before = 0.0;
         for segment in &path.segments {
             if let Some(p) = intersections(segment, &line).first() {
                 let t = segment.nearest_fraction(*p);
                 let way = (*b - *a).normalized();
                 let outwards = segment.tangent(t).cross(way) < 0.0;
-                return Ok((before + t * segment.length(), *p, if outwards { way } else { -way }));
+                return Ok((*p, if outwards { way } else { -way }));
             }
-            before += segment.length();
         }
     }
     if nearest.distance > width.max(5.0) {
@@ -175,7 +176,7 @@ fn foot(path: &Path, place: &PortPlace, width: f64) -> Result<(f64, Point, Vec2)
     let before = path.part(nearest.s - 1e-6, nearest.s);
     let before = before.tangent_at(0.0).unwrap_or(tangent);
     let out = -(tangent + before).perp().normalized();
-    Ok((nearest.s, nearest.point, out))
+    Ok((nearest.point, out))
 }
 
 /// The arc length at which the path, from `s` on, first lies `half` to the side `across` of `middle`.

@@ -4,7 +4,7 @@ use crate::shape::fault::{Repair, ShapeCode, quoted};
 use crate::shape::mouth::{Mouth, NoChannel};
 use crate::shape::notes::SealingNotes;
 use crate::shape::sketch::{DrawnPort, PortPlace, Rules, thousandths_up};
-use inflatable::geom::{Path, Point};
+use inflatable::geom::Point;
 
 /// The ports, each that was drawn twice at one place once.
 pub(super) fn once(ports: &[DrawnPort], join: f64, notes: &mut SealingNotes) -> Vec<DrawnPort> {
@@ -29,25 +29,14 @@ pub(super) fn once(ports: &[DrawnPort], join: f64, notes: &mut SealingNotes) -> 
     kept
 }
 
-/// The reason `why` there is no channel at `place` on `edges`, which no port has opened: that of `mouths` which takes the room, if
-/// one does.
-pub(super) fn reason(
-    why: NoChannel,
-    place: Point,
-    edges: &[Path],
-    mouths: &[Mouth],
-    rules: &Rules,
-) -> NoChannel {
+/// The reason `why` there is no channel at `place`: the channel of `mouths` which takes the room, if one does.
+pub(super) fn reason(why: NoChannel, place: Point, mouths: &[Mouth], rules: &Rules) -> NoChannel {
     let aside = rules.port_width / 2.0 + 2.0 * rules.band;
     match why {
         NoChannel::Narrow { .. } | NoChannel::Deep { .. }
             if mouths.iter().any(|mouth| mouth.is_beside(place, aside)) =>
         {
             NoChannel::Beside
-        }
-        NoChannel::Far(_) => {
-            let far = edges.iter().map(|edge| edge.distance(place)).fold(f64::INFINITY, f64::min);
-            if far <= rules.farthest_port() { NoChannel::Beside } else { NoChannel::Far(far) }
         }
         why => why,
     }

@@ -115,6 +115,29 @@ fn copies_of_ports_are_merged_and_other_near_ports_are_told() {
     }
 }
 
+/// A port lies on the drawn edge, not on the channel of another one.
+#[test]
+fn ports_nearer_than_a_hose_are_refused() {
+    let first = || across("p", (16.0, 70.0), (24.0, 70.0));
+    let near = [0.03, 0.5, 1.0, 2.0, 2.9, 3.0, 3.5, 5.0];
+    let beside = near.map(|more| across("q", (16.0, 70.0 + more), (24.0, 70.0 + more)));
+    let others =
+        [across("q", (17.0, 67.0), (23.0, 74.0)), DrawnPort { name: "q".to_owned(), ..port(20.0, 72.0) }];
+    for second in beside.into_iter().chain(others) {
+        for ports in [vec![first(), second.clone()], vec![second.clone(), first()]] {
+            let air = Sketch { ports, ..cushion() };
+            let seams = Sketch { seams: air.air.clone(), air: vec![], ..air.clone() };
+            for sketch in [air, seams] {
+                let found = fault(&sketch);
+                assert!(
+                    found.code == ShapeCode::LostPort && found.what.contains("the channel of another port")
+                );
+                assert_eq!(found.names, [sketch.ports[1].name.as_str()], "{found:?}");
+            }
+        }
+    }
+}
+
 /// The bands of two ports may touch, whatever the number of ports and their distance from there on.
 #[test]
 fn ports_are_no_farther_from_each_other_than_is_told() {
