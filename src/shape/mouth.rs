@@ -44,6 +44,21 @@ impl Mouth {
         self.at + self.out * along + self.out.perp() * across
     }
 
+    /// The distance past the mouth from which `path` runs along both sides of the channel, `across` mm from its middle: 0 where it does at
+    /// the mouth. More where an edge is not square to the channel, or bends towards it. `None` if it does not run there.
+    pub(super) fn sides_begin(&self, path: &Path, across: f64) -> Option<f64> {
+        let side = |sign: f64| {
+            let lines = path.segments.iter().filter(|segment| matches!(segment, Segment::Line(_)));
+            let ends = lines.map(|line| [line.start(), line.end()].map(|p| p - self.at));
+            let is_on = |from: &Vec2| (sign * from.dot(self.out.perp()) - across).abs() < 1e-6;
+            let along = ends.filter(|ends| ends.iter().all(is_on)).map(|ends| ends.map(|p| p.dot(self.out)));
+            let ahead = along.filter(|[a, b]| a.max(*b) > 0.0).map(|[a, b]| a.min(b).max(0.0));
+            ahead.reduce(f64::min)
+        };
+        let begin = side(1.0)?.max(side(-1.0)?);
+        Some(if begin < 1e-6 { 0.0 } else { begin })
+    }
+
     /// The closed `path` without the part farther out than `along` mm past the mouth, on sides `across` mm from its middle: an
     /// open path
     /// with its ends there. `None` if it does not pass there.

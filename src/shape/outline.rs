@@ -26,8 +26,10 @@ pub(super) fn outline(
     let mut outlines: Vec<(Path, Vec<String>)> = Vec::new();
     if sketch.cuts.is_empty() {
         let across = rules.band + rules.allowance;
-        let offset =
-            |(edge, by): &(Path, f64)| Some((offset_cut(edge, *by, &lines.mouths, across)?, Vec::new()));
+        let most = rules.overrun;
+        let offset = |(edge, by): &(Path, f64)| {
+            Some((offset_cut(edge, *by, &lines.mouths, across, most)?, Vec::new()))
+        };
         outlines.extend(lines.edges.iter().filter_map(offset));
     } else {
         for (path, names) in &drawn {
@@ -89,11 +91,14 @@ fn closed(drawn: &[DrawnCurve], rules: &Rules, notes: &mut SealingNotes) -> Vec<
     edges.map(|edge| (edge.path, named(&edge.sources, &names))).collect()
 }
 
-/// The outline at `by` mm outside an edge, straight across its mouths, whose flaps end `across` mm outside the air.
-fn offset_cut(edge: &Path, by: f64, mouths: &[Mouth], across: f64) -> Option<Path> {
+/// The outline at `by` mm outside an edge, straight across its mouths, whose flaps end `across` mm outside the air. It runs around a
+/// channel on whose sides it would begin more than `most` mm past the mouth: there the bands end.
+fn offset_cut(edge: &Path, by: f64, mouths: &[Mouth], across: f64, most: f64) -> Option<Path> {
     let mut cut = offset_right(edge, by).into_iter().max_by(|a, b| a.area().total_cmp(&b.area()))?;
     for mouth in mouths {
-        let Some(open) = mouth.open(&cut, 0.0, mouth.half + across) else { continue };
+        let across = mouth.half + across;
+        let Some(along) = mouth.sides_begin(&cut, across).filter(|along| *along <= most) else { continue };
+        let Some(open) = mouth.open(&cut, along, across) else { continue };
         let (Some(start), Some(end)) = (open.start(), open.end()) else { continue };
         let mut segments = open.segments;
         segments.push(Chord::new(end, start).into());
