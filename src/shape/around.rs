@@ -233,7 +233,8 @@ fn necks(
     for neck in notes.unless_crowded(bottlenecks(&curves, both - 1e-6)) {
         let in_air = closed.around(neck.middle()).len() % 2 == 1;
         let is_wall = (neck.width - rules.band).abs() <= rules.join;
-        if in_air || is_wall {
+        let in_front = mouths.iter().find(|mouth| mouth.is_in_front(neck.middle(), both));
+        if in_air || is_wall && in_front.is_none() {
             continue;
         }
         let mut sources: Vec<usize> =
@@ -241,13 +242,18 @@ fn necks(
         sources.dedup();
         let mut own = named(&sources, names);
         let near = mouths.iter().filter(|mouth| mouth.is_beside(neck.middle(), both));
-        let ports: Vec<String> =
-            near.filter_map(|mouth| sketch.ports.get(mouth.port)).map(|port| port.name.clone()).collect();
-        if ports.len() > 1 {
-            let what =
-                format!("{:.3} mm of fabric between the channels of ports {}", neck.width, quoted(&ports));
+        let name = |mouth: &Mouth| sketch.ports.get(mouth.port).map(|port| port.name.clone());
+        let (ports, front): (Vec<String>, _) = (near.filter_map(name).collect(), in_front.and_then(name));
+        let told = if ports.len() > 1 {
+            let place = format!("between the channels of ports {}", quoted(&ports));
+            Some((place, ports, rules.ports_apart()))
+        } else {
+            let place = |port: &str| format!("in front of the channel of port '{port}'");
+            front.map(|port| (place(&port), vec![port], rules.room_in_front()))
+        };
+        if let Some((place, ports, remedy)) = told {
             own.extend(ports);
-            let text = (what, rules.ports_apart());
+            let text = (format!("{:.3} mm of fabric {place}", neck.width), remedy);
             notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), text, [neck.width, both]);
             continue;
         }

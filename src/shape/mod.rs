@@ -25,6 +25,7 @@ mod offset;
 mod order;
 mod outline;
 mod ports;
+mod reach;
 mod sealing;
 mod seam;
 mod separator;

@@ -39,6 +39,13 @@ impl Mouth {
             && from.dot(self.out.perp()).abs() <= self.half + aside
     }
 
+    /// Whether `p` lies before the end of the channel, at most `far` mm from it.
+    pub(super) fn is_in_front(&self, p: Point, far: f64) -> bool {
+        let from = p - self.at;
+        (self.beyond..=self.beyond + far).contains(&from.dot(self.out))
+            && from.dot(self.out.perp()).abs() <= self.half
+    }
+
     /// The point `along` the way out and `across` it to the left, from the middle of the mouth.
     pub(super) fn point(&self, along: f64, across: f64) -> Point {
         self.at + self.out * along + self.out.perp() * across
@@ -100,6 +107,8 @@ pub(super) enum NoChannel {
     Narrow { width: f64, at: Point },
     /// Across the channel the edge falls back by this much, mm, and may by at most `most`.
     Deep { depth: f64, most: f64, at: Point },
+    /// The channel meets the edge again, this far in front of the port, mm.
+    Blocked { far: f64, at: Point },
     /// The channel of another port is too near.
     Beside,
     /// Its line runs along the edge.
@@ -164,7 +173,14 @@ pub(super) fn channel(
         return Err(NoChannel::Deep { depth, most: width, at: middle });
     }
     let corners = [end, far(-half, length + beyond), far(half, length + beyond), start];
-    let lines = corners.windows(2).map(|pair| Segment::Line(Line::new(pair[0], pair[1])));
+    let lines: Vec<Segment> =
+        corners.windows(2).map(|pair| Segment::Line(Line::new(pair[0], pair[1]))).collect();
+    let met = lines.iter().flat_map(|line| drawn.segments.iter().flat_map(|edge| intersections(edge, line)));
+    let met = met.filter(|p| p.distance(start).min(p.distance(end)) > 1e-6);
+    let met = met.map(|p| ((p - middle).dot(out), p)).min_by(|a, b| a.0.total_cmp(&b.0));
+    if let Some((far, at)) = met {
+        return Err(NoChannel::Blocked { far, at });
+    }
     let opened = Path::closed(rest.segments.iter().copied().chain(lines).collect());
     Ok((opened, Mouth { port, at: far(0.0, length), out, half, length, beyond, depth: length + width }))
 }

@@ -8,6 +8,7 @@ use crate::shape::loose::{crossings, loose_ends};
 use crate::shape::mouth::Mouth;
 use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
+use crate::shape::reach::unreached;
 use crate::shape::sketch::{DrawnCurve, Rules, Sketch, thousandths_up};
 use inflatable::geom::{BoxIndex, Enclosures, Line as Chord, Path, Point, Segment};
 
@@ -63,6 +64,9 @@ pub(super) fn outline(
     // Several outlines along the bands lie in the bands of each other: that follows from their number.
     if outlines.len() < 2 || !sketch.cuts.is_empty() {
         touching(&outlines, &inner, sketch, rules, lines, notes);
+    }
+    if notes.faults.len() == before && !outlines.is_empty() {
+        unreached(outlines.iter().chain(&inner).map(|(path, _)| path), lines, sketch, rules, notes);
     }
     around_bands(&inner, holes, lines, notes);
     webs(&outlines, &inner, rules, notes);

@@ -63,6 +63,12 @@ pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rule
             let remedy = format!("{}, or remove it", rules.ports_apart());
             notes.fault(ShapeCode::LostPort, &names, place, (what, remedy), [f64::NAN; 2]);
         }
+        NoChannel::Blocked { far, at } => {
+            let what =
+                format!("the channel of port {} meets the edge {far:.3} mm in front of it", quoted(&names));
+            let numbers = [*far, f64::NAN];
+            notes.fault(ShapeCode::BandsOverlap, &names, *at, (what, rules.room_in_front()), numbers);
+        }
         NoChannel::Along => {
             let what = format!("port {} runs along the edge", quoted(&names));
             let remedy = "draw a short line across the edge, or a point on it".to_owned();
