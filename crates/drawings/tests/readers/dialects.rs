@@ -78,6 +78,52 @@ fn inkscape_layers_labels_clones_and_hidden_layers() {
     );
 }
 
+/// Of a switch the first child is drawn whose conditions hold, and no element whose own do not.
+#[test]
+fn conditional_elements_are_drawn_where_their_conditions_hold() {
+    let read = |body: &str| {
+        let text = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="99mm" height="99mm" viewBox="0 0 99 99">{body}</svg>"#
+        );
+        let drawing = read_svg(text.as_bytes(), &Options::new(0.01)).expect("a drawing");
+        let ids: Vec<String> = drawing.elements.iter().map(|element| element.id.clone()).collect();
+        (ids.join(" "), drawing.notes)
+    };
+    let line = |id: &str, condition: &str| format!(r#"<path id="{id}" {condition} d="M0 0h9"/>"#);
+    let feature = |name: &str| format!(r#"requiredFeatures="http://www.w3.org/TR/SVG11/feature#{name}""#);
+    let met = [
+        String::new(),
+        feature("Shape"),
+        r#"systemLanguage="de, en-GB""#.into(),
+        r#"systemLanguage="EN""#.into(),
+    ];
+    let unmet = [
+        feature("Extensibility"),
+        r#"requiredFeatures="""#.into(),
+        r#"requiredFeatures="org.example""#.into(),
+        r#"requiredExtensions="http://ns.adobe.com/Extensibility/1.0/""#.into(),
+        r#"systemLanguage="xx""#.into(),
+        r#"systemLanguage="english""#.into(),
+    ];
+    for good in &met {
+        for bad in &unmet {
+            let both = line("bad", bad) + &line("good", good);
+            assert_eq!(read(&both).0, "good", "{both}");
+            let (found, notes) =
+                read(&format!("<switch><title>t</title>{both}{}</switch>", line("later", "")));
+            assert_eq!(found, "good", "{both}");
+            // The language of a reader is not known.
+            let told = notes.iter().any(|note| note.text.contains("It is hidden (systemLanguage \""));
+            assert_eq!(told, bad.starts_with("systemLanguage"), "{notes:?}");
+        }
+    }
+    let (none, notes) = read(&line("bad", r#"systemLanguage="de""#));
+    assert!(
+        none.is_empty() && notes[0].text == "It is hidden (systemLanguage \"de\"), and is left out.",
+        "{notes:?}"
+    );
+}
+
 #[test]
 fn illustrator_entities_classes_switch_and_its_pixels() {
     let text = r#"<?xml version="1.0" encoding="utf-8"?>
