@@ -2,6 +2,7 @@
 
 use crate::shape::air::depth;
 use crate::shape::around::{Layout, Line, LineUse, nearest_path, opened};
+use crate::shape::edge_gaps::close_edge_gaps;
 use crate::shape::fault::ShapeCode;
 use crate::shape::loose::crossings;
 use crate::shape::mouth::{NoChannel, ambiguous, channel};
@@ -26,19 +27,19 @@ pub(super) fn drawn_seams(
     let (_, network) = notes.mended(&sketch.seams, rules.join);
     crossings(&network, &names, rules.join, notes);
     let mut closed: Vec<(Path, Vec<String>)> = Vec::new();
+    let mut welds: Vec<(Path, Vec<String>)> = Vec::new();
     for edge in &network.edges {
         let own = named(&edge.sources, &names);
         if edge.nodes.is_none() {
             closed.push((edge.path.clone(), own));
         } else {
-            lines.air.seams.push(edge.path.clone());
-            lines.lines.push(Line {
-                path: edge.path.clone(),
-                names: own,
-                kind: LineUse::Weld,
-                joined: [false; 2],
-            });
+            welds.push((edge.path.clone(), own));
         }
+    }
+    close_edge_gaps(&mut welds, lines, rules, notes);
+    for (path, names) in welds {
+        lines.air.seams.push(path.clone());
+        lines.lines.push(Line { path, names, kind: LineUse::Weld, joined: [false; 2] });
     }
     let all: Vec<&Path> =
         closed.iter().map(|(path, _)| path).chain(lines.edges.iter().map(|(path, _)| path)).collect();

@@ -11,6 +11,7 @@ mod chambers;
 mod checks;
 mod clean;
 mod drawn_seams;
+mod edge_gaps;
 mod faces;
 mod fault;
 mod holes;
