@@ -14,6 +14,7 @@ mod drawn_seams;
 mod edge_gaps;
 mod faces;
 mod fault;
+mod hairpins;
 mod holes;
 mod join;
 mod joints;

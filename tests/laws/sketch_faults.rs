@@ -138,6 +138,37 @@ fn ports_nearer_than_a_hose_are_refused() {
     }
 }
 
+/// The legs of a V lie on each other as two parallel welds do, unless they diverge.
+#[test]
+fn a_hairpin_is_refused_and_a_v_is_not() {
+    let with = |points: &[(f64, f64)]| {
+        let points: Vec<_> = points.iter().map(|(x, y)| p(*x, *y)).collect();
+        Sketch { seams: vec![drawn("w", open(&points))], ..cushion() }
+    };
+    for width in [0.1, 0.5, 1.0, 1.9] {
+        for points in [
+            [(80.0, 90.0), (80.0, 55.0), (80.0 + width, 90.0)],
+            [(80.0 + width, 90.0), (80.0, 55.0), (80.0, 90.0)],
+        ] {
+            let found = fault(&with(&points));
+            assert!(found.code == ShapeCode::BandsOverlap && found.place == p(80.0, 55.0), "{found:?}");
+            assert!((found.found - width).abs() < 0.03 && found.allowed == 2.0, "{found:?}");
+        }
+        let parallel = [(80.0, 90.0), (80.0, 55.0), (80.0 + width, 55.0), (80.0 + width, 90.0)];
+        assert_eq!(fault(&with(&parallel)).code, ShapeCode::BandsOverlap, "{width}");
+    }
+    let spread = [
+        vec![(80.0, 90.0), (80.0, 55.0), (82.1, 90.0)],
+        vec![(70.0, 90.0), (80.0, 55.0), (90.0, 90.0), (100.0, 55.0)],
+        // Legs of several segments, the first ones close; a barb shorter than the band.
+        vec![(60.0, 90.0), (79.0, 60.0), (80.0, 55.0), (81.0, 60.0), (100.0, 90.0)],
+        vec![(80.0, 90.0), (80.0, 55.0), (80.3, 56.9)],
+    ];
+    for points in spread {
+        assert!(sealed_shape(&with(&points), &RULES).is_ok(), "{points:?}");
+    }
+}
+
 /// Flaps of both arms bridge the gap of a U: no hose can be pushed in there.
 #[test]
 fn a_mouth_in_uncut_fabric_is_refused() {
