@@ -294,7 +294,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         Ok(())
     }
 
-    /// Notes paints that name no layer.
+    /// Notes paints that name no layer, and dashes.
     fn remarks(&mut self, style: &Style, place: &Place) {
         let [stroke, fill] = style.seen();
         let text = match (stroke, fill) {
@@ -302,6 +302,9 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             (Paint::None, Paint::Server) => "Its fill is a gradient or a pattern, which names no layer.",
             (Paint::None, Paint::None) => {
                 "Neither its stroke nor its fill can be seen; it is read nevertheless."
+            }
+            (stroke, _) if style.dashed && stroke != Paint::None => {
+                "Its stroke is dashed; it is read as an unbroken line."
             }
             _ => return,
         };

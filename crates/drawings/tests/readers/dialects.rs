@@ -107,6 +107,28 @@ fn units_are_read_in_all_spellings() {
     }
 }
 
+#[test]
+fn a_dashed_line_is_read_whole_with_a_note() {
+    let notes = |group: &str, path: &str| {
+        let text = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="99mm" height="99mm" viewBox="0 0 99 99"><g stroke="red" {group}><path {path} d="M0 0h9"/></g></svg>"#
+        );
+        let drawing = read_svg(text.as_bytes(), &Options::new(0.01)).expect("a drawing");
+        assert!((drawing.elements.len(), drawing.unit_mm) == (1, 1.0));
+        drawing.notes.into_iter().filter(|note| note.text.contains("dashed")).count()
+    };
+    let dashes = r#"stroke-dasharray="4 2""#;
+    assert_eq!(
+        [notes("", dashes), notes(dashes, ""), notes("", r#"style="stroke-dasharray:1mm,0""#)],
+        [1; 3]
+    );
+    assert_eq!(
+        [notes("", ""), notes("", r#"stroke-dasharray="0""#), notes(dashes, r#"stroke-dasharray="none""#)],
+        [0; 3]
+    );
+    assert_eq!(notes(dashes, r#"stroke="none""#), 0);
+}
+
 /// Of a switch the first child is drawn whose conditions hold, and no element whose own do not.
 #[test]
 fn conditional_elements_are_drawn_where_their_conditions_hold() {
