@@ -96,10 +96,10 @@ impl fmt::Display for SealReport {
             writeln!(f, "  LEAK: {}", leak.found)?;
         }
         if self.leaks.is_empty() {
-            let exception = if self.pieces.iter().any(|piece| piece.passage.inlet.is_some()) {
-                " except the inlet"
-            } else {
-                "; the tube is closed all around, without an inlet"
+            let exception = match self.pieces.iter().map(|piece| piece.passage.inlets).max() {
+                Some(1) => " except the inlet".to_owned(),
+                Some(inlets @ 2..) => format!(" except the {inlets} inlets"),
+                _ => "; the tube is closed all around, without an inlet".to_owned(),
             };
             writeln!(f, "  airtight: no opening{exception}")?;
         }

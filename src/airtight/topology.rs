@@ -22,6 +22,8 @@ pub struct Passage {
     pub least_passage: Option<f64>,
     /// Width of the inlet's channel between its bands.
     pub inlet: Option<f64>,
+    /// Number of inlets.
+    pub inlets: usize,
     /// Loss of radius at a tip and a corner by the band's width: drawn radius, made radius; for stars only.
     pub eaten: Option<[(f64, f64); 2]>,
     /// Leaks of the piece.
@@ -105,7 +107,8 @@ pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
         FlatPiece::Drawn(piece) => Some(piece.least_passage),
     };
     let Found { leaks, weaknesses } = found;
-    Passage { loops, starts_apart, channel, least_passage, inlet, eaten, leaks, weaknesses }
+    let inlets = shape.ports.len();
+    Passage { loops, starts_apart, channel, least_passage, inlet, inlets, eaten, leaks, weaknesses }
 }
 
 fn closure(spec: &Spec, machine: &Machine, (seam, is_star): (&Seam, bool), found: &mut Found) -> Loop {

@@ -232,6 +232,10 @@ pub(super) fn with_drawing(
 
 /// The content of the drawing `file`, or the reason why it cannot be read.
 fn drawing_bytes(file: &Path) -> Result<Vec<u8>, String> {
+    // Reading a pipe would wait for a writer, and a device may never end.
+    if file.metadata().is_ok_and(|file| !file.is_file() && !file.is_dir()) {
+        return Err(format!("cannot read {}: it is a pipe, a socket or a device; name a file", shown(file)));
+    }
     let mut bytes = Vec::new();
     match File::open(file).and_then(|opened| opened.take(DRAWING_LIMIT + 1).read_to_end(&mut bytes)) {
         Ok(_) if bytes.len() as u64 > DRAWING_LIMIT => Err(format!("{} is larger than 64 MiB", shown(file))),

@@ -27,6 +27,7 @@ codes! {
         LongExtent "long-extent" "With this extent the coating windows would meet or run past the arms; make it smaller.",
         LongLink "long-link" "A warning: the link is too long for a QR code; leave out `link`, or shorten spec, profile and drawing.",
         LongOverlap "long-overlap" "The overlap is longer than half the loop; make it shorter.",
+        LongRamp "long-ramp" "On its ramp the iron seals more than half a band past an end of a seam; shorten the profile's ramp.",
         LostGeometry "lost-geometry" "The drawing shows something that is not read; convert it to a path, or ignore its layer.",
         MayNotHold "may-not-hold" "A warning: within its ranges the gripper may or may not hold the object of `load`; see the reasons.",
         NarrowMouth "narrow-mouth" "A leak: the inlet's mouth is too narrow for the hose; take a thinner hose.",

@@ -123,7 +123,9 @@ impl Designed {
         too_many.or(())?;
         let programs = plan::seal_programs(&spec, &machine, &design);
         let traces = plan::trace_programs(&spec, &machine, &design);
-        plan::refusals(&spec, &machine, &programs, &traces).or(())?;
+        let mut refusals = plan::refusals(&spec, &machine, &programs, &traces);
+        refusals.extend(plan::pressed_beyond(&machine, &design));
+        refusals.or(())?;
         Ok(Planned { spec, machine, design, programs, traces })
     }
 }

@@ -169,10 +169,9 @@ fn open_edges(
     taken: &mut Vec<usize>,
     notes: &mut SealingNotes,
 ) {
-    let outer = air.boundaries.iter_mut().filter(|boundary| boundary.outer);
-    let mut outer: Vec<(Bounds, &mut Boundary)> =
-        outer.map(|boundary| (boundary.path.bounds(), boundary)).collect();
-    let edges: Vec<Path> = outer.iter().map(|(_, boundary)| boundary.path.clone()).collect();
+    let mut outer: Vec<&mut Boundary> = air.boundaries.iter_mut().filter(|boundary| boundary.outer).collect();
+    let edges: Vec<Path> = outer.iter().map(|boundary| boundary.path.clone()).collect();
+    let around: Vec<Bounds> = edges.iter().map(Path::bounds).collect();
     for (number, port) in sketch.ports.iter().enumerate() {
         let place = port.place.middle();
         if taken.contains(&number) {
@@ -183,13 +182,12 @@ fn open_edges(
             no_channel(&why, &port.name, place, rules, notes);
             continue;
         }
-        let paths = outer.iter().map(|(around, boundary)| (&boundary.path, *around));
-        let Some(nearest) = nearest_path(paths, place) else { continue };
-        let (around, boundary) = &mut outer[nearest];
+        let Some(nearest) = nearest_path(edges.iter().zip(around.iter().copied()), place) else { continue };
+        let boundary = &mut *outer[nearest];
         let leads = |_: Point, _: Vec2| length;
-        match channel(&boundary.path, number, &port.place, rules.port_width, leads, rules.overrun + 1.0) {
+        let paths = (&boundary.path, &edges[nearest]);
+        match channel(paths, number, &port.place, rules.port_width, leads, rules.overrun + 1.0) {
             Ok((path, mouth)) => {
-                *around = path.bounds();
                 boundary.path = path;
                 mouths.push(mouth);
                 taken.push(number);
@@ -198,7 +196,7 @@ fn open_edges(
             Err(NoChannel::Far(_)) if !sketch.seams.is_empty() => {}
             Err(why) => {
                 taken.push(number);
-                let why = reason(why, place, &edges, mouths, rules);
+                let why = reason(why, place, mouths, rules);
                 no_channel(&why, &port.name, place, rules, notes);
             }
         }
@@ -235,7 +233,8 @@ fn necks(
     for neck in notes.unless_crowded(bottlenecks(&curves, both - 1e-6)) {
         let in_air = closed.around(neck.middle()).len() % 2 == 1;
         let is_wall = (neck.width - rules.band).abs() <= rules.join;
-        if in_air || is_wall {
+        let in_front = mouths.iter().find(|mouth| mouth.is_in_front(neck.middle(), both));
+        if in_air || is_wall && in_front.is_none() {
             continue;
         }
         let mut sources: Vec<usize> =
@@ -243,13 +242,18 @@ fn necks(
         sources.dedup();
         let mut own = named(&sources, names);
         let near = mouths.iter().filter(|mouth| mouth.is_beside(neck.middle(), both));
-        let ports: Vec<String> =
-            near.filter_map(|mouth| sketch.ports.get(mouth.port)).map(|port| port.name.clone()).collect();
-        if ports.len() > 1 {
-            let what =
-                format!("{:.3} mm of fabric between the channels of ports {}", neck.width, quoted(&ports));
+        let name = |mouth: &Mouth| sketch.ports.get(mouth.port).map(|port| port.name.clone());
+        let (ports, front): (Vec<String>, _) = (near.filter_map(name).collect(), in_front.and_then(name));
+        let told = if ports.len() > 1 {
+            let place = format!("between the channels of ports {}", quoted(&ports));
+            Some((place, ports, rules.ports_apart()))
+        } else {
+            let place = |port: &str| format!("in front of the channel of port '{port}'");
+            front.map(|port| (place(&port), vec![port], rules.room_in_front()))
+        };
+        if let Some((place, ports, remedy)) = told {
             own.extend(ports);
-            let text = (what, rules.ports_apart());
+            let text = (format!("{:.3} mm of fabric {place}", neck.width), remedy);
             notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), text, [neck.width, both]);
             continue;
         }

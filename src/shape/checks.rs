@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::shape::around::{Layout, Line, LineUse};
 use crate::shape::bottleneck::{Bottleneck, GapCurve, bottlenecks};
 use crate::shape::fault::{ShapeCode, ShapeFault, quoted};
+use crate::shape::hairpins::hairpins;
 use crate::shape::notes::SealingNotes;
 use crate::shape::sketch::{Rules, Sketch, thousandths_up};
 use inflatable::geom::{BoxIndex, Enclosures, Path, Point, Segment, intersections};
@@ -15,6 +16,7 @@ const ALIKE: f64 = 1e-6;
 /// Faults where bands overlap or a tube is too narrow, and warnings of narrow passages.
 pub(super) fn checked(lines: &Layout, sketch: &Sketch, rules: &Rules, notes: &mut SealingNotes) {
     crossing_bands(&lines.lines, rules.band, notes);
+    hairpins(&lines.lines, rules.band, notes);
     let curves: Vec<GapCurve<'_>> =
         lines.lines.iter().map(|line| GapCurve { path: &line.path, joined: line.joined }).collect();
     let limit = rules.band + rules.least_passage.max(2.0 * rules.band);

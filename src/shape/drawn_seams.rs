@@ -2,6 +2,7 @@
 
 use crate::shape::air::depth;
 use crate::shape::around::{Layout, Line, LineUse, nearest_path, opened};
+use crate::shape::edge_gaps::close_edge_gaps;
 use crate::shape::fault::ShapeCode;
 use crate::shape::loose::crossings;
 use crate::shape::mouth::{NoChannel, ambiguous, channel};
@@ -26,19 +27,19 @@ pub(super) fn drawn_seams(
     let (_, network) = notes.mended(&sketch.seams, rules.join);
     crossings(&network, &names, rules.join, notes);
     let mut closed: Vec<(Path, Vec<String>)> = Vec::new();
+    let mut welds: Vec<(Path, Vec<String>)> = Vec::new();
     for edge in &network.edges {
         let own = named(&edge.sources, &names);
         if edge.nodes.is_none() {
             closed.push((edge.path.clone(), own));
         } else {
-            lines.air.seams.push(edge.path.clone());
-            lines.lines.push(Line {
-                path: edge.path.clone(),
-                names: own,
-                kind: LineUse::Weld,
-                joined: [false; 2],
-            });
+            welds.push((edge.path.clone(), own));
         }
+    }
+    close_edge_gaps(&mut welds, lines, rules, notes);
+    for (path, names) in welds {
+        lines.air.seams.push(path.clone());
+        lines.lines.push(Line { path, names, kind: LineUse::Weld, joined: [false; 2] });
     }
     let all: Vec<&Path> =
         closed.iter().map(|(path, _)| path).chain(lines.edges.iter().map(|(path, _)| path)).collect();
@@ -80,33 +81,31 @@ fn open_rims(
 ) {
     let (half, length) = (rules.band / 2.0, rules.band / 2.0 + rules.allowance);
     let outer = edges.iter().enumerate().filter(|(_, (_, _, outer))| *outer);
-    let mut outer: Vec<(usize, Bounds)> = outer.map(|(at, (path, ..))| (at, path.bounds())).collect();
-    let drawn: Vec<Path> = outer.iter().map(|(at, _)| edges[*at].0.clone()).collect();
+    let (outer, drawn): (Vec<usize>, Vec<Path>) = outer.map(|(at, (path, ..))| (at, path.clone())).unzip();
+    let around: Vec<Bounds> = drawn.iter().map(Path::bounds).collect();
     let mut mouths = Vec::new();
     for (number, port) in sketch.ports.iter().enumerate() {
         let place = port.place.middle();
         if taken.contains(&number) {
             continue;
         }
-        let rims = outer.iter().map(|(at, around)| (&edges[*at].0, *around));
-        let Some(nearest) = nearest_path(rims, place) else { continue };
+        let Some(nearest) = nearest_path(drawn.iter().zip(around.iter().copied()), place) else { continue };
         if let Some(why) = ambiguous(&port.place, &drawn) {
             no_channel(&why, &port.name, place, rules, notes);
             continue;
         }
-        let (at, around) = &mut outer[nearest];
-        let path = &mut edges[*at].0;
+        let path = &mut edges[outer[nearest]].0;
         let width = rules.port_width + rules.band;
-        match channel(path, number, &port.place, width, |_, _| length, rules.overrun + 1.0) {
+        match channel((path, &drawn[nearest]), number, &port.place, width, |_, _| length, rules.overrun + 1.0)
+        {
             Ok((opened, mut mouth)) => {
-                *around = opened.bounds();
                 *path = opened;
                 mouth.half -= half;
                 taken.push(number);
                 mouths.push(mouth);
             }
             Err(why) => {
-                no_channel(&reason(why, place, &drawn, &mouths, rules), &port.name, place, rules, notes);
+                no_channel(&reason(why, place, &mouths, rules), &port.name, place, rules, notes);
             }
         }
     }

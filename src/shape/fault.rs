@@ -34,7 +34,7 @@ pub enum ShapeCode {
     WallOutside,
     /// No room for a band between two edges.
     NoRoom,
-    /// Bands overlap.
+    /// Bands overlap, or leave no way out of a port to the cut.
     BandsOverlap,
     /// A tube narrower than two bands.
     NarrowTube,

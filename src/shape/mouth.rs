@@ -39,9 +39,31 @@ impl Mouth {
             && from.dot(self.out.perp()).abs() <= self.half + aside
     }
 
+    /// Whether `p` lies before the end of the channel, at most `far` mm from it.
+    pub(super) fn is_in_front(&self, p: Point, far: f64) -> bool {
+        let from = p - self.at;
+        (self.beyond..=self.beyond + far).contains(&from.dot(self.out))
+            && from.dot(self.out.perp()).abs() <= self.half
+    }
+
     /// The point `along` the way out and `across` it to the left, from the middle of the mouth.
     pub(super) fn point(&self, along: f64, across: f64) -> Point {
         self.at + self.out * along + self.out.perp() * across
+    }
+
+    /// The distance past the mouth from which `path` runs along both sides of the channel, `across` mm from its middle: 0 where it does at
+    /// the mouth. More where an edge is not square to the channel, or bends towards it. `None` if it does not run there.
+    pub(super) fn sides_begin(&self, path: &Path, across: f64) -> Option<f64> {
+        let side = |sign: f64| {
+            let lines = path.segments.iter().filter(|segment| matches!(segment, Segment::Line(_)));
+            let ends = lines.map(|line| [line.start(), line.end()].map(|p| p - self.at));
+            let is_on = |from: &Vec2| (sign * from.dot(self.out.perp()) - across).abs() < 1e-6;
+            let along = ends.filter(|ends| ends.iter().all(is_on)).map(|ends| ends.map(|p| p.dot(self.out)));
+            let ahead = along.filter(|[a, b]| a.max(*b) > 0.0).map(|[a, b]| a.min(b).max(0.0));
+            ahead.reduce(f64::min)
+        };
+        let begin = side(1.0)?.max(side(-1.0)?);
+        Some(if begin < 1e-6 { 0.0 } else { begin })
     }
 
     /// The closed `path` without the part farther out than `along` mm past the mouth, on sides `across` mm from its middle: an
@@ -85,6 +107,8 @@ pub(super) enum NoChannel {
     Narrow { width: f64, at: Point },
     /// Across the channel the edge falls back by this much, mm, and may by at most `most`.
     Deep { depth: f64, most: f64, at: Point },
+    /// The channel meets the edge again, this far in front of the port, mm.
+    Blocked { far: f64, at: Point },
     /// The channel of another port is too near.
     Beside,
     /// Its line runs along the edge.
@@ -119,16 +143,19 @@ pub(super) fn ambiguous(place: &PortPlace, edges: &[Path]) -> Option<NoChannel> 
 }
 
 /// A channel of `width` through the closed `path` (air on its left) at `place`, which runs `length` mm past the edge to its mouth and
-/// `beyond` on: the path with it, and the mouth.
+/// `beyond` on: the path with it, and the mouth. `drawn` is the path before other ports opened it: the port lies on it.
 pub(super) fn channel(
-    path: &Path,
+    (path, drawn): (&Path, &Path),
     port: usize,
     place: &PortPlace,
     width: f64,
     length: impl Fn(Point, Vec2) -> f64,
     beyond: f64,
 ) -> Result<(Path, Mouth), NoChannel> {
-    let (s, middle, out) = foot(path, place, width)?;
+    let (middle, out) = foot(drawn, place, width)?;
+    // The channel of another port has taken the edge there.
+    let on_path = path.nearest(middle).filter(|nearest| nearest.distance < 1e-6);
+    let s = on_path.ok_or(NoChannel::Beside)?.s;
     let (across, half, total) = (out.perp(), width / 2.0, path.length());
     let side = |s: f64| (path.point_at(s.rem_euclid(total)).unwrap_or(middle) - middle).dot(across);
     let narrow = || NoChannel::Narrow { width: extent(path, s, side), at: middle };
@@ -146,25 +173,30 @@ pub(super) fn channel(
         return Err(NoChannel::Deep { depth, most: width, at: middle });
     }
     let corners = [end, far(-half, length + beyond), far(half, length + beyond), start];
-    let lines = corners.windows(2).map(|pair| Segment::Line(Line::new(pair[0], pair[1])));
+    let lines: Vec<Segment> =
+        corners.windows(2).map(|pair| Segment::Line(Line::new(pair[0], pair[1]))).collect();
+    let met = lines.iter().flat_map(|line| drawn.segments.iter().flat_map(|edge| intersections(edge, line)));
+    let met = met.filter(|p| p.distance(start).min(p.distance(end)) > 1e-6);
+    let met = met.map(|p| ((p - middle).dot(out), p)).min_by(|a, b| a.0.total_cmp(&b.0));
+    if let Some((far, at)) = met {
+        return Err(NoChannel::Blocked { far, at });
+    }
     let opened = Path::closed(rest.segments.iter().copied().chain(lines).collect());
     Ok((opened, Mouth { port, at: far(0.0, length), out, half, length, beyond, depth: length + width }))
 }
 
-/// The place of the port on the path: the arc length, the point, and the way out.
-fn foot(path: &Path, place: &PortPlace, width: f64) -> Result<(f64, Point, Vec2), NoChannel> {
+/// The place of the port on the path, and the way out.
+fn foot(path: &Path, place: &PortPlace, width: f64) -> Result<(Point, Vec2), NoChannel> {
     let nearest = path.nearest(place.middle()).ok_or(NoChannel::Far(f64::INFINITY))?;
     if let PortPlace::Across([a, b]) = place {
         let line = Segment::Line(Line::new(*a, *b));
-        let mut before = 0.0;
         for segment in &path.segments {
             if let Some(p) = intersections(segment, &line).first() {
                 let t = segment.nearest_fraction(*p);
                 let way = (*b - *a).normalized();
                 let outwards = segment.tangent(t).cross(way) < 0.0;
-                return Ok((before + t * segment.length(), *p, if outwards { way } else { -way }));
+                return Ok((*p, if outwards { way } else { -way }));
             }
-            before += segment.length();
         }
     }
     if nearest.distance > width.max(5.0) {
@@ -175,7 +207,7 @@ fn foot(path: &Path, place: &PortPlace, width: f64) -> Result<(f64, Point, Vec2)
     let before = path.part(nearest.s - 1e-6, nearest.s);
     let before = before.tangent_at(0.0).unwrap_or(tangent);
     let out = -(tangent + before).perp().normalized();
-    Ok((nearest.s, nearest.point, out))
+    Ok((nearest.point, out))
 }
 
 /// The arc length at which the path, from `s` on, first lies `half` to the side `across` of `middle`.

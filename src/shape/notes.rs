@@ -26,10 +26,15 @@ impl SealingNotes {
     fn gaps(&mut self, network: &Network, names: &[String]) {
         for (sources, place, gap) in &network.closed_gaps {
             let names: Vec<String> = sources.iter().map(|source| names[*source].clone()).collect();
-            let gap = if *gap < 1e-4 { "less than 0.0001".to_owned() } else { format!("{gap:.4}") };
-            let what = format!("gap of {gap} mm in {} closed", quoted(&names));
-            self.repairs.push(Repair { names, place: *place, what });
+            self.gap_closed(names, *place, *gap);
         }
+    }
+
+    /// Notes that a gap of `gap` mm between the curves `names` was closed.
+    pub(super) fn gap_closed(&mut self, names: Vec<String>, place: Point, gap: f64) {
+        let gap = if gap < 1e-4 { "less than 0.0001".to_owned() } else { format!("{gap:.4}") };
+        let what = format!("gap of {gap} mm in {} closed", quoted(&names));
+        self.repairs.push(Repair { names, place, what });
     }
 
     pub(super) fn fault(

@@ -8,6 +8,7 @@ use crate::shape::loose::{crossings, loose_ends};
 use crate::shape::mouth::Mouth;
 use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
+use crate::shape::reach::unreached;
 use crate::shape::sketch::{DrawnCurve, Rules, Sketch, thousandths_up};
 use inflatable::geom::{BoxIndex, Enclosures, Line as Chord, Path, Point, Segment};
 
@@ -26,8 +27,10 @@ pub(super) fn outline(
     let mut outlines: Vec<(Path, Vec<String>)> = Vec::new();
     if sketch.cuts.is_empty() {
         let across = rules.band + rules.allowance;
-        let offset =
-            |(edge, by): &(Path, f64)| Some((offset_cut(edge, *by, &lines.mouths, across)?, Vec::new()));
+        let most = rules.overrun;
+        let offset = |(edge, by): &(Path, f64)| {
+            Some((offset_cut(edge, *by, &lines.mouths, across, most)?, Vec::new()))
+        };
         outlines.extend(lines.edges.iter().filter_map(offset));
     } else {
         for (path, names) in &drawn {
@@ -62,6 +65,9 @@ pub(super) fn outline(
     if outlines.len() < 2 || !sketch.cuts.is_empty() {
         touching(&outlines, &inner, sketch, rules, lines, notes);
     }
+    if notes.faults.len() == before && !outlines.is_empty() {
+        unreached(outlines.iter().chain(&inner).map(|(path, _)| path), lines, sketch, rules, notes);
+    }
     around_bands(&inner, holes, lines, notes);
     webs(&outlines, &inner, rules, notes);
     (outlines.into_iter().next().map(|(path, _)| path), inner.into_iter().map(|(path, _)| path).collect())
@@ -89,11 +95,14 @@ fn closed(drawn: &[DrawnCurve], rules: &Rules, notes: &mut SealingNotes) -> Vec<
     edges.map(|edge| (edge.path, named(&edge.sources, &names))).collect()
 }
 
-/// The outline at `by` mm outside an edge, straight across its mouths, whose flaps end `across` mm outside the air.
-fn offset_cut(edge: &Path, by: f64, mouths: &[Mouth], across: f64) -> Option<Path> {
+/// The outline at `by` mm outside an edge, straight across its mouths, whose flaps end `across` mm outside the air. It runs around a
+/// channel on whose sides it would begin more than `most` mm past the mouth: there the bands end.
+fn offset_cut(edge: &Path, by: f64, mouths: &[Mouth], across: f64, most: f64) -> Option<Path> {
     let mut cut = offset_right(edge, by).into_iter().max_by(|a, b| a.area().total_cmp(&b.area()))?;
     for mouth in mouths {
-        let Some(open) = mouth.open(&cut, 0.0, mouth.half + across) else { continue };
+        let across = mouth.half + across;
+        let Some(along) = mouth.sides_begin(&cut, across).filter(|along| *along <= most) else { continue };
+        let Some(open) = mouth.open(&cut, along, across) else { continue };
         let (Some(start), Some(end)) = (open.start(), open.end()) else { continue };
         let mut segments = open.segments;
         segments.push(Chord::new(end, start).into());

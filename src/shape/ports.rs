@@ -4,7 +4,7 @@ use crate::shape::fault::{Repair, ShapeCode, quoted};
 use crate::shape::mouth::{Mouth, NoChannel};
 use crate::shape::notes::SealingNotes;
 use crate::shape::sketch::{DrawnPort, PortPlace, Rules, thousandths_up};
-use inflatable::geom::{Path, Point};
+use inflatable::geom::Point;
 
 /// The ports, each that was drawn twice at one place once.
 pub(super) fn once(ports: &[DrawnPort], join: f64, notes: &mut SealingNotes) -> Vec<DrawnPort> {
@@ -29,25 +29,14 @@ pub(super) fn once(ports: &[DrawnPort], join: f64, notes: &mut SealingNotes) -> 
     kept
 }
 
-/// The reason `why` there is no channel at `place` on `edges`, which no port has opened: that of `mouths` which takes the room, if
-/// one does.
-pub(super) fn reason(
-    why: NoChannel,
-    place: Point,
-    edges: &[Path],
-    mouths: &[Mouth],
-    rules: &Rules,
-) -> NoChannel {
+/// The reason `why` there is no channel at `place`: the channel of `mouths` which takes the room, if one does.
+pub(super) fn reason(why: NoChannel, place: Point, mouths: &[Mouth], rules: &Rules) -> NoChannel {
     let aside = rules.port_width / 2.0 + 2.0 * rules.band;
     match why {
         NoChannel::Narrow { .. } | NoChannel::Deep { .. }
             if mouths.iter().any(|mouth| mouth.is_beside(place, aside)) =>
         {
             NoChannel::Beside
-        }
-        NoChannel::Far(_) => {
-            let far = edges.iter().map(|edge| edge.distance(place)).fold(f64::INFINITY, f64::min);
-            if far <= rules.farthest_port() { NoChannel::Beside } else { NoChannel::Far(far) }
         }
         why => why,
     }
@@ -73,6 +62,12 @@ pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rule
             let what = format!("port {} lies in the channel of another port, or beside it", quoted(&names));
             let remedy = format!("{}, or remove it", rules.ports_apart());
             notes.fault(ShapeCode::LostPort, &names, place, (what, remedy), [f64::NAN; 2]);
+        }
+        NoChannel::Blocked { far, at } => {
+            let what =
+                format!("the channel of port {} meets the edge {far:.3} mm in front of it", quoted(&names));
+            let numbers = [*far, f64::NAN];
+            notes.fault(ShapeCode::BandsOverlap, &names, *at, (what, rules.room_in_front()), numbers);
         }
         NoChannel::Along => {
             let what = format!("port {} runs along the edge", quoted(&names));

@@ -69,6 +69,16 @@ impl Rules {
         self.port_width.max(5.0)
     }
 
+    /// The remedy for a port with too little fabric in front of it: a channel, its flap and that of the edge opposite need that much.
+    pub(super) fn room_in_front(&self) -> String {
+        let room = 3.0 * (self.band + self.allowance) + self.overrun + 1.0;
+        format!(
+            "put it on an edge that the cut follows, with at least {:.3} mm of fabric in front of it, or draw all cuts, \
+             one of them through the mouth, on a layer with the role `cut`",
+            thousandths_up(room)
+        )
+    }
+
     /// The remedy for ports whose channels meet: their least distance, rounded up.
     pub(super) fn ports_apart(&self) -> String {
         let apart = self.port_width + 2.0 * self.band;

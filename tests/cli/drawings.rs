@@ -37,6 +37,24 @@ fn new_takes_a_unit() {
     assert!(stderr(&output).contains("--drawing"), "{}", stderr(&output));
 }
 
+/// Nobody writes to the pipe: reading it would wait for ever.
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_no_drawing() {
+    let folder = folder(NOTCH);
+    let dir = folder.path();
+    assert!(run(dir, &["new", "a", "--drawing", "d.svg", "--units", "mm"]).status.success());
+    fs::remove_file(dir.join("d.svg")).expect("removed");
+    let made = std::process::Command::new("mkfifo").arg(dir.join("d.svg")).status().expect("mkfifo");
+    assert!(made.success());
+    for args in [&["check", "a.toml"][..], &["new", "b", "--drawing", "d.svg"]] {
+        let output = run(dir, args);
+        assert_eq!(output.status.code(), Some(1));
+        let said = stderr(&output);
+        assert!(said.contains("d.svg: it is a pipe, a socket or a device; name a file"), "{said}");
+    }
+}
+
 #[test]
 fn a_drawing_without_figures_is_refused() {
     for (drawing, words) in [

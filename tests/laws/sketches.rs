@@ -105,6 +105,53 @@ fn a_pillow_is_sealed_half_a_band_outside_and_open_at_its_port() {
     assert_eq!(sealing.shape.ports[0].at, p(50.0, 70.0));
 }
 
+/// A wall that is drawn to the edges ends there to a file's decimals only.
+#[test]
+fn a_wall_may_miss_an_edge_by_join() {
+    let with = |a: f64, b: f64| {
+        let ports = vec![port(0.0, 30.0), port(100.0, 30.0)];
+        let air = sketch(vec![("r", rectangle(0.0, 0.0, 100.0, 60.0))], ports);
+        Sketch { seams: vec![drawn("w", open(&[p(50.0, a), p(50.0, b)]))], ..air }
+    };
+    let exact = sealed(&with(0.0, 60.0));
+    assert_eq!((exact.repairs.len(), exact.shape.topology().chambers.len()), (0, 2));
+    for gap in [1e-7, 1e-5, 0.001, 0.0199] {
+        for (a, b, count) in [(gap, 60.0, 1), (0.0, 60.0 - gap, 1), (gap, 60.0 - gap, 2)] {
+            let near = sealed(&with(a, b));
+            assert_eq!(near.shape.topology().chambers.len(), 2, "{gap}");
+            // Within the slack of a band there is nothing to mend.
+            if gap > 1e-6 {
+                assert_eq!(near.repairs.len(), count, "{:?}", near.repairs);
+                assert!(near.repairs.iter().all(|repair| repair.names == ["w", "r"]));
+                assert_eq!((&near.shape, &near.inner), (&exact.shape, &exact.inner), "{gap}");
+            }
+        }
+    }
+    assert!(sealed(&with(0.001, 60.0)).repairs[0].what == "gap of 0.0010 mm in 'w' and 'r' closed");
+    assert!(refused(&with(0.021, 60.0)).iter().all(|fault| fault.code == ShapeCode::BandsOverlap));
+    // Past the edge it ends in the band.
+    assert_eq!(sealed(&with(-0.01, 60.5)).repairs, []);
+}
+
+/// A file's decimals turn a port's line by some millionths, a drawer by some tenths of a degree: the cut crosses the mouth all the same.
+#[test]
+fn a_cut_is_straight_across_a_mouth_that_is_nearly_square() {
+    let air = rectangle(0.0, 0.0, 100.0, 60.0);
+    let height = |degrees: f64| {
+        let lean = 5.0 * degrees.to_radians().tan();
+        let place = PortPlace::Across([p(50.0 - lean, 55.0), p(50.0 + lean, 65.0)]);
+        let port = DrawnPort { name: String::new(), place };
+        sealed(&sketch(vec![("", air.clone())], vec![port])).shape.cut.unwrap().bounds().height()
+    };
+    // Where the flaps on both sides are whole: 13 mm beside the channel, and 10 mm outside the edge.
+    for degrees in [0.0, 1e-9, 1e-7, 1e-5, 0.001, 0.01, 0.1, 1.0, 4.0, -0.01, -4.0_f64] {
+        let expected = 80.0 + 26.0 * degrees.to_radians().abs().sin();
+        assert!((height(degrees) - expected).abs() < 1e-6, "{degrees}: {}", height(degrees));
+    }
+    // Farther out the bands end, and the cut runs around the channel.
+    assert!(height(6.0) > 90.0);
+}
+
 #[test]
 fn a_disc_is_a_disc() {
     let mut disc = sketch(vec![("disc", circle(0.0, 0.0, 40.0))], vec![]);

@@ -3,7 +3,7 @@
 use stargrip_cam::airtight::report;
 use stargrip_cam::design::{Design, Product, StarAssembly};
 use stargrip_cam::geom::Path;
-use stargrip_cam::spec::key;
+use stargrip_cam::spec::{Source, key, read};
 
 use crate::{machine, profile, spec, spec_text};
 
@@ -27,6 +27,18 @@ fn a_design_is_tight_and_its_channel_as_wide_as_the_tube() {
         assert_eq!(found.to_string().contains("no opening except the inlet"), passage.inlet.is_some());
         assert_eq!(found.to_string().contains("closed all around"), passage.inlet.is_none());
     }
+}
+
+/// A hose goes into each of the hand rest's two chambers.
+#[test]
+fn all_inlets_of_a_piece_are_counted() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/drawings/");
+    let text = std::fs::read_to_string(format!("{folder}hand-rest.toml")).expect("a design");
+    let bytes = std::fs::read(format!("{folder}hand-rest.svg")).expect("a drawing");
+    let reading = read(&Source::new("spec", text.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
+    let (spec, machine) = (reading.with_drawing(&bytes).spec, machine(profile("generic")));
+    let found = report(&spec, &machine, &Design::new(&spec, &machine).expect("a design"));
+    assert!(found.to_string().contains("airtight: no opening except the 2 inlets\n"), "{found}");
 }
 
 #[test]

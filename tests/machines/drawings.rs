@@ -4,6 +4,7 @@ use std::fs;
 
 use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::coupon::{CouponGroup, StripGrid};
+use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::{Built, MadeCoupons, Sources, build, read_back};
 use stargrip_cam::resume::{ResumeAt, resume};
 use stargrip_cam::spec::{Machine, Source, Spec, read};
@@ -27,6 +28,36 @@ fn made(text: &str, spec: &Spec, machine: &Machine, name: &str) -> Built {
     let request = KindRequest { with: vec![Kind::OutlinePdf, Kind::PreviewPng], ..KindRequest::default() };
     let sources = Sources { spec: text, machine: profile(name) };
     build(spec, machine, sources, &request).unwrap_or_else(|refusals| panic!("{name}: {refusals}"))
+}
+
+/// The hand rest on `profile`; its bands are 3 mm wide.
+fn hand_rest(profile: &str) -> Result<Built, Refusals> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/drawings/");
+    let text = fs::read_to_string(format!("{folder}hand-rest.toml")).expect("a design");
+    let text = format!("{text}\n[machine]\nprofile = \"own.toml\"\n");
+    let reading = read(&Source::new("spec", text.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
+    let spec = reading.with_drawing(&fs::read(format!("{folder}hand-rest.svg")).expect("a drawing")).spec;
+    let sources = Sources { spec: &text, machine: profile };
+    build(&spec, &machine(profile), sources, &KindRequest::default())
+}
+
+/// With the iron 3 mm below the release layer, 3/5 of a ramp seal: past a weld's end 1.5 mm of that may, half a band.
+#[test]
+fn a_ramp_that_seals_far_past_a_weld_is_refused() {
+    let deep = profile("generic")
+        .replace("contact = \"-0.3 mm\"", "contact = \"-3 mm\"")
+        .replace("travel = \"5 mm\"", "travel = \"2 mm\"");
+    let with = |ramp: &str| hand_rest(&deep.replace("ramp = \"3 mm\"", &format!("ramp = \"{ramp} mm\"")));
+    let refusals = with("30").map(|_| ()).expect_err("18 mm are sealed past the ends");
+    assert_eq!(refusals[0].code, "long-ramp");
+    assert!(refusals[0].found.contains("presses 18.000 mm past an end of seam "), "{}", refusals[0].found);
+    assert!(refusals[0].remedy.contains("a ramp of at most 2.5 mm"), "{}", refusals[0].remedy);
+    assert!(with("2.51").is_err());
+    let built = with("2.5").unwrap_or_else(|refusals| panic!("{refusals}"));
+    assert_eq!(read_back(&built.output_files()).findings, []);
+    // Past the mouth of a star there is no fabric, and the ramps of a closed seam lie on its own band.
+    let long = deep.replace("ramp = \"3 mm\"", "ramp = \"30 mm\"");
+    assert!(crate::try_built(&crate::spec_text(""), &long).is_ok());
 }
 
 #[test]

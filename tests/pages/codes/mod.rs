@@ -22,6 +22,7 @@ const WITHOUT: &[&str] = &[
     "curve-not-finite",
     "curves-crowded",
     "long-link",
+    "long-ramp",
     "narrow-mouth",
     "no-plate",
     "no-prediction",

@@ -105,7 +105,12 @@ fn unit(sections: &tables::Sections<'_, '_>, collector: &mut Collector<'_>) -> O
         (Some(unit), _) | (None, Some(unit)) => Some(unit.millimetres()),
         (None, None) => {
             let found = sections.units.map_or("is missing".into(), |value| format!("is {value}"));
-            let text = format!("The file has no unit: $INSUNITS {found}.");
+            let text = match code {
+                0 => format!("The file has no unit: $INSUNITS {found}."),
+                _ => format!(
+                    "The file's unit is not read: $INSUNITS {found}; 1, 2, 4 to 6, 9, 10, 13 and 14 are."
+                ),
+            };
             let names: Vec<_> = Unit::names().collect();
             collector.fault(Place::default(), text, format!("Give the unit: {}.", names.join(", ")));
             None

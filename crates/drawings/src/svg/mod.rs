@@ -4,6 +4,7 @@
 //! styles and references, and [`shapes`] and [`path_data`] give the pieces.
 
 mod clip;
+mod conditions;
 mod guard;
 mod path_data;
 mod shapes;

@@ -225,6 +225,8 @@ pub(super) struct Style {
     /// Whether `stroke-opacity` and `fill-opacity` leave something to see.
     opaque: [bool; 2],
     pub(super) visible: bool,
+    /// Whether strokes have gaps.
+    pub(super) dashed: bool,
 }
 
 impl Style {
@@ -235,6 +237,7 @@ impl Style {
         colour: [0; 3],
         opaque: [true; 2],
         visible: true,
+        dashed: false,
     };
 
     /// The style of an element in an element of this style.
@@ -252,13 +255,20 @@ impl Style {
             Some("visible") => true,
             _ => self.visible,
         };
+        let dashed = match cascade.value("stroke-dasharray") {
+            None | Some("inherit") => self.dashed,
+            Some(value) => value.split([',', ' ']).any(|dash| {
+                let number = dash.trim_end_matches(|c: char| c == '%' || c.is_ascii_alphabetic());
+                number.parse::<f64>().is_ok_and(|length| length > 0.0)
+            }),
+        };
         let opaque = |name: &str, parent: bool| match cascade.value(name) {
             None | Some("inherit") => parent,
             Some(value) => !is_zero(value),
         };
         let opaque = [opaque("stroke-opacity", self.opaque[0]), opaque("fill-opacity", self.opaque[1])];
         let (stroke, fill) = (paint("stroke", self.stroke), paint("fill", self.fill));
-        Self { stroke, fill, colour, opaque, visible }
+        Self { stroke, fill, colour, opaque, visible, dashed }
     }
 
     /// Stroke and fill as far as they can be seen.

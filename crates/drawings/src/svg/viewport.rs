@@ -24,10 +24,10 @@ impl Viewport {
         let fault = || {
             let found: String = value.chars().take(20).collect();
             format!(
-                "Its {name} is \"{found}\"; a number, or one with mm, cm, in, pt, pc, px or % is allowed."
+                "Its {name} is \"{found}\"; a number, or one with mm, cm, Q, in, pt, pc, px or % is allowed."
             )
         };
-        let length = Length::from_str(value.trim()).map_err(|_| fault())?;
+        let length = parsed(value).ok_or_else(fault)?;
         let [w, h] = self.0;
         let whole = [w, h, libm::hypot(w, h) / std::f64::consts::SQRT_2][axis];
         match (length.unit, millimetres(length)) {
@@ -36,6 +36,19 @@ impl Viewport {
             (_, Some(mm)) => Ok(mm / PIXEL),
             _ => Err(fault()),
         }
+    }
+}
+
+/// A length as SVG and programs write it: units of CSS have capitals or not, and some leave a blank before them. `None` if it is none.
+fn parsed(text: &str) -> Option<Length> {
+    let text = text.trim().to_ascii_lowercase();
+    let number = text.trim_end_matches(|c: char| c == '%' || c.is_ascii_alphabetic());
+    let (number, unit) = (number.trim_end(), &text[number.len()..]);
+    // The parser does not know quarters of a millimetre.
+    let quarters = |length: Length| Length::new(0.25 * length.number, LengthUnit::Mm);
+    match unit {
+        "q" => Length::from_str(number).ok().map(quarters),
+        unit => Length::from_str(&format!("{number}{unit}")).ok(),
     }
 }
 
@@ -106,7 +119,7 @@ fn measured(
     out: &mut Collector<'_>,
 ) -> Result<(Affine, Viewport), (String, String)> {
     let from = view_box(root).map_err(|text| (text, "Set it to the size of the drawing.".to_owned()))?;
-    let length = |name| root.attribute(name).and_then(|value| Length::from_str(value.trim()).ok());
+    let length = |name| root.attribute(name).and_then(parsed);
     let lengths = [length("width"), length("height")];
     for (name, length) in ["width", "height"].into_iter().zip(lengths) {
         if length.is_some_and(|length| length.number < 0.0) {

@@ -6,31 +6,12 @@ use roxmltree::{Document, Node, NodeId};
 
 use super::style::{Cascade, GEOMETRY, Paint, Style, is_zero};
 use super::viewport::{Viewport, fitted, view_box};
-use super::{Source, clip, is_svg, names, path_data, shapes, shortened, transform};
+use super::{Source, clip, conditions, is_svg, names, path_data, shapes, shortened, transform};
 use inflatable::geom::Point;
 
 use crate::affine::Affine;
 use crate::collector::{Collector, Stop};
 use crate::{Place, Weight};
-
-/// Elements that are shown by reference only, or not at all.
-const UNSEEN: [&str; 15] = [
-    "defs",
-    "symbol",
-    "clipPath",
-    "mask",
-    "pattern",
-    "marker",
-    "linearGradient",
-    "radialGradient",
-    "filter",
-    "title",
-    "desc",
-    "metadata",
-    "style",
-    "view",
-    "font",
-];
 
 /// The state that an element inherits.
 #[derive(Clone)]
@@ -87,15 +68,15 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         let Some(mut inner) = self.entered(node, context) else { return Ok(()) };
         inner.names.extend(names(node));
         inner.depth += 1;
-        let shown = |child: &Node<'a, 'd>| {
-            !only_first || child.attribute("requiredExtensions").is_none_or(str::is_empty)
-        };
-        for child in node.children().filter(|child| is_svg(*child)).filter(shown).take(if only_first {
-            1
-        } else {
-            usize::MAX
-        }) {
-            self.element(child, &inner)?;
+        for child in node.children().filter(|child| is_svg(*child)) {
+            let unmet = if only_first { conditions::unmet(child) } else { None };
+            // A language depends on the reader, so its note is given.
+            if unmet.as_ref().is_none_or(|condition| condition.starts_with("systemLanguage")) {
+                self.element(child, &inner)?;
+            }
+            if only_first && unmet.is_none() && !conditions::UNSEEN.contains(&child.tag_name().name()) {
+                break;
+            }
         }
         Ok(())
     }
@@ -137,16 +118,17 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         self.out.visit()?;
         self.out.text(node.attributes().map(|attribute| 16 + attribute.value().len()).sum())?;
         let tag = node.tag_name().name();
-        if UNSEEN.contains(&tag) || tag.starts_with("fe") {
+        if conditions::UNSEEN.contains(&tag) || tag.starts_with("fe") {
             return Ok(());
         }
         let cascade = self.cascade(node);
+        let unmet = conditions::unmet(node);
         let reason = if cascade.value("display") == Some("none") {
             "display: none"
         } else if cascade.value("opacity").is_some_and(is_zero) {
             "opacity 0"
         } else {
-            ""
+            unmet.as_deref().unwrap_or_default()
         };
         if !reason.is_empty() {
             let place = self.place(node, context);
@@ -312,7 +294,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         Ok(())
     }
 
-    /// Notes paints that name no layer.
+    /// Notes paints that name no layer, and dashes.
     fn remarks(&mut self, style: &Style, place: &Place) {
         let [stroke, fill] = style.seen();
         let text = match (stroke, fill) {
@@ -320,6 +302,9 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             (Paint::None, Paint::Server) => "Its fill is a gradient or a pattern, which names no layer.",
             (Paint::None, Paint::None) => {
                 "Neither its stroke nor its fill can be seen; it is read nevertheless."
+            }
+            (stroke, _) if style.dashed && stroke != Paint::None => {
+                "Its stroke is dashed; it is read as an unbroken line."
             }
             _ => return,
         };

@@ -78,6 +78,103 @@ fn inkscape_layers_labels_clones_and_hidden_layers() {
     );
 }
 
+/// CSS has units in capitals, too, and quarters of a millimetre; programs leave a blank before the unit.
+#[test]
+fn units_are_read_in_all_spellings() {
+    let read = |[width, height, r]: [&str; 3]| {
+        let text = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 200 100"><circle id="c" r="{r}"/></svg>"#
+        );
+        read_svg(text.as_bytes(), &Options::new(0.01))
+    };
+    for (size, r) in [
+        (["200mm", "100mm"], "10"),
+        (["200MM", "10Cm"], "10"),
+        (["800Q", "400q"], "1e1"),
+        (["200 mm", " 100  mm "], "10"),
+        (["2E2mm", "1e+2MM"], "10"),
+    ] {
+        let drawing = read([size[0], size[1], r]).unwrap_or_else(|faults| panic!("{size:?}: {faults:?}"));
+        assert!((drawing.unit_mm - 1.0).abs() < 1e-12, "{size:?}: {}", drawing.unit_mm);
+        let circle = path(&drawing, "c");
+        assert!((circle.length() - 20.0 * PI).abs() < 1e-9, "{size:?}: {}", circle.length());
+    }
+    // A pixel is 25.4/96 mm, a quarter 0.25 mm.
+    let drawing = read(["200mm", "100mm", "40Q"]).expect("a drawing");
+    assert!((path(&drawing, "c").length() - 2.0 * PI * 10.0 * 96.0 / 25.4).abs() < 1e-9);
+    for wrong in ["200 m m", "mm", "200 mmm", "2 00mm", ""] {
+        assert!(read([wrong, wrong, "10"]).is_err(), "{wrong}");
+    }
+}
+
+#[test]
+fn a_dashed_line_is_read_whole_with_a_note() {
+    let notes = |group: &str, path: &str| {
+        let text = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="99mm" height="99mm" viewBox="0 0 99 99"><g stroke="red" {group}><path {path} d="M0 0h9"/></g></svg>"#
+        );
+        let drawing = read_svg(text.as_bytes(), &Options::new(0.01)).expect("a drawing");
+        assert!((drawing.elements.len(), drawing.unit_mm) == (1, 1.0));
+        drawing.notes.into_iter().filter(|note| note.text.contains("dashed")).count()
+    };
+    let dashes = r#"stroke-dasharray="4 2""#;
+    assert_eq!(
+        [notes("", dashes), notes(dashes, ""), notes("", r#"style="stroke-dasharray:1mm,0""#)],
+        [1; 3]
+    );
+    assert_eq!(
+        [notes("", ""), notes("", r#"stroke-dasharray="0""#), notes(dashes, r#"stroke-dasharray="none""#)],
+        [0; 3]
+    );
+    assert_eq!(notes(dashes, r#"stroke="none""#), 0);
+}
+
+/// Of a switch the first child is drawn whose conditions hold, and no element whose own do not.
+#[test]
+fn conditional_elements_are_drawn_where_their_conditions_hold() {
+    let read = |body: &str| {
+        let text = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="99mm" height="99mm" viewBox="0 0 99 99">{body}</svg>"#
+        );
+        let drawing = read_svg(text.as_bytes(), &Options::new(0.01)).expect("a drawing");
+        let ids: Vec<String> = drawing.elements.iter().map(|element| element.id.clone()).collect();
+        (ids.join(" "), drawing.notes)
+    };
+    let line = |id: &str, condition: &str| format!(r#"<path id="{id}" {condition} d="M0 0h9"/>"#);
+    let feature = |name: &str| format!(r#"requiredFeatures="http://www.w3.org/TR/SVG11/feature#{name}""#);
+    let met = [
+        String::new(),
+        feature("Shape"),
+        r#"systemLanguage="de, en-GB""#.into(),
+        r#"systemLanguage="EN""#.into(),
+    ];
+    let unmet = [
+        feature("Extensibility"),
+        r#"requiredFeatures="""#.into(),
+        r#"requiredFeatures="org.example""#.into(),
+        r#"requiredExtensions="http://ns.adobe.com/Extensibility/1.0/""#.into(),
+        r#"systemLanguage="xx""#.into(),
+        r#"systemLanguage="english""#.into(),
+    ];
+    for good in &met {
+        for bad in &unmet {
+            let both = line("bad", bad) + &line("good", good);
+            assert_eq!(read(&both).0, "good", "{both}");
+            let (found, notes) =
+                read(&format!("<switch><title>t</title>{both}{}</switch>", line("later", "")));
+            assert_eq!(found, "good", "{both}");
+            // The language of a reader is not known.
+            let told = notes.iter().any(|note| note.text.contains("It is hidden (systemLanguage \""));
+            assert_eq!(told, bad.starts_with("systemLanguage"), "{notes:?}");
+        }
+    }
+    let (none, notes) = read(&line("bad", r#"systemLanguage="de""#));
+    assert!(
+        none.is_empty() && notes[0].text == "It is hidden (systemLanguage \"de\"), and is left out.",
+        "{notes:?}"
+    );
+}
+
 #[test]
 fn illustrator_entities_classes_switch_and_its_pixels() {
     let text = r#"<?xml version="1.0" encoding="utf-8"?>
@@ -290,6 +387,16 @@ fn freecad_r12_polylines_without_a_unit() {
     ]);
     let faults = read_dxf(text.as_bytes(), &Options::new(0.01)).expect_err("no unit");
     assert!(faults[0].text.contains("$INSUNITS") && faults[0].remedy.contains("mm"), "{faults:?}");
+    for (code, what) in [
+        ("0", "The file has no unit"),
+        ("7", "The file's unit is not read"),
+        ("12", "The file's unit is not read"),
+    ] {
+        let head = format!("9|$ACADVER|1|AC1015|9|$INSUNITS|70|{code}");
+        let text = file(&[("HEADER", &head), ("ENTITIES", "0|LINE|8|0|10|0|20|0|11|9|21|0")]);
+        let faults = read_dxf(text.as_bytes(), &Options::new(0.01)).expect_err("no unit");
+        assert!(faults[0].text.starts_with(&format!("{what}: $INSUNITS is {code}")), "{faults:?}");
+    }
     let options = Options { unit: Some(Unit::Inch), ..Options::new(0.01) };
     let drawing = read_dxf(text.as_bytes(), &options).expect("a drawing");
     let outline = path(&drawing, "POLYLINE at line 15");

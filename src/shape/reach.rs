@@ -1,0 +1,60 @@
+//! Mouths that no cut reaches: the sheets stay one piece in front of them, and no hose goes in.
+
+use crate::shape::around::Layout;
+use crate::shape::fault::{ShapeCode, quoted};
+use crate::shape::mouth::Mouth;
+use crate::shape::notes::SealingNotes;
+use crate::shape::sketch::{Rules, Sketch};
+use inflatable::geom::{Bounds, BoxIndex, Line as Chord, Path, Point, Segment, intersections};
+
+/// Faults of mouths that a band closes before one of the `cuts` crosses the way out. Without a drawn cut its way is also closed where the
+/// cut along the bands passes by, farther out than twice the flap around the end of a channel: flaps then bridge a gap.
+pub(super) fn unreached<'a>(
+    cuts: impl Iterator<Item = &'a Path>,
+    lines: &Layout,
+    sketch: &Sketch,
+    rules: &Rules,
+    notes: &mut SealingNotes,
+) {
+    let cuts: Vec<Segment> = cuts.flat_map(|path| path.segments.iter().copied()).collect();
+    let bands: Vec<Segment> =
+        lines.lines.iter().flat_map(|line| line.path.segments.iter().copied()).collect();
+    let around = |segments: &[Segment]| BoxIndex::new(segments.iter().map(Segment::bounds));
+    let (cut_boxes, band_boxes) = (around(&cuts), around(&bands));
+    let all = cuts.iter().fold(Bounds::EMPTY, |all, segment| all.union(segment.bounds()));
+    let far = all.width() + all.height();
+    let by = rules.band + rules.allowance;
+    for mouth in &lines.mouths {
+        // A cut may cross the channel anywhere outside the drawn edge.
+        let start = -mouth.length - 1e-3;
+        let most = if sketch.cuts.is_empty() { 2.0 * (mouth.beyond + by) } else { f64::INFINITY };
+        let first = [-mouth.half, 0.0, mouth.half].map(|across| {
+            let way = [start, far].map(|along| mouth.point(along, across));
+            [(&cuts, &cut_boxes), (&bands, &band_boxes)]
+                .map(|(segments, boxes)| first(mouth, way, segments, boxes))
+        });
+        let is_closed = first.iter().any(|[cut, band]| cut >= band);
+        let ahead = first[1][0];
+        if !is_closed && ahead <= most {
+            continue;
+        }
+        let names: Vec<String> =
+            sketch.ports.get(mouth.port).map(|port| port.name.clone()).into_iter().collect();
+        let port = quoted(&names);
+        let (what, numbers) = if is_closed {
+            (format!("a band lies between the mouth of port {port} and the cut"), [f64::NAN; 2])
+        } else {
+            (format!("the cut passes {ahead:.3} mm in front of the mouth of port {port}"), [ahead, most])
+        };
+        let text = (what, rules.room_in_front());
+        notes.fault(ShapeCode::BandsOverlap, &names, mouth.at, text, numbers);
+    }
+}
+
+/// The distance past the mouth at which the `way` out first meets one of the `segments`; infinite if it does not.
+fn first(mouth: &Mouth, way: [Point; 2], segments: &[Segment], boxes: &BoxIndex) -> f64 {
+    let way = Segment::Line(Chord::new(way[0], way[1]));
+    let near = boxes.overlapping(&way.bounds()).into_iter();
+    let met = near.flat_map(|i| intersections(&segments[i], &way)).map(|p| (p - mouth.at).dot(mouth.out));
+    met.fold(f64::INFINITY, f64::min)
+}
