@@ -37,6 +37,21 @@ pub const OPENING: f64 = 0.95;
 /// wider.
 pub const OPENING_REACHED: f64 = 1.6;
 
+/// nu of the computed stars.
+const POISSON: f64 = 0.39;
+/// The ends of nu at which others were tried, and by how much the ranges of stiffness and force are wider there: with it they hold those of stars
+/// 1 to 24 of `crates/research/poisson.py`.
+const POISSON_REACHED: Interval = [0.0, 0.49];
+const BEYOND_POISSON: f64 = 1.5;
+
+/// By how much the ranges of stiffness and force of fabric with `nu` are wider than [`STIFFNESS`] and [`FORCE`]: the more, the farther it lies
+/// from that of the computed stars.
+pub fn poisson_unit(nu: f64) -> f64 {
+    let [least, most] = POISSON_REACHED;
+    let end = if nu < POISSON { least } else { most };
+    1.0 + (BEYOND_POISSON - 1.0) * (nu - POISSON) / (end - POISSON)
+}
+
 /// Middle of the validated numbers of points, and its distance from their ends.
 const POINTS_ABOUT: [f64; 2] = [5.5, 2.5];
 /// By how much the ranges of radius and angle are wider at three and at eight points than between, and that of the stiffness at three; they grow

@@ -37,6 +37,8 @@ pub struct Ranges {
     pub domain: Domain,
     /// Factor on their widths compared with the validated domain: from 1 to [`errors::BEYOND`].
     pub wider: f64,
+    /// Further factor on the widths of stiffness and force for the fabric's Poisson ratio.
+    pub by_fabric: f64,
     /// Range of the final radius, m.
     pub radius: Option<Interval>,
     /// Range of the tips' angle at rest, rad; `None` also where arms touch, because contact is part of that equilibrium.
@@ -53,7 +55,8 @@ impl Ranges {
             |value: f64, errors: Interval, scale: f64| errors.map(|error| value + wider * error * scale);
         let star = &case.mechanism;
         let unit = errors::radius_unit(star.points);
-        let stiffer = wider * errors::stiffness_unit(star.points);
+        let by_fabric = errors::poisson_unit(case.sheet.poisson_ratio);
+        let stiffer = wider * by_fabric * errors::stiffness_unit(star.points);
         // Arms that touch press on each other; hinge models do not include the effect on the stiffness.
         let free = rest.equilibrium > star.correction.contact_angle;
         let radius = about(rest.radius, errors::RADIUS, unit * star.width / star.sector_sine())
@@ -62,6 +65,7 @@ impl Ranges {
         Self {
             domain,
             wider,
+            by_fabric,
             radius: Some(radius),
             angle: (angle[0] > star.correction.contact_angle).then_some(angle),
             stiffness: free
@@ -104,7 +108,8 @@ impl Ranges {
         }
         // An opening beyond the validated one widens the range continuously: a jump would mislead a search.
         let further = (opened / errors::OPENING - 1.0) / (errors::NOT_FAR - 1.0);
-        let [low, high] = errors::widened(errors::FORCE, self.wider * (1.0 + further.clamp(0.0, 1.0)));
+        let wider = self.wider * self.by_fabric * (1.0 + further.clamp(0.0, 1.0));
+        let [low, high] = errors::widened(errors::FORCE, wider);
         // The start of contact is as uncertain as the radius. Both errors are treated as independent, so
         // they are added in quadrature; ranges made so hold (docs/ranges.md).
         // Arms that touch: the radius without contact is as uncertain.
