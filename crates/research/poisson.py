@@ -49,16 +49,15 @@ def answers(program, folder, number, star):
 
 
 def pairs(section, shell):
-    """Quantity, the shell's number over the predicted one, and whether it lies in the range; forces and stiffnesses that meshes leave a
-    quarter open are left out."""
+    """Quantity, the shell's number over the predicted one, and whether it lies in the range, with its mesh error and strictly; forces and
+    stiffnesses that meshes leave a quarter open are left out."""
     errors = shell["evidence"]["mesh_errors"]
-    for name in list(NAMES)[:2]:
-        value, predicted, range_ = shell[name], section[name], section["ranges"][name]
-        if range_ and value and errors[name] < 0.25 * value:
-            yield name, value / predicted, range_[0] <= value <= range_[1]
-    for ours, theirs, error in zip(section["force_curve"], shell["force_curve"], errors["force_curve"]):
-        if ours[2] is not None and theirs[1] and error < 0.25 * theirs[1]:
-            yield "force", theirs[1] / ours[1], ours[2] <= theirs[1] <= ours[3]
+    rest = [(name, shell[name], errors[name], section[name], section["ranges"][name]) for name in list(NAMES)[:2]]
+    forces = zip(section["force_curve"], shell["force_curve"], errors["force_curve"])
+    opened = [("force", theirs[1], error, ours[1], ours[2:] if ours[2] is not None else None) for ours, theirs, error in forces]
+    for name, value, error, predicted, ends in rest + opened:
+        if ends and value and error < 0.25 * value:
+            yield name, value / predicted, ends[0] <= value + error and value - error <= ends[1], ends[0] <= value <= ends[1]
 
 
 def main():
@@ -68,14 +67,14 @@ def main():
     found = []
     for number, star in zip(range(2 * HALF), stars()):
         found += [(number // HALF, star["nu"], *pair) for pair in pairs(*answers(program, folder, number + 1, star))]
-    print("| stars | nu | quantity | numbers | shell by predicted, mean | least | most | strictly in range |\n|---|---|---|---|---|---|---|---|")
+    print("| stars | nu | quantity | numbers | shell by predicted, mean | least | most | in range | strictly |\n|---|---|---|---|---|---|---|---|---|")
     for half in (0, 1):
         for nus in GROUPS:
             for name, said in NAMES.items():
-                own = [(ratio, held) for of, nu, what, ratio, held in found if of == half and nu in nus and what == name]
-                ratios = [ratio for ratio, _ in own]
+                own = [numbers for of, nu, what, *numbers in found if of == half and nu in nus and what == name]
+                ratios, held, strictly = zip(*own)
                 print(f"| {half * HALF + 1} to {(half + 1) * HALF} | {nus[0]}, {nus[1]} | {said} | {len(own)} | {sum(ratios) / len(ratios):.3f} "
-                      f"| {min(ratios):.3f} | {max(ratios):.3f} | {sum(held for _, held in own)} |")
+                      f"| {min(ratios):.3f} | {max(ratios):.3f} | {sum(held)} | {sum(strictly)} |")
 
 
 if __name__ == "__main__":

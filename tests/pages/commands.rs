@@ -44,6 +44,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/paper.md", "cargo run --release -p research --example paper -- --shells"),
     ("docs/paper.md", "cargo run --release -p inflatable --example coil -- 1 0 20 2"),
     ("docs/python.md", "pip install ./python"),
+    ("docs/ranges.md", "python3 crates/research/poisson.py target/release/stargrip-c"),
     ("docs/ranges.md", "cargo run --release -p research --example ranges"),
     ("docs/stability.md", "cargo run --release -p research --example extremes"),
     ("docs/stability.md", "cargo run --release -p research --example shell_random -- 10"),
