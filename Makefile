@@ -51,16 +51,13 @@ portable:
 	packaging/portable $(TARGETS)
 
 # The tested crates. The Python package has its own tests (`make python`).
-SHIPPED = -p stargrip-cam -p inflatable -p drawings
-TESTED = $(SHIPPED) -p research
-# The large crate is compiled again for its unit tests. They are as fast when that copy is not optimised, and it is there sooner. Research
-# depends on it, so its unit tests use the other copy.
+TESTED = -p stargrip-cam -p inflatable -p drawings -p research
+# The large crate is compiled again for its unit tests. They are as fast when that copy is not optimised, and it is there sooner.
 PLAIN = --config 'profile.dev.package.stargrip-cam.opt-level=0'
 # `check` compiles the examples with its lints; a test that needs one includes it as a module.
 test:
-	$(CARGO) test --locked --lib $(PLAIN) $(SHIPPED)
+	$(CARGO) test --locked --lib $(PLAIN) $(TESTED)
 	$(CARGO) test --locked --test '*' $(TESTED)
-	$(CARGO) test --locked --lib -p research
 	$(CARGO) test --locked --doc $(TESTED)
 
 # The first part of CI: format, dependencies, the lock file of the fuzz targets, lints, debug tests, the files of the release program, documentation.
