@@ -1,11 +1,10 @@
-//! Conditional attributes: an element is drawn only if all of them hold, and of a `<switch>` only the first child that is.
+//! What is not drawn whatever its style: elements that are shown by reference only, and those whose conditional attributes do not all hold. Of a
+//! `<switch>` only the first child that is drawn counts.
 
 use roxmltree::Node;
 
-use super::shortened;
-
 /// Elements that are shown by reference only, or not at all.
-pub(super) const UNSEEN: [&str; 15] = [
+const UNSEEN: [&str; 15] = [
     "defs",
     "symbol",
     "clipPath",
@@ -40,20 +39,27 @@ const FEATURES: [&str; 13] = [
     "GraphicsAttribute",
 ];
 
+/// The condition on the reader's language.
+pub(super) const LANGUAGE: &str = "systemLanguage";
+
+/// Whether an element with this tag is never drawn where it stands.
+pub(super) fn is_unseen(tag: &str) -> bool {
+    UNSEEN.contains(&tag) || tag.starts_with("fe")
+}
+
 /// The first conditional attribute of an element that does not hold, with its value. Languages are compared with English, whatever the
 /// reader's is, so that a file gives the same drawing everywhere.
-pub(super) fn unmet(node: Node<'_, '_>) -> Option<String> {
+pub(super) fn unmet<'a>(node: Node<'a, '_>) -> Option<(&'static str, &'a str)> {
     let feature = |name: &str| {
         name.strip_prefix("http://www.w3.org/TR/SVG11/feature#").is_some_and(|name| FEATURES.contains(&name))
     };
     let english = |tag: &str| tag.split('-').next().is_some_and(|tag| tag.trim().eq_ignore_ascii_case("en"));
     let holds = |name: &str, value: &str| match name {
         "requiredFeatures" => !value.trim().is_empty() && value.split_ascii_whitespace().all(feature),
-        "systemLanguage" => value.split(',').any(english),
+        LANGUAGE => value.split(',').any(english),
         _ => false,
     };
     let given = |name| Some((name, node.attribute(name)?));
-    let mut all = ["requiredExtensions", "requiredFeatures", "systemLanguage"].into_iter().filter_map(given);
-    let (name, value) = all.find(|(name, value)| !holds(name, value))?;
-    Some(format!("{name} \"{}\"", shortened(value)))
+    let mut all = ["requiredExtensions", "requiredFeatures", LANGUAGE].into_iter().filter_map(given);
+    all.find(|(name, value)| !holds(name, value))
 }

@@ -71,10 +71,10 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         for child in node.children().filter(|child| is_svg(*child)) {
             let unmet = if only_first { conditions::unmet(child) } else { None };
             // A language depends on the reader, so its note is given.
-            if unmet.as_ref().is_none_or(|condition| condition.starts_with("systemLanguage")) {
+            if unmet.is_none_or(|(name, _)| name == conditions::LANGUAGE) {
                 self.element(child, &inner)?;
             }
-            if only_first && unmet.is_none() && !conditions::UNSEEN.contains(&child.tag_name().name()) {
+            if only_first && unmet.is_none() && !conditions::is_unseen(child.tag_name().name()) {
                 break;
             }
         }
@@ -118,11 +118,11 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         self.out.visit()?;
         self.out.text(node.attributes().map(|attribute| 16 + attribute.value().len()).sum())?;
         let tag = node.tag_name().name();
-        if conditions::UNSEEN.contains(&tag) || tag.starts_with("fe") {
+        if conditions::is_unseen(tag) {
             return Ok(());
         }
         let cascade = self.cascade(node);
-        let unmet = conditions::unmet(node);
+        let unmet = conditions::unmet(node).map(|(name, value)| format!("{name} \"{}\"", shortened(value)));
         let reason = if cascade.value("display") == Some("none") {
             "display: none"
         } else if cascade.value("opacity").is_some_and(is_zero) {
