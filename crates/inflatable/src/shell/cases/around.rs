@@ -1,11 +1,10 @@
 //! A star inflated from flat around a round object, as a gripper is used. [`star`](super::star()) opens one that is inflated already.
 //!
-//! Corners fold in several ways around one object, all of them stable, so the two forces differ by more than their mesh errors.
+//! Corners can fold in several ways around one object, all of them stable, so the two forces can differ.
 
 use crate::shell::cases::fault::ShellFault;
-use crate::shell::cases::refinement::{Family, Watch};
+use crate::shell::cases::refinement::{Family, Watch, values};
 use crate::shell::cases::star::FlatStar;
-use crate::shell::cases::star_part::ModelledPart;
 use crate::shell::cases::{Fineness, Value};
 use crate::shell::contact::Obstacle;
 use crate::shell::mesh::{Meshed, Sizes};
@@ -28,9 +27,6 @@ pub struct StarAround {
     pub friction: Value,
 }
 
-/// Shear traction of the springs of points that stick, p for each W. Four times as stiff ones change a force by 0.03 %.
-const STICKING: f64 = 1e4;
-
 /// Inflates a star from flat around a round object of `radius`, m. Each mesh begins from flat.
 ///
 /// # Errors
@@ -41,54 +37,37 @@ pub fn around(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<StarAround, ShellFault> {
-    let modelled = ModelledPart {
-        part: case.part(),
-        sector: case.sector()?,
-        margin: case.margin.widths(case.tube.width),
-    };
+    let modelled = case.modelled(case.part())?;
     let mut obstacles = modelled.obstacles();
     let post = obstacles.len() - 1;
     obstacles[post] = Obstacle::Post { radius: radius / case.tube.width };
-    let mut meshed = modelled.meshed(&Sizes::across(1.0, fineness.cells))?;
+    let coarsest = modelled.meshed(&Sizes::across(1.0, fineness.cells))?;
+    let mut meshed = coarsest.clone();
+    let (cuts, hold) = (fineness.cuts, case.hold(&modelled));
+    let family =
+        Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles, from_above: false };
+    let on_mesh = |meshed: &Meshed| {
+        let mut solver = family.solver(meshed, watch)?;
+        if let Some(contact) = solver.contact.as_mut().filter(|_| touch == Touch::Sticks) {
+            contact.stick(post, case.tube.continuation().last);
+        }
+        let _ = family.pressurise(&mut solver, watch)?;
+        let [force, shear] =
+            solver.contact.as_ref().map_or([0.0; 2], |contact| [contact.force(post), contact.shear()]);
+        Ok::<_, ShellFault>([force, if force > 0.0 { shear / force } else { 0.0 }])
+    };
     let mut found = Vec::new();
-    for cut in 0..=fineness.cuts {
+    for cut in 0..=cuts {
         if cut > 0 {
             meshed = meshed.refined()?;
         }
-        if cut + 3 > fineness.cuts {
-            found.push(on_mesh((case, &modelled), &meshed, (&obstacles, touch), watch)?);
+        if cut + 3 > cuts {
+            found.push(on_mesh(&meshed)?);
         }
     }
-    let value = |of: usize| Value::new(std::array::from_fn(|mesh| found[mesh.min(found.len() - 1)][of]));
+    let [force, friction] = values(&found);
     let unit = modelled.count() * case.tube.fabric.stretch * case.tube.width;
-    Ok(StarAround { force: value(0).scaled(unit), friction: value(1) })
-}
-
-/// Force, scaled, and friction of the modelled sheet on one mesh.
-fn on_mesh(
-    (case, modelled): (&FlatStar, &ModelledPart),
-    meshed: &Meshed,
-    (obstacles, touch): (&[Obstacle], Touch),
-    watch: &Watch,
-) -> Result<[f64; 2], ShellFault> {
-    let hold = case.hold(modelled);
-    let family = Family {
-        tube: case.tube,
-        coarsest: meshed.clone(),
-        cuts: 2,
-        hold: &hold,
-        obstacles,
-        from_above: false,
-    };
-    let mut solver = family.solver(meshed, watch)?;
-    let post = obstacles.len() - 1;
-    if let Some(contact) = solver.contact.as_mut().filter(|_| touch == Touch::Sticks) {
-        contact.stick(post, STICKING * case.tube.continuation().last);
-    }
-    let _ = family.pressurise(&mut solver, watch)?;
-    let Some(contact) = &solver.contact else { return Ok([0.0; 2]) };
-    let force = contact.force(post);
-    Ok([force, if force > 0.0 { contact.shear() / force } else { 0.0 }])
+    Ok(StarAround { force: force.scaled(unit), friction })
 }
 
 #[cfg(test)]

@@ -220,7 +220,7 @@ mod tests {
         open((&mut solver, post), &mut state, aim, [1.0, 1.35]).expect("an equilibrium");
         let sliding = solver.contact.clone();
         let touching = solver.contact.as_ref().expect("contact").touching(post, &state);
-        solver.contact.as_mut().expect("contact").stick(post, 1e4 * aim.pressure);
+        solver.contact.as_mut().expect("contact").stick(post, aim.pressure);
         let _ = solver.rest(&mut state, aim).expect("an equilibrium");
         let sticking = solver.contact.clone();
         let mut opened = |contact: &Option<Contact>, growth: f64| {

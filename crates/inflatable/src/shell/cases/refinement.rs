@@ -72,6 +72,11 @@ impl Indented {
     }
 }
 
+/// The numbers of the last three meshes, coarse to fine, as values. Of fewer meshes the finest counts for those that are missing.
+pub(super) fn values<const N: usize>(found: &[[f64; N]]) -> [Value; N] {
+    std::array::from_fn(|k| Value::new(std::array::from_fn(|mesh| found[mesh.min(found.len() - 1)][k])))
+}
+
 impl Family<'_> {
     /// Runs the case; `measure` takes its numbers from each mesh's equilibrium, and leaves those beside it, which the next mesh is given as
     /// starts.
@@ -110,10 +115,7 @@ impl Family<'_> {
             watch.tell(part(self.cuts - cut), &format!("mesh {} of {}", cut + 1, self.cuts + 1));
         }
         evidence.efforts.push(solver.effort);
-        let values = std::array::from_fn(|k| {
-            Value::new(std::array::from_fn(|mesh| found[mesh.min(found.len() - 1)][k]))
-        });
-        Ok((values, evidence))
+        Ok((values(&found), evidence))
     }
 
     pub(super) fn solver(&self, meshed: &Meshed, watch: &Watch) -> Result<Solver, ShellFault> {

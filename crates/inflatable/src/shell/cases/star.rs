@@ -97,6 +97,11 @@ impl FlatStar {
         }
     }
 
+    /// Its `part`, scaled.
+    pub(super) fn modelled(&self, part: StarPart) -> Result<ModelledPart, ShellFault> {
+        Ok(ModelledPart { part, sector: self.sector()?, margin: self.margin.widths(self.tube.width) })
+    }
+
     /// The supports of a mesh of `modelled`; it adds the margin to the sheet.
     pub(super) fn hold(&self, modelled: &ModelledPart) -> impl Fn(&Meshed, &mut Sheet) -> Supports {
         move |meshed, sheet| {
@@ -145,7 +150,7 @@ pub fn star_by_sizes(
     (sizes, cuts): (&Sizes, usize),
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
-    let modelled = ModelledPart { part, sector: case.sector()?, margin: case.margin.widths(case.tube.width) };
+    let modelled = case.modelled(part)?;
     let count = objects.sizes().len();
     if count > MOST_OBJECTS {
         return Err(ShellFault::TooMany { name: "objects", found: count, most: MOST_OBJECTS });
