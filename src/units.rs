@@ -201,6 +201,11 @@ impl Percent {
     }
 }
 
+/// `x`, rounded up to a tenth: an upper end that is printed so holds.
+pub fn tenths_up(x: f64) -> f64 {
+    (10.0 * x).ceil() / 10.0
+}
+
 /// Prints a lower limit: as [`Readable`], but rounded up, so that the printed value satisfies it.
 pub struct Least(pub f64);
 

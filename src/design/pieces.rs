@@ -9,7 +9,7 @@ use crate::design::engraving::Spot;
 use crate::design::joint::{JointCut, RADII, WALL};
 use crate::design::{MaskPlate, Outline, Refusal, RefusalCode, Star};
 use crate::spec::{Bed, key};
-use crate::units::{Length, Readable};
+use crate::units::{Length, Readable, tenths_up};
 use inflatable::geom::{Bounds, Isometry, Path, Point, Vec2};
 
 /// The pieces in which the mask of one star is printed.
@@ -245,8 +245,4 @@ fn bed_for_all(cuts: &[Vec<JointCut>], mask: &MaskPlate, bed: Bed) -> Bed {
 fn grown(bed: Bed, size: [f64; 2]) -> Bed {
     let [width, depth] = size.map(tenths_up);
     Bed { width: Length(bed.width.0.max(width)), depth: Length(bed.depth.0.max(depth)) }
-}
-
-fn tenths_up(mm: f64) -> f64 {
-    (mm * 10.0).ceil() / 10.0
 }

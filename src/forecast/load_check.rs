@@ -6,7 +6,7 @@ use crate::forecast::ranges::Interval;
 use crate::forecast::ranges::shown::{apart, or_unknown};
 use crate::forecast::seal_load::{Bursting, bursts_at};
 use crate::spec::{Load, Spec, StarSpec, key};
-use crate::units::{Least, Length, Mass, Most, Pressure};
+use crate::units::{Least, Length, Mass, Most, Pressure, tenths_up};
 use inflatable::mechanics::hinge::section;
 use inflatable::mechanics::strength::GRAVITY;
 
@@ -174,11 +174,6 @@ pub(super) fn too_hard([low, high]: Interval, bears: f64) -> Refusal {
             tenths_up(high)
         ),
     )
-}
-
-/// `x`, rounded up to a tenth: an upper end of a range, so that the printed one holds.
-pub(super) fn tenths_up(x: f64) -> f64 {
-    (10.0 * x).ceil() / 10.0
 }
 
 /// All stars press with `low` to `high` N together, and friction needs `needed` N to hold the mass of `load`.

@@ -18,12 +18,13 @@ pub const ISOTROPIC: &str =
 /// A page about `prediction`.
 pub fn text(spec: &Spec, prediction: &Prediction) -> String {
     let mut out = format!("{}\n", spec.name);
+    let pressure = spec.load.as_ref().and_then(|load| load.pressure).map(|pressure| pressure.0);
     let all_equal = prediction.stars.windows(2).all(|pair| pair[0] == pair[1]);
     if let Some(star) = prediction.stars.first().filter(|_| all_equal) {
         if prediction.stars.len() > 1 {
             let _ = writeln!(out, "\n{} equal stars, each:", prediction.stars.len());
         }
-        star_text(&mut out, star);
+        star_text(&mut out, star, pressure);
     } else {
         for (i, star) in prediction.stars.iter().enumerate() {
             if prediction.stars.iter().take(i).any(|other| other == star) {
@@ -33,7 +34,7 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
             let numbers: Vec<String> = alike.map(|(number, _)| number.to_string()).collect();
             let word = if numbers.len() == 1 { "star" } else { "stars" };
             let _ = writeln!(out, "\n{word} {}:", numbers.join(", "));
-            star_text(&mut out, star);
+            star_text(&mut out, star, pressure);
         }
     }
     if let Some(mass) = prediction.stack_mass_g.filter(|_| prediction.stars.len() > 1) {
@@ -67,7 +68,8 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
     out
 }
 
-fn star_text(out: &mut String, star: &StarPrediction) {
+/// What is predicted of `star` at `pressure`, kPa.
+fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     if star.evidence.mesh_errors.is_some() {
         return result::star_text(out, star);
     }
@@ -113,7 +115,6 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         ("largest pull on the seal", star.seal_pull_N_per_mm, star.ranges.seal_pull_N_per_mm, "N/mm"),
         ("burst pressure", star.burst_pressure_kPa, star.ranges.burst_pressure_kPa, "kPa"),
     ];
-    let pressure = star.burst_pressure_kPa.zip(star.burst_margin).map(|(burst, margin)| burst / margin);
     for (what, value, range, unit) in of_the_seal {
         let limit = pressure.filter(|_| unit == "kPa");
         match value.zip(range) {

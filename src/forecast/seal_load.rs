@@ -18,7 +18,7 @@ use crate::design::{Star, StarDesign};
 use crate::forecast::case::{Case, mechanism};
 use crate::forecast::pressures::is_modelled;
 use crate::forecast::ranges::scaled;
-use crate::units::{Length, LineForce, Pressure, Readable};
+use crate::units::{Length, LineForce, Pressure, Readable, tenths_up};
 use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::numerics::last_holding;
 use std::f64::consts::{FRAC_1_PI, PI};
@@ -170,9 +170,8 @@ impl SealLoad {
             Bursting::Perhaps => {
                 let holds = match self.burst_range {
                     // Rounded outwards: the pressure lies between them.
-                    Some(range) => {
-                        let [low, high] = range.map(|end| 10.0 * end.0);
-                        format!("it holds {:.1} to {:.1} kPa", low.floor() / 10.0, high.ceil() / 10.0)
+                    Some([low, high]) => {
+                        format!("it holds {:.1} to {:.1} kPa", -tenths_up(-low.0), tenths_up(high.0))
                     }
                     None => "how far it holds is unknown".to_owned(),
                 };

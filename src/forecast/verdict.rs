@@ -2,8 +2,8 @@
 
 use crate::design::{Object, Refusal, RefusalCode};
 use crate::forecast::load_check::{
-    ROUNDING, bursts, held, may_burst, may_not_press, outside_models, tenths_up, too_hard, too_heavy,
-    too_short, too_thin, too_wide_to_enter, too_wide_to_open,
+    ROUNDING, bursts, held, may_burst, may_not_press, outside_models, too_hard, too_heavy, too_short,
+    too_thin, too_wide_to_enter, too_wide_to_open,
 };
 use crate::forecast::outcome::Grip;
 use crate::forecast::prediction::StarPrediction;
@@ -11,7 +11,7 @@ pub use crate::forecast::prediction::{Holds, Verdict};
 use crate::forecast::ranges::shown::apart;
 use crate::forecast::ranges::{Interval, sum};
 use crate::spec::{Code, Load, Spec};
-use crate::units::{Force, Mass};
+use crate::units::{Force, Mass, tenths_up};
 use inflatable::mechanics::strength::GRAVITY;
 
 /// The verdict on the object of `spec` between `stars`; `None` without an object or a pressure.
