@@ -3,8 +3,8 @@
 //! Residuals count from the closed forms. Those of the radius, the stiffness and the forces also count from the angle that the
 //! interpolation gives, because a star is as wide as its angle makes it.
 
-mod regression;
-mod sample;
+pub mod regression;
+pub mod sample;
 
 use self::regression::{Rows, Solved, near};
 use self::sample::{Sample, sample};

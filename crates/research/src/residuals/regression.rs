@@ -25,14 +25,15 @@ struct ResidualRow {
 }
 
 /// Residuals of one kind.
-pub(super) struct Rows {
+pub struct Rows {
     pub(super) places: Vec<StarPlace>,
     lengths: StarPlace,
     all: Vec<ResidualRow>,
 }
 
 impl Rows {
-    pub(super) fn new(samples: &[Sample], of: Range<usize>, lengths: &StarPlace) -> Self {
+    /// The residuals `of` these numbers, in the order of the weights, of `samples`.
+    pub fn new(samples: &[Sample], of: Range<usize>, lengths: &StarPlace) -> Self {
         let scale = SCALES[of.start];
         let row = |star: usize, which: usize| {
             let (value, error) = samples[star].residuals[which]?;
@@ -45,6 +46,13 @@ impl Rows {
             lengths: *lengths,
             all: all.filter_map(|(star, which)| row(star, which)).collect(),
         }
+    }
+
+    /// The same without those of a star.
+    #[must_use]
+    pub fn without(mut self, star: usize) -> Self {
+        self.all.retain(|row| row.star != star);
+        self
     }
 
     fn values(&self) -> DVector<f64> {
@@ -86,7 +94,7 @@ fn along([one, other]: [usize; 2]) -> f64 {
 
 /// The interpolation of one kind of residual: by kernels around the centres, of forces also around each opening, with the weights of least
 /// squares (the subset of regressors of Rasmussen and Williams, eq. 8.14).
-pub(super) struct Solved {
+pub struct Solved {
     rows: Rows,
     centres: Vec<StarPlace>,
     /// How many openings there are: 1 where there is no opening.
@@ -94,11 +102,16 @@ pub(super) struct Solved {
     /// Kernels of the rows, a row each.
     kernels: DMatrix<f64>,
     factor: Cholesky<f64, Dyn>,
-    pub(super) weights: DVector<f64>,
+    /// A weight for each centre and opening.
+    pub weights: DVector<f64>,
 }
 
 impl Solved {
-    pub(super) fn new(rows: Rows, centres: &[usize]) -> Result<Self, &'static str> {
+    /// Of `rows`, around the stars `centres`.
+    ///
+    /// # Errors
+    /// If stars are the same.
+    pub fn new(rows: Rows, centres: &[usize]) -> Result<Self, &'static str> {
         let centres: Vec<StarPlace> = centres.iter().map(|star| rows.places[*star]).collect();
         let openings = 1 + rows.all.iter().map(|row| row.opening).max().unwrap_or(0);
         let count = centres.len() * openings;
@@ -140,7 +153,7 @@ impl Solved {
 
     /// The weights without the rows of a star: of errors e of its rows, whose part H of the fit is their own, others leave
     /// `(1 - H)^-1 e`.
-    pub(super) fn weights_without(&self, star: usize) -> DVector<f64> {
+    pub fn weights_without(&self, star: usize) -> DVector<f64> {
         let all = &self.rows.all;
         let own: Vec<usize> = (0..all.len()).filter(|row| all[*row].star == star).collect();
         if own.is_empty() {
@@ -156,40 +169,5 @@ impl Solved {
         let others = DMatrix::identity(own.len(), own.len()) - &kernels * &moves;
         let errors = others.lu().solve(&(values - kernels * &self.weights));
         errors.map_or_else(|| self.weights.clone(), |errors| &self.weights - moves * errors)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::array::from_fn;
-
-    /// Forty stars in places like those of a lattice, with three residuals each that are smooth functions of them, some missing.
-    fn samples() -> Vec<Sample> {
-        let sample = |star: u32| {
-            let place: StarPlace =
-                from_fn(|i| (f64::from(star) * [2.0_f64, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0][i].sqrt()).fract());
-            let value = |which: usize| {
-                (place[0] + 0.3 * f64::from(u32::try_from(which).unwrap_or(0))).sin() * place[5]
-            };
-            let known = |which: usize| !star.is_multiple_of(5) || which != 4;
-            Sample { place, residuals: from_fn(|which| known(which).then(|| (0.1 * value(which), 0.01))) }
-        };
-        (1..=40).map(sample).collect()
-    }
-
-    #[test]
-    fn the_weights_without_a_star_are_those_of_the_others() {
-        let (samples, centres) = (samples(), [1, 5, 9, 17, 22, 31]);
-        for of in [0..1, 3..6] {
-            let all = Solved::new(Rows::new(&samples, of.clone(), &LENGTHS), &centres).expect("it is found");
-            for star in [5, 20] {
-                let mut others = Rows::new(&samples, of.clone(), &LENGTHS);
-                others.all.retain(|row| row.star != star);
-                let expected = Solved::new(others, &centres).expect("it is found").weights;
-                let found = all.weights_without(star);
-                assert!((&found - &expected).amax() < 1e-9 && (&found - &all.weights).amax() > 1e-6);
-            }
-        }
     }
 }

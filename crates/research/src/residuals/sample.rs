@@ -7,12 +7,14 @@ use inflatable::mechanics::star::residuals::{OPENINGS, Residuals, StarPlace, WEI
 use std::cell::Cell;
 
 /// A residual with the mesh error of the shell's number.
-pub(super) type Residual = (f64, f64);
+pub type Residual = (f64, f64);
 
 /// A computed star, its ratios, and its residuals in the order of the weights; `None` where the number is missing, or not settled.
-pub(super) struct Sample {
-    pub(super) place: StarPlace,
-    pub(super) residuals: [Option<Residual>; WEIGHTS],
+pub struct Sample {
+    /// Its ratios.
+    pub place: StarPlace,
+    /// Its residuals.
+    pub residuals: [Option<Residual>; WEIGHTS],
 }
 
 /// The residuals of `star` where its angle is `angle` (rad) further open than that of the closed form.

@@ -24,14 +24,3 @@ pub fn table(stars: &[ComputedStar]) -> String {
     }
     out
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::stars::shipped::shipped;
-
-    #[test]
-    fn the_programs_copy_is_that_of_the_table() {
-        assert_eq!(include_str!("../../../../src/forecast/trade/finest.txt"), table(&shipped()));
-    }
-}

@@ -22,30 +22,3 @@ pub fn join(computed: &[ComputedStar]) -> String {
 pub fn shipped() -> Vec<ComputedStar> {
     SHIPPED.lines().filter(|line| !line.starts_with('#')).filter_map(ComputedStar::of_line).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::stars::computed::in_turn;
-    use crate::stars::draw::Set;
-
-    #[test]
-    fn the_shipped_stars_are_whole_and_are_those_that_are_drawn() {
-        let stars = shipped();
-        assert_eq!(SHIPPED, join(&stars));
-        // In their order, and of the set `wide` as many as were computed.
-        let mut drawn = in_turn().into_iter();
-        assert!(stars.iter().all(|star| drawn.any(|one| one == star.star)));
-        for set in Set::ALL {
-            let count = stars.iter().filter(|star| star.star.set == set).count();
-            assert!(set == Set::Wide || count == set.count() as usize, "{set:?}: {count}");
-        }
-    }
-
-    #[test]
-    fn a_line_with_another_star_is_not_read() {
-        let mut star = shipped().swap_remove(0);
-        star.star.width += 0.1;
-        assert_eq!(ComputedStar::of_line(&star.line()), None);
-    }
-}

@@ -1,15 +1,19 @@
-//! Tables and pictures of docs/ against the output of the examples; the command; predictions against shells.
+//! Tables and pictures of docs/ against the output of the examples; the command; predictions and tables against shells. The crate has no
+//! unit tests: `make test` would compile the large crate once more for them.
 
 mod command;
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
 #[path = "../../examples/extremes.rs"]
 mod extremes;
+mod ladders;
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
 #[path = "../../examples/paper/main.rs"]
 mod paper;
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
 #[path = "../../examples/ranges.rs"]
 mod ranges;
+mod regression;
+mod stars;
 mod validation;
 
 use std::path::Path;
