@@ -19,7 +19,7 @@ use crate::spec::{Fault, FaultCode, Faults, Machine, Reading, SIZE_LIMIT, Source
 use crate::verify::Finding;
 
 /// The profile's name in a published directory.
-const MACHINE: &str = "machine.toml";
+pub(super) const MACHINE: &str = "machine.toml";
 /// The spec's name in a published directory.
 const SPEC: &str = "spec.toml";
 

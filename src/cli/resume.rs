@@ -7,10 +7,14 @@ use serde_json::json;
 use crate::answer::hours;
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
+use crate::cli::load::{MACHINE, read_source};
 use crate::cli::text_file::{read_text, write_new};
 use crate::cli::verbosity::Verbosity;
+use crate::design::RefusalCode;
 use crate::manifest::{MANIFEST, Manifest, sha256};
-use crate::resume::{ResumeAt, ResumeFault, resume};
+use crate::resume::{ResumeAt, ResumeFault, clamp_in_the_way, resume};
+use crate::spec;
+use crate::spec::{Fault, Faults};
 use crate::units::{Length, Percent, Quantity};
 use inflatable::geom::Point;
 
@@ -85,6 +89,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let known = manifest.is_file();
     if known {
         is_published(&args.job, &manifest, &text)?;
+        is_free(&args.job, &resumed.text)?;
     }
     let target = args.output.clone().unwrap_or_else(|| target(&args.job, known));
     refuse_published(&target)?;
@@ -101,7 +106,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         if known {
             "the job is unchanged: its hash is the one in manifest.json"
         } else {
-            "no manifest.json beside the job: whether the job was changed after the build is unknown"
+            "no manifest.json beside the job: whether the job was changed after the build, and whether a clamp is in the way, \
+             is unknown"
         }
     );
     let json = json!({
@@ -167,4 +173,22 @@ fn is_published(job: &Path, manifest: &Path, text: &str) -> Result<(), Failure> 
     };
     let remedy = "build again, or resume a copy elsewhere if you made the change yourself";
     Err(Failure::Message(format!("{} {fault}; {remedy}", shown(job))))
+}
+
+/// Checks that `program`, the rest of `job`, meets no clamp of the profile beside the job: it goes to places between which the
+/// job itself does not travel.
+fn is_free(job: &Path, program: &str) -> Result<(), Failure> {
+    let profile = read_source(&job.with_file_name(MACHINE))?;
+    let clamps = spec::read_machine(&profile)?.bench.keep_out;
+    let wrong = |fault: ResumeFault| Failure::Message(format!("{}: {fault}", shown(job)));
+    let Some(met) = clamp_in_the_way(program, &clamps).map_err(wrong)? else { return Ok(()) };
+    let line = met.line.unwrap_or_default();
+    let fault = Fault::error(
+        RefusalCode::ClampInTheWay,
+        usize::MAX..usize::MAX,
+        format!("line {line} of the program for the rest would be {}", met.found),
+    )
+    .label(format!("must be {}", met.allowed))
+    .help("move the clamp, and resume a copy of the job elsewhere: no profile is compared with it there");
+    Err(Faults::new(&profile, vec![fault]).into())
 }

@@ -8,16 +8,14 @@
 pub mod bias;
 mod calibration;
 pub mod cone;
-mod reach;
 mod shapes;
 mod strips;
 mod table;
 
-use crate::coupon::reach::beyond;
 use crate::coupon::strips::program_name;
 use crate::design::{Drawing, Layer, Origin, Refusals, Shape, lettered};
 use crate::emit;
-use crate::plan::{Program, Purpose, Scope, refusals, seal_program};
+use crate::plan::{Program, Purpose, Scope, beyond, refusals, seal_program};
 use crate::shape::{LaidSeam, PieceName, PlacedPiece, SealedShape, Seam, laid_seams};
 use crate::spec::{Machine, Spec};
 use inflatable::geom::{Bounds, Isometry, Path, Point};
@@ -216,7 +214,14 @@ fn coupon(spec: &Spec, machine: &Machine, name: &str, pieces: Vec<CouponPiece>) 
     let scope = Scope { purpose: Purpose::Seal, sheet: 1, pieces: vec![PieceName::Named(name.to_owned())] };
     let program = seal_program(spec, machine, scope, &seams);
     let mut found = refusals(spec, machine, std::slice::from_ref(&program), &[]);
-    found.extend(beyond(machine, name, &program));
+    let smaller = match name {
+        _ if name.starts_with("strips") => {
+            "fewer of --temperatures, --speeds, --heights or --repeats; try them in several sets"
+        }
+        "v-actuator" => "a smaller `tube_width` in [star]",
+        _ => "a machine that reaches as far",
+    };
+    found.extend(beyond(machine, &format!("the coupon {name}"), &program.steps, smaller));
     found.or(())?;
     let svg = drawing(name, spec, &pieces);
     let (spec, machine) = (spec.clone(), machine.clone());

@@ -43,7 +43,7 @@ pub fn feed_check(
 ) -> Result<ProvenFeedCheck, FeedCheckFault> {
     let programs: Vec<Program> =
         plan::feed_checks(spec, machine).into_iter().map(|(_, program)| program).collect();
-    plan::contradictions(spec, machine, &programs).or(()).map_err(FeedCheckFault::Refused)?;
+    plan::feed_check_refusals(spec, machine, &programs).or(()).map_err(FeedCheckFault::Refused)?;
     let (text, deviation) = made(spec, machine, None);
     if let Err(findings) = deviation {
         let findings = findings.into_iter().map(|finding| finding.in_file(name)).collect();

@@ -2,6 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
+use crate::design::Refusals;
+use crate::plan::keep_out::clamps_in_the_way;
+use crate::plan::reach::beyond;
+use crate::plan::refusals::contradictions;
 use crate::plan::{Height, Program, Purpose, Scope, Step};
 use crate::spec::{Machine, Spec};
 use inflatable::geom::{Arc, Line, Point, Segment};
@@ -33,4 +37,15 @@ pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program
         Program::new(spec, machine, scope, steps, Vec::new())
     };
     ways.into_iter().map(|(name, way)| (name, program(way))).collect()
+}
+
+/// Every reason for which `machine` cannot run the feed check of `programs`, one after the other.
+pub fn feed_check_refusals(spec: &Spec, machine: &Machine, programs: &[Program]) -> Refusals {
+    let steps = programs.iter().flat_map(|program| program.steps.clone()).collect();
+    let scope = Scope { purpose: Purpose::Trace, sheet: 1, pieces: Vec::new() };
+    let whole = Program::new(spec, machine, scope, steps, Vec::new());
+    let mut refusals = contradictions(spec, machine, programs);
+    refusals.extend(beyond(machine, "the feed check", &whole.steps, "a machine that reaches as far"));
+    refusals.extend(clamps_in_the_way(spec, machine, &[], &[whole]));
+    refusals
 }

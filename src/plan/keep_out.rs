@@ -2,7 +2,7 @@
 
 use crate::design::{Refusal, RefusalCode};
 use crate::plan::lowest_feed::contact;
-use crate::plan::{Program, Step};
+use crate::plan::{Program, Purpose, Ramp, Step};
 use crate::shape::PieceName;
 use crate::spec::{KeepOut, Machine, Spec, key};
 use inflatable::geom::{Bounds, Line, Point, Segment, segment_distance};
@@ -90,8 +90,12 @@ pub(super) fn clamps_in_the_way(
         let lower = match zone.height {
             _ if met.low => String::new(),
             None => format!("; give its height, if it is below the travel height of {travel}"),
+            Some(height) if machine.process.heights.park <= height => {
+                format!("; or raise the travel height above {height}, and the park height above that")
+            }
             Some(height) => format!("; or raise the travel height above {height}"),
         };
+        let other = if program.pieces.is_empty() { "" } else { "; or change [sheet]" };
         let at = met.piece.point(met.piece.nearest_fraction(place.center()));
         Some(Refusal::new(
             key::machine::PROFILE,
@@ -100,24 +104,24 @@ pub(super) fn clamps_in_the_way(
                 "{} of {piece} meets the clamp {:?} at X {:.1} Y {:.1} mm",
                 met.what, zone.name, at.x, at.y
             ),
-            format!("move the clamp{lower}; or change [sheet]"),
+            format!("move the clamp{lower}{other}"),
         ))
     };
     machine.bench.keep_out.iter().filter_map(refusal).collect()
 }
 
-/// The pieces in words: "stars 1, 2", "disc".
+/// The pieces in words: "stars 1, 2", "disc"; without pieces it is a feed check.
 fn listed(pieces: &[PieceName]) -> String {
     let numbers: Vec<String> =
         pieces.iter().filter_map(PieceName::number).map(|number| number.to_string()).collect();
     match pieces {
         [first, _, ..] if numbers.len() > 1 => format!("{}s {}", first.kind(), numbers.join(", ")),
         [first, ..] => first.to_string(),
-        [] => String::new(),
+        [] => "the feed check".to_owned(),
     }
 }
 
-/// The ways of a program: contacts first, as a clamp in a seal's way is best reported as such.
+/// The ways of a program, from X0 Y0 on: contacts first, as a clamp in a seal's way is best reported as such.
 fn ways(number: usize, program: &Program, reach: f64) -> Vec<Way> {
     let way = |what, piece: Segment, reach: f64, low| Way {
         what,
@@ -127,24 +131,26 @@ fn ways(number: usize, program: &Program, reach: f64) -> Vec<Way> {
         reach,
         low,
     };
-    let mut ways: Vec<Way> =
-        contact(&program.steps).map(|(piece, _)| way("the seal", *piece, reach, true)).collect();
-    let mut at: Option<Point> = None;
+    let followed = |piece: &Segment| match program.purpose {
+        Purpose::Seal => way("the seal", *piece, reach, true),
+        Purpose::Trace => way("the trace", *piece, 0.0, false),
+    };
+    let mut ways: Vec<Way> = contact(&program.steps).map(|(piece, _)| followed(piece)).collect();
+    let mut at = Point::ORIGIN;
     for step in &program.steps {
-        match (step, at) {
-            (Step::Trace(pieces), _) => {
-                ways.extend(pieces.iter().map(|piece| way("the trace", *piece, 0.0, false)));
-            }
-            (Step::Travel(to), Some(from)) if from != *to => {
-                let line = Line::new(from, *to).into();
+        match step {
+            Step::Trace(pieces) => ways.extend(pieces.iter().map(followed)),
+            Step::Travel(to) if at != *to => {
+                let line = Line::new(at, *to).into();
                 ways.push(way("the way to or from a seam", line, reach, false));
             }
             _ => {}
         }
         at = match step {
-            Step::Travel(to) => Some(*to),
-            Step::Lift(ramp) => ramp.pieces.last().map(Segment::end),
-            Step::Trace(pieces) => pieces.last().map(Segment::end),
+            Step::Travel(to) => *to,
+            Step::Lift(Ramp { pieces, .. }) | Step::Trace(pieces) | Step::Seal(pieces) => {
+                pieces.last().map_or(at, Segment::end)
+            }
             _ => at,
         };
     }

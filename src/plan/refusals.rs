@@ -25,7 +25,7 @@ pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Pro
 const DAY: f64 = 86400.0;
 
 /// Every limit in the profile's `start` that contradicts the seal's speed or the time of `programs`.
-pub fn contradictions(spec: &Spec, machine: &Machine, programs: &[Program]) -> Refusals {
+pub(super) fn contradictions(spec: &Spec, machine: &Machine, programs: &[Program]) -> Refusals {
     let limits = &machine.script.limits;
     let mut refusals = Refusals::new();
     let mut refuse = |found: String, remedy: String| {

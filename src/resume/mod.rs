@@ -21,7 +21,8 @@ use crate::resume::figures::Figures;
 use crate::resume::record::Record;
 use crate::resume::toolpath::Toolpath;
 use crate::resume::window::{Next, Window, with_feed};
-use crate::spec::Process;
+use crate::spec::{Code, KeepOut, Process};
+use crate::verify::{Finding, FindingCode, judge_clamps};
 
 pub use fault::ResumeFault;
 pub use resume_at::ResumeAt;
@@ -78,6 +79,17 @@ pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resum
     let text = assembled(&toolpath, &note, &way, line, Some(&figures));
     judge::proves(&record, &text, &toolpath.reach)?;
     Ok(Resumed { text, line: line + 1, overlap, done, seconds: figures.seconds })
+}
+
+/// The first move of the sealing program `text` that meets one of `clamps`.
+///
+/// # Errors
+/// If it is not a program of ours.
+pub fn clamp_in_the_way(text: &str, clamps: &[KeepOut]) -> Result<Option<Finding>, ResumeFault> {
+    let record = Record::read(text)?;
+    let lines = text.split_inclusive('\n');
+    let found = judge_clamps(clamps, record.seal.band.0 / 2.0, lines, record.dialect());
+    Ok(found.into_iter().find(|finding| finding.code == FindingCode::ClampInTheWay.as_str()))
 }
 
 /// Writes the path back to `from` (mm along the seam's run) into `out`, and the rest of the move that contains it. Returns the place where

@@ -11,6 +11,7 @@ mod read;
 
 pub use code::FindingCode;
 pub use finding::{Finding, Findings};
+pub use judge::clamp::judge_clamps;
 pub use judge::expected::{Expected, OutputFiles};
 pub use judge::feed_check::FeedCheckTask;
 pub use judge::files::bytes::{compare_bytes, first_difference, mark_equal};

@@ -150,6 +150,67 @@ fn every_command_refuses_an_idle_timeout_below_its_program() {
     assert_eq!(names(dir.path()), ["mine.toml", "star.toml"]);
 }
 
+/// A clamp of the generic profile with its lower left corner at X1 Y1.
+fn clamp(width: f64, depth: f64, height: f64) -> String {
+    format!(
+        "\n[[keep_out]]\nname = \"vice\"\nx = \"1 mm\"\ny = \"1 mm\"\nwidth = \"{width} mm\"\ndepth = \"{depth} mm\"\n\
+         height = \"{height} mm\"\n"
+    )
+}
+
+#[test]
+fn a_feed_check_keeps_off_clamps_and_within_the_work_area() {
+    let dir = workshop_of(400, 400);
+    let mine = read(dir.path(), "mine.toml");
+    let profile = |text: String| fs::write(dir.path().join("mine.toml"), text).expect("written");
+    let _ = done(dir.path(), &["feedcheck", "star.toml"]);
+    profile(mine.clone() + &clamp(5.0, 5.0, 20.0));
+    let words = ["clamp-in-the-way", "of the feed check meets the clamp", "above 20 mm"];
+    let output = fails(dir.path(), &["feedcheck", "star.toml", "--force"], 1, &words);
+    assert!(!stderr(&output).contains("[sheet]"), "the lines do not depend on it");
+    // The program of an older version is not proven, either.
+    let manifest = dir.path().join("feedcheck.gcode.manifest.json");
+    let mut old = json_of(&fs::read_to_string(&manifest).expect("written"));
+    let clamped = old["machine"].as_str().expect("a profile").to_owned() + &clamp(5.0, 5.0, 20.0);
+    old["machine"] = clamped.into();
+    fs::write(&manifest, old.to_string()).expect("written");
+    let said = stdout(&run(dir.path(), &["verify", "feedcheck.gcode"]));
+    assert!(said.contains("clamp-in-the-way: found a move at Z5"), "{said}");
+    // Below travel height it is in nothing's way.
+    profile(mine.clone() + &clamp(5.0, 5.0, 4.0));
+    let _ = done(dir.path(), &["feedcheck", "star.toml", "--force"]);
+    profile(mine.replace("400 mm", "9 mm"));
+    let words = ["out-of-reach", "the feed check needs X 0.0 to 10.0 mm"];
+    let _ = fails(dir.path(), &["feedcheck", "star.toml", "--force"], 1, &words);
+}
+
+/// The rest begins with a way that the job does not go.
+#[test]
+fn resume_keeps_off_the_clamps_of_the_profile() {
+    let dir = workshop_of(400, 400);
+    let profile = read(dir.path(), "mine.toml") + &clamp(0.5, 300.0, 40.0);
+    let clear = profile.replacen("y = \"1 mm\"\nwidth", "y = \"398 mm\"\nwidth", 1);
+    assert!(clear != profile);
+    fs::write(dir.path().join("mine.toml"), clear).expect("written");
+    let _ = done(dir.path(), &["build", "star.toml", "-q", "--only", "seal-gcode"]);
+    let (job, rest) = ("out/star/star-1-seal.gcode", "rest.gcode");
+    let resume = ["resume", job, "--at", "50%", "-o", rest];
+    let said = done(dir.path(), &resume);
+    assert!(said.contains("the job is unchanged"), "{said}");
+    fs::remove_file(dir.path().join(rest)).expect("there");
+    fs::write(dir.path().join("out/star/machine.toml"), &profile).expect("written");
+    let words = [
+        "error[clamp-in-the-way]",
+        "of the program for the rest would be a move at Z30 through the clamp \"vice\"",
+    ];
+    let _ = fails(dir.path(), &resume, 1, &words);
+    assert!(!dir.path().join(rest).exists());
+    // As the remedy says.
+    fs::copy(dir.path().join(job), dir.path().join("copy.gcode")).expect("copied");
+    let said = done(dir.path(), &["resume", "copy.gcode", "--at", "50%", "-o", rest]);
+    assert!(said.contains("whether a clamp is in the way, is unknown"), "{said}");
+}
+
 #[test]
 fn a_feed_check_is_proven_as_builds_are() {
     let dir = workshop();

@@ -132,6 +132,39 @@ fn the_iron_passes_above_a_clamp_that_is_lower_than_it_travels() {
     }
 }
 
+/// Programs begin and end at X0 Y0: the way to the first seam is another than that from the last.
+#[test]
+fn the_way_to_the_first_seam_counts_too() {
+    let [seals, _] = programs();
+    let first = seals[0].steps.iter().find_map(|step| match step {
+        Step::Travel(to) => Some(*to),
+        _ => None,
+    });
+    let (middle, half) =
+        (Point::ORIGIN.lerp(first.expect("a seam"), 0.5), Point::new(0.1, 0.1) - Point::ORIGIN);
+    let speck = Bounds { min: middle + half * -1.0, max: middle + half };
+    let travel = machine(profile("generic")).process.heights.travel.0;
+    assert_eq!(refused(speck, None), "the way to or from a seam of star 1 meets the clamp \"vice\"");
+    assert_eq!(refused(speck, Some(travel - 0.01)), "");
+}
+
+/// A tall clamp is passed above if travel and park height are raised as the remedy says.
+#[test]
+fn the_remedy_for_a_tall_clamp_names_both_heights() {
+    let [seals, _] = programs();
+    let Bounds { min, .. } = followed(&seals);
+    let corner = Bounds { min: Point::ORIGIN, max: Point::new(min.x - 5.0, min.y - 5.0) };
+    let tall = clamped(corner, Some(40.0));
+    let refusals = try_built(&sheet(), &tall).expect_err("in the way");
+    let remedy = "or raise the travel height above 40 mm, and the park height above that";
+    assert!(refusals[0].remedy.contains(remedy), "{refusals}");
+    let raised = tall.replacen("travel = \"5 mm\"", "travel = \"40.1 mm\"", 1);
+    let raised = raised.replacen("park = \"30 mm\"", "park = \"40.2 mm\"", 1);
+    let said = |profile: &str| try_built(&sheet(), profile).err().map(|refusals| refusals.to_string());
+    let said = said(&raised).unwrap_or_default();
+    assert!(!said.contains("clamp"), "{said}");
+}
+
 #[test]
 fn the_way_between_two_seams_counts_too() {
     let [seals, _] = programs();

@@ -1,16 +1,27 @@
 //! Moves through clamps.
 
 use crate::spec::KeepOut;
-use crate::verify::judge::Judge;
+use crate::verify::judge::{Judge, judged};
 use crate::verify::read::gcode;
-use crate::verify::read::gcode::Event;
-use crate::verify::{FindingCode, Findings};
+use crate::verify::read::gcode::{BlindMove, Event};
+use crate::verify::{Finding, FindingCode, Findings};
 use inflatable::geom::{Bounds, Line, Point, Segment, segment_distance};
 
 /// Depth to which a clamp may be touched, mm: positions in a file are rounded.
 const ROUNDING: f64 = 1e-3;
 
-/// Reports every move that comes nearer to a clamp than `reach`, below its height.
+/// Every move in a program, given line by line, that comes nearer to one of `clamps` than `reach`, mm.
+pub fn judge_clamps<'a>(
+    clamps: &[KeepOut],
+    reach: f64,
+    lines: impl IntoIterator<Item = &'a str>,
+    dialect: gcode::Dialect,
+) -> Vec<Finding> {
+    judged(lines, dialect, &mut [&mut Clamps::new(clamps, reach)]).into_vec()
+}
+
+/// Reports every move that comes nearer to a clamp than `reach`, below its height. The first one begins where programs end,
+/// at X0 Y0.
 pub(in crate::verify) struct Clamps<'a> {
     reach: f64,
     groups: Vec<ClampGroup<'a>>,
@@ -84,15 +95,22 @@ impl<'a> ClampZone<'a> {
 impl Judge for Clamps<'_> {
     fn see(&mut self, line: &gcode::Line<'_>, findings: &mut Findings) {
         for event in line.events {
-            let Event::Move(step) = event else { continue };
-            let Some(path) = step.path else { continue };
-            let (z, near) = (step.from.z.min(step.to.z), path.bounds().grown(self.reach + ROUNDING));
+            let (path, z, line) = match event {
+                Event::Move(step) => (step.path, step.from.z.min(step.to.z), step.line),
+                Event::Blind(BlindMove { line, to: [Some(x), Some(y), Some(z)], .. }) => {
+                    let to = Point::new(*x, *y);
+                    ((to != Point::ORIGIN).then(|| Line::new(Point::ORIGIN, to).into()), *z, *line)
+                }
+                _ => continue,
+            };
+            let Some(path) = path else { continue };
+            let near = path.bounds().grown(self.reach + ROUNDING);
             let groups = self.groups.iter().filter(|group| group.around.overlaps(&near));
             let zones = groups.flat_map(|group| &group.zones).filter(|zone| zone.bounds().overlaps(&near));
             for zone in zones.filter(|zone| zone.is_met(&path, z, self.reach)) {
                 let found = format!("a move at Z{z} through the clamp {:?}", zone.clamp.name);
                 let allowed = format!("{} mm off every clamp", self.reach);
-                findings.add_at(FindingCode::ClampInTheWay, step.line, found, allowed);
+                findings.add_at(FindingCode::ClampInTheWay, line, found, allowed);
             }
         }
     }
@@ -102,7 +120,6 @@ impl Judge for Clamps<'_> {
 mod tests {
     use super::*;
     use crate::units::Length;
-    use crate::verify::Finding;
     use crate::verify::read::gcode::{Dialect, each_line};
 
     fn found(text: &str, zones: &[KeepOut], reach: f64) -> Vec<Finding> {
@@ -154,7 +171,9 @@ mod tests {
         for i in [0, 17, 31, 450, 899] {
             let (x, y) = (zones[i].x.0, zones[i].y.0);
             let text = format!("G21\nG90\nG0 X{} Y{} Z9\nG0 X{}\n", x - 3.0, y + 2.0, x + 5.0);
-            let found: Vec<String> = found(&text, &zones, 1.0).iter().map(ToString::to_string).collect();
+            // The way there, in line 3, crosses others.
+            let found = found(&text, &zones, 1.0).into_iter().filter(|finding| finding.line == Some(4));
+            let found: Vec<String> = found.map(|finding| finding.to_string()).collect();
             assert!(found.len() == 1 && found[0].contains(&format!("the clamp \"{i}\"")), "{found:?}");
         }
     }
@@ -165,6 +184,18 @@ mod tests {
         // Each end, and each of its coordinates, counts.
         assert_eq!(lines("G0 X14 Y22.5", 0.0, None), [Some(4)]);
         assert_eq!(lines("G0 X14 Y0\nG0 Y60\nG0 X60\nG0 Y22.5", 0.0, None), [Some(5)]);
+    }
+
+    #[test]
+    fn the_way_from_the_corner_to_the_first_place_counts() {
+        let zone = |z: f64| {
+            let [x, y, width, depth] = [10.0, 20.0, 8.0, 5.0].map(Length);
+            let height = Some(Length(30.0));
+            let zones = [KeepOut { name: "vice".to_owned(), x, y, width, depth, height }];
+            let text = format!("G21\nG90\nG0 Z{z}\nG0 X30 Y50\n");
+            found(&text, &zones, 1.0).iter().map(|finding| finding.line).collect::<Vec<_>>()
+        };
+        assert_eq!((zone(30.0), zone(31.0)), (vec![Some(4)], vec![]));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use crate::shape::{LaidSeam, PieceName, Seam};
 use crate::spec::{Machine, Spec};
+use crate::verify::judge::clamp::Clamps;
 use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::script::{Body, ScriptJudge};
@@ -36,7 +37,9 @@ impl FeedCheckTask<'_> {
         let seam = |line: &Path| LaidSeam::new(&name, &Seam::weld(line.clone()), origin, 0.0);
         let seams = lines.iter().skip(1).map(seam);
         let reach = lines.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
-        let area = Bounds { min: Point::ORIGIN, max: reach.max }.grown(tolerance);
+        let bed = machine.bench.work_area.map_or(reach.max, |(x, y)| Point::new(x.0, y.0));
+        let max = Point::new(reach.max.x.min(bed.x), reach.max.y.min(bed.y));
+        let area = Bounds { min: Point::ORIGIN, max }.grown(tolerance);
         let task = ProgramTask {
             spec,
             machine,
@@ -51,7 +54,9 @@ impl FeedCheckTask<'_> {
         let (mut body, mut height) = (Body::new(None), HeightJudge::new(&machine.process.heights, area));
         let mut timed =
             Timed::new(&rules, area, lines.iter().map(|line| line.length() / spec.seal.speed.0).collect());
-        let judges: &mut [&mut dyn Judge] = &mut [&mut script, &mut body, &mut height, &mut timed, &mut path];
+        let mut clamps = Clamps::new(&machine.bench.keep_out, 0.0);
+        let judges: &mut [&mut dyn Judge] =
+            &mut [&mut script, &mut body, &mut height, &mut timed, &mut clamps, &mut path];
         let dialect = Dialect::for_controller(&machine.controller);
         findings.absorb(judged(text.split_inclusive('\n'), dialect, judges));
         path.deviation

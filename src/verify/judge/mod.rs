@@ -1,6 +1,6 @@
 //! Judges: they compare the files with the design; every difference becomes a finding.
 
-mod clamp;
+pub(in crate::verify) mod clamp;
 mod comments;
 pub(in crate::verify) mod expected;
 mod expected_comments;

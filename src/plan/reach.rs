@@ -1,18 +1,18 @@
-//! The reach of the machine: every seam of a coupon, with its ramps down and up, must lie inside the work area.
+//! The reach of the machine: every path of a program, with its ramps down and up, must lie inside the work area.
 
 use crate::design::{Refusal, RefusalCode};
-use crate::plan::{Program, Step};
+use crate::plan::Step;
 use crate::spec::{Machine, key};
 use inflatable::geom::{Bounds, Path, Point};
 
 /// Slack, mm: rounding.
 const SLACK: f64 = 1e-6;
 
-/// The refusal of a coupon `name` that `machine` cannot reach; `None` if it can, or if its work area is unknown.
-pub(super) fn beyond(machine: &Machine, name: &str, program: &Program) -> Option<Refusal> {
+/// The refusal of `steps` that `machine` cannot reach; `None` if it can, or if its work area is unknown. `what` has these
+/// steps, and `remedy` makes them smaller.
+pub fn beyond(machine: &Machine, what: &str, steps: &[Step], remedy: &str) -> Option<Refusal> {
     let (x, y) = machine.bench.work_area?;
-    let reached = program
-        .steps
+    let reached = steps
         .iter()
         .filter_map(|step| match step {
             Step::TouchDown(ramp) | Step::Lift(ramp) => Some(&ramp.pieces),
@@ -25,18 +25,11 @@ pub(super) fn beyond(machine: &Machine, name: &str, program: &Program) -> Option
     if area.contains(reached.min) && area.contains(reached.max) {
         return None;
     }
-    let remedy = match name {
-        _ if name.starts_with("strips") => {
-            "fewer of --temperatures, --speeds, --heights or --repeats; try them in several sets"
-        }
-        "v-actuator" => "a smaller `tube_width` in [star]",
-        _ => "a machine that reaches as far",
-    };
     Some(Refusal::new(
         key::machine::PROFILE,
         RefusalCode::OutOfReach,
         format!(
-            "the coupon {name} needs X {:.1} to {:.1} mm, Y {:.1} to {:.1} mm; the machine reaches 0 to {:.1} mm, 0 to {:.1} mm",
+            "{what} needs X {:.1} to {:.1} mm, Y {:.1} to {:.1} mm; the machine reaches 0 to {:.1} mm, 0 to {:.1} mm",
             reached.min.x, reached.max.x, reached.min.y, reached.max.y, x.0, y.0
         ),
         format!(
