@@ -201,7 +201,7 @@ fn published_profile(path: &Path) -> Option<PathBuf> {
 }
 
 /// Largest drawing that is read, bytes.
-const DRAWING_LIMIT: u64 = 64 << 20;
+pub(super) const DRAWING_LIMIT: u64 = 64 << 20;
 
 /// `reading` of the spec at `path` with its drawing, a file relative to the spec; and a note on the drawing's place, if it is not the named
 /// one.

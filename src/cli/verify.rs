@@ -10,6 +10,7 @@ use crate::answer::proof::{json, scope};
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, say};
 use crate::cli::feedcheck::manifest_of;
+use crate::cli::load::DRAWING_LIMIT;
 use crate::cli::terminal::{fitted, width};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::{findings, progress};
@@ -37,8 +38,11 @@ const FILE_LIMIT: u64 = 1 << 28;
 /// The files from which the list of expected files follows.
 const SOURCES: [&str; 5] = ["spec.toml", "machine.toml", MANIFEST, "drawing.svg", "drawing.dxf"];
 
-/// Largest of these files that is read: far more than a thousand stars need.
+/// Largest of these files that is read, bytes, but for the drawing: far more than a thousand stars need.
 const SOURCE_LIMIT: u64 = 1 << 24;
+/// Bytes that a file may be longer than twice the length in its manifest, and is still read: its line ends may have become
+/// longer, and a short file may be another one.
+const EXCESS: u64 = 1 << 16;
 
 /// Most builds that are listed.
 const MOST_BUILDS: usize = 10;
@@ -176,8 +180,8 @@ fn verdict(dir: &Path, proof: &Proof) -> String {
     format!("{}: {}\n", shown(dir), parts.join("; "))
 }
 
-/// The files of a directory. Only files that its design has are read, and no more bytes than their manifest states; of all others only the
-/// name is recorded.
+/// The files of a directory. Only files that its design has are read, and none that is much longer than its manifest states; of all others
+/// only the name is recorded.
 pub(super) fn read_directory(dir: &Path) -> Result<(PublishedBuild, OutputFiles<'static>), Failure> {
     let (mut names, mut files) = (Vec::new(), OutputFiles::default());
     for entry in fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))? {
@@ -193,26 +197,40 @@ pub(super) fn read_directory(dir: &Path) -> Result<(PublishedBuild, OutputFiles<
     files.others.sort();
     for name in SOURCES {
         if names.iter().any(|known| known == name) {
-            files.files.push((name.into(), read(&dir.join(name), SOURCE_LIMIT)?.into()));
+            let most = if name.starts_with("drawing.") { DRAWING_LIMIT } else { SOURCE_LIMIT };
+            add(&mut files, dir, name, most)?;
         }
     }
     let published = PublishedBuild::of(&files);
     let wanted: BTreeSet<String> = published.wanted().into_iter().collect();
     let stated: BTreeMap<&str, usize> = published.stated_sizes().collect();
     for name in names {
-        if files.get(&name).is_some() {
+        if files.names().any(|known| known == name) {
             continue;
         }
-        let most = stated.get(name.as_str()).copied().filter(|_| wanted.contains(&name));
-        let bytes = match most {
-            // One byte more than stated shows that there are more.
-            Some(most) => read(&dir.join(&name), (most as u64).saturating_add(1).min(FILE_LIMIT))?,
-            None => Vec::new(),
-        };
-        files.files.push((name.into(), bytes.into()));
+        // Without a manifest no file is judged.
+        if !wanted.contains(&name) || stated.is_empty() {
+            files.files.push((name.into(), Vec::new().into()));
+            continue;
+        }
+        let twice = |bytes: &usize| (*bytes as u64).saturating_mul(2).saturating_add(EXCESS);
+        add(&mut files, dir, &name, stated.get(name.as_str()).map_or(SOURCE_LIMIT, twice).min(FILE_LIMIT))?;
     }
     files.files.sort();
     Ok((published, files))
+}
+
+/// Adds the file `name` of `dir` to `files`: its content, or only its length if that is above `most`.
+fn add(files: &mut OutputFiles<'static>, dir: &Path, name: &str, most: u64) -> Result<(), Failure> {
+    let path = dir.join(name);
+    let bytes = read(&path, most.saturating_add(1))?;
+    if bytes.len() as u64 <= most {
+        files.files.push((name.to_owned().into(), bytes.into()));
+    } else {
+        let file = path.metadata().map_err(|error| Failure::file("read", &path, &error))?;
+        files.long.push((name.to_owned().into(), file.len()));
+    }
+    Ok(())
 }
 
 /// What an entry is that is no regular file.

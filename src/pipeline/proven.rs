@@ -8,7 +8,7 @@ use crate::pipeline::coupons::prove_coupons;
 use crate::pipeline::directory::{refused, sources_of};
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::spec;
-use crate::spec::Machine;
+use crate::spec::{DrawingSpec, Machine};
 use crate::verify;
 use crate::verify::{Expected, Finding, FindingCode, Method, OutputFiles, Proof};
 
@@ -261,5 +261,9 @@ fn forecast_of(files: &OutputFiles<'_>) -> Result<Forecast, Vec<Finding>> {
         (Ok(spec), Ok(machine)) => (spec, machine),
         (spec, machine) => return Err(spec.err().into_iter().chain(machine.err()).collect()),
     };
+    let drawing = reading.spec.drawing.as_ref().map(DrawingSpec::published_name);
+    if let Some(name) = drawing.filter(|name| files.get(name).is_none()) {
+        return Err(vec![files.lacks(name, "the file of the build")]);
+    }
     Forecast::of(reading.spec, machine).map_err(|refusals| refusals.into_iter().map(refused).collect())
 }

@@ -37,6 +37,19 @@ fn new_takes_a_unit() {
     assert!(stderr(&output).contains("--drawing"), "{}", stderr(&output));
 }
 
+#[test]
+fn a_build_without_its_drawing_lacks_that_file() {
+    let folder = folder(NOTCH);
+    let dir = folder.path();
+    assert!(run(dir, &["new", "a", "--drawing", "d.svg", "--units", "mm"]).status.success());
+    let built = run(dir, &["build", "a.toml", "-q", "-o", "out", "--only", "seal-svg"]);
+    assert!(built.status.success(), "{}", stderr(&built));
+    fs::remove_file(dir.join("out/drawing.svg")).expect("removed");
+    let said = stdout(&run(dir, &["verify", "out", "-q"]));
+    assert_eq!(said.lines().count(), 2, "{said}");
+    assert!(said.starts_with("drawing.svg: missing-file: found no such file"), "{said}");
+}
+
 /// Nobody writes to the pipe: reading it would wait for ever.
 #[cfg(unix)]
 #[test]

@@ -206,7 +206,7 @@ fn resume_keeps_off_the_clamps_of_the_profile() {
     let _ = fails(dir.path(), &resume, 1, &words);
     assert!(!dir.path().join(rest).exists());
     // As the remedy says.
-    fs::copy(dir.path().join(job), dir.path().join("copy.gcode")).expect("copied");
+    let _ = fs::copy(dir.path().join(job), dir.path().join("copy.gcode")).expect("copied");
     let said = done(dir.path(), &["resume", "copy.gcode", "--at", "50%", "-o", rest]);
     assert!(said.contains("whether a clamp is in the way, is unknown"), "{said}");
 }

@@ -32,6 +32,8 @@ pub struct OutputFiles<'a> {
     pub files: Vec<(Cow<'a, str>, Cow<'a, [u8]>)>,
     /// Entries that are no regular files, with what each is: "a link". Their content is not known.
     pub others: Vec<(Cow<'a, str>, &'static str)>,
+    /// Files that are longer than any file of a build, and are not read: (name, length in bytes).
+    pub long: Vec<(Cow<'a, str>, u64)>,
 }
 
 impl OutputFiles<'_> {
@@ -43,17 +45,25 @@ impl OutputFiles<'_> {
     /// The names of all entries.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         let others = self.others.iter().map(|(name, _)| name.as_ref());
-        self.files.iter().map(|(name, _)| name.as_ref()).chain(others)
+        let long = self.long.iter().map(|(name, _)| name.as_ref());
+        self.files.iter().map(|(name, _)| name.as_ref()).chain(others).chain(long)
     }
 
-    /// The finding that there is no file called `name`, which should be `allowed`: another entry has its name, or none.
+    /// The finding that there is no file called `name`, which should be `allowed`: another entry has its name, or one that is not
+    /// read, or none.
     pub(crate) fn lacks(&self, name: &str, allowed: &str) -> Finding {
         let other = self.others.iter().find(|(known, _)| known == name);
-        let finding = match other {
-            Some((_, what)) => {
+        let long = self.long.iter().find(|(known, _)| known == name);
+        let finding = match (other, long) {
+            (Some((_, what)), _) => {
                 Finding::new(FindingCode::NotAFile, *what, format!("{allowed} as a regular file"))
             }
-            None => Finding::new(FindingCode::MissingFile, "no such file", allowed),
+            (_, Some((_, bytes))) => Finding::new(
+                FindingCode::Size,
+                format!("{bytes} bytes"),
+                format!("{allowed} as long as built"),
+            ),
+            (None, None) => Finding::new(FindingCode::MissingFile, "no such file", allowed),
         };
         finding.in_file(name)
     }

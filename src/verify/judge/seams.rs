@@ -235,7 +235,11 @@ impl SeamWalk {
         let deviation = walked.largest();
         if deviation.is_nan() || deviation > tolerance {
             let line = first.map(|first| walked.step.max(first));
-            let found = format!("{deviation:.6} mm off the {name}");
+            let found = if deviation.is_finite() {
+                format!("{deviation:.6} mm off the {name}")
+            } else {
+                format!("no move along the {name}")
+            };
             findings.add_at(FindingCode::Deviation, line, found, format!("{tolerance} mm"));
         }
         // Along the path, rounding at both ends may add up.

@@ -254,6 +254,9 @@ fn verify_opens_nothing_but_what_the_design_names() {
     let of_link: Vec<_> = findings.iter().filter(|f| f["file"] == TRACE).collect();
     assert_eq!(of_link.len(), 1, "{of_link:#?}");
     assert_eq!(of_link[0]["found"], "a link");
+    let of_seal: Vec<_> = findings.iter().filter(|f| f["file"] == SEAL).collect();
+    assert_eq!(of_seal.len(), 1, "{of_seal:#?}");
+    assert_eq!(of_seal[0]["found"], "10000000000 bytes");
     // Without the manifest only certain findings are listed.
     let manifest = out.join("manifest.json");
     fs::rename(&manifest, shop.path().join("moved")).expect("moved");
@@ -263,4 +266,39 @@ fn verify_opens_nothing_but_what_the_design_names() {
     let findings = said["findings"].as_array().expect("a list");
     assert_eq!((&findings[0]["file"], &findings[0]["found"]), (&"manifest.json".into(), &"a link".into()));
     assert!(findings[1..].iter().all(|f| f["code"] == "unnamed-file"), "{findings:#?}");
+}
+
+/// A file that is longer than its manifest states, or is not named there, is judged as a whole.
+#[test]
+fn a_longer_file_is_judged_as_a_whole() {
+    use std::fs;
+    let shop = support::program::workshop();
+    let built = support::program::run(shop.path(), &["build", "star.toml", "-q", "-o", "out"]);
+    assert!(built.status.success(), "{}", support::program::stderr(&built));
+    let out = shop.path().join("out");
+    let found = || {
+        let verified = support::program::run(shop.path(), &["verify", "out", "--json"]);
+        let said: serde_json::Value = serde_json::from_slice(&verified.stdout).expect("JSON");
+        let findings = said["findings"].as_array().expect("a list").clone();
+        findings.into_iter().map(|f| (f["code"].clone(), f["found"].clone())).collect::<Vec<_>>()
+    };
+    let codes = |findings: &[(serde_json::Value, serde_json::Value)]| {
+        findings.iter().map(|(code, _)| code.as_str().expect("a code").to_owned()).collect::<Vec<_>>()
+    };
+    let good = fs::read_to_string(out.join(SEAL)).expect("a program");
+    let windows = good.replace('\n', "\r\n");
+    fs::write(out.join(SEAL), &windows).expect("written");
+    let findings = found();
+    assert_eq!(codes(&findings), ["size", "hash", "differs"], "{findings:?}");
+    assert_eq!(findings[0].1, format!("{} bytes", windows.len()));
+    assert_eq!(findings[2].1, "carriage returns (CR)");
+    fs::write(out.join(SEAL), good.clone() + "; a note, and more words\n").expect("written");
+    let findings = found();
+    assert_eq!(codes(&findings), ["size", "hash", "truncated", "differs"], "{findings:?}");
+    fs::write(out.join(SEAL), good).expect("written");
+    let manifest = fs::read_to_string(out.join("manifest.json")).expect("a manifest");
+    let unnamed = manifest.replacen(SEAL, "other.gcode", 1);
+    fs::write(out.join("manifest.json"), unnamed).expect("written");
+    let findings = found();
+    assert_eq!(codes(&findings), ["manifest", "manifest"], "{findings:?}");
 }

@@ -48,6 +48,9 @@ pub fn first_difference(found: &[u8], right: &[u8]) -> Finding {
         String::from_utf8_lossy(&rest[..end]).into_owned()
     };
     let is_text = [found, right].iter().all(|bytes| std::str::from_utf8(bytes).is_ok());
+    if !right.contains(&b'\r') && found.iter().filter(|byte| **byte != b'\r').eq(right) {
+        return Finding::new(FindingCode::Differs, "carriage returns (CR)", "none: nothing else differs");
+    }
     if !is_text {
         let said = |bytes: &[u8]| bytes.get(at).map_or("the end".to_owned(), |byte| format!("{byte:#04x}"));
         let place = format!("{} at byte {at}", said(found));
@@ -71,6 +74,8 @@ mod tests {
             (finding.line, finding.found.as_str(), finding.allowed.as_str()),
             (Some(2), "\"bc\"", "\"bd\"")
         );
+        let ends = first_difference(b"a\r\nb\r\n", b"a\nb\n");
+        assert_eq!((ends.line, ends.found.as_str()), (None, "carriage returns (CR)"));
         let cut = first_difference(b"a\n", b"a\nb\n");
         assert_eq!((cut.line, cut.found.as_str()), (Some(2), "the end of the file"));
         let binary = first_difference(b"\xff\x00", b"\xff\x01");

@@ -270,7 +270,11 @@ fn edges(
     let coarse = single(facets);
     for (found, allowed, what) in [(largest, CHORD + coarse, "chord"), (worst, CORNER + coarse, "corner")] {
         if found.is_nan() || found > allowed {
-            let found = format!("a {what} {found:.6} mm off");
+            let found = if found.is_finite() {
+                format!("a {what} {found:.6} mm off")
+            } else {
+                format!("a {what} near no path")
+            };
             findings.add(FindingCode::Deviation, found, format!("{allowed} mm"));
         }
     }
