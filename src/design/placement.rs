@@ -102,11 +102,18 @@ impl FreeArea {
         Err(Refusal::new(
             key::machine::PROFILE,
             RefusalCode::OutOfReach,
-            format!(
-                "a part with its ramps needs {needed}; within the margins {} reaches {}",
-                machine.name,
-                size(self.width.max(0.0), self.height.max(0.0))
-            ),
+            if self.width.min(self.height) > 0.0 {
+                let reached = size(self.width, self.height);
+                format!(
+                    "a part with its ramps needs {needed}; within the margins {} reaches {reached}",
+                    machine.name
+                )
+            } else {
+                format!(
+                    "a part with its ramps needs {needed}; the margins leave nothing of what {} reaches",
+                    machine.name
+                )
+            },
             format!(
                 "{} mm are missing: a smaller part, a smaller margin in [sheet], or a machine with more than {}",
                 Readable(up(missing)),

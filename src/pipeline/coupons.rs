@@ -112,7 +112,7 @@ impl MadeCoupons {
             if let Some(found) = files.get(name) {
                 self.judge((name, *kind, bytes), found, written, &mut findings, &mut proof);
             } else {
-                findings.push(files.lacks(name, &format!("a {kind}")));
+                findings.push(files.lacks(name, &format!("the {kind}")));
             }
             proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(name)));
         }

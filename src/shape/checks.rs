@@ -119,7 +119,7 @@ fn is_mouth(lines: &Layout, neck: &Bottleneck, tube: f64) -> bool {
         let from = neck.middle() - mouth.at;
         let (along, across) = (from.dot(mouth.out), from.dot(mouth.out.perp()));
         along <= mouth.beyond + 1.0
-            && along > -100.0
+            && along > -mouth.depth.max(100.0)
             && across.abs() <= mouth.half / 2.0
             && tube >= 2.0 * mouth.half - ALIKE
     })

@@ -37,6 +37,21 @@ fn new_takes_a_unit() {
     assert!(stderr(&output).contains("--drawing"), "{}", stderr(&output));
 }
 
+/// The channel of a hose is as wide as the hose needs, however long.
+#[test]
+fn a_long_channel_is_no_narrow_passage() {
+    let cushion = NOTCH.replace(" V 95 H 90 V 65 H 82 V 95 H 5", " V 95 H 5");
+    let folder = folder(&cushion);
+    let dir = folder.path();
+    let _ = run(dir, &["new", "a", "--drawing", "d.svg", "--units", "mm"]);
+    let spec = fs::read_to_string(dir.join("a.toml")).expect("a spec");
+    let wide = spec.replacen("[seal]\n", "[seal]\nallowance = \"100 mm\"\n", 1);
+    assert!(wide != spec);
+    fs::write(dir.join("a.toml"), wide).expect("written");
+    let output = run(dir, &["check", "a.toml"]);
+    assert!(output.status.success() && !stderr(&output).contains("narrow-passage"), "{}", stderr(&output));
+}
+
 #[test]
 fn a_build_without_its_drawing_lacks_that_file() {
     let folder = folder(NOTCH);

@@ -173,7 +173,7 @@ fn a_file_of_a_build_that_is_a_link_is_called_one() {
     let verified = run(dir.path(), &["verify", "out/star"]);
     assert_code(&verified, 1);
     let said = stdout(&verified);
-    assert!(said.contains("star-1-seal.gcode: not-a-file: found a link, allowed a seal-gcode"), "{said}");
+    assert!(said.contains("star-1-seal.gcode: not-a-file: found a link, allowed the seal-gcode"), "{said}");
     assert!(said.ends_with("out/star: 1 finding\n"), "{said}");
 }
 

@@ -206,6 +206,11 @@ fn what_a_machine_lacks_is_said() {
     let missing: f64 = refusal.remedy.split(' ').next().and_then(|word| word.parse().ok()).expect("a number");
     assert_eq!(refused(200.0 + missing), None);
     assert!(refused(200.0 + missing - 0.1001).is_some(), "{refusal}");
+    // Less than two margins: no size is stated that the missing millimetres do not belong to.
+    let tiny = refused(5.0).expect("too small");
+    assert!(tiny.found.contains("the margins leave nothing of what"), "{tiny}");
+    let missing: f64 = tiny.remedy.split(' ').next().and_then(|word| word.parse().ok()).expect("a number");
+    assert_eq!(refused(5.0 + missing), None);
 }
 
 /// The figures of a refusal, calculated separately for the paper's star (50 mm, 30 mm, 30 deg, sharp).

@@ -104,7 +104,7 @@ fn read_command(
     if is_plain(line) && !line.trim().is_empty() && found.is_none() {
         let message = format!("a line of `{key}` is {}", quoted(line));
         let may = format!(
-            "must be one of {}: the proof of a program starts at its first word",
+            "must be one of {}: `verify` knows what these do, and proves every line of a program",
             allowed(part, vocabulary)
         );
         let remedy = if line.contains([';', '(']) {

@@ -78,6 +78,10 @@ impl Shape<'_, '_> {
             [rx.or(ry), ry.or(rx)]
         };
         let (Some(rx), Some(ry)) = (rx, ry) else { return Ok(Vec::new()) };
+        // A circle without a radius is read as a point.
+        if (rx == 0.0) != (ry == 0.0) {
+            return Ok(Vec::new());
+        }
         let piece =
             Piece::Ellipse { center, u: Vec2::new(rx, 0.0), v: Vec2::new(0.0, ry), start: 0.0, sweep: TAU };
         Ok(vec![Chain { pieces: vec![piece], closed: true, start: center }])

@@ -148,7 +148,7 @@ fn lost_geometry_is_noted_with_its_layers() {
     let drawing = svg(
         "<g id='notes'><text id='t'>x</text><image id='i' href='a.png'/></g><script id='s'/><use id='u' href='b.svg#x'/><use id='v' href='#x'/>\
          <rect id='r' width='1' height='1' clip-path='url(#c)' fill='url(#g)'/><path id='m' d='M0 0h1' style='marker-end:url(#a)'/>\
-         <foo id='f'/><rect id='h' width='1' height='1' visibility='hidden'/><circle id='z'/><defs><text>unseen</text></defs>",
+         <foo id='f'/><rect id='h' width='1' height='1' visibility='hidden'/><circle id='z'/><ellipse id='y' rx='2' ry='0'/><defs><text>unseen</text></defs>",
     )
     .expect("a drawing");
     let found = |weight| -> Vec<&str> {
@@ -156,7 +156,7 @@ fn lost_geometry_is_noted_with_its_layers() {
         notes.map(|note| note.place.element.as_deref().unwrap_or_default()).collect()
     };
     assert_eq!(found(Weight::Lost), ["t", "i", "s", "u", "v", "f"]);
-    assert_eq!(found(Weight::Information), ["r", "z"]);
+    assert_eq!(found(Weight::Information), ["r", "z", "y"]);
     assert_eq!(found(Weight::Hidden), ["h"]);
     assert_eq!(found(Weight::Changed), ["r", "m"]);
     assert_eq!(drawing.notes[0].place.layers, ["t", "notes"]);

@@ -35,11 +35,11 @@ pub(in crate::verify) fn check<'a>(
     let entries = manifest.map_or_else(Entries::new, |manifest| named(manifest, &wanted, findings));
     for (name, output) in &wanted {
         if manifest.is_some() && !entries.contains_key(name.as_str()) {
-            let (found, allowed) = ("not named in the manifest", format!("a {}", output.kind));
+            let (found, allowed) = ("not named in the manifest", format!("the {}", output.kind));
             findings.push(Finding::new(FindingCode::Manifest, found, allowed).in_file(name));
         }
         if files.get(name).is_none() {
-            findings.push(files.lacks(name, &format!("a {}", output.kind)));
+            findings.push(files.lacks(name, &format!("the {}", output.kind)));
         }
     }
     for name in files.names().filter(|name| *name != MANIFEST && !wanted.contains_key(*name)) {
@@ -70,7 +70,7 @@ fn named<'a>(
         match wanted.get(&entry.path) {
             None => blame("named in the manifest", "only files of the design".to_owned()),
             Some(output) if entry.output() != **output => {
-                blame("named as another part or kind", format!("a {}", output.kind));
+                blame("named as another part or kind", format!("the {}", output.kind));
             }
             _ => {}
         }
