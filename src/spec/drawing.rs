@@ -166,15 +166,24 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
         "delete it; only `pressure` counts here",
     );
     only_keys(reader, "load", &["pressure"], load);
+    let hole = (
+        "only stars have a flap on the hole side",
+        "delete it; the holes of a drawing are cut as they are drawn",
+    );
+    unlike(reader, "seal", |key| key != "hole_allowance", hole);
     separator(reader);
     drawing
 }
 
 /// A fault for each key of `section` that is not in the list `known`, with a label and a remedy.
-fn only_keys(reader: &mut Reader<'_>, section: &str, known: &[&str], (label, help): (&str, &str)) {
+fn only_keys(reader: &mut Reader<'_>, section: &str, known: &[&str], words: (&str, &str)) {
+    unlike(reader, section, |key| known.contains(&key), words);
+}
+
+/// A fault for each key of `section` that drawings do not have (`has`), with a label and a remedy.
+fn unlike(reader: &mut Reader<'_>, section: &str, has: impl Fn(&str) -> bool, (label, help): (&str, &str)) {
     let table = reader.raw.root().get(section).and_then(RawValue::as_table);
-    for entry in table.into_iter().flat_map(|table| &table.0).filter(|own| !known.contains(&own.key.as_str()))
-    {
+    for entry in table.into_iter().flat_map(|table| &table.0).filter(|own| !has(&own.key)) {
         let message = format!("{} in [{section}] beside [drawing]", quoted(&entry.key));
         let fault = Fault::error(FaultCode::Conflict, entry.key_span.clone(), message);
         reader.faults.push(fault.label(label).help(help));

@@ -35,9 +35,16 @@ impl Faults {
         RawSpec::parse(&self.source.text).0.key_at(&fault.span)
     }
 
-    /// The line of the text in which `fault` begins, from 1.
+    /// The line of the text in which `fault` begins, from 1; the last one if it is about what is not written.
     pub fn line_of(&self, fault: &Fault) -> usize {
-        1 + self.source.text.bytes().take(fault.span.start).filter(|byte| *byte == b'\n').count()
+        1 + self
+            .source
+            .text
+            .trim_end_matches('\n')
+            .bytes()
+            .take(fault.span.start)
+            .filter(|byte| *byte == b'\n')
+            .count()
     }
 
     /// The text that contains them.

@@ -57,7 +57,10 @@ pub(super) fn fault(text: &str) -> Option<Fault> {
     let kind = kind(text)?;
     let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {kind}, not TOML"))
         .label("recognised by its beginning");
-    Some(fault.help("name a TOML file instead: a build keeps its own beside its files, and `stargrip-cam new` writes one to begin with"))
+    let new = if kind.ends_with("drawing") { "new --drawing FILE" } else { "new" };
+    Some(fault.help(format!(
+        "name a TOML file instead: a build keeps its own beside its files, and `stargrip-cam {new}` writes one to begin with"
+    )))
 }
 
 /// The kind of the text, in plain words.
@@ -148,6 +151,10 @@ mod tests {
             ("", None),
         ] {
             assert_eq!(kind(text), found, "{text}");
+        }
+        for (text, new) in [("<svg/>", "`stargrip-cam new --drawing FILE`"), ("{", "`stargrip-cam new`")] {
+            let help = fault(text).and_then(|fault| fault.help).expect("a remedy");
+            assert!(help.contains(new), "{help}");
         }
         assert_eq!(fault("schema = 1\rname = \"x\"\r").map(|fault| fault.code), Some("line-end"));
         assert_eq!(fault("schema = 1\r\nname = x\r\n"), None);

@@ -98,7 +98,7 @@ impl RawSpec {
 /// The deepest key of `table`, which is `path`, whose name or value holds `span`.
 fn key_at(table: &RawTable, span: &Range<usize>, path: &str) -> Option<String> {
     let within =
-        |place: &Range<usize>| place.start <= span.start && span.end <= place.end && !place.is_empty();
+        |place: &Range<usize>| place.start <= span.start && span.start < place.end && span.end <= place.end;
     table.0.iter().find_map(|entry| {
         let dot = if path.is_empty() { "" } else { "." };
         let name = format!("{path}{dot}{}", entry.key);

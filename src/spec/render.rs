@@ -8,6 +8,7 @@ use annotate_snippets::{AnnotationKind, Level as Tone, Origin, Renderer, Snippet
 use crate::spec::fault::{Fault, Severity};
 use crate::spec::name::misleads;
 use crate::spec::source::{Source, boundary};
+use crate::spec::{Code, FaultCode};
 
 /// Most faults shown; a wrong file has thousands.
 const SHOWN: usize = 30;
@@ -80,8 +81,9 @@ fn one(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<usize>
     let title = tone.primary_title(told(&broken(&fault.message, width, head))).id(fault.code);
     let note =
         |tone: Tone<'static>, text: &str| tone.message(told(&broken(text, width, MARGIN + "= help: ".len())));
-    // A fault of a missing section has no line to show.
-    if fault.span.is_empty() && fault.span.start == text.len() && (text.is_empty() || text.ends_with('\n')) {
+    // A fault of a missing section has no line to show; one of the syntax may be at the end of the last line.
+    let is_at_line = fault.code == FaultCode::Syntax.as_str() && !text.is_empty() && !text.ends_with('\n');
+    if fault.span.is_empty() && fault.span.start == text.len() && !is_at_line {
         let mut group = title.element(Origin::path(shown_name(source)));
         if !fault.label.is_empty() {
             group = group.element(note(Tone::NOTE, &fault.label));
@@ -174,7 +176,7 @@ fn shown_name(source: &Source) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spec::FaultCode;
+    use crate::spec::Faults;
 
     #[test]
     fn lines_end_between_words_and_within_the_terminal() {
@@ -197,14 +199,18 @@ mod tests {
 
     #[test]
     fn what_is_not_written_has_no_caret() {
-        let source = Source::new("a.toml", "schema = 1\n");
-        let end = source.text.len();
-        let fault = Fault::warning(FaultCode::Name, end..end, "m").label("what to write");
-        let text = plain(&source, &[fault]);
-        assert!(
-            text.contains("--> a.toml\n") && text.contains("what to write") && !text.contains('^'),
-            "{text}"
-        );
+        for text in ["schema = 1\n", "schema = 1"] {
+            let source = Source::new("a.toml", text);
+            let fault = Fault::warning(FaultCode::Name, text.len()..text.len(), "m").label("what to write");
+            let faults = Faults::new(&source, vec![fault]);
+            let text = faults.to_string();
+            assert!(
+                text.contains("--> a.toml\n") && text.contains("what to write") && !text.contains('^'),
+                "{text}"
+            );
+            let fault = &faults.list()[0];
+            assert_eq!((faults.line_of(fault), faults.key_of(fault)), (1, None));
+        }
     }
 
     #[test]

@@ -80,10 +80,14 @@ fn a_default_that_is_refused_is_called_a_default() {
     let (line, said) = pointed_at(dir.path(), &wide, "tube-between-plates", 1);
     assert_eq!(line, "[stack]", "{said}");
     assert!(said.contains("the spec does not give `pitch` in [stack], so its default is used"), "{said}");
-    // Without the section it points at the end, where the section would be added, not at the first line.
-    let few = star(12, "30 mm", "8 mm", "30 deg", "[inlet]\nnone = true");
-    let (line, said) = pointed_at(dir.path(), &few, "short-window", 0);
-    assert_eq!(line, "none = true", "{said}");
+    // Without the section there is no place to point at, whether or not the last line ends.
+    for end in ["", "\n"] {
+        let few = star(12, "30 mm", "8 mm", "30 deg", &format!("[inlet]\nnone = true{end}"));
+        fs::write(dir.path().join("spec.toml"), few).expect("written");
+        let said = stderr(&run(dir.path(), &["check", "spec.toml"]));
+        let (_, found) = said.split_once("warning[short-window]").expect("a warning");
+        assert!(found.contains("--> spec.toml\n") && !found.contains('^'), "{said}");
+    }
 }
 
 #[test]
