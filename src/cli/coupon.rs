@@ -73,6 +73,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     args.refuse_strips_alone()?;
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
+    if args.only.contains(&CouponGroup::VActuator) && !spec.has_stars() {
+        let text = "a V-actuator has the tips of a star, and this spec has a drawing: leave v-actuator out of --only";
+        return Err(Failure::Message(text.to_owned()));
+    }
     let (grid, groups) = (grid(args, &loaded)?, or(&args.only, &CouponGroup::NAMES.map(|(_, group)| group)));
     if args.output.symlink_metadata().is_ok() {
         let text = format!("{} exists already; choose another name", shown(&args.output));

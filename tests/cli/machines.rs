@@ -541,6 +541,23 @@ fn coupon_refuses_bad_settings_and_writes_nothing() {
     assert_eq!(names(dir.path()), ["star.toml"]);
 }
 
+/// A drawing has no tips: the other kinds are made, and the set is never empty.
+#[test]
+fn coupons_of_a_drawing_have_no_v_actuator() {
+    let dir = workshop();
+    let _ = done(dir.path(), &["coupon", "star.toml", "-o", "stars", "--only", "v-actuator", "-q"]);
+    let cushion = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"90mm\" height=\"90mm\" viewBox=\"0 0 90 90\">\
+                   <g id=\"air\"><path d=\"M 20 20 H 70 V 70 H 20 Z\"/></g><g id=\"port\"><path d=\"M 16 45 H 24\"/></g></svg>";
+    fs::write(dir.path().join("d.svg"), cushion).expect("written");
+    let _ = done(dir.path(), &["new", "d", "--drawing", "d.svg"]);
+    for only in ["v-actuator", "disc,v-actuator"] {
+        let _ =
+            fails(dir.path(), &["coupon", "d.toml", "--only", only], 1, &["leave v-actuator out of --only"]);
+    }
+    assert!(!dir.path().join("coupons").exists());
+    let _ = done(dir.path(), &["coupon", "d.toml", "--only", "disc", "-q"]);
+}
+
 #[test]
 fn coupons_do_not_press_a_rigid_tip_into_the_bed() {
     let dir = workshop_of(300, 300);
