@@ -2,7 +2,9 @@
 
 use crate::forecast::case::Case;
 use crate::forecast::ranges::{Interval, shown};
-use crate::forecast::seal_load::pull::{BENDABILITY, LoadedHinge, bounds, hardest, is_tried, pull, widest};
+use crate::forecast::seal_load::pull::{
+    BENDABILITY, LoadedHinge, bounds, edge, hardest, is_tried, pull, widest,
+};
 use crate::units::Pressure;
 use inflatable::mechanics::hinge::HingeModel;
 use inflatable::mechanics::hinge::ring::Ring;
@@ -61,18 +63,28 @@ pub(in crate::forecast) fn hardest_bounds(case: &Case) -> Option<Interval> {
 /// The range of the burst pressure (Pa) of a hinge; `None` without a peel strength.
 ///
 /// At its lower end the upper end of the pull is the seal's strength. So a pressure lies below the range if the seal bears the range of the pull
-/// there, whatever is known of the pull at the burst pressure.
+/// there, whatever is known of the pull at the burst pressure. At its upper end the lower end of the pull reaches the strength first, so a
+/// pressure lies above the range if the seal bears nothing of the range of the pull there.
 pub(super) fn burst_bounds(case: &Case, k: f64, hinge: (LoadedHinge, f64)) -> Option<Interval> {
     let peel = case.peel?;
     let at = |part: f64| bursting(case, k, hinge, peel / part);
+    let range =
+        |pressure: f64| bounds(case, k, hinge, pressure).unwrap_or_else(|| widest(case, k, hinge, pressure));
     let predicted = at(1.0);
-    let [low, high] = bounds(case, k, hinge, predicted).unwrap_or_else(|| widest(case, k, hinge, predicted));
+    let [_, high] = range(predicted);
     // The pull is known best at the shells' pressures, which may lie between the two. After 50 rounds they differ by rounding.
     let sure = last_holding(at(high), predicted, 50, |pressure| {
         let most = bounds(case, k, hinge, pressure).map_or(high, |[_, own]| high.min(own));
         most * pull(case, k, hinge, pressure) <= peel
     });
-    Some([sure, at(low)])
+    // The lower end of the pull grows with the pressure up to the edge, falls where the range widens, and grows on.
+    let least = |pressure: f64| range(pressure)[0] * pull(case, k, hinge, pressure);
+    let edge = edge(case, hinge.1);
+    let [low, _] = widest(case, k, hinge, predicted);
+    let certain = last_holding(at(low), predicted, 50, |pressure| {
+        least(pressure).max(least(pressure.min(edge))) >= peel
+    });
+    Some([sure, certain])
 }
 
 /// The peel strength (N per m) with which the seal of a hinge surely holds `pressure` (Pa): the upper end of the range of its pull.

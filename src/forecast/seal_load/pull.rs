@@ -101,6 +101,13 @@ pub(super) fn widest(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f
     of_hinge(case, k, hinge, pressure, errors::BEYOND)
 }
 
+/// The largest pressure, Pa, at which the range at a hinge of radius `radius` (m) is not wider for the pressure.
+pub(super) fn edge(case: &Case, radius: f64) -> f64 {
+    let far = (roundness(case, radius).widens_on() - 1.0) / (errors::BEYOND - 1.0);
+    let bendability = errors::BENDABILITY[1] * libm::pow(errors::NOT_FAR, far.min(1.0));
+    bendability / case.sheet.bendability(1.0, case.mechanism.width)
+}
+
 /// [`RANGE`] where it is `factor` times as wide for the pressure. A hinge rounder than [`ROUND`] is nearer to a straight tube, whose pull is
 /// exact: what its pull is beyond that is as uncertain as there.
 fn of_hinge(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64, factor: f64) -> Interval {
