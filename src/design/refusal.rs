@@ -35,7 +35,7 @@ impl Refusal {
     }
 
     /// The same refusal about star `index`, if it concerns one of the keys that stars can have of their own.
-    pub(super) fn of_star(self, index: usize) -> Self {
+    pub(crate) fn of_star(self, index: usize) -> Self {
         Self { key: self.key.of_star(index), ..self }
     }
 }

@@ -12,7 +12,7 @@ use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::fit::Fit;
 use inflatable::mechanics::hinge::ring::{Ring, RingTable};
 use inflatable::mechanics::hinge::{Edges, HingeEffort, HingeModel, HingeState, Level};
-use std::fmt;
+use std::{fmt, iter};
 
 /// The exact ring with its targets from the table.
 #[derive(Clone, Copy, Debug)]
@@ -49,11 +49,13 @@ impl HingeModel for TableRing<'_> {
     }
 }
 
-/// One gripper of equal stars, in the spec's units: the values of a spec that determine its prediction.
+/// One gripper, in the spec's units: the values of a spec that determine its prediction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
-    /// The star.
+    /// The lowest star.
     pub star: StarSpec,
+    /// All stars, bottom first, if they differ; empty if all are as the lowest. A search has equal stars only.
+    pub unequal: Vec<StarSpec>,
     /// The fabric.
     pub fabric: Fabric,
     /// The seal.
@@ -64,7 +66,7 @@ pub struct Candidate {
     pub hole_diameter: Length,
     /// The load; values that the spec leaves out are `None`.
     pub load: Load,
-    /// Number of equal stars.
+    /// Number of stars.
     pub stars: u32,
     /// Thickness of the frame's plates, between which they lie.
     pub plate: Length,
@@ -125,10 +127,19 @@ impl From<StarFault> for RefusedDesign {
 }
 
 impl Candidate {
-    /// The first star of `spec`, with the whole stack's count.
+    /// The gripper of `spec`; `None` if it has no stars.
     pub fn of(spec: &Spec) -> Option<Self> {
+        let first = spec.stars.first()?;
+        // No number depends on where an inlet is, or how a star is turned.
+        let place = |star: &StarSpec| StarSpec {
+            rotation: first.rotation,
+            inlet_tip: first.inlet_tip,
+            ..star.clone()
+        };
+        let differ = spec.stars.iter().any(|star| place(star) != *first);
         Some(Self {
-            star: spec.stars.first()?.clone(),
+            star: first.clone(),
+            unequal: if differ { spec.stars.clone() } else { Vec::new() },
             fabric: spec.fabric.clone(),
             seal: spec.seal.clone(),
             inlet: spec.inlet.clone(),
@@ -166,16 +177,16 @@ impl Candidate {
         let star =
             Star::for_band(&self.star, self.seal.band).map_err(|refusal| RefusedDesign::from(&refusal))?;
         let asked = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?;
-        let met = self.different_meetings(&star);
-        let mut case = met.first().map_or(asked, |(meeting, _)| asked.meeting(Some(*meeting)));
+        let met = self.different_cases(&star, &asked)?;
+        let mut case = met.first().map_or(asked, |(case, _)| *case);
         let outcome = known(&mut case)?;
         let mut grip = outcome;
         let mut held = held(outcome.as_ref(), self.stars);
         if !met.is_empty() {
             let mut all = Vec::with_capacity(met.len());
-            for (meeting, count) in &met {
-                let own = known(&mut asked.meeting(Some(*meeting)))?;
-                all.push((meeting.radius, f64::from(*count), own));
+            for (mut case, count) in met {
+                let own = known(&mut case)?;
+                all.push((case.object.unwrap_or(0.0), f64::from(count), own));
             }
             grip = all.iter().max_by(|a, b| a.0.total_cmp(&b.0)).and_then(|widest| widest.2);
             held = (
@@ -198,10 +209,40 @@ impl Candidate {
         })
     }
 
-    /// The radii of the object that its stars meet, each with the number of such stars, the lowest star's first; empty where all meet its
+    /// The cases of its stars, each with the number of such stars, the lowest star's first; empty where all are as `asked`, the case of
+    /// `star`.
+    fn different_cases(&self, star: &Star, asked: &Case) -> Result<Vec<(Case, u32)>, RefusedDesign> {
+        let object = Object::of(&self.load).filter(|_| self.stars > 1);
+        if self.unequal.is_empty() {
+            let met = object.map_or_else(Vec::new, |object| self.different_meetings(&object, star));
+            return Ok(met
+                .into_iter()
+                .map(|(meeting, count)| (asked.meeting(Some(meeting)), count))
+                .collect());
+        }
+        let made = |(i, one): (usize, &StarSpec)| {
+            Star::for_band(one, self.seal.band)
+                .map_err(|refusal| RefusedDesign::from(&refusal.of_star(i + 1)))
+        };
+        let stars = self.unequal.iter().enumerate().map(made).collect::<Result<Vec<Star>, _>>()?;
+        let mut height = 0.0;
+        let above = self.unequal.iter().skip(1).map(|star| {
+            height += star.pitch.0;
+            height
+        });
+        let heights: Vec<f64> = iter::once(0.0).chain(above).collect();
+        let holes: Vec<f64> = stars.iter().map(|star| star.hole(&self.seal)).collect();
+        let met = object.map(|object| object.meetings(&heights, &holes));
+        let case = |(i, star): (usize, &Star)| {
+            let own = Case::new(star, &self.fabric, &self.seal, Some(&self.load))?;
+            Ok((own.meeting(met.as_ref().and_then(|met| met.get(i)).copied()), 1))
+        };
+        stars.iter().enumerate().map(case).collect()
+    }
+
+    /// The contacts of its equal stars with `object`, each with the number of such stars, the lowest star's first; empty where all meet its
     /// middle.
-    fn different_meetings(&self, star: &Star) -> Vec<(Meeting, u32)> {
-        let Some(object) = Object::of(&self.load).filter(|_| self.stars > 1) else { return Vec::new() };
+    fn different_meetings(&self, object: &Object, star: &Star) -> Vec<(Meeting, u32)> {
         let mut met: Vec<(Meeting, u32)> = Vec::new();
         for meeting in object.equal_meetings(self.stars, self.star.pitch.0, star.hole(&self.seal)) {
             match met.iter_mut().find(|(other, _)| *other == meeting) {
@@ -216,9 +257,9 @@ impl Candidate {
         }
     }
 
-    /// Whether all of its stars meet the object at its middle radius.
-    pub fn meets_alike(&self, star: &Star) -> bool {
-        self.different_meetings(star).is_empty()
+    /// Whether all of its stars are as `star`, whose case is `asked`, and meet the object at its middle radius.
+    pub fn are_alike(&self, star: &Star, asked: &Case) -> bool {
+        self.different_cases(star, asked).is_ok_and(|cases| cases.is_empty())
     }
 
     /// The most stars of a stack that is not taller than its object, at least 1.
@@ -315,6 +356,40 @@ mod tests {
             ];
             for (a, b) in pairs {
                 assert!((a / b - 1.0).abs() < 1e-9, "{radii:?}: {a} {b}");
+            }
+        }
+    }
+
+    /// A ball that the lowest star would not let in enters from above, past two wider ones.
+    #[test]
+    fn unequal_stars_are_counted_one_by_one() {
+        let profile = Source::new("generic", spec::builtin_machine("generic").expect("built in"));
+        let machine = spec::read_machine(&profile).expect("valid");
+        let table = RingTable::new().expect("solved");
+        for (radius, shape) in [(45.0, None), (49.0, None), (40.0, Some(spec::ObjectShape::Cylinder))] {
+            let mut spec = spec([0.0, 0.0]);
+            spec.accuracy.model = spec::ModelChoice::Auto;
+            spec.stars[1].inner_radius = Length(55.0);
+            spec.stars[2] =
+                StarSpec { inner_radius: Length(60.0), pitch: Length(34.0), ..spec.stars[2].clone() };
+            let load = spec.load.as_mut().expect("given");
+            (load.object_radius, load.object_height, load.object_shape) =
+                (Some(Length(radius)), Some(Length(150.0)), shape);
+            let design = Design::new(&spec, &machine).expect("makeable");
+            let full = predict(&spec, &design).expect("predictable").first;
+            let fast = Candidate::of(&spec).expect("a star").answer(&table).expect("feasible");
+            let force = fast.outcome.expect("known").object_force();
+            assert_eq!(force.is_some(), full.object_force_N.is_some(), "{radius}");
+            let [range, of_full] =
+                [fast.payload_range, full.ranges.payload_kg].map(|range| range.expect("known"));
+            let pairs = [
+                (force, full.object_force_N),
+                (fast.payload, full.payload_kg),
+                (Some(range[0]), Some(of_full[0])),
+                (Some(range[1]), Some(of_full[1])),
+            ];
+            for (a, b) in pairs.into_iter().filter_map(|(a, b)| Some((a?, b?))) {
+                assert!((a / b - 1.0).abs() < 1e-9, "{radius}: {a} {b}");
             }
         }
     }

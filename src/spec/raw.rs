@@ -88,6 +88,11 @@ impl RawSpec {
         key_at(&self.root, span, "")
     }
 
+    /// Whether a star may have values of its own.
+    pub(crate) fn has_overrides(&self) -> bool {
+        !self.overrides().is_empty()
+    }
+
     /// The elements of `[[stack.star]]`.
     pub(super) fn overrides(&self) -> &[RawValue] {
         let stack = self.root.get("stack").and_then(RawValue::as_table);

@@ -1,13 +1,14 @@
 //! A study's rows: the design of each, and its agreement with the prediction of that design alone.
 
-use crate::{PAPER, candidate, close, paper};
+use crate::{PAPER, candidate, close, paper, predict};
 use proptest::prelude::*;
 use stargrip_cam::forecast::candidate::TableRing;
 use stargrip_cam::forecast::study::{ColumnKind, ColumnValues, RowBatch, Study, csv};
 use stargrip_cam::mechanics::hinge::HingeModel;
 use stargrip_cam::mechanics::hinge::ring::{Ring, RingTable};
-use stargrip_cam::spec::Source;
 use stargrip_cam::spec::study::{Axis, Field, read_study};
+use stargrip_cam::spec::{Source, read};
+use stargrip_cam::units::{Angle, Length, Pressure};
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, LazyLock};
@@ -43,6 +44,33 @@ fn text(study: &Study, rows: Range<usize>) -> String {
     };
     assert!(study.run(rows, &NEVER, |batch| csv::lines(&batch), take));
     String::from_utf8(out).expect("text")
+}
+
+/// The whole stack's numbers are those of the prediction, also where a value varies that only some of its stars share.
+#[test]
+fn rows_of_unequal_stars_say_what_their_predictions_say() {
+    let own = "[[stack.star]]\nindex = 2\ninner_radius = \"60 mm\"\n";
+    let source = Source::new("spec.toml", format!("{PAPER}{own}"));
+    let axes =
+        ["star.inner_radius=50 mm,60 mm", "star.tip_angle=30 deg,34 deg", "load.pressure=30 kPa,37 kPa"];
+    let study = vary(&source, &axes).expect("small");
+    let batch = whole(&study);
+    let found =
+        ["payload_kg", "payload_lo_kg", "payload_hi_kg", "stars"].map(|name| numbers(&study, &batch, name));
+    for row in 0..study.rows() {
+        let mut spec = read(&source).expect("valid").spec;
+        let pick = |stride: usize, values: [f64; 2]| values[row / stride % 2];
+        for (star, spec) in spec.stars.iter_mut().enumerate() {
+            spec.inner_radius = Length(if star == 1 { 60.0 } else { pick(4, [50.0, 60.0]) });
+            spec.tip_angle = Angle(pick(2, [30.0, 34.0]));
+        }
+        spec.load.as_mut().expect("given").pressure = Some(Pressure(pick(1, [30.0, 37.0])));
+        let first = predict(&spec).first;
+        let [low, high] = first.ranges.payload_kg.expect("known");
+        for (column, value) in found.iter().zip([first.payload_kg.expect("known"), low, high, 3.0]) {
+            close(column[row], value, 1e-9);
+        }
+    }
 }
 
 fn lines(study: &Study, rows: Range<usize>) -> Vec<String> {

@@ -162,7 +162,7 @@ impl Requirements {
     fn candidate(&self, base: &Candidate) -> Candidate {
         // The pitch is that which the tubes need.
         let star = StarSpec { pitch: Length(0.0), ..base.star.clone() };
-        Candidate { star, load: self.load(), stars: 1, ..base.clone() }
+        Candidate { star, unequal: Vec::new(), load: self.load(), stars: 1, ..base.clone() }
     }
 
     fn load(&self) -> Load {

@@ -8,7 +8,7 @@ use crate::design::RefusalCode;
 use crate::forecast::candidate::{Candidate, RefusedDesign};
 use crate::spec::edit::with_values;
 use crate::spec::study::{Axis, Block, KeyValue};
-use crate::spec::{Code, KeyPath, ModelChoice, ObjectSize, Severity, Source, Spec, key, read};
+use crate::spec::{Code, KeyPath, ModelChoice, ObjectSize, Reading, Severity, Source, Spec, key, read};
 use crate::units::{Angle, Length, LineForce, Pressure};
 use std::sync::OnceLock;
 
@@ -62,13 +62,22 @@ pub(super) struct Designs {
 }
 
 impl Designs {
-    /// The combinations of `blocks` around `base`, which is the first star of the spec `source`.
-    pub(super) fn new(base: Candidate, (source, spec): (Source, Spec), blocks: Vec<Block>) -> Self {
+    /// The combinations of `blocks` around `base`, the gripper of the spec `source`.
+    pub(super) fn new(
+        base: Candidate,
+        (source, Reading { spec, raw, .. }): (Source, Reading),
+        blocks: Vec<Block>,
+    ) -> Self {
         let (mut quick, mut slow) = (Vec::new(), Vec::new());
         // Which tips there are to carry an inlet depends on the points: the reader must see both.
         let axes = || blocks.iter().flat_map(Block::axes);
         let is_tip_varied = axes().any(|axis| axis.field.key() == key::inlet::TIP);
-        let is_slow = |key: KeyPath| is_tip_varied && key == key::star::POINTS;
+        // So must it see which stars have a value of their own.
+        let has_own = raw.has_overrides();
+        let is_slow = |key: KeyPath| {
+            is_tip_varied && key == key::star::POINTS
+                || has_own && key.section() == key::star::POINTS.section()
+        };
         for (b, block) in blocks.iter().enumerate() {
             for (l, axis) in block.axes().iter().enumerate() {
                 match QUICK.iter().find(|(key, _)| *key == axis.field.key() && !is_slow(*key)) {

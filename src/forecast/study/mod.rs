@@ -176,7 +176,7 @@ fn designs(spec: &Source, blocks: Vec<Block>) -> Result<Result<Designs, String>,
         return Ok(Err(format!("more than {MOST_ROWS} rows")));
     }
     let Some(base) = Candidate::of(&reading.spec) else { return Ok(Err("the spec has no star".to_owned())) };
-    Ok(Ok(Designs::new(base, (spec.clone(), reading.spec), blocks)))
+    Ok(Ok(Designs::new(base, (spec.clone(), reading), blocks)))
 }
 
 /// Whether a row of one of these models takes a second to minutes.

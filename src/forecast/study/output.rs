@@ -33,10 +33,10 @@ impl StudyRow<'_> {
         self.shell.map_or_else(|| hinges(self.own()?), shell)
     }
 
-    /// Mass that friction holds with a radial force of this many N of each star, of the whole stack, kg; `None` where stars of the stack meet
-    /// different radii of the object, because the shell computes one radius only.
+    /// Mass that friction holds with a radial force of this many N of each star, of the whole stack, kg; `None` where stars of the stack differ, or
+    /// meet different radii of the object, because the shell computes one star and one radius only.
     pub(super) fn held(&self, force: f64) -> Option<f64> {
-        if !self.point.meets_alike(&self.answer.star) {
+        if !self.point.are_alike(&self.answer.star, &self.answer.case) {
             return None;
         }
         Some(f64::from(self.point.stars) * payload(self.point.load.friction?, [force]))
