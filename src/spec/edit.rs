@@ -8,7 +8,7 @@ use crate::spec::fault::Fault;
 use crate::spec::faults::Faults;
 use crate::spec::key::KeyPath;
 use crate::spec::model::StarSpec;
-use crate::spec::reading::read;
+use crate::spec::reading::{Reading, read};
 use crate::spec::source::Source;
 use crate::spec::{FaultCode, key};
 use crate::units::{Angle, Length};
@@ -53,20 +53,27 @@ impl StarEdit {
 /// been read back: its first star has exactly these values.
 ///
 /// # Errors
-/// If `source` is refused, if a `[[stack.star]]` decides one of the keys for star 1, or if the result is refused (five
-/// points may have an inlet at tip 5, four may not).
+/// If `source` is refused, if a `[[stack.star]]` decides one of the keys, the inner radius or the pitch for a star, or if the result is
+/// refused (five points may have an inlet at tip 5, four may not).
 pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
-    let raw = read(source)?.raw;
+    let Reading { raw, spec, .. } = read(source)?;
     let entries = star.entries();
-    let own = entries.iter().filter_map(|(key, _)| {
-        let span = raw.span_of(key.of_star(1));
-        let fault = || {
-            Fault::error(FaultCode::OwnValue, span.clone(), format!("star 1 has its own `{}`", key.key()))
-                .label("a value in [star] does not reach it")
-                .help("move it into [star]")
-        };
-        (span != raw.span_of(*key)).then(fault)
-    });
+    let searched = entries.iter().map(|(key, _)| *key).chain([key::star::INNER_RADIUS, key::stack::PITCH]);
+    let own = searched.flat_map(|key| (1..=spec.stars.len()).map(move |star| (key, star))).filter_map(
+        |(key, star)| {
+            let span = raw.span_of(key.of_star(star));
+            let fault = || {
+                Fault::error(
+                    FaultCode::OwnValue,
+                    span.clone(),
+                    format!("star {star} has its own `{}`", key.key()),
+                )
+                .label(format!("a value in [{}] does not reach it", key.section()))
+                .help(format!("move it into [{}]", key.section()))
+            };
+            (span != raw.span_of(key)).then(fault)
+        },
+    );
     let own: Vec<Fault> = own.collect();
     if !own.is_empty() {
         return Err(Faults::new(source, own));
@@ -269,7 +276,7 @@ mod tests {
         "schema = 1\nname = \"x\"\n[\"star\"]\n\"points\" = 5\n'inner_radius' = '50 mm'\n\"tube_width\" = '''30 mm'''\ntip_angle = \"30 deg\"\n",
         "schema = 1\nname = \"x\"\n\"star\".'points' = 5\nstar . inner_radius = \"50 mm\"\nstar.tube_width = \"30 mm\"\nstar.tip_angle = \"30 deg\"\n",
         "schema = 1\r\nname = \"x\"\r\n[stack]\r\ncount = 2\r\n\r\n[star] # last\r\npoints = 5\r\ninner_radius = \"50 mm\"\r\ntube_width = \"30 mm\"\r\ntip_angle = \"30 deg\"\r\n# end\r\n",
-        "\u{feff}schema = 1\nname = \"x\"\n[star]\n    points    =   5\n    inner_radius = \"50 mm\"\n    tube_width   = \"30 mm\"    # W = 1\n    tip_angle = \"30 deg\"\n    tip_radius = \"1 mm\"\n    corner_radius = \"1 mm\"\n[[stack.star]]\nindex = 1\ninner_radius = \"45 mm\"\n",
+        "\u{feff}schema = 1\nname = \"x\"\n[star]\n    points    =   5\n    inner_radius = \"50 mm\"\n    tube_width   = \"30 mm\"    # W = 1\n    tip_angle = \"30 deg\"\n    tip_radius = \"1 mm\"\n    corner_radius = \"1 mm\"\n[[stack.star]]\nindex = 1\nrotation = \"45 deg\"\n",
     ];
 
     const EDIT: StarEdit = StarEdit {
@@ -331,11 +338,21 @@ mod tests {
     }
 
     #[test]
-    fn a_value_that_star_one_has_of_its_own_is_named() {
-        let text = format!("{TEXT}[[stack.star]]\nindex = 1\ntube_width = \"25 mm\"\n");
-        let faults = with_star(&Source::new("x.toml", text), &EDIT).expect_err("refused");
-        assert_eq!(faults.list()[0].code, "own-value");
-        assert!(faults.to_string().contains("x.toml:14:14"), "{faults}");
+    fn a_value_that_a_star_has_of_its_own_is_named() {
+        for (index, value, section) in [
+            (1, "tube_width = \"25 mm\"", "[star]"),
+            (2, "inner_radius = \"55 mm\"", "[star]"),
+            (2, "pitch = \"50 mm\"", "[stack]"),
+        ] {
+            let text = format!("{TEXT}[[stack.star]]\nindex = {index}\n{value}\n");
+            let faults = with_star(&Source::new("x.toml", text), &EDIT).expect_err("refused");
+            let fault = &faults.list()[0];
+            assert_eq!((fault.code, faults.list().len()), ("own-value", 1), "{faults}");
+            assert!(fault.message.starts_with(&format!("star {index} has its own")), "{faults}");
+            assert!(fault.label.contains(section) && faults.to_string().contains("x.toml:14:"), "{faults}");
+        }
+        let turned = format!("{TEXT}[[stack.star]]\nindex = 2\nrotation = \"5 deg\"\n");
+        let _ = with_star(&Source::new("x.toml", turned), &EDIT).expect("no number depends on it");
     }
 
     #[test]
