@@ -179,7 +179,7 @@ pub(super) fn best(
     }
     for candidate in found.best.iter().filter(|candidate| candidate.violation == 0.0) {
         // Other values in the spec may forbid this star: four points have no inlet at tip 5.
-        let Ok(spec) = edited(loaded, candidate) else { continue };
+        let Ok(spec) = edited(args, loaded, candidate) else { continue };
         if let Some(design) = buildable(loaded, &spec) {
             let shell = || confirmed(args.verbosity, (&spec, &design), candidate, constraints);
             let confirmed = args.confirm.then(shell);
@@ -261,8 +261,8 @@ fn bounds(args: &Args, base: &Candidate) -> SearchBounds {
     }
 }
 
-/// The spec's text with the candidate's values.
-fn edited(loaded: &Loaded, candidate: &Evaluation) -> Result<String, Failure> {
+/// The spec's text with the candidate's values, and those of `[load]` that it was searched for.
+fn edited(args: &Args, loaded: &Loaded, candidate: &Evaluation) -> Result<String, Failure> {
     let Evaluation { point, .. } = candidate;
     let star = &point.star;
     let mm = |length: Length| Length(thousandths(length.0));
@@ -282,9 +282,16 @@ fn edited(loaded: &Loaded, candidate: &Evaluation) -> Result<String, Failure> {
         (key::stack::PITCH, was(|c| Some(c.star.pitch.0)), Some(star.pitch.0), "mm"),
         (key::load::PRESSURE, was(|c| Some(c.load.pressure?.0)), point.load.pressure.map(|p| p.0), "kPa"),
     ];
-    for (key, was, is, unit) in changes {
+    // A force on no object is no load.
+    let force = args.largest_force.filter(|_| point.load.object_radius.is_some());
+    let asked = [
+        (key::load::MASS, was(|c| Some(c.load.mass?.0)), args.payload, "kg"),
+        (key::load::LARGEST_FORCE, was(|c| Some(c.load.largest_force?.0)), force, "N"),
+    ];
+    let changes = changes.map(|(key, was, is, unit)| (key, was, is.map(thousandths), unit));
+    for (key, was, is, unit) in changes.into_iter().chain(asked) {
         let Some(is) = is.filter(|_| was != is) else { continue };
-        let value = if unit.is_empty() { format!("{is}") } else { format!("\"{} {unit}\"", thousandths(is)) };
+        let value = if unit.is_empty() { format!("{is}") } else { format!("\"{is} {unit}\"") };
         text = with_value(&Source::new("optimised", text), key, &value)?;
     }
     recommented(loaded, &text)

@@ -128,6 +128,34 @@ fn optimize_ends_in_a_spec_that_keeps_its_promise() {
     assert!(text(&impossible.stderr).contains("no design meets"));
 }
 
+/// Options that go beyond `[load]` are written into it.
+#[test]
+fn optimize_writes_the_load_that_it_was_asked_for() {
+    let dir = folder();
+    let spec = format!("{GRIPPER}mass = \"5 kg\"\nlargest_force = \"8 N\"\n");
+    fs::write(dir.path().join("spec.toml"), spec).expect("written");
+    let args = ["optimize", "spec.toml", "--points", "5", "--payload", "0.2 kg", "--largest-force", "60 N"];
+    let output = run(dir.path(), &args);
+    let best = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    for line in ["mass = \"0.2 kg\"  # was 5 kg", "largest_force = \"60 N\"  # was 8 N"] {
+        assert!(best.contains(line), "{line}: {best}");
+    }
+    fs::write(dir.path().join("best.toml"), &best).expect("written");
+    assert_eq!(run(dir.path(), &["check", "best.toml"]).status.code(), Some(0));
+}
+
+/// A search designs equal stars.
+#[test]
+fn a_search_around_stars_that_differ_is_refused() {
+    let dir = folder();
+    let spec = format!("{GRIPPER}[[stack.star]]\nindex = 2\ninner_radius = \"55 mm\"\n");
+    fs::write(dir.path().join("spec.toml"), spec).expect("written");
+    let output = run(dir.path(), &["optimize", "spec.toml", "--points", "5"]);
+    assert_eq!((output.status.code(), text(&output.stdout).as_str()), (Some(1), ""));
+    assert!(text(&output.stderr).contains("star 2 has its own `inner_radius`"), "{}", text(&output.stderr));
+}
+
 #[test]
 fn a_search_tells_which_model_it_takes_in_place_of_a_slow_one() {
     let dir = folder();
