@@ -164,7 +164,7 @@ impl Need {
         let (mut loads, mut surely) = (Vec::new(), 0.0_f64);
         for part in design.assembly().into_iter().flat_map(|assembly| &assembly.distinct) {
             let case = Case::of(spec, &part.star).map_err(|fault| refused(&fault.to_string()))?;
-            for load in seal_loads(&case, part) {
+            for load in seal_loads(spec, &case, part) {
                 surely = surely.max(load.sure_strength.map_or(0.0, |strength| strength.0));
                 loads.push((load.load, load.place.to_owned()));
             }

@@ -5,6 +5,7 @@ use crate::design::star_seam::star_seam;
 use crate::design::{Channel, CutLines, MaskPlate, Outline, Pieces, Refusal, Refusals, Side, Star};
 use crate::shape::{Port, SealedShape};
 use crate::spec::{Fabric, Spec, StarSpec};
+use crate::units::Length;
 use inflatable::geom::{Bounds, Path};
 
 /// A star with its seams and its cut.
@@ -40,6 +41,14 @@ pub struct Realised {
 }
 
 impl StarDesign {
+    /// `star` of `spec` with the inner radius of curvature `radius` at tips and corners; `None` if it cannot be made, or its arms would fall
+    /// through the plates that it needs.
+    pub(crate) fn with_radii(spec: &Spec, star: &Star, radius: Length) -> Option<Star> {
+        let round = StarSpec { tip_radius: radius, corner_radius: radius, ..star.spec() };
+        let Self { star, .. } = Self::new(spec, &round).ok()?;
+        star.lies_on(star.rho_0 + spec.frame.clearance.0).then_some(star)
+    }
+
     /// The design of one star of `spec`.
     ///
     /// # Errors

@@ -93,9 +93,9 @@ impl Star {
         Ok(star)
     }
 
-    /// The star with the inner radius of curvature `radius` at tips and corners; `None` if there is no such star.
-    pub(crate) fn with_radii(&self, radius: Length) -> Option<Self> {
-        Self::new(&StarSpec { tip_radius: radius, corner_radius: radius, ..self.spec() }).ok()
+    /// Whether its tips bend beyond the `opening` of a plate, mm: otherwise its arms fall through.
+    pub(super) fn lies_on(&self, opening: f64) -> bool {
+        self.d_t > opening
     }
 
     /// A spec of this star; rotation, pitch and inlet are the defaults.

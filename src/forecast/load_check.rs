@@ -153,12 +153,12 @@ pub(super) fn may_burst(star: &StarPrediction) -> Option<String> {
 pub(super) fn bursts(load: &Load, star: &StarPrediction) -> Option<Refusal> {
     let _ = star.evidence.bursting.filter(|one| *one == Bursting::Yes)?;
     let (pressure, burst, range) = (load.pressure?, star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa);
-    let [sure, _] = range.unwrap_or([burst; 2]);
-    let round = star.evidence.safe_radius_mm.map_or_else(String::new, |mm| {
-        format!(", or tip_radius and corner_radius of at least {}", Length(mm))
-    });
+    let less = star.evidence.safe_pressure_kPa.map(|kpa| format!("at most {} kPa", Most(kpa)));
+    let round = star.evidence.safe_radius_mm;
+    let round = round.map(|mm| format!("tip_radius and corner_radius of at least {}", Length(mm)));
     let found = bursts_at(pressure, burst, range);
-    let remedy = format!("at most {} kPa{round}, or a stronger seal or a smaller tube_width", Most(sure));
+    let other = "a stronger seal or a smaller tube_width".to_owned();
+    let remedy = [less, round, Some(other)].into_iter().flatten().collect::<Vec<_>>().join(", or ");
     Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, found, remedy))
 }
 

@@ -1,21 +1,19 @@
 //! From a spec to the prediction: selects the model, evaluates every star, and adds the evidence.
 
-use crate::design::{Design, Meeting, Star, StarAssembly, StarDesign};
+use crate::design::{Design, Meeting, StarAssembly, StarDesign};
 use crate::forecast::case::{Case, weave};
 use crate::forecast::model_selection::{corrected, hinge_model, limits_of_validity, named, tabled};
 use crate::forecast::outcome::{Grip, Outcome};
-use crate::forecast::prediction::{ForceAt, Hinges, ModelEvidence, Prediction, StarPrediction};
-use crate::forecast::pressures::{LEAST, MOST, modelled, outside_section, rows};
-use crate::forecast::ranges::{Domain, Interval, Ranges, StarRanges, errors, mm, outside, sum};
-use crate::forecast::seal_load::{
-    Bursting, LoadedHinge, burst, burst_range, factor, hardest_bounds, largest_pull, possible_radius, remedy,
-};
+use crate::forecast::prediction::{ForceAt, ModelEvidence, Prediction, StarPrediction};
+use crate::forecast::pressures::{LEAST, MOST, modelled, outside_section, pressures, rows};
+use crate::forecast::ranges::{Domain, Interval, Ranges, errors, mm, outside, sum};
+use crate::forecast::seal_forecast::{SealForecast, per_mm};
+use crate::forecast::seal_load::Bursting;
 use crate::forecast::star_answer::{StarAnswer, bare, of_the_shape};
-use crate::forecast::verdict::verdict;
+use crate::forecast::verdict::{refusals, verdict};
 use crate::spec::{Fabric, KeyPath, ModelChoice, ObjectShape, Spec, key};
-use crate::units::{Length, LineForce, Pressure};
+use crate::units::{Length, Pressure};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
-use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::mechanics::hinge::{HingeModel, Level};
 use inflatable::mechanics::star::response::Inflated;
 use std::fmt;
@@ -51,6 +49,34 @@ impl std::error::Error for PredictFault {}
 /// If a model refuses one of the hinges, is not available, or covers no such product.
 pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault> {
     let design = stars_of(design)?;
+    let mut stars = predict_stars(spec, design)?;
+    let safe = safe_pressure(spec, design, &stars);
+    stars.iter_mut().for_each(|star| star.evidence.safe_pressure_kPa = safe);
+    let Some(first) = stars.first() else {
+        let what = "there is no star".to_owned();
+        return Err(PredictFault { star: None, key: key::stack::COUNT, what, remedy: None });
+    };
+    let mut first = first.clone();
+    first.payload_kg = stars.iter().map(|star| star.payload_kg).sum();
+    first.ranges.payload_kg = sum(stars.iter().map(|star| star.ranges.payload_kg));
+    let stack_mass_g = stars.iter().map(|star| star.mass_g).sum();
+    let verdict = verdict(spec, &stars);
+    Ok(Prediction { first, verdict, stack_mass_g, stars })
+}
+
+/// The largest pressure, kPa, at which none of the seals that burst may do so; `None` if none bursts, or the gripper does not meet its load
+/// there either.
+fn safe_pressure(spec: &Spec, design: &StarAssembly, stars: &[StarPrediction]) -> Option<f64> {
+    let bursting = stars.iter().map(|star| &star.evidence).filter(|own| own.bursting == Some(Bursting::Yes));
+    let safe = bursting.filter_map(|own| own.safe_pressure_kPa).reduce(f64::min)?;
+    let mut at = spec.clone();
+    at.load.get_or_insert_default().pressure = Some(Pressure(safe));
+    let found = predict_stars(&at, design).ok()?;
+    refusals(&at, &found).is_empty().then_some(safe)
+}
+
+/// All stars of `design`, bottom first.
+fn predict_stars(spec: &Spec, design: &StarAssembly) -> Result<Vec<StarPrediction>, PredictFault> {
     let meetings = design.meetings(spec);
     // Stars of a stack are often equal; a slow model then answers once.
     let mut known: Vec<(usize, Option<Meeting>, StarPrediction)> = Vec::new();
@@ -70,16 +96,7 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
         };
         stars.push(star);
     }
-    let Some(first) = stars.first() else {
-        let what = "there is no star".to_owned();
-        return Err(PredictFault { star: None, key: key::stack::COUNT, what, remedy: None });
-    };
-    let mut first = first.clone();
-    first.payload_kg = stars.iter().map(|star| star.payload_kg).sum();
-    first.ranges.payload_kg = sum(stars.iter().map(|star| star.ranges.payload_kg));
-    let stack_mass_g = stars.iter().map(|star| star.mass_g).sum();
-    let verdict = verdict(spec, &stars);
-    Ok(Prediction { first, verdict, stack_mass_g, stars })
+    Ok(stars)
 }
 
 /// The stars of `design`: no model covers another product.
@@ -135,7 +152,7 @@ fn predict_star(
     meeting: Option<Meeting>,
 ) -> Result<StarPrediction, StarFault> {
     let case = Case::of(spec, &part.star)?.meeting(meeting);
-    let asked = PlacedCase { spec, part, case, seal: SealForecast::new(&case, &part.star) };
+    let asked = PlacedCase { spec, part, case, seal: SealForecast::new(spec, &case, &part.star) };
     let width = case.mechanism.width;
     let Some(level) = named(spec.accuracy.model) else { return asked.automatic() };
     let model = hinge_model(level, &case.sheet, case.pressure, width)?;
@@ -228,6 +245,7 @@ impl PlacedCase<'_> {
                 choice,
                 numerical_error: Some(0.0),
                 safe_radius_mm: seal.safe.map(|radius| radius.0),
+                safe_pressure_kPa: seal.sure().map(|sure| Pressure::from_pascals(sure).0),
                 warnings,
                 bursting: seal.bursting,
                 of_burst,
@@ -243,7 +261,8 @@ impl PlacedCase<'_> {
         let Ranges { domain, radius, .. } = outcome.ranges;
         let (accepted, found) = (self.spec.accuracy.response, outcome.rest.radius);
         match domain {
-            Domain::Extrapolated => {
+            // What is printed as 1.0 is no reason to warn.
+            Domain::Extrapolated if outcome.ranges.wider >= 1.05 => {
                 let outside = outside(&self.case);
                 Some(format!(
                     "{}, {outside}: ranges are {:.1} times as wide",
@@ -293,76 +312,16 @@ fn weave_left_out(fabric: &Fabric) -> Option<String> {
     })
 }
 
-/// N per mm from N per m.
-fn per_mm(pull: f64) -> f64 {
-    LineForce::from_newtons_per_metre(pull).0
-}
-
-/// The load on the seal at the radii that the band gives the hinges, for any model.
-struct SealForecast {
-    load: Hinges<Option<f64>>,
-    pull: Option<(f64, Option<Interval>, &'static str)>,
-    burst: Option<f64>,
-    burst_range: Option<Interval>,
-    /// The least and most pressure, Pa, at which it may burst.
-    bounds: Option<Interval>,
-    bursting: Option<Bursting>,
-    safe: Option<Length>,
-}
-
-impl SealForecast {
-    fn new(case: &Case, star: &Star) -> Self {
-        let load = |radius: f64| factor(&Ring, radius / case.mechanism.width);
-        let (burst, burst_range) = (burst(case, &Ring), burst_range(case));
-        // They differ only for hinges that are too sharp for a range.
-        let bounds = burst_range.or_else(|| hardest_bounds(case));
-        let bursting = burst.zip(case.pressure).map(|(burst, p)| Bursting::at(p, burst, bounds));
-        let bursts = bursting.is_some_and(|at| at != Bursting::No);
-        Self {
-            load: Hinges { tip: load(case.realised.tip), corner: load(case.realised.corner) },
-            pull: largest_pull(case),
-            burst,
-            burst_range,
-            bounds,
-            bursting,
-            safe: if bursts { possible_radius(case, star, LoadedHinge::Tip) } else { None },
-        }
-    }
-
-    /// The largest pressure, Pa, at which it surely does not burst; `None` if no seal is known.
-    fn sure(&self) -> Option<f64> {
-        self.bounds.map(|[sure, _]| sure)
-    }
-
-    fn ranges(&self) -> StarRanges {
-        StarRanges {
-            seal_pull_N_per_mm: self.pull.and_then(|(_, range, _)| range).map(|range| range.map(per_mm)),
-            burst_pressure_kPa: self.burst_range.map(|range| range.map(|p| Pressure::from_pascals(p).0)),
-            ..StarRanges::default()
-        }
-    }
-
-    fn warning(&self) -> Option<String> {
-        let (burst, bursting) = self.burst.zip(self.bursting)?;
-        let what = match bursting {
-            Bursting::No => return None,
-            Bursting::Perhaps if self.burst_range.is_none() => {
-                "the seal may burst: the range of its burst pressure is unknown"
-            }
-            Bursting::Perhaps => "the seal may burst: the pressure is within the range of its burst pressure",
-            Bursting::Yes => "the pressure is above the seal's burst pressure",
-        };
-        Some(format!("{what}, {:.2} kPa; {}", Pressure::from_pascals(burst).0, remedy(self.safe)))
-    }
-}
-
 /// A fault of star `star`, made of `part` by `spec`, with the key that is best changed. The star itself exists: a design was made of it.
 fn located(star: usize, (spec, part): (&Spec, &StarDesign), fault: &StarFault) -> PredictFault {
     let case = Case::of(spec, &part.star).ok();
-    let outside =
-        case.and_then(|case| outside_section(fault, &case.sheet, case.mechanism.width, case.pressure?));
+    let outside = case.and_then(|case| {
+        let (what, _) = outside_section(fault, &case.sheet, case.mechanism.width, case.pressure?)?;
+        // Not every pressure that `section` covers has a prediction.
+        Some((what, modelled(&case).map(pressures)))
+    });
     if let Some((what, remedy)) = outside {
-        return PredictFault { star: Some(star), key: key::load::PRESSURE, what, remedy: Some(remedy) };
+        return PredictFault { star: Some(star), key: key::load::PRESSURE, what, remedy };
     }
     let key = match fault {
         StarFault::Dimension { symbol, .. } => match *symbol {

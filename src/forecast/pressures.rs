@@ -69,10 +69,14 @@ pub fn rows(case: &Case, burst: Option<f64>, sure: Option<f64>) -> Vec<PressureR
 /// The finding that nothing of this width and fabric is computed by `model` at `pressure`, Pa, and the remedy: the pressures, Pa, at which
 /// it is.
 pub fn outside(model: &str, pressure: f64, [least, most]: Interval) -> (String, String) {
-    let [least, most] = [least, most].map(|pascals| Pressure::from_pascals(pascals).0);
     let found =
         format!("{model} covers no tube of this width and fabric at {}", Pressure::from_pascals(pressure));
-    (found, format!("a pressure from {} to {} kPa", Least(least), Most(most)))
+    (found, pressures([least, most].map(|pascals| Pressure::from_pascals(pascals).0)))
+}
+
+/// The remedy that names pressures, kPa.
+pub(super) fn pressures([least, most]: Interval) -> String {
+    format!("a pressure from {} to {} kPa", Least(least), Most(most))
 }
 
 /// [`outside`], if the `fault` of `section` with hinges of `sheet` in a tube `width` m wide is due to the `pressure`, Pa.

@@ -18,6 +18,7 @@ use crate::design::{Star, StarDesign};
 use crate::forecast::case::{Case, mechanism};
 use crate::forecast::pressures::is_modelled;
 use crate::forecast::ranges::scaled;
+use crate::spec::Spec;
 use crate::units::{Length, LineForce, Pressure, Readable, tenths_up};
 use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::numerics::last_holding;
@@ -47,12 +48,12 @@ pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
     Some(Length(hundredths / 100.0))
 }
 
-/// [`safe_radius`], if `star`, whose case is `case`, can have it at both tips and corners: it has arms then, and a prediction if
-/// it has one now.
-pub(super) fn possible_radius(case: &Case, star: &Star, hinge: LoadedHinge) -> Option<Length> {
+/// [`safe_radius`], if `star` of `spec`, whose case is `case`, can have it at both tips and corners: it can be made then, and has a
+/// prediction if it has one now.
+pub(super) fn possible_radius(spec: &Spec, case: &Case, star: &Star, hinge: LoadedHinge) -> Option<Length> {
     // What is advised is computed for the pressures of the shells. Beyond them the pull is less certain, and no rounder hinge may be needed.
     let radius = safe_radius(case, hinge).filter(|radius| radius.metres() > hinge.radius(case))?;
-    let round = Case { mechanism: mechanism(&star.with_radii(radius)?), ..*case };
+    let round = Case { mechanism: mechanism(&StarDesign::with_radii(spec, star, radius)?), ..*case };
     let pressure = case.pressure?;
     (is_modelled(&round, pressure) || !is_modelled(case, pressure)).then_some(radius)
 }
@@ -95,8 +96,8 @@ pub struct SealLoad {
     pub safe_radius: Option<Length>,
 }
 
-/// The loads at tips, corners, arms and inlet of `part`, whose case is `case`.
-pub fn seal_loads(case: &Case, part: &StarDesign) -> Vec<SealLoad> {
+/// The loads at tips, corners, arms and inlet of `part` of `spec`, whose case is `case`.
+pub fn seal_loads(spec: &Spec, case: &Case, part: &StarDesign) -> Vec<SealLoad> {
     let width = case.mechanism.width;
     let channel = part.channel.map(|channel| Length(2.0 * channel.half_width).metres());
     let places = [
@@ -106,11 +107,11 @@ pub fn seal_loads(case: &Case, part: &StarDesign) -> Vec<SealLoad> {
         ("inlet", None, channel),
     ];
     let with_width = places.into_iter().filter_map(|(place, hinge, width)| Some((place, hinge, width?)));
-    with_width.map(|(place, hinge, width)| at_place((case, &part.star), place, hinge, width)).collect()
+    with_width.map(|(place, hinge, width)| at_place((spec, case, &part.star), place, hinge, width)).collect()
 }
 
 fn at_place(
-    (case, star): (&Case, &Star),
+    (spec, case, star): (&Spec, &Case, &Star),
     place: &'static str,
     hinge: Option<(LoadedHinge, f64)>,
     width: f64,
@@ -152,7 +153,7 @@ fn at_place(
         burst_range: burst_range.map(|range| range.map(Pressure::from_pascals)),
         bursting,
         margin,
-        safe_radius: weak.and_then(|(hinge, _)| possible_radius(case, star, hinge)),
+        safe_radius: weak.and_then(|(hinge, _)| possible_radius(spec, case, star, hinge)),
     }
 }
 

@@ -250,4 +250,36 @@ mod tests {
         let radius = weak.prediction.expect("asked").first.evidence.safe_radius_mm.expect("one helps");
         assert_eq!(codes(&with("3 N/mm", &format!("{radius} mm"))), [""; 0]);
     }
+
+    /// What is named is accepted as it is; where no pressure or radius is, none is named.
+    #[test]
+    fn the_pressure_and_the_radius_that_are_named_hold() {
+        let number = |text: &str, words: &str| -> Option<f64> {
+            text.split_once(words)?.1.split([' ', ',']).next()?.parse().ok()
+        };
+        for (points, inner, width, angle, strength, load, named) in [
+            (6, 30.0, 15.0, 40.0, 0.5, "40 kPa", [false, false]),
+            (3, 40.0, 30.0, 50.0, 0.5, "10 kPa", [true, false]),
+            (5, 50.0, 30.0, 30.0, 3.0, "37 kPa", [true, true]),
+            (5, 50.0, 30.0, 30.0, 3.0, "37 kPa\"\nobject_diameter = \"20 mm", [false, true]),
+        ] {
+            let with = |radius: f64, load: &str| {
+                of_text(format!(
+                    "schema = 1\nname = \"x\"\n[fabric]\nseal_strength = \"{strength} N/mm\"\n[star]\npoints = {points}\n\
+                     inner_radius = \"{inner} mm\"\ntube_width = \"{width} mm\"\ntip_angle = \"{angle} deg\"\n\
+                     tip_radius = \"{radius} mm\"\ncorner_radius = \"{radius} mm\"\n[load]\npressure = \"{load}\"\n"
+                ))
+            };
+            let refused = with(0.0, load).unfit()[0].clone();
+            assert_eq!(refused.code, RefusalCode::Bursts);
+            let (kpa, mm) = (number(&refused.remedy, "at most "), number(&refused.remedy, "of at least "));
+            assert_eq!([kpa.is_some(), mm.is_some()], named, "{points} {load}: {}", refused.remedy);
+            if let Some(kpa) = kpa {
+                assert_eq!(codes(&with(0.0, &format!("{kpa} kPa"))), [""; 0], "{}", refused.remedy);
+            }
+            if let Some(mm) = mm {
+                assert!(!codes(&with(mm, load)).contains(&"bursts".to_owned()), "{}", refused.remedy);
+            }
+        }
+    }
 }

@@ -483,3 +483,41 @@ fn a_page_says_nothing_twice() {
     assert_eq!(page.matches("more than the accepted 1 %").count(), 1, "{page}");
     assert!(page.lines().all(|line| line == line.trim_end()), "{page}");
 }
+
+#[test]
+fn ranges_that_are_as_wide_as_usual_are_not_warned_of() {
+    let warned = |radius: f64| {
+        let mut spec = spec(PAPER);
+        spec.stars.iter_mut().for_each(|star| star.tip_radius = Length(radius * star.tube_width.0));
+        let found = predict(&spec).expect("predictable").first.evidence.warnings;
+        found.iter().any(|warning| warning.contains("times as wide"))
+    };
+    assert_eq!([0.3, 0.3001, 0.33].map(warned), [false, false, true]);
+}
+
+#[test]
+fn the_pressures_that_are_named_have_a_prediction() {
+    let mut named = 0;
+    for (points, width, thickness, pressure) in
+        [(5, 30.0, 0.3, 9000.0), (8, 15.0, 0.5, 9000.0), (6, 20.0, 0.5, 0.1), (5, 30.0, 0.1, 9000.0)]
+    {
+        let with = |pressure: f64| {
+            let mut spec = spec(PAPER);
+            spec.accuracy.model = ModelChoice::Section;
+            spec.fabric.thickness = Length(thickness);
+            spec.load.as_mut().expect("given").pressure = Some(Pressure(pressure));
+            for star in &mut spec.stars {
+                (star.points, star.tube_width) = (points, Length(width));
+            }
+            predict(&spec)
+        };
+        let fault = with(pressure).expect_err("far from every pressure");
+        assert_eq!(fault.key, key::load::PRESSURE, "{fault}");
+        let Some(remedy) = fault.remedy else { continue };
+        for pressure in remedy.split(' ').filter_map(|word| word.parse().ok()) {
+            assert!(with(pressure).is_ok_and(|found| found.first.final_radius_mm.is_some()), "{remedy}");
+            named += 1;
+        }
+    }
+    assert!(named >= 4, "{named}");
+}

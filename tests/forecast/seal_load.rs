@@ -28,7 +28,7 @@ fn round() -> Spec {
 
 fn loads(spec: &Spec) -> Vec<SealLoad> {
     let design = design(spec);
-    seal_loads(&case(spec), &design.assembly().expect("stars").distinct[0])
+    seal_loads(spec, &case(spec), &design.assembly().expect("stars").distinct[0])
 }
 
 fn at<'a>(loads: &'a [SealLoad], place: &str) -> &'a SealLoad {

@@ -103,7 +103,7 @@ fn loads(report: &Report<'_>) -> Vec<Value> {
                 "weakness": load.weakness(),
             })
         };
-        Some(short(&json!(seal_loads(&case, part).iter().map(load).collect::<Vec<_>>())))
+        Some(short(&json!(seal_loads(report.spec, &case, part).iter().map(load).collect::<Vec<_>>())))
     };
     stars(report.design).iter().filter_map(of_star).collect()
 }
