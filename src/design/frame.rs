@@ -12,6 +12,9 @@ use crate::spec::{SMALLEST_HOLE, Spec, key};
 use crate::units::{Most, Readable};
 use inflatable::geom::Point;
 
+/// Fewest posts of a spec.
+const FEWEST_POSTS: u32 = 3;
+
 /// The frame, its axis at the origin and corner 1 of an unturned star on +X.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
@@ -65,7 +68,7 @@ impl Frame {
             let rho = beside.iter().map(|part| part.star.rho_0).fold(0.0, f64::max);
             let opening = rho + clearance;
             for part in beside {
-                if part.star.d_t <= opening && refusals.is_empty() {
+                if !part.star.lies_on(opening) && refusals.is_empty() {
                     refusals.push(falls_through(i + 1, part.star.d_t, opening));
                 }
             }
@@ -83,16 +86,12 @@ impl Frame {
                 Some(Hose { direction: turn + part.star.tip_ray(channel.tip), half_width: strip })
             })
             .collect();
-        let first = first_post(frame.posts, &hoses);
-        let posts: Vec<Point> = (0..frame.posts)
-            .map(|i| Point::polar(circle, first + TAU * f64::from(i) / f64::from(frame.posts)))
-            .collect();
-        for hose in &hoses {
-            let needed = hose.half_width + clearance + post / 2.0;
-            let free = posts.iter().map(|post| hose.distance(*post)).fold(f64::INFINITY, f64::min);
-            if free < needed && !refusals.iter().any(|refusal| refusal.code == "post-meets-hose") {
-                refusals.push(meets_hose(frame.posts, free, needed));
-            }
+        let posts = posts_on(circle, frame.posts, &hoses);
+        let around = post / 2.0 + clearance;
+        if let Some((free, needed)) = met(&posts, around, &hoses) {
+            let helps =
+                |count: u32, hoses: &[Hose]| met(&posts_on(circle, count, hoses), around, hoses).is_none();
+            refusals.push(meets_hose(frame.posts, (free, needed), &hoses, helps));
         }
         refusals.or(Self {
             plates,
@@ -122,6 +121,7 @@ pub fn shut_reach(star: &Star) -> f64 {
 }
 
 /// The strip along which a hose leaves a star.
+#[derive(Clone, Copy)]
 struct Hose {
     direction: f64,
     half_width: f64,
@@ -134,6 +134,22 @@ impl Hose {
         let v = p - Point::ORIGIN;
         if v.dot(along) > 0.0 { along.cross(v).abs() } else { v.length() }
     }
+}
+
+/// Centres of `count` posts on a circle of radius `circle`, as far as can be from `hoses`.
+fn posts_on(circle: f64, count: u32, hoses: &[Hose]) -> Vec<Point> {
+    let first = first_post(count, hoses);
+    (0..count).map(|i| Point::polar(circle, first + TAU * f64::from(i) / f64::from(count))).collect()
+}
+
+/// How far the middle of the first hose that `posts` obstruct is from one of them, and how far it must be; `around` is what a post needs
+/// beside a hose.
+fn met(posts: &[Point], around: f64, hoses: &[Hose]) -> Option<(f64, f64)> {
+    hoses.iter().find_map(|hose| {
+        let needed = hose.half_width + around;
+        let free = posts.iter().map(|post| hose.distance(*post)).fold(f64::INFINITY, f64::min);
+        (free < needed).then_some((free, needed))
+    })
 }
 
 /// Direction of the first post: in the middle of the widest gap between hoses, all seen within one step of the posts.
@@ -170,7 +186,27 @@ fn falls_through(plate: usize, tips: f64, opening: f64) -> Refusal {
     )
 }
 
-fn meets_hose(posts: u32, free: f64, needed: f64) -> Refusal {
+/// `helps` returns whether a number of posts leaves free hoses in these directions.
+fn meets_hose(
+    posts: u32,
+    (free, needed): (f64, f64),
+    hoses: &[Hose],
+    helps: impl Fn(u32, &[Hose]) -> bool,
+) -> Refusal {
+    let first = hoses.first().map_or(0.0, |hose| hose.direction);
+    let in_line: Vec<Hose> = hoses.iter().map(|hose| Hose { direction: first, ..*hose }).collect();
+    let fewer = |hoses: &[Hose]| (FEWEST_POSTS..posts).rev().find(|count| helps(*count, hoses));
+    let lined = "put the inlets of all stars in line: rotation, inlet_tip";
+    let ways = [
+        fewer(hoses).map(|count| format!("make posts {count}")),
+        helps(posts, &in_line).then(|| lined.to_owned()),
+    ];
+    let ways: Vec<String> = ways.into_iter().flatten().collect();
+    let remedy = match fewer(&in_line) {
+        _ if !ways.is_empty() => ways.join(", or "),
+        Some(count) => format!("make posts {count}, and {lined}"),
+        None => "make post_diameter or clearance smaller, or take a thinner hose".to_owned(),
+    };
     Refusal::new(
         key::frame::POSTS,
         RefusalCode::PostMeetsHose,
@@ -179,6 +215,6 @@ fn meets_hose(posts: u32, free: f64, needed: f64) -> Refusal {
             Readable(free),
             Readable(needed)
         ),
-        "make posts fewer, or put the inlets of all stars in line: rotation, inlet_tip".to_owned(),
+        remedy,
     )
 }

@@ -28,14 +28,14 @@ pub(super) type Placement = (usize, Isometry);
 /// sheet about square, in height as far as the machine reaches. On a sheet larger than that the parts stay within reach.
 ///
 /// # Errors
-/// The first part that does not fit on the sheet, or that the machine does not reach all of.
+/// The parts that do not fit on the sheet, or that the machine does not reach all of.
 pub(super) fn place(
     boxes: &[Bounds],
     sheet: &Sheet,
     machine: &Machine,
 ) -> Result<(Vec<Placement>, Vec<SheetLayout>), Refusal> {
     let room = FreeArea::new(sheet, machine);
-    boxes.iter().try_for_each(|bounds| room.refuse(bounds, sheet, machine))?;
+    room.refuse(boxes, sheet, machine)?;
     let columns = match sheet.width {
         Some(_) => usize::MAX,
         None => (1..=boxes.len()).find(|c| c * c >= boxes.len()).unwrap_or(1),
@@ -87,11 +87,15 @@ impl FreeArea {
         bounds.width() <= self.width && bounds.height() <= self.height
     }
 
-    /// Whether the sheet or the machine is too small for a part.
-    fn refuse(self, part: &Bounds, sheet: &Sheet, machine: &Machine) -> Result<(), Refusal> {
-        if self.takes(part) || sheet.turn && self.takes(&turned(part)) {
+    /// Whether the sheet or the machine is too small for one of `parts`; the refusal names the sides that all of them need.
+    fn refuse(self, parts: &[Bounds], sheet: &Sheet, machine: &Machine) -> Result<(), Refusal> {
+        let is_taken = |part: &&Bounds| self.takes(part) || sheet.turn && self.takes(&turned(part));
+        let size = |part: &Bounds| Point::new(part.width(), part.height());
+        let needed = parts.iter().filter(|part| !is_taken(part)).map(size);
+        let Some(needed) = needed.reduce(|a, b| Point::new(a.x.max(b.x), a.y.max(b.y))) else {
             return Ok(());
-        }
+        };
+        let part = &Bounds { min: Point::ORIGIN, max: needed };
         fits(part, sheet)?;
         let Some((x, y)) = machine.bench.work_area else { return Ok(()) };
         let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
@@ -201,7 +205,7 @@ fn up(x: f64) -> f64 {
     (x * 10.0).ceil() / 10.0
 }
 
-/// Refuses a sheet that is too small for a part, with all sides that are too short.
+/// Refuses a sheet that is too small for a part of the size of `part`, with all sides that are too short.
 fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
     let sides = [
         (key::sheet::WIDTH, "wide", part.width(), on_sheet(sheet.width, sheet)),
@@ -219,7 +223,7 @@ fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
     Err(Refusal::new(
         *key,
         RefusalCode::SheetTooSmall,
-        format!("a part is {}", found.collect::<Vec<_>>().join(", and ")),
+        format!("a part is {}", found.collect::<Vec<_>>().join(", and one is ")),
         format!("must be {}", remedy.collect::<Vec<_>>().join(" and ")),
     ))
 }

@@ -63,6 +63,66 @@ fn the_bed_that_is_named_has_room_for_all_pieces() {
     }
 }
 
+/// Stars of a stack that differ, and stars that may be turned on the sheet.
+#[test]
+fn the_sheet_that_is_named_takes_all_parts() {
+    let stack = "[stack]\ncount = 2\n[[stack.star]]\nindex = 1\ninner_radius = \"25 mm\"\n";
+    for (sheet, sides) in [
+        ("width = \"100 mm\"", 1),
+        ("width = \"100 mm\"\nheight = \"120 mm\"", 2),
+        ("width = \"240 mm\"\nheight = \"120 mm\"\nturn = true", 1),
+    ] {
+        let with = |sheet: &str| star(&format!("{FOUR}{stack}[sheet]\n{sheet}\n"));
+        let refusal = only(&with(sheet).expect_err("too small"));
+        assert_eq!(refusal.code, RefusalCode::SheetTooSmall);
+        let mut enough = sheet.to_owned();
+        for (key, now) in [("width", "100 mm"), ("width", "240 mm"), ("height", "120 mm")] {
+            if refusal.remedy.contains(&format!("`{key}`")) {
+                let least = number(&refusal.remedy, &format!("`{key}` at least "));
+                enough = enough.replace(&format!("{key} = \"{now}\""), &format!("{key} = \"{least} mm\""));
+            }
+        }
+        assert_eq!(refusal.remedy.matches("at least").count(), sides, "{refusal}");
+        assert!(with(&enough).is_ok(), "{sheet}: {refusal}");
+    }
+}
+
+/// Inlets in all directions, and one wide hose.
+#[test]
+fn the_posts_that_are_named_let_hoses_pass() {
+    let text = "schema = 1\nname = \"x\"\n[star]\npoints = 4\ninner_radius = \"20 mm\"\ntube_width = \"12 mm\"\n\
+                tip_angle = \"50 deg\"\n";
+    let with = |count: u32, rotation: u32, posts: u32| {
+        star(&format!(
+            "{text}[stack]\ncount = {count}\nrotation = \"{rotation} deg\"\n[frame]\nposts = {posts}\n"
+        ))
+    };
+    for (count, rotation, posts, fewer) in
+        [(4, 30, 3, false), (1, 0, 40, true), (2, 45, 7, true), (4, 30, 64, false)]
+    {
+        let refusal = only(&with(count, rotation, posts).expect_err("in the way"));
+        assert_eq!(refusal.code, RefusalCode::PostMeetsHose, "{refusal}");
+        let remedy = refusal.remedy.as_str();
+        assert_eq!(remedy.contains("make posts"), fewer || posts == 64, "{refusal}");
+        let named = if remedy.contains("make posts") { whole(remedy) } else { posts };
+        if fewer {
+            assert!(
+                with(count, rotation, named).is_ok() && with(count, rotation, named + 1).is_err(),
+                "{refusal}"
+            );
+        }
+        if remedy.contains("in line") {
+            assert!(with(count, 0, named).is_ok(), "{refusal}");
+        }
+    }
+}
+
+/// The number of posts that a remedy names.
+fn whole(remedy: &str) -> u32 {
+    let word = remedy.split("make posts ").nth(1).and_then(|rest| rest.split([' ', ',']).next());
+    word.and_then(|word| word.parse().ok()).unwrap_or_else(|| panic!("{remedy}"))
+}
+
 #[test]
 fn the_kerf_that_is_named_leaves_a_hole() {
     for hole in ["1.3 mm", "1.5 mm", "1.8 mm", "2 mm", "3 mm"] {
