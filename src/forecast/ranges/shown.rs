@@ -25,7 +25,7 @@ pub fn with(value: f64, range: Interval, unit: &str) -> String {
 }
 
 /// `value` with its range, both in `unit`, which are judged by `limit`: both ends are printed with so many digits that each stays on
-/// its side of it.
+/// its side of it. The value has as many as the lower end, or as leave it between the ends.
 pub fn with_limit(value: f64, [low, high]: Interval, unit: &str, limit: Option<f64>) -> String {
     let gap = if unit.is_empty() { "" } else { " " };
     if [value, low, high] == [0.0; 3] {
@@ -34,19 +34,30 @@ pub fn with_limit(value: f64, [low, high]: Interval, unit: &str, limit: Option<f
     let step = step(high - low);
     // Ends are rounded outwards, so the printed range holds. A small low end keeps a digit: 5 to 140, not 0 to 140.
     let fine = if low < step && low >= 0.1 * step { 0.1 * step } else { step };
-    let [low, high] = [end(low, fine, f64::floor, limit), end(high, step, f64::ceil, limit)];
-    format!("{}{gap}{unit}, {low} to {high}", text(value, step_of(value, step)))
+    let ends = [end(low, fine, f64::floor, limit), end(high, step, f64::ceil, limit)];
+    let [low, high] = ends.map(|(end, step)| text(end, step));
+    let own = step_of(value, fine);
+    let inside = |step: f64| {
+        let (value, slack) = ((value / step).round() * step, 1e-6 * step);
+        ends[0].0 <= value + slack && value <= ends[1].0 + slack
+    };
+    let own = finer(own).find(|step| inside(*step)).unwrap_or(own);
+    format!("{}{gap}{unit}, {low} to {high}", text(value, own))
 }
 
-/// The end `x` of a range, rounded by `round` to `step`, or to a finer one that leaves it on its side of `limit`.
-fn end(x: f64, step: f64, round: fn(f64) -> f64, limit: Option<f64>) -> String {
+/// The end `x` of a range, rounded by `round` to `step`, or to a finer one that leaves it on its side of `limit`; and that step.
+fn end(x: f64, step: f64, round: fn(f64) -> f64, limit: Option<f64>) -> (f64, f64) {
     let at = |step: f64| round(x / step) * step;
     let is_kept =
         |step: f64| limit.is_none_or(|limit| (at(step) < limit, at(step) > limit) == (x < limit, x > limit));
     // An end within a millionth of a step of the limit is printed as any other.
-    let finer = (0..=6).map(|digits| step * 0.1_f64.powi(digits)).find(|step| is_kept(*step));
-    let step = finer.unwrap_or(step);
-    text(at(step), step)
+    let step = finer(step).find(|step| is_kept(*step)).unwrap_or(step);
+    (at(step), step)
+}
+
+/// `step`, and up to six digits more.
+fn finer(step: f64) -> impl Iterator<Item = f64> {
+    (0..=6).map(move |digits| step * 0.1_f64.powi(digits))
 }
 
 /// Two numbers with as many decimals as tell them apart, one at least.
@@ -132,7 +143,9 @@ mod tests {
         assert_eq!(with(0.061, [0.0512, 0.0723], "kg"), "0.061 kg, 0.051 to 0.073");
         assert_eq!(with(0.0, [-0.001, 0.001], ""), "0.0000, -0.0010 to 0.0010");
         assert_eq!(with(0.0, [0.0, 0.0], "N"), "0 N");
-        assert_eq!(with(18.2, [5.3, 131.0], "N"), "20 N, 5 to 140");
+        assert_eq!(with(18.2, [5.3, 131.0], "N"), "18 N, 5 to 140");
+        assert_eq!(with(0.037, [0.0234, 0.81], "kg"), "0.04 kg, 0.02 to 0.9");
+        assert_eq!(with_limit(24.0, [23.16, 96.5], "kPa", Some(23.0)), "24 kPa, 23.1 to 100");
         assert_eq!(with(18.2, [0.03, 131.0], "N"), "20 N, 0 to 140");
     }
 
