@@ -328,9 +328,21 @@ fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
     s.is_written().then_some(load)
 }
 
-/// `friction_least` <= `friction` <= `friction_most`.
+/// `friction_least` <= `friction` <= `friction_most`, and none of the ends without `friction`.
 fn check_friction(s: &mut Section<'_, '_>, load: &Load) {
-    let Some(friction) = load.friction else { return };
+    let Some(friction) = load.friction else {
+        // A faulty friction is reported already.
+        let ends =
+            ["friction_least", "friction_most"].into_iter().filter(|key| s.has(key) && !s.has("friction"));
+        for key in ends.collect::<Vec<_>>() {
+            let fault =
+                Fault::error(FaultCode::Conflict, s.place_of(key), format!("`{key}` without `friction`"))
+                    .label("it is an end of the range of `friction`")
+                    .help(format!("write friction, or delete {key}"));
+            s.report(fault);
+        }
+        return;
+    };
     let ends = [
         ("friction_least", load.friction_least, "above", load.friction_least > Some(friction)),
         (

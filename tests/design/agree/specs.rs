@@ -248,9 +248,11 @@ fn load(dice: &mut Dice, rho: f64) -> String {
         format!("\"{kpa} kPa\"")
     });
     s.maybe(dice, 0.7, "object_radius", |dice| some_mm(dice, rho, [0.2, 1.1]));
-    s.maybe(dice, 0.7, "friction", |dice| format!("{:?}", dice.within(0.1, 1.2)));
-    s.maybe(dice, 0.3, "friction_least", |dice| format!("{:?}", dice.within(0.05, 0.1)));
-    s.maybe(dice, 0.3, "friction_most", |dice| format!("{:?}", dice.within(1.2, 1.5)));
+    if dice.chance(0.7) {
+        s.maybe(dice, 1.0, "friction", |dice| format!("{:?}", dice.within(0.1, 1.2)));
+        s.maybe(dice, 0.3, "friction_least", |dice| format!("{:?}", dice.within(0.05, 0.1)));
+        s.maybe(dice, 0.3, "friction_most", |dice| format!("{:?}", dice.within(1.2, 1.5)));
+    }
     s.maybe(dice, 0.3, "mass", |dice| format!("\"{} kg\"", dice.decades(0.01, 20.0)));
     s.maybe(dice, 0.2, "largest_force", |dice| format!("\"{} N\"", dice.decades(1.0, 500.0)));
     s.text

@@ -145,6 +145,10 @@ fn a_friction_lies_between_its_ends() {
     for wrong in ["friction_least = 0.4", "friction_most = 0.2"] {
         assert_eq!(codes(&with(wrong)), ["conflict"], "{wrong}");
     }
+    for end in ["friction_least", "friction_most"] {
+        let alone = with(&format!("{end} = 0.3")).replace("\nfriction = 0.3", "");
+        assert_eq!(codes(&alone), ["conflict"], "{end}");
+    }
     let both = try_read(&with("friction_least = 0.9\nfriction_most = 0.1")).expect_err("two faults");
     assert_eq!(both.list().iter().map(|fault| fault.code).collect::<Vec<_>>(), ["conflict"; 2]);
     assert!(both.to_string().contains("write friction_least = 0.3"), "{both}");

@@ -149,7 +149,9 @@ fn document(lines: &[(&str, String)]) -> String {
 fn with(key: &Key, base: f64) -> String {
     let unit = key.units.first().map(|(name, _)| *name);
     let value = unit.map_or(format!("{base:?}"), |unit| format!("\"{base:?} {unit}\""));
-    let line = format!("{} = {value}", key.name);
+    // An end of the friction's range needs a friction.
+    let own = if key.name.starts_with("friction_") { format!("friction = {value}\n") } else { String::new() };
+    let line = format!("{own}{} = {value}", key.name);
     let required = format!("\n{} = ", key.name);
     match (key.section, SHORTEST.split_once(&required)) {
         ("star", Some((head, tail))) => {
@@ -208,6 +210,10 @@ proptest! {
             }
             let (value, base) = written(key, how);
             (key.set)(&mut expected, base);
+            if key.name.starts_with("friction_") {
+                load(&mut expected).friction = Some(base);
+                lines.push((key.section, format!("friction = {value}\n")));
+            }
             lines.push((key.section, format!("{begin}{value}\n")));
         }
         // A frame is cut like the rest, unless it has its own kerf.
