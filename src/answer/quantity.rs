@@ -95,11 +95,11 @@ pub fn evenly(
 ) -> Result<Vec<f64>, String> {
     let (both, count) = text.split_once('/').unwrap_or((text, "1"));
     let [from, to] = ends(both)?;
-    let count = count.trim().parse::<u32>().ok().filter(|count| (1..=most).contains(count));
-    let count = count.ok_or_else(|| format!("the count after \"/\" must be 1 to {most}"))?;
-    if count == 1 && from != to {
-        return Err(format!("give the number of values: write \"{both}/COUNT\", with a COUNT of 2 or more"));
-    }
+    let least = if from == to { 1 } else { 2 };
+    let count = count.trim().parse::<u32>().ok().filter(|count| (least..=most).contains(count));
+    let count = count.ok_or_else(|| {
+        format!("give the number of values: write \"{both}/COUNT\", with a COUNT of {least} to {most}")
+    })?;
     let part = |i: u32| f64::from(i) / f64::from((count - 1).max(1));
     Ok((0..count).map(|i| from + part(i) * (to - from)).collect())
 }
@@ -175,5 +175,16 @@ mod tests {
         assert!(angles("0 deg..10 deg").is_err() && angles("10 deg..").is_err());
         let why = angles("20..40").expect_err("no unit");
         assert!(why.ends_with("and one of deg, rad, at each end: 20 deg..40 deg"), "{why}");
+    }
+
+    #[test]
+    fn every_wrong_count_is_told_the_same() {
+        let read =
+            |text: &str| evenly(text, 7, |ends| Ok(if ends == "a..b" { [1.0, 2.0] } else { [1.0; 2] }));
+        for text in ["a..b", "a..b/1", "a..b/0", "a..b/8", "a..b/x"] {
+            let why = "give the number of values: write \"a..b/COUNT\", with a COUNT of 2 to 7";
+            assert_eq!(read(text), Err(why.to_owned()), "{text}");
+        }
+        assert_eq!((read("a..b/2"), read("a")), (Ok(vec![1.0, 2.0]), Ok(vec![1.0])));
     }
 }

@@ -30,7 +30,7 @@ pub(super) struct Args {
     /// The model to use instead of the spec's.
     #[arg(long, value_name = "MODEL", value_parser = words(&ModelChoice::ALL, &MODELS))]
     model: Option<ModelChoice>,
-    /// Also the force on round objects of these radii: "20 mm..40 mm/5".
+    /// Also the force on round objects of these radii, at most 7: "20 mm..40 mm/5".
     #[arg(long, value_name = "FROM..TO/COUNT", allow_hyphen_values = true, value_parser = radii)]
     radii: Option<Radii>,
     #[command(flatten)]

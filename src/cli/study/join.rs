@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell};
-use crate::cli::study::part::{PartJob, is_sound, job, name};
+use crate::cli::study::part::{PartJob, damaged, is_sound, job, name};
 use crate::cli::study::run::{refuse_no_table, refuse_parquet};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
@@ -37,11 +37,7 @@ pub(super) fn run(dir: &Path, output: &Path, verbosity: Verbosity) -> Result<(),
     for (path, job) in &parts {
         let sound = is_sound(path, job).map_err(|error| Failure::file("read", path, &error))?;
         if !sound {
-            let text = format!(
-                "{} is damaged: it is not as it was written; delete it, and compute it again",
-                shown(path)
-            );
-            return Err(Failure::Message(text));
+            return Err(damaged(path));
         }
     }
     let own = output.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();

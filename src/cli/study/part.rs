@@ -51,6 +51,7 @@ pub(in crate::cli) struct Parts<'a> {
 enum PartState {
     Done,
     Nothing,
+    Damaged,
     Foreign,
 }
 
@@ -75,6 +76,7 @@ impl Parts<'_> {
                     self.rows(part, &self.path(part)).forget();
                 }
                 PartState::Nothing => self.write(part, &fingerprint, ear)?,
+                PartState::Damaged => return Err(damaged(&self.path(part))),
                 PartState::Foreign => {
                     let path = shown(self.path(part));
                     let text = format!(
@@ -126,8 +128,11 @@ impl Parts<'_> {
         let path = self.path(part);
         let Ok(metadata) = fs::symlink_metadata(&path) else { return PartState::Nothing };
         let Some(job) = job(&path) else { return PartState::Foreign };
-        let right = self.job(part, study, (metadata.len(), job.sha256.clone()));
-        if metadata.is_file() && job == right { PartState::Done } else { PartState::Foreign }
+        match self.job(part, study, (job.bytes, job.sha256.clone())) {
+            right if !metadata.is_file() || job != right => PartState::Foreign,
+            right if metadata.len() != right.bytes => PartState::Damaged,
+            _ => PartState::Done,
+        }
     }
 
     fn write(&self, part: usize, study: &str, ear: &StudyMonitor<'_>) -> Result<(), Failure> {
@@ -180,6 +185,13 @@ pub(super) fn job(path: &Path) -> Option<PartJob> {
     let _ = length(path)?;
     let _ = length(&beside).filter(|length| *length <= TICKET)?;
     serde_json::from_str(&fs::read_to_string(beside).ok()?).ok()
+}
+
+/// The refusal of a part that [`is_sound`] says is none any more.
+pub(super) fn damaged(path: &Path) -> Failure {
+    let text =
+        format!("{} is damaged: it is not as it was written; delete it, and compute it again", shown(path));
+    Failure::Message(text)
 }
 
 /// Whether the file at `path` has the length and the hash of its job.

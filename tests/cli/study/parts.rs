@@ -146,6 +146,17 @@ fn parts_of_another_study_are_neither_joined_nor_written_over() {
     fs::write(&path, edited).expect("written");
     let said = refused(at, &["study", "join", "others", "-o", "joined.csv"], 1);
     assert!(said.contains("part-1-of-2.csv is damaged"), "{said}");
+    // One that was cut short: a run says the same as a join.
+    fs::write(&path, "row\n").expect("written");
+    for command in [
+        &["study", "join", "others", "-o", "joined.csv"][..],
+        &["study", "run", "other.toml", "--part", "1/2", "-o", "others"],
+    ] {
+        let said = refused(at, command, 1);
+        assert!(said.contains("part-1-of-2.csv is damaged") && said.contains("delete it"), "{said}");
+    }
+    fs::remove_file(&path).expect("removed");
+    let _ = done(at, &["study", "run", "other.toml", "--part", "1/2", "-o", "others"]);
     let said = refused(at, &["study", "join", ".", "-o", "joined.csv"], 1);
     assert!(said.contains("holds no parts"), "{said}");
     assert!(!at.join("joined.csv").exists());
