@@ -50,7 +50,7 @@ codes! {
         OutsideModels "outside-models" "No model covers the star at the pressure of `load`; see the pressures shown, or use `--anyway`.",
         PortOffEdge "port-off-edge" "A port of a drawing lies on no edge; move it onto one.",
         PortTooWide "port-too-wide" "An edge of a drawing is too short, or bends too much, for the hose at its port; take a thinner hose, or draw more room.",
-        PostMeetsHose "post-meets-hose" "A post of the frame would obstruct a hose; see the posts and inlets shown that do not.",
+        PostMeetsHose "post-meets-hose" "A post of the frame would obstruct a hose; use the posts or line up the inlets as shown.",
         ProfileLimit "profile-limit" "A line of the profile's `start` contradicts the seal's speed or the job's time; change that line.",
         SeamCrossesItself "seam-crosses-itself" "A leak: a seam crosses itself; narrow the band or lengthen the arms.",
         SeamGap "seam-gap" "A leak: a seam has a gap. No tested design has one, so please report it.",

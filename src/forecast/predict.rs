@@ -51,7 +51,9 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
     let design = stars_of(design)?;
     let mut stars = predict_stars(spec, design)?;
     let safe = safe_pressure(spec, design, &stars);
-    stars.iter_mut().for_each(|star| star.evidence.safe_pressure_kPa = safe);
+    for star in &mut stars {
+        star.evidence.safe_pressure_kPa = safe;
+    }
     let Some(first) = stars.first() else {
         let what = "there is no star".to_owned();
         return Err(PredictFault { star: None, key: key::stack::COUNT, what, remedy: None });

@@ -134,7 +134,18 @@ fn optimize_writes_the_load_that_it_was_asked_for() {
     let dir = folder();
     let spec = format!("{GRIPPER}mass = \"5 kg\"\nlargest_force = \"8 N\"\n");
     fs::write(dir.path().join("spec.toml"), spec).expect("written");
-    let args = ["optimize", "spec.toml", "--points", "5", "--payload", "0.2 kg", "--largest-force", "60 N"];
+    let args = [
+        "optimize",
+        "spec.toml",
+        "--points",
+        "5",
+        "--payload",
+        "0.2 kg",
+        "--largest-force",
+        "60 N",
+        "--burst-margin",
+        "1",
+    ];
     let output = run(dir.path(), &args);
     let best = text(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));

@@ -70,7 +70,7 @@ fn the_sheet_that_is_named_takes_all_parts() {
     for (sheet, sides) in [
         ("width = \"100 mm\"", 1),
         ("width = \"100 mm\"\nheight = \"120 mm\"", 2),
-        ("width = \"240 mm\"\nheight = \"120 mm\"\nturn = true", 1),
+        ("width = \"240 mm\"\nheight = \"120 mm\"\nturn = true", 2),
     ] {
         let with = |sheet: &str| star(&format!("{FOUR}{stack}[sheet]\n{sheet}\n"));
         let refusal = only(&with(sheet).expect_err("too small"));
@@ -97,13 +97,11 @@ fn the_posts_that_are_named_let_hoses_pass() {
             "{text}[stack]\ncount = {count}\nrotation = \"{rotation} deg\"\n[frame]\nposts = {posts}\n"
         ))
     };
-    for (count, rotation, posts, fewer) in
-        [(4, 30, 3, false), (1, 0, 40, true), (2, 45, 7, true), (4, 30, 64, false)]
-    {
+    for (count, rotation, posts, fewer) in [(4, 30, 3, false), (1, 0, 64, true)] {
         let refusal = only(&with(count, rotation, posts).expect_err("in the way"));
         assert_eq!(refusal.code, RefusalCode::PostMeetsHose, "{refusal}");
         let remedy = refusal.remedy.as_str();
-        assert_eq!(remedy.contains("make posts"), fewer || posts == 64, "{refusal}");
+        assert_eq!(remedy.contains("make posts"), fewer, "{refusal}");
         let named = if remedy.contains("make posts") { whole(remedy) } else { posts };
         if fewer {
             assert!(
