@@ -13,15 +13,17 @@ fn main() {
 /// A group of stars with the same use in the validation: a name, a set, its first and last star.
 type Group = (&'static str, Set, u32, u32);
 
-const GROUPS: [Group; 8] = [
+const GROUPS: [Group; 10] = [
     ("fit", Set::Fit, 1, u32::MAX),
     ("range", Set::Range, 1, u32::MAX),
     ("paper", Set::Paper, 1, u32::MAX),
     ("test, 1 to 300", Set::Test, 1, 300),
     ("wide, 1 to 40", Set::Wide, 1, 40),
+    ("narrow, 1 to 40", Set::Narrow, 1, 40),
     ("test, 301 to 360", Set::Test, 301, 360),
     ("test, 361 to 420", Set::Test, 361, 420),
     ("wide, 41 to 60", Set::Wide, 41, 60),
+    ("narrow, 41 to 60", Set::Narrow, 41, 60),
 ];
 
 /// All tables, in the order of the page.
@@ -86,14 +88,9 @@ fn forces(all: &[Comparison]) -> String {
         "| set | objects | forces | same opening: rms | within 15 % | same object: rms | within 15 % | within 15 % and the mesh error | strictly in range |\n\
          |---|---|---|---|---|---|---|---|---|\n",
     );
-    for (name, first, last) in FORCE_GROUPS {
-        let is_of_group = |one: &&Comparison| match one.set {
-            Set::Test => (first..=last).contains(&one.number),
-            Set::Fit | Set::Range | Set::Paper => first == 1,
-            Set::Wide => false,
-        };
+    for (name, is_of_group) in FORCE_GROUPS {
         let each = |one: &Comparison| one.forces.iter().map(|force| (one.points, *force)).collect::<Vec<_>>();
-        let forces: Vec<(u32, Pressed)> = all.iter().filter(is_of_group).flat_map(each).collect();
+        let forces: Vec<(u32, Pressed)> = all.iter().filter(|one| is_of_group(one)).flat_map(each).collect();
         let mut row = |objects: &str, is_meant: &dyn Fn(u32, &Pressed) -> bool| {
             let of_row = forces.iter().filter(|(points, one)| is_meant(*points, one));
             let pairs: Vec<Pair> = of_row.map(|(_, one)| one.force).collect();
@@ -144,9 +141,16 @@ fn coarse_forces() -> String {
     out
 }
 
-/// Stars of the table of residuals, each predicted from the others, and those not used before: a name, and the first and last star of
-/// the test set; the first group includes the other sets.
-const FORCE_GROUPS: [(&str, u32, u32); 2] = [("each left out", 1, 300), ("test, 301 to 399", 301, 399)];
+/// Which stars of the comparison a row counts.
+type Choice = fn(&Comparison) -> bool;
+
+/// Stars of the table of residuals, each predicted from the others, and those not used before.
+const FORCE_GROUPS: [(&str, Choice); 4] = [
+    ("each left out", |one| one.set != Set::Narrow && !(one.set == Set::Test && one.number > 300)),
+    ("narrow, 1 to 40", |one| one.set == Set::Narrow && one.number <= 40),
+    ("test, 301 to 420", |one| one.set == Set::Test && one.number > 300),
+    ("narrow, 41 to 60", |one| one.set == Set::Narrow && one.number > 40),
+];
 
 /// Number of forces, and their errors.
 fn shares(pairs: &[Pair]) -> String {

@@ -79,7 +79,7 @@ struct Sets(Vec<Set>);
 fn sets(text: &str) -> Result<Sets, String> {
     let meant: Vec<Set> = Set::ALL.into_iter().filter(|set| text == "all" || text == set.name()).collect();
     if meant.is_empty() {
-        Err("allowed are fit, range, test, paper, wide and all".to_owned())
+        Err("allowed are fit, range, test, paper, wide, narrow and all".to_owned())
     } else {
         Ok(Sets(meant))
     }
@@ -163,10 +163,11 @@ fn stars(work: &Work, sets: &[Set], forces: bool) -> Result<(), Box<dyn Error>> 
     let all = in_turn().into_iter().filter(is_meant).collect();
     for star in work.of_part(all) {
         let (openings, fineness) = match star.set {
+            Set::Narrow if forces => (&OPENINGS[..2], FORCE_FINENESS), // wider objects do not pass their holes
             _ if forces => (&OPENINGS[..], FORCE_FINENESS),
             Set::Paper => (&[][..], computed::PAPER_FINENESS),
             Set::Wide => (&[][..], Fineness::default()),
-            Set::Fit | Set::Range | Set::Test => (&[][..], computed::FINENESS),
+            Set::Fit | Set::Range | Set::Test | Set::Narrow => (&[][..], computed::FINENESS),
         };
         let path = star_file(&work.dir, &star, forces);
         if read_star(&path, &star).is_none() {

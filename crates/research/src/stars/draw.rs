@@ -1,4 +1,4 @@
-//! The computed stars: drawn by seed, the same on every machine, in four sets that have no star in common; and the paper's.
+//! The computed stars: drawn by seed, the same on every machine, in five sets that have no star in common; and the paper's.
 
 use std::f64::consts::PI;
 
@@ -18,6 +18,8 @@ pub enum Set {
     Paper,
     /// Thinner fabric, more points, shorter and longer arms than the sets before have: to take wider ranges from, and to try them on.
     Wide,
+    /// Three to five points around narrow holes, where objects fill the flat tube's hole: to give residuals, and to try them.
+    Narrow,
 }
 
 /// One star of a set.
@@ -86,12 +88,14 @@ const THIN: Bounds = Bounds {
     points: &[3, 4, 5, 6, 7, 8, 9, 10, 11, 12],
 };
 const ODD: Bounds = Bounds { slenderness: USUAL.slenderness, bendability: USUAL.bendability, ..THIN };
+/// Of the set `narrow`.
+const NARROW: Bounds = Bounds { hole: [0.5, 1.2], points: &[3, 4, 5], ..USUAL };
 /// Pressures at which the paper's stars are computed, kPa.
 pub const PAPER_PRESSURES: [f64; 4] = [14.0, 20.0, 37.0, 60.0];
 
 impl Set {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Fit, Self::Range, Self::Test, Self::Paper, Self::Wide];
+    pub const ALL: [Self; 6] = [Self::Fit, Self::Range, Self::Test, Self::Paper, Self::Wide, Self::Narrow];
 
     /// Its name.
     pub const fn name(self) -> &'static str {
@@ -101,6 +105,7 @@ impl Set {
             Self::Test => "test",
             Self::Paper => "paper",
             Self::Wide => "wide",
+            Self::Narrow => "narrow",
         }
     }
 
@@ -111,7 +116,7 @@ impl Set {
             Self::Range => 48,
             Self::Test => 420,
             Self::Paper => 24,
-            Self::Wide => 60,
+            Self::Wide | Self::Narrow => 60,
         }
     }
 
@@ -122,6 +127,7 @@ impl Set {
             Self::Range => Some(2),
             Self::Test => Some(3),
             Self::Wide => Some(4),
+            Self::Narrow => Some(5),
             Self::Paper => None,
         }
     }
@@ -132,6 +138,7 @@ impl Set {
         let bounds = match self {
             Self::Wide if place % 2 == place / 10 % 2 => THIN,
             Self::Wide => ODD,
+            Self::Narrow => NARROW,
             Self::Fit | Self::Range | Self::Test | Self::Paper => USUAL,
         };
         let points = bounds.points[place % bounds.points.len()];
