@@ -17,6 +17,7 @@ mod fault;
 mod faults;
 mod foreign;
 pub mod key;
+mod load;
 mod machine;
 mod message;
 mod model;

@@ -9,15 +9,15 @@ use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
 use crate::spec::foreign::{self, Document};
 use crate::spec::model::{
-    Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, Load, MachineChoice, Mask,
-    MaskKind, ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec,
+    Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, MachineChoice, Mask, MaskKind,
+    ProgramScope, Seal, Sheet, Spec,
 };
 use crate::spec::name::{check_name, misleads};
 use crate::spec::raw::RawSpec;
 use crate::spec::section::{Reader, Section};
 use crate::spec::shape::ValueShape;
 use crate::spec::source::Source;
-use crate::spec::{Code, DrawingContent, FaultCode, KeyPath, drawing, key, stars};
+use crate::spec::{Code, DrawingContent, FaultCode, KeyPath, drawing, key, load, stars};
 use crate::units::{Angle, Length, Percent, Pressure, Speed, Temperature};
 
 /// A spec that was read, and the warnings about its text.
@@ -144,7 +144,7 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
         cut,
         sheet: read_sheet(&mut reader.section("sheet")),
         machine: read_choice(&mut reader.section("machine")),
-        load: read_load(&mut reader.section("load")),
+        load: load::read_load(&mut reader.section("load")),
         accuracy: read_accuracy(&mut reader.section("accuracy")),
         build: read_build(&mut reader.section("build")),
     };
@@ -306,76 +306,6 @@ pub(super) fn read_choice(s: &mut Section<'_, '_>) -> MachineChoice {
         feed_floor: s
             .choice("feed_floor", &[("refuse", FeedFloor::Refuse), ("chop", FeedFloor::Chop)])
             .unwrap_or(FeedFloor::Refuse),
-    }
-}
-
-fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
-    let pressure = s.quantity("pressure", Allowed::closed(1e-3, 1e6));
-    let (object_radius, object_size) = read_object_size(s);
-    let load = Load {
-        pressure,
-        object_radius,
-        object_size,
-        object_height: s.quantity("object_height", SIZE),
-        object_shape: s.choice("object_shape", &ObjectShape::ALL),
-        friction: s.number("friction", Allowed::above(0.0, 10.0)),
-        friction_least: s.number("friction_least", Allowed::above(0.0, 10.0)),
-        friction_most: s.number("friction_most", Allowed::above(0.0, 10.0)),
-        mass: s.quantity("mass", Allowed::above(0.0, 1e4)),
-        largest_force: s.quantity("largest_force", Allowed::above(0.0, 1e6)),
-    };
-    check_friction(s, &load);
-    s.is_written().then_some(load)
-}
-
-/// `friction_least` <= `friction` <= `friction_most`, and none of the ends without `friction`.
-fn check_friction(s: &mut Section<'_, '_>, load: &Load) {
-    let Some(friction) = load.friction else {
-        // A faulty friction is reported already.
-        let ends =
-            ["friction_least", "friction_most"].into_iter().filter(|key| s.has(key) && !s.has("friction"));
-        for key in ends.collect::<Vec<_>>() {
-            let fault =
-                Fault::error(FaultCode::Conflict, s.place_of(key), format!("`{key}` without `friction`"))
-                    .label("it is an end of the range of `friction`")
-                    .help(format!("write friction, or delete {key}"));
-            s.report(fault);
-        }
-        return;
-    };
-    let ends = [
-        ("friction_least", load.friction_least, "above", load.friction_least > Some(friction)),
-        (
-            "friction_most",
-            load.friction_most,
-            "below",
-            load.friction_most.is_some_and(|most| most < friction),
-        ),
-    ];
-    for (key, end, word, _) in ends.into_iter().filter(|(.., is_wrong)| *is_wrong) {
-        let end = end.unwrap_or(friction);
-        let message = format!("`{key}` is {end}, {word} `friction`, {friction}");
-        let fault = Fault::error(FaultCode::Conflict, s.place_of(key), message)
-            .label("the friction lies between friction_least and friction_most")
-            .help(format!("write {key} = {friction}, or change friction"));
-        s.report(fault);
-    }
-}
-
-/// The object's radius, and the key that gave it: `object_diameter` or `object_radius`, not both.
-fn read_object_size(s: &mut Section<'_, '_>) -> (Option<Length>, ObjectSize) {
-    let diameter: Option<Length> = s.quantity("object_diameter", SIZE);
-    let radius = s.quantity("object_radius", SIZE);
-    if s.has("object_diameter") && s.has("object_radius") {
-        let message = "`object_diameter` and `object_radius` are both set";
-        let fault = Fault::error(FaultCode::Conflict, s.place_of("object_radius"), message)
-            .label("one of them gives the object's size")
-            .help("delete object_radius");
-        s.report(fault);
-    }
-    match diameter {
-        None if s.has("object_radius") => (radius, ObjectSize::Radius),
-        diameter => (diameter.map(|diameter| Length(0.5 * diameter.0)), ObjectSize::Diameter),
     }
 }
 
