@@ -130,12 +130,17 @@ impl Span {
         self.samples.iter().map(distance).fold(0.0, f64::max)
     }
 
-    /// Whether all samples lie within `allowed` of the chord and in its order, or of the first end.
+    /// Whether all samples lie within `allowed` of the chord and in its order, and it comes from no place beyond an end, where it turned
+    /// between two samples; or whether they lie within `allowed` of the first end.
     fn is_line(&self, allowed: f64) -> bool {
         let [a, b] = self.ends;
         let direction = (b - a).normalized();
         let point = self.samples.iter().chain([&b]).all(|p| p.distance(a) <= allowed);
-        point || self.advances() && self.samples.iter().all(|p| direction.cross(*p - a).abs() <= allowed)
+        let forward = self.tangents.iter().all(|tangent| tangent.dot(direction) >= 0.0);
+        point
+            || forward
+                && self.advances()
+                && self.samples.iter().all(|p| direction.cross(*p - a).abs() <= allowed)
     }
 
     /// Whether the samples advance along the chord.
