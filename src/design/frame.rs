@@ -8,12 +8,9 @@ use std::f64::consts::{PI, TAU};
 
 use crate::design::cut::leaves_no_hole;
 use crate::design::{Refusal, RefusalCode, Refusals, Stack, Star, StarDesign, round_tube};
-use crate::spec::{SMALLEST_HOLE, Spec, key};
+use crate::spec::{FEWEST_POSTS, SMALLEST_HOLE, Spec, key};
 use crate::units::{Most, Readable};
 use inflatable::geom::Point;
-
-/// Fewest posts of a spec.
-const FEWEST_POSTS: u32 = 3;
 
 /// The frame, its axis at the origin and corner 1 of an unturned star on +X.
 #[derive(Clone, Debug, PartialEq)]

@@ -236,12 +236,15 @@ fn read_mask(s: &mut Section<'_, '_>) -> Mask {
     }
 }
 
+/// Fewest posts of a frame.
+pub const FEWEST_POSTS: u32 = 3;
+
 fn read_frame(s: &mut Section<'_, '_>, kerf: Length) -> FrameSpec {
     FrameSpec {
         plate_thickness: length(s, "plate_thickness", SIZE, 5.0),
         clearance: length(s, "clearance", EXTRA, 5.0),
         post_diameter: length(s, "post_diameter", SIZE, 6.0),
-        posts: s.count("posts", 3, 64).unwrap_or(4),
+        posts: s.count("posts", FEWEST_POSTS, 64).unwrap_or(4),
         kerf: s.quantity("kerf", EXTRA).unwrap_or(kerf),
     }
 }

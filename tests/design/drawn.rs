@@ -315,30 +315,26 @@ fn a_faulty_drawing_is_refused_with_elements_and_places() {
     assert!(refusals[0].drawn.as_ref().is_some_and(|place| place.at.is_some()));
 }
 
+/// The spec of a drawing with further `sections`, read; or its faults.
+fn read_with(sections: &str) -> Result<(), String> {
+    let text = format!(
+        "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = {{ air = [\"a\"] }}\n{sections}\n"
+    );
+    spec::read(&Source::new("x", text)).map(|_| ()).map_err(|faults| faults.to_string())
+}
+
 /// A key without an effect is refused.
 #[test]
 fn a_drawing_has_no_flap_on_the_hole_side() {
-    let read = |seal: &str| {
-        let text = format!(
-            "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = {{ air = [\"a\"] }}\n[seal]\n{seal}\n"
-        );
-        spec::read(&Source::new("x", text)).map(|_| ()).map_err(|faults| faults.to_string())
-    };
-    assert_eq!(read("allowance = \"6 mm\""), Ok(()));
-    let faults = read("hole_allowance = \"6 mm\"").expect_err("no effect");
+    assert_eq!(read_with("[seal]\nallowance = \"6 mm\""), Ok(()));
+    let faults = read_with("[seal]\nhole_allowance = \"6 mm\"").expect_err("no effect");
     assert!(faults.contains("error[conflict]: `hole_allowance` in [seal] beside [drawing]"), "{faults}");
 }
 
 /// A drawing may have the files that its spec requests; frames are for stars only.
 #[test]
 fn a_drawing_has_a_report_and_a_scene_but_no_frame() {
-    let with = |kinds: &str| {
-        let text = format!(
-            "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = {{ air = [\"a\"] }}\n[build]\nwith = {kinds}\n"
-        );
-        spec::read(&Source::new("x", text)).map(|_| ()).map_err(|faults| faults.to_string())
-    };
-    assert_eq!(with("[\"report\", \"scene-glb\"]"), Ok(()));
-    let faults = with("[\"report\", \"frame-stl\"]").expect_err("a frame");
+    assert_eq!(read_with("[build]\nwith = [\"report\", \"scene-glb\"]"), Ok(()));
+    let faults = read_with("[build]\nwith = [\"report\", \"frame-stl\"]").expect_err("a frame");
     assert!(faults.contains("`with` names \"frame-stl\" beside [drawing]"), "{faults}");
 }
