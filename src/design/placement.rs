@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use crate::design::{Refusal, RefusalCode};
 use crate::shape::{PieceName, SealedShape};
 use crate::spec::{Machine, Sheet, key};
-use crate::units::{Least, Length, Most, Readable};
+use crate::units::{Least, Length, Most, Readable, tenths_up};
 use inflatable::geom::{Bounds, Isometry, Path, Point};
 
 /// One sheet: its frame has the origin at the lower left.
@@ -100,7 +100,7 @@ impl FreeArea {
         let Some((x, y)) = machine.bench.work_area else { return Ok(()) };
         let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
         let (needed, missing) = (
-            size(up(part.width()), up(part.height())),
+            size(tenths_up(part.width()), tenths_up(part.height())),
             (part.width() - self.width).max(part.height() - self.height),
         );
         Err(Refusal::new(
@@ -120,7 +120,7 @@ impl FreeArea {
             },
             format!(
                 "{} mm are missing: a smaller part, a smaller margin in [sheet], or a machine with more than {}",
-                Readable(up(missing)),
+                Readable(tenths_up(missing)),
                 size(x.0, y.0)
             ),
         ))
@@ -168,7 +168,7 @@ impl<'a> Rows<'a> {
     fn end_sheet(&mut self) {
         // Whole tenths of a millimetre read well in a file and lose nothing.
         let extent = |given: Option<Length>, used: f64| {
-            given.map_or_else(|| up(used + 2.0 * self.sheet.margin.0), |length| length.0)
+            given.map_or_else(|| tenths_up(used + 2.0 * self.sheet.margin.0), |length| length.0)
         };
         let (width, height) = (extent(self.sheet.width, self.used.x), extent(self.sheet.height, self.used.y));
         self.done.push(SheetLayout { index: self.done.len() + 1, width, height });
@@ -198,11 +198,6 @@ fn on_sheet(extent: Option<Length>, sheet: &Sheet) -> f64 {
 fn turned(bounds: &Bounds) -> Bounds {
     let (min, max) = (bounds.min, bounds.max);
     Bounds { min: Point::new(-max.y, min.x), max: Point::new(-min.y, max.x) }
-}
-
-/// Rounds up to a tenth of a millimetre, so that a reported requirement is never too small.
-fn up(x: f64) -> f64 {
-    (x * 10.0).ceil() / 10.0
 }
 
 /// Refuses a sheet that is too small for a part of the size of `part`, with all sides that are too short.

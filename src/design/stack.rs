@@ -6,7 +6,7 @@
 
 use crate::design::{Refusal, RefusalCode, Refusals, Warning, round_tube};
 use crate::spec::{Spec, key};
-use crate::units::{Length, Readable};
+use crate::units::{Length, Readable, tenths_up};
 
 /// Room between an inflated tube and its plates together, mm: folds of the fabric, and hands that put it in.
 const PLAY: f64 = 3.0;
@@ -20,7 +20,7 @@ pub fn inflated_height(width: Length) -> Length {
 
 /// The least distance of stars with tubes `width` wide and plates of thickness `plate` between them, rounded up to a tenth of a millimetre.
 pub fn least_pitch(width: Length, plate: Length) -> Length {
-    Length((10.0 * (inflated_height(width).0 + plate.0)).ceil() / 10.0)
+    Length(tenths_up(inflated_height(width).0 + plate.0))
 }
 
 /// The same with some play.

@@ -130,7 +130,7 @@ impl Candidate {
     /// The gripper of `spec`; `None` if it has no stars.
     pub fn of(spec: &Spec) -> Option<Self> {
         let first = spec.stars.first()?;
-        // No number depends on where an inlet is, or how a star is turned.
+        // Predictions do not depend on where an inlet is, or how a star is turned.
         let place = |star: &StarSpec| StarSpec {
             rotation: first.rotation,
             inlet_tip: first.inlet_tip,

@@ -352,7 +352,7 @@ mod tests {
             assert!(fault.label.contains(section) && faults.to_string().contains("x.toml:14:"), "{faults}");
         }
         let turned = format!("{TEXT}[[stack.star]]\nindex = 2\nrotation = \"5 deg\"\n");
-        let _ = with_star(&Source::new("x.toml", turned), &EDIT).expect("no number depends on it");
+        let _ = with_star(&Source::new("x.toml", turned), &EDIT).expect("predictions do not depend on it");
     }
 
     #[test]
