@@ -131,14 +131,14 @@ fn a_star_drawn_as_a_region_is_the_star() {
         band,
         margin: Margin::NONE,
     };
-    let fineness = Fineness { cells: 3.0, cuts: 2 };
+    let fineness = Fineness { cells: 2.0, cuts: 2 };
     let watch = Watch::default();
     let whole = star(&flat, Objects::Radii(&[]), fineness, &watch).expect("a star");
     assert!(part.channel.is_none(), "its edges are closed");
     let found = chambers(&part.edges, &[], std::slice::from_ref(&part.outline.hole)).expect("chambers");
     let [chamber] = &found[..] else { panic!("{found:?}") };
     let case = FlatRegion { chamber: chamber.by(1e3), fabric, pressure, band };
-    let drawn = region(&case, Fineness { cells: 2.0, cuts: 2 }, &watch).expect("a region");
+    let drawn = region(&case, Fineness { cells: 1.5, cuts: 2 }, &watch).expect("a region");
     assert_eq!((chamber.islands.len(), chamber.holes.len(), drawn.wrinkles), (0, 1, Wrinkles::Resolved));
     // Corners lie on the circle around the axis that touches the inner edge.
     let least = drawn.shape.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);

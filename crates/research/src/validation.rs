@@ -61,6 +61,8 @@ pub struct Pressed {
     pub opening: f64,
     /// Whether it passes the hole as a spec cuts it that has no other band and flap than the default ones: only then such a spec gets this number.
     pub passes: bool,
+    /// The gap between the object and the flat tube's hole, over W.
+    pub gap: f64,
     /// N. The mesh error counts that of the radius, too: the object is the same, not the opening.
     pub force: Pair,
 }
@@ -151,6 +153,7 @@ fn compared(
         (open < SETTLED && shell > 0.0 && object <= case.inner_radius).then_some(Pressed {
             opening: *part,
             passes,
+            gap: (case.inner_radius - object) / moves.width,
             force,
         })
     };

@@ -39,6 +39,8 @@ pub struct Ranges {
     pub wider: f64,
     /// Further factor on the widths of stiffness and force for the fabric's Poisson ratio.
     pub by_fabric: f64,
+    /// Radius of the flat tube's hole, m.
+    pub flat_hole: f64,
     /// Range of the final radius, m.
     pub radius: Option<Interval>,
     /// Range of the tips' angle at rest, rad; `None` also where arms touch, because contact is part of that equilibrium.
@@ -66,6 +68,7 @@ impl Ranges {
             domain,
             wider,
             by_fabric,
+            flat_hole: case.inner_radius,
             radius: Some(radius),
             angle: (angle[0] > star.correction.contact_angle).then_some(angle),
             stiffness: free
@@ -106,9 +109,11 @@ impl Ranges {
         if opened > errors::OPENING_REACHED {
             return None;
         }
-        // An opening beyond the validated one widens the range continuously: a jump would mislead a search.
+        // An opening beyond the validated one widens the range continuously, as an object that nearly fills the flat hole does: a jump
+        // would mislead a search.
         let further = (opened / errors::OPENING - 1.0) / (errors::NOT_FAR - 1.0);
-        let wider = self.wider * self.by_fabric * (1.0 + further.clamp(0.0, 1.0));
+        let flat = errors::flat_unit((self.flat_hole - rho) / grasp.width());
+        let wider = self.wider * self.by_fabric * flat * (1.0 + further.clamp(0.0, 1.0));
         let [low, high] = errors::widened(errors::FORCE, wider);
         // The start of contact is as uncertain as the radius. Both errors are treated as independent, so
         // they are added in quadrature; ranges made so hold (docs/ranges.md).

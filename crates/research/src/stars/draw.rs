@@ -114,7 +114,7 @@ impl Set {
         match self {
             Self::Fit => 36,
             Self::Range => 48,
-            Self::Test => 420,
+            Self::Test => 456,
             Self::Paper => 24,
             Self::Wide | Self::Narrow => 60,
         }

@@ -48,8 +48,8 @@ fn wider_ranges_hold_stars_that_are_unlike_the_others() {
 /// Strictly, without their mesh errors, 95 of 100 radii, angles and stiffnesses lie in their ranges, and nine of ten of each number of points.
 #[test]
 fn ranges_hold_on_stars_that_they_were_not_taken_from() {
-    let all = unused(Set::Test, 361..=420);
-    assert_eq!(all.len(), 60);
+    let all = unused(Set::Test, 361..=456);
+    assert_eq!(all.len(), 96);
     for points in std::iter::once(None).chain((3..=8).map(Some)) {
         let of_n = || all.iter().filter(|one| points.is_none_or(|points| one.points == points));
         let quantities: [(&str, Vec<Pair>); 3] = [
@@ -58,35 +58,34 @@ fn ranges_hold_on_stars_that_they_were_not_taken_from() {
             ("stiffness", of_n().filter_map(|one| one.stiffness).collect()),
         ];
         for (what, pairs) in quantities {
-            assert!(pairs.len() >= if points.is_some() { 8 } else { 50 }, "{what}: {}", pairs.len());
+            assert!(pairs.len() >= if points.is_some() { 12 } else { 80 }, "{what}: {}", pairs.len());
             hold(what, &pairs, if points.is_some() { [9, 10] } else { [95, 100] });
         }
     }
 }
 
 /// Of the forces on the same object eight of ten are within 15 %, and the error is 13 % rms: of stars of the table, each predicted from all
-/// others, and of stars that no constant was taken from. It is 10 % of objects that pass the hole as it is cut by default.
+/// others. Of stars that no constant was taken from it is 10 %. Ranges hold 95 of 100 strictly, and nine of ten of each number of points.
 #[test]
 fn forces_are_as_accurate_as_stated() {
     let all = compare_all().expect("no star is there twice");
     let of = |is_meant: &dyn Fn(&Comparison) -> bool| -> Vec<Pressed> {
         all.iter().filter(|one| is_meant(one)).flat_map(|one| one.forces.iter().copied()).collect()
     };
-    let new = of(&|one| one.set == Set::Test && one.number > 300);
-    let newest = of(&|one| one.set == Set::Test && one.number >= 350);
+    let is_new = |one: &Comparison| one.set == Set::Test && one.number > 360;
+    let new = of(&is_new);
     let passing = new.iter().filter(|one| one.passes).copied().collect();
-    let first = of(&|one| one.set == Set::Test && (301..350).contains(&one.number));
+    let newest = of(&|one| one.set == Set::Test && one.number > 420);
     let left_out = of(&|one| match one.set {
-        Set::Test => one.number <= 300,
+        Set::Test => one.number <= 360,
         Set::Narrow => one.number <= 40,
         Set::Fit | Set::Range | Set::Paper | Set::Wide => true,
     });
     for (what, forces, count, most, held) in [
-        ("new", new, 160, 0.13, [95, 100]),
-        ("newest", newest, 90, 0.11, [95, 100]),
-        ("first of them", first, 60, 0.18, [95, 100]),
+        ("new", new, 140, 0.1, [95, 100]),
+        ("newest", newest, 60, 0.1, [95, 100]),
         ("through the hole as it is cut", passing, 120, 0.1, [97, 100]),
-        ("left out", left_out, 350, 0.13, [95, 100]),
+        ("left out", left_out, 430, 0.13, [95, 100]),
     ] {
         let pairs: Vec<Pair> = forces.iter().map(|one| one.force).collect();
         let off: Vec<f64> = pairs.iter().map(|pair| pair.predicted / pair.shell - 1.0).collect();
@@ -96,6 +95,12 @@ fn forces_are_as_accurate_as_stated() {
         let rms = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();
         assert!(rms <= most, "{what}: {rms}");
         hold(what, &pairs, held);
+    }
+    for points in 3..=8 {
+        let pairs: Vec<Pair> =
+            of(&|one| is_new(one) && one.points == points).iter().map(|one| one.force).collect();
+        assert!(pairs.len() >= 10, "{points} points: {}", pairs.len());
+        hold("forces by points", &pairs, [9, 10]);
     }
 }
 

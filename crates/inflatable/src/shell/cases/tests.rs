@@ -204,7 +204,7 @@ fn objects_begun_from_a_coarser_mesh_push_as_those_opened_step_by_step() {
     };
     let openings = [0.004];
     let run = |cuts| {
-        let fineness = Fineness { cells: 3.0, cuts };
+        let fineness = Fineness { cells: 2.0, cuts };
         star(&case, Objects::Openings(&openings), fineness, &Watch::default()).expect("equilibria")
     };
     let (begun, stepped) = (run(2), run(3));
