@@ -80,7 +80,7 @@ mod tests {
     fn a_star_inflated_around_its_object_presses_as_one_that_is_opened() {
         let case = FlatStar::sharp(tube(0.03, 37e3), 5, 0.05, 30.0_f64.to_radians());
         let watch = Watch::default();
-        let fineness = |cuts| Fineness { cells: 2.5, cuts };
+        let fineness = |cuts| Fineness { cells: 2.0, cuts };
         let opened = star(&case, Objects::Radii(&[0.04]), fineness(2), &watch).expect("a shell").forces[0].1;
         // On the first of those meshes, and on the second, where points beside the apex touch.
         let on = |cuts, touch| around(&case, (0.04, touch), fineness(cuts), &watch).expect("a shell");
