@@ -2,6 +2,7 @@
 
 use crate::forecast::case::Case;
 use crate::forecast::model_selection::{correct, tabled};
+use crate::forecast::ranges::errors::OPENING_REACHED;
 use crate::forecast::ranges::{Domain, Interval, Ranges, pressure_edge};
 use crate::units::Length;
 use inflatable::mechanics::fault::StarFault;
@@ -16,6 +17,8 @@ pub const SHORTEST_ARM: f64 = 0.5;
 /// The last part of the way from rest to the widest opening, where the arms lock. The radius is a parabola there, so at a
 /// sixteenth its slope has fallen to a quarter: the same torque makes four times the force.
 const LOCKING: f64 = 1.0 / 16.0;
+/// The last part by W of the openings of a star at the edge of the validated domain, over which its force stops bounding that of more pressure.
+const FADING: f64 = 0.1;
 
 /// One star's outcome in SI units; `None` where a required input is missing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,7 +135,7 @@ impl Outcome {
         match self.hold? {
             Grip::Held(force) => {
                 let range = ranges.force(grasp?, force, rho, &self.rest)?;
-                Some(self.at_least_as_at(edge, range))
+                Some(self.at_least_as_at(edge, (rho, case.mechanism.width), range))
             }
             // It may close further than predicted. Where arms touch, the object may also lie beyond the radius without contact.
             Grip::TooThin if rho >= closest => {
@@ -163,13 +166,21 @@ impl Outcome {
     }
 
     /// `range` of the force. If the model's force has grown since the edge of the validated domain, its lower end is at least the one
-    /// there; if it has fallen, that end is scaled in proportion.
-    fn at_least_as_at(&self, edge: Option<&Self>, [low, high]: Interval) -> Interval {
-        let known = edge.and_then(|edge| edge.force_range.zip(edge.object_force()));
-        let floor = known.zip(self.object_force()).map_or(0.0, |(([floor, _], there), here)| {
-            if here < there { floor * here / there } else { floor }
-        });
-        [low.max(floor), high]
+    /// there; if it has fallen, that end is scaled in proportion. This fades where the edge's star hardly opens to the object, of radius
+    /// `rho`, or has no range much further out: else it would begin with a jump. `width` is W; both in m.
+    fn at_least_as_at(
+        &self,
+        edge: Option<&Self>,
+        (rho, width): (f64, f64),
+        [low, high]: Interval,
+    ) -> Interval {
+        let floor = || {
+            let (edge, here) = (edge?, self.object_force()?);
+            let ([floor, _], there) = (edge.force_range?, edge.object_force()?);
+            let left = (edge.rest.radius + OPENING_REACHED * width).min(edge.rest.widest.radius) - rho;
+            Some(floor * (here / there).min(1.0) * (left / (FADING * width)).clamp(0.0, 1.0))
+        };
+        [low.max(floor().unwrap_or(0.0)), high]
     }
 
     /// Removes the values without a range: the ranges are those of a star at its pressure, not of a limit.

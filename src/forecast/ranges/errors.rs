@@ -41,6 +41,11 @@ pub const OPENING_REACHED: f64 = 1.6;
 const NEARLY_FLAT: f64 = 1.5;
 const FLAT_GAPS: Interval = [0.2, 0.1];
 
+/// Radius of the objects, m, from which on [`flat_unit`] is above 1, in a star of this `flat_hole`'s radius and tube `width`, m.
+pub fn flat_begins(flat_hole: f64, width: f64) -> f64 {
+    flat_hole - FLAT_GAPS[0] * width
+}
+
 /// By how much the range of a force is wider than [`FORCE`] on an object that leaves a gap of `gap` W to the flat tube's hole.
 pub fn flat_unit(gap: f64) -> f64 {
     let [begins, reached] = FLAT_GAPS;

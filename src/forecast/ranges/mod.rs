@@ -103,7 +103,24 @@ impl Ranges {
 
     /// Range of the radial force `force` (N) of `grasp` on an object of radius `rho` (m) within the star that rests at `rest`; `None`
     /// where shells were not opened so far.
+    ///
+    /// Where the range widens with the object, its lower end does not fall by that: a shell that is opened further presses at least as hard
+    /// if the model says so. If the model's force falls, that end is scaled in proportion.
     pub fn force(&self, grasp: &Grasp, force: f64, rho: f64, rest: &Rest) -> Option<Interval> {
+        let [low, high] = self.force_alone(grasp, force, rho, rest)?;
+        let width = grasp.width();
+        let begins = [rest.radius + errors::OPENING * width, errors::flat_begins(self.flat_hole, width)];
+        let floors =
+            begins.into_iter().filter(|begins| (rest.radius..rho).contains(begins)).filter_map(|begins| {
+                let there = grasp.force(begins);
+                let [floor, _] = self.force_alone(grasp, there, begins, rest)?;
+                Some(floor * (force / there).min(1.0))
+            });
+        Some([floors.fold(low, f64::max), high])
+    }
+
+    /// The same of this object alone.
+    fn force_alone(&self, grasp: &Grasp, force: f64, rho: f64, rest: &Rest) -> Option<Interval> {
         let [near, far] = self.radius?;
         let opened = (rho - rest.radius) / grasp.width();
         if opened > errors::OPENING_REACHED {
