@@ -160,6 +160,7 @@ impl Request {
             // As it is written: of a pressure in psi never more than the pump has.
             pressure: self.pressure.map(|pressure| Pressure(Most(pressure.0).printed())),
             friction: self.friction.unwrap_or(FRICTION),
+            friction_assumed: self.friction.is_none(),
             largest_force: self.fragile,
             room: Workspace {
                 sheet: smaller(base.sheet.width, base.sheet.height),

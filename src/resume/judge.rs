@@ -21,11 +21,12 @@ pub(super) fn agrees(record: &Record, text: &str, reach: &Bounds) -> Result<(), 
 /// # Errors
 /// The first finding.
 pub(super) fn proves(record: &Record, new: &str, reach: &Bounds) -> Result<(), ResumeFault> {
-    let reach = reach.grown(record.path.0);
-    first_fault(record, new, &reach).map_or(Ok(()), |finding| Err(ResumeFault::Unproven(finding)))
+    first_fault(record, new, reach).map_or(Ok(()), |finding| Err(ResumeFault::Unproven(finding)))
 }
 
 fn first_fault(record: &Record, text: &str, reach: &Bounds) -> Option<Finding> {
+    // An arc of a file passes its own ends within the tolerance.
+    let reach = &reach.grown(record.path.0);
     let motion = record.motion();
     let hotend = record.controller.heating == Heating::Hotend;
     let lines = text.split_inclusive('\n');

@@ -19,6 +19,7 @@ use crate::emit;
 use crate::plan::{Height, Pace, Ramp, Step};
 use crate::resume::figures::Figures;
 use crate::resume::record::Record;
+use crate::resume::resume_at::StopPoint;
 use crate::resume::toolpath::Toolpath;
 use crate::resume::window::{Next, Window, with_feed};
 use crate::spec::{Code, KeepOut, Process};
@@ -26,6 +27,10 @@ use crate::verify::{Finding, FindingCode, judge_clamps};
 
 pub use fault::ResumeFault;
 pub use resume_at::ResumeAt;
+
+/// How often a longer overlap is tried, and by how much it is longer each time, mm.
+const TRIES: u32 = 4;
+const LONGER: f64 = 0.25;
 
 /// A new program for the rest of a job.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,13 +62,23 @@ pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resum
     stated::agrees(&toolpath)?;
     let stop = place.find(&toolpath)?;
     let wanted = overlap.unwrap_or(record.seal.overlap.0);
+    let first = rest(&toolpath, &stop, wanted);
+    let Err(ResumeFault::Unproven(_)) = first else { return first };
+    // Chopped strokes that end without a dwell are joined to the old one that follows. A little farther back others end there.
+    let longer = (1..=TRIES).map(|tries| wanted + LONGER * f64::from(tries));
+    longer.map(|wanted| rest(&toolpath, &stop, wanted)).find(Result::is_ok).unwrap_or(first)
+}
+
+/// The same with an overlap of at least `wanted` mm.
+fn rest(toolpath: &Toolpath<'_>, stop: &StopPoint, wanted: f64) -> Result<Resumed, ResumeFault> {
+    let record = toolpath.record;
     // At a stop of the machine the seam may continue one stroke farther back.
     let spare = if record.joins_moves() { record.seal.band.0 } else { 0.0 };
     let back = wanted + record.process.ramp.0 + spare;
     let (mut way, mut overlap) = (String::new(), 0.0);
-    let line = match Window::around(&toolpath, &stop, back).ok_or(ResumeFault::NothingLeft)? {
+    let line = match Window::around(toolpath, stop, back).ok_or(ResumeFault::NothingLeft)? {
         Next::Within(window) => {
-            let (from, line) = approach(&toolpath, &window, (window.done - wanted).max(0.0), &mut way)?;
+            let (from, line) = approach(toolpath, &window, (window.done - wanted).max(0.0), &mut way)?;
             overlap = window.done - from;
             line
         }
@@ -74,10 +89,10 @@ pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resum
     let note = format!("resume: from_line={} overlap_mm={overlap:.3} percent={:.1}", line + 1, 100.0 * done);
     let note = record.comment(&note);
     // A draft with the old figures gives the new ones.
-    let draft = assembled(&toolpath, &note, &way, line, None);
-    let figures = Figures::new(&toolpath, &Toolpath::read(&draft, &record)?);
-    let text = assembled(&toolpath, &note, &way, line, Some(&figures));
-    judge::proves(&record, &text, &toolpath.reach)?;
+    let draft = assembled(toolpath, &note, &way, line, None);
+    let figures = Figures::new(toolpath, &Toolpath::read(&draft, record)?);
+    let text = assembled(toolpath, &note, &way, line, Some(&figures));
+    judge::proves(record, &text, &toolpath.reach)?;
     Ok(Resumed { text, line: line + 1, overlap, done, seconds: figures.seconds })
 }
 
@@ -105,7 +120,9 @@ fn approach(
     // The seam's own ramp lies before its run, so there is always space for a ramp.
     let (from, pieces, rest, last) = if record.joins_moves() {
         let (from, last) = window.stop_before(from).ok_or(ResumeFault::NothingLeft)?;
-        (from, window.way_down(from, ramp.0), Vec::new(), last)
+        // The last strokes down may have no dwell of their own: then the next ones are joined to them, and need another dwell.
+        let (rest, last) = window.run_from(from).unwrap_or((Vec::new(), last));
+        (from, window.way_down(from, ramp.0), rest, last)
     } else {
         let way = window.way_to(from, ramp.0, least_rest(record)).ok_or(ResumeFault::NothingLeft)?;
         (from, way.0, way.1, way.2)

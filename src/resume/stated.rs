@@ -93,10 +93,15 @@ impl<'a> StatedFigures<'a> {
         };
         let acceleration =
             if let Pace::Chopped(chop) = record.pace { chop.acceleration } else { LEAST_ACCELERATION };
-        let mut before = JobPhase::Clear;
+        let mut before = None;
         toolpath.walk(|step| {
-            let begins = before == JobPhase::Clear && step.phase != JobPhase::Clear;
-            before = step.phase;
+            if before.is_none() {
+                // Every job begins at X0 Y0. The way from there is no move, because a program does not know where the iron is.
+                let way = libm::hypot(step.step.from.x, step.step.from.y);
+                out.travels[1] += way / record.process.travel_speed.0 + 2.0 * (way / acceleration).sqrt();
+            }
+            let begins = before.is_none_or(|phase| phase == JobPhase::Clear) && step.phase != JobPhase::Clear;
+            before = Some(step.phase);
             if begins {
                 out.contacts += 1.0;
             }

@@ -114,6 +114,17 @@ impl Window {
         begins.into_iter().chain(ends).take_while(|(end, _)| *end <= from + 1e-6).last()
     }
 
+    /// The moves from the stop at `from`, mm along the run, to the next one, and the line of the last; `None` if it lies beyond the window.
+    pub(super) fn run_from(&self, from: f64) -> Option<(Vec<Segment>, usize)> {
+        let mut moves = self.contact().skip_while(|step| step.along < from - 1e-6);
+        let mut pieces = Vec::new();
+        let end = moves.find(|step| {
+            pieces.extend(step.step.path);
+            step.rests
+        })?;
+        Some((pieces, end.step.line))
+    }
+
     /// The ramp down along the seam that ends at `from`; `ramp` is its length.
     pub(super) fn way_down(&self, from: f64, ramp: f64) -> Vec<Segment> {
         let begins = self.begins();

@@ -32,9 +32,14 @@ fn made(text: &str, spec: &Spec, machine: &Machine, name: &str) -> Built {
 
 /// The hand rest on `profile`; its bands are 3 mm wide.
 fn hand_rest(profile: &str) -> Result<Built, Refusals> {
+    hand_rest_with(str::to_owned, "", profile)
+}
+
+/// The same with its spec changed, and with `more` in its section on the machine.
+fn hand_rest_with(change: impl Fn(&str) -> String, more: &str, profile: &str) -> Result<Built, Refusals> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/drawings/");
     let text = fs::read_to_string(format!("{folder}hand-rest.toml")).expect("a design");
-    let text = format!("{text}\n[machine]\nprofile = \"own.toml\"\n");
+    let text = format!("{}\n[machine]\nprofile = \"own.toml\"\n{more}", change(&text));
     let reading = read(&Source::new("spec", text.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
     let spec = reading.with_drawing(&fs::read(format!("{folder}hand-rest.svg")).expect("a drawing")).spec;
     let sources = Sources { spec: &text, machine: profile };
@@ -176,4 +181,30 @@ fn grid(spec: &Spec) -> StripGrid {
         heights,
         repeats: 1,
     }
+}
+
+/// A piece far from X0 Y0 is reached slowly; a rest that begins on an arc can be resumed, too; where the strokes down have no dwell of their own,
+/// the next ones are paced anew.
+#[test]
+fn drawings_are_resumed_wherever_they_lie_and_begin() {
+    let shares = |job: &str, shares: &[f64]| {
+        for share in shares {
+            let rest =
+                resume(job, ResumeAt::Share(*share), None).unwrap_or_else(|fault| panic!("{share}: {fault}"));
+            let again = resume(&rest.text, ResumeAt::Share(0.95), None);
+            let _ = again.unwrap_or_else(|fault| panic!("{share}, then 0.95: {fault}"));
+        }
+    };
+    for (name, chop) in [("grbl", "feed_floor = \"chop\"\n"), ("linuxcnc", "")] {
+        let (text, spec) = pillow(&format!("[machine]\nprofile = \"{name}\"\n{chop}"));
+        let built = made(&text, &spec, &machine(profile(name)), name);
+        let end = if name == "grbl" { "gcode" } else { "ngc" };
+        for piece in [1, 2, 4] {
+            shares(&text_of(&built, &format!("piece-{piece}-seal.{end}")), &[0.5, 0.64, 0.83]);
+        }
+    }
+    let fast = |text: &str| text.replace("band = \"3 mm\"", "band = \"3 mm\"\nspeed = \"1 mm/s\"");
+    let rest = hand_rest_with(fast, "feed_floor = \"chop\"\n", profile("marlin"));
+    let built = rest.unwrap_or_else(|refusals| panic!("{refusals}"));
+    shares(&text_of(&built, "piece-1-seal.gcode"), &[0.1, 0.14, 0.2, 0.22]);
 }

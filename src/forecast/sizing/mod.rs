@@ -39,6 +39,8 @@ pub struct Requirements {
     pub pressure: Option<Pressure>,
     /// Friction between the corners and the object.
     pub friction: f64,
+    /// Whether that is [`FRICTION`] because none is given: then the spec states its range.
+    pub friction_assumed: bool,
     /// Largest radial force of one star that the object bears.
     pub largest_force: Option<Force>,
     /// The space available for the gripper.

@@ -82,7 +82,7 @@ fn nearest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> O
         let friction = requirements.friction * requirements.mass.0 / most;
         let all = RESERVES.into_iter().map(|part| (100.0 * friction / part).ceil() / 100.0);
         all.filter(|friction| *friction > requirements.friction && *friction <= COATED)
-            .find_map(|friction| tried(Requirements { friction, ..*requirements }))
+            .find_map(|friction| tried(Requirements { friction, friction_assumed: false, ..*requirements }))
     };
     let lighter = |requirements: Requirements, most: f64| {
         let masses = RESERVES.into_iter().map(|part| three_digits(part * most.min(requirements.mass.0)));

@@ -224,7 +224,7 @@ impl Lines {
         if let Some(shape) = requirements.shape {
             self.quantity("object_shape", shape.word(), "of the object");
         }
-        let is_assumed = requirements.friction.total_cmp(&FRICTION).is_eq();
+        let is_assumed = requirements.friction_assumed;
         let friction = if is_assumed {
             "bare fabric on a smooth object: 0.20 to 0.42 measured; coated corners about 1.1"
         } else {
