@@ -138,7 +138,13 @@ pub fn does_not_enter(spec: &Spec, (inner, hole): (f64, f64), entering: f64, wid
     let narrower = widest.map_or_else(String::new, |radius| {
         format!("an object of at most {} mm across, or ", Most(2.0 * radius))
     });
-    let remedy = format!("{narrower}an inner_radius of at least {} mm", Least(wanted));
+    // An inner radius that lets it in is not enough where the inflated star opens less than its hole.
+    let larger = if widest.is_some_and(|radius| radius > hole - 1e-6) {
+        format!("an inner_radius of at least {} mm", Least(wanted))
+    } else {
+        "a larger inner_radius, with which the star also opens wider than the object".to_owned()
+    };
+    let remedy = format!("{narrower}{larger}");
     Refusal::new(key, RefusalCode::ObjectTooWide, found, remedy)
 }
 

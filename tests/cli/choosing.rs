@@ -271,6 +271,11 @@ fn the_answer_says_what_was_chosen_and_what_was_assumed() {
     let spec = fs::read_to_string(dir.path().join("f0.2.toml")).expect("written");
     assert!(spec.contains("friction_least = 0.2 ") && spec.contains("friction_most = 0.42 "), "{spec}");
     assert!(spec.contains("friction = 0.3 ") && spec.contains("width = \"420 mm\""), "{spec}");
+    // The same friction, if it is given, has no range.
+    let given =
+        run(dir.path(), &["new", "given", "--object", "75 mm", "--mass", "300 g", "--friction", "0.3"]);
+    assert_eq!(given.status.code(), Some(0), "{}", text(&given.stderr));
+    assert!(!fs::read_to_string(dir.path().join("given.toml")).expect("written").contains("friction_least"));
     let check = run(dir.path(), &["check", "f0.2.toml"]);
     let heard = text(&check.stderr);
     assert!(check.status.code() == Some(0) && !heard.contains("warning["), "{heard}");

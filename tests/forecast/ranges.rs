@@ -195,6 +195,50 @@ fn more_pressure_does_not_lower_a_force_that_grows() {
     assert!(grown > 4000 && beyond > 100, "{grown} {beyond}");
 }
 
+/// An object that nearly fills the flat hole has a wider range, whose lower end does not fall while the object and its force grow.
+#[test]
+fn a_larger_object_does_not_lower_a_force_that_grows() {
+    let star = Varied {
+        points: 7,
+        width: 30.0,
+        inner_radius: 76.718,
+        tip_angle: 22.27,
+        tip_radius: 1.0,
+        corner_radius: 1.0,
+        pressure: 10.0,
+        ..VARIED
+    };
+    let mut before = [0.0; 2];
+    for tenth in 690..=767 {
+        let own = outcome(&Varied { object: 0.1 * f64::from(tenth), ..star }).expect("covered");
+        let here = [own.object_force().expect("held"), own.force_range.expect("a range")[0]];
+        assert!(here[0] > before[0] && here[1] >= before[1] * (1.0 - 1e-9), "{tenth}: {before:?} {here:?}");
+        before = here;
+    }
+}
+
+/// The bound by the star at 1/eps of 5000 does not begin with a jump where that star is opened further than any shell was.
+#[test]
+fn the_bound_of_a_force_begins_without_a_jump() {
+    let star = Varied {
+        points: 8,
+        inner_radius: 59.032,
+        tip_angle: 19.47,
+        tip_radius: 1.0,
+        corner_radius: 1.0,
+        thickness: 0.15,
+        object: 55.995,
+        pressure: 37.0,
+        ..VARIED
+    };
+    let low =
+        |width: f64| outcome(&Varied { width, ..star }).and_then(|own| own.force_range).expect("a range")[0];
+    for step in 0..40 {
+        let [one, next] = [0, 1].map(|more| low(19.93 + 0.01 * f64::from(step + more)));
+        assert!((next / one - 1.0).abs() < 0.03, "{step}: {one} {next}");
+    }
+}
+
 /// Along 20 lines of 2,000 points no end steps by more than 2 % of itself but to unknown, and where a force
 /// begins. There, at some 2,000 of the 200,000 steps, it grows from 0 in even steps of at most half a per
 /// cent of the largest upper end on the line.

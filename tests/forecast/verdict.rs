@@ -273,7 +273,10 @@ fn remedies(spec: &Spec) -> (Verdict, Vec<f64>, bool) {
     let texts = refusals(spec, &stars).into_iter().map(|one| one.remedy).chain(found.reasons.clone());
     let (mut sizes, mut none) = (Vec::new(), false);
     for text in texts {
-        none |= text.contains("surely holds no object") || text.starts_with("an inner_radius of at least ");
+        none |= text.contains("surely holds no object")
+            || ["an inner_radius of at least ", "a larger inner_radius"]
+                .iter()
+                .any(|begin| text.starts_with(begin));
         for begin in ["from ", "an object of at most ", "an object of at least ", "at least "] {
             let Some((_, rest)) = text.split_once(begin).filter(|(_, rest)| rest.contains("mm across"))
             else {

@@ -115,6 +115,9 @@ fn unknown(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
         let found = format!("the drawing has no layer {name:?}");
         let remedy = match nearest(name, known.iter().copied()) {
             Some(near) => format!("did you mean {near:?}?"),
+            None if layers.is_empty() => {
+                "it has no layer with anything on it: draw the edges of the air".to_owned()
+            }
             None => format!(
                 "its layers are {}",
                 layers.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
