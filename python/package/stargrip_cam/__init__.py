@@ -7,7 +7,7 @@ strings with a unit, "50 mm"; numbers in results have their unit in their name: 
     >>> import stargrip_cam as sg
     >>> spec = sg.Spec.starter("my star").replace({"load.pressure": "37 kPa"})
     >>> round(sg.predict(spec).final_radius_mm, 1)
-    17.1
+    17.0
 """
 
 from stargrip_cam._native import (
