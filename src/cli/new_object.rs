@@ -93,8 +93,7 @@ fn in_words(
         word("shape", shape.word().to_owned());
     }
     word("mass", had.mass.to_string());
-    let is_assumed = args.friction.is_none() && had.friction == requirements.friction;
-    let friction = (!is_assumed).then_some(had.friction);
+    let friction = (!had.friction_assumed).then_some(had.friction);
     for (option, value) in [
         ("pressure", had.pressure.map(|pressure| pressure.to_string())),
         ("friction", friction.map(|friction| friction.to_string())),

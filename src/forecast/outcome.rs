@@ -3,7 +3,7 @@
 use crate::forecast::case::Case;
 use crate::forecast::model_selection::{correct, tabled};
 use crate::forecast::ranges::errors::OPENING_REACHED;
-use crate::forecast::ranges::{Domain, Interval, Ranges, pressure_edge};
+use crate::forecast::ranges::{Domain, Interval, Ranges, grown, pressure_edge};
 use crate::units::Length;
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::HingeModel;
@@ -178,7 +178,7 @@ impl Outcome {
             let (edge, here) = (edge?, self.object_force()?);
             let ([floor, _], there) = (edge.force_range?, edge.object_force()?);
             let left = (edge.rest.radius + OPENING_REACHED * width).min(edge.rest.widest.radius) - rho;
-            Some(floor * (here / there).min(1.0) * (left / (FADING * width)).clamp(0.0, 1.0))
+            Some(grown(floor, there, here) * (left / (FADING * width)).clamp(0.0, 1.0))
         };
         [low.max(floor().unwrap_or(0.0)), high]
     }

@@ -93,12 +93,14 @@ impl<'a> StatedFigures<'a> {
         };
         let acceleration =
             if let Pace::Chopped(chop) = record.pace { chop.acceleration } else { LEAST_ACCELERATION };
+        // From rest to rest a way takes at most so much longer than at full speed.
+        let starting = |way: f64| 2.0 * (way / acceleration).sqrt();
         let mut before = None;
         toolpath.walk(|step| {
             if before.is_none() {
                 // Every job begins at X0 Y0. The way from there is no move, because a program does not know where the iron is.
                 let way = libm::hypot(step.step.from.x, step.step.from.y);
-                out.travels[1] += way / record.process.travel_speed.0 + 2.0 * (way / acceleration).sqrt();
+                out.travels[1] += way / record.process.travel_speed.0 + starting(way);
             }
             let begins = before.is_none_or(|phase| phase == JobPhase::Clear) && step.phase != JobPhase::Clear;
             before = Some(step.phase);
@@ -108,7 +110,7 @@ impl<'a> StatedFigures<'a> {
             if step.phase == JobPhase::Clear {
                 let [least, most] = &mut out.travels;
                 *least += step.seconds / DIAGONAL;
-                *most += step.seconds + 2.0 * (step.step.length() / acceleration).sqrt();
+                *most += step.seconds + starting(step.step.length());
             } else {
                 if out.all.length == 0.0 {
                     out.ahead =

@@ -2,6 +2,7 @@
 //!
 //! `cargo run --release -p research --example ranges`
 
+use research::residuals::is_used;
 use research::stars::draw::Set;
 use research::validation::{Comparison, Opened, Pair, Pressed, compare_all, opened};
 use std::fmt::Write;
@@ -114,30 +115,22 @@ fn forces(all: &[Comparison]) -> String {
 
 /// Errors of forces at the same opening, by the gap between the object and the flat tube's hole.
 fn forces_by_gap(all: &[Comparison]) -> String {
-    let is_new = |one: &&Comparison| match one.set {
-        Set::Test => one.number > 360,
-        Set::Narrow => one.number > 40,
-        Set::Fit | Set::Range | Set::Paper | Set::Wide => false,
-    };
-    let (new, left_out): (Vec<&Comparison>, Vec<&Comparison>) = all.iter().partition(is_new);
+    let (left_out, new): (Vec<&Comparison>, Vec<&Comparison>) =
+        all.iter().partition(|one| is_used(one.set, one.number));
     let mut out = String::from(
-        "| forces | gap by W | numbers | 5 % | median | 95 % | strictly in range |\n|---|---|---|---|---|---|---|\n",
+        "| forces | gap by W | numbers | 2.5 % | median | 97.5 % | in range | strictly | mean width / mean error |\n\
+         |---|---|---|---|---|---|---|---|---|\n",
     );
     for (what, stars) in [("each left out", left_out), ("not used", new)] {
-        let pressed: Vec<Pressed> = stars.iter().flat_map(|one| one.forces.iter().copied()).collect();
         for (gap, [least, most]) in
             [("0 to 0.1", [0.0, 0.1]), ("0.1 to 0.2", [0.1, 0.2]), ("above 0.2", [0.2, f64::INFINITY])]
         {
-            let of_gap = pressed.iter().filter(|one| (least..most).contains(&one.gap));
-            let pairs: Vec<Pair> = of_gap.map(|one| one.force).collect();
-            let mut errors: Vec<f64> = pairs.iter().map(|pair| pair.error).collect();
-            errors.sort_by(f64::total_cmp);
-            let [low, middle, high] = [0.05, 0.5, 0.95].map(|part| quantile(&errors, part));
-            let strictly = pairs.iter().filter(|pair| pair.holds_strictly()).count();
-            let count = pairs.len();
+            let of_gap =
+                stars.iter().flat_map(|one| &one.forces).filter(|one| (least..most).contains(&one.gap));
             let _ = writeln!(
                 out,
-                "| {what} | {gap} | {count} | {low:.3} | {middle:.3} | {high:.3} | {strictly} |"
+                "| {what} | {gap} | {} |",
+                row(&of_gap.map(|one| one.force).collect::<Vec<_>>())
             );
         }
     }
@@ -179,10 +172,10 @@ type Choice = fn(&Comparison) -> bool;
 
 /// Stars of the table of residuals, each predicted from the others, and those not used before.
 const FORCE_GROUPS: [(&str, Choice); 4] = [
-    ("each left out", |one| one.set != Set::Narrow && !(one.set == Set::Test && one.number > 360)),
-    ("narrow, 1 to 40", |one| one.set == Set::Narrow && one.number <= 40),
-    ("test, 361 to 456", |one| one.set == Set::Test && one.number > 360),
-    ("narrow, 41 to 60", |one| one.set == Set::Narrow && one.number > 40),
+    ("each left out", |one| one.set != Set::Narrow && is_used(one.set, one.number)),
+    ("narrow, 1 to 40", |one| one.set == Set::Narrow && is_used(one.set, one.number)),
+    ("test, 361 to 456", |one| one.set == Set::Test && !is_used(one.set, one.number)),
+    ("narrow, 41 to 60", |one| one.set == Set::Narrow && !is_used(one.set, one.number)),
 ];
 
 /// Number of forces, and their errors.

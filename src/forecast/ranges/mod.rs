@@ -114,7 +114,7 @@ impl Ranges {
             begins.into_iter().filter(|begins| (rest.radius..rho).contains(begins)).filter_map(|begins| {
                 let there = grasp.force(begins);
                 let [floor, _] = self.force_alone(grasp, there, begins, rest)?;
-                Some(floor * (force / there).min(1.0))
+                Some(grown(floor, there, force))
             });
         Some([floors.fold(low, f64::max), high])
     }
@@ -142,6 +142,12 @@ impl Ranges {
             force + libm::hypot(most - force, force * (high - 1.0)),
         ])
     }
+}
+
+/// The least force, N, of a shell that pressed with at least `floor` where the model presses with `there`, if the model presses with `here`
+/// now: a force that grows stays above that, and one that falls does so in proportion.
+pub(super) fn grown(floor: f64, there: f64, here: f64) -> f64 {
+    floor * (here / there).min(1.0)
 }
 
 /// Whether stars like `case` were computed as shells, and the factor on the width of its ranges; `None` if too far outside.

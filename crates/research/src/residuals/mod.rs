@@ -25,12 +25,13 @@ pub struct Fitted {
     pub left_out: Vec<(DrawnStar, Residuals)>,
 }
 
-/// Whether the table is made of `star`. Others are for its validation: stars 361 on of the set `test`, and 41 on of the sets `wide` and `narrow`.
-fn is_used(star: &DrawnStar) -> bool {
-    match star.set {
+/// Whether the table counts star `number` of `set`. Others are for its validation: stars 361 on of the set `test`, and 41 on of the sets `wide`
+/// and `narrow`.
+pub fn is_used(set: Set, number: u32) -> bool {
+    match set {
         Set::Fit | Set::Range | Set::Paper => true,
-        Set::Test => star.number <= 360,
-        Set::Wide | Set::Narrow => star.number <= 40,
+        Set::Test => number <= 360,
+        Set::Wide | Set::Narrow => number <= 40,
     }
 }
 
@@ -128,7 +129,7 @@ pub fn likeliest(stars: &[ComputedStar]) -> StarPlace {
 
 /// The stars of the table among `stars` for which there are a shell and a prediction, with their residuals beyond the closed forms.
 fn used(stars: &[ComputedStar]) -> (Vec<&ComputedStar>, Vec<Sample>) {
-    let of_table = stars.iter().filter(|one| is_used(&one.star));
+    let of_table = stars.iter().filter(|one| is_used(one.star.set, one.star.number));
     of_table.filter_map(|star| Some((star, sample(star, 0.0)?))).unzip()
 }
 

@@ -1,6 +1,6 @@
 //! Ranges of predictions, held against stars as shells from which no constant was taken; and the table of residuals.
 
-use research::residuals::fitted;
+use research::residuals::{fitted, is_used};
 use research::stars::draw::Set;
 use research::stars::shipped::shipped;
 use research::validation::{Comparison, FLAP, Opened, Pair, Pressed, compare, compare_all, opened};
@@ -72,15 +72,11 @@ fn forces_are_as_accurate_as_stated() {
     let of = |is_meant: &dyn Fn(&Comparison) -> bool| -> Vec<Pressed> {
         all.iter().filter(|one| is_meant(one)).flat_map(|one| one.forces.iter().copied()).collect()
     };
-    let is_new = |one: &Comparison| one.set == Set::Test && one.number > 360;
+    let is_new = |one: &Comparison| one.set == Set::Test && !is_used(one.set, one.number);
     let new = of(&is_new);
     let passing = new.iter().filter(|one| one.passes).copied().collect();
     let newest = of(&|one| one.set == Set::Test && one.number > 420);
-    let left_out = of(&|one| match one.set {
-        Set::Test => one.number <= 360,
-        Set::Narrow => one.number <= 40,
-        Set::Fit | Set::Range | Set::Paper | Set::Wide => true,
-    });
+    let left_out = of(&|one| is_used(one.set, one.number));
     for (what, forces, count, most, held) in [
         ("new", new, 140, 0.1, [95, 100]),
         ("newest", newest, 60, 0.1, [95, 100]),
