@@ -104,8 +104,8 @@ fn row(candidate: &Evaluation, constraints: &Constraints) -> Value {
         "object_force_N": own.and_then(Outcome::object_force),
         "payload_kg": answer.payload,
         "fabric_mm2": answer.fabric,
-        "bendability": own.and_then(|own| own.bendability),
-        "stretch": own.and_then(|own| own.stretch),
+        "bendability": own.and(answer.case.bendability()),
+        "stretch": own.and(answer.case.stretch()),
         "burst_margin": burst_margin(candidate),
         "ranges": {
             "final_radius_mm": own.and_then(|own| own.ranges.radius).map(mm),
@@ -215,7 +215,7 @@ fn cells(candidate: &Evaluation, constraints: &Constraints) -> [String; COLUMNS.
         of_force(answer.payload, answer.payload_range),
         // mm^2 to cm^2.
         or_none(answer.fabric.map(|area| format!("{:.1}", area / 100.0))),
-        or_none(own.and_then(|own| own.stretch).map(|stretch| format!("{:.1}", 100.0 * stretch))),
+        or_none(own.and(answer.case.stretch()).map(|stretch| format!("{:.1}", 100.0 * stretch))),
         or_none(burst_margin(candidate).map(|margin| format!("{margin:.2}"))),
         if short.is_empty() { "-".to_owned() } else { short.join(", ") },
     ]

@@ -122,7 +122,14 @@ impl From<&Refusal> for RefusedDesign {
 
 impl From<StarFault> for RefusedDesign {
     fn from(fault: StarFault) -> Self {
-        Self { code: RefusalCode::NoPrediction.as_str(), text: fault.to_string() }
+        Self::unpredicted(fault.to_string())
+    }
+}
+
+impl RefusedDesign {
+    /// A design without a prediction.
+    pub(super) fn unpredicted(text: String) -> Self {
+        Self { code: RefusalCode::NoPrediction.as_str(), text }
     }
 }
 

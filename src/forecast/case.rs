@@ -118,6 +118,16 @@ impl Case {
         self.inner_radius - self.hole
     }
 
+    /// Bendability 1/eps; `None` without a pressure.
+    pub fn bendability(&self) -> Option<f64> {
+        Some(self.sheet.bendability(self.pressure?, self.mechanism.width))
+    }
+
+    /// Stretch p W / Y of the fabric; `None` without a pressure.
+    pub fn stretch(&self) -> Option<f64> {
+        Some(self.sheet.stretch(self.pressure?, self.mechanism.width))
+    }
+
     /// Pressure from which the hinges are fully coiled, Pa.
     pub fn operating_pressure(&self) -> f64 {
         self.sheet.operating_pressure(self.mechanism.width)

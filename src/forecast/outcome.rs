@@ -40,10 +40,6 @@ pub struct Outcome {
     pub hold: Option<Grip>,
     /// Mass that friction holds with this star alone, kg.
     pub payload: Option<f64>,
-    /// Bendability 1/eps.
-    pub bendability: Option<f64>,
-    /// Stretch p W / Y of the fabric.
-    pub stretch: Option<f64>,
     /// Intervals that contain a shell's values; none for a limit, and none with the model's own V_bar.
     pub ranges: Ranges,
     /// Range of the force on the object, N.
@@ -216,7 +212,6 @@ impl Outcome {
         });
         let with_pressure = |value: f64| case.pressure.map(|_| value);
         let object_force = hold.and_then(Grip::force);
-        let width = case.mechanism.width;
         Self {
             rest,
             known: true,
@@ -226,8 +221,6 @@ impl Outcome {
             preload: with_pressure(rest.preload),
             hold,
             payload: case.friction.zip(object_force).map(|(mu, force)| payload(mu, [force])),
-            bendability: case.pressure.map(|p| case.sheet.bendability(p, width)),
-            stretch: case.pressure.map(|p| case.sheet.stretch(p, width)),
             ranges: Ranges::default(),
             force_range: None,
             payload_range: None,

@@ -144,24 +144,22 @@ const WEAVE_NOT_USED: &str = "not used: this model is for isotropic fabric";
 
 /// All of one star that depends on no model.
 pub(super) fn bare(spec: &Spec, part: &StarDesign, case: &Case) -> StarPrediction {
-    let width = case.mechanism.width;
-    let stretch = case.pressure.map(|p| case.sheet.stretch(p, width));
     StarPrediction {
         arm_length_mm: part.star.l,
         hole_radius_mm: mm(case.hole),
         flap_load_N_per_mm: (case.flap() > 0.0).then(|| 1e-3 * case.sheet.flap_load(case.flap())),
         object_radius_mm: case.object.map(mm),
         object_gap_mm: case.entering.map(|entering| mm(case.hole) - mm(entering)),
-        bendability: case.pressure.map(|p| case.sheet.bendability(p, width)),
+        bendability: case.bendability(),
         operating_pressure_kPa: Pressure::from_pascals(case.operating_pressure()).0,
         realised_radius_mm: Hinges { tip: part.realised_tip().radius, corner: part.realised_corner().radius },
         mass_g: part.mass(&spec.fabric),
-        stretch: FabricStretch::Ratio(stretch),
+        stretch: FabricStretch::Ratio(case.stretch()),
         ranges_of: "shell",
         evidence: ModelEvidence {
             fabric: measured_stiffnesses(&spec.fabric),
             weave: spec.fabric.shear_modulus.map(|_| WEAVE_NOT_USED),
-            stretch,
+            stretch: case.stretch(),
             ..ModelEvidence::default()
         },
         correction: case.mechanism.correction,

@@ -203,7 +203,7 @@ impl Lines {
         let (requirements, point, answer) = (&choice.requirements, &choice.best.point, &choice.best.answer);
         self.text += "[load]\n";
         let own = answer.outcome.as_ref();
-        let stretch = own.and_then(|own| own.stretch).unwrap_or(0.0);
+        let stretch = own.and(answer.case.stretch()).unwrap_or(0.0);
         let least =
             if requirements.pressure.is_some() { "" } else { "; less fabric than at other pressures" };
         let burst = answer

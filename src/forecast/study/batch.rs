@@ -2,7 +2,6 @@
 
 use crate::forecast::candidate::Candidate;
 use crate::forecast::study::Study;
-use crate::forecast::study::answers::RowRefusal;
 use crate::forecast::study::output::{ColumnKind, StudyRow};
 use crate::spec::study::KeyValue;
 use rayon::prelude::*;
@@ -57,12 +56,18 @@ impl ColumnValues {
         }
     }
 
+    fn push_word(&mut self, word: Option<&str>) {
+        match self {
+            Self::Text(values) => values.push(word.map(Into::into)),
+            own => own.push_number(f64::NAN),
+        }
+    }
+
     fn push(&mut self, value: &KeyValue) {
-        match (value, self) {
-            (KeyValue::Number(number), own) => own.push_number(*number),
-            (KeyValue::Word(word), Self::Text(values)) => values.push(Some(word.as_str().into())),
-            (KeyValue::Truth(truth), Self::Text(values)) => values.push(Some(truth.to_string().into())),
-            (_, own) => own.push_number(f64::NAN),
+        match value {
+            KeyValue::Number(number) => self.push_number(*number),
+            KeyValue::Word(word) => self.push_word(Some(word)),
+            KeyValue::Truth(truth) => self.push_word(Some(&truth.to_string())),
         }
     }
 }
@@ -80,7 +85,8 @@ impl Study {
         if self.is_slow() {
             return self.run_slowly(rows, cancel, |batch| take(make(batch), 1));
         }
-        let all = self.chunks(&rows);
+        let all: Vec<Range<usize>> =
+            rows.clone().step_by(CHUNK).map(|from| from..rows.end.min(from + CHUNK)).collect();
         let compute = |some: &[Range<usize>]| -> Option<Vec<(T, usize)>> {
             let one = |chunk: &Range<usize>| Some((make(self.chunk(chunk.clone(), cancel)?), chunk.len()));
             some.par_iter().map(one).collect()
@@ -96,11 +102,6 @@ impl Study {
             }
         }
         ready.into_iter().all(|(made, count)| take(made, count))
-    }
-
-    fn chunks(&self, rows: &Range<usize>) -> Vec<Range<usize>> {
-        let len = if self.is_slow() { 1 } else { CHUNK };
-        rows.clone().step_by(len).map(|from| from..rows.end.min(from + len)).collect()
     }
 
     /// One chunk, by this thread.
@@ -139,34 +140,23 @@ impl Study {
         for (b, axis) in self.designs.axes() {
             next(&|column| column.push(&axis.value(place[b])));
         }
-        let designed = self.designs.set(point, place).map_err(RowRefusal::from);
-        let answered = designed.and_then(|()| self.models.answer(point, cancel));
-        let refused = match &answered {
-            Ok(answered) => {
-                let (answer, shell) = (&answered.answer, answered.shell.as_deref());
-                let row = StudyRow { point, answer, shell, all: self.codes };
-                for output in &self.outputs {
-                    next(&|column| column.push_number(output.value(&row).unwrap_or(f64::NAN)));
-                }
-                None
-            }
-            Err(RowRefusal::Cancelled) => return None,
-            Err(RowRefusal::Refused(refused)) => {
-                for _ in &self.outputs {
-                    next(&|column| column.push_number(f64::NAN));
-                }
-                Some(refused)
-            }
-        };
-        let word = |column: &mut ColumnValues, text: Option<&str>| {
-            if let ColumnValues::Text(values) = column {
-                values.push(text.map(Into::into));
-            }
-        };
-        if self.codes {
-            next(&|column| word(column, refused.map(|refused| refused.code)));
+        let designed = self.designs.set(point, place);
+        let answered = designed.and_then(|()| self.models.answer(point, cancel)).transpose()?;
+        let row = answered.as_ref().ok().map(|(answer, shell)| StudyRow {
+            point,
+            answer,
+            shell: shell.as_deref(),
+            all: self.codes,
+        });
+        for output in &self.outputs {
+            let value = row.as_ref().and_then(|row| output.value(row)).unwrap_or(f64::NAN);
+            next(&|column| column.push_number(value));
         }
-        next(&|column| word(column, refused.map(|refused| refused.text.as_str())));
+        let refused = answered.as_ref().err();
+        if self.codes {
+            next(&|column| column.push_word(refused.map(|refused| refused.code)));
+        }
+        next(&|column| column.push_word(refused.map(|refused| refused.text.as_str())));
         Some(())
     }
 }

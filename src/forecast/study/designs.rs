@@ -4,11 +4,10 @@
 //! into the text of the spec, which is then read again, so that it has its meaning in a spec, with every range and every
 //! default that depends on it. The designs of these **slow** keys are kept if they have few combinations.
 
-use crate::design::RefusalCode;
 use crate::forecast::candidate::{Candidate, RefusedDesign};
 use crate::spec::edit::with_values;
 use crate::spec::study::{Axis, Block, KeyValue};
-use crate::spec::{Code, KeyPath, ModelChoice, ObjectSize, Reading, Severity, Source, Spec, key, read};
+use crate::spec::{KeyPath, ModelChoice, ObjectSize, Reading, Severity, Source, Spec, key, read};
 use crate::units::{Angle, Length, LineForce, Pressure};
 use std::sync::OnceLock;
 
@@ -180,21 +179,15 @@ impl Designs {
         let read = text.and_then(|text| read(&Source::new(self.source.name.as_str(), text)));
         let spec = read.map(|reading| reading.spec).map_err(|faults| {
             let mut errors = faults.list().iter().filter(|fault| fault.level == Severity::Error);
-            errors.next().map_or(
-                RefusedDesign {
-                    code: RefusalCode::NoPrediction.as_str(),
-                    text: "the spec is refused".to_owned(),
-                },
+            errors.next().map_or_else(
+                || RefusedDesign::unpredicted("the spec is refused".to_owned()),
                 |fault| RefusedDesign {
                     code: fault.code,
                     text: format!("{}: {}", fault.message, fault.label),
                 },
             )
         })?;
-        Candidate::of(&spec).ok_or_else(|| RefusedDesign {
-            code: RefusalCode::NoPrediction.as_str(),
-            text: "there is no star".to_owned(),
-        })
+        Candidate::of(&spec).ok_or_else(|| RefusedDesign::unpredicted("there is no star".to_owned()))
     }
 
     /// The models of the designs.

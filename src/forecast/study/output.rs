@@ -1,6 +1,7 @@
 //! The columns of a study: one of answers with its name, its meaning and the models that have it, and all of a table.
 
 use crate::forecast::candidate::{Answer, Candidate};
+use crate::forecast::case::Case;
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::Interval;
 use crate::forecast::shell::request::Measurements;
@@ -19,6 +20,11 @@ pub(super) struct StudyRow<'a> {
 }
 
 impl StudyRow<'_> {
+    /// Its case, if the values that depend on the pressure but not on a model are written.
+    pub(super) fn at_pressure(&self) -> Option<&Case> {
+        (self.all || self.own().is_some()).then_some(&self.answer.case)
+    }
+
     /// The values by a hinge model, if it covers the star.
     pub(super) fn own(&self) -> Option<&Outcome> {
         self.answer.outcome.as_ref().filter(|own| own.known)
@@ -46,8 +52,8 @@ impl StudyRow<'_> {
 /// A column of answers.
 #[derive(Debug)]
 pub(super) struct OutputColumn {
+    /// It ends with the unit, if there is one.
     pub(super) name: &'static str,
-    pub(super) unit: Option<&'static str>,
     pub(super) about: &'static str,
     pub(super) of: Of,
 }
@@ -56,16 +62,19 @@ pub(super) struct OutputColumn {
 #[derive(Debug)]
 pub(super) enum Of {
     /// Every model.
-    Any(fn(&StudyRow<'_>) -> Option<f64>),
+    Any(ValueOf),
     /// Models of the hinges.
-    Hinges(fn(&StudyRow<'_>) -> Option<f64>),
+    Hinges(ValueOf),
     /// Models of the hinges: the least end of a range.
     Low(RangeOf),
     /// Models of the hinges: the largest end of a range.
     High(RangeOf),
     /// Shells.
-    Shell(fn(&StudyRow<'_>, &Measurements) -> Option<f64>),
+    Shell(ValueOf),
 }
+
+/// A value in a row.
+pub(super) type ValueOf = fn(&StudyRow<'_>) -> Option<f64>;
 
 /// A range in a row.
 pub(super) type RangeOf = fn(&StudyRow<'_>) -> Option<Interval>;
@@ -91,8 +100,7 @@ impl OutputColumn {
     /// Its value; `None` if unknown.
     pub(super) fn value(&self, row: &StudyRow<'_>) -> Option<f64> {
         match self.of {
-            Of::Any(of) => of(row),
-            Of::Shell(of) => of(row, row.shell?),
+            Of::Any(of) | Of::Shell(of) => of(row),
             _ if row.shell.is_some() => None,
             Of::Hinges(of) => of(row),
             Of::Low(range) => range(row).map(|[low, _]| low),
@@ -146,8 +154,9 @@ pub(super) fn columns(blocks: &[Block], outputs: &[&'static OutputColumn], codes
     let mut columns =
         vec![text("row", None, ColumnKind::Whole, "the row's number in the whole study, from 0")];
     columns.extend(blocks.iter().flat_map(Block::axes).map(|axis| of_field(&axis.field)));
-    columns
-        .extend(outputs.iter().map(|output| text(output.name, output.unit, ColumnKind::Real, output.about)));
+    columns.extend(
+        outputs.iter().map(|output| text(output.name, unit_of(output.name), ColumnKind::Real, output.about)),
+    );
     if codes {
         let about = "the code of the refusal, a word of docs/codes.md; none for a design with a prediction";
         columns.push(text("refused_code", None, ColumnKind::Text, about));
@@ -166,6 +175,14 @@ fn of_field(field: &Field) -> Column {
     let unit = field.unit();
     let name = format!("{}{}", field.key(), unit.map(suffix).unwrap_or_default());
     Column { name, unit, kind, about: format!("the value of `{}`", field.key()) }
+}
+
+/// The units of outputs; one that ends as another stands before it.
+const UNITS: [&str; 11] = ["N/mm", "mm", "deg", "kPa", "N/m", "N", "kg", "g", "cm^2", "mm^2", "mm^3"];
+
+/// The unit that ends the name of an output.
+fn unit_of(name: &str) -> Option<&'static str> {
+    UNITS.into_iter().find(|unit| name.ends_with(&suffix(unit)))
 }
 
 /// A unit as the end of a column's name.
