@@ -10,7 +10,7 @@ use crate::forecast::prediction::StarPrediction;
 pub use crate::forecast::prediction::{Holds, Verdict};
 use crate::forecast::ranges::shown::apart;
 use crate::forecast::ranges::{Interval, sum};
-use crate::spec::{Code, Load, Spec};
+use crate::spec::{Code, Load, Spec, key};
 use crate::units::{Force, Mass, tenths_up};
 use inflatable::mechanics::strength::GRAVITY;
 
@@ -50,7 +50,7 @@ pub fn refusals(spec: &Spec, stars: &[StarPrediction]) -> Vec<Refusal> {
         Weight::Idle => idle,
         Weight::Doubted => false,
     };
-    judged.findings.iter().filter(counts).filter_map(VerdictLine::refusal).collect()
+    judged.findings.iter().filter(counts).map(VerdictLine::refusal).collect()
 }
 
 fn force(stars: &[StarPrediction]) -> Option<f64> {
@@ -100,32 +100,18 @@ struct VerdictLine {
     weight: Weight,
     /// Numbers of its stars, 1 = bottom, where there are several.
     stars: Vec<usize>,
-    what: VerdictText,
-}
-
-/// As text alone, or as a refusal.
-#[derive(Debug, PartialEq)]
-enum VerdictText {
-    Reason(String),
-    Refusal(Refusal),
+    /// Of a doubt only the words and the code count.
+    refusal: Refusal,
 }
 
 impl VerdictLine {
-    fn of_star(&self, text: &str) -> String {
-        of_stars(&self.stars, text)
-    }
-
     fn reason(&self) -> String {
-        match &self.what {
-            VerdictText::Reason(text) => self.of_star(text),
-            VerdictText::Refusal(refusal) => self.of_star(&refusal.found),
-        }
+        of_stars(&self.stars, &self.refusal.found)
     }
 
-    fn refusal(&self) -> Option<Refusal> {
-        let VerdictText::Refusal(refusal) = &self.what else { return None };
-        let key = self.stars.first().map_or(refusal.key, |star| refusal.key.of_star(*star));
-        Some(Refusal { key, found: self.of_star(&refusal.found), ..refusal.clone() })
+    fn refusal(&self) -> Refusal {
+        let key = self.stars.first().map_or(self.refusal.key, |star| self.refusal.key.of_star(*star));
+        Refusal { key, found: self.reason(), ..self.refusal.clone() }
     }
 }
 
@@ -188,64 +174,66 @@ impl VerdictLines {
 
     /// The code of the decisive finding.
     fn code(&self) -> Option<&'static str> {
-        let decides: &[Weight] = match self.holds() {
-            Holds::Yes => return None,
-            Holds::No => &[Weight::Refuted, Weight::Idle],
-            Holds::Unknown => &[Weight::Unknown],
+        let decides = if self.is_refuted() {
+            [Weight::Refuted, Weight::Idle]
+        } else {
+            [Weight::Unknown, Weight::Doubted]
         };
-        let found = decides.iter().find_map(|weight| {
-            let mut own = self.findings.iter().filter(|finding| finding.weight == *weight);
-            own.find_map(|finding| Some(finding.refusal()?.code.as_str()))
-        });
-        found.or(Some(RefusalCode::MayNotHold.as_str()))
+        let of_weight = |weight| self.findings.iter().find(|finding| finding.weight == weight);
+        decides.into_iter().find_map(of_weight).map(|finding| finding.refusal.code.as_str())
     }
 
-    fn add(&mut self, weight: Weight, stars: &[usize], what: VerdictText) {
-        let same = self.findings.iter_mut().find(|finding| finding.weight == weight && finding.what == what);
+    fn add(&mut self, weight: Weight, stars: &[usize], refusal: Refusal) {
+        let same =
+            self.findings.iter_mut().find(|finding| finding.weight == weight && finding.refusal == refusal);
         match same {
             Some(finding) => {
                 finding.stars.extend(stars);
                 finding.stars.sort_unstable();
             }
-            None => self.findings.push(VerdictLine { weight, stars: stars.to_vec(), what }),
+            None => self.findings.push(VerdictLine { weight, stars: stars.to_vec(), refusal }),
         }
+    }
+
+    fn doubt(&mut self, stars: &[usize], text: String) {
+        let code = RefusalCode::MayNotHold;
+        self.add(Weight::Doubted, stars, Refusal::new(key::load::MASS, code, text, String::new()));
     }
 
     fn star(&mut self, spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction), numbers: &[usize]) {
         if let Some(refusal) = bursts(load, star) {
-            self.add(Weight::Refuted, numbers, VerdictText::Refusal(refusal));
+            self.add(Weight::Refuted, numbers, refusal);
         }
         if let Some(reason) = may_burst(star) {
-            self.add(Weight::Doubted, numbers, VerdictText::Reason(reason));
+            self.doubt(numbers, reason);
         }
         if let Some(refusal) = outside_models(spec, load, star) {
-            return self.add(Weight::Unknown, numbers, VerdictText::Refusal(refusal));
+            return self.add(Weight::Unknown, numbers, refusal);
         }
         let Some(object) = star.object_radius_mm else { return };
         if let Some(refusal) = spec.stars.get(index).and_then(|part| too_wide_to_enter(spec, part, star)) {
             return self.blocks(numbers, refusal);
         }
         if let Some(refusal) = idle(load, star, object) {
-            return self.add(Weight::Idle, numbers, VerdictText::Refusal(refusal));
+            return self.add(Weight::Idle, numbers, refusal);
         }
-        let doubts = doubts(load, star, object);
-        for reason in doubts {
-            self.add(Weight::Doubted, numbers, VerdictText::Reason(reason));
+        for reason in doubts(load, star, object) {
+            self.doubt(numbers, reason);
         }
         if let Some((Force(bears), range)) = load.largest_force.zip(star.ranges.object_force_N)
             && range[0] > bears
         {
-            self.add(Weight::Refuted, numbers, VerdictText::Refusal(too_hard(range, bears)));
+            self.add(Weight::Refuted, numbers, too_hard(range, bears));
         }
     }
 
     /// Stars whose holes stop the object on the way to its place. Those before them may hold it where it stops.
     fn blocks(&mut self, numbers: &[usize], refusal: Refusal) {
         let weight = if self.enters { Weight::Idle } else { Weight::Refuted };
-        self.add(weight, numbers, VerdictText::Refusal(refusal));
+        self.add(weight, numbers, refusal);
         if self.enters {
             let text = "it stops there, so where other stars hold it, and how hard, is unknown";
-            self.add(Weight::Doubted, numbers, VerdictText::Reason(text.to_owned()));
+            self.doubt(numbers, text.to_owned());
         }
     }
 
@@ -254,37 +242,32 @@ impl VerdictLines {
         // The least friction needs most.
         let ends = load.friction_range().map(|range| range.map(|friction| needed_at(load, friction)));
         let ends = ends.and_then(|[most, least]| Some([least?, most?]));
-        let (weight, what) = match (ends, force_range(stars), force(stars)) {
+        let doubt = match (ends, force_range(stars), force(stars)) {
             (Some([needed, _]), Some(range), _) if range[1] < needed => {
-                (Weight::Refuted, VerdictText::Refusal(too_heavy(load, range, needed)))
+                return self.add(Weight::Refuted, &[], too_heavy(load, range, needed));
             }
             (Some([_, needed]), Some([low, _]), _) if low < needed => {
                 let least = load.friction_range().map_or(0.0, |[least, _]| least);
                 let of = if load.friction == Some(least) { String::new() } else { format!(" of {least}") };
                 let [needed, low] = apart(needed, low);
-                let text = format!("friction{of} needs {needed} N, but there may be only {low} N");
-                (Weight::Doubted, VerdictText::Reason(text))
+                format!("friction{of} needs {needed} N, but there may be only {low} N")
             }
             // A mass is carried by friction only.
             (None, ..) if load.mass.is_some() => {
-                let text = "[load] has a mass, but no friction: whether the gripper carries it is unknown; \
-                     bare fabric has about 0.3";
-                (Weight::Doubted, VerdictText::Reason(text.to_owned()))
+                "[load] has a mass, but no friction: whether the gripper carries it is unknown; bare fabric has about 0.3"
+                    .to_owned()
             }
             (_, None, None) if self.has(Weight::Idle) && !self.has(Weight::Doubted) => {
-                let text =
-                    "the force of all stars together is unknown: not each of them closes around the object";
-                (Weight::Doubted, VerdictText::Reason(text.to_owned()))
+                "the force of all stars together is unknown: not each of them closes around the object".to_owned()
             }
             (_, None, Some(force)) => {
                 let needs =
                     needed.map_or(String::new(), |needed| format!(" and friction needs {needed:.1} N,"));
-                let text = format!("the model's force is {force:.1} N,{needs} but its error is unknown");
-                (Weight::Doubted, VerdictText::Reason(text))
+                format!("the model's force is {force:.1} N,{needs} but its error is unknown")
             }
             _ => return,
         };
-        self.findings.push(VerdictLine { weight, stars: Vec::new(), what });
+        self.doubt(&[], doubt);
     }
 }
 
