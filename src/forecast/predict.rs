@@ -43,6 +43,13 @@ impl fmt::Display for PredictFault {
 
 impl std::error::Error for PredictFault {}
 
+impl PredictFault {
+    /// That of no star in particular, at `key`, where `what` says all.
+    pub(super) fn new(key: KeyPath, what: String) -> Self {
+        Self { star: None, key, what, remedy: None }
+    }
+}
+
 /// Predicts the stars of `design`, made from `spec`, by `accuracy.model`.
 ///
 /// # Errors
@@ -55,8 +62,7 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
         star.evidence.safe_pressure_kPa = safe;
     }
     let Some(first) = stars.first() else {
-        let what = "there is no star".to_owned();
-        return Err(PredictFault { star: None, key: key::stack::COUNT, what, remedy: None });
+        return Err(PredictFault::new(key::stack::COUNT, "there is no star".to_owned()));
     };
     let mut first = first.clone();
     first.payload_kg = stars.iter().map(|star| star.payload_kg).sum();

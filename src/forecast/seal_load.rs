@@ -9,7 +9,7 @@ mod burst;
 mod pull;
 
 pub(super) use self::burst::hardest_bounds;
-pub use self::burst::{Bursting, DrawnSeal, burst, burst_range, bursts_at};
+pub use self::burst::{Bursting, burst, burst_of_drawn, burst_range, bursts_at};
 pub use self::pull::{LoadedHinge, RANGE, factor, largest_pull, pull};
 
 use self::burst::{burst_bounds, bursting, sure_strength};
@@ -116,28 +116,24 @@ fn at_place(
     hinge: Option<(LoadedHinge, f64)>,
     width: f64,
 ) -> SealLoad {
-    let k = hinge.map(|hinge| (hinge, factor(&Ring, hinge.1 / width)));
-    let at = |pressure: f64| match k {
-        Some((hinge, k)) => k.map(|k| pull(case, k, hinge, pressure)),
-        None => Some(FRAC_1_PI * pressure * width),
-    };
-    let load = case.pressure.and_then(at);
-    let pull_range = load.zip(case.pressure).and_then(|(load, p)| match k {
-        Some((hinge, k)) => range(case, k?, hinge, p).map(|range| scaled(range, load)),
-        None => Some([load; 2]),
+    let k = hinge.and_then(|(_, radius)| factor(&Ring, radius / width));
+    // Pull, its range, and the strength that surely holds it: of a straight tube they are one.
+    let pulled = case.pressure.and_then(|p| match hinge {
+        Some(hinge) => {
+            let load = pull(case, k?, hinge, p);
+            let range = range(case, k?, hinge, p).map(|range| scaled(range, load));
+            Some((load, range, sure_strength(case, k?, hinge, p)))
+        }
+        None => {
+            let load = FRAC_1_PI * p * width;
+            Some((load, Some([load; 2]), load))
+        }
     });
-    let sure = load.zip(case.pressure).and_then(|(load, p)| match k {
-        Some((hinge, k)) => Some(sure_strength(case, k?, hinge, p)),
-        None => Some(load),
+    let burst = case.peel.and_then(|peel| match hinge {
+        Some(hinge) => Some((bursting(case, k?, hinge, peel), burst_bounds(case, k?, hinge))),
+        None => Some((PI * peel / width, Some([PI * peel / width; 2]))),
     });
-    let burst = case.peel.and_then(|peel| match k {
-        Some((hinge, k)) => k.map(|k| bursting(case, k, hinge, peel)),
-        None => Some(PI * peel / width),
-    });
-    let bounds = burst.and_then(|burst| match k {
-        Some((hinge, k)) => burst_bounds(case, k?, hinge),
-        None => Some([burst; 2]),
-    });
+    let (burst, bounds) = burst.map_or((None, None), |(burst, bounds)| (Some(burst), bounds));
     let burst_range = bounds.filter(|_| hinge.is_none_or(|(_, radius)| is_tried(case, radius)));
     let margin = burst.zip(case.pressure).map(|(burst, p)| burst / p);
     let bursting = burst.zip(case.pressure).map(|(burst, p)| Bursting::at(p, burst, bounds));
@@ -145,10 +141,12 @@ fn at_place(
     SealLoad {
         place,
         radius: hinge.map(|(_, radius)| Length::from_metres(radius)),
-        factor: load.zip(case.pressure).map(|(load, p)| load / (p * width)),
-        range: pull_range.map(|range| range.map(LineForce::from_newtons_per_metre)),
-        load: load.map(LineForce::from_newtons_per_metre),
-        sure_strength: sure.map(LineForce::from_newtons_per_metre),
+        factor: pulled.zip(case.pressure).map(|((load, ..), p)| load / (p * width)),
+        load: pulled.map(|(load, ..)| LineForce::from_newtons_per_metre(load)),
+        range: pulled
+            .and_then(|(_, range, _)| range)
+            .map(|range| range.map(LineForce::from_newtons_per_metre)),
+        sure_strength: pulled.map(|(.., sure)| LineForce::from_newtons_per_metre(sure)),
         burst: burst.map(Pressure::from_pascals),
         burst_range: burst_range.map(|range| range.map(Pressure::from_pascals)),
         bursting,

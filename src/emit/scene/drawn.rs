@@ -5,8 +5,9 @@ use crate::emit::palette::SURFACES;
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, index};
 use crate::emit::scene::{ABOVE, SceneSurface, SheetSurfaces, material, sheets};
-use crate::forecast::drawn::DrawnSurface;
+use crate::forecast::drawn::Surface;
 use crate::spec::Spec;
+use crate::units::Length;
 use inflatable::geom::Path;
 
 /// The surfaces of such a scene: materials are numbered by this.
@@ -23,12 +24,13 @@ pub fn drawn_scene(
     spec: &Spec,
     design: &Design,
     piece: &DrawnPiece,
-    inflated: &[DrawnSurface],
+    inflated: &[Surface],
 ) -> Option<Vec<u8>> {
     let mut glb = Glb::default();
     let bounds = piece.part.outside.bounds();
     let middle = bounds.center();
-    let rise = inflated.iter().flat_map(|surface| &surface.points).map(|[_, _, z]| *z).fold(0.0, f64::max);
+    let rise =
+        inflated.iter().flat_map(|surface| &surface.points).map(|[_, _, z]| mm(*z)).fold(0.0, f64::max);
     let parts = if inflated.is_empty() { flat(piece)? } else { vec![(TUBE, surface(inflated))] };
     let mesh = glb.mesh("fabric of a piece", &parts);
     let node = Node { name: "piece".to_owned(), mesh, at: [-middle.x, -middle.y, rise], turn: 0.0 };
@@ -54,13 +56,17 @@ fn flat(piece: &DrawnPiece) -> Option<Vec<(usize, Mesh)>> {
     Some(vec![(FABRIC, Mesh::fill(&around, 0.0)?), (TUBE, Mesh::fill(&piece.air, 0.0)?), (BAND, bands)])
 }
 
+fn mm(metres: f64) -> f64 {
+    Length::from_metres(metres).0
+}
+
 /// Both sheets of all chambers, from flat to inflated.
-fn surface(inflated: &[DrawnSurface]) -> Mesh {
+fn surface(inflated: &[Surface]) -> Mesh {
     let mut all = Mesh::default();
     for surface in inflated {
         all.append(Mesh {
-            points: surface.flat.iter().map(|[x, y]| [*x, *y, 0.0]).collect(),
-            inflated: surface.points.clone(),
+            points: surface.flat.iter().map(|[x, y]| [mm(*x), mm(*y), 0.0]).collect(),
+            inflated: surface.points.iter().map(|at| at.map(mm)).collect(),
             triangles: surface.triangles.iter().map(|corners| corners.map(index)).collect(),
         });
     }

@@ -2,8 +2,9 @@
 
 use crate::design::DrawnPiece;
 use crate::forecast::case::{sheet, weave};
+use crate::forecast::predict::PredictFault;
 use crate::forecast::shell::{Detail, fabric};
-use crate::spec::Spec;
+use crate::spec::{Spec, key};
 use inflatable::shell::cases::{Fineness, FlatRegion, chambers};
 use inflatable::shell::mesh::FlatChamber;
 
@@ -32,13 +33,15 @@ impl DrawnChamber {
 /// The chambers of `piece` in the order of their outlines; each wall and weld belongs to the chamber that contains it.
 ///
 /// # Errors
-/// A message, if the edges enclose no chamber, or the fabric is invalid.
-pub fn drawn_chambers(spec: &Spec, piece: &DrawnPiece) -> Result<Vec<DrawnChamber>, String> {
-    let sheet = sheet(&spec.fabric).map_err(|fault| fault.to_string())?;
-    let weave = weave(&spec.fabric).map_err(|fault| fault.to_string())?;
-    let found = chambers(&piece.air, &piece.inner, &piece.part.inside).map_err(|fault| fault.to_string())?;
+/// If the edges enclose no chamber, or the fabric is invalid.
+pub fn drawn_chambers(spec: &Spec, piece: &DrawnPiece) -> Result<Vec<DrawnChamber>, PredictFault> {
+    let refused = |why: String| PredictFault::new(key::drawing::FILE, why);
+    let sheet = sheet(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
+    let weave = weave(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
+    let found =
+        chambers(&piece.air, &piece.inner, &piece.part.inside).map_err(|fault| refused(fault.to_string()))?;
     if found.is_empty() {
-        return Err("the drawing's edges enclose no air".to_owned());
+        return Err(refused("the drawing's edges enclose no air".to_owned()));
     }
     let chamber = |flat: FlatChamber| DrawnChamber {
         region: FlatRegion {

@@ -11,15 +11,13 @@ use crate::design::DrawnPiece;
 use crate::forecast::drawn::chambers::{DrawnChamber, drawn_chambers};
 use crate::forecast::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction};
 use crate::forecast::predict::PredictFault;
-use crate::forecast::seal_load::DrawnSeal;
 use crate::forecast::shell::request::{ShellRefusal, fault, no_pressure, out_of_range};
 use crate::forecast::shell::{Detail, SHELL};
-use crate::forecast::star_answer::mm;
 use crate::spec::{ModelChoice, Spec, key};
-use crate::units::{LineForce, Pressure};
-use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Surface, Wrinkles, region};
+use crate::units::Pressure;
+use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Wrinkles, region};
 
-pub use inflatable::shell::cases::Watch;
+pub use inflatable::shell::cases::{Surface, Watch};
 
 /// Name of the absent model: only flat quantities are predicted.
 pub const NONE: &str = "none";
@@ -32,31 +30,11 @@ pub const HOW: &str = "run `predict`, or set `model = \"shell\"` in [accuracy] f
 pub struct InflatedDrawing {
     /// In figures.
     pub prediction: DrawnPrediction,
-    /// Both sheets of each chamber on its finest mesh, in the order of the chambers; empty without the shell.
-    pub surfaces: Vec<DrawnSurface>,
+    /// Both sheets of each chamber on its finest mesh, in m and in the frame of the drawing, in the order of the chambers; empty without the
+    /// shell.
+    pub surfaces: Vec<Surface>,
     /// The same upper sheets, with stretch and tension.
     pub shapes: Vec<InflatedShape>,
-}
-
-/// Both sheets of a chamber as triangles, in mm and in the frame of the drawing.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct DrawnSurface {
-    /// Position of each point on the flat sheets.
-    pub flat: Vec<[f64; 2]>,
-    /// Position of each point under pressure.
-    pub points: Vec<[f64; 3]>,
-    /// The points of each triangle, counterclockwise from outside.
-    pub triangles: Vec<[usize; 3]>,
-}
-
-impl DrawnSurface {
-    fn new(surface: &Surface) -> Self {
-        Self {
-            flat: surface.flat.iter().map(|at| at.map(mm)).collect(),
-            points: surface.points.iter().map(|at| at.map(mm)).collect(),
-            triangles: surface.triangles.clone(),
-        }
-    }
 }
 
 /// The prediction of `piece`, made from `spec`, for `check` and `build`: the shell's on coarse meshes if the spec selects the shell by
@@ -69,10 +47,12 @@ pub fn of_spec(spec: &Spec, piece: &DrawnPiece, watch: &Watch<'_>) -> Result<Inf
     if asked && spec.load.as_ref().is_some_and(|load| load.pressure.is_some()) {
         return inflate(spec, piece, Detail::Coarse, watch).map_err(|refusal| match refusal {
             ShellRefusal::Fault(fault) => fault,
-            ShellRefusal::Cancelled => stars_only("the computation of the shell was stopped".to_owned()),
+            ShellRefusal::Cancelled => {
+                PredictFault::new(key::accuracy::MODEL, "the computation of the shell was stopped".to_owned())
+            }
         });
     }
-    let found = drawn_chambers(spec, piece).map_err(refused)?;
+    let found = drawn_chambers(spec, piece)?;
     flat(spec, piece, &found).map(|prediction| InflatedDrawing {
         prediction,
         surfaces: Vec::new(),
@@ -90,13 +70,9 @@ pub fn inflate(
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<InflatedDrawing, ShellRefusal> {
-    let found = drawn_chambers(spec, piece).map_err(|why| ShellRefusal::Fault(refused(why)))?;
-    let mut prediction = flat(spec, piece, &found).map_err(ShellRefusal::Fault)?;
-    let Some(pressure) = spec.load.as_ref().and_then(|load| load.pressure) else {
-        return Err(no_pressure());
-    };
-    let peel = spec.fabric.seal_strength.map(LineForce::newtons_per_metre);
-    let seal = DrawnSeal { pressure: pressure.pascals(), peel };
+    let found = drawn_chambers(spec, piece)?;
+    let mut prediction = flat(spec, piece, &found)?;
+    let pressure = spec.load.as_ref().and_then(|load| load.pressure).ok_or_else(no_pressure)?;
     let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
     let mut is_weave_left_out = false;
     let count = found.len();
@@ -112,8 +88,8 @@ pub fn inflate(
         let inflated =
             region(&case, chamber.fineness(detail), &own).map_err(|why| not_inflated(&why, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles == Wrinkles::Averaged;
-        answer.fill(&inflated, &seal);
-        surfaces.push(DrawnSurface::new(&inflated.surface));
+        answer.fill(&inflated, pressure, spec.fabric.seal_strength);
+        surfaces.push(inflated.surface);
         shapes.push(inflated.shape);
     }
     prediction.model = SHELL;
@@ -145,7 +121,10 @@ fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<Drawn
     if !matches!(model, ModelChoice::Shell | ModelChoice::Auto) {
         let word = ModelChoice::ALL.iter().find(|(_, own)| *own == model).map_or("this", |(word, _)| word);
         let what = format!("{word} is a model of a star's hinges; only the shell models drawn shapes");
-        return Err(PredictFault { remedy: Some(HOW.to_owned()), ..stars_only(what) });
+        return Err(PredictFault {
+            remedy: Some(HOW.to_owned()),
+            ..PredictFault::new(key::accuracy::MODEL, what)
+        });
     }
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
     let choice = match pressure {
@@ -162,15 +141,6 @@ fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<Drawn
         evidence: DrawnEvidence { choice, warnings: Vec::new() },
         ..DrawnPrediction::default()
     })
-}
-
-fn stars_only(what: String) -> PredictFault {
-    PredictFault { star: None, key: key::accuracy::MODEL, what, remedy: None }
-}
-
-/// The fault of a drawing whose chambers the shell cannot model.
-fn refused(what: String) -> PredictFault {
-    PredictFault { star: None, key: key::drawing::FILE, what, remedy: None }
 }
 
 /// The reason why the shell refuses a chamber, one of `count`, with the spec key to change.

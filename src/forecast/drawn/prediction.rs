@@ -5,7 +5,7 @@ use crate::forecast::drawn::chambers::DrawnChamber;
 use crate::forecast::keys::{keyed, kinds};
 use crate::forecast::meshed::{MeshedPlace, MeshedValue};
 use crate::forecast::ranges::Interval;
-use crate::forecast::seal_load::{Bursting, DrawnSeal, bursts_at};
+use crate::forecast::seal_load::{Bursting, burst_of_drawn, bursts_at};
 use crate::spec::key;
 use crate::units::{Length, LineForce, Most, Pressure};
 use inflatable::shell::cases::{InflatedRegion, RegionSeam, SeamPull, Value, Wrinkles};
@@ -140,12 +140,12 @@ impl ChamberPrediction {
     }
 
     /// Adds the shell's values.
-    pub(super) fn fill(&mut self, found: &InflatedRegion, seal: &DrawnSeal) {
+    pub(super) fn fill(&mut self, found: &InflatedRegion, pressure: Pressure, peel: Option<LineForce>) {
         let seams = seams(found);
         let largest = seams.iter().map(|seam| seam.pull_N_per_mm).max_by(|a, b| a.value.total_cmp(&b.value));
-        let burst = largest.and_then(|pull| {
-            let [pull, error] = [pull.value, pull.mesh_error].map(|pull| LineForce(pull).newtons_per_metre());
-            seal.burst(pull, error)
+        let burst = peel.zip(largest).and_then(|(peel, pull)| {
+            let pull = [pull.value, pull.mesh_error].map(|pull| LineForce(pull).newtons_per_metre());
+            burst_of_drawn(peel.newtons_per_metre(), pressure.pascals(), pull)
         });
         let kpa = |pascals: f64| six(Pressure::from_pascals(pascals).0);
         self.wrinkles = Some(match found.wrinkles {

@@ -114,36 +114,24 @@ pub(super) fn bursting(case: &Case, k: f64, hinge: (LoadedHinge, f64), peel: f64
     pressure
 }
 
-/// Inputs of a drawn seal, in SI units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DrawnSeal {
-    /// Gauge pressure of the shell, Pa.
-    pub pressure: f64,
-    /// Peel strength, N per m.
-    pub peel: Option<f64>,
-}
-
-impl DrawnSeal {
-    /// The pressure (Pa) at which a seam peels, with its range. `pull` and its mesh error `error` are the shell's at [`DrawnSeal::pressure`],
-    /// N per m. `None` without a peel strength, or without a pull.
-    ///
-    /// The value assumes a pull in proportion to the pressure. The range includes the mesh error and a pull that grows with p^(1 -
-    /// `BENDABILITY`) only, as at the hinges of stars.
-    pub fn burst(&self, pull: f64, error: f64) -> Option<(f64, Interval)> {
-        let peel = self.peel?;
-        let bound = |pull: f64| {
-            let ratio = peel / pull;
-            [ratio, libm::pow(ratio, (1.0 - BENDABILITY).recip())]
-        };
-        let least = (pull - error).max(LEAST_PULL * pull);
-        if least.is_nan() || least <= 0.0 {
-            return None;
-        }
-        let ends = [bound(pull + error), bound(least)].concat();
-        let low = ends.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = ends.iter().copied().fold(0.0, f64::max);
-        Some((self.pressure * peel / pull, [low, high].map(|times| self.pressure * times)))
+/// The pressure (Pa) at which a seam of strength `peel` (N per m) peels, with its range. `pull` and its mesh error `error` are the shell's at
+/// `pressure` (Pa), N per m. `None` without a pull.
+///
+/// The value assumes a pull in proportion to the pressure. The range includes the mesh error and a pull that grows with p^(1 -
+/// `BENDABILITY`) only, as at the hinges of stars.
+pub fn burst_of_drawn(peel: f64, pressure: f64, [pull, error]: [f64; 2]) -> Option<(f64, Interval)> {
+    let bound = |pull: f64| {
+        let ratio = peel / pull;
+        [ratio, libm::pow(ratio, (1.0 - BENDABILITY).recip())]
+    };
+    let least = (pull - error).max(LEAST_PULL * pull);
+    if least.is_nan() || least <= 0.0 {
+        return None;
     }
+    let ends = [bound(pull + error), bound(least)].concat();
+    let low = ends.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = ends.iter().copied().fold(0.0, f64::max);
+    Some((pressure * peel / pull, [low, high].map(|times| pressure * times)))
 }
 
 /// The least part of a pull that a mesh error leaves of it.

@@ -24,27 +24,28 @@ pub enum ShellRefusal {
     Fault(PredictFault),
 }
 
+impl From<PredictFault> for ShellRefusal {
+    fn from(fault: PredictFault) -> Self {
+        Self::Fault(fault)
+    }
+}
+
 /// A fault that is best mended at `key`.
 pub(in crate::forecast) fn fault(key: KeyPath, what: String) -> ShellRefusal {
-    ShellRefusal::Fault(PredictFault { star: None, key, what, remedy: None })
+    ShellRefusal::Fault(PredictFault::new(key, what))
 }
 
 /// The fault of a shell without a pressure.
 pub(in crate::forecast) fn no_pressure() -> ShellRefusal {
-    let (what, remedy) = ("model shell needs a pressure", "set `pressure` in [load]");
-    let fault = PredictFault {
-        star: None,
-        key: key::load::PRESSURE,
-        what: what.to_owned(),
-        remedy: Some(remedy.to_owned()),
-    };
-    ShellRefusal::Fault(fault)
+    let remedy = Some("set `pressure` in [load]".to_owned());
+    let what = "model shell needs a pressure".to_owned();
+    ShellRefusal::Fault(PredictFault { remedy, ..PredictFault::new(key::load::PRESSURE, what) })
 }
 
 /// The fault of a pressure, Pa, at which there is no shell.
 pub(in crate::forecast) fn out_of_range(found: f64, range: Interval) -> PredictFault {
     let (what, remedy) = outside(SHELL, found, range);
-    PredictFault { star: None, key: key::load::PRESSURE, what, remedy: Some(remedy) }
+    PredictFault { remedy: Some(remedy), ..PredictFault::new(key::load::PRESSURE, what) }
 }
 
 /// The shell's values of a star: each number with its mesh error.
@@ -70,12 +71,6 @@ pub(in crate::forecast) struct Measurements {
     pub(in crate::forecast) slips: Vec<Value>,
     /// Radius of the object of the load, m; `None` if there is none, it does not enter, or the star does not meet it.
     pub(in crate::forecast) object: Option<f64>,
-    /// Least and largest distance of a corner from the point in the middle of all, mm.
-    pub(in crate::forecast) corners: [Value; 2],
-    /// Distance of that point from the one in the middle of the tips, mm.
-    pub(in crate::forecast) off_center: Value,
-    /// The least angle of a tip, deg.
-    pub(in crate::forecast) least_tip_angle: Value,
     /// The hardest loaded places, SI.
     pub(in crate::forecast) extremes: Extremes,
 }
@@ -85,9 +80,7 @@ pub(in crate::forecast) struct Measurements {
 /// # Errors
 /// If no pressure is given, or it has too many points.
 pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
-    let Some(pressure) = case.pressure else {
-        return Err(no_pressure());
-    };
+    let pressure = case.pressure.ok_or_else(no_pressure)?;
     let points = case.mechanism.points;
     if points > MOST_POINTS {
         let what = format!("{points} points, and shells of stars are computed with 3 to {MOST_POINTS}");
@@ -163,9 +156,6 @@ impl Measurements {
             radius: found.final_radius.scaled(1e3),
             contraction: found.final_radius.shifted(-case.inner_radius).scaled(-1.0 / case.inner_radius),
             tip_angle: found.tip_angle.scaled(1.0_f64.to_degrees()),
-            corners: found.corner_radii.map(|radius| radius.scaled(1e3)),
-            off_center: found.off_center.scaled(1e3),
-            least_tip_angle: found.least_tip_angle.scaled(1.0_f64.to_degrees()),
             stiffness: found.radial_stiffness,
             contact: found.preload,
             contact_area: found.contact_area.scaled(1e6),

@@ -19,9 +19,9 @@ use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, StarPart, 
 
 pub use crate::forecast::shell::request::{ShellRefusal, flat};
 
-/// The value on the finest mesh: numbers whose differences matter are not extrapolated one by one.
-fn finest(value: &Value) -> f64 {
-    value.meshes[2]
+/// The value on the finest mesh, mm: numbers whose differences matter are not extrapolated one by one.
+fn finest_mm(value: Value) -> f64 {
+    mm(value.meshes[2])
 }
 
 /// Use of a shear modulus by a shell.
@@ -41,7 +41,7 @@ pub fn predict(
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<(Prediction, InflatedShape), ShellRefusal> {
-    let design = stars_of(design).map_err(ShellRefusal::Fault)?;
+    let design = stars_of(design)?;
     let meetings = design.meetings(spec);
     let meeting = |placed: &PlacedPart| meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();
     let mut computed = Vec::new();
@@ -171,7 +171,7 @@ impl ShellRun {
                     object_force_N: on_object.map(|force| force.error),
                     force_curve: (!radii.is_empty()).then(|| curve_of(|force| force.error)),
                 }),
-                warnings: warnings(&case, flat, &measured).into_iter().chain(snap(&curve)).collect(),
+                warnings: warnings(&case, (flat, found), &measured).into_iter().chain(snap(&curve)).collect(),
                 ..bare.evidence.clone()
             },
             ..bare
@@ -179,10 +179,11 @@ impl ShellRun {
     }
 }
 
-fn warnings(case: &Case, flat: &FlatStar, measured: &Measurements) -> Vec<String> {
+fn warnings(case: &Case, (flat, found): (&FlatStar, &InflatedStar), measured: &Measurements) -> Vec<String> {
     let (radius, object) = (measured.radius, measured.object);
     let too_wide = case.object.is_some_and(|radius| radius > 0.0) && object.is_none();
     let pull = measured.extremes.seal_pull;
+    let ([least, most], off_center) = (found.corner_radii.map(finest_mm), finest_mm(found.off_center));
     let sharp = flat.tip_radius == 0.0 || flat.corner_radius == 0.0;
     let candidates = [
         (flat.points > TRIED_POINTS, format!("shells of stars were tried with 3 to {TRIED_POINTS} points")),
@@ -190,13 +191,12 @@ fn warnings(case: &Case, flat: &FlatStar, measured: &Measurements) -> Vec<String
         (
             flat.part() == StarPart::Whole,
             format!(
-                "the woven star does not close to a circle: on its finest mesh the corners lie {:.1} to \
-                 {:.1} mm from the point in their middle, which is {:.1} mm beside that of the tips; the final radius is their mean, extrapolated",
-                finest(&measured.corners[0]), finest(&measured.corners[1]), finest(&measured.off_center)
+                "the woven star does not close to a circle: on its finest mesh the corners lie {least:.1} to \
+                 {most:.1} mm from the point in their middle, which is {off_center:.1} mm beside that of the tips; the final radius is their mean, extrapolated"
             ),
         ),
         (
-            flat.part() == StarPart::Whole && finest(&measured.least_tip_angle) < 0.0,
+            flat.part() == StarPart::Whole && found.least_tip_angle.meshes[2] < 0.0,
             "two arms pass through each other: the shell of a whole star has no contact between arms".to_owned(),
         ),
         (
