@@ -135,41 +135,33 @@ impl ActuatorPrediction {
             format!("stretch p W / Y       {:.4}", self.stretch),
         ];
         let mesh = self.evidence.mesh_errors.as_ref();
-        let shown_value = |value: f64,
-                           range: Option<Interval>,
-                           mesh: Option<f64>,
-                           decimals: usize,
-                           unit: &str| match (range, mesh) {
-            (Some(range), _) => shown::with(value, range, unit),
-            (None, Some(error)) => shown::meshed(value, error, unit),
-            (None, None) => format!("{value:.decimals$} {unit}").trim_end().to_owned() + ", range unknown",
+        let mut line = |what: &str,
+                        value: f64,
+                        range: Option<Interval>,
+                        mesh: Option<f64>,
+                        decimals: usize,
+                        unit: &str| {
+            let text = match (range, mesh) {
+                (Some(range), _) => shown::with(value, range, unit),
+                (None, Some(error)) => shown::meshed(value, error, unit),
+                (None, None) => {
+                    format!("{value:.decimals$} {unit}").trim_end().to_owned() + ", range unknown"
+                }
+            };
+            lines.push(format!("{what:22}{text}"));
         };
         let error = |of: fn(&ActuatorMeshErrors) -> f64| mesh.map(of);
-        lines.push(format!(
-            "angle at rest         {}",
-            shown_value(self.angle_deg, self.ranges.angle_deg, error(|mesh| mesh.angle_deg), 2, "deg")
-        ));
-        lines.push(format!(
-            "coiling               {}",
-            shown_value(self.coiling, self.ranges.coiling, error(|mesh| mesh.coiling), 4, "")
-        ));
+        let ranges = &self.ranges;
+        line("angle at rest", self.angle_deg, ranges.angle_deg, error(|mesh| mesh.angle_deg), 2, "deg");
+        line("coiling", self.coiling, ranges.coiling, error(|mesh| mesh.coiling), 4, "");
         if let Some(volume) = self.volume_mm3 {
-            let volume = shown_value(volume, None, error(|mesh| mesh.volume_mm3), 0, "mm^3");
-            lines.push(format!("volume                {volume}"));
+            line("volume", volume, None, error(|mesh| mesh.volume_mm3), 0, "mm^3");
         }
-        lines.push(format!(
-            "stiffness             {}",
-            shown_value(
-                self.stiffness_Nm,
-                self.ranges.stiffness_Nm,
-                error(|mesh| mesh.stiffness_Nm),
-                4,
-                "N m/rad"
-            )
-        ));
+        let stiffness = self.stiffness_Nm;
+        line("stiffness", stiffness, ranges.stiffness_Nm, error(|mesh| mesh.stiffness_Nm), 4, "N m/rad");
         for (k, [angle, moment]) in self.moment.iter().flatten().enumerate() {
             let error = mesh.and_then(|mesh| mesh.moment_Nm.get(k).copied());
-            lines.push(format!("held at {angle:7.2} deg    {}", shown_value(*moment, None, error, 5, "N m")));
+            line(&format!("held at {angle:7.2} deg    "), *moment, None, error, 5, "N m");
         }
         if let Some(unknowns) = &self.evidence.unknowns {
             let unknowns: Vec<String> = unknowns.iter().map(ToString::to_string).collect();
@@ -189,17 +181,7 @@ pub fn actuate(actuator: &Actuator, level: Level, angles: &[f64]) -> Result<Actu
     if !(pressure > 0.0 && pressure.is_finite()) {
         return Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "above 0" });
     }
-    let model = hinge_model(level, &sheet, Some(pressure), width)?;
-    of_a_hinge(actuator, model.as_ref(), angles)
-}
-
-/// The prediction of a model that covers the hinge only.
-fn of_a_hinge(
-    actuator: &Actuator,
-    model: &dyn HingeModel,
-    angles: &[f64],
-) -> Result<ActuatorPrediction, StarFault> {
-    let Actuator { width, pressure, sheet, .. } = *actuator;
+    let model = &*hinge_model(level, &sheet, Some(pressure), width)?;
     let hinge = actuator.hinge();
     let rest = hinge.rest(model)?;
     let angle = hinge.angle_of(model, &rest);

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::design::{Design, Meeting, PlacedPart, Star};
 use crate::forecast::case::Case;
-use crate::forecast::model_selection::{corrected, hinge_model, named, tabled};
+use crate::forecast::model_selection::{corrected, named, of_spec};
 use crate::forecast::outcome::Outcome;
 use crate::forecast::pose::{Pose, at_angle, held};
 use crate::forecast::ranges::{Interval, mm};
@@ -121,11 +121,11 @@ struct Question<'a> {
 impl Question<'_> {
     /// The model at a pressure, Pa; `None` where it does not cover the star.
     fn model(&self, pressure: f64) -> Option<Box<dyn HingeModel>> {
-        let Some(level) = named(self.chosen) else {
-            return tabled(&self.case, pressure).ok().map(|model| Box::new(model) as Box<dyn HingeModel>);
-        };
+        let model = of_spec(self.chosen, &self.case, pressure).ok()?;
+        if named(self.chosen).is_none() {
+            return Some(model);
+        }
         let mechanism = &self.case.mechanism;
-        let model = hinge_model(level, &self.case.sheet, Some(pressure), mechanism.width).ok()?;
         let [tip, corner] = [mechanism.tip(), mechanism.corner()].map(|hinge| hinge.r_star);
         let first = (tip, model.target(tip).ok()?);
         let second = if tip == corner { first } else { (corner, model.target(corner).ok()?) };

@@ -1,6 +1,8 @@
 //! Shells as they were computed once: of every fineness, `by_shell.txt`, and the finest of the paper's stars, `finest.txt`. Both are
 //! made by `crates/research`.
 
+use crate::forecast::meshed::MeshedValue;
+
 /// One computation a line.
 const SHIPPED: &str = include_str!("by_shell.txt");
 
@@ -21,15 +23,6 @@ const WIDTH: f64 = 30.0;
 /// The finenesses, from the coarsest.
 pub const FINENESSES: [&str; 3] = ["coarse", "medium", "fine"];
 
-/// A number of the shell, with its mesh error.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MeshedNumber {
-    /// Its value.
-    pub value: f64,
-    /// Its mesh error.
-    pub error: f64,
-}
-
 /// One shell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shell {
@@ -40,11 +33,11 @@ pub struct Shell {
     /// Gauge pressure, kPa.
     pub pressure: f64,
     /// Final radius, mm; the V-actuator's angle at rest, deg.
-    pub rest: MeshedNumber,
+    pub rest: MeshedValue,
     /// Radial stiffness, N/m, NaN where its mesh error is larger than itself; the V-actuator's stiffness, N m.
-    pub stiffness: MeshedNumber,
+    pub stiffness: MeshedValue,
     /// Force on a round object 0.45 W wider than the finest shell's final radius, N; stars only.
-    pub force: Option<MeshedNumber>,
+    pub force: Option<MeshedValue>,
     /// Unknowns of its finest mesh.
     pub unknowns: u32,
     /// User time, s.
@@ -61,16 +54,21 @@ pub struct Finest {
     /// Gauge pressure, kPa.
     pub pressure: f64,
     /// Final radius, mm.
-    pub radius: MeshedNumber,
+    pub radius: MeshedValue,
     /// Radial stiffness, N/m.
-    pub stiffness: MeshedNumber,
+    pub stiffness: MeshedValue,
     /// Force on a round object that opens it by [`OPENING`], N.
-    pub force: MeshedNumber,
+    pub force: MeshedValue,
+}
+
+/// The lines of a table that are no comments.
+fn rows(table: &'static str) -> impl Iterator<Item = &'static str> {
+    table.lines().filter(|line| !line.starts_with('#'))
 }
 
 /// All of the paper's stars.
 pub fn finest() -> Vec<Finest> {
-    FINEST.lines().filter(|line| !line.starts_with('#')).filter_map(star).collect()
+    rows(FINEST).filter_map(star).collect()
 }
 
 fn star(line: &str) -> Option<Finest> {
@@ -85,21 +83,21 @@ fn star(line: &str) -> Option<Finest> {
     Some(Finest {
         points: points.parse().ok()?,
         pressure,
-        radius: MeshedNumber { value: radius, error: radius_error },
-        stiffness: MeshedNumber { value: 1e3 * spring, error: 1e3 * spring_error },
-        force: MeshedNumber { value: force, error: open * force },
+        radius: MeshedValue { value: radius, mesh_error: radius_error },
+        stiffness: MeshedValue { value: 1e3 * spring, mesh_error: 1e3 * spring_error },
+        force: MeshedValue { value: force, mesh_error: open * force },
     })
 }
 
 /// All shells of every fineness.
 pub fn shells() -> Vec<Shell> {
-    SHIPPED.lines().filter(|line| !line.starts_with('#')).filter_map(shell).collect()
+    rows(SHIPPED).filter_map(shell).collect()
 }
 
 fn shell(line: &str) -> Option<Shell> {
     let words: Vec<&str> = line.split(' ').collect();
     let number = |at: usize| words.get(at)?.parse::<f64>().ok();
-    let meshed = |at: usize| Some(MeshedNumber { value: number(at)?, error: number(at + 1)? });
+    let meshed = |at: usize| Some(MeshedValue { value: number(at)?, mesh_error: number(at + 1)? });
     let points: u32 = words.get(1)?.parse().ok()?;
     Some(Shell {
         fineness: (*words.first()?).to_owned(),
@@ -107,7 +105,7 @@ fn shell(line: &str) -> Option<Shell> {
         pressure: number(2)?,
         rest: meshed(3)?,
         stiffness: meshed(5)?,
-        force: number(7).zip(number(9)).map(|(value, error)| MeshedNumber { value, error }),
+        force: number(7).zip(number(9)).map(|(value, mesh_error)| MeshedValue { value, mesh_error }),
         unknowns: words.get(10)?.parse().ok()?,
         time: number(11)?,
         memory: number(12)?,

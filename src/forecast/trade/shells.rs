@@ -7,14 +7,14 @@
 use crate::design::Star;
 use crate::forecast::actuator::{Actuator, actuate};
 use crate::forecast::case::Case;
-use crate::forecast::model_selection::{corrected, hinge_model, tabled};
+use crate::forecast::meshed::MeshedValue;
+use crate::forecast::model_selection::{corrected, named, of_spec};
 use crate::forecast::trade::computed::{
-    FINENESSES, Finest, MeshedNumber, OPENING, POISSON, Shell, THICKNESS, YOUNG, finest, shells,
+    FINENESSES, Finest, OPENING, POISSON, Shell, THICKNESS, YOUNG, finest, shells,
 };
-use crate::spec::StarSpec;
+use crate::spec::{ModelChoice, StarSpec};
 use crate::units::Pressure;
 use inflatable::mechanics::fault::StarFault;
-use inflatable::mechanics::hinge::{HingeModel, Level};
 use inflatable::mechanics::star::response::Inflated;
 use inflatable::mechanics::strength::ElasticSheet;
 
@@ -22,13 +22,13 @@ use inflatable::mechanics::strength::ElasticSheet;
 pub const PRESSURES: [f64; 3] = [14.0, 37.0, 60.0];
 /// Points of its stars.
 pub const STARS: [u32; 6] = [3, 4, 5, 6, 7, 8];
-/// The models that are compared: by their levels, and the section from its table.
-const MODELS: [(&str, Option<Level>); 5] = [
-    ("fit", Some(Level::Fit)),
-    ("ring", Some(Level::Ring)),
-    ("bvp", Some(Level::Bvp)),
-    ("section", Some(Level::Section)),
-    ("section, table", None),
+/// The models that are compared.
+const MODELS: [(&str, ModelChoice); 5] = [
+    ("fit", ModelChoice::Fit),
+    ("ring", ModelChoice::Ring),
+    ("bvp", ModelChoice::Bvp),
+    ("section", ModelChoice::Section),
+    ("section, table", ModelChoice::Auto),
 ];
 
 /// One star by one model: relative errors against the finest shell; for that shell, its relative mesh errors.
@@ -84,7 +84,7 @@ pub struct Agreement {
 pub fn against_shells(clock: &dyn Fn() -> f64) -> Result<Vec<ShellRow>, StarFault> {
     let (finest, computed) = (finest(), shells());
     let mut rows = Vec::new();
-    for (name, level) in MODELS {
+    for (name, chosen) in MODELS {
         for pressure in PRESSURES {
             let mut row = ShellRow {
                 model: name.to_owned(),
@@ -93,13 +93,13 @@ pub fn against_shells(clock: &dyn Fn() -> f64) -> Result<Vec<ShellRow>, StarFaul
                 actuator: None,
                 stars: Vec::new(),
             };
-            if let Some((level, known)) = level.zip(actuator_of(&computed, "fine", pressure)) {
+            if let Some((level, known)) = named(chosen).zip(actuator_of(&computed, "fine", pressure)) {
                 let own = actuate(&actuator(pressure)?, level, &[])?;
                 row.actuator =
                     Some([own.angle_deg - known.rest.value, own.stiffness_Nm / known.stiffness.value - 1.0]);
             }
             for known in at(&finest, pressure) {
-                row.add(known, level, clock)?;
+                row.add(known, chosen, clock)?;
             }
             rows.push(row);
         }
@@ -135,7 +135,7 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
         time: 0.0,
         actuator: own.map(|(own, known)| {
             if fineness == "fine" {
-                return [known.rest.error, known.stiffness.error / known.stiffness.value];
+                return [known.rest.mesh_error, known.stiffness.mesh_error / known.stiffness.value];
             }
             [own.rest.value - known.rest.value, own.stiffness.value / known.stiffness.value - 1.0]
         }),
@@ -145,7 +145,7 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
     for known in at(finest, pressure) {
         if fineness == "fine" {
             // Relative mesh error of the reference that the others are compared with.
-            let open = |known: MeshedNumber| known.error / known.value;
+            let open = |known: MeshedValue| known.mesh_error / known.value;
             row.stars.push(StarErrors {
                 points: known.points,
                 radius: open(known.radius),
@@ -156,7 +156,7 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
         }
         let Some(own) = same(computed, fineness, known) else { continue };
         times.push(own.time);
-        let part = |own: MeshedNumber, known: MeshedNumber| {
+        let part = |own: MeshedValue, known: MeshedValue| {
             Some(own.value / known.value - 1.0).filter(|part| part.is_finite())
         };
         row.stars.push(StarErrors {
@@ -204,7 +204,7 @@ pub fn mesh_errors() -> Vec<Agreement> {
                     row.unknown += 1;
                     continue;
                 };
-                let far = (own.value - known.value).abs() / (own.error + known.error);
+                let far = (own.value - known.value).abs() / (own.mesh_error + known.mesh_error);
                 row.of += 1;
                 row.held += usize::from(far <= 1.0);
                 row.furthest = row.furthest.max(far);
@@ -242,17 +242,12 @@ pub fn rms(errors: impl Iterator<Item = f64>) -> f64 {
 }
 
 impl ShellRow {
-    fn add(
-        &mut self,
-        known: &Finest,
-        level: Option<Level>,
-        clock: &dyn Fn() -> f64,
-    ) -> Result<(), StarFault> {
+    fn add(&mut self, known: &Finest, chosen: ModelChoice, clock: &dyn Fn() -> f64) -> Result<(), StarFault> {
         let Ok(star) = Star::new(&StarSpec::paper(known.points)) else { return Ok(()) };
         let pressure = Pressure(known.pressure).pascals();
         let case = Case::bare(&star, ElasticSheet::new(THICKNESS, 1e6 * YOUNG, POISSON)?, pressure);
         let start = clock();
-        let model = model(level, &case, pressure)?;
+        let model = of_spec(chosen, &case, pressure)?;
         let case = corrected(&case, &*model)?;
         let inflated = Inflated::new(&case.mechanism, &*model, pressure)?;
         let rest = inflated.linear_rest();
@@ -267,13 +262,6 @@ impl ShellRow {
         });
         Ok(())
     }
-}
-
-fn model(level: Option<Level>, case: &Case, pressure: f64) -> Result<Box<dyn HingeModel>, StarFault> {
-    Ok(match level {
-        Some(level) => hinge_model(level, &case.sheet, Some(pressure), case.mechanism.width)?,
-        None => Box::new(tabled(case, pressure)?),
-    })
 }
 
 #[cfg(test)]
