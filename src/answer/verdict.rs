@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::forecast::meshed::{MeshedPlace, MeshedValue};
-use crate::forecast::prediction::StarPrediction;
+use crate::forecast::prediction::{StarPrediction, distinct};
 use crate::forecast::ranges::scaled;
 use crate::forecast::ranges::shown::{or_unknown, rounded, with_limit};
 use crate::forecast::verdict::of_stars;
@@ -47,14 +47,7 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
     };
     let Some(pressure) = load.pressure else { return Vec::new() };
     let mut rows = Vec::new();
-    let mut distinct: Vec<(String, Vec<usize>)> = Vec::new();
-    for (number, star) in (1..).zip(&prediction.stars) {
-        let text = closing(star);
-        match distinct.iter_mut().find(|(other, _)| *other == text) {
-            Some((_, stars)) => stars.push(number),
-            None => distinct.push((text, vec![number])),
-        }
-    }
+    let distinct = distinct(prediction.stars.iter().map(closing));
     let alike = distinct.len() == 1;
     let closings =
         distinct.iter().map(|(text, stars)| if alike { text.clone() } else { of_stars(stars, text) });

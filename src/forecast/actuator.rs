@@ -164,8 +164,7 @@ impl ActuatorPrediction {
             line(&format!("held at {angle:7.2} deg    "), *moment, None, error, 5, "N m");
         }
         if let Some(unknowns) = &self.evidence.unknowns {
-            let unknowns: Vec<String> = unknowns.iter().map(ToString::to_string).collect();
-            lines.push(format!("unknowns of meshes    {}", unknowns.join(", ")));
+            lines.push(format!("unknowns of meshes    {}", shown::listed(unknowns)));
         }
         lines.extend(self.evidence.warnings.iter().map(|warning| format!("warning               {warning}")));
         lines.join("\n") + "\n"

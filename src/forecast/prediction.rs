@@ -244,6 +244,18 @@ keyed! {
     }
 }
 
+/// Those of `all` that differ, each with the numbers of those that are equal to it, from 1: of stars the bottom one.
+pub fn distinct<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<(T, Vec<usize>)> {
+    let mut distinct: Vec<(T, Vec<usize>)> = Vec::new();
+    for (number, one) in (1..).zip(all) {
+        match distinct.iter_mut().find(|(other, _)| *other == one) {
+            Some((_, numbers)) => numbers.push(number),
+            None => distinct.push((one, vec![number])),
+        }
+    }
+    distinct
+}
+
 kinds! {
     Hinges: Hinges<f64>, Hinges<Option<f64>>;
     Object: Verdict, MeshedPlace, StarRanges, Nonlinear, ModelEvidence;

@@ -1,9 +1,10 @@
 //! The prediction as a text for people: values, assumptions and warnings.
 
 use crate::forecast::outcome::Grip;
-use crate::forecast::prediction::{ForceAt, Hinges, Prediction, StarPrediction};
+use crate::forecast::prediction::{ForceAt, Hinges, Prediction, StarPrediction, distinct};
 use crate::forecast::pressures::PressureRow;
-use crate::forecast::ranges::{Interval, scaled, shown};
+use crate::forecast::ranges::shown::{self, line, listed};
+use crate::forecast::ranges::{Interval, scaled};
 use crate::forecast::shell::SHELL;
 use crate::forecast::shell::result::{self, payload_mesh_error};
 use crate::spec::Spec;
@@ -19,23 +20,15 @@ pub const ISOTROPIC: &str =
 pub fn text(spec: &Spec, prediction: &Prediction) -> String {
     let mut out = format!("{}\n", spec.name);
     let pressure = spec.load.as_ref().and_then(|load| load.pressure).map(|pressure| pressure.0);
-    let all_equal = prediction.stars.windows(2).all(|pair| pair[0] == pair[1]);
-    if let Some(star) = prediction.stars.first().filter(|_| all_equal) {
-        if prediction.stars.len() > 1 {
-            let _ = writeln!(out, "\n{} equal stars, each:", prediction.stars.len());
-        }
+    let distinct = distinct(&prediction.stars);
+    for (star, numbers) in &distinct {
+        let _ = match (distinct.len(), &numbers[..]) {
+            (1, [_]) => Ok(()),
+            (1, all) => writeln!(out, "\n{} equal stars, each:", all.len()),
+            (_, [number]) => writeln!(out, "\nstar {number}:"),
+            _ => writeln!(out, "\nstars {}:", listed(numbers)),
+        };
         star_text(&mut out, star, pressure);
-    } else {
-        for (i, star) in prediction.stars.iter().enumerate() {
-            if prediction.stars.iter().take(i).any(|other| other == star) {
-                continue;
-            }
-            let alike = (1..).zip(&prediction.stars).filter(|(_, other)| *other == star);
-            let numbers: Vec<String> = alike.map(|(number, _)| number.to_string()).collect();
-            let word = if numbers.len() == 1 { "star" } else { "stars" };
-            let _ = writeln!(out, "\n{word} {}:", numbers.join(", "));
-            star_text(&mut out, star, pressure);
-        }
     }
     if let Some(mass) = prediction.stack_mass_g.filter(|_| prediction.stars.len() > 1) {
         let _ = writeln!(out, "\nmass of the whole stack         {} g", Readable(mass));
@@ -73,20 +66,17 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     if star.evidence.mesh_errors.is_some() {
         return result::star_text(out, star);
     }
-    let mut line = |what: &str, value: String| {
-        let _ = writeln!(out, "  {what:30}{value}");
-    };
     let pair = |of: Hinges<Option<f64>>| of.tip.zip(of.corner);
     // The reason why no model applies is printed with the warnings.
     let why = Some(&star.evidence.choice).filter(|choice| !star.evidence.warnings.contains(choice));
-    line("model", why.map_or(star.model.to_owned(), |why| format!("{} ({why})", star.model)));
-    line("arm length", show(star.arm_length_mm, "mm"));
+    line(out, "model", why.map_or(star.model.to_owned(), |why| format!("{} ({why})", star.model)));
+    line(out, "arm length", show(star.arm_length_mm, "mm"));
     // A limit is selected by name: its number is printed, and its error is unknown.
     let is_limit = star.model != Level::Section.name();
     if let Some((tip, corner)) = pair(star.lambda_t) {
         let digits =
             |lambda: f64| if is_limit { Readable(lambda).to_string() } else { format!("{lambda:.3}") };
-        line("target coiling tip, corner", format!("{}, {}", digits(tip), digits(corner)));
+        line(out, "target coiling tip, corner", format!("{}, {}", digits(tip), digits(corner)));
     }
     let unknown = |value: f64, unit: &str| {
         if is_limit { shown::or_unknown(value, None, unit) } else { "unknown".to_owned() }
@@ -98,18 +88,10 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
             (None, _) if is_asked(star, what) && !is_limit => "unknown".to_owned(),
             (None, _) => continue,
         };
-        line(what, text);
+        line(out, what, text);
     }
-    let optional = [
-        ("full actuation from", Some(star.operating_pressure_kPa), "kPa"),
-        ("bendability", star.bendability, ""),
-        ("stretch of the fabric p W / Y", star.stretch.ratio().map(|stretch| 100.0 * stretch), "%"),
-        ("preload of arms", star.preload_N.filter(|f| *f > 0.0), "N"),
-        ("burst margin", star.burst_margin, ""),
-        ("mass", star.mass_g, "g"),
-    ];
     for (what, value) in grip_rows(star) {
-        line(what, value);
+        line(out, what, value);
     }
     let of_the_seal = [
         ("largest pull on the seal", star.seal_pull_N_per_mm, star.ranges.seal_pull_N_per_mm, "N/mm"),
@@ -117,16 +99,19 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     ];
     for (what, value, range, unit) in of_the_seal {
         let limit = pressure.filter(|_| unit == "kPa");
-        match value.zip(range) {
-            Some((value, range)) => line(what, shown::with_limit(value, range, unit, limit)),
-            None => value.into_iter().for_each(|value| line(what, shown::or_unknown(value, None, unit))),
-        }
+        let text = value.map(|value| match range {
+            Some(range) => shown::with_limit(value, range, unit, limit),
+            None => shown::or_unknown(value, None, unit),
+        });
+        line(out, what, text);
     }
-    for (what, value, unit) in optional {
-        if let Some(value) = value {
-            line(what, show(value, unit));
-        }
-    }
+    line(out, "full actuation from", show(star.operating_pressure_kPa, "kPa"));
+    line(out, "bendability", star.bendability.map(|bendability| show(bendability, "")));
+    let stretch = star.stretch.ratio().map(|stretch| show(100.0 * stretch, "%"));
+    line(out, "stretch of the fabric p W / Y", stretch);
+    line(out, "preload of arms", star.preload_N.filter(|f| *f > 0.0).map(|force| show(force, "N")));
+    line(out, "burst margin", star.burst_margin.map(|margin| show(margin, "")));
+    line(out, "mass", star.mass_g.map(|mass| show(mass, "g")));
     for ForceAt(radius, force, low, high) in star.force_curve.iter().flatten() {
         let range = low.zip(*high).map(|(low, high)| [low, high]);
         let is_held = star.graspable_radius_mm.is_none_or(|[least, most]| (least..=most).contains(radius));
@@ -136,10 +121,10 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
             (Some(force), None) => unknown(force, "N"),
             (None, _) => "unknown".to_owned(),
         };
-        line(&format!("force at {} mm", Readable(*radius)), text);
+        line(out, &format!("force at {} mm", Readable(*radius)), text);
     }
     for warning in &star.evidence.warnings {
-        line("warning", warning.clone());
+        line(out, "warning", warning.clone());
     }
     pressure_table(out, star.pressures.as_deref().unwrap_or_default());
 }

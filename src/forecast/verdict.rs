@@ -6,9 +6,9 @@ use crate::forecast::load_check::{
     too_thin, too_wide_to_enter, too_wide_to_open,
 };
 use crate::forecast::outcome::Grip;
-use crate::forecast::prediction::StarPrediction;
 pub use crate::forecast::prediction::{Holds, Verdict};
-use crate::forecast::ranges::shown::apart;
+use crate::forecast::prediction::{StarPrediction, distinct};
+use crate::forecast::ranges::shown::{apart, listed};
 use crate::forecast::ranges::{Interval, sum};
 use crate::spec::{Code, Load, Spec, key};
 use crate::units::{Force, Mass, tenths_up};
@@ -63,11 +63,10 @@ fn force_range(stars: &[StarPrediction]) -> Option<Interval> {
 
 /// `text` about the stars with `numbers`; without numbers about all of them.
 pub fn of_stars(numbers: &[usize], text: &str) -> String {
-    let list: Vec<String> = numbers.iter().map(ToString::to_string).collect();
-    match numbers.len() {
-        0 => text.to_owned(),
-        1 => format!("star {}: {text}", list.concat()),
-        _ => format!("stars {}: {text}", list.join(", ")),
+    match numbers {
+        [] => text.to_owned(),
+        [star] => format!("star {star}: {text}"),
+        _ => format!("stars {}: {text}", listed(numbers)),
     }
 }
 
@@ -128,21 +127,15 @@ struct VerdictLines {
 impl VerdictLines {
     fn of(spec: &Spec, load: &Load, stars: &[StarPrediction]) -> Self {
         // Equal stars are judged together.
-        let mut distinct: Vec<(usize, Vec<usize>)> = Vec::new();
-        for (index, star) in stars.iter().enumerate() {
-            match distinct.iter_mut().find(|(first, _)| stars[*first] == *star) {
-                Some((_, numbers)) => numbers.push(index + 1),
-                None => distinct.push((index, vec![index + 1])),
-            }
-        }
+        let distinct = distinct(stars);
         let several = distinct.len() > 1;
         let lets_in = |star: &StarPrediction| {
             load.object_radius.is_some_and(|widest| widest.0 <= star.hole_radius_mm + ROUNDING)
         };
         let enters = [stars.first(), stars.last()].into_iter().flatten().any(lets_in);
         let mut judged = Self { stars: if several { stars.len() } else { 1 }, enters, ..Self::default() };
-        for (index, numbers) in distinct {
-            judged.star(spec, load, (index, &stars[index]), if several { &numbers } else { &[] });
+        for (star, numbers) in distinct {
+            judged.star(spec, load, (numbers[0], star), if several { &numbers } else { &[] });
         }
         if load.object_radius.is_some() && !judged.is_refuted() {
             judged.mass(load, stars);
@@ -200,7 +193,7 @@ impl VerdictLines {
         self.add(Weight::Doubted, stars, Refusal::new(key::load::MASS, code, text, String::new()));
     }
 
-    fn star(&mut self, spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction), numbers: &[usize]) {
+    fn star(&mut self, spec: &Spec, load: &Load, (first, star): (usize, &StarPrediction), numbers: &[usize]) {
         if let Some(refusal) = bursts(load, star) {
             self.add(Weight::Refuted, numbers, refusal);
         }
@@ -211,7 +204,8 @@ impl VerdictLines {
             return self.add(Weight::Unknown, numbers, refusal);
         }
         let Some(object) = star.object_radius_mm else { return };
-        if let Some(refusal) = spec.stars.get(index).and_then(|part| too_wide_to_enter(spec, part, star)) {
+        if let Some(refusal) = spec.stars.get(first - 1).and_then(|part| too_wide_to_enter(spec, part, star))
+        {
             return self.blocks(numbers, refusal);
         }
         if let Some(refusal) = idle(load, star, object) {

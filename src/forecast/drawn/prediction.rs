@@ -4,6 +4,7 @@ use crate::design::{Refusal, RefusalCode};
 use crate::forecast::drawn::chambers::DrawnChamber;
 use crate::forecast::keys::{keyed, kinds};
 use crate::forecast::meshed::{MeshedPlace, MeshedValue};
+use crate::forecast::prediction::distinct;
 use crate::forecast::ranges::Interval;
 use crate::forecast::seal_load::{Bursting, burst_of_drawn, bursts_at};
 use crate::spec::key;
@@ -284,14 +285,11 @@ impl DrawnPrediction {
 
 /// The seams in their order, each with its largest pull.
 fn seams(found: &InflatedRegion) -> Vec<SeamPrediction> {
-    let mut out: Vec<(RegionSeam, Vec<&SeamPull>)> = Vec::new();
-    for pull in &found.seams {
-        match out.iter_mut().find(|(seam, _)| *seam == pull.seam) {
-            Some((_, own)) => own.push(pull),
-            None => out.push((pull.seam, vec![pull])),
-        }
-    }
-    out.into_iter().filter_map(|(seam, pulls)| of_seam(seam, &pulls)).collect()
+    let of_seam = |(seam, numbers): (RegionSeam, Vec<usize>)| {
+        let pulls: Vec<&SeamPull> = numbers.iter().map(|number| &found.seams[number - 1]).collect();
+        of_seam(seam, &pulls)
+    };
+    distinct(found.seams.iter().map(|pull| pull.seam)).into_iter().filter_map(of_seam).collect()
 }
 
 fn of_seam(seam: RegionSeam, pulls: &[&SeamPull]) -> Option<SeamPrediction> {

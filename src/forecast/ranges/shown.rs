@@ -2,6 +2,20 @@
 
 use crate::forecast::ranges::Interval;
 use crate::units::Readable;
+use std::fmt::Write;
+
+/// Adds `what` with its value to a page, if it has one.
+pub fn line(out: &mut String, what: &str, value: impl Into<Option<String>>) {
+    if let Some(value) = value.into() {
+        // Writing to a String never fails.
+        let _ = writeln!(out, "  {what:30}{value}");
+    }
+}
+
+/// Numbers in a row: "1, 2, 3".
+pub fn listed(numbers: &[usize]) -> String {
+    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+}
 
 /// `value` with its range, both in `unit`; without a range "unknown" in place of a number.
 pub fn known(value: Option<f64>, range: Option<Interval>, unit: &str) -> String {

@@ -3,12 +3,13 @@
 use crate::design::inflated_height;
 use crate::forecast::case::sheet;
 use crate::forecast::optimize::{SEARCHED, sure_payload};
-use crate::forecast::ranges::{Interval, mm, scaled, shown};
+use crate::forecast::outcome::Outcome;
+use crate::forecast::ranges::{mm, scaled, shown};
 use crate::forecast::sizing::{Choice, FRICTION, FRICTION_RANGE, MARGIN};
-use crate::spec::{FeedFloor, NameFault, Spec, quoted};
+use crate::spec::{FeedFloor, NameFault, ObjectShape, Spec, quoted};
 use crate::units::{Length, Readable};
 use inflatable::mechanics::strength::GRAVITY;
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 /// The spec of `choice`, called `name`, on the machine and with the sheet of `base`.
 ///
@@ -58,13 +59,20 @@ impl Lines {
         let _ = writeln!(self.text, "# {text}");
     }
 
-    fn value(&mut self, key: &str, value: &str, why: &str) {
+    fn value(&mut self, key: &str, value: impl Display, why: &str) {
         let line = format!("{key} = {value}");
         let _ = writeln!(self.text, "{line:34}# {why}");
     }
 
-    fn quantity(&mut self, key: &str, value: impl std::fmt::Display, why: &str) {
-        self.value(key, &format!("\"{value}\""), why);
+    fn quantity(&mut self, key: &str, value: impl Display, why: &str) {
+        self.value(key, format!("\"{value}\""), why);
+    }
+
+    /// A quantity that may be left out.
+    fn optional(&mut self, key: &str, value: Option<impl Display>, why: &str) {
+        if let Some(value) = value {
+            self.quantity(key, value, why);
+        }
     }
 
     fn head(&mut self, choice: &Choice) {
@@ -89,21 +97,15 @@ impl Lines {
         self.quantity("thickness", fabric.thickness, "of one sheet; the tube width depends on it");
         let megapascals = format!("{} MPa", Readable(1e-3 * fabric.young_modulus.0));
         self.quantity("young_modulus", megapascals, "of one sheet");
-        self.value("poisson_ratio", &format!("{}", fabric.poisson_ratio), "of one sheet");
+        self.value("poisson_ratio", fabric.poisson_ratio, "of one sheet");
         if let Some(strength) = fabric.seal_strength {
             self.quantity("seal_strength", strength, "from your peel test; limits the pressure");
         } else {
             self.comment("seal_strength = \"3 N/mm\"  your own T-peel result: without it the burst pressure is unknown");
         }
-        if let Some(density) = fabric.areal_density {
-            self.quantity("areal_density", density, "of one sheet");
-        }
-        if let Some(stiffness) = fabric.bending_stiffness {
-            self.quantity("bending_stiffness", stiffness, "measured");
-        }
-        if let Some(stiffness) = fabric.stretch_stiffness {
-            self.quantity("stretch_stiffness", stiffness, "measured");
-        }
+        self.optional("areal_density", fabric.areal_density, "of one sheet");
+        self.optional("bending_stiffness", fabric.bending_stiffness, "measured");
+        self.optional("stretch_stiffness", fabric.stretch_stiffness, "measured");
         if let Some(modulus) = fabric.shear_modulus {
             self.quantity("shear_modulus", format!("{} MPa", Readable(1e-3 * modulus.0)), "for the shell");
             self.quantity("warp", fabric.warp, "of the warp on the sheet, from X");
@@ -120,27 +122,17 @@ impl Lines {
         let others: Vec<String> =
             choice.others.iter().map(|(points, area)| format!("{points}: {:.0} cm2", area / 100.0)).collect();
         self.text += "[star]\n";
-        self.value(
-            "points",
-            &format!("{}", star.points),
-            &format!("the least fabric ({})", others.join(", ")),
+        self.value("points", star.points, &format!("the least fabric ({})", others.join(", ")));
+        let object = Length(2.0 * choice.requirements.object.0);
+        let room = format!(
+            "the object, {object} across, enters with room; the inflated star opens to {opens:.1} mm across"
         );
-        self.quantity(
-            "inner_radius",
-            star.inner_radius,
-            &format!(
-                "the object, {} across, enters with room; the inflated star opens to {opens:.1} mm across",
-                Length(2.0 * choice.requirements.object.0)
-            ),
-        );
+        self.quantity("inner_radius", star.inner_radius, &room);
         let fabric = &choice.best.point.fabric;
         let thickness = sheet(fabric).map_or(fabric.thickness, |sheet| Length::from_metres(sheet.thickness));
         let slender = thickness.0 / star.tube_width.0;
-        self.quantity(
-            "tube_width",
-            star.tube_width,
-            &format!("t/W is {slender:.3}; validated from 0.010 to 0.030"),
-        );
+        let slender = format!("t/W is {slender:.3}; validated from 0.010 to 0.030");
+        self.quantity("tube_width", star.tube_width, &slender);
         self.quantity("tip_angle", star.tip_angle, &format!("the empty star closes to {closes}"));
         self.quantity("tip_radius", star.tip_radius, "round tips load the seal less than sharp ones");
         self.quantity(
@@ -154,7 +146,7 @@ impl Lines {
     fn stack(&mut self, choice: &Choice) {
         let (point, answer) = (&choice.best.point, &choice.best.answer);
         let own = answer.grip.as_ref();
-        let force = own.and_then(crate::forecast::outcome::Outcome::object_force);
+        let force = own.and_then(Outcome::object_force);
         let one = match own.and_then(|own| own.force_range) {
             Some(range) => shown::known(force, Some(range), "N"),
             None => force.map_or("unknown".to_owned(), |force| format!("{force:.1} N by the model")),
@@ -162,11 +154,7 @@ impl Lines {
         let needed = choice.requirements.mass.0 * GRAVITY / choice.requirements.friction;
         self.text += "[stack]\n";
         let stars = if point.stars == 1 { "one star presses" } else { "each star presses" };
-        self.value(
-            "count",
-            &format!("{}", point.stars),
-            &format!("{stars} with {one}; {needed:.1} N in all are needed"),
-        );
+        self.value("count", point.stars, &format!("{stars} with {one}; {needed:.1} N in all are needed"));
         let tube = inflated_height(point.star.tube_width).0;
         let why = format!("the inflated tube is {tube:.1} mm high, a plate {} thick", point.plate);
         self.quantity("pitch", point.star.pitch, &why);
@@ -190,11 +178,8 @@ impl Lines {
         let profile = base.machine.profile.replace('\\', "\\\\").replace('"', "\\\"");
         self.quantity("profile", profile, "`stargrip-cam machines` lists the others");
         if base.machine.feed_floor == FeedFloor::Chop {
-            self.quantity(
-                "feed_floor",
-                "chop",
-                "this controller cannot move at the seal's speed: it makes short moves and dwells",
-            );
+            let why = "this controller cannot move at the seal's speed: it makes short moves and dwells";
+            self.quantity("feed_floor", "chop", why);
         }
         self.text.push('\n');
     }
@@ -210,49 +195,31 @@ impl Lines {
             .burst
             .zip(point.load.pressure)
             .map_or(String::new(), |(burst, pressure)| format!(", burst margin {:.2}", burst.0 / pressure.0));
-        if let Some(pressure) = point.load.pressure {
-            self.quantity(
-                "pressure",
-                pressure,
-                &format!("the fabric stretches {:.1} %{burst}{least}", 100.0 * stretch),
-            );
-        }
+        let stretches = format!("the fabric stretches {:.1} %{burst}{least}", 100.0 * stretch);
+        self.optional("pressure", point.load.pressure, &stretches);
         self.quantity("object_diameter", Length(2.0 * requirements.object.0), "of the object");
-        if let Some(height) = requirements.height {
-            self.quantity("object_height", height, "along the gripper's axis");
-        }
-        if let Some(shape) = requirements.shape {
-            self.quantity("object_shape", shape.word(), "of the object");
-        }
+        self.optional("object_height", requirements.height, "along the gripper's axis");
+        self.optional("object_shape", requirements.shape.map(ObjectShape::word), "of the object");
         let is_assumed = requirements.friction_assumed;
         let friction = if is_assumed {
             "bare fabric on a smooth object: 0.20 to 0.42 measured; coated corners about 1.1"
         } else {
             "between the corners and the object"
         };
-        self.value("friction", &format!("{}", requirements.friction), friction);
+        self.value("friction", requirements.friction, friction);
         if is_assumed {
             let [least, most] = FRICTION_RANGE;
-            self.value("friction_least", &format!("{least}"), "lowest expected friction");
-            self.value("friction_most", &format!("{most}"), "highest expected friction");
+            self.value("friction_least", least, "lowest expected friction");
+            self.value("friction_most", most, "highest expected friction");
         }
         // The range of an assumed friction, which widens that of `predict`, comes on top.
         let at = if is_assumed { format!(" at friction {FRICTION}") } else { String::new() };
-        let held = payload(sure_payload(point, answer), &at, answer.payload_range);
+        let sure =
+            sure_payload(point, answer).map_or_else(|| "unknown".to_owned(), |kg| format!("{kg:.2} kg"));
+        let range = answer.payload_range.map(|[low, high]| format!("; predicted {low:.2} to {high:.2} kg"));
+        let held = format!("safe payload {sure}{at}{}", range.unwrap_or_default());
         self.quantity("mass", requirements.mass, &held);
-        if let Some(force) = requirements.largest_force {
-            self.quantity(
-                "largest_force",
-                force,
-                "that the object bears from one star, all corners together",
-            );
-        }
+        let bears = "that the object bears from one star, all corners together";
+        self.optional("largest_force", requirements.largest_force, bears);
     }
-}
-
-/// The payload that is designed for, at which friction if that is not the spec's alone, and the range of which it is a part.
-fn payload(sure: Option<f64>, at: &str, range: Option<Interval>) -> String {
-    let sure = sure.map_or_else(|| "unknown".to_owned(), |kg| format!("{kg:.2} kg"));
-    let range = range.map_or_else(String::new, |[low, high]| format!("; predicted {low:.2} to {high:.2} kg"));
-    format!("safe payload {sure}{at}{range}")
 }
