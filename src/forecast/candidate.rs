@@ -4,6 +4,7 @@ use crate::design::{Meeting, Object, Refusal, RefusalCode, SHEETS, Star, cut_are
 use crate::forecast::case::Case;
 use crate::forecast::model_selection::tabled;
 use crate::forecast::outcome::Outcome;
+use crate::forecast::prediction::distinct;
 use crate::forecast::ranges::{Interval, scaled, sum};
 use crate::forecast::seal_load::burst;
 use crate::spec::{Code, Fabric, Inlet, Load, ModelChoice, Seal, Spec, StarSpec};
@@ -12,7 +13,7 @@ use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::fit::Fit;
 use inflatable::mechanics::hinge::ring::{Ring, RingTable};
 use inflatable::mechanics::hinge::{Edges, HingeEffort, HingeModel, HingeState, Level};
-use std::{fmt, iter};
+use std::fmt;
 
 /// The exact ring with its targets from the table.
 #[derive(Clone, Copy, Debug)]
@@ -114,8 +115,8 @@ impl fmt::Display for RefusedDesign {
 
 impl std::error::Error for RefusedDesign {}
 
-impl From<&Refusal> for RefusedDesign {
-    fn from(refusal: &Refusal) -> Self {
+impl From<Refusal> for RefusedDesign {
+    fn from(refusal: Refusal) -> Self {
         Self { code: refusal.code.as_str(), text: refusal.to_string() }
     }
 }
@@ -181,8 +182,7 @@ impl Candidate {
         ring: &RingTable,
         known: impl Fn(&mut Case) -> Result<Option<Outcome>, StarFault>,
     ) -> Result<Answer, RefusedDesign> {
-        let star =
-            Star::for_band(&self.star, self.seal.band).map_err(|refusal| RefusedDesign::from(&refusal))?;
+        let star = Star::for_band(&self.star, self.seal.band)?;
         let asked = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?;
         let met = self.different_cases(&star, &asked)?;
         let mut case = met.first().map_or(asked, |(case, _)| *case);
@@ -190,11 +190,10 @@ impl Candidate {
         let mut grip = outcome;
         let mut held = held(outcome.as_ref(), self.stars);
         if !met.is_empty() {
-            let mut all = Vec::with_capacity(met.len());
-            for (mut case, count) in met {
-                let own = known(&mut case)?;
-                all.push((case.object.unwrap_or(0.0), f64::from(count), own));
-            }
+            let met = met.into_iter().map(|(mut case, count)| {
+                Ok((case.object.unwrap_or(0.0), f64::from(count), known(&mut case)?))
+            });
+            let all = met.collect::<Result<Vec<_>, StarFault>>()?;
             grip = all.iter().max_by(|a, b| a.0.total_cmp(&b.0)).and_then(|widest| widest.2);
             held = (
                 all.iter().map(|(_, count, own)| Some(count * own.as_ref()?.payload?)).sum(),
@@ -228,16 +227,13 @@ impl Candidate {
                 .collect());
         }
         let made = |(i, one): (usize, &StarSpec)| {
-            Star::for_band(one, self.seal.band)
-                .map_err(|refusal| RefusedDesign::from(&refusal.of_star(i + 1)))
+            Star::for_band(one, self.seal.band).map_err(|refusal| refusal.of_star(i + 1))
         };
         let stars = self.unequal.iter().enumerate().map(made).collect::<Result<Vec<Star>, _>>()?;
-        let mut height = 0.0;
-        let above = self.unequal.iter().skip(1).map(|star| {
-            height += star.pitch.0;
-            height
-        });
-        let heights: Vec<f64> = iter::once(0.0).chain(above).collect();
+        let mut heights = vec![0.0];
+        for star in self.unequal.iter().skip(1) {
+            heights.push(heights[heights.len() - 1] + star.pitch.0);
+        }
         let holes: Vec<f64> = stars.iter().map(|star| star.hole(&self.seal)).collect();
         let met = object.map(|object| object.meetings(&heights, &holes));
         let case = |(i, star): (usize, &Star)| {
@@ -250,13 +246,9 @@ impl Candidate {
     /// The contacts of its equal stars with `object`, each with the number of such stars, the lowest star's first; empty where all meet its
     /// middle.
     fn different_meetings(&self, object: &Object, star: &Star) -> Vec<(Meeting, u32)> {
-        let mut met: Vec<(Meeting, u32)> = Vec::new();
-        for meeting in object.equal_meetings(self.stars, self.star.pitch.0, star.hole(&self.seal)) {
-            match met.iter_mut().find(|(other, _)| *other == meeting) {
-                Some((_, count)) => *count += 1,
-                None => met.push((meeting, 1)),
-            }
-        }
+        let all = object.equal_meetings(self.stars, self.star.pitch.0, star.hole(&self.seal));
+        let count = |numbers: Vec<usize>| u32::try_from(numbers.len()).unwrap_or(u32::MAX);
+        let met: Vec<_> = distinct(all).into_iter().map(|(met, numbers)| (met, count(numbers))).collect();
         if met.len() > 1 || met.iter().any(|(meeting, _)| meeting.radius < meeting.entering) {
             met
         } else {

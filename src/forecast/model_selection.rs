@@ -126,7 +126,18 @@ pub fn limits_of_validity(model: &dyn HingeModel, case: &Case) -> Vec<String> {
     }
     let mut warnings = Vec::new();
     if let Some(pressure) = case.pressure {
-        warnings.push(of_a_limit(level, case.sheet.bendability(pressure, star.width)));
+        let bendability = case.sheet.bendability(pressure, star.width);
+        warnings.push(if bendability < FULL_ACTUATION {
+            format!(
+                "bendability {bendability:.0} is below {FULL_ACTUATION:.0}: the hinges are not fully actuated, \
+                 and the star closes less than predicted"
+            )
+        } else {
+            format!(
+                "{} is a limiting case that no gripper reaches; its error for this one is unknown: use section or shell",
+                level.name()
+            )
+        });
         let stretch = case.sheet.stretch(pressure, star.width);
         if stretch > INEXTENSIBLE {
             warnings.push(format!(
@@ -146,17 +157,4 @@ pub fn limits_of_validity(model: &dyn HingeModel, case: &Case) -> Vec<String> {
         warnings.dedup();
     }
     warnings
-}
-
-fn of_a_limit(level: Level, bendability: f64) -> String {
-    if bendability < FULL_ACTUATION {
-        return format!(
-            "bendability {bendability:.0} is below {FULL_ACTUATION:.0}: the hinges are not fully actuated, \
-             and the star closes less than predicted"
-        );
-    }
-    format!(
-        "{} is a limiting case that no gripper reaches; its error for this one is unknown: use section or shell",
-        level.name()
-    )
 }

@@ -9,8 +9,8 @@ use crate::forecast::pressures::{LEAST, MOST, modelled, outside_section, pressur
 use crate::forecast::ranges::{Domain, Interval, Ranges, errors, mm, outside, sum};
 use crate::forecast::seal_forecast::{SealForecast, per_mm};
 use crate::forecast::seal_load::Bursting;
-use crate::forecast::star_answer::{StarAnswer, bare, of_the_shape};
-use crate::forecast::verdict::{refusals, verdict};
+use crate::forecast::star_answer::{bare, fill, nonlinear, of_the_shape};
+use crate::forecast::verdict::{Verdict, refusals, verdict};
 use crate::spec::{Fabric, KeyPath, ModelChoice, ObjectShape, Spec, key};
 use crate::units::{Length, Pressure};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
@@ -61,14 +61,21 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
     for star in &mut stars {
         star.evidence.safe_pressure_kPa = safe;
     }
-    let Some(first) = stars.first() else {
+    let verdict = verdict(spec, &stars);
+    whole(stars, verdict)
+}
+
+/// The prediction of a gripper with these stars, bottom first.
+pub(super) fn whole(
+    stars: Vec<StarPrediction>,
+    verdict: Option<Verdict>,
+) -> Result<Prediction, PredictFault> {
+    let Some(mut first) = stars.first().cloned() else {
         return Err(PredictFault::new(key::stack::COUNT, "there is no star".to_owned()));
     };
-    let mut first = first.clone();
     first.payload_kg = stars.iter().map(|star| star.payload_kg).sum();
     first.ranges.payload_kg = sum(stars.iter().map(|star| star.ranges.payload_kg));
     let stack_mass_g = stars.iter().map(|star| star.mass_g).sum();
-    let verdict = verdict(spec, &stars);
     Ok(Prediction { first, verdict, stack_mass_g, stars })
 }
 
@@ -86,23 +93,18 @@ fn safe_pressure(spec: &Spec, design: &StarAssembly, stars: &[StarPrediction]) -
 /// All stars of `design`, bottom first.
 fn predict_stars(spec: &Spec, design: &StarAssembly) -> Result<Vec<StarPrediction>, PredictFault> {
     let meetings = design.meetings(spec);
-    // Stars of a stack are often equal; a slow model then answers once.
-    let mut known: Vec<(usize, Option<Meeting>, StarPrediction)> = Vec::new();
-    let mut stars = Vec::with_capacity(design.stars.len());
+    let meeting = |i: usize| meetings.as_ref().and_then(|all| all.get(i));
+    let mut stars: Vec<StarPrediction> = Vec::with_capacity(design.stars.len());
     for (i, placed) in design.stars.iter().enumerate() {
-        let meeting = meetings.as_ref().and_then(|all| all.get(i)).copied();
-        let twin =
-            known.iter().find(|(distinct, other, _)| *distinct == placed.distinct && *other == meeting);
-        let star = if let Some((_, _, star)) = twin {
-            star.clone()
-        } else {
-            let part = design.part(placed);
-            let star = predict_star(spec, part, meeting)
-                .map_err(|fault| located(placed.index, (spec, part), &fault))?;
-            known.push((placed.distinct, meeting, star.clone()));
-            star
-        };
-        stars.push(star);
+        // Stars of a stack are often equal; a slow model then answers once.
+        let mut before = design.stars.iter().take(i).enumerate();
+        let twin = before.find(|(j, other)| other.distinct == placed.distinct && meeting(*j) == meeting(i));
+        let part = design.part(placed);
+        stars.push(match twin {
+            Some((twin, _)) => stars[twin].clone(),
+            None => predict_star(spec, part, meeting(i).copied())
+                .map_err(|fault| located(placed.index, (spec, part), &fault))?,
+        });
     }
     Ok(stars)
 }
@@ -203,12 +205,10 @@ impl PlacedCase<'_> {
         // Angles and radii of a limit do not depend on the pressure: without one, any will do.
         let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
         let outcome = Outcome::linear(case, &inflated);
-        let known = outcome.known;
         // Needed for a remedy only.
         let presses = outcome.force_range.is_some_and(|[low, _]| low > 0.0);
         let held =
             if presses || outcome.hold.is_none() { None } else { outcome.surely_held(case, &inflated) };
-        let answered = StarAnswer { model, inflated, outcome };
         let mut star = self.unknown(if outcome.known { choice } else { unlike(case) });
         let warnings = &mut star.evidence.warnings;
         warnings.extend(limits_of_validity(model, case));
@@ -219,9 +219,9 @@ impl PlacedCase<'_> {
             warnings.extend(star.evidence.of_object.clone());
             star.evidence.surely_held_mm = held.map(mm);
         }
-        star.nonlinear = answered.nonlinear(case, self.spec.accuracy.response, warnings);
-        answered.fill(&mut star, case)?;
-        if !known {
+        star.nonlinear = nonlinear(case, (&inflated, &outcome), self.spec.accuracy.response, warnings);
+        fill(&mut star, case, &inflated, &outcome)?;
+        if !outcome.known {
             star.modelled_kPa = modelled(&self.case);
         }
         Ok(star)

@@ -8,122 +8,120 @@ use crate::forecast::ranges::{StarRanges, scaled};
 use crate::spec::Spec;
 use crate::units::{Length, Percent, Pressure, Readable};
 use inflatable::mechanics::fault::StarFault;
-use inflatable::mechanics::hinge::{HingeModel, HingeState, Level};
+use inflatable::mechanics::hinge::{HingeState, Level};
 use inflatable::mechanics::star::response::Inflated;
 
-/// An answer of one model.
-pub(super) struct StarAnswer<'a> {
-    pub(super) model: &'a dyn HingeModel,
-    pub(super) inflated: Inflated<'a>,
-    pub(super) outcome: Outcome,
+/// Writes the values of `outcome` by the model of `inflated` into `star`.
+pub(super) fn fill(
+    star: &mut StarPrediction,
+    case: &Case,
+    inflated: &Inflated<'_>,
+    outcome: &Outcome,
+) -> Result<(), StarFault> {
+    let model = inflated.model();
+    let [tip, corner] = [inflated.tip(), inflated.corner()];
+    let angles = inflated.target_angles();
+    let (c_i, c_e) = inflated.hinge_stiffness();
+    let stiffness = case.pressure.map(|_| Hinges { tip: c_i, corner: c_e });
+    star.model = model.level().name();
+    star.lambda_t = Hinges { tip: Some(tip.lambda), corner: Some(corner.lambda) };
+    star.lambda_c = Hinges {
+        tip: model.onset(case.mechanism.tip().r_star)?,
+        corner: model.onset(case.mechanism.corner().r_star)?,
+    };
+    star.d2v_dlambda2 = Hinges { tip: Some(tip.curvature), corner: Some(corner.curvature) };
+    star.tip_target_angle_deg = Some(angles.0.to_degrees());
+    star.corner_target_angle_deg = Some(angles.1.to_degrees());
+    star.hinge_stiffness_Nm = stiffness;
+    // The seal's ranges do not depend on the hinge's model.
+    star.ranges = ranges(case, outcome, stiffness, star.ranges);
+    star.correction = case.mechanism.correction;
+    star.hold = outcome.hold;
+    if outcome.known {
+        star.tip_equilibrium_angle_deg = Some(outcome.rest.equilibrium.to_degrees());
+        star.final_radius_mm = Some(mm(outcome.rest.radius));
+        star.contraction = Some(outcome.contraction);
+        star.radial_stiffness_N_per_m = outcome.stiffness;
+        star.preload_N = outcome.preload;
+        star.graspable_radius_mm = Some(outcome.graspable.map(mm));
+        star.object_force_N = outcome.object_force();
+        star.payload_kg = outcome.payload;
+        star.flap_edge_radius_mm = Some(mm(outcome.rest.radius - case.flap()));
+        star.flap_force_N = flap_force(case, inflated, outcome);
+    }
+    let evidence = &mut star.evidence;
+    evidence.residual = tip.effort.residual.max(corner.effort.residual);
+    evidence.iterations = tip.effort.iterations + corner.effort.iterations;
+    evidence.numerical_error = Some(tip.effort.error.max(corner.effort.error));
+    evidence.hinge_width = Hinges { tip: width_of(tip), corner: width_of(corner) };
+    Ok(())
 }
 
-impl StarAnswer<'_> {
-    /// Writes the model's values into `star`.
-    pub(super) fn fill(&self, star: &mut StarPrediction, case: &Case) -> Result<(), StarFault> {
-        let Self { model, inflated, outcome } = self;
-        let [tip, corner] = [inflated.tip(), inflated.corner()];
-        let angles = inflated.target_angles();
-        let (c_i, c_e) = inflated.hinge_stiffness();
-        let stiffness = case.pressure.map(|_| Hinges { tip: c_i, corner: c_e });
-        star.model = model.level().name();
-        star.lambda_t = Hinges { tip: Some(tip.lambda), corner: Some(corner.lambda) };
-        star.lambda_c = Hinges {
-            tip: model.onset(case.mechanism.tip().r_star)?,
-            corner: model.onset(case.mechanism.corner().r_star)?,
-        };
-        star.d2v_dlambda2 = Hinges { tip: Some(tip.curvature), corner: Some(corner.curvature) };
-        star.tip_target_angle_deg = Some(angles.0.to_degrees());
-        star.corner_target_angle_deg = Some(angles.1.to_degrees());
-        star.hinge_stiffness_Nm = stiffness;
-        // The seal's ranges do not depend on the hinge's model.
-        let StarRanges { seal_pull_N_per_mm, burst_pressure_kPa, .. } = star.ranges;
-        star.ranges =
-            StarRanges { seal_pull_N_per_mm, burst_pressure_kPa, ..ranges(case, outcome, stiffness) };
-        star.correction = case.mechanism.correction;
-        star.hold = outcome.hold;
-        if outcome.known {
-            star.tip_equilibrium_angle_deg = Some(outcome.rest.equilibrium.to_degrees());
-            star.final_radius_mm = Some(mm(outcome.rest.radius));
-            star.contraction = Some(outcome.contraction);
-            star.radial_stiffness_N_per_m = outcome.stiffness;
-            star.preload_N = outcome.preload;
-            star.graspable_radius_mm = Some(outcome.graspable.map(mm));
-            star.object_force_N = outcome.object_force();
-            star.payload_kg = outcome.payload;
-            star.flap_edge_radius_mm = Some(mm(outcome.rest.radius - case.flap()));
-            star.flap_force_N = self.flap_force(case);
-        }
-        let evidence = &mut star.evidence;
-        evidence.residual = tip.effort.residual.max(corner.effort.residual);
-        evidence.iterations = tip.effort.iterations + corner.effort.iterations;
-        evidence.numerical_error = Some(tip.effort.error.max(corner.effort.error));
-        evidence.hinge_width = Hinges { tip: width_of(tip), corner: width_of(corner) };
-        Ok(())
+/// The force on the object while the flap between it and the tube stays straight, N: that on an object wider by the flap's depth. `None`
+/// where the force is not known, or where a star that is opened so far locks.
+fn flap_force(case: &Case, inflated: &Inflated<'_>, outcome: &Outcome) -> Option<f64> {
+    let rest = &outcome.rest;
+    let _ = outcome.object_force()?;
+    let radius = case.object.filter(|object| *object > 0.0)? + case.flap();
+    match radius {
+        _ if radius <= rest.radius => Some(0.0),
+        _ if radius > rest.widest.radius => None,
+        _ => inflated.linear_force(radius, rest).ok(),
     }
+}
 
-    /// The force on the object while the flap between it and the tube stays straight, N: that on an object wider by the flap's depth. `None`
-    /// where the force is not known, or where a star that is opened so far locks.
-    fn flap_force(&self, case: &Case) -> Option<f64> {
-        let rest = &self.outcome.rest;
-        let _ = self.outcome.object_force()?;
-        let radius = case.object.filter(|object| *object > 0.0)? + case.flap();
-        match radius {
-            _ if radius <= rest.radius => Some(0.0),
-            _ if radius > rest.widest.radius => None,
-            _ => self.inflated.linear_force(radius, rest).ok(),
-        }
+/// The star with the model's own V_bar; `None` for the fit, whose hinges are linear, for the section, whose linear hinges are nearer to
+/// shells of stars, or where the model refuses.
+pub(super) fn nonlinear(
+    case: &Case,
+    (inflated, linear): (&Inflated<'_>, &Outcome),
+    accepted: Percent,
+    warnings: &mut Vec<String>,
+) -> Option<Nonlinear> {
+    if matches!(inflated.level(), Level::Fit | Level::Section) {
+        return None;
     }
-
-    /// The star with the model's own V_bar; `None` for the fit, whose hinges are linear, for the section, whose linear hinges are nearer to
-    /// shells of stars, or where the model refuses.
-    pub(super) fn nonlinear(
-        &self,
-        case: &Case,
-        accepted: Percent,
-        warnings: &mut Vec<String>,
-    ) -> Option<Nonlinear> {
-        let (inflated, linear) = (&self.inflated, &self.outcome);
-        if matches!(inflated.level(), Level::Fit | Level::Section) {
+    // The linear star's warnings about the object are enough.
+    let own = match Outcome::nonlinear(case, inflated) {
+        Ok(own) => own,
+        Err(fault) => {
+            warnings.push(format!("no equilibrium of the nonlinear hinges: {fault}"));
             return None;
         }
-        // The linear star's warnings about the object are enough.
-        let own = match Outcome::nonlinear(case, inflated) {
-            Ok(own) => own,
-            Err(fault) => {
-                warnings.push(format!("no equilibrium of the nonlinear hinges: {fault}"));
-                return None;
-            }
-        };
-        if inflated.rim_pushes(own.rest.angle) {
-            warnings.push(
+    };
+    if inflated.rim_pushes(own.rest.angle) {
+        warnings.push(
                 "the nonlinear star coils a hinge so far that its inner rim would be compressed: a real rim wrinkles, \
                  and the hinge is softer than predicted"
                     .to_owned(),
             );
-        }
-        let (own_radius, linear_radius) = (own.rest.radius, linear.rest.radius);
-        if (own_radius - linear_radius).abs() > accepted.ratio() * linear_radius {
-            warnings.push(format!(
+    }
+    let (own_radius, linear_radius) = (own.rest.radius, linear.rest.radius);
+    if (own_radius - linear_radius).abs() > accepted.ratio() * linear_radius {
+        warnings.push(format!(
             "with the membrane's own, asymmetric hinges it would close to {:.2} mm instead of {:.2} mm: the corner's hinge \
              is coiled far beyond its target, where it is much softer",
             mm(own_radius),
             mm(linear_radius)
         ));
-        }
-        Some(Nonlinear {
-            tip_equilibrium_angle_deg: own.rest.equilibrium.to_degrees(),
-            final_radius_mm: mm(own_radius),
-            contraction: own.contraction,
-            radial_stiffness_N_per_m: own.stiffness,
-            preload_N: own.preload,
-            object_force_N: own.object_force(),
-        })
     }
+    Some(Nonlinear {
+        tip_equilibrium_angle_deg: own.rest.equilibrium.to_degrees(),
+        final_radius_mm: mm(own_radius),
+        contraction: own.contraction,
+        radial_stiffness_N_per_m: own.stiffness,
+        preload_N: own.preload,
+        object_force_N: own.object_force(),
+    })
 }
 
-/// The ranges of `outcome` in the units of a prediction; `stiffness` is that of the hinges.
-fn ranges(case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) -> StarRanges {
+/// The ranges of `outcome` in the units of a prediction, beside `those_of_the_seal`; `stiffness` is that of the hinges.
+fn ranges(
+    case: &Case,
+    outcome: &Outcome,
+    stiffness: Option<Hinges<f64>>,
+    those_of_the_seal: StarRanges,
+) -> StarRanges {
     let own = &outcome.ranges;
     let factors = own.hinge(case);
     let hinge = |of: fn(&Hinges<f64>) -> f64| Some(scaled(factors?, of(stiffness.as_ref()?)));
@@ -135,7 +133,7 @@ fn ranges(case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) -> Sta
         radial_stiffness_N_per_m: own.stiffness,
         object_force_N: outcome.force_range,
         payload_kg: outcome.payload_range,
-        ..StarRanges::default()
+        ..those_of_the_seal
     }
 }
 

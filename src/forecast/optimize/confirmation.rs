@@ -123,26 +123,19 @@ fn compare(
 /// pressure.
 fn judged(constraints: &Constraints, shell: &Prediction) -> Vec<Judgement> {
     let star = &shell.first;
-    let closing = constraints.grasp.zip(star.final_radius_mm).map(|([close, _], radius)| Judgement {
-        what: "closing",
-        bound: close.0,
-        shell: radius,
-        met: radius <= close.0,
-    });
     let force = shell.stars.iter().filter_map(|star| star.object_force_N).reduce(f64::max);
-    let carried = constraints.payload.zip(star.payload_kg).map(|(bound, held)| Judgement {
-        what: "payload",
-        bound,
-        shell: held,
-        met: held >= bound,
-    });
-    let pressing = constraints.largest_force.zip(force).map(|(bound, force)| Judgement {
-        what: "pressing",
-        bound,
-        shell: force,
-        met: force <= bound,
-    });
-    [closing, carried, pressing].into_iter().flatten().collect()
+    let at_most = |shell: f64, bound: f64| shell <= bound;
+    let at_least = |shell: f64, bound: f64| shell >= bound;
+    let judge = |what, shell: Option<f64>, meets: fn(f64, f64) -> bool, bound: Option<f64>| {
+        let (shell, bound) = shell.zip(bound)?;
+        Some(Judgement { what, bound, shell, met: meets(shell, bound) })
+    };
+    let all = [
+        judge("closing", star.final_radius_mm, at_most, constraints.grasp.map(|[close, _]| close.0)),
+        judge("payload", star.payload_kg, at_least, constraints.payload),
+        judge("pressing", force, at_most, constraints.largest_force),
+    ];
+    all.into_iter().flatten().collect()
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 use crate::design::{Design, Meeting, PlacedPart, StarDesign};
 use crate::forecast::case::{Case, weave};
 use crate::forecast::meshed::MeshedPlace;
-use crate::forecast::predict::{PredictFault, stars_of};
+use crate::forecast::predict::{PredictFault, stars_of, whole};
 use crate::forecast::prediction::{
     FabricStretch, ForceAt, MeshErrors, ModelEvidence, Prediction, StarPrediction,
 };
@@ -57,13 +57,7 @@ pub fn predict(
     };
     let stars: Vec<StarPrediction> = design.stars.iter().filter_map(answer).collect();
     let shape = computed.into_iter().next().map(|one| one.found.shape).unwrap_or_default();
-    let Some(first) = stars.first() else {
-        return Err(fault(key::stack::COUNT, "there is no star".to_owned()));
-    };
-    let mut first = first.clone();
-    first.payload_kg = stars.iter().map(|star| star.payload_kg).sum();
-    let stack_mass_g = stars.iter().map(|star| star.mass_g).sum();
-    Ok((Prediction { first, verdict: None, stack_mass_g, stars }, shape))
+    Ok((whole(stars, None)?, shape))
 }
 
 impl ShellRefusal {

@@ -109,7 +109,7 @@ impl Study {
         let mut columns: Vec<ColumnValues> =
             self.columns.iter().map(|column| ColumnValues::new(column.kind, rows.len())).collect();
         let mut place = Vec::new();
-        let mut point = self.designs.base();
+        let mut point = self.designs.base.clone();
         for row in rows.clone() {
             if cancel.load(Ordering::Relaxed) {
                 return None;

@@ -48,11 +48,13 @@ fn whole(value: f64) -> u32 {
 /// The designs of a study.
 #[derive(Debug)]
 pub(super) struct Designs {
-    base: Candidate,
+    /// A design whose keys [`Designs::set`] sets.
+    pub(super) base: Candidate,
     source: Source,
     spec: Spec,
-    blocks: Vec<Block>,
-    rows: usize,
+    /// The varied blocks.
+    pub(super) blocks: Vec<Block>,
+    pub(super) rows: usize,
     /// By block and axis.
     quick: Vec<(usize, usize, Quick)>,
     slow: Vec<(usize, usize)>,
@@ -95,15 +97,6 @@ impl Designs {
         designs
     }
 
-    pub(super) fn rows(&self) -> usize {
-        self.rows
-    }
-
-    /// The varied blocks.
-    pub(super) fn blocks(&self) -> &[Block] {
-        &self.blocks
-    }
-
     /// The axes in the order of their columns.
     pub(super) fn axes(&self) -> impl Iterator<Item = (usize, &Axis)> {
         self.blocks.iter().enumerate().flat_map(|(b, block)| block.axes().iter().map(move |axis| (b, axis)))
@@ -125,16 +118,11 @@ impl Designs {
     pub(super) fn design(&self, row: usize) -> Result<Candidate, RefusedDesign> {
         let mut place = Vec::with_capacity(self.blocks.len());
         self.place(row, &mut place);
-        let mut point = self.base();
+        let mut point = self.base.clone();
         self.set(&mut point, &place).map(|()| point)
     }
 
-    /// A design whose keys [`Designs::set`] sets.
-    pub(super) fn base(&self) -> Candidate {
-        self.base.clone()
-    }
-
-    /// Makes `point`, a [`Designs::base`] or the design of another place, the design at a place in each block.
+    /// Makes `point`, [`Designs::base`] or the design of another place, the design at a place in each block.
     pub(super) fn set(&self, point: &mut Candidate, place: &[usize]) -> Result<(), RefusedDesign> {
         if !self.slow.is_empty() {
             *point = self.slowly(place)?;

@@ -118,13 +118,13 @@ impl Study {
     ) -> Result<Self, String> {
         let ring = RingTable::new().map_err(|fault| fault.to_string())?;
         let codes = detail.is_some();
-        let columns = output::columns(designs.blocks(), &outputs, codes);
+        let columns = output::columns(&designs.blocks, &outputs, codes);
         Ok(Self { designs, outputs, columns, codes, models: Models { ring, detail }, is_slow })
     }
 
     /// Number of rows, at least 1.
     pub fn rows(&self) -> usize {
-        self.designs.rows()
+        self.designs.rows
     }
 
     /// Whether a row takes a second to minutes, so that each should be saved as soon as it is computed.
