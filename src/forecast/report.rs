@@ -81,30 +81,40 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     let unknown = |value: f64, unit: &str| {
         if is_limit { shown::or_unknown(value, None, unit) } else { "unknown".to_owned() }
     };
-    for (what, value, range, unit) in quantities(star) {
-        let text = match (value, range) {
-            (Some(value), Some(range)) => shown::with(value, range, unit),
-            (Some(value), None) => unknown(value, unit),
-            (None, _) if is_asked(star, what) && !is_limit => "unknown".to_owned(),
-            (None, _) => continue,
+    // What the spec requires is listed also when unknown.
+    let mut quantity =
+        |what: &str, value: Option<f64>, range: Option<Interval>, unit: &str, is_asked: bool| {
+            let text = match value.zip(range) {
+                Some((value, range)) => Some(shown::with(value, range, unit)),
+                None if is_asked && !is_limit => Some("unknown".to_owned()),
+                None => value.map(|value| unknown(value, unit)),
+            };
+            line(out, what, text);
         };
-        line(out, what, text);
-    }
-    for (what, value) in grip_rows(star) {
-        line(out, what, value);
-    }
-    let of_the_seal = [
-        ("largest pull on the seal", star.seal_pull_N_per_mm, star.ranges.seal_pull_N_per_mm, "N/mm"),
-        ("burst pressure", star.burst_pressure_kPa, star.ranges.burst_pressure_kPa, "kPa"),
-    ];
-    for (what, value, range, unit) in of_the_seal {
-        let limit = pressure.filter(|_| unit == "kPa");
-        let text = value.map(|value| match range {
-            Some(range) => shown::with_limit(value, range, unit, limit),
-            None => shown::or_unknown(value, None, unit),
-        });
-        line(out, what, text);
-    }
+    let (ranges, is_asked) = (&star.ranges, star.bendability.is_some());
+    let percent = |range: Interval| scaled(range, 100.0);
+    let stiffness = star.hinge_stiffness_Nm.map(|c| (c.tip, c.corner)).unzip();
+    let shut =
+        star.tip_equilibrium_angle_deg.map(|angle| angle.max(star.correction.contact_angle.to_degrees()));
+    let contraction = star.contraction.map(|c| 100.0 * c);
+    let (radial, of_hinges) = (star.radial_stiffness_N_per_m, &ranges.hinge_stiffness_Nm);
+    quantity("final radius", star.final_radius_mm, ranges.final_radius_mm, "mm", is_asked);
+    quantity("contraction", contraction, ranges.contraction.map(percent), "%", is_asked);
+    quantity("tip angle at rest", shut, ranges.tip_equilibrium_angle_deg, "deg", is_asked);
+    quantity("hinge stiffness tip", stiffness.0, of_hinges.tip, "N m/rad", is_asked);
+    quantity("hinge stiffness corner", stiffness.1, of_hinges.corner, "N m/rad", is_asked);
+    quantity("radial stiffness", radial, ranges.radial_stiffness_N_per_m, "N/m", is_asked);
+    let is_untried = star.hold == Some(Grip::Untried);
+    quantity("force on the object", star.object_force_N, ranges.object_force_N, "N", is_untried);
+    quantity("payload of this star", star.payload_kg, ranges.payload_kg, "kg", false);
+    grip_lines(out, star);
+    let pull = star.seal_pull_N_per_mm.map(|pull| shown::or_unknown(pull, ranges.seal_pull_N_per_mm, "N/mm"));
+    line(out, "largest pull on the seal", pull);
+    let burst = star.burst_pressure_kPa.map(|burst| match ranges.burst_pressure_kPa {
+        Some(range) => shown::with_limit(burst, range, "kPa", pressure),
+        None => shown::or_unknown(burst, None, "kPa"),
+    });
+    line(out, "burst pressure", burst);
     line(out, "full actuation from", show(star.operating_pressure_kPa, "kPa"));
     line(out, "bendability", star.bendability.map(|bendability| show(bendability, "")));
     let stretch = star.stretch.ratio().map(|stretch| show(100.0 * stretch, "%"));
@@ -133,32 +143,27 @@ fn show(value: f64, unit: &str) -> String {
     format!("{} {unit}", Readable(value)).trim_end().to_owned()
 }
 
-/// The objects that fit the star, and what its flap adds: labels and values.
-fn grip_rows(star: &StarPrediction) -> Vec<(&'static str, String)> {
-    let Some([least, most]) = star.graspable_radius_mm else { return Vec::new() };
+/// The objects that fit the star, and what its flap adds.
+fn grip_lines(out: &mut String, star: &StarPrediction) {
+    let Some([least, most]) = star.graspable_radius_mm else { return };
     // The second value has no better range than the first.
     let end = |radius: f64| match star.ranges.final_radius_mm {
         Some(range) => shown::as_exact_as(2.0 * radius, scaled(range, 2.0), "mm"),
         None => format!("{} mm", shown::rounded(2.0 * radius)),
     };
-    let mut rows = vec![
-        ("holds objects", format!("{} to {} across", end(least).trim_end_matches(" mm"), end(most))),
-        ("cut hole, across", show(2.0 * star.hole_radius_mm, "mm")),
-    ];
-    if let Some(radius) = star.flap_edge_radius_mm {
-        rows.push(("flap's edge touches objects", format!("from {} across", end(radius))));
-    }
-    if let Some(force) = star.flap_force_N.filter(|force| *force > 0.0) {
-        let range = star.ranges.object_force_N;
+    line(out, "holds objects", format!("{} to {} across", end(least).trim_end_matches(" mm"), end(most)));
+    line(out, "cut hole, across", show(2.0 * star.hole_radius_mm, "mm"));
+    let edge = star.flap_edge_radius_mm.map(|radius| format!("from {} across", end(radius)));
+    line(out, "flap's edge touches objects", edge);
+    let force = star.flap_force_N.filter(|force| *force > 0.0).map(|force| {
         let unknown = || format!("{} N", shown::rounded(force));
-        let force = range.map_or_else(unknown, |range| shown::as_exact_as(force, range, "N"));
+        let force =
+            star.ranges.object_force_N.map_or_else(unknown, |range| shown::as_exact_as(force, range, "N"));
         let load = star.flap_load_N_per_mm.map(|load| format!("; it folds at {load:.2} N per mm of contact"));
-        rows.push(("force if the flap holds", format!("up to {force}{}", load.unwrap_or_default())));
-    }
-    if let Some(gap) = star.object_gap_mm {
-        rows.push(("room around the object", show(gap, "mm")));
-    }
-    rows
+        format!("up to {force}{}", load.unwrap_or_default())
+    });
+    line(out, "force if the flap holds", force);
+    line(out, "room around the object", star.object_gap_mm.map(|gap| show(gap, "mm")));
 }
 
 /// The table of pressures, if there are any.
@@ -179,39 +184,6 @@ fn pressure_table(out: &mut String, rows: &[PressureRow]) {
         let end = if best + 1 == rows.len() { "; higher pressures have no prediction" } else { "" };
         let _ = writeln!(out, "  best: {most}, without bursting{end}");
     }
-}
-
-/// Radial force on the object.
-const FORCE: &str = "force on the object";
-/// The share of a stack's payload.
-const PAYLOAD: &str = "payload of this star";
-
-/// Whether the spec requires `what`, so that the report lists it also when unknown.
-fn is_asked(star: &StarPrediction, what: &str) -> bool {
-    match what {
-        FORCE => star.hold == Some(Grip::Untried),
-        PAYLOAD => false,
-        _ => star.bendability.is_some(),
-    }
-}
-
-/// The quantities that have ranges: name, value, range and unit of each.
-fn quantities(star: &StarPrediction) -> [(&'static str, Option<f64>, Option<Interval>, &'static str); 8] {
-    let ranges = &star.ranges;
-    let percent = |range: Interval| scaled(range, 100.0);
-    let stiffness = star.hinge_stiffness_Nm.map(|c| (c.tip, c.corner)).unzip();
-    let shut =
-        star.tip_equilibrium_angle_deg.map(|angle| angle.max(star.correction.contact_angle.to_degrees()));
-    [
-        ("final radius", star.final_radius_mm, ranges.final_radius_mm, "mm"),
-        ("contraction", star.contraction.map(|c| 100.0 * c), ranges.contraction.map(percent), "%"),
-        ("tip angle at rest", shut, ranges.tip_equilibrium_angle_deg, "deg"),
-        ("hinge stiffness tip", stiffness.0, ranges.hinge_stiffness_Nm.tip, "N m/rad"),
-        ("hinge stiffness corner", stiffness.1, ranges.hinge_stiffness_Nm.corner, "N m/rad"),
-        ("radial stiffness", star.radial_stiffness_N_per_m, ranges.radial_stiffness_N_per_m, "N/m"),
-        (FORCE, star.object_force_N, ranges.object_force_N, "N"),
-        (PAYLOAD, star.payload_kg, ranges.payload_kg, "kg"),
-    ]
 }
 
 /// `row`, with a force where some row has one: `held`.

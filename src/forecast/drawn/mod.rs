@@ -11,7 +11,7 @@ use crate::design::DrawnPiece;
 use crate::forecast::drawn::chambers::{DrawnChamber, drawn_chambers};
 use crate::forecast::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction};
 use crate::forecast::predict::PredictFault;
-use crate::forecast::shell::request::{ShellRefusal, fault, no_pressure, out_of_range};
+use crate::forecast::shell::request::{ShellRefusal, no_pressure, refused};
 use crate::forecast::shell::{Detail, SHELL};
 use crate::spec::{ModelChoice, Spec, key};
 use crate::units::Pressure;
@@ -151,24 +151,8 @@ fn not_inflated(why: &ShellFault, chamber: &ChamberPrediction, count: usize) -> 
     } else {
         format!("chamber {}, around X {x:.1} Y {y:.1} mm: ", chamber.chamber)
     };
-    let key = match why {
-        ShellFault::Cancelled => return ShellRefusal::Cancelled,
-        ShellFault::Pressure { found, least, most } => {
-            let fault = out_of_range(*found, [*least, *most]);
-            return ShellRefusal::Fault(PredictFault { what: format!("{of}{}", fault.what), ..fault });
-        }
-        ShellFault::Range { name: Input::Poisson, .. } => key::fabric::POISSON_RATIO,
-        ShellFault::Range { name: Input::Stretching | Input::Bending | Input::Slenderness, .. } => {
-            key::fabric::THICKNESS
-        }
-        ShellFault::Range { name: Input::Shear, .. } => key::fabric::SHEAR_MODULUS,
-        ShellFault::Range { name: Input::Width | Input::Arms, .. }
-        | ShellFault::Mesh(_)
-        | ShellFault::TooLarge { .. }
-        | ShellFault::TooMany { .. } => key::drawing::FILE,
-        ShellFault::Range { name: Input::Bendability | Input::Stretch, .. } | ShellFault::Stopped { .. } => {
-            key::load::PRESSURE
-        }
-    };
-    fault(key, format!("{of}{why}"))
+    refused(why, &of, |why| match why {
+        ShellFault::Range { name: Input::Slenderness, .. } => key::fabric::THICKNESS,
+        _ => key::drawing::FILE,
+    })
 }

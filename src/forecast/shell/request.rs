@@ -43,7 +43,7 @@ pub(in crate::forecast) fn no_pressure() -> ShellRefusal {
 }
 
 /// The fault of a pressure, Pa, at which there is no shell.
-pub(in crate::forecast) fn out_of_range(found: f64, range: Interval) -> PredictFault {
+fn out_of_range(found: f64, range: Interval) -> PredictFault {
     let (what, remedy) = outside(SHELL, found, range);
     PredictFault { remedy: Some(remedy), ..PredictFault::new(key::load::PRESSURE, what) }
 }
@@ -117,8 +117,14 @@ pub(in crate::forecast) fn ask(
         let what = format!("{} radii; one call takes at most {MOST_OBJECTS}: give fewer", objects.len());
         return Err(fault(key::load::OBJECT_DIAMETER, what));
     }
+    let of_shape = |why: &ShellFault| match why {
+        ShellFault::Range { name: Input::Arms, .. } => key::load::PRESSURE,
+        ShellFault::Range { .. } => key::star::TUBE_WIDTH,
+        ShellFault::TooMany { .. } => key::load::OBJECT_DIAMETER,
+        _ => key::star::TIP_ANGLE,
+    };
     let found = star(&flat, Objects::Radii(&objects), detail.fineness_of(flat.part()), watch)
-        .map_err(|why| refused(&why))?;
+        .map_err(|why| refused(&why, "", of_shape))?;
     let measured = Measurements::new(case, object, &found);
     Ok((flat, found, measured))
 }
@@ -128,23 +134,30 @@ pub(in crate::forecast) fn entered(case: &Case) -> Option<f64> {
     case.object.filter(|object| *object > 0.0 && case.entering.unwrap_or(*object) <= case.hole)
 }
 
-/// The key that is best changed.
-fn refused(why: &ShellFault) -> ShellRefusal {
+/// Why the shell refuses `of`, with the key that is best changed; `of_shape` gives it where that depends on the product.
+pub(in crate::forecast) fn refused(
+    why: &ShellFault,
+    of: &str,
+    of_shape: impl Fn(&ShellFault) -> KeyPath,
+) -> ShellRefusal {
     let key = match why {
         ShellFault::Cancelled => return ShellRefusal::Cancelled,
         ShellFault::Pressure { found, least, most } => {
-            return ShellRefusal::Fault(out_of_range(*found, [*least, *most]));
+            let fault = out_of_range(*found, [*least, *most]);
+            return ShellRefusal::Fault(PredictFault { what: format!("{of}{}", fault.what), ..fault });
         }
-        ShellFault::Range { name: Input::Slenderness | Input::Width, .. } => key::star::TUBE_WIDTH,
         ShellFault::Range { name: Input::Poisson, .. } => key::fabric::POISSON_RATIO,
         ShellFault::Range { name: Input::Stretching | Input::Bending, .. } => key::fabric::THICKNESS,
         ShellFault::Range { name: Input::Shear, .. } => key::fabric::SHEAR_MODULUS,
-        ShellFault::Range { name: Input::Bendability | Input::Stretch | Input::Arms, .. }
-        | ShellFault::Stopped { .. } => key::load::PRESSURE,
-        ShellFault::Mesh(_) | ShellFault::TooLarge { .. } => key::star::TIP_ANGLE,
-        ShellFault::TooMany { .. } => key::load::OBJECT_DIAMETER,
+        ShellFault::Range { name: Input::Bendability | Input::Stretch, .. } | ShellFault::Stopped { .. } => {
+            key::load::PRESSURE
+        }
+        ShellFault::Range { name: Input::Slenderness | Input::Width | Input::Arms, .. }
+        | ShellFault::Mesh(_)
+        | ShellFault::TooLarge { .. }
+        | ShellFault::TooMany { .. } => of_shape(why),
     };
-    fault(key, why.to_string())
+    fault(key, format!("{of}{why}"))
 }
 
 impl Measurements {
