@@ -46,9 +46,8 @@ pub fn refusals(spec: &Spec, stars: &[StarPrediction]) -> Vec<Refusal> {
     // One star that holds the object will do.
     let idle = judged.is_idle();
     let counts = |finding: &&VerdictLine| match finding.weight {
-        Weight::Refuted | Weight::Unknown => true,
         Weight::Idle => idle,
-        Weight::Doubted => false,
+        weight => weight != Weight::Doubted,
     };
     judged.findings.iter().filter(counts).map(VerdictLine::refusal).collect()
 }

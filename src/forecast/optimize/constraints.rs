@@ -2,7 +2,6 @@
 //! the places where a model is most optimistic.
 
 use crate::forecast::candidate::{Answer, Candidate};
-use crate::forecast::case::Case;
 use crate::forecast::outcome::{Grip, Outcome, SHORTEST_ARM};
 use crate::forecast::ranges::{Domain, outside_by};
 use crate::spec::ModelChoice;
@@ -56,12 +55,15 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
         let forceful =
             constraints.apart || constraints.payload.is_some() || constraints.largest_force.is_some();
         if is_at_pressure(point.model) && forceful {
-            all.push(("touching", touching(&answer.case, own)));
+            // The overlap of the arms, as the tips' angle by which they pass contact, rad.
+            let depth = answer.case.mechanism.correction.contact_angle - own.rest.equilibrium;
+            all.push(("touching", if depth >= 0.0 { LEAST_UNTRIED + depth } else { 0.0 }));
         }
         if let Some([close, open]) = constraints.grasp {
             let mm = |metres: f64| Length::from_metres(metres).0;
             let widest = mm(own.rest.widest.radius);
-            all.push(("closing", over(mm(least_sure(own)), close.0)));
+            let least_sure = own.ranges.radius.map_or(own.rest.radius, |[_, high]| high);
+            all.push(("closing", over(mm(least_sure), close.0)));
             all.push(("opening", short(Some(widest), open.0 * (1.0 + ROUNDING))));
         }
         let entering =
@@ -99,20 +101,9 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
     all
 }
 
-/// Overlap of arms, as the tips' angle by which they pass contact, rad; 0 where they do not touch.
-fn touching(case: &Case, own: &Outcome) -> f64 {
-    let depth = case.mechanism.correction.contact_angle - own.rest.equilibrium;
-    if depth >= 0.0 { LEAST_UNTRIED + depth } else { 0.0 }
-}
-
 /// Whether a model applies at the star's pressure, unlike a limit selected by name.
 pub fn is_at_pressure(model: ModelChoice) -> bool {
     !matches!(model, ModelChoice::Ring | ModelChoice::Fit)
-}
-
-/// The radius to which a star closes for sure, m.
-fn least_sure(own: &Outcome) -> f64 {
-    own.ranges.radius.map_or(own.rest.radius, |[_, high]| high)
 }
 
 /// The largest force with which it may press, N, beyond the upper end of its range; `None` if unknown.

@@ -158,38 +158,22 @@ fn time_of(model: &dyn HingeModel, clock: &dyn Fn() -> f64) -> Result<(f64, Targ
 
 /// The rows as a table for a terminal.
 pub fn table(rows: &[TradeRow]) -> String {
-    let mut out = format!("{:20}{:>12}", "model", "time");
-    for quantity in QUANTITIES {
-        let _ = write!(out, "{quantity:>11}");
-    }
-    out.push('\n');
+    let names = QUANTITIES.map(|quantity| format!("{quantity:>11}")).concat();
+    let mut out = format!("{:20}{:>12}{names}\n", "model", "time");
     for row in rows {
-        let _ = write!(out, "{:20}{:>9.2} us", row.model, row.time * 1e6);
-        for error in row.errors {
-            let text = error.map_or("-".to_owned(), |error| format!("{error:.1e}"));
-            let _ = write!(out, "{text:>11}");
-        }
-        out.push('\n');
+        let texts = row.errors.map(|error| error.map_or("-".to_owned(), |error| format!("{error:.1e}")));
+        let errors = texts.map(|text| format!("{text:>11}")).concat();
+        let _ = writeln!(out, "{:20}{:>9.2} us{errors}", row.model, row.time * 1e6);
     }
     out
 }
 
 /// The rows as CSV.
 pub fn csv(rows: &[TradeRow]) -> String {
-    let mut out = String::from("model,time_s");
-    for quantity in QUANTITIES {
-        let _ = write!(out, ",error_{quantity}");
-    }
-    out.push('\n');
+    let mut out = format!("model,time_s,error_{}\n", QUANTITIES.join(",error_"));
     for row in rows {
-        let _ = write!(out, "\"{}\",{:.3e}", row.model, row.time);
-        for error in row.errors {
-            let _ = match error {
-                Some(error) => write!(out, ",{error:.3e}"),
-                None => write!(out, ","),
-            };
-        }
-        out.push('\n');
+        let errors = row.errors.map(|error| error.map_or(String::new(), |error| format!("{error:.3e}")));
+        let _ = writeln!(out, "\"{}\",{:.3e},{}", row.model, row.time, errors.join(","));
     }
     out
 }

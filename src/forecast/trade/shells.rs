@@ -93,7 +93,7 @@ pub fn against_shells(clock: &dyn Fn() -> f64) -> Result<Vec<ShellRow>, StarFaul
                 actuator: None,
                 stars: Vec::new(),
             };
-            if let Some((level, known)) = named(chosen).zip(actuator_of(&computed, "fine", pressure)) {
+            if let Some((level, known)) = named(chosen).zip(same(&computed, "fine", None, pressure)) {
                 let own = actuate(&actuator(pressure)?, level, &[])?;
                 row.actuator =
                     Some([own.angle_deg - known.rest.value, own.stiffness_Nm / known.stiffness.value - 1.0]);
@@ -114,9 +114,10 @@ fn at(finest: &[Finest], pressure: f64) -> impl Iterator<Item = &Finest> {
     finest.iter().filter(move |known| known.pressure.total_cmp(&pressure).is_eq())
 }
 
-fn actuator_of<'a>(computed: &'a [Shell], fineness: &str, pressure: f64) -> Option<&'a Shell> {
+/// The shell of this fineness and pressure with so many points; without points the V-actuator.
+fn same<'a>(computed: &'a [Shell], fineness: &str, points: Option<u32>, pressure: f64) -> Option<&'a Shell> {
     computed.iter().find(|one| {
-        one.points.is_none() && one.fineness == fineness && one.pressure.total_cmp(&pressure).is_eq()
+        one.fineness == fineness && one.points == points && one.pressure.total_cmp(&pressure).is_eq()
     })
 }
 
@@ -128,7 +129,7 @@ fn actuator(kilopascals: f64) -> Result<Actuator, StarFault> {
 }
 
 fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]) -> ShellRow {
-    let own = actuator_of(computed, fineness, pressure).zip(actuator_of(computed, "fine", pressure));
+    let own = same(computed, fineness, None, pressure).zip(same(computed, "fine", None, pressure));
     let mut row = ShellRow {
         model: format!("shell, {fineness}"),
         pressure,
@@ -154,7 +155,7 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
             });
             continue;
         }
-        let Some(own) = same(computed, fineness, known) else { continue };
+        let Some(own) = same(computed, fineness, Some(known.points), pressure) else { continue };
         times.push(own.time);
         let part = |own: MeshedValue, known: MeshedValue| {
             Some(own.value / known.value - 1.0).filter(|part| part.is_finite())
@@ -174,14 +175,6 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
     row
 }
 
-fn same<'a>(computed: &'a [Shell], fineness: &str, known: &Finest) -> Option<&'a Shell> {
-    computed.iter().find(|one| {
-        one.fineness == fineness
-            && one.points == Some(known.points)
-            && one.pressure.total_cmp(&known.pressure).is_eq()
-    })
-}
-
 /// Checks the mesh errors of coarser shells against the finest.
 pub fn mesh_errors() -> Vec<Agreement> {
     let (finest, computed) = (finest(), shells());
@@ -194,7 +187,9 @@ pub fn mesh_errors() -> Vec<Agreement> {
             }
             let mut row = Agreement { fineness, quantity, held: 0, of: 0, unknown: 0, furthest: 0.0 };
             for known in &finest {
-                let Some(own) = same(&computed, fineness, known) else { continue };
+                let Some(own) = same(&computed, fineness, Some(known.points), known.pressure) else {
+                    continue;
+                };
                 let (own, known) = match quantity {
                     "rho_f" => (Some(own.rest), known.radius),
                     "K" => (Some(own.stiffness), known.stiffness),

@@ -32,24 +32,21 @@ fn head(row: &ShellRow) -> String {
 
 /// Every n in its column, and the root of the mean square.
 fn columns(row: &ShellRow, decimals: usize, of: impl Fn(&StarErrors) -> Option<f64>) -> String {
-    let mut out = String::new();
-    for points in STARS {
+    let text = |points: u32| {
         let error = row.stars.iter().find(|star| star.points == points).and_then(&of);
-        let text = error.map_or("-".to_owned(), |error| format!("{:+.decimals$}", 100.0 * error));
-        let _ = write!(out, "{text:>7}");
-    }
-    let all = rms(row.stars.iter().filter_map(of));
-    let text = format!("{:.1}", 100.0 * all);
-    out + &format!("{text:>8}")
+        error.map_or("-".to_owned(), |error| format!("{:+.decimals$}", 100.0 * error))
+    };
+    let all = 100.0 * rms(row.stars.iter().filter_map(&of));
+    aligned(text, &format!("{all:.1}"))
+}
+
+/// A text for every n, and the last one.
+fn aligned(text: impl Fn(u32) -> String, last: &str) -> String {
+    STARS.map(|points| format!("{:>7}", text(points))).concat() + &format!("{last:>8}")
 }
 
 fn names(what: &str) -> String {
-    let mut out = String::new();
-    for points in STARS {
-        let name = format!("n = {points}");
-        let _ = write!(out, "{name:>7}");
-    }
-    out + &format!("{what:>8}")
+    aligned(|points| format!("n = {points}"), what)
 }
 
 fn closing(rows: &[ShellRow]) -> String {
