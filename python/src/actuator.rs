@@ -1,13 +1,11 @@
 //! A single hinge between two arms.
 
-use std::sync::Arc;
-
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stargrip_cam::cli::embedded::{ActuatorQuestion, Keywords, actuator_question};
+use stargrip_cam::cli::embedded::{ActuatorQuestion, actuator_keywords, actuator_question};
 use stargrip_cam::forecast::actuator::actuate;
 use stargrip_cam::forecast::shell::actuator as by_shell;
-use stargrip_cam::shell::cases::{ShellFault, Watch};
+use stargrip_cam::shell::cases::ShellFault;
 
 use crate::answer::ActuatorPrediction;
 use crate::faults::{of_failure, plain};
@@ -40,7 +38,7 @@ pub(crate) fn actuator(
     progress: Option<&Bound<'_, PyAny>>,
     question: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<ActuatorPrediction> {
-    let asked = actuator_question(&options("actuator", &Keywords::of_actuator(), question)?)
+    let asked = actuator_question(&options("actuator", &actuator_keywords(), question)?)
         .map_err(|failure| of_failure(py, &failure))?;
     let ActuatorQuestion { actuator, angles, level, detail } = asked;
     let refused = |text: String| plain(py, "PredictionError", "no-prediction", &text);
@@ -49,9 +47,7 @@ pub(crate) fn actuator(
         return ActuatorPrediction::new(py, answer.map_err(|fault| refused(fault.to_string()))?, None);
     }
     let found = wait(py, progress, move |line| {
-        let tell = |part: f64, what: &str| line.tell(part, what);
-        let watch = Watch { progress: Some(&tell), cancel: Arc::clone(&line.cancel) };
-        by_shell::actuate(&actuator, &angles, detail, &watch)
+        line.watched(|watch| by_shell::actuate(&actuator, &angles, detail, watch))
     })?;
     let (answer, shape) = found.map_err(|fault: ShellFault| refused(fault.to_string()))?;
     ActuatorPrediction::new(py, answer, Some(shape))

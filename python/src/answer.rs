@@ -8,21 +8,17 @@ use pyo3::prelude::*;
 use pyo3::pyclass::boolean_struct::True;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyCFunction, PyDict, PyTuple, PyType};
-use stargrip_cam::cli::embedded::Given;
+use stargrip_cam::cli::embedded::{GripperAnswer, Loaded};
 use stargrip_cam::forecast::actuator::ActuatorPrediction as Actuated;
-use stargrip_cam::forecast::drawn::prediction::DrawnPrediction;
-use stargrip_cam::forecast::drawn::text::text;
 use stargrip_cam::forecast::keys::{Key, KeyKind};
 use stargrip_cam::forecast::prediction as answers;
-use stargrip_cam::forecast::report;
 use stargrip_cam::shell::cases::InflatedShape;
 
 use crate::mesh::Mesh;
 
 /// An answer: the crate's own structure, or the content of a pickle.
 pub(crate) enum Answer {
-    Star(Arc<Given>, Box<answers::Prediction>),
-    Drawn(Arc<Given>, Box<DrawnPrediction>),
+    Gripper(Arc<Loaded>, GripperAnswer),
     Actuator(Box<Actuated>),
     Restored { fields: Py<PyDict>, page: String, shown: String },
 }
@@ -31,8 +27,7 @@ impl Answer {
     /// A new dict, equal to the JSON of the command's `--json`.
     fn dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let made = match self {
-            Self::Star(_, star) => pythonize::pythonize(py, star)?,
-            Self::Drawn(_, drawn) => pythonize::pythonize(py, drawn)?,
+            Self::Gripper(_, answer) => pythonize::pythonize(py, answer)?,
             Self::Actuator(actuated) => pythonize::pythonize(py, actuated)?,
             Self::Restored { fields, .. } => py.import("copy")?.call_method1("deepcopy", (fields,))?,
         };
@@ -42,8 +37,7 @@ impl Answer {
     /// The text that the command prints.
     fn page(&self) -> String {
         match self {
-            Self::Star(given, star) => report::text(&given.reading.spec, star),
-            Self::Drawn(given, drawn) => text(&given.reading.spec, drawn),
+            Self::Gripper(given, answer) => answer.text(&given.reading.spec),
             Self::Actuator(actuated) => actuated.to_text(),
             Self::Restored { page, .. } => page.clone(),
         }
@@ -51,10 +45,14 @@ impl Answer {
 
     /// The text of `repr`.
     fn shown(&self) -> String {
-        let star = |given: &Given, model| format!("<Prediction {:?} by {model}>", given.reading.spec.name);
         match self {
-            Self::Star(given, answer) => star(given, answer.first.model),
-            Self::Drawn(given, answer) => star(given, answer.model),
+            Self::Gripper(given, answer) => {
+                let model = match answer {
+                    GripperAnswer::Star(star) => star.first.model,
+                    GripperAnswer::Drawn(drawn) => drawn.model,
+                };
+                format!("<Prediction {:?} by {model}>", given.reading.spec.name)
+            }
             Self::Actuator(answer) => format!("<ActuatorPrediction by {}>", answer.model),
             Self::Restored { shown, .. } => shown.clone(),
         }
@@ -197,12 +195,6 @@ impl Prediction {
     /// The answer of any model; only the shell's has a `shape`.
     pub(crate) fn new(py: Python<'_>, answer: Answer, shape: Option<InflatedShape>) -> PyResult<Self> {
         PythonAnswer::new(py, answer, shape).map(Self)
-    }
-
-    /// The answer of a hinge model.
-    pub(crate) fn of_star(given: Arc<Given>, prediction: answers::Prediction) -> Self {
-        let answer = Answer::Star(given, Box::new(prediction));
-        Self(PythonAnswer { answer, fields: PyOnceLock::new(), mesh: None })
     }
 }
 

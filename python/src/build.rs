@@ -6,16 +6,17 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBytes, PyDict, PyTuple, PyType};
+use stargrip_cam::answer::proof;
 use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::cli::embedded;
-use stargrip_cam::cli::embedded::Given;
+use stargrip_cam::cli::embedded::{GripperAnswer, Loaded};
 use stargrip_cam::cli::publish;
 use stargrip_cam::design::Refusals;
 use stargrip_cam::manifest::Tool;
-use stargrip_cam::pipeline::{Forecast, Proven, Sources};
+use stargrip_cam::pipeline::{Forecast, Proven};
 use stargrip_cam::verify::Finding;
 
-use crate::answer::Prediction;
+use crate::answer::{Answer, Prediction};
 use crate::arguments;
 use crate::design::counted;
 use crate::faults::{of_design, of_failure, of_findings, plain};
@@ -25,7 +26,7 @@ use crate::waiting::{Line, wait};
 /// All files of a gripper, in memory. They have been read back and agree with the design; other files cannot be written.
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct Build {
-    given: Arc<Given>,
+    given: Arc<Loaded>,
     request: KindRequest,
     anyway: bool,
     proven: Proven,
@@ -71,7 +72,7 @@ pub(crate) fn build(
     }
 }
 
-fn made(given: &Given, request: &KindRequest, anyway: bool, line: &Line) -> Result<Proven, Stopped> {
+fn made(given: &Loaded, request: &KindRequest, anyway: bool, line: &Line) -> Result<Proven, Stopped> {
     line.tell(0.0, "design, plan and prediction");
     let forecast =
         Forecast::of(given.reading.spec.clone(), given.machine.clone()).map_err(Stopped::Refused)?;
@@ -80,7 +81,7 @@ fn made(given: &Given, request: &KindRequest, anyway: bool, line: &Line) -> Resu
     }
     line.goes_on().ok_or(Stopped::Cancelled)?;
     line.tell(0.2, "files");
-    let built = forecast.build(Sources { spec: &given.source.text, machine: &given.machine_text }, request);
+    let built = forecast.build(given.sources(), request);
     line.goes_on().ok_or(Stopped::Cancelled)?;
     line.tell(0.5, "reading them back");
     built.prove().map_err(Stopped::Wrong)
@@ -109,9 +110,11 @@ impl Build {
 
     /// The prediction; None if the spec has no [load].
     #[getter]
-    fn prediction(&self) -> Option<Prediction> {
-        let prediction = self.proven.built().forecast.prediction.clone()?;
-        Some(Prediction::of_star(Arc::clone(&self.given), prediction))
+    fn prediction(&self, py: Python<'_>) -> PyResult<Option<Prediction>> {
+        let prediction = self.proven.built().forecast.prediction.clone();
+        let answer = prediction.map(|star| GripperAnswer::Star(Box::new(star)));
+        let answer = answer.map(|answer| Answer::Gripper(Arc::clone(&self.given), answer));
+        answer.map(|answer| Prediction::new(py, answer, None)).transpose()
     }
 
     /// Largest deviation of every measured file from the exact design, mm.
@@ -187,5 +190,5 @@ pub(crate) fn prove<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let proof = wait(py, progress, move |_| embedded::prove(&path))?;
     let proof = proof.map_err(|failure| of_failure(py, &failure))?;
-    py.import("json")?.call_method1("loads", (embedded::proof_json(&proof),))
+    py.import("json")?.call_method1("loads", (proof::json(&proof),))
 }

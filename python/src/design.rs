@@ -5,11 +5,11 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple, PyType};
 use stargrip_cam::artifact::{Kind, KindRequest};
-use stargrip_cam::cli::embedded::Given;
+use stargrip_cam::cli::embedded::Loaded;
 use stargrip_cam::design as exact;
 use stargrip_cam::design::{Contour as Trimmed, Part, PlacedPart, Side, StarDesign};
 use stargrip_cam::geom::{Path, Point};
-use stargrip_cam::pipeline::{Forecast, Sources};
+use stargrip_cam::pipeline::Forecast;
 
 use crate::arrays::{floats, rows};
 use crate::faults::{of_design, usage};
@@ -19,7 +19,7 @@ use crate::spec::Spec;
 /// The exact flat geometry of a gripper. Lengths in mm, angles in degrees; everything counts counterclockwise seen from above.
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct Design {
-    given: Arc<Given>,
+    given: Arc<Loaded>,
     design: Arc<exact::Design>,
 }
 
@@ -77,10 +77,9 @@ impl Design {
 
     /// The preview of its first sheet, for notebooks: None if the machine cannot seal it.
     fn _repr_svg_(&self) -> Option<String> {
-        let Given { source, reading, machine, machine_text, .. } = self.given.as_ref();
+        let Loaded { reading, machine, .. } = self.given.as_ref();
         let forecast = Forecast::of(reading.spec.clone(), machine.clone()).ok()?;
-        let sources = Sources { spec: &source.text, machine: machine_text };
-        let built = forecast.build(sources, &KindRequest::only(&[Kind::PreviewSvg]));
+        let built = forecast.build(self.given.sources(), &KindRequest::only(&[Kind::PreviewSvg]));
         let preview = built.artifacts.into_iter().find(|file| file.output.kind == Kind::PreviewSvg)?;
         String::from_utf8(preview.bytes).ok()
     }

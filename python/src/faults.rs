@@ -5,7 +5,8 @@ use std::fmt::Display;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyDict;
-use stargrip_cam::cli::embedded::{Failure, Given};
+use stargrip_cam::answer::refused::at_keys;
+use stargrip_cam::cli::embedded::{Failure, Loaded};
 use stargrip_cam::design::Refusals;
 use stargrip_cam::forecast::predict::PredictFault;
 use stargrip_cam::pipeline::no_prediction;
@@ -47,13 +48,14 @@ pub(crate) fn of_spec(py: Python<'_>, faults: &Faults) -> PyErr {
 }
 
 /// The refusals of a design: `DesignError`.
-pub(crate) fn of_design(py: Python<'_>, given: &Given, refusals: Refusals) -> PyErr {
-    of_faults(py, "DesignError", &given.refused(refusals))
+pub(crate) fn of_design(py: Python<'_>, given: &Loaded, refusals: Refusals) -> PyErr {
+    of_faults(py, "DesignError", &at_keys(&given.source, &given.reading.raw, refusals))
 }
 
 /// A prediction that cannot be made: `PredictionError`.
-pub(crate) fn of_prediction(py: Python<'_>, given: &Given, fault: &PredictFault) -> PyErr {
-    of_faults(py, "PredictionError", &given.refused(no_prediction(fault).into()))
+pub(crate) fn of_prediction(py: Python<'_>, given: &Loaded, fault: &PredictFault) -> PyErr {
+    let refusals = no_prediction(fault).into();
+    of_faults(py, "PredictionError", &at_keys(&given.source, &given.reading.raw, refusals))
 }
 
 fn of_faults(py: Python<'_>, name: &str, faults: &Faults) -> PyErr {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple, PyType};
-use stargrip_cam::cli::embedded::{self, Given, Keywords};
+use stargrip_cam::cli::embedded::{self, Loaded, optimize_keywords};
 use stargrip_cam::forecast::optimize::Evaluation;
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::units::Length;
@@ -21,7 +21,11 @@ type Columns = Vec<(String, Vec<f64>)>;
 /// The result of a search: the best star, and the designs that it was compared with.
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct Optimum {
+    /// The spec with the best star that can be built; None if no design meets all constraints and can be built.
+    #[pyo3(get)]
     spec: Option<Spec>,
+    /// The number of designs that were computed.
+    #[pyo3(get)]
     computed: usize,
     best: Columns,
     short: Vec<Vec<(String, f64)>>,
@@ -58,18 +62,18 @@ pub(crate) fn optimize(
     progress: Option<&Bound<'_, PyAny>>,
     question: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Optimum> {
-    let options = options("optimize", &Keywords::of_optimize(), question)?;
+    let options = options("optimize", &optimize_keywords(), question)?;
     let given = Arc::clone(&spec.given);
     let optimum = wait(py, progress, move |line| {
         line.tell(0.0, "searching");
         embedded::optimum(&given, &options, &line.cancel)
     })?;
     let embedded::Optimum { found, best, short } = optimum.map_err(|failure| of_failure(py, &failure))?;
-    let Given { source, path, .. } = spec.given.as_ref();
+    let Loaded { source, path, .. } = spec.given.as_ref();
     let owned =
         |missed: Vec<(&str, f64)>| missed.into_iter().map(|(what, part)| (what.to_owned(), part)).collect();
     Ok(Optimum {
-        spec: best.map(|text| of_text(py, text, &source.name, path)).transpose()?,
+        spec: best.map(|text| of_text(py, &text, &source.name, path)).transpose()?,
         computed: found.computed,
         best: columns(&found.best),
         short: short.into_iter().map(owned).collect(),
@@ -79,18 +83,6 @@ pub(crate) fn optimize(
 
 #[pymethods]
 impl Optimum {
-    /// The spec with the best star that can be built; None if no design meets all constraints and can be built.
-    #[getter]
-    fn spec(&self) -> Option<Spec> {
-        self.spec.clone()
-    }
-
-    /// The number of designs that were computed.
-    #[getter]
-    fn computed(&self) -> usize {
-        self.computed
-    }
-
     /// The best design for each number of points, not only the best of all: a dict of arrays, one for each column. Entry 0 of each is
     /// the best design. NaN where a number is unknown; `violation` is 0 where all constraints are met.
     #[getter]

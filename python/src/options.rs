@@ -3,24 +3,24 @@
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stargrip_cam::cli::embedded::Keywords;
+use stargrip_cam::cli::embedded::nearest;
 
 /// The options that equal `keywords`. None is left out; a pair (from, to) is the range "from..to". An unknown keyword of `function` is a
 /// TypeError, as for any function of Python.
 pub(crate) fn options(
     function: &str,
-    known: &Keywords,
+    known: &[String],
     keywords: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Vec<String>> {
     let mut options = Vec::new();
     for (name, value) in keywords.into_iter().flatten() {
         let name = name.extract::<String>()?;
-        if !known.names().contains(&name) {
+        if !known.contains(&name) {
             let near =
-                known.nearest(&name).map_or_else(String::new, |near| format!("Did you mean '{near}'? "));
+                nearest(&name, known).map_or_else(String::new, |near| format!("Did you mean '{near}'? "));
             return Err(PyTypeError::new_err(format!(
                 "{function}() got an unexpected keyword argument '{name}'. {near}Allowed are {}",
-                known.names().join(", ")
+                known.join(", ")
             )));
         }
         let name = name.replace('_', "-");

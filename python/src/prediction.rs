@@ -4,37 +4,23 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use stargrip_cam::cli::embedded;
-use stargrip_cam::cli::embedded::{Given, StarQuestion};
-use stargrip_cam::design::{self, Refusals};
-use stargrip_cam::forecast::drawn;
-use stargrip_cam::forecast::predict as ask;
+use stargrip_cam::cli::embedded::{GripperAnswer, Loaded, StarQuestion};
+use stargrip_cam::design::Refusals;
 use stargrip_cam::forecast::predict::PredictFault;
-use stargrip_cam::forecast::shell::Detail;
-use stargrip_cam::forecast::shell::star::{self, ShellRefusal};
+use stargrip_cam::forecast::shell::star::ShellRefusal;
 use stargrip_cam::shell::cases::{InflatedShape, Watch};
-use stargrip_cam::spec::{ModelChoice, Spec as Read, key};
-use stargrip_cam::units::Length;
+use stargrip_cam::spec::{ModelChoice, key};
 
 use crate::answer::{Answer, Prediction};
 use crate::arguments;
 use crate::faults::{of_design, of_failure, of_prediction};
 use crate::spec::Spec;
-use crate::waiting::{Line, wait};
+use crate::waiting::wait;
 
 /// The reason why there is no prediction.
 enum Refused {
     Design(Refusals),
-    Fault(PredictFault),
-    Cancelled,
-}
-
-impl From<ShellRefusal> for Refused {
-    fn from(refusal: ShellRefusal) -> Self {
-        match refusal {
-            ShellRefusal::Cancelled => Self::Cancelled,
-            ShellRefusal::Fault(fault) => Self::Fault(fault),
-        }
-    }
+    Model(ShellRefusal),
 }
 
 /// Predicts the behaviour of the gripper of `spec`.
@@ -59,25 +45,20 @@ pub(crate) fn predict(
     let given = Arc::clone(&spec.given);
     let asked = question(model.as_deref(), radii.as_deref(), fineness.as_deref())
         .map_err(|failure| of_failure(py, &failure))?;
-    let model = asked.model.unwrap_or(given.reading.spec.accuracy.model);
-    let answered = if given.reading.spec.drawing.is_some() {
-        // A drawing is larger than a star.
-        let asked =
-            StarQuestion { detail: if fineness.is_none() { Detail::Coarse } else { asked.detail }, ..asked };
+    let own = &given.reading.spec;
+    let answered = if own.drawing.is_some() || asked.model.unwrap_or(own.accuracy.model) == ModelChoice::Shell
+    {
         let given = Arc::clone(&given);
-        wait(py, progress, move |line| by_drawing(&given, &asked, line))?
-    } else if model == ModelChoice::Shell {
-        let given = Arc::clone(&given);
-        wait(py, progress, move |line| by_shell(&given, &asked, line))?
+        wait(py, progress, move |line| line.watched(|watch| answer(&given, &asked, watch)))?
     } else {
-        py.detach(|| by_others(&given, &asked))
+        py.detach(|| answer(&given, &asked, &Watch::default()))
     };
     let (answer, shape) = answered.map_err(|refused| match refused {
         Refused::Design(refusals) => of_design(py, &given, refusals),
-        Refused::Fault(fault) => of_prediction(py, &given, &fault),
-        Refused::Cancelled => of_failure(py, &embedded::Failure::Interrupted),
+        Refused::Model(ShellRefusal::Fault(fault)) => of_prediction(py, &given, &fault),
+        Refused::Model(ShellRefusal::Cancelled) => of_failure(py, &embedded::Failure::Interrupted),
     })?;
-    Prediction::new(py, answer, shape)
+    Prediction::new(py, Answer::Gripper(given, answer), shape)
 }
 
 /// Repeats the computation of `predict` `times` times, without Python: the reference of tests/overhead.py.
@@ -85,7 +66,7 @@ pub(crate) fn predict(
 pub(crate) fn repeat(py: Python<'_>, spec: &Spec, model: Option<&str>, times: u32) -> PyResult<()> {
     let asked = question(model, None, None).map_err(|failure| of_failure(py, &failure))?;
     for _ in 0..times {
-        let _ = std::hint::black_box(by_others(&spec.given, &asked));
+        let _ = std::hint::black_box(answer(&spec.given, &asked, &Watch::default()));
     }
     Ok(())
 }
@@ -98,58 +79,23 @@ fn question(
 ) -> Result<StarQuestion, embedded::Failure> {
     let known = model.map(embedded::model);
     if radii.is_none() && fineness.is_none() && known != Some(None) {
-        return Ok(StarQuestion { model: known.flatten(), radii: Vec::new(), detail: Detail::Medium });
+        return Ok(StarQuestion { model: known.flatten(), radii: Vec::new(), detail: None });
     }
     let options = [("--model", model), ("--radii", radii), ("--fineness", fineness)];
     let options = options.iter().filter_map(|(name, value)| Some(format!("{name}={}", (*value)?)));
     embedded::star_question(&options.collect::<Vec<_>>())
 }
 
-/// The spec with the requested model, and its design.
-fn designed(given: &Given, asked: &StarQuestion) -> Result<(Read, design::Design), Refused> {
-    let mut spec = given.reading.spec.clone();
-    if let Some(model) = asked.model {
-        spec.accuracy.model = model;
-    }
-    let design = design::Design::new(&spec, &given.machine).map_err(Refused::Design)?;
-    Ok((spec, design))
-}
-
-fn by_others(given: &Arc<Given>, asked: &StarQuestion) -> Result<(Answer, Option<InflatedShape>), Refused> {
-    let (spec, design) = designed(given, asked)?;
-    let mut prediction = ask::predict(&spec, &design).map_err(Refused::Fault)?;
-    if !asked.radii.is_empty() {
-        let radii: Vec<Length> = asked.radii.iter().copied().map(Length::from_metres).collect();
-        ask::add_curve((&spec, &design), &radii, &mut prediction).map_err(Refused::Fault)?;
-    }
-    Ok((Answer::Star(Arc::clone(given), Box::new(prediction)), None))
-}
-
-fn by_drawing(
-    given: &Arc<Given>,
+fn answer(
+    given: &Loaded,
     asked: &StarQuestion,
-    line: &Line,
-) -> Result<(Answer, Option<InflatedShape>), Refused> {
-    let (spec, design) = designed(given, asked)?;
-    let Some(piece) = design.drawn().filter(|_| asked.radii.is_empty()) else {
+    watch: &Watch<'_>,
+) -> Result<(GripperAnswer, Option<InflatedShape>), Refused> {
+    let (spec, design) = asked.designed(given).map_err(Refused::Design)?;
+    if design.drawn().is_some() && !asked.radii.is_empty() {
         let what = "no model predicts the force of a drawn shape on an object: leave out radii".to_owned();
-        return Err(Refused::Fault(PredictFault { star: None, key: key::drawing::FILE, what, remedy: None }));
-    };
-    let tell = |part: f64, what: &str| line.tell(part, what);
-    let watch = Watch { progress: Some(&tell), cancel: Arc::clone(&line.cancel) };
-    let found = drawn::inflate(&spec, piece, asked.detail, &watch)?;
-    let shape = InflatedShape::joined(&found.shapes);
-    Ok((Answer::Drawn(Arc::clone(given), Box::new(found.prediction)), Some(shape)))
-}
-
-fn by_shell(
-    given: &Arc<Given>,
-    asked: &StarQuestion,
-    line: &Line,
-) -> Result<(Answer, Option<InflatedShape>), Refused> {
-    let (spec, design) = designed(given, asked)?;
-    let tell = |part: f64, what: &str| line.tell(part, what);
-    let watch = Watch { progress: Some(&tell), cancel: Arc::clone(&line.cancel) };
-    let (prediction, shape) = star::predict((&spec, &design), &asked.radii, asked.detail, &watch)?;
-    Ok((Answer::Star(Arc::clone(given), Box::new(prediction)), Some(shape)))
+        let fault = PredictFault { star: None, key: key::drawing::FILE, what, remedy: None };
+        return Err(Refused::Model(ShellRefusal::Fault(fault)));
+    }
+    asked.answer((&spec, &design), watch).map_err(Refused::Model)
 }

@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyType};
-use stargrip_cam::cli::embedded::Given;
+use stargrip_cam::cli::embedded::Loaded;
 use stargrip_cam::spec::edit::with_changes;
 use stargrip_cam::spec::key::named;
-use stargrip_cam::spec::{KeyPath, Source, settings, starter};
+use stargrip_cam::spec::{KeyPath, settings, starter};
 
 use crate::faults::{of_failure, of_spec, one, usage};
 use crate::toml;
@@ -19,7 +19,7 @@ use crate::toml;
 #[pyclass(frozen, from_py_object, module = "stargrip_cam")]
 #[derive(Clone)]
 pub(crate) struct Spec {
-    pub(crate) given: Arc<Given>,
+    pub(crate) given: Arc<Loaded>,
 }
 
 #[pymethods]
@@ -32,12 +32,12 @@ impl Spec {
     fn from_toml(_class: &Bound<'_, PyType>, source: &Bound<'_, PyAny>) -> PyResult<Self> {
         let py = source.py();
         match source.extract::<String>() {
-            Ok(text) if !is_path(&text) => of_text(py, text, "spec", Path::new("")),
+            Ok(text) if !is_path(&text) => of_text(py, &text, "spec", Path::new("")),
             _ => {
                 let path: PathBuf = source.extract()?;
                 // Python's own exception describes best why a file cannot be opened.
                 let _ = py.import("os")?.call_method1("stat", (&path,))?;
-                Given::from_file(&path).map(Self::new).map_err(|failure| of_failure(py, &failure))
+                Loaded::from_file(&path).map(Self::new).map_err(|failure| of_failure(py, &failure))
             }
         }
     }
@@ -47,13 +47,13 @@ impl Spec {
     /// Raises SpecError with all faults at once; their lines are those of `to_toml()`.
     #[classmethod]
     fn from_dict(_class: &Bound<'_, PyType>, sections: &Bound<'_, PyDict>) -> PyResult<Self> {
-        of_text(sections.py(), toml::text(sections)?, "spec", Path::new(""))
+        of_text(sections.py(), &toml::text(sections)?, "spec", Path::new(""))
     }
 
     /// The commented spec of the paper's star, with every key and its default.
     #[classmethod]
     fn starter(_class: &Bound<'_, PyType>, py: Python<'_>, name: &str) -> PyResult<Self> {
-        of_text(py, starter(name).map_err(|fault| usage(py, fault))?, "spec", Path::new(""))
+        of_text(py, &starter(name).map_err(|fault| usage(py, fault))?, "spec", Path::new(""))
     }
 
     /// Called by `__reduce__`.
@@ -61,7 +61,7 @@ impl Spec {
     fn _restored(
         _class: &Bound<'_, PyType>,
         py: Python<'_>,
-        text: String,
+        text: &str,
         name: &str,
         path: PathBuf,
     ) -> PyResult<Self> {
@@ -86,9 +86,9 @@ impl Spec {
             changes.push((key, value));
         }
         let changes: Vec<_> = changes.iter().map(|(key, value)| (*key, value.as_deref())).collect();
-        let Given { source, path, .. } = self.given.as_ref();
+        let Loaded { source, path, .. } = self.given.as_ref();
         let text = with_changes(source, &changes).map_err(|faults| of_spec(py, &faults))?;
-        of_text(py, text, &source.name, path)
+        of_text(py, &text, &source.name, path)
     }
 
     /// The text.
@@ -142,13 +142,13 @@ impl Spec {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String, String, PathBuf))> {
-        let Given { source, path, .. } = slf.get().given.as_ref();
+        let Loaded { source, path, .. } = slf.get().given.as_ref();
         Ok((slf.get_type().getattr("_restored")?, (source.text.clone(), source.name.clone(), path.clone())))
     }
 }
 
 impl Spec {
-    pub(crate) fn new(given: Given) -> Self {
+    pub(crate) fn new(given: Loaded) -> Self {
         Self { given: Arc::new(given) }
     }
 }
@@ -159,8 +159,8 @@ fn is_path(text: &str) -> bool {
 }
 
 /// The spec of `text`, called `name`, with paths relative to that of `path`.
-pub(crate) fn of_text(py: Python<'_>, text: String, name: &str, path: &Path) -> PyResult<Spec> {
-    let given = Given::from_source(Source::new(name, text), path);
+pub(crate) fn of_text(py: Python<'_>, text: &str, name: &str, path: &Path) -> PyResult<Spec> {
+    let given = Loaded::from_text(name, text, path);
     given.map(Spec::new).map_err(|failure| of_failure(py, &failure))
 }
 

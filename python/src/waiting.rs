@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use stargrip_cam::shell::cases::Watch;
 
 /// Interval of checks for signals: too short to notice, too long to cost time.
 const LOOK: Duration = Duration::from_millis(50);
@@ -17,12 +18,9 @@ const PAUSE: Duration = Duration::from_millis(100);
 /// Stack of the thread, bytes: as large as the command's main thread.
 const STACK: usize = 8 << 20;
 
-/// Receives the part that is done, 0 to 1, and the current step.
-type Told = dyn Fn(f64, &str) + Send + Sync;
-
 /// The connection of the work to its caller: progress, and cancellation.
 pub(crate) struct Line {
-    told: Box<Told>,
+    told: Sender<(f64, String)>,
     /// Set when the caller no longer waits.
     pub(crate) cancel: Arc<AtomicBool>,
 }
@@ -30,18 +28,20 @@ pub(crate) struct Line {
 impl Line {
     /// Reports the part that is done, 0 to 1, and the current step.
     pub(crate) fn tell(&self, part: f64, what: &str) {
-        (self.told)(part, what);
+        // The caller may no longer wait.
+        let _ = self.told.send((part, what.to_owned()));
+    }
+
+    /// Runs `work`, whose observer this is.
+    pub(crate) fn watched<T>(&self, work: impl FnOnce(&Watch<'_>) -> T) -> T {
+        let tell = |part: f64, what: &str| self.tell(part, what);
+        work(&Watch { progress: Some(&tell), cancel: Arc::clone(&self.cancel) })
     }
 
     /// None if the caller no longer waits.
     pub(crate) fn goes_on(&self) -> Option<()> {
         (!self.cancel.load(Ordering::Relaxed)).then_some(())
     }
-}
-
-enum Message<T> {
-    Told(f64, String),
-    Done(T),
 }
 
 /// The answer of `work`; `progress` is the user's argument: None, a bool or a callable of part and text.
@@ -51,36 +51,25 @@ pub(crate) fn wait<T: Send + 'static>(
     work: impl FnOnce(&Line) -> T + Send + 'static,
 ) -> PyResult<T> {
     let hook = hook(py, progress)?;
-    let (sender, receiver) = channel();
+    let (told, receiver) = channel();
     let cancel = Arc::new(AtomicBool::new(false));
-    let line = line(sender.clone(), hook.is_some(), Arc::clone(&cancel));
-    let body = move || {
-        let answer = work(&line);
-        // The caller may no longer wait.
-        let _ = sender.send(Message::Done(answer));
-    };
-    let _ = thread::Builder::new().stack_size(STACK).spawn(body)?;
-    let answer = listen(py, hook.as_ref(), receiver);
-    if answer.is_err() {
+    let line = Line { told, cancel: Arc::clone(&cancel) };
+    // The end of the work drops the line, which disconnects the channel.
+    let worker = thread::Builder::new().stack_size(STACK).spawn(move || work(&line))?;
+    if let Err(error) = listen(py, hook.as_ref(), receiver) {
         cancel.store(true, Ordering::Relaxed);
+        return Err(error);
     }
-    answer
+    let broken = || PyRuntimeError::new_err("a fault of stargrip-cam: the computation broke off");
+    let answer = py.detach(|| worker.join()).map_err(|_| broken())?;
+    if let Some(hook) = hook {
+        let _ = hook.call1(py, (1.0, "done"))?;
+    }
+    Ok(answer)
 }
 
-fn line<T: Send + 'static>(sender: Sender<Message<T>>, heard: bool, cancel: Arc<AtomicBool>) -> Line {
-    let told = move |part: f64, what: &str| {
-        if heard {
-            let _ = sender.send(Message::Told(part, what.to_owned()));
-        }
-    };
-    Line { told: Box::new(told), cancel }
-}
-
-fn listen<T: Send>(
-    py: Python<'_>,
-    hook: Option<&Py<PyAny>>,
-    mut receiver: Receiver<Message<T>>,
-) -> PyResult<T> {
+/// Reports progress to `hook` until the work ends.
+fn listen(py: Python<'_>, hook: Option<&Py<PyAny>>, mut receiver: Receiver<(f64, String)>) -> PyResult<()> {
     let mut last: Option<Instant> = None;
     loop {
         let (back, message) = py.detach(move || {
@@ -90,22 +79,14 @@ fn listen<T: Send>(
         receiver = back;
         py.check_signals()?;
         match message {
-            Ok(Message::Done(answer)) => {
-                if let Some(hook) = hook {
-                    let _ = hook.call1(py, (1.0, "done"))?;
-                }
-                return Ok(answer);
-            }
-            Ok(Message::Told(part, what)) => {
+            Ok((part, what)) => {
                 if let Some(hook) = hook.filter(|_| last.is_none_or(|last| last.elapsed() >= PAUSE)) {
                     let _ = hook.call1(py, (part, what))?;
                     last = Some(Instant::now());
                 }
             }
             Err(RecvTimeoutError::Timeout) => {}
-            Err(RecvTimeoutError::Disconnected) => {
-                return Err(PyRuntimeError::new_err("a fault of stargrip-cam: the computation broke off"));
-            }
+            Err(RecvTimeoutError::Disconnected) => return Ok(()),
         }
     }
 }

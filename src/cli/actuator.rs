@@ -13,7 +13,6 @@ use crate::forecast::shell::Detail;
 use crate::forecast::shell::actuator;
 use crate::spec::{Allowed, ModelChoice};
 use crate::units::{Angle, Length, Pressure};
-use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::Level;
 use inflatable::mechanics::strength::ElasticSheet;
 
@@ -65,66 +64,60 @@ pub(super) struct Args {
 #[derive(Clone, Debug, PartialEq)]
 struct Angles(Vec<f64>);
 
+/// A V-actuator and the options of its prediction.
+#[derive(Clone, Debug)]
+pub struct ActuatorQuestion {
+    /// The actuator.
+    pub actuator: Actuator,
+    /// The angles at which its moment is computed, rad.
+    pub angles: Vec<f64>,
+    /// The hinge model; `None` for the shell model.
+    pub level: Option<Level>,
+    /// Fineness of the shell's mesh.
+    pub detail: Detail,
+}
+
 impl Args {
-    /// The actuator that the arguments describe.
-    pub(super) fn actuator(&self) -> Result<Actuator, Failure> {
+    /// The question that the arguments describe.
+    pub(super) fn question(&self) -> Result<ActuatorQuestion, Failure> {
         let young_modulus = self.young_modulus.pascals();
         let sheet = ElasticSheet::new(self.thickness.metres(), young_modulus, self.poisson_ratio);
-        Ok(Actuator {
+        let actuator = Actuator {
             width: self.tube_width.metres(),
             radius: self.radius.metres(),
             arm: self.arm_length.metres(),
             angle: self.angle.rad(),
             pressure: self.pressure.pascals(),
-            sheet: sheet.map_err(refused_by_model)?,
+            sheet: sheet.map_err(Failure::message)?,
+        };
+        Ok(ActuatorQuestion {
+            actuator,
+            angles: self.angles.as_ref().map_or_else(Vec::new, |angles| angles.0.clone()),
+            level: if self.model == ModelChoice::Auto { Some(Level::Section) } else { named(self.model) },
+            detail: self.shell.fineness.unwrap_or(Detail::Medium),
         })
     }
-
-    /// The requested angles of the hinge, rad.
-    pub(super) fn angles(&self) -> &[f64] {
-        self.angles.as_ref().map_or(&[], |angles| &angles.0)
-    }
-
-    /// The hinge model; `None` for the shell model.
-    pub(super) fn level(&self) -> Option<Level> {
-        match self.model {
-            ModelChoice::Auto => Some(Level::Section),
-            model => named(model),
-        }
-    }
-
-    /// The fineness of the shell's mesh.
-    pub(super) fn detail(&self) -> Detail {
-        self.shell.detail()
-    }
-}
-
-fn refused_by_model(fault: StarFault) -> Failure {
-    Failure::Message(fault.to_string())
 }
 
 /// Predicts, and prints the answer.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let (actuator, angles) = (args.actuator()?, args.angles());
-    let Some(level) = args.level() else { return run_shell(args, &actuator, angles) };
+    let ActuatorQuestion { actuator, angles, level, detail } = args.question()?;
+    let Some(level) = level else {
+        let question = format!("actuator {actuator:?} {angles:?}");
+        return args.shell.show(&question, args.verbosity, |watch| {
+            let found = actuator::actuate(&actuator, &angles, detail, watch);
+            let (prediction, shape) = found.map_err(|fault| refused(&fault))?;
+            Ok((prediction.to_json(), prediction.to_text(), Some(shape)))
+        });
+    };
     args.shell.not_by_others()?;
-    let prediction = actuate(&actuator, level, angles).map_err(|fault| {
+    let prediction = actuate(&actuator, level, &angles).map_err(|fault| {
         match outside_section(&fault, &actuator.sheet, actuator.width, actuator.pressure) {
             Some((found, remedy)) => Failure::Message(format!("{found}: {remedy}")),
-            None => refused_by_model(fault),
+            None => Failure::message(fault),
         }
     })?;
     args.verbosity.show(&prediction.to_text(), &prediction.to_json())
-}
-
-/// Predicts with the shell model, and prints the answer.
-fn run_shell(args: &Args, actuator: &Actuator, angles: &[f64]) -> Result<(), Failure> {
-    let question = format!("actuator {actuator:?} {angles:?}");
-    args.shell.show(&question, args.verbosity, |watch| {
-        let (prediction, shape) = actuator::actuate(actuator, angles, args.shell.detail(), watch)
-            .map_err(|fault| refused(&fault))?;
-        Ok((prediction.to_json(), prediction.to_text(), shape))
-    })
 }
 
 /// Reads "FROM..TO/COUNT", or one angle.

@@ -7,9 +7,9 @@ use std::env;
 use std::fs;
 use std::io;
 use std::path::PathBuf;
-use std::process;
 use std::sync::OnceLock;
 
+use crate::cli::whole_file::write_whole;
 use crate::digest::{of_parts, sha256};
 
 /// The cache; without a directory it stores nothing.
@@ -49,14 +49,8 @@ impl Cache {
     pub(super) fn put(&self, key: &str, parts: &[&str]) {
         let Some(dir) = &self.dir else { return };
         let Ok(parts) = serde_json::to_string(parts) else { return };
-        let partial = dir.join(format!("{key}.{}", process::id()));
         let text = format!("{}\n{parts}", sha256(&parts));
-        let kept = fs::create_dir_all(dir)
-            .and_then(|()| fs::write(&partial, text))
-            .and_then(|()| fs::rename(&partial, dir.join(key)));
-        if kept.is_err() {
-            let _ = fs::remove_file(&partial);
-        }
+        let _ = fs::create_dir_all(dir).and_then(|()| write_whole(&dir.join(key), text.as_bytes()));
     }
 }
 
@@ -65,7 +59,7 @@ static ELSEWHERE: OnceLock<PathBuf> = OnceLock::new();
 
 /// Sets the `file` with this program's code: a library that another program has loaded. Keys then depend on it, not on that program. Only
 /// the first call has an effect.
-pub(super) fn code_is_in(file: PathBuf) {
+pub fn code_is_in(file: PathBuf) {
     let _ = ELSEWHERE.set(file);
 }
 

@@ -44,6 +44,11 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// A failure whose sentence is the text of `fault`.
+    pub(super) fn message(fault: impl ToString) -> Self {
+        Self::Message(fault.to_string())
+    }
+
     /// A file that could not be read or written.
     pub(super) fn file(what: &str, path: &Path, error: &io::Error) -> Self {
         Self::File(

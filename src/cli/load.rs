@@ -23,15 +23,23 @@ pub(super) const MACHINE: &str = "machine.toml";
 /// The spec's name in a published directory.
 const SPEC: &str = "spec.toml";
 
+/// Nothing but errors is printed.
+const QUIET: Verbosity = Verbosity { verbose: false, quiet: true, json: false };
+
 /// Notes on a refused drawing that are printed without -v.
 const SHOWN_NOTES: usize = 2;
 
 /// A valid spec with its valid machine profile.
 #[derive(Debug)]
-pub(super) struct Loaded {
-    pub(super) reading: Reading,
-    pub(super) source: Source,
-    pub(super) machine: Machine,
+pub struct Loaded {
+    /// The parsed spec.
+    pub reading: Reading,
+    /// The spec's text and its name.
+    pub source: Source,
+    /// The parsed machine profile.
+    pub machine: Machine,
+    /// The spec's own path; the path of its machine profile is relative to it.
+    pub path: PathBuf,
     machine_text: String,
     verbosity: Verbosity,
 }
@@ -39,7 +47,27 @@ pub(super) struct Loaded {
 impl Loaded {
     /// Reads the spec at `path` and its machine profile; prints warnings unless `verbosity` is quiet.
     pub(super) fn spoken(path: &Path, verbosity: Verbosity) -> Result<Self, Failure> {
-        let source = read_source(path)?;
+        Self::of(read_source(path)?, path, verbosity)
+    }
+
+    /// The same without printing; "-" is standard input.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or if the spec or its machine profile is invalid; all faults are listed.
+    pub fn from_file(path: &Path) -> Result<Self, Failure> {
+        Self::spoken(path, QUIET)
+    }
+
+    /// The same of a text called `name`; a path of its machine profile is relative to the directory of `path`.
+    ///
+    /// # Errors
+    /// As for [`Loaded::from_file`].
+    pub fn from_text(name: &str, text: &str, path: &Path) -> Result<Self, Failure> {
+        // A text has the same limits as a file.
+        Self::of(Source::from_bytes(name, text.as_bytes())?, path, QUIET)
+    }
+
+    fn of(source: Source, path: &Path, verbosity: Verbosity) -> Result<Self, Failure> {
         let (reading, drawing_note) = with_drawing(path, &source, spec::read(&source)?)?;
         let (profile, note) = machine_source(path, &source, &reading)?;
         if !verbosity.quiet {
@@ -48,13 +76,7 @@ impl Loaded {
             tell(&drawing_note.unwrap_or_default());
         }
         let machine = spec::read_machine(&profile)?;
-        Ok(Self { reading, source, machine, machine_text: profile.text, verbosity })
-    }
-
-    /// The same from parts that were read elsewhere; nothing is printed.
-    pub(super) fn quiet(source: Source, reading: Reading, machine: Machine, machine_text: String) -> Self {
-        let verbosity = Verbosity { quiet: true, ..Verbosity::default() };
-        Self { reading, source, machine, machine_text, verbosity }
+        Ok(Self { reading, source, machine, path: path.to_owned(), machine_text: profile.text, verbosity })
     }
 
     /// Refuses a spec without stars; `command` is for stars only.
@@ -72,7 +94,7 @@ impl Loaded {
     }
 
     /// The texts as read.
-    pub(super) fn sources(&self) -> Sources<'_> {
+    pub fn sources(&self) -> Sources<'_> {
         Sources { spec: &self.source.text, machine: &self.machine_text }
     }
 
@@ -205,7 +227,7 @@ pub(super) const DRAWING_LIMIT: u64 = 64 << 20;
 
 /// `reading` of the spec at `path` with its drawing, a file relative to the spec; and a note on the drawing's place, if it is not the named
 /// one.
-pub(super) fn with_drawing(
+fn with_drawing(
     path: &Path,
     source: &Source,
     reading: Reading,
@@ -251,7 +273,7 @@ pub(super) fn read_drawing(file: &Path) -> Result<Vec<u8>, Failure> {
 
 /// The machine profile of the spec at `path`: a built-in one, or a file relative to the spec; and a note on the profile's place, if it is
 /// not the named one.
-pub(super) fn machine_source(
+fn machine_source(
     path: &Path,
     source: &Source,
     reading: &Reading,

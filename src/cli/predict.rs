@@ -2,22 +2,26 @@
 
 use std::path::PathBuf;
 
+use serde::Serialize;
+
 use crate::answer::quantity::{SIZE, evenly, range};
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::shell::{ShellArgs, not_computed};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
-use crate::design::{Design, DrawnPiece};
+use crate::design::{Design, Refusals};
 use crate::forecast::drawn;
-use crate::forecast::predict::{PredictFault, add_curve, predict};
+use crate::forecast::drawn::prediction::DrawnPrediction;
+use crate::forecast::predict::{add_curve, predict};
+use crate::forecast::prediction::Prediction;
 use crate::forecast::report;
 use crate::forecast::shell::Detail;
 use crate::forecast::shell::star;
-use crate::pipeline::no_prediction;
+use crate::forecast::shell::star::ShellRefusal;
 use crate::spec::{ModelChoice, Spec};
 use crate::units::Length;
-use inflatable::shell::cases::InflatedShape;
+use inflatable::shell::cases::{InflatedShape, Watch};
 
 /// Largest number of radii of one curve: each is reached in steps.
 const MOST_RADII: u32 = 7;
@@ -49,75 +53,127 @@ pub(super) const MODELS: [&str; 6] = [
     "The cheapest accurate model; never the shell",
 ];
 
+/// What is asked about a gripper, beside its spec.
+#[derive(Clone, Debug)]
+pub struct StarQuestion {
+    /// The requested model; `None` for the spec's own.
+    pub model: Option<ModelChoice>,
+    /// Radii of round objects, m.
+    pub radii: Vec<f64>,
+    /// Fineness of the shell's mesh; by default medium, and coarse for drawings, which are larger.
+    pub detail: Option<Detail>,
+}
+
+/// The prediction of a gripper.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum GripperAnswer {
+    /// Of stars.
+    Star(Box<Prediction>),
+    /// Of a drawing.
+    Drawn(Box<DrawnPrediction>),
+}
+
+impl GripperAnswer {
+    /// The printed text; `spec` is the gripper's.
+    pub fn text(&self, spec: &Spec) -> String {
+        match self {
+            Self::Star(star) => report::text(spec, star),
+            Self::Drawn(drawn) => drawn::text::text(spec, drawn),
+        }
+    }
+
+    fn json(&self) -> String {
+        match self {
+            Self::Star(star) => star.to_json(),
+            Self::Drawn(drawn) => drawn.to_json(),
+        }
+    }
+}
+
 impl Args {
-    /// The requested model.
-    pub(super) fn model(&self) -> Option<ModelChoice> {
-        self.model
+    /// The question that the arguments describe.
+    pub(super) fn question(&self) -> StarQuestion {
+        let radii = self.radii.as_ref().map_or_else(Vec::new, |Radii(radii)| radii.clone());
+        StarQuestion { model: self.model, radii, detail: self.shell.fineness }
     }
 
-    /// The radii of round objects, m.
-    pub(super) fn radii(&self) -> &[f64] {
-        self.radii.as_ref().map_or(&[], |radii| &radii.0)
+    /// Refuses options about stars for a drawing, for which only the shell is a model.
+    fn refuse_those_of_stars(&self) -> Result<(), Failure> {
+        let text = if self.radii.is_some() {
+            "--radii is for stars: no model predicts the force of a drawn shape on an object"
+        } else if self.model.is_some_and(|model| !matches!(model, ModelChoice::Shell | ModelChoice::Auto)) {
+            "this --model is one of a star's hinges; only the shell models drawn shapes: leave it out"
+        } else {
+            return Ok(());
+        };
+        Err(Failure::Usage(text.to_owned()))
+    }
+}
+
+impl StarQuestion {
+    /// The spec with the requested model, and its design.
+    ///
+    /// # Errors
+    /// If there is no such design.
+    pub fn designed(&self, given: &Loaded) -> Result<(Spec, Design), Refusals> {
+        let mut spec = given.reading.spec.clone();
+        spec.accuracy.model = self.model.unwrap_or(spec.accuracy.model);
+        let design = Design::new(&spec, &given.machine)?;
+        Ok((spec, design))
     }
 
-    /// Fineness of the shell's mesh.
-    pub(super) fn detail(&self) -> Detail {
-        self.shell.detail()
+    /// The prediction of `design`, made from `spec`; with the inflated sheet if the shell is the model.
+    ///
+    /// # Errors
+    /// If the model has no answer, or is cancelled.
+    pub fn answer(
+        &self,
+        (spec, design): (&Spec, &Design),
+        watch: &Watch<'_>,
+    ) -> Result<(GripperAnswer, Option<InflatedShape>), ShellRefusal> {
+        if let Some(piece) = design.drawn() {
+            let found = drawn::inflate(spec, piece, self.detail.unwrap_or(Detail::Coarse), watch)?;
+            let shape = InflatedShape::joined(&found.shapes);
+            return Ok((GripperAnswer::Drawn(Box::new(found.prediction)), Some(shape)));
+        }
+        let (prediction, shape) = if spec.accuracy.model == ModelChoice::Shell {
+            let detail = self.detail.unwrap_or(Detail::Medium);
+            let (prediction, shape) = star::predict((spec, design), &self.radii, detail, watch)?;
+            (prediction, Some(shape))
+        } else {
+            let mut prediction = predict(spec, design).map_err(ShellRefusal::Fault)?;
+            if !self.radii.is_empty() {
+                let radii: Vec<Length> = self.radii.iter().copied().map(Length::from_metres).collect();
+                add_curve((spec, design), &radii, &mut prediction).map_err(ShellRefusal::Fault)?;
+            }
+            (prediction, None)
+        };
+        Ok((GripperAnswer::Star(Box::new(prediction)), shape))
     }
 }
 
 /// Predicts, and prints the answer.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
-    let mut spec = loaded.reading.spec.clone();
-    if let Some(model) = args.model {
-        spec.accuracy.model = model;
-    }
-    let design = Design::new(&spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
-    if let Some(piece) = design.drawn() {
-        return run_drawn(args, &loaded, &spec, piece);
-    }
-    if spec.accuracy.model == ModelChoice::Shell {
-        return run_shell(args, &loaded, &spec, &design);
-    }
-    args.shell.not_by_others()?;
-    let refused = |fault: PredictFault| loaded.refused(no_prediction(&fault).into());
-    let mut prediction = predict(&spec, &design).map_err(refused)?;
-    if let Some(Radii(radii)) = &args.radii {
-        let radii: Vec<Length> = radii.iter().copied().map(Length::from_metres).collect();
-        add_curve((&spec, &design), &radii, &mut prediction).map_err(refused)?;
-    }
-    args.verbosity.show(&report::text(&spec, &prediction), &prediction.to_json())
-}
-
-/// Predicts with the shell model, and prints the answer.
-fn run_shell(args: &Args, loaded: &Loaded, spec: &Spec, design: &Design) -> Result<(), Failure> {
-    let radii = args.radii();
-    let question = format!("predict {spec:?} {radii:?}");
-    args.shell.show(&question, args.verbosity, |watch| {
-        let found = star::predict((spec, design), radii, args.shell.detail(), watch);
-        let (prediction, shape) = found.map_err(|refusal| not_computed(loaded, refusal))?;
-        Ok((prediction.to_json(), report::text(spec, &prediction), shape))
-    })
-}
-
-/// Predicts a drawn piece, for which only the shell is a model.
-fn run_drawn(args: &Args, loaded: &Loaded, spec: &Spec, piece: &DrawnPiece) -> Result<(), Failure> {
-    if args.radii.is_some() {
-        let text = "--radii is for stars: no model predicts the force of a drawn shape on an object";
-        return Err(Failure::Usage(text.to_owned()));
-    }
-    if args.model.is_some_and(|model| !matches!(model, ModelChoice::Shell | ModelChoice::Auto)) {
-        let text = "this --model is one of a star's hinges; only the shell models drawn shapes: leave it out";
-        return Err(Failure::Usage(text.to_owned()));
-    }
-    let question = format!("predict {spec:?} {:?} {:?} {:?}", piece.air, piece.inner, piece.part.inside);
-    args.shell.show(&question, args.verbosity, |watch| {
-        let found = drawn::inflate(spec, piece, args.shell.drawn_detail(), watch);
-        let found = found.map_err(|refusal| not_computed(loaded, refusal))?;
-        let text = drawn::text::text(spec, &found.prediction);
-        Ok((found.prediction.to_json(), text, InflatedShape::joined(&found.shapes)))
-    })
+    let question = args.question();
+    let (spec, design) = question.designed(&loaded).map_err(|refusals| loaded.refused(refusals))?;
+    let answer = |watch: &Watch<'_>| {
+        let (answer, shape) =
+            question.answer((&spec, &design), watch).map_err(|refusal| not_computed(&loaded, refusal))?;
+        Ok((answer.json(), answer.text(&spec), shape))
+    };
+    let inputs = if let Some(piece) = design.drawn() {
+        args.refuse_those_of_stars()?;
+        format!("predict {spec:?} {:?} {:?} {:?}", piece.air, piece.inner, piece.part.inside)
+    } else if spec.accuracy.model == ModelChoice::Shell {
+        format!("predict {spec:?} {:?}", question.radii)
+    } else {
+        args.shell.not_by_others()?;
+        let (json, text, _) = answer(&Watch::default())?;
+        return args.verbosity.show(&text, &json);
+    };
+    args.shell.show(&inputs, args.verbosity, answer)
 }
 
 /// Radii of round objects, m.
@@ -126,8 +182,6 @@ struct Radii(Vec<f64>);
 
 /// Reads "FROM..TO/COUNT", or one radius.
 fn radii(text: &str) -> Result<Radii, String> {
-    evenly(text, MOST_RADII, |ends| {
-        range::<Length>(SIZE)(ends).map(|(from, to)| [from.metres(), to.metres()])
-    })
-    .map(Radii)
+    let ends = |ends: &str| range::<Length>(SIZE)(ends).map(|(from, to)| [from.metres(), to.metres()]);
+    evenly(text, MOST_RADII, ends).map(Radii)
 }

@@ -21,7 +21,7 @@ use inflatable::shell::cases::{InflatedShape, ShellFault, Watch};
 pub(super) struct ShellArgs {
     /// For the shell: fineness of its meshes; default: medium for stars, coarse for drawings. Every number is printed with its mesh error.
     #[arg(long, value_name = "HOW", value_parser = words(&Detail::ALL, &MESHES))]
-    fineness: Option<Detail>,
+    pub(super) fineness: Option<Detail>,
     /// For the shell: write the inflated sheet as a VTU file, which ParaView reads.
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
@@ -33,27 +33,7 @@ pub(super) struct ShellArgs {
 /// The help of the meshes, in the order of [`Detail::ALL`].
 const MESHES: [&str; 3] = ["A first look: seconds", "For most purposes", "Where mesh errors matter"];
 
-/// An answer, ready for output.
-struct Shown {
-    /// The JSON answer.
-    json: String,
-    /// The printed text.
-    text: String,
-    /// The sheet as a VTU file, with --vtu.
-    vtu: Option<String>,
-}
-
 impl ShellArgs {
-    /// Fineness of the mesh; medium by default.
-    pub(super) fn detail(&self) -> Detail {
-        self.fineness.unwrap_or(Detail::Medium)
-    }
-
-    /// Fineness of the mesh for drawings, which are larger; coarse by default.
-    pub(super) fn drawn_detail(&self) -> Detail {
-        self.fineness.unwrap_or(Detail::Coarse)
-    }
-
     /// Refuses options that only the shell model has.
     pub(super) fn not_by_others(&self) -> Result<(), Failure> {
         let given = [(self.vtu.is_some(), "--vtu"), (self.fineness.is_some(), "--fineness")];
@@ -70,41 +50,27 @@ impl ShellArgs {
         &self,
         question: &str,
         verbosity: Verbosity,
-        compute: impl FnOnce(&Watch<'_>) -> Result<(String, String, InflatedShape), Failure>,
+        compute: impl FnOnce(&Watch<'_>) -> Result<(String, String, Option<InflatedShape>), Failure>,
     ) -> Result<(), Failure> {
         if let Some(path) = &self.vtu {
             refuse_foreign(path, "a VTU file", |text| text.contains("<VTKFile "))?;
         }
         let cache = Cache::new(self.no_cache);
         let key = cache.key(&[question, &format!("{:?} {}", self.fineness, self.vtu.is_some())]);
-        let shown = if let Some(shown) = cache.get(&key).and_then(Shown::from_parts) {
-            shown
+        let known = cache.get(&key).and_then(|parts| parts.try_into().ok());
+        let [json, text, vtu] = if let Some(known) = known {
+            known
         } else {
             let (json, text, shape) = watched_by(verbosity, compute)?;
-            let vtu = self.vtu.as_ref().map(|_| shape.vtu()).transpose();
-            let shown = Shown { json, text, vtu: vtu.map_err(|fault| Failure::Message(fault.to_string()))? };
-            cache.put(&key, &shown.parts());
-            shown
+            let vtu = shape.filter(|_| self.vtu.is_some()).map(|shape| shape.vtu()).transpose();
+            let parts = [json, text, vtu.map_err(Failure::message)?.unwrap_or_default()];
+            cache.put(&key, &parts.each_ref().map(String::as_str));
+            parts
         };
-        if let (Some(path), Some(vtu)) = (&self.vtu, &shown.vtu) {
-            replace(path, vtu)?;
+        if let Some(path) = &self.vtu {
+            replace(path, &vtu)?;
         }
-        verbosity.show(&shown.text, &shown.json)
-    }
-}
-
-impl Shown {
-    fn parts(&self) -> Vec<&str> {
-        [Some(&self.json), Some(&self.text), self.vtu.as_ref()]
-            .into_iter()
-            .flatten()
-            .map(String::as_str)
-            .collect()
-    }
-
-    fn from_parts(parts: Vec<String>) -> Option<Self> {
-        let mut parts = parts.into_iter();
-        Some(Self { json: parts.next()?, text: parts.next()?, vtu: parts.next() })
+        verbosity.show(&text, &json)
     }
 }
 
@@ -116,7 +82,7 @@ pub(super) fn refused(fault: &ShellFault) -> Failure {
             let (found, remedy) = outside(SHELL, *found, [*least, *most]);
             Failure::Message(format!("{found}: {remedy}"))
         }
-        fault => Failure::Message(fault.to_string()),
+        fault => Failure::message(fault),
     }
 }
 

@@ -8,7 +8,7 @@ use std::path::Path;
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::is_standard_input;
-use crate::cli::whole_file::WholeFile;
+use crate::cli::whole_file::write_whole;
 
 /// Largest program, bytes: far more than the largest design needs.
 const PROGRAM: u64 = 1 << 28;
@@ -86,10 +86,5 @@ pub(super) fn refuse_foreign(
 
 /// Writes or replaces a file atomically.
 pub(super) fn replace(path: &Path, text: &str) -> Result<(), Failure> {
-    let written = || -> io::Result<()> {
-        let mut file = WholeFile::begin(path)?;
-        file.write_all(text.as_bytes())?;
-        file.publish()
-    };
-    written().map_err(|error| Failure::file("write", path, &error))
+    write_whole(path, text.as_bytes()).map_err(|error| Failure::file("write", path, &error))
 }
