@@ -9,7 +9,7 @@ use crate::answer::quantity::{number, quantity, quantity_or_number};
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
-use crate::cli::text_file::read_table;
+use crate::cli::text_file::{TABLE, read_text};
 use crate::coupon::DISC;
 use crate::coupon::bias::{BiasFault, BiasStrip, shear_stiffness};
 use crate::coupon::cone::read_test;
@@ -159,7 +159,7 @@ impl BenchArgs {
     /// The shear modulus from the bias strip, for fabric of the stretch stiffness `stretch`, N per m.
     fn shear(&self, loaded: &Loaded, stretch: f64, poisson: f64) -> Result<Option<MeasuredShear>, Failure> {
         let Some((path, length)) = self.bias_strip.as_ref().zip(self.bias_length) else { return Ok(None) };
-        let test = read_test(&Source::new(path.display().to_string(), read_table(path)?))?;
+        let test = read_test(&Source::new(path.display().to_string(), read_text(path, TABLE)?))?;
         let named = |fault: BiasFault| Failure::Message(format!("{}: {fault}", shown(path)));
         let strip = BiasStrip { width: self.bias_width.0, length: length.0 };
         let bias = strip.stiffness(&test).map_err(named)?;

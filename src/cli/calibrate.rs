@@ -11,7 +11,7 @@ use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::{Loaded, once};
 use crate::cli::shell::{not_computed, watched_by};
-use crate::cli::text_file::read_table;
+use crate::cli::text_file::{TABLE, read_text};
 use crate::cli::verbosity::Verbosity;
 use crate::coupon::{Calibration, PeelRow, calibrate, listing, read_rows, settings, steady};
 use crate::design::Design;
@@ -52,7 +52,9 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     once(args.results.iter().chain(&args.spec).chain(args.bench.table()))?;
     let settings = match &args.results {
-        Some(path) => settings(&read_rows(&Source::new(path.display().to_string(), read_table(path)?))?),
+        Some(path) => {
+            settings(&read_rows(&Source::new(path.display().to_string(), read_text(path, TABLE)?))?)
+        }
         None => Vec::new(),
     };
     let spec = args.spec.as_deref().map(|path| Loaded::spoken(path, args.verbosity)).transpose()?;

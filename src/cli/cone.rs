@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::answer::quantity::{SIZE, number, quantity};
 use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::{Loaded, once};
-use crate::cli::text_file::read_table;
+use crate::cli::text_file::{TABLE, read_text};
 use crate::cli::verbosity::{Verbosity, pretty};
 use crate::cli::words::words;
 use crate::coupon::cone::{Balance, Cone, Overlay, Predicted, ReducedPoint, csv, read_cone_test, reduce};
@@ -52,7 +52,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     if args.contact_radius.is_none() && args.spec.is_none() {
         return Err(no_radius());
     }
-    let source = Source::new(args.data.display().to_string(), read_table(&args.data)?);
+    let source = Source::new(args.data.display().to_string(), read_text(&args.data, TABLE)?);
     let cone = Cone::new(args.half_angle.rad(), args.friction, args.balance)
         .map_err(|fault| message(fault.to_string()))?;
     let contact = args.contact_radius.map(Length::metres);

@@ -11,7 +11,7 @@ use crate::artifact::Kind;
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::load::{Loaded, lasting};
-use crate::cli::publish::publish_files;
+use crate::cli::publish::put;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
 use crate::coupon::{CouponGroup, StripGrid, TEMPERATURES};
@@ -91,8 +91,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let made = MadeCoupons::new(spec, machine, loaded.sources(), &grid, &groups);
     let made = made.map_err(|refusals| loaded.refused(refusals))?;
     let proven = made.prove().map_err(|findings| loaded.unproven(findings))?;
-    let published = publish_files(&args.output, &proven.files())?;
-    tell(&published.to_string());
+    let files: Vec<_> = proven.files().into_iter().map(|(name, bytes)| (name, bytes.into())).collect();
+    tell(&put(&args.output, &files)?.to_string());
     let made = proven.made();
     let names =
         |wanted: Kind| made.files.iter().filter(move |(_, kind, _)| *kind == wanted).map(|(name, ..)| name);

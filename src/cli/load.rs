@@ -1,7 +1,5 @@
 //! Reads a spec and its machine profile from a path, and makes their design.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crate::answer::refused::at_keys;
@@ -11,6 +9,7 @@ use crate::cli::failure::{Failure, reason, tell, warn};
 use crate::cli::findings::Unproven;
 use crate::cli::progress;
 use crate::cli::verbosity::Verbosity;
+use crate::cli::whole_file::{first_bytes, given_bytes, is_standard_input};
 use crate::design::{Refusal, RefusalCode, Refusals, Warning, drawing_notes};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Proven, Sources};
@@ -164,11 +163,6 @@ impl Loaded {
     }
 }
 
-/// Whether `path` is "-", for standard input.
-pub(super) fn is_standard_input(path: &Path) -> bool {
-    path.as_os_str() == "-"
-}
-
 /// Refuses to read standard input for more than one of `paths`: the first would take all of it.
 ///
 /// # Errors
@@ -184,20 +178,19 @@ pub(super) fn once<'a>(paths: impl IntoIterator<Item = &'a PathBuf>) -> Result<(
 
 /// Reads a text file, or standard input for "-", up to the size limit of a spec.
 pub(super) fn read_source(path: &Path) -> Result<Source, Failure> {
-    let limit = u64::try_from(SIZE_LIMIT).unwrap_or(u64::MAX).saturating_add(1);
-    let mut bytes = Vec::new();
-    if is_standard_input(path) {
-        let read = std::io::stdin().lock().take(limit).read_to_end(&mut bytes);
-        let _ = read.map_err(|error| Failure::Message(format!("cannot read standard input: {error}")))?;
-        return Ok(Source::from_bytes("standard input", &bytes)?);
-    }
-    if path.is_dir() {
+    let is_file = !is_standard_input(path);
+    if is_file && path.is_dir() {
         return Err(Failure::File(path.display().to_string(), is_directory(path)));
     }
-    let _ = File::open(path)
-        .and_then(|file| file.take(limit).read_to_end(&mut bytes))
-        .map_err(|error| Failure::file("read", path, &error))?;
-    Ok(Source::from_bytes(path.display().to_string(), &bytes)?)
+    let bytes = given_bytes(path, SIZE_LIMIT as u64 + 1).map_err(|error| {
+        if is_file {
+            Failure::file("read", path, &error)
+        } else {
+            Failure::Message(format!("cannot read standard input: {error}"))
+        }
+    })?;
+    let name = if is_file { path.display().to_string() } else { "standard input".to_owned() };
+    Ok(Source::from_bytes(name, &bytes)?)
 }
 
 /// The path of the spec in commands that follow: for standard input that of its copy in the published `directory`.
@@ -215,11 +208,17 @@ fn is_directory(path: &Path) -> String {
     }
 }
 
-/// The machine profile of the build that holds the spec at `path`: a copied spec's own path of the profile no longer leads to it. A
-/// manifest must lie beside it, so that no unrelated file of this name is read.
-fn published_profile(path: &Path) -> Option<PathBuf> {
-    let profile = path.with_file_name(MACHINE);
-    (path.with_file_name(MANIFEST).is_file() && profile.is_file()).then_some(profile)
+/// The file that the spec at `path` names `name`. If it is not there, and the spec is of a published build: the file `published` beside it,
+/// and a note, because a copied spec's own path no longer leads to the file. A manifest must lie beside it, so that no unrelated file of
+/// this name is read.
+fn named_file(path: &Path, name: &str, published: &str) -> (PathBuf, Option<String>) {
+    let named = path.parent().unwrap_or(Path::new("")).join(name);
+    let beside = path.with_file_name(published);
+    if named.is_file() || !path.with_file_name(MANIFEST).is_file() || !beside.is_file() {
+        return (named, None);
+    }
+    let note = format!("note: there is no {}; {} is used, as published", shown(&named), shown(&beside));
+    (beside, Some(note))
 }
 
 /// Largest drawing that is read, bytes.
@@ -233,16 +232,7 @@ fn with_drawing(
     reading: Reading,
 ) -> Result<(Reading, Option<String>), Failure> {
     let Some(drawing) = &reading.spec.drawing else { return Ok((reading, None)) };
-    let named: PathBuf = path.parent().unwrap_or(Path::new("")).join(&drawing.file);
-    let published = path.with_file_name(drawing.published_name());
-    let is_published = path.with_file_name(MANIFEST).is_file() && published.is_file();
-    let (file, note) = if is_published && !named.is_file() {
-        let note =
-            format!("note: there is no {}; {} is used, as published", shown(&named), shown(&published));
-        (published, Some(note))
-    } else {
-        (named, None)
-    };
+    let (file, note) = named_file(path, &drawing.file, &drawing.published_name());
     let wrong = match drawing_bytes(&file) {
         Ok(bytes) => return Ok((reading.with_drawing(&bytes), note)),
         Err(wrong) => wrong,
@@ -253,22 +243,18 @@ fn with_drawing(
 }
 
 /// The content of the drawing `file`, or the reason why it cannot be read.
-fn drawing_bytes(file: &Path) -> Result<Vec<u8>, String> {
+pub(super) fn drawing_bytes(file: &Path) -> Result<Vec<u8>, String> {
     // Reading a pipe would wait for a writer, and a device may never end.
     if file.metadata().is_ok_and(|file| !file.is_file() && !file.is_dir()) {
         return Err(format!("cannot read {}: it is a pipe, a socket or a device; name a file", shown(file)));
     }
-    let mut bytes = Vec::new();
-    match File::open(file).and_then(|opened| opened.take(DRAWING_LIMIT + 1).read_to_end(&mut bytes)) {
-        Ok(_) if bytes.len() as u64 > DRAWING_LIMIT => Err(format!("{} is larger than 64 MiB", shown(file))),
-        Ok(_) => Ok(bytes),
+    match first_bytes(file, DRAWING_LIMIT + 1) {
+        Ok(bytes) if bytes.len() as u64 > DRAWING_LIMIT => {
+            Err(format!("{} is larger than 64 MiB", shown(file)))
+        }
+        Ok(bytes) => Ok(bytes),
         Err(error) => Err(format!("cannot read {}: {}", shown(file), reason("read", &error))),
     }
-}
-
-/// The content of the drawing `file`.
-pub(super) fn read_drawing(file: &Path) -> Result<Vec<u8>, Failure> {
-    drawing_bytes(file).map_err(Failure::Message)
 }
 
 /// The machine profile of the spec at `path`: a built-in one, or a file relative to the spec; and a note on the profile's place, if it is
@@ -282,14 +268,9 @@ fn machine_source(
     if let Some(text) = spec::builtin_machine(name) {
         return Ok((Source::new(format!("built-in machine profile {name}"), text), None));
     }
-    let file: PathBuf = path.parent().unwrap_or(Path::new("")).join(name);
+    let (file, note) = named_file(path, name, MACHINE);
     if file.is_file() {
-        return Ok((read_source(&file)?, None));
-    }
-    if let Some(published) = published_profile(path) {
-        let (named, found) = (shown(&file), shown(&published));
-        let said = format!("note: there is no {named}; {found} is used, as published");
-        return Ok((read_source(&published)?, Some(said)));
+        return Ok((read_source(&file)?, note));
     }
     let known: Vec<&str> = spec::builtin_machines().collect();
     let found = if file.is_dir() {

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::Failure;
-use crate::cli::load::read_drawing;
+use crate::cli::load::drawing_bytes;
 use crate::cli::new_object::{NewGripper, OBJECT_OPTIONS, ObjectArgs, chosen, machine};
 use crate::cli::text_file::write_new;
 use crate::cli::verbosity::Verbosity;
@@ -94,7 +94,7 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let stem = drawing.file_stem().unwrap_or_default().to_string_lossy();
     let (name, path) = named(args.name.as_deref().unwrap_or(&stem))?;
     let file = drawing.to_string_lossy();
-    let bytes = read_drawing(drawing)?;
+    let bytes = drawing_bytes(drawing).map_err(Failure::Message)?;
     // There is no spec yet whose key could be named.
     let refused = |refusals: Refusals| {
         let reasons: Vec<String> =

@@ -8,7 +8,7 @@ use crate::answer::hours;
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::{MACHINE, read_source};
-use crate::cli::text_file::{read_text, write_new};
+use crate::cli::text_file::{PROGRAM, read_text, write_new};
 use crate::cli::verbosity::Verbosity;
 use crate::design::RefusalCode;
 use crate::manifest::{MANIFEST, Manifest, sha256};
@@ -68,7 +68,7 @@ fn length(text: &str) -> Result<f64, String> {
 
 /// Writes the program for the rest of the job.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let text = read_text(&args.job)?;
+    let text = read_text(&args.job, PROGRAM)?;
     let place = match (args.line, args.at, args.near) {
         (Some(line), _, _) => ResumeAt::Line(line),
         (_, Some(share), _) => ResumeAt::Share(share),
@@ -162,7 +162,7 @@ fn refuse_published(target: &Path) -> Result<(), Failure> {
 
 /// Checks that the job equals, byte by byte, the file that the manifest beside it names.
 fn is_published(job: &Path, manifest: &Path, text: &str) -> Result<(), Failure> {
-    let read: Manifest = serde_json::from_str(&read_text(manifest)?)
+    let read: Manifest = serde_json::from_str(&read_text(manifest, PROGRAM)?)
         .map_err(|fault| Failure::Message(format!("{} cannot be read: {fault}", shown(manifest))))?;
     let name = job.file_name().unwrap_or_default().to_string_lossy();
     let entry = read.files.iter().find(|file| file.path == name);

@@ -2,45 +2,29 @@
 
 use std::fs::File;
 use std::io;
-use std::io::{Read, Write};
+use std::io::Write;
 use std::path::Path;
 
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::load::is_standard_input;
-use crate::cli::whole_file::write_whole;
+use crate::cli::whole_file::{first_bytes, given_bytes, write_whole};
 
 /// Largest program, bytes: far more than the largest design needs.
-const PROGRAM: u64 = 1 << 28;
+pub(super) const PROGRAM: u64 = 1 << 28;
 
 /// Largest table, bytes: hours of a test at a thousand rows a minute, and small enough to be held in memory.
-const TABLE: u64 = 1 << 24;
+pub(super) const TABLE: u64 = 1 << 24;
 
-/// Reads a program given to a command.
-pub(super) fn read_text(path: &Path) -> Result<String, Failure> {
-    read_within(path, PROGRAM)
-}
-
-/// Reads a table given to a command, or standard input for "-".
-pub(super) fn read_table(path: &Path) -> Result<String, Failure> {
-    read_within(path, TABLE)
-}
-
-fn read_within(path: &Path, most: u64) -> Result<String, Failure> {
+/// Reads a text of at most `most` bytes given to a command, or standard input for "-".
+pub(super) fn read_text(path: &Path, most: u64) -> Result<String, Failure> {
     if path.is_dir() {
         return Err(Failure::File(
             path.display().to_string(),
             format!("{} is a directory: name a file in it", shown(path)),
         ));
     }
-    let mut bytes = Vec::new();
-    let read = if is_standard_input(path) {
-        std::io::stdin().lock().take(most + 1).read_to_end(&mut bytes)
-    } else {
-        File::open(path).and_then(|file| file.take(most + 1).read_to_end(&mut bytes))
-    };
-    let length = read.map_err(|error| Failure::file("read", path, &error))?;
-    if u64::try_from(length).unwrap_or(u64::MAX) > most {
+    let bytes = given_bytes(path, most + 1).map_err(|error| Failure::file("read", path, &error))?;
+    if bytes.len() as u64 > most {
         let most = most >> 20;
         let allowed = format!("at most {most} MiB are read; name another file");
         return Err(Failure::Message(format!("{} is too large: {allowed}", shown(path))));
@@ -75,9 +59,7 @@ pub(super) fn refuse_foreign(
     if !path.is_file() {
         return Ok(());
     }
-    let mut start = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(BEGINNING).read_to_end(&mut start));
-    let _ = read.map_err(|error| Failure::file("read", path, &error))?;
+    let start = first_bytes(path, BEGINNING).map_err(|error| Failure::file("read", path, &error))?;
     if start.is_empty() || is_own(&String::from_utf8_lossy(&start)) {
         return Ok(());
     }

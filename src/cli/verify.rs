@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::fs;
-use std::io::{Read, stdout};
+use std::io::stdout;
 use std::path::{Path, PathBuf};
 
 use crate::answer::proof::{json, scope};
@@ -13,6 +13,7 @@ use crate::cli::feedcheck::manifest_of;
 use crate::cli::load::DRAWING_LIMIT;
 use crate::cli::terminal::{fitted, width};
 use crate::cli::verbosity::Verbosity;
+use crate::cli::whole_file::{directory_of, first_bytes};
 use crate::cli::{findings, progress};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{PublishedBuild, prove_feed_check};
@@ -75,7 +76,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 fn feed_check(path: &Path) -> Result<Proof, Failure> {
     let beside = manifest_of(path);
     let manifest = read(&beside, SOURCE_LIMIT).map_err(|_| {
-        let dir = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let dir = directory_of(path);
         let name = if dir.join(MANIFEST).is_file() { format!(": {}", shown(dir)) } else { String::new() };
         Failure::Message(format!(
             "{} is not the program of a feed check: a file of a build is proven with its directory; name \
@@ -244,15 +245,6 @@ fn named(kind: fs::FileType) -> &'static str {
     }
 }
 
-/// The first `most` bytes of a file.
 fn read(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
-    let read = || {
-        let file = fs::File::open(path)?;
-        // The buffer has its full size at once: growing would copy it.
-        let length = file.metadata()?.len().min(most);
-        let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
-        let _ = file.take(most).read_to_end(&mut bytes)?;
-        Ok(bytes)
-    };
-    read().map_err(|error| Failure::file("read", path, &error))
+    first_bytes(path, most).map_err(|error| Failure::file("read", path, &error))
 }

@@ -1,19 +1,50 @@
-//! A file that gets its name only when it is complete: it is written under another name, synced, and renamed.
+//! Files read up to a limit; and files that get their names only when they are complete: each is written under another name, synced, and
+//! renamed.
 
 use std::fs;
 use std::fs::{File, TryLockError};
 use std::io;
-use std::io::Write;
+use std::io::{BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process;
 
 /// Suffix of unfinished files. Their names begin with a dot and the final name.
 const UNFINISHED: &str = ".partial";
 
+/// Whether `path` is "-", for standard input.
+pub(super) fn is_standard_input(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// The first `most` bytes of the file `path`.
+pub(super) fn first_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let file = File::open(path)?;
+    // The buffer has its full size at once: growing would copy it.
+    let length = file.metadata()?.len().min(most);
+    let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
+    let _ = file.take(most).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The same, or of standard input for "-".
+pub(super) fn given_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    if !is_standard_input(path) {
+        return first_bytes(path, most);
+    }
+    let mut bytes = Vec::new();
+    let _ = io::stdin().lock().take(most).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The directory of a file, "." for a bare name.
+pub(super) fn directory_of(path: &Path) -> &Path {
+    path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
 /// An unfinished file. It is removed if it is dropped before it is published.
 #[derive(Debug)]
 pub(super) struct WholeFile {
-    file: File,
+    file: BufWriter<File>,
     unfinished: PathBuf,
     target: PathBuf,
 }
@@ -31,7 +62,7 @@ impl WholeFile {
                     // [`sweep_leftovers`] takes this lock before it removes a file. If it was faster, the file is gone.
                     let _ = file.try_lock();
                     if unfinished.exists() {
-                        return Ok(Self { file, unfinished, target });
+                        return Ok(Self { file: BufWriter::new(file), unfinished, target });
                     }
                 }
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
@@ -42,14 +73,12 @@ impl WholeFile {
     }
 
     /// Gives the file its name.
-    pub(super) fn publish(self) -> io::Result<()> {
-        self.file.sync_all()?;
+    pub(super) fn publish(mut self) -> io::Result<()> {
+        self.file.flush()?;
+        self.file.get_ref().sync_all()?;
         fs::rename(&self.unfinished, &self.target)?;
         // Some systems cannot sync a directory.
-        if let Some(dir) = self.target.parent() {
-            let dir = if dir.as_os_str().is_empty() { Path::new(".") } else { dir };
-            let _ = File::open(dir).and_then(|dir| dir.sync_all());
-        }
+        let _ = File::open(directory_of(&self.target)).and_then(|dir| dir.sync_all());
         Ok(())
     }
 }
@@ -76,6 +105,12 @@ impl Drop for WholeFile {
         // A published file no longer has this name.
         let _ = fs::remove_file(&self.unfinished);
     }
+}
+
+/// Removes what killed writers of the file `target` have left.
+pub(super) fn sweep_own(target: &Path) {
+    let own = target.file_name().unwrap_or_default().to_string_lossy();
+    sweep_leftovers(directory_of(target), |name| name == own);
 }
 
 /// Removes unfinished files of killed writers from `dir`, if `is_ours` holds for the final name. A running writer holds a lock.

@@ -88,10 +88,8 @@ pub(super) fn set_permissions(path: &Path, permissions: Permissions) -> io::Resu
 /// The entries of a directory, sorted.
 pub(super) fn entries(directory: &Path) -> io::Result<Vec<PathBuf>> {
     step(DiskStep::List, directory)?;
-    let mut paths = Vec::new();
-    for entry in fs::read_dir(directory)? {
-        paths.push(entry?.path());
-    }
+    let paths = fs::read_dir(directory)?.map(|entry| Ok(entry?.path()));
+    let mut paths = paths.collect::<io::Result<Vec<_>>>()?;
     paths.sort();
     Ok(paths)
 }

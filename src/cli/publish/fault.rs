@@ -8,16 +8,10 @@ use crate::cli::escape::shown;
 /// The reason why a build was not published; the target is unchanged.
 #[derive(Debug)]
 pub enum PublishFault {
-    /// The target exists and is not a directory.
-    NotADirectory(PathBuf),
     /// The target holds this entry, which the program did not write.
     Foreign(PathBuf),
-    /// This entry of the target is a link, which is never replaced.
-    Link(PathBuf),
-    /// The target, or a file in it, is write-protected.
-    ReadOnly(PathBuf),
-    /// The target has no name, such as `/`.
-    NoName(PathBuf),
+    /// The target, or an entry of it, is not one that can be replaced: its path, and the reason with the remedy.
+    Refused(PathBuf, &'static str),
     /// The target's name has this many bytes; the temporary names beside it would be too long.
     LongName(usize),
     /// The system refused.
@@ -26,6 +20,9 @@ pub enum PublishFault {
 
 /// Longest name of an output directory, bytes: file systems take 255, `.NAME.stargrip-ready` needs 16 of them.
 pub(super) const NAME_BYTES: usize = 235;
+
+/// What is wrong with a target that is no directory.
+pub(super) const NOT_A_DIRECTORY: &str = "exists and is not a directory; choose another with -o";
 
 impl PublishFault {
     /// The fault of the operation `what` on `path`.
@@ -45,28 +42,13 @@ impl PublishFault {
 impl fmt::Display for PublishFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotADirectory(path) => {
-                write!(f, "{} exists and is not a directory; choose another with -o", shown(path))
-            }
             Self::Foreign(path) => write!(
                 f,
                 "{} is not named in a manifest beside it, so its directory is not changed; move it away or \
                  choose another directory with -o",
                 shown(path)
             ),
-            Self::Link(path) => write!(
-                f,
-                "{} is a link, so its directory is not changed; move it away or choose another directory with -o",
-                shown(path)
-            ),
-            Self::ReadOnly(path) => write!(
-                f,
-                "{} is read-only and is not changed; allow writing to it or choose another directory with -o",
-                shown(path)
-            ),
-            Self::NoName(path) => {
-                write!(f, "{} cannot be an output directory; name one with -o", shown(path))
-            }
+            Self::Refused(path, why) => write!(f, "{} {why}", shown(path)),
             Self::LongName(bytes) => write!(
                 f,
                 "the output directory's name has {bytes} bytes, at most {NAME_BYTES} are allowed; choose another with -o"

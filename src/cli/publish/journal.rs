@@ -1,6 +1,5 @@
 //! Publishes file by file, where the target cannot be renamed: a mount point, or the current directory of the process.
 //!
-//! The hidden directories are in the target. The new build is written there first, and **ready** once it
 //! The hidden directories are in the target. The new build is written there first, and is **ready** when it is complete. Then the old files
 //! move to **old** and the new ones to the target, their manifest last: this step publishes the build. A fault or a kill before it is
 //! undone by moving everything back. After it only the old build is left to remove. The two directories are the journal: their contents
@@ -13,7 +12,8 @@ use crate::cli::publish::fault::PublishFault;
 use crate::cli::publish::place::{PlaceRole, TargetPlace};
 use crate::cli::publish::record::{PublishRecord, is_manifest};
 use crate::cli::publish::retire::retire;
-use crate::cli::publish::stage::{StagedFile, Staging};
+use crate::cli::publish::stage;
+use crate::cli::publish::stage::StagedFile;
 use crate::manifest::MANIFEST;
 
 /// Replaces the build that `before` records by `files` in the target. Returns the present place of the old build.
@@ -26,7 +26,7 @@ pub(super) fn publish(
     before: Option<&PublishRecord>,
 ) -> Result<PathBuf, PublishFault> {
     let ready = place.inside(PlaceRole::Ready);
-    Staging::write(&place.inside(PlaceRole::New), &ready, files, &place.target)?.keep();
+    stage::write([&place.inside(PlaceRole::New), &ready], files, &place.target)?;
     if let Err(fault) = commit(place, files, before) {
         // The first fault is reported; the next publication tries again.
         let _ = undo(place);

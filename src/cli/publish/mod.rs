@@ -67,25 +67,18 @@ pub(super) fn extras_of(target: &Path) -> Vec<Kind> {
 /// # Errors
 /// See [`PublishFault`]; the target is then unchanged.
 pub fn publish(target: &Path, proven: &Proven) -> Result<Published, PublishFault> {
-    let files: Vec<StagedFile<'_>> = proven.built().files().collect();
-    put(target, &files)
+    put(target, &proven.built().files().collect::<Vec<_>>())
 }
 
-/// Publishes proven `files` that are not a build's in the directory `target`, the manifest last.
+/// Publishes `files` (name, content), which are proven, in the directory `target`, the manifest last.
 ///
 /// # Errors
 /// See [`PublishFault`]; the target is then unchanged.
-pub(super) fn publish_files(target: &Path, files: &[(&str, Vec<u8>)]) -> Result<Published, PublishFault> {
-    let files: Vec<StagedFile<'_>> =
-        files.iter().map(|(name, bytes)| (*name, bytes.as_slice().into())).collect();
-    put(target, &files)
-}
-
-/// Publishes `files` (name, content) in the directory `target`.
-fn put(target: &Path, files: &[StagedFile<'_>]) -> Result<Published, PublishFault> {
+pub(super) fn put(target: &Path, files: &[StagedFile<'_>]) -> Result<Published, PublishFault> {
     let place = TargetPlace::new(target)?;
-    let locks = place.lock();
-    let mut kept = retire::sweep(&place, locks.alone())?;
+    // Without a lock of the parent another publication may run beside the target.
+    let [parent, _target] = place.lock();
+    let mut kept = retire::sweep(&place, parent.is_some())?;
     kept.extend(journal::recover(&place)?);
     let before = record::ours(&place.target)?;
     let after =

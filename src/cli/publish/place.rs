@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use crate::cli::publish::disk;
-use crate::cli::publish::fault::{NAME_BYTES, PublishFault};
+use crate::cli::publish::fault::{NAME_BYTES, NOT_A_DIRECTORY, PublishFault};
+use crate::cli::whole_file::directory_of;
 
 /// The purpose of a hidden directory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,27 +48,29 @@ impl TargetPlace {
     /// Missing parents are made, and removed again with the place if nothing was put into them.
     pub(super) fn new(target: &Path) -> Result<Self, PublishFault> {
         let resolved = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
-        let name = resolved.file_name().ok_or_else(|| PublishFault::NoName(resolved.clone()))?.to_owned();
+        let nameless =
+            || PublishFault::Refused(resolved.clone(), "cannot be an output directory; name one with -o");
+        let name = resolved.file_name().ok_or_else(nameless)?.to_owned();
         if name.as_encoded_bytes().len() > NAME_BYTES {
             return Err(PublishFault::LongName(name.as_encoded_bytes().len()));
         }
-        let parent = match resolved.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
-        };
+        let parent = directory_of(&resolved);
         let made = Parents(parent.ancestors().filter(|path| !path.exists()).map(Path::to_owned).collect());
         fs::create_dir_all(parent).map_err(PublishFault::io("create", parent))?;
         let parent = fs::canonicalize(parent).map_err(PublishFault::io("find", parent))?;
         let target = parent.join(&name);
         if !target.exists() && disk::exists(&target) {
-            return Err(PublishFault::NotADirectory(target)); // a link to nothing, or to itself
+            return Err(PublishFault::Refused(target, NOT_A_DIRECTORY)); // a link to nothing, or to itself
         }
         Ok(Self { target, parent, name, _made: made })
     }
 
     /// The hidden directory beside the target.
     pub(super) fn beside(&self, role: PlaceRole) -> PathBuf {
-        self.parent.join(hidden(&self.name, role))
+        let mut hidden = OsString::from(".");
+        hidden.push(&self.name);
+        hidden.push(role.suffix());
+        self.parent.join(hidden)
     }
 
     /// The hidden directory in the target.
@@ -89,30 +92,27 @@ impl TargetPlace {
     }
 
     /// Blocks other publications in the same parent, and into the same target from elsewhere. Systems that cannot lock directories have no
-    /// lock.
-    pub(super) fn lock(&self) -> Locks {
-        Locks { parent: lock(&self.parent), _target: lock(&self.target) }
+    /// lock. The first lock is that of the parent.
+    pub(super) fn lock(&self) -> [Option<File>; 2] {
+        [&self.parent, &self.target].map(|directory| {
+            let file = File::open(directory).ok()?;
+            file.lock().ok()?;
+            Some(file)
+        })
     }
 
     /// All hidden directories beside the target, of any target: path, target's name, role.
     pub(super) fn hidden(&self) -> Vec<(PathBuf, OsString, PlaceRole)> {
         let entries = disk::entries(&self.parent).unwrap_or_default();
         let known = entries.into_iter().filter_map(|path| {
-            let name = path.file_name()?.as_encoded_bytes();
-            let role = PlaceRole::ALL.into_iter().find(|role| name.ends_with(role.suffix().as_bytes()))?;
-            let of = path.file_name()?.to_str()?.strip_prefix('.')?.strip_suffix(role.suffix())?;
+            let name = path.file_name()?.to_str()?.strip_prefix('.')?;
+            let of = |role: PlaceRole| Some((OsString::from(name.strip_suffix(role.suffix())?), role));
+            let (of, role) = PlaceRole::ALL.into_iter().find_map(of)?;
             let own = !of.is_empty() && path.symlink_metadata().is_ok_and(|found| found.is_dir());
-            own.then(|| (path.clone(), OsString::from(of), role))
+            own.then(|| (path.clone(), of, role))
         });
         known.collect()
     }
-}
-
-fn hidden(name: &OsStr, role: PlaceRole) -> OsString {
-    let mut hidden = OsString::from(".");
-    hidden.push(name);
-    hidden.push(role.suffix());
-    hidden
 }
 
 /// The name, without its number, under which a part of the target `name` in `parent` is kept.
@@ -120,26 +120,6 @@ pub(super) fn kept_beside(parent: &Path, name: &OsStr) -> PathBuf {
     let mut kept = name.to_owned();
     kept.push(".kept");
     parent.join(kept)
-}
-
-/// Locks for the time of a publication.
-#[derive(Debug)]
-pub(super) struct Locks {
-    parent: Option<File>,
-    _target: Option<File>,
-}
-
-impl Locks {
-    /// Whether no other publication runs beside the target.
-    pub(super) fn alone(&self) -> bool {
-        self.parent.is_some()
-    }
-}
-
-fn lock(directory: &Path) -> Option<File> {
-    let file = File::open(directory).ok()?;
-    file.lock().ok()?;
-    Some(file)
 }
 
 /// Parent directories made for a publication, deepest first. The empty ones are removed with it.

@@ -1,14 +1,13 @@
 //! The manifest of a directory, and whether it still describes the directory.
 
 use std::fs;
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use serde::Deserialize;
 
 use crate::cli::publish::disk;
-use crate::cli::publish::fault::PublishFault;
+use crate::cli::publish::fault::{NOT_A_DIRECTORY, PublishFault};
+use crate::cli::whole_file::first_bytes;
 use crate::manifest::{MANIFEST, sha256};
 
 /// Largest manifest that is read, bytes: ten times that of sixty-four stars.
@@ -16,6 +15,12 @@ const LARGEST: u64 = 1 << 24;
 
 /// Largest file of a build, bytes: `verify` reads no larger one.
 const LARGEST_FILE: u64 = 1 << 28;
+
+/// What is wrong with an entry that is not replaced.
+const LINK: &str =
+    "is a link, so its directory is not changed; move it away or choose another directory with -o";
+const READ_ONLY: &str =
+    "is read-only and is not changed; allow writing to it or choose another directory with -o";
 
 /// The part of a manifest that publishing needs. All versions of the program write it alike.
 #[derive(Clone, Debug, Deserialize)]
@@ -73,9 +78,8 @@ impl PublishRecord {
         if !is_as_long || file.bytes > LARGEST_FILE {
             return false;
         }
-        let mut bytes = Vec::new();
-        let read = File::open(entry).and_then(|open| open.take(file.bytes + 1).read_to_end(&mut bytes));
-        read.is_ok_and(|length| u64::try_from(length) == Ok(file.bytes)) && sha256(&bytes) == file.sha256
+        let read = first_bytes(entry, file.bytes + 1);
+        read.is_ok_and(|bytes| bytes.len() as u64 == file.bytes && sha256(&bytes) == file.sha256)
     }
 }
 
@@ -93,21 +97,21 @@ pub(super) fn ours(target: &Path) -> Result<Option<PublishRecord>, PublishFault>
     }
     let found = fs::metadata(target).map_err(PublishFault::io("read", target))?;
     if !found.is_dir() {
-        return Err(PublishFault::NotADirectory(target.to_owned()));
+        return Err(PublishFault::Refused(target.to_owned(), NOT_A_DIRECTORY));
     }
     if !writable(target) {
-        return Err(PublishFault::ReadOnly(target.to_owned()));
+        return Err(PublishFault::Refused(target.to_owned(), READ_ONLY));
     }
     let record = PublishRecord::read(target);
     for entry in disk::entries(target).map_err(PublishFault::io("read", target))? {
         if entry.is_symlink() {
-            return Err(PublishFault::Link(entry));
+            return Err(PublishFault::Refused(entry, LINK));
         }
         if !record.as_ref().is_some_and(|record| record.names(&entry)) {
             return Err(PublishFault::Foreign(entry));
         }
         if fs::metadata(&entry).is_ok_and(|found| found.permissions().readonly()) {
-            return Err(PublishFault::ReadOnly(entry));
+            return Err(PublishFault::Refused(entry, READ_ONLY));
         }
     }
     Ok(record)

@@ -5,7 +5,7 @@
 //! incomplete line of a killed process is cut off.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File, TryLockError};
+use std::fs::{File, TryLockError};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -16,18 +16,12 @@ use crate::forecast::study::{RowBatch, Study, checkpoint};
 /// The stored rows, and their file, which is locked against other processes.
 pub(super) struct Checkpoint {
     file: File,
-    rows: BTreeMap<usize, RowBatch>,
+    pub(super) rows: BTreeMap<usize, RowBatch>,
 }
 
 /// The file with the stored rows of `path`: "study.rows" for "study.csv".
 pub(super) fn beside(path: &Path) -> PathBuf {
     path.with_extension("rows")
-}
-
-/// Removes the file with the stored rows of `path`, which is complete.
-pub(super) fn drop_beside(path: &Path) {
-    // If it remains, the next run finds its own study in it, and has nothing left to compute.
-    let _ = fs::remove_file(beside(path));
 }
 
 impl Checkpoint {
@@ -68,11 +62,6 @@ impl Checkpoint {
         Ok(Self { file, rows })
     }
 
-    /// Whether row `row` is stored.
-    pub(super) fn has(&self, row: usize) -> bool {
-        self.rows.contains_key(&row)
-    }
-
     /// Stores a batch of one row on disk.
     ///
     /// # Errors
@@ -83,11 +72,6 @@ impl Checkpoint {
         self.file.sync_data()?;
         let _ = self.rows.insert(batch.rows.start, batch);
         Ok(())
-    }
-
-    /// Takes row `row` out of memory; the file keeps it.
-    pub(super) fn take(&mut self, row: usize) -> Option<RowBatch> {
-        self.rows.remove(&row)
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::fs::File;
 use std::io;
-use std::io::{BufRead, BufReader, BufWriter, Write};
+use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 
 use crate::cli::escape::shown;
@@ -12,7 +12,7 @@ use crate::cli::failure::{Failure, tell};
 use crate::cli::study::part::{PartJob, damaged, is_sound, job, name};
 use crate::cli::study::run::{refuse_no_table, refuse_parquet};
 use crate::cli::verbosity::Verbosity;
-use crate::cli::whole_file::{WholeFile, sweep_leftovers};
+use crate::cli::whole_file::{WholeFile, directory_of, sweep_own};
 
 /// Number of parts in a list.
 const SHOWN: usize = 20;
@@ -24,8 +24,7 @@ type JoinedPart = (PathBuf, PartJob);
 pub(super) fn run(dir: &Path, output: &Path, verbosity: Verbosity) -> Result<(), Failure> {
     refuse_parquet(output)?;
     refuse_no_table(output)?;
-    let into = output.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    if is_part(output) && into.canonicalize().ok() == dir.canonicalize().ok() {
+    if is_part(output) && directory_of(output).canonicalize().ok() == dir.canonicalize().ok() {
         let text = format!("{} has the name of a part of the study: name another file", shown(output));
         return Err(Failure::Message(text));
     }
@@ -40,11 +39,11 @@ pub(super) fn run(dir: &Path, output: &Path, verbosity: Verbosity) -> Result<(),
             return Err(damaged(path));
         }
     }
-    let own = output.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    sweep_leftovers(into, |name| name == own);
+    sweep_own(output);
     let joined = || -> io::Result<()> {
-        let out = csv(&parts, BufWriter::new(WholeFile::begin(output)?))?;
-        out.into_inner().map_err(io::IntoInnerError::into_error)?.publish()
+        let mut file = WholeFile::begin(output)?;
+        csv(&parts, &mut file)?;
+        file.publish()
     };
     joined().map_err(|error| Failure::file("write", output, &error))?;
     let rows = parts.last().map_or(0, |(_, job)| job.rows[1]);
@@ -121,7 +120,7 @@ fn is_named(path: &Path, job: &PartJob) -> bool {
 }
 
 /// The header of the first, and all rows.
-fn csv<W: Write>(parts: &[JoinedPart], mut out: W) -> io::Result<W> {
+fn csv(parts: &[JoinedPart], out: &mut impl Write) -> io::Result<()> {
     for (i, (path, job)) in parts.iter().enumerate() {
         let mut file = BufReader::with_capacity(1 << 16, File::open(path)?);
         let mut header = Vec::new();
@@ -131,7 +130,7 @@ fn csv<W: Write>(parts: &[JoinedPart], mut out: W) -> io::Result<W> {
         if i == 0 {
             out.write_all(&header)?;
         }
-        let _ = io::copy(&mut file, &mut out)?;
+        let _ = io::copy(&mut file, out)?;
     }
-    Ok(out)
+    Ok(())
 }

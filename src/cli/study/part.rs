@@ -7,7 +7,7 @@
 use std::fs;
 use std::fs::{File, Metadata};
 use std::io;
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::study::rows::{StudyMonitor, StudyRows};
-use crate::cli::whole_file::{WholeFile, sweep_leftovers};
+use crate::cli::whole_file::{WholeFile, sweep_leftovers, write_whole};
 use crate::digest::Running;
 use crate::forecast::study::Study;
 
@@ -47,14 +47,6 @@ pub(in crate::cli) struct Parts<'a> {
     pub(in crate::cli) units: bool,
 }
 
-/// State of a part on disk.
-enum PartState {
-    Done,
-    Nothing,
-    Damaged,
-    Foreign,
-}
-
 impl Parts<'_> {
     /// Computes the missing parts from `from` to `to`; returns how many existed already.
     pub(in crate::cli) fn compute(
@@ -69,21 +61,12 @@ impl Parts<'_> {
         let fingerprint = self.study.fingerprint();
         let mut there = 0;
         for part in from..=to {
-            match self.found(part, &fingerprint) {
-                PartState::Done => {
-                    there += 1;
-                    // A run killed at the very end may have left them.
-                    self.rows(part, &self.path(part)).forget();
-                }
-                PartState::Nothing => self.write(part, &fingerprint, ear)?,
-                PartState::Damaged => return Err(damaged(&self.path(part))),
-                PartState::Foreign => {
-                    let path = shown(self.path(part));
-                    let text = format!(
-                        "{path} is not a part of this study and is not overwritten; choose another directory"
-                    );
-                    return Err(Failure::Message(text));
-                }
+            if self.exists(part, &fingerprint)? {
+                there += 1;
+                // A run killed at the very end may have left them.
+                self.rows(part, &self.path(part)).forget();
+            } else {
+                self.write(part, &fingerprint, ear)?;
             }
         }
         Ok(there)
@@ -124,14 +107,21 @@ impl Parts<'_> {
         PartJob { study: study.to_owned(), part, parts: self.of, rows, units: self.units, bytes, sha256 }
     }
 
-    fn found(&self, part: usize, study: &str) -> PartState {
+    /// Whether the part is there, and complete.
+    ///
+    /// # Errors
+    /// If it is damaged, or another file has its name.
+    fn exists(&self, part: usize, study: &str) -> Result<bool, Failure> {
         let path = self.path(part);
-        let Ok(metadata) = fs::symlink_metadata(&path) else { return PartState::Nothing };
-        let Some(job) = job(&path) else { return PartState::Foreign };
-        match self.job(part, study, (job.bytes, job.sha256.clone())) {
-            right if !metadata.is_file() || job != right => PartState::Foreign,
-            right if metadata.len() != right.bytes => PartState::Damaged,
-            _ => PartState::Done,
+        let Ok(metadata) = fs::symlink_metadata(&path) else { return Ok(false) };
+        let right = |job: &PartJob| *job == self.job(part, study, (job.bytes, job.sha256.clone()));
+        match job(&path).filter(right).filter(|_| metadata.is_file()) {
+            Some(job) if metadata.len() == job.bytes => Ok(true),
+            Some(_) => Err(damaged(&path)),
+            None => Err(Failure::Message(format!(
+                "{} is not a part of this study and is not overwritten; choose another directory",
+                shown(path)
+            ))),
         }
     }
 
@@ -139,14 +129,11 @@ impl Parts<'_> {
         let path = self.path(part);
         let rows = self.rows(part, &path);
         let written = || -> io::Result<()> {
-            let file = WholeFile::begin(&path)?;
-            let hashed = Hashed { out: file, hash: Running::default(), bytes: 0 };
-            let written = rows.write(BufWriter::new(hashed), ear)?;
-            let Hashed { out, hash, bytes } = written.into_inner().map_err(io::IntoInnerError::into_error)?;
-            let job = self.job(part, study, (bytes, hash.finish()));
-            let mut beside = WholeFile::begin(&path.with_extension("json"))?;
-            beside.write_all((serde_json::to_string(&job)? + "\n").as_bytes())?;
-            beside.publish()?;
+            let mut hashed = Hashed { out: WholeFile::begin(&path)?, hash: Running::default(), bytes: 0 };
+            rows.write(&mut hashed, ear)?;
+            let Hashed { out, hash, bytes } = hashed;
+            let job = serde_json::to_string(&self.job(part, study, (bytes, hash.finish())))? + "\n";
+            write_whole(&path.with_extension("json"), job.as_bytes())?;
             out.publish()?;
             rows.forget();
             Ok(())

@@ -1,5 +1,6 @@
 //! Rows of a study as CSV; slow rows are also stored in a checkpoint.
 
+use std::fs;
 use std::io;
 use std::io::Write;
 use std::ops::Range;
@@ -7,7 +8,7 @@ use std::path::Path;
 
 use crate::cli::interrupt::Listening;
 use crate::cli::progress::Progress;
-use crate::cli::study::checkpoint::{Checkpoint, beside, drop_beside};
+use crate::cli::study::checkpoint::{Checkpoint, beside};
 use crate::forecast::study::{RowBatch, Study, csv};
 
 /// Some rows of a study, and the form of their file.
@@ -30,49 +31,52 @@ pub(in crate::cli) struct StudyMonitor<'a> {
 }
 
 impl StudyRows<'_> {
-    /// Computes the rows and writes them to `out`, which it returns. A signal gives an error of the kind `Interrupted`.
-    pub(in crate::cli) fn write<W: Write + Send>(&self, mut out: W, ear: &StudyMonitor<'_>) -> io::Result<W> {
+    /// Computes the rows and writes them to `out`. A signal gives an error of the kind `Interrupted`.
+    pub(in crate::cli) fn write(
+        &self,
+        out: &mut (impl Write + Send),
+        ear: &StudyMonitor<'_>,
+    ) -> io::Result<()> {
         if self.header {
             out.write_all(csv::header(self.study.columns(), self.units).as_bytes())?;
         }
-        self.run(ear, |batch| csv::lines(&batch), |text| out.write_all(&text))?;
-        out.flush()?;
-        Ok(out)
-    }
-
-    /// Removes the checkpoint of the file, which is complete.
-    pub(in crate::cli) fn forget(&self) {
-        if let Some(target) = self.target.filter(|_| self.study.is_slow()) {
-            drop_beside(target);
-        }
-    }
-
-    fn run<T: Send>(
-        &self,
-        ear: &StudyMonitor<'_>,
-        make: impl Fn(RowBatch) -> T + Sync,
-        mut take: impl FnMut(T) -> io::Result<()> + Send,
-    ) -> io::Result<()> {
-        if let Some(target) = self.target.filter(|_| self.study.is_slow()) {
+        if let Some(target) = self.checkpointed() {
             let mut kept = self.kept(target, ear)?;
-            let rows = self.range.clone().filter_map(|row| kept.take(row));
-            return rows.map(make).try_for_each(take);
+            // A row is dropped when it is written; the file of the checkpoint keeps it.
+            for batch in self.range.clone().filter_map(|row| kept.rows.remove(&row)) {
+                out.write_all(&csv::lines(&batch))?;
+            }
+            return out.flush();
         }
         let (mut done, mut result) = (0, Ok(()));
-        let _ = self.study.run(self.range.clone(), &ear.listening.flag(), make, |made, count| {
-            result = take(made);
+        let lines = |batch: RowBatch| csv::lines(&batch);
+        let _ = self.study.run(self.range.clone(), &ear.listening.flag(), lines, |lines, count| {
+            result = out.write_all(&lines);
             done += count;
             self.tell(done, ear);
             result.is_ok()
         });
         result?;
-        if done < self.range.len() { Err(io::ErrorKind::Interrupted.into()) } else { Ok(()) }
+        if done < self.range.len() { Err(io::ErrorKind::Interrupted.into()) } else { out.flush() }
+    }
+
+    /// Removes the checkpoint of the file, which is complete.
+    pub(in crate::cli) fn forget(&self) {
+        if let Some(target) = self.checkpointed() {
+            // If it remains, the next run finds its own study in it, and has nothing left to compute.
+            let _ = fs::remove_file(beside(target));
+        }
+    }
+
+    /// The file, if its rows are slow.
+    fn checkpointed(&self) -> Option<&Path> {
+        self.target.filter(|_| self.study.is_slow())
     }
 
     /// All rows: those stored beside `target`, and the missing ones, which are computed and stored.
     fn kept(&self, target: &Path, ear: &StudyMonitor<'_>) -> io::Result<Checkpoint> {
         let mut kept = Checkpoint::open(&beside(target), self.study)?;
-        let missing: Vec<usize> = self.range.clone().filter(|row| !kept.has(*row)).collect();
+        let missing: Vec<usize> = self.range.clone().filter(|row| !kept.rows.contains_key(row)).collect();
         let (mut done, mut result) = (self.range.len() - missing.len(), Ok(()));
         self.tell(done, ear);
         let is_done = self.study.each(missing.into_iter(), &ear.listening.flag(), |batch| {

@@ -1,7 +1,7 @@
 //! Rows of a study to standard output, a file, or parts in a directory: the destinations of `study run`.
 
 use std::fs::File;
-use std::io::{self, BufWriter, IsTerminal, Write, stdout};
+use std::io::{self, BufWriter, IsTerminal, stdout};
 use std::path::{Path, PathBuf};
 
 use crate::cli::escape::shown;
@@ -12,7 +12,7 @@ use crate::cli::study::part::Parts;
 use crate::cli::study::rows::{StudyMonitor, StudyRows};
 use crate::cli::text_file::refuse_foreign;
 use crate::cli::verbosity::{Quiet, Verbosity};
-use crate::cli::whole_file::{WholeFile, sweep_leftovers};
+use crate::cli::whole_file::{WholeFile, sweep_own};
 use crate::forecast::study::Study;
 
 /// The rows to compute, and their destination.
@@ -112,10 +112,15 @@ impl Destination {
         let there =
             progress::listening(Verbosity { quiet, ..Verbosity::default() }, "designs", |progress| {
                 let ear = StudyMonitor { progress, listening: &listening };
+                let range = study.part(span.from, span.of).start..study.part(span.to, span.of).end;
+                let rows = StudyRows { study, range, header: true, units: self.units, target: None };
                 match &self.output {
-                    None => self.to_stdout(study, span, &ear).map(|()| 0),
-                    Some(path) if self.is_directory(path) => self.to_parts(path, (study, span), &ear),
-                    Some(path) => self.to_file(path, (study, span), &ear).map(|()| 0),
+                    None => to_stdout(&StudyRows { header: span.from == 1, ..rows }, &ear).map(|()| 0),
+                    Some(dir) if self.is_directory(dir) => {
+                        let parts = Parts { dir, study, of: span.of, units: self.units };
+                        parts.compute([span.from, span.to], &ear)
+                    }
+                    Some(path) => to_file(path, rows, &ear).map(|()| 0),
                 }
             })?;
         if there > 0 && !self.quiet.quiet {
@@ -132,61 +137,38 @@ impl Destination {
             || ends_so
             || (self.part.is_some() && path.extension().is_none())
     }
+}
 
-    fn rows<'a>(&self, study: &'a Study, span: Span) -> StudyRows<'a> {
-        let range = study.part(span.from, span.of).start..study.part(span.to, span.of).end;
-        StudyRows { study, range, header: true, units: self.units, target: None }
-    }
+fn to_stdout(rows: &StudyRows<'_>, ear: &StudyMonitor<'_>) -> Result<(), Failure> {
+    // The writer receives large chunks; a line buffer would only slow it down.
+    rows.write(&mut stdout(), ear).map_err(|error| match error.kind() {
+        io::ErrorKind::BrokenPipe => Failure::Pipe,
+        io::ErrorKind::Interrupted if ear.listening.has_heard() => Failure::Stopped("stopped".to_owned()),
+        _ => Failure::Message(format!("cannot write the rows: {error}")),
+    })
+}
 
-    fn to_stdout(&self, study: &Study, span: Span, ear: &StudyMonitor<'_>) -> Result<(), Failure> {
-        let rows = StudyRows { header: span.from == 1, ..self.rows(study, span) };
-        // The writer receives large chunks; a line buffer would only slow it down.
-        rows.write(stdout(), ear).map(drop).map_err(|error| match error.kind() {
-            io::ErrorKind::BrokenPipe => Failure::Pipe,
-            io::ErrorKind::Interrupted if ear.listening.has_heard() => Failure::Stopped("stopped".to_owned()),
-            _ => Failure::Message(format!("cannot write the rows: {error}")),
-        })
-    }
-
-    /// Returns the number of parts that existed already.
-    fn to_parts(
-        &self,
-        dir: &Path,
-        (study, span): (&Study, Span),
-        ear: &StudyMonitor<'_>,
-    ) -> Result<usize, Failure> {
-        let parts = Parts { dir, study, of: span.of, units: self.units };
-        parts.compute([span.from, span.to], ear)
-    }
-
-    fn to_file(
-        &self,
-        path: &Path,
-        (study, span): (&Study, Span),
-        ear: &StudyMonitor<'_>,
-    ) -> Result<(), Failure> {
-        let rows = self.rows(study, span);
-        let own = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let dir = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let written = || -> io::Result<()> {
-            // A pipe or a device is written to as it is: it must not be replaced by a file.
-            if path.exists() && !path.is_file() {
-                let file = File::options().write(true).open(path)?;
-                return rows.write(BufWriter::new(file), ear).and_then(|mut out| out.flush());
-            }
-            sweep_leftovers(dir, |name| name == own);
-            let rows = StudyRows { target: Some(path), ..rows };
-            let out = rows.write(BufWriter::new(WholeFile::begin(path)?), ear)?;
-            out.into_inner().map_err(io::IntoInnerError::into_error)?.publish()?;
-            rows.forget();
-            Ok(())
-        };
-        written().map_err(|error| match error.kind() {
-            io::ErrorKind::Interrupted if ear.listening.has_heard() => {
-                let kept = if study.is_slow() { "; the same command continues where it stopped" } else { "" };
-                Failure::Stopped(format!("stopped; {} was not written{kept}", shown(path)))
-            }
-            _ => Failure::file("write", path, &error),
-        })
-    }
+fn to_file(path: &Path, rows: StudyRows<'_>, ear: &StudyMonitor<'_>) -> Result<(), Failure> {
+    let is_slow = rows.study.is_slow();
+    let written = || -> io::Result<()> {
+        // A pipe or a device is written to as it is: it must not be replaced by a file.
+        if path.exists() && !path.is_file() {
+            let file = File::options().write(true).open(path)?;
+            return rows.write(&mut BufWriter::new(file), ear);
+        }
+        sweep_own(path);
+        let rows = StudyRows { target: Some(path), ..rows };
+        let mut file = WholeFile::begin(path)?;
+        rows.write(&mut file, ear)?;
+        file.publish()?;
+        rows.forget();
+        Ok(())
+    };
+    written().map_err(|error| match error.kind() {
+        io::ErrorKind::Interrupted if ear.listening.has_heard() => {
+            let kept = if is_slow { "; the same command continues where it stopped" } else { "" };
+            Failure::Stopped(format!("stopped; {} was not written{kept}", shown(path)))
+        }
+        _ => Failure::file("write", path, &error),
+    })
 }
