@@ -17,9 +17,8 @@ use crate::cli::publish::extras_of;
 use crate::cli::rebuilt::Snapshot;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::is_standard_input;
-use crate::cli::{batch, details, new, overview, publish, watch};
+use crate::cli::{batch, new, overview, publish, watch};
 use crate::pipeline::{Forecast, Precaution, Proven};
-use crate::spec::Source;
 
 /// Arguments of `build`.
 #[derive(clap::Args, Debug)]
@@ -55,7 +54,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         }
         watched(args, &targets);
     }
-    batch::run(&args.specs, args.verbosity, |spec| one(args, &targets, spec))
+    batch::run(&args.specs, args.verbosity, |spec| {
+        answered(args, &made(args, &targets, spec, args.verbosity)?)
+    })
 }
 
 /// Builds each spec, and builds it again whenever it is saved. The first build prints the whole answer, each later one a line.
@@ -74,7 +75,7 @@ fn watched(args: &Args, targets: &BTreeMap<&Path, PathBuf>) -> ! {
                     tell(&format!("{} {} was not rebuilt:", time_of_day(), shown(spec)));
                 }
             })?;
-            let now = Snapshot::new(&made.source, &made.machine, &made.proven.built().forecast, &made.notes);
+            let now = Snapshot::new(&made.loaded, &made.proven.built().forecast, &made.notes);
             match &before {
                 Some(before) => rebuilt(args.verbosity, spec, began, &now, before)?,
                 None => drop(answered(args, &made)?),
@@ -102,7 +103,7 @@ fn rebuilt(
     let seconds = began.elapsed().as_secs_f64();
     verbosity.remark(&format!("{time} {spec} rebuilt in {seconds:.1} s: {}\n", now.changes(before)))?;
     if !verbosity.quiet {
-        overview::warn_of(&now.new_notes(before));
+        overview::warn(now.new_notes(before));
     }
     Ok(())
 }
@@ -143,13 +144,7 @@ struct PublishedOutput {
     proven: Proven,
     target: PathBuf,
     notes: Vec<Precaution>,
-    source: Source,
-    machine: String,
-}
-
-/// Builds, proves and publishes one spec, and prints the answer; returns it as JSON if that is requested.
-fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<Option<Value>, Failure> {
-    answered(args, &made(args, targets, spec, args.verbosity)?)
+    loaded: Loaded,
 }
 
 /// Builds, proves and publishes one spec.
@@ -169,42 +164,19 @@ fn made(
     args.kinds.tell_missing(proven.built(), &request);
     // The fate of earlier files is reported even with --quiet.
     tell(&publish(&target, &proven)?.to_string());
-    let (source, machine) = (loaded.source.clone(), loaded.sources().machine.to_owned());
-    Ok(PublishedOutput { proven, target, notes, source, machine })
+    Ok(PublishedOutput { proven, target, notes, loaded })
 }
 
 /// Prints the answer for one build, and opens its page with --open.
 fn answered(args: &Args, made: &PublishedOutput) -> Result<Option<Value>, Failure> {
     let PublishedOutput { proven, target, notes, .. } = made;
-    let (verbosity, forecast) = (args.verbosity, &proven.built().forecast);
     if args.open {
         match overview::to_look_at(proven) {
             Some(page) => open(&target.join(page)),
             None => tell("note: neither a report nor a preview was built: nothing to open"),
         }
     }
-    if verbosity.json {
-        let mut answer = overview::json(forecast, notes);
-        answer["written"] = overview::written_json(proven, target);
-        return Ok(Some(answer));
-    }
-    if verbosity.quiet {
-        overview::warn(forecast.doubt().as_slice());
-        return Ok(None);
-    }
-    overview::show(&overview::head(forecast))?;
-    overview::warn(notes);
-    // Without a program there is no sealing time.
-    if proven.sealing_time().is_some() {
-        overview::show(&overview::work(forecast, &Zoned::now()))?;
-    }
-    overview::show(&overview::written(proven, target))?;
-    if verbosity.verbose {
-        verbosity.remark(&details::built(proven))?;
-    } else {
-        overview::show(&[("details", "-v".to_owned())])?;
-    }
-    Ok(None)
+    overview::answer(proven, notes, Some(target), args.verbosity)
 }
 
 /// The kinds to build: those of the options and the spec, and without `--with` and `--only` also those of the build that is replaced.

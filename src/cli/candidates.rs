@@ -1,6 +1,5 @@
 //! Results of a search: candidates as a table of text and as JSON.
 
-use std::fmt::Write;
 use std::io::stdout;
 
 use serde_json::{Value, json};
@@ -52,17 +51,14 @@ pub(super) fn text(found: &SearchResult, constraints: &Constraints) -> String {
              section has ranges"
                 .to_owned()
         };
-        // Writing to a String does not fail.
-        let _ = writeln!(out, "# {text}");
+        out += &format!("# {text}\n");
     }
     if !front.is_empty() {
-        // Writing to a String does not fail.
-        let _ = writeln!(
-            out,
-            "# trade-off between contraction, stiffness and fabric, {} designs, evenly sampled:",
-            front.len()
+        out += &format!(
+            "# trade-off between contraction, stiffness and fabric, {} designs, evenly sampled:\n{}",
+            front.len(),
+            rows(&thinned(front, SHOWN), constraints)
         );
-        out.push_str(&rows(&thinned(front, SHOWN), constraints));
     }
     out
 }
@@ -161,15 +157,9 @@ fn shown_columns(width: Option<usize>) -> [bool; COLUMNS.len()] {
 fn rows(candidates: &[Evaluation], constraints: &Constraints) -> String {
     let columns = shown_columns(width(&stdout()));
     let line = |cells: [String; COLUMNS.len()]| {
-        let mut line = String::from("#");
-        for (((cell, (_, width, _)), _), i) in
-            cells.iter().zip(COLUMNS).zip(columns).zip(0..).filter(|((_, shown), _)| *shown)
-        {
-            let gap = if i == 0 { " " } else { "  " };
-            // Writing to a String does not fail.
-            let _ = write!(line, "{gap}{cell:>width$}");
-        }
-        line.trim_end().to_owned() + "\n"
+        let shown = cells.iter().zip(COLUMNS).zip(columns).filter(|(_, shown)| *shown);
+        let cells = shown.map(|((cell, (_, width, _)), _)| format!("{cell:>width$}"));
+        format!("# {}", cells.collect::<Vec<_>>().join("  ")).trim_end().to_owned() + "\n"
     };
     let head = line(COLUMNS.map(|(heading, _, _)| heading.to_owned()));
     candidates.iter().fold(head, |table, candidate| table + &line(cells(candidate, constraints)))

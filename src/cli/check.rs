@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use jiff::Zoned;
 use serde_json::Value;
 
 use crate::cli::escape::{argument, shown};
@@ -11,7 +10,7 @@ use crate::cli::kinds::Kinds;
 use crate::cli::load::{Loaded, once};
 use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
-use crate::cli::{batch, details, overview};
+use crate::cli::{batch, overview};
 use crate::design::figures;
 use crate::emit;
 use crate::emit::FaultMark;
@@ -71,8 +70,7 @@ fn pictured(args: &Args, loaded: &Loaded, marks: &[FaultMark]) -> Result<(), Fai
 }
 
 fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
-    let verbosity = args.verbosity;
-    let loaded = Loaded::spoken(spec, verbosity)?;
+    let loaded = Loaded::spoken(spec, args.verbosity)?;
     let forecast = loaded.forecast().or_else(|failure| {
         if let Failure::Faults(found) = &failure {
             let marks =
@@ -89,24 +87,5 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     let request = args.kinds.request().of_spec(&forecast.spec);
     let proven = loaded.proven(forecast, &request)?;
     args.kinds.tell_missing(proven.built(), &request);
-    let forecast = &proven.built().forecast;
-    if verbosity.json {
-        let mut answer = overview::json(forecast, &list);
-        answer["proven"] = overview::proven_json(&proven);
-        return Ok(Some(answer));
-    }
-    if verbosity.quiet {
-        overview::warn(forecast.doubt().as_slice());
-        return Ok(None);
-    }
-    overview::show(&overview::head(forecast))?;
-    overview::warn(&list);
-    overview::show(&overview::work(forecast, &Zoned::now()))?;
-    overview::show(&overview::proven(&proven))?;
-    if verbosity.verbose {
-        verbosity.remark(&details::checked(forecast))?;
-    } else {
-        overview::show(&[("details", "-v".to_owned())])?;
-    }
-    Ok(None)
+    overview::answer(&proven, &list, None, args.verbosity)
 }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::airtight;
 use crate::answer::hours;
 use crate::artifact::Output;
+use crate::cli::words::beyond;
 use crate::design::{COATING_ASSUMES, Design, DrawnPiece, FlatPiece, Plate, StarAssembly, StarDesign};
 use crate::forecast::drawn::text::text as drawn_text;
 use crate::forecast::report;
@@ -33,7 +34,7 @@ fn design(forecast: &Forecast) -> String {
                 for note in drawn.notes.iter().take(MOST_NOTES) {
                     let _ = writeln!(out, "drawing: {note}");
                 }
-                if let Some(more) = drawn.notes.len().checked_sub(MOST_NOTES).filter(|more| *more > 0) {
+                if let Some(more) = beyond(drawn.notes.len(), MOST_NOTES) {
                     let _ = writeln!(out, "drawing: and {more} more, by --json");
                 }
                 let mass = part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g"));

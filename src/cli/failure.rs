@@ -59,40 +59,31 @@ impl Failure {
 
     /// Prints the failure with --json: a refusal is one object on standard output. Returns the exit code of [`Failure::report`].
     pub(super) fn report_json(self) -> u8 {
-        match self.refused() {
-            Some(refused) => match say(&format!("{:#}\n", json!({ "refused": refused }))) {
-                Ok(()) => 1,
-                Err(failure) => failure.report(),
-            },
-            None => self.report(),
-        }
+        let Some(refused) = self.refused() else { return self.report() };
+        say(&format!("{:#}\n", json!({ "refused": refused }))).map_or_else(Self::report, |()| 1)
     }
 
     /// The refusals, one object each; `None` if the failure is no refusal, or has been printed already.
     pub(super) fn refused(&self) -> Option<Vec<Value>> {
-        let bare = |code: CommandCode, found: &str| vec![refusal(code.as_str(), found)];
-        match self {
-            Self::Faults(faults) => Some(refused_by(faults)),
-            Self::Unproven(unproven) => Some(unproven.findings.iter().map(finding_json).collect()),
-            Self::Publish(error) => Some(bare(CommandCode::NotPublished, &error.to_string())),
+        let bare = |code: CommandCode, found: &str| refusal(code.as_str(), found);
+        let one = match self {
+            Self::Faults(faults) => return Some(refused_by(faults)),
+            Self::Unproven(unproven) => return Some(unproven.findings.iter().map(finding_json).collect()),
+            Self::Publish(error) => bare(CommandCode::NotPublished, &error.to_string()),
             Self::Infeasible(text, nearest) => {
                 let mut refused = bare(CommandCode::Infeasible, text);
-                refused[0]["remedy"] = json!(nearest);
-                Some(refused)
+                refused["remedy"] = json!(nearest);
+                refused
             }
             Self::File(path, text) => {
                 let mut refused = bare(CommandCode::Failed, text);
-                refused[0]["file"] = json!(path);
-                Some(refused)
+                refused["file"] = json!(path);
+                refused
             }
-            Self::Message(text) => Some(bare(CommandCode::Failed, text)),
-            Self::Usage(_)
-            | Self::Interrupted
-            | Self::Stopped(_)
-            | Self::Reported
-            | Self::NotCompared
-            | Self::Pipe => None,
-        }
+            Self::Message(text) => bare(CommandCode::Failed, text),
+            _ => return None,
+        };
+        Some(vec![one])
     }
 
     /// Prints a JSON `answer` that contains the refusal `text`, as one object.
@@ -105,7 +96,7 @@ impl Failure {
     pub(super) fn report(self) -> u8 {
         let text = match self {
             Self::Faults(faults) => {
-                tell_faults(&faults);
+                warn(&faults);
                 return 1;
             }
             Self::Unproven(unproven) => {
@@ -167,13 +158,6 @@ impl From<PublishFault> for Failure {
     }
 }
 
-/// Prints warnings to standard error, if there are any.
-pub(super) fn warn(faults: &Faults) {
-    if !faults.is_empty() {
-        tell_faults(faults);
-    }
-}
-
 /// Prints to standard output; a closed pipe ends the command silently, as in other filters.
 pub(super) fn say(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
@@ -200,7 +184,10 @@ pub(super) fn tell_under(heading: &str, text: &str) {
 }
 
 /// Prints faults to standard error, with colours on a terminal. Quoted text is escaped already.
-fn tell_faults(faults: &Faults) {
+pub(super) fn warn(faults: &Faults) {
+    if faults.is_empty() {
+        return;
+    }
     let stream = io::stderr();
     let text = faults.for_terminal(width(&stream), has_colours(&stream));
     // Colours are the program's own control sequences, so they are not escaped.

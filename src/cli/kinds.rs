@@ -6,6 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::artifact::{Kind, KindRequest, Output, too_large};
 use crate::cli::failure::tell;
+use crate::cli::words::beyond;
 use crate::design::Paper;
 use crate::pipeline::{Built, Forecast};
 
@@ -60,9 +61,8 @@ fn left_out(large: &[Output]) -> String {
     }
     let line = |(reason, names): (String, Vec<String>)| {
         let number = names.len();
-        let more = number.checked_sub(SHOWN).filter(|more| *more > 0);
-        let mut list = names.into_iter().take(SHOWN).collect::<Vec<_>>().join(", ");
-        list.push_str(&more.map_or_else(String::new, |more| format!(" and {more} more")));
+        let more = beyond(number, SHOWN).map_or_else(String::new, |more| format!(" and {more} more"));
+        let list = names.into_iter().take(SHOWN).collect::<Vec<_>>().join(", ") + &more;
         let (are, each) = if number == 1 { ("is", "it needs") } else { ("are", "each needs") };
         format!("note: {list} {are} left out: {each} {reason}; SVG and DXF have no limit")
     };

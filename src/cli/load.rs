@@ -10,6 +10,7 @@ use crate::cli::findings::Unproven;
 use crate::cli::progress;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{first_bytes, given_bytes, is_standard_input};
+use crate::cli::words::beyond;
 use crate::design::{Refusal, RefusalCode, Refusals, Warning, drawing_notes};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Proven, Sources};
@@ -154,9 +155,8 @@ impl Loaded {
             let number = if self.verbosity.verbose { notes.len() } else { SHOWN_NOTES };
             let mut lines: Vec<String> =
                 notes.iter().take(number).map(|note| format!("drawing: {note}")).collect();
-            if let Some(more) = notes.len().checked_sub(number).filter(|more| *more > 0) {
-                lines.push(format!("drawing: {more} more notes by -v"));
-            }
+            let more = beyond(notes.len(), number);
+            lines.extend(more.map(|more| format!("drawing: {more} more notes by -v")));
             tell(&lines.join("\n"));
         }
         Failure::Faults(at_keys(&self.source, &self.reading.raw, refusals))

@@ -22,7 +22,7 @@ use crate::forecast::shell::star::ShellRefusal;
 use crate::forecast::sizing::{BURST_MARGIN, is_result};
 use crate::spec;
 use crate::spec::edit::{StarEdit, with_comments, with_star, with_value};
-use crate::spec::{Allowed, Setting, Source, key, settings};
+use crate::spec::{Allowed, Setting, Source, Spec, key, settings};
 use crate::units::{Angle, Force, Length, Mass, Pressure};
 use inflatable::mechanics::hinge::ring::RingTable;
 
@@ -35,7 +35,7 @@ pub(super) struct Args {
     #[arg(long, value_enum)]
     goal: Option<GoalArg>,
     /// Numbers of points, "3..8" or one.
-    #[arg(long, default_value = "3..12", value_parser = points)]
+    #[arg(long, default_value = "3..12", value_parser = |text: &str| whole(text, "points", [3, 64]))]
     points: (u32, u32),
     /// Tip angles; default: 10 to 90 deg.
     #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Angle>(Allowed::between(0.0, 180.0)))]
@@ -56,7 +56,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Pressure>(PRESSURES))]
     pressure: Option<(Pressure, Pressure)>,
     /// Numbers of stars, "1..6" or one, as few as hold the mass; default: the spec's.
-    #[arg(long, value_parser = counts)]
+    #[arg(long, value_parser = |text: &str| whole(text, "stars", [1, 64]))]
     count: Option<(u32, u32)>,
     /// Radii that it must be able to hold, inflated: close to the first, open to the second.
     #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Length>(SIZE))]
@@ -92,14 +92,6 @@ enum GoalArg {
     Fabric,
 }
 
-fn points(text: &str) -> Result<(u32, u32), String> {
-    whole(text, "points", [3, 64])
-}
-
-fn counts(text: &str) -> Result<(u32, u32), String> {
-    whole(text, "stars", [1, 64])
-}
-
 /// Reads "3..8" or one number.
 fn whole(text: &str, what: &str, [least, most]: [u32; 2]) -> Result<(u32, u32), String> {
     let fault = || format!("`{text}` is not a number of {what} from {least} to {most}, or a range of them");
@@ -115,13 +107,13 @@ pub(super) fn answer(
     cancel: Option<&AtomicBool>,
 ) -> Result<(SearchResult, Constraints), Failure> {
     let read = &loaded.reading.spec;
-    let base = Candidate::of(read).ok_or_else(|| message("the spec has no star"))?;
+    let base = Candidate::of(read).ok_or_else(|| Failure::message("the spec has no star"))?;
     // A text that cannot take a star is refused before the search.
     if let Some(star) = read.stars.first() {
         let _ = with_star(&loaded.source, &StarEdit::of(star))?;
     }
     let (goal, constraints) = wanted(args, loaded, &base)?;
-    let table = RingTable::new().map_err(|fault| message(&fault.to_string()))?;
+    let table = RingTable::new().map_err(|fault| Failure::message(fault))?;
     let bounds = bounds(args, &base);
     let search = DesignSearch { cancel, ..DesignSearch::new(&base, &bounds, &constraints, goal, &table) };
     Ok((progress::during(args.verbosity, "searching", |_| search.run()), constraints))
@@ -131,40 +123,32 @@ pub(super) fn answer(
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?.with_stars("optimize")?;
     let (found, constraints) = answer(args, &loaded, None)?;
-    let best = best(args, &loaded, &found, &constraints)?;
-    match (best, args.verbosity) {
-        (Some(best), Verbosity { json: true, .. }) => {
-            say(&pretty(&candidates::json(&found, &constraints, Some(&best))))
+    let Some(best) = best(args, &loaded, &found, &constraints)? else {
+        if args.verbosity.is_heard() {
+            tell(&candidates::text(&found, &constraints));
         }
-        (Some(best), Verbosity { quiet: true, .. }) => say(&best.spec),
-        (Some(Best { spec, confirmed }), _) => {
-            let mut lines = String::new();
-            for line in confirmed.iter().flat_map(Confirmation::lines) {
-                lines += "# ";
-                lines += &line;
-                lines.push('\n');
-            }
-            say(&format!(
-                "{}{lines}# the best that can be built:\n{spec}\n",
-                candidates::text(&found, &constraints)
-            ))
-        }
-        (None, verbosity) => {
-            if verbosity.is_heard() {
-                tell(&candidates::text(&found, &constraints));
-            }
-            let why = if found.front.is_empty() {
-                "no design meets all constraints; `short` lists those that each misses, and by how much"
-            } else {
-                "none of the best designs can be sealed and cut as the spec requires"
-            };
-            Err(if verbosity.json {
-                Failure::answered(candidates::json(&found, &constraints, None), why)
-            } else {
-                message(why)
-            })
-        }
+        let why = if found.front.is_empty() {
+            "no design meets all constraints; `short` lists those that each misses, and by how much"
+        } else {
+            "none of the best designs can be sealed and cut as the spec requires"
+        };
+        return Err(if args.verbosity.json {
+            Failure::answered(candidates::json(&found, &constraints, None), why)
+        } else {
+            Failure::message(why)
+        });
+    };
+    if args.verbosity.json {
+        return say(&pretty(&candidates::json(&found, &constraints, Some(&best))));
     }
+    let Best { spec, confirmed } = best;
+    if args.verbosity.quiet {
+        return say(&spec);
+    }
+    let lines = confirmed.iter().flat_map(Confirmation::lines);
+    let lines: String = lines.map(|line| format!("# {line}\n")).collect();
+    let table = candidates::text(&found, &constraints);
+    say(&format!("{table}{lines}# the best that can be built:\n{spec}\n"))
 }
 
 /// The best candidate that can be built; `None` if there is none.
@@ -180,17 +164,13 @@ pub(super) fn best(
     for candidate in found.best.iter().filter(|candidate| candidate.violation == 0.0) {
         // Other values in the spec may forbid this star: four points have no inlet at tip 5.
         let Ok(spec) = edited(args, loaded, candidate) else { continue };
-        if let Some(design) = buildable(loaded, &spec) {
-            let shell = || confirmed(args.verbosity, (&spec, &design), candidate, constraints);
-            let confirmed = args.confirm.then(shell);
-            return Ok(Some(Best { spec, confirmed: confirmed.transpose()? }));
-        }
+        let Ok(reading) = spec::read(&Source::new("optimised", spec.as_str())) else { continue };
+        let Ok(design) = Design::new(&reading.spec, &loaded.machine) else { continue };
+        let shell = || confirmed(args.verbosity, (&reading.spec, &design), candidate, constraints);
+        let confirmed = args.confirm.then(shell).transpose()?;
+        return Ok(Some(Best { spec, confirmed }));
     }
     Ok(None)
-}
-
-fn message(text: &str) -> Failure {
-    Failure::Message(text.to_owned())
 }
 
 /// The goal of the search and its constraints.
@@ -198,7 +178,7 @@ fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Const
     let load = &base.load;
     let pressed = load.pressure.is_some() || args.pressure.is_some();
     if !pressed && is_at_pressure(base.model) {
-        return Err(message(
+        return Err(Failure::message(
             "the result depends on the pressure: set `pressure` in [load], or give --pressure FROM..TO",
         ));
     }
@@ -213,14 +193,14 @@ fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Const
         GoalArg::Fabric => Goal::Fabric,
     };
     if goal == Goal::Stiffness && !pressed {
-        return Err(message("stiffness needs a pressure: set `pressure` in [load]"));
+        return Err(Failure::message("stiffness needs a pressure: set `pressure` in [load]"));
     }
     if (args.payload.is_some() || asked == GoalArg::Hold) && !holds {
-        return Err(message("payload needs [load] with pressure, object_diameter and friction"));
+        return Err(Failure::message("payload needs [load] with pressure, object_diameter and friction"));
     }
     let strong = pressed && base.fabric.seal_strength.is_some();
     if args.burst_margin.is_some() && !strong {
-        return Err(message("a burst margin needs [load] pressure and [fabric] seal_strength"));
+        return Err(Failure::message("a burst margin needs [load] pressure and [fabric] seal_strength"));
     }
     let margin = args.burst_margin.or((strong && is_at_pressure(base.model)).then_some(BURST_MARGIN));
     let sheet = &loaded.reading.spec.sheet;
@@ -276,20 +256,27 @@ fn edited(args: &Args, loaded: &Loaded, candidate: &Evaluation) -> Result<String
     let mut text = with_star(&loaded.source, &edit)?;
     let before = Candidate::of(&loaded.reading.spec);
     let was = |of: fn(&Candidate) -> Option<f64>| before.as_ref().and_then(of);
-    let changes = [
-        (key::star::INNER_RADIUS, was(|c| Some(c.star.inner_radius.0)), Some(star.inner_radius.0), "mm"),
-        (key::stack::COUNT, was(|c| Some(f64::from(c.stars))), Some(f64::from(point.stars)), ""),
-        (key::stack::PITCH, was(|c| Some(c.star.pitch.0)), Some(star.pitch.0), "mm"),
-        (key::load::PRESSURE, was(|c| Some(c.load.pressure?.0)), point.load.pressure.map(|p| p.0), "kPa"),
-    ];
     // A force on no object is no load.
     let force = args.largest_force.filter(|_| point.load.object_radius.is_some());
-    let asked = [
+    let changes = [
+        (
+            key::star::INNER_RADIUS,
+            was(|c| Some(c.star.inner_radius.0)),
+            Some(thousandths(star.inner_radius.0)),
+            "mm",
+        ),
+        (key::stack::COUNT, was(|c| Some(f64::from(c.stars))), Some(f64::from(point.stars)), ""),
+        (key::stack::PITCH, was(|c| Some(c.star.pitch.0)), Some(thousandths(star.pitch.0)), "mm"),
+        (
+            key::load::PRESSURE,
+            was(|c| Some(c.load.pressure?.0)),
+            point.load.pressure.map(|p| thousandths(p.0)),
+            "kPa",
+        ),
         (key::load::MASS, was(|c| Some(c.load.mass?.0)), args.payload, "kg"),
         (key::load::LARGEST_FORCE, was(|c| Some(c.load.largest_force?.0)), force, "N"),
     ];
-    let changes = changes.map(|(key, was, is, unit)| (key, was, is.map(thousandths), unit));
-    for (key, was, is, unit) in changes.into_iter().chain(asked) {
+    for (key, was, is, unit) in changes {
         let Some(is) = is.filter(|_| was != is) else { continue };
         let value = if unit.is_empty() { format!("{is}") } else { format!("\"{is} {unit}\"") };
         text = with_value(&Source::new("optimised", text), key, &value)?;
@@ -326,25 +313,18 @@ fn recommented(loaded: &Loaded, text: &str) -> Result<String, Failure> {
     Ok(lines.flat_map(|line| [line, "\n"]).collect())
 }
 
-/// The design, if the design stage accepts it.
-fn buildable(loaded: &Loaded, text: &str) -> Option<Design> {
-    let reading = spec::read(&Source::new("optimised", text)).ok()?;
-    Design::new(&reading.spec, &loaded.machine).ok()
-}
-
 /// The shell's result for the best candidate.
 fn confirmed(
     verbosity: Verbosity,
-    (text, design): (&str, &Design),
+    own: (&Spec, &Design),
     candidate: &Evaluation,
     constraints: &Constraints,
 ) -> Result<Confirmation, Failure> {
-    let spec = spec::read(&Source::new("optimised", text))?.spec;
     let (found, _) = watched_by(verbosity, |watch| {
-        star::predict((&spec, design), &[], Detail::Medium, watch).map_err(|refusal| match refusal {
+        star::predict(own, &[], Detail::Medium, watch).map_err(|refusal| match refusal {
             ShellRefusal::Cancelled => Failure::Interrupted,
             ShellRefusal::Fault(fault) => {
-                message(&format!("--confirm: the shell refuses the best design: {fault}"))
+                Failure::Message(format!("--confirm: the shell refuses the best design: {fault}"))
             }
         })
     })?;

@@ -1,7 +1,6 @@
 //! The overview of `check` and `build`: the design, whether it meets its load, precautions before sealing, the end of the job, and the next
 //! steps.
 
-use std::fmt::Write;
 use std::io::{stderr, stdout};
 use std::path::Path;
 
@@ -9,27 +8,67 @@ use jiff::{SignedDuration, Zoned};
 use serde_json::{Value, json};
 
 use crate::answer::proof::scope;
-use crate::answer::{hours, sealing_time, verdict};
+use crate::answer::{hours, overview_json, sealing_time, verdict};
 use crate::artifact::Kind;
+use crate::cli::details;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say, tell_under};
 use crate::cli::terminal::{width, wrapped};
+use crate::cli::verbosity::Verbosity;
+use crate::cli::words::beyond;
 use crate::design::{DrawnPiece, FlatPiece};
 use crate::forecast::ranges::shown::rounded;
 use crate::pipeline::{Forecast, Precaution, Proven};
 use crate::spec::StarSpec;
-use crate::units::{Angle, Length, counted};
-
-pub(super) use crate::answer::overview_json as json;
+use crate::units::{Length, counted};
 
 /// Columns of the labels.
 const LABEL: usize = 11;
 
+/// Notes on repairs and choices in a drawing that are shown.
+const NOTES: usize = 2;
+
 /// A label and its text; a row without a label is a sentence.
 type OverviewRow = (&'static str, String);
 
+/// Prints the answer of `check`, or of `build`, which has published the files in `target`. Returns it as JSON if that is requested.
+pub(super) fn answer(
+    proven: &Proven,
+    notes: &[Precaution],
+    target: Option<&Path>,
+    verbosity: Verbosity,
+) -> Result<Option<Value>, Failure> {
+    let forecast = &proven.built().forecast;
+    if verbosity.json {
+        let mut answer = overview_json(forecast, notes);
+        match target {
+            Some(target) => answer["written"] = written_json(proven, target),
+            None => answer["proven"] = in_memory_json(proven),
+        }
+        return Ok(Some(answer));
+    }
+    if verbosity.quiet {
+        warn(forecast.doubt().iter().map(|doubt| &doubt.text));
+        return Ok(None);
+    }
+    show(&head(forecast))?;
+    warn(notes.iter().map(|note| &note.text));
+    // A build without a program has no sealing time.
+    if target.is_none() || proven.sealing_time().is_some() {
+        show(&work(forecast, &Zoned::now()))?;
+    }
+    show(&target.map_or_else(|| in_memory(proven), |target| written(proven, target)))?;
+    if verbosity.verbose {
+        let details = if target.is_some() { details::built(proven) } else { details::checked(forecast) };
+        verbosity.remark(&details)?;
+    } else {
+        show(&[("details", "-v".to_owned())])?;
+    }
+    Ok(None)
+}
+
 /// The design and its prediction.
-pub(super) fn head(forecast: &Forecast) -> Vec<OverviewRow> {
+fn head(forecast: &Forecast) -> Vec<OverviewRow> {
     let mut rows = vec![("", forecast.spec.name.clone())];
     rows.extend(pieces(forecast).into_iter().map(|text| ("", text)));
     if forecast.design.assembly().is_some() {
@@ -37,18 +76,11 @@ pub(super) fn head(forecast: &Forecast) -> Vec<OverviewRow> {
         rows.extend(verdict::rows(forecast));
     }
     if let Some(piece) = forecast.design.drawn() {
-        rows.extend(noted(&piece.notes));
+        rows.extend(piece.notes.iter().take(NOTES).map(|note| ("drawing", note.clone())));
+        let more = beyond(piece.notes.len(), NOTES);
+        rows.extend(more.map(|more| ("drawing", format!("{more} more notes by -v"))));
     }
     rows.extend(verdict::of_drawing(forecast));
-    rows
-}
-
-/// The first notes on repairs and choices in a drawing.
-fn noted(notes: &[String]) -> Vec<OverviewRow> {
-    let mut rows: Vec<OverviewRow> = notes.iter().take(2).map(|note| ("drawing", note.clone())).collect();
-    if notes.len() > 2 {
-        rows.push(("drawing", format!("{} more notes by -v", notes.len() - 2)));
-    }
     rows
 }
 
@@ -93,20 +125,16 @@ fn drawn_in_words(piece: &DrawnPiece) -> String {
 /// A star in the vocabulary of the spec.
 fn in_words(star: &StarSpec) -> String {
     let StarSpec { points, inner_radius, tube_width, tip_angle, tip_radius, corner_radius, .. } = star;
-    let angle: &Angle = tip_angle;
-    let mut text =
-        format!("{points} points, inner radius {inner_radius}, tube width {tube_width}, tip angle {angle}");
-    for (what, radius) in [("tip radius", tip_radius), ("corner radius", corner_radius)] {
-        if *radius != Length(0.0) {
-            // Writing to a String does not fail.
-            let _ = write!(text, ", {what} {radius}");
-        }
-    }
-    text
+    let radii = [("tip radius", tip_radius), ("corner radius", corner_radius)].into_iter();
+    let curved = radii.filter(|(_, radius)| **radius != Length(0.0));
+    let curved: String = curved.map(|(what, radius)| format!(", {what} {radius}")).collect();
+    format!(
+        "{points} points, inner radius {inner_radius}, tube width {tube_width}, tip angle {tip_angle}{curved}"
+    )
 }
 
 /// The sealing time and the machine.
-pub(super) fn work(forecast: &Forecast, now: &Zoned) -> Vec<OverviewRow> {
+fn work(forecast: &Forecast, now: &Zoned) -> Vec<OverviewRow> {
     let seconds = sealing_time(forecast);
     let end =
         finish(now, seconds).map(|end| format!("; started now, it ends {end}, without heating and pauses"));
@@ -121,13 +149,11 @@ pub(super) fn work(forecast: &Forecast, now: &Zoned) -> Vec<OverviewRow> {
 }
 
 /// The written files, the page to open, and the next command.
-pub(super) fn written(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
+fn written(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
     let number = proven.built().files().count();
     let mut rows =
         vec![("files", format!("{number} in {}", shown(target))), ("proven", scope(proven.proof()))];
-    if let Some(picture) = to_look_at(proven) {
-        rows.push(("look at", shown(target.join(picture))));
-    }
+    rows.extend(to_look_at(proven).map(|picture| ("look at", shown(target.join(picture)))));
     let [traces, seals] = [Kind::TraceGcode, Kind::SealGcode].map(|kind| named(proven, kind));
     let run = match (traces.first(), seals.first()) {
         (Some(trace), Some(seal)) => {
@@ -141,7 +167,7 @@ pub(super) fn written(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
 }
 
 /// The number of files proven in memory, and whether other kinds were left out.
-pub(super) fn proven(proven: &Proven) -> Vec<OverviewRow> {
+fn in_memory(proven: &Proven) -> Vec<OverviewRow> {
     let number = proven.built().files().count();
     let more = match left_out(proven).len() {
         0 => String::new(),
@@ -150,8 +176,8 @@ pub(super) fn proven(proven: &Proven) -> Vec<OverviewRow> {
     vec![("proven", format!("{number} files in memory: {}{more}", scope(proven.proof())))]
 }
 
-/// The JSON of [`proven`].
-pub(super) fn proven_json(proven: &Proven) -> Value {
+/// The JSON of [`in_memory`].
+fn in_memory_json(proven: &Proven) -> Value {
     let left_out: Vec<&str> = left_out(proven).iter().map(|kind| kind.name()).collect();
     json!({ "files": proven.built().files().count(), "kinds_left_out": left_out })
 }
@@ -184,7 +210,7 @@ fn more(programs: &[String]) -> String {
 }
 
 /// Prints rows to standard output.
-pub(super) fn show(rows: &[OverviewRow]) -> Result<(), Failure> {
+fn show(rows: &[OverviewRow]) -> Result<(), Failure> {
     let width = width(&stdout());
     let line = |(label, text): &OverviewRow| match *label {
         "" => wrapped(text, 2, width) + "\n",
@@ -194,22 +220,16 @@ pub(super) fn show(rows: &[OverviewRow]) -> Result<(), Failure> {
 }
 
 /// Prints precautions on standard error, so that they stay visible when the answer goes into a file.
-pub(super) fn warn(list: &[Precaution]) {
-    warn_of(&list.iter().map(|one| one.text.clone()).collect::<Vec<_>>());
-}
-
-/// The same for texts.
-pub(super) fn warn_of(list: &[String]) {
-    if list.is_empty() {
-        return;
-    }
+pub(super) fn warn<'a>(list: impl Iterator<Item = &'a String>) {
     let width = width(&stderr());
-    let lines = list.iter().map(|text| wrapped(&format!("  - {}", shown(text)), 4, width));
-    tell_under("before you seal", &lines.collect::<Vec<_>>().join("\n"));
+    let lines: Vec<String> = list.map(|text| wrapped(&format!("  - {}", shown(text)), 4, width)).collect();
+    if !lines.is_empty() {
+        tell_under("before you seal", &lines.join("\n"));
+    }
 }
 
 /// The JSON of [`written`].
-pub(super) fn written_json(proven: &Proven, target: &Path) -> Value {
+fn written_json(proven: &Proven, target: &Path) -> Value {
     let files: Vec<Value> =
         proven.built().files().map(|(name, bytes)| json!({ "path": name, "bytes": bytes.len() })).collect();
     let [traces, seals] = [Kind::TraceGcode, Kind::SealGcode].map(|kind| named(proven, kind));

@@ -29,27 +29,19 @@ pub(super) struct Progress {
     ticker: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
-/// The effect of Ctrl-C while the line is visible.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum OnInterrupt {
-    /// It ends the program: the work does not catch signals, and has written nothing.
-    End,
-    /// The work catches signals itself.
-    Leave,
-}
-
-/// Runs `work`, which writes nothing, with a line that shows `what`.
+/// Runs `work`, which does not catch signals and writes nothing, with a line that shows `what`.
 pub(super) fn during<T>(verbosity: Verbosity, what: &str, work: impl FnOnce(&Progress) -> T) -> T {
-    work(&Progress::new(verbosity, what, OnInterrupt::End))
+    work(&Progress::new(verbosity, what, true))
 }
 
 /// Runs `work`, which catches Ctrl-C itself, with a line that shows `what`.
 pub(super) fn listening<T>(verbosity: Verbosity, what: &str, work: impl FnOnce(&Progress) -> T) -> T {
-    work(&Progress::new(verbosity, what, OnInterrupt::Leave))
+    work(&Progress::new(verbosity, what, false))
 }
 
 impl Progress {
-    fn new(verbosity: Verbosity, what: &str, on_interrupt: OnInterrupt) -> Self {
+    /// `ends`: whether Ctrl-C ends the program while the line is visible.
+    fn new(verbosity: Verbosity, what: &str, ends: bool) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         if !(verbosity.is_heard() && terminal::takes_lines_back(&stderr())) {
             return Self { bar, ticker: None };
@@ -58,7 +50,7 @@ impl Progress {
         bar.set_message(what.to_owned());
         let (stop, stopped) = channel();
         let shown = bar.clone();
-        let ticker = thread::Builder::new().spawn(move || tick(&shown, &stopped, on_interrupt));
+        let ticker = thread::Builder::new().spawn(move || tick(&shown, &stopped, ends));
         Self { bar, ticker: ticker.ok().map(|ticker| (stop, ticker)) }
     }
 
@@ -103,9 +95,9 @@ fn style(template: &str) -> ProgressStyle {
     style.tick_chars("-\\|/ ").progress_chars("=> ")
 }
 
-/// Shows the line after the delay, and animates it until the sender of `stopped` is dropped.
-fn tick(bar: &ProgressBar, stopped: &Receiver<()>, on_interrupt: OnInterrupt) {
-    let listening = (on_interrupt == OnInterrupt::End).then(Listening::new);
+/// Shows the line after the delay, and animates it until the sender of `stopped` is dropped. If it `ends` by Ctrl-C, so does the program.
+fn tick(bar: &ProgressBar, stopped: &Receiver<()>, ends: bool) {
+    let listening = ends.then(Listening::new);
     let began = Instant::now();
     let mut is_shown = false;
     while stopped.recv_timeout(PAUSE) == Err(RecvTimeoutError::Timeout) {

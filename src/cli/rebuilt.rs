@@ -1,10 +1,12 @@
 //! One line for a rebuilt spec: the changed values, and their effect on the gripper.
 
 use crate::answer::{hours, sealing_time};
+use crate::cli::load::Loaded;
+use crate::cli::words::beyond;
 use crate::forecast::ranges::shown::rounded;
 use crate::forecast::verdict::Verdict;
 use crate::pipeline::{Forecast, Precaution};
-use crate::spec::{Setting, Source, settings};
+use crate::spec::{Setting, settings};
 
 /// The values that two builds of one spec are compared by.
 #[derive(Clone, Debug)]
@@ -17,24 +19,19 @@ pub(super) struct Snapshot {
 }
 
 /// A number in the line of changes: its name, the value, and the unit.
-#[derive(Clone, Debug, PartialEq)]
-struct Figure {
-    name: &'static str,
-    value: String,
-    unit: &'static str,
-}
+type Figure = (&'static str, String, &'static str);
 
 /// Largest number of changed values in the line.
 const NAMED: usize = 4;
 
 impl Snapshot {
-    /// The snapshot of the spec in `source`, with the profile's text and the precautions before sealing.
-    pub(super) fn new(source: &Source, machine: &str, forecast: &Forecast, notes: &[Precaution]) -> Self {
+    /// The snapshot of a spec with its profile, and the precautions before sealing.
+    pub(super) fn new(loaded: &Loaded, forecast: &Forecast, notes: &[Precaution]) -> Self {
         let verdict = forecast.verdict();
         let design = forecast.design.warnings.iter().map(|warning| warning.found.clone());
         Self {
-            settings: settings(source),
-            machine: machine.to_owned(),
+            settings: settings(&loaded.source),
+            machine: loaded.sources().machine.to_owned(),
             verdict: verdict.as_ref().map(Verdict::word),
             figures: figures(forecast, verdict.as_ref()),
             notes: notes.iter().map(|note| note.text.clone()).chain(design).collect(),
@@ -55,11 +52,9 @@ impl Snapshot {
         if self.machine != before.machine {
             values.push("machine profile".to_owned());
         }
-        let more = values.len().saturating_sub(NAMED);
+        let more = beyond(values.len(), NAMED);
         values.truncate(NAMED);
-        if more > 0 {
-            values.push(format!("{more} more"));
-        }
+        values.extend(more.map(|more| format!("{more} more")));
         let verdict = self.verdict.filter(|_| self.verdict != before.verdict).map(str::to_owned);
         let effects: Vec<String> = verdict.into_iter().chain(self.moved(before)).collect();
         match (values.is_empty(), effects.is_empty()) {
@@ -71,20 +66,21 @@ impl Snapshot {
     }
 
     /// The precautions that are not in `before`.
-    pub(super) fn new_notes(&self, before: &Self) -> Vec<String> {
-        self.notes.iter().filter(|note| !before.notes.contains(note)).cloned().collect()
+    pub(super) fn new_notes<'a>(&'a self, before: &'a Self) -> impl Iterator<Item = &'a String> {
+        self.notes.iter().filter(|note| !before.notes.contains(note))
     }
 
     /// The changed results.
     fn moved(&self, before: &Self) -> Vec<String> {
-        let was = |figure: &Figure| before.figures.iter().find(|was| was.name == figure.name);
-        let moved = self.figures.iter().filter(|figure| was(figure) != Some(figure));
-        moved
-            .map(|figure| match was(figure) {
-                Some(was) => format!("{} {} -> {}{}", figure.name, was.value, figure.value, figure.unit),
-                None => format!("{} {}{}", figure.name, figure.value, figure.unit),
-            })
-            .collect()
+        let changes = self.figures.iter().filter_map(|figure| {
+            let (name, value, unit) = figure;
+            match before.figures.iter().find(|was| was.0 == *name) {
+                Some(was) if was == figure => None,
+                Some((_, was, _)) => Some(format!("{name} {was} -> {value}{unit}")),
+                None => Some(format!("{name} {value}{unit}")),
+            }
+        });
+        changes.collect()
     }
 }
 
@@ -99,10 +95,10 @@ fn changed(setting: &Setting, before: &[Setting]) -> Option<String> {
 /// The results that matter while values are chosen.
 fn figures(forecast: &Forecast, verdict: Option<&Verdict>) -> Vec<Figure> {
     let star = forecast.prediction.as_ref().map(|prediction| &prediction.first);
-    let of = |name, value: Option<f64>, unit| value.map(|value| Figure { name, value: rounded(value), unit });
+    let of = |name, value: Option<f64>, unit| value.map(|value| (name, rounded(value), unit));
     let opens = star.and_then(|star| star.graspable_radius_mm).map(|[_, most]| 2.0 * most);
     let closes = star.and_then(|star| star.final_radius_mm).map(|least| 2.0 * least);
-    let sealing = Figure { name: "sealing", value: hours(sealing_time(forecast)), unit: "" };
+    let sealing = ("sealing", hours(sealing_time(forecast)), "");
     let known = [
         of("force", verdict.and_then(|verdict| verdict.force_N), " N"),
         of("carries", star.and_then(|star| star.payload_kg), " kg"),

@@ -14,6 +14,7 @@ use crate::cli::load::DRAWING_LIMIT;
 use crate::cli::terminal::{fitted, width};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{directory_of, first_bytes};
+use crate::cli::words::beyond;
 use crate::cli::{findings, progress};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{PublishedBuild, prove_feed_check};
@@ -107,17 +108,11 @@ pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
     }
     builds.sort();
     let number = builds.len();
-    let list: Vec<String> = builds
-        .into_iter()
-        .take(MOST_BUILDS)
-        .map(|build| format!("\n  stargrip-cam verify {build}"))
-        .collect();
-    let more = number
-        .checked_sub(MOST_BUILDS)
-        .filter(|more| *more > 0)
-        .map_or_else(String::new, |more| format!("\n  and {more} more"));
+    let listed = builds.into_iter().take(MOST_BUILDS);
+    let list: String = listed.map(|build| format!("\n  stargrip-cam verify {build}")).collect();
+    let more = beyond(number, MOST_BUILDS).map_or_else(String::new, |more| format!("\n  and {more} more"));
     let what = if number == 1 { "a build is in it".to_owned() } else { format!("{number} builds are in it") };
-    Err(Failure::Message(format!("{} is not a build, but {what}:{}{more}", shown(dir), list.concat())))
+    Err(Failure::Message(format!("{} is not a build, but {what}:{list}{more}", shown(dir))))
 }
 
 fn text(dir: &Path, proof: &Proof) -> String {

@@ -1,4 +1,4 @@
-//! Options that take one of the words of a table.
+//! Options that take one of the words of a table; and lists that end early.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
@@ -18,4 +18,9 @@ pub(super) fn words<T: Copy + Send + Sync + 'static>(
 /// The value of `word`.
 pub(super) fn value_of<T: Copy>(table: &[(&str, T)], word: &str) -> Option<T> {
     table.iter().find(|(own, _)| *own == word).map(|(_, value)| *value)
+}
+
+/// How many of `number` things are beyond the first `most`, which are listed.
+pub(super) fn beyond(number: usize, most: usize) -> Option<usize> {
+    number.checked_sub(most).filter(|more| *more > 0)
 }
