@@ -14,11 +14,11 @@ use stargrip_cam::cli::publish;
 use stargrip_cam::design::Refusals;
 use stargrip_cam::manifest::Tool;
 use stargrip_cam::pipeline::{Forecast, Proven};
+use stargrip_cam::units::counted;
 use stargrip_cam::verify::Finding;
 
 use crate::answer::{Answer, Prediction};
 use crate::arguments;
-use crate::design::counted;
 use crate::faults::{of_design, of_failure, of_findings, plain};
 use crate::spec::Spec;
 use crate::waiting::{Line, wait};

@@ -10,6 +10,7 @@ use stargrip_cam::design as exact;
 use stargrip_cam::design::{Contour as Trimmed, Part, PlacedPart, Side, StarDesign};
 use stargrip_cam::geom::{Path, Point};
 use stargrip_cam::pipeline::Forecast;
+use stargrip_cam::units::counted;
 
 use crate::arrays::{floats, rows};
 use crate::faults::{of_design, usage};
@@ -112,11 +113,6 @@ impl Design {
     fn distinct(&self) -> &[StarDesign] {
         self.design.assembly().map_or(&[], |assembly| &assembly.distinct)
     }
-}
-
-/// "1 star", "2 stars".
-pub(crate) fn counted(number: usize, what: &str) -> String {
-    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }
 
 impl Star {

@@ -142,13 +142,17 @@ impl Contour {
     /// repeat its first point.
     #[pyo3(signature = (tolerance_mm = 0.01))]
     fn points<'py>(&self, py: Python<'py>, tolerance_mm: f64) -> PyResult<Bound<'py, PyAny>> {
-        rows(py, &corners(py, &self.0, tolerance_mm)?, 1.0)
+        let corners = corners(py, &self.0, tolerance_mm)?.into_iter().map(|point| [point.x, point.y]);
+        rows(py, &corners.collect::<Vec<_>>(), 1.0)
     }
 
     /// As GeoJSON, within 0.01 mm, for shapely.geometry.shape and other readers.
     #[getter]
     fn __geo_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        if self.0.closed { polygon(py, std::slice::from_ref(&self.0), TOLERANCE) } else { line(py, &self.0) }
+        if self.0.closed {
+            return polygon(py, std::slice::from_ref(&self.0), TOLERANCE);
+        }
+        geometry(py, "LineString", PyTuple::new(py, corners(py, &self.0, TOLERANCE)?.into_iter().map(pair))?)
     }
 
     /// Called by `__reduce__`: for a line its ends, for an arc centre, radius, first angle and turn in rad.
@@ -184,18 +188,17 @@ impl Contour {
 }
 
 /// The corners of `path` within `tolerance`, mm.
-pub(crate) fn corners(py: Python<'_>, path: &Path, tolerance: f64) -> PyResult<Vec<[f64; 2]>> {
+fn corners(py: Python<'_>, path: &Path, tolerance: f64) -> PyResult<Vec<Point>> {
     if !(1e-6..=1e3).contains(&tolerance) {
         return Err(usage(py, format!("tolerance_mm is {tolerance}; allowed are 1e-6 to 1000 mm")));
     }
-    Ok(chords(path, tolerance).into_iter().map(|point| [point.x, point.y]).collect())
+    Ok(chords(path, tolerance))
 }
 
 /// Closed paths as a GeoJSON polygon: the first is its edge, the others are its holes.
 pub(crate) fn polygon<'py>(py: Python<'py>, paths: &[Path], tolerance: f64) -> PyResult<Bound<'py, PyDict>> {
     let rings = paths.iter().zip(0..).map(|(path, hole)| {
-        let mut ring: Vec<(f64, f64)> =
-            corners(py, path, tolerance)?.into_iter().map(|[x, y]| (x, y)).collect();
+        let mut ring: Vec<_> = corners(py, path, tolerance)?.into_iter().map(pair).collect();
         // GeoJSON requires edges counterclockwise, holes clockwise, and closed rings.
         if (path.area() > 0.0) != (hole == 0) {
             ring.reverse();
@@ -204,11 +207,6 @@ pub(crate) fn polygon<'py>(py: Python<'py>, paths: &[Path], tolerance: f64) -> P
         PyTuple::new(py, ring)
     });
     geometry(py, "Polygon", PyTuple::new(py, rings.collect::<PyResult<Vec<_>>>()?)?)
-}
-
-fn line<'py>(py: Python<'py>, path: &Path) -> PyResult<Bound<'py, PyDict>> {
-    let points: Vec<(f64, f64)> = corners(py, path, TOLERANCE)?.into_iter().map(|[x, y]| (x, y)).collect();
-    geometry(py, "LineString", PyTuple::new(py, points)?)
 }
 
 fn geometry<'py>(

@@ -1,12 +1,12 @@
 //! The meanings of message codes, read from the page of codes.
 
-use serde_json::{Value, json};
+use serde::Serialize;
 
 /// The page with every code and its meaning.
 const PAGE: &str = include_str!("../../docs/codes.md");
 
 /// One code of the page.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct CodeMeaning {
     /// The heading above the code.
     pub about: &'static str,
@@ -16,13 +16,6 @@ pub struct CodeMeaning {
     pub meaning: &'static str,
     /// A message with this code.
     pub example: String,
-}
-
-impl CodeMeaning {
-    /// The JSON answer.
-    pub fn json(&self) -> Value {
-        json!({ "code": self.code, "about": self.about, "meaning": self.meaning, "example": self.example })
-    }
 }
 
 /// All codes, in the order of the page.

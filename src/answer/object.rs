@@ -13,7 +13,7 @@ use crate::forecast::verdict::Verdict;
 use crate::pipeline::Forecast;
 use crate::spec;
 use crate::spec::{Allowed, FeedFloor, Machine, ObjectShape, Source, Spec};
-use crate::units::{Force, Length, Mass, Most, Pressure};
+use crate::units::{Force, Length, Mass, Most, Pressure, counted};
 use inflatable::mechanics::hinge::ring::RingTable;
 
 /// Masses of objects, kg.
@@ -108,8 +108,7 @@ impl NewGripper {
     fn star_in_words(&self) -> Option<String> {
         let Forecast { spec, .. } = &self.forecast;
         let (star, load) = (spec.stars.first()?, spec.load.as_ref()?);
-        let stars =
-            if spec.stars.len() == 1 { "1 star".to_owned() } else { format!("{} stars", spec.stars.len()) };
+        let stars = counted(spec.stars.len(), "star");
         let [width, height] = self.fabric()?.map(f64::round);
         let at = load.pressure.map_or_else(String::new, |pressure| format!("; {pressure}"));
         let friction = load.friction.map_or_else(String::new, |friction| {
@@ -127,7 +126,7 @@ impl NewGripper {
     /// Width and height of the first star's cut, mm.
     fn fabric(&self) -> Option<[f64; 2]> {
         let bounds = self.forecast.design.assembly()?.distinct.first()?.outline.outside.bounds();
-        Some([bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y])
+        Some([bounds.width(), bounds.height()])
     }
 
     /// The chosen values as JSON.

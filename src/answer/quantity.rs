@@ -29,12 +29,13 @@ pub fn quantity<Q: Quantity>(allowed: Allowed) -> impl Fn(&str) -> Result<Q, Str
             let unit = format!("write the {} as a number and one of {}", Q::KIND, Q::unit_list());
             remedy(text, &unit)
         })?;
-        if allowed.holds(found.base()) {
-            Ok(found)
-        } else {
-            Err(format!("the {} {}", Q::KIND, allowed.in_words(Q::UNITS[0].0)))
-        }
+        within(allowed, found)
     }
+}
+
+fn within<Q: Quantity>(allowed: Allowed, found: Q) -> Result<Q, String> {
+    let wrong = || format!("the {} {}", Q::KIND, allowed.in_words(Q::UNITS[0].0));
+    Some(found).filter(|found| allowed.holds(found.base())).ok_or_else(wrong)
 }
 
 /// Reads a quantity with its unit, "1.2 kg", or a bare number of its base unit, which older commands take; the base unit's number.
@@ -43,8 +44,7 @@ pub fn quantity_or_number<Q: Quantity>(
 ) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
     let quantity = quantity::<Q>(allowed);
     move |text| match text.trim().parse::<f64>() {
-        Ok(number) if allowed.holds(number) => Ok(number),
-        Ok(_) => Err(format!("the {} {}", Q::KIND, allowed.in_words(Q::UNITS[0].0))),
+        Ok(number) => within(allowed, Q::from_base(number)).map(Quantity::base),
         Err(_) => quantity(text).map(Quantity::base),
     }
 }

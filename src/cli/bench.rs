@@ -1,6 +1,5 @@
 //! Bench tests of `calibrate`: measurements of a V-actuator, a disc and a strip, and the stiffnesses that follow from them.
 
-use std::fmt::Write;
 use std::path::PathBuf;
 
 use serde_json::{Value, json};
@@ -136,28 +135,37 @@ impl BenchArgs {
                 DiscBench { flat, inflated, pressure: pressure.pascals() }
                     .stretch_stiffness(known.bending_modulus(), poisson)
             };
-            let named = |fault: BenchFault| Failure::Message(format!("--disc-width: {fault}"));
-            stretch = at(0.0).map_err(named)?;
-            let ends = [at(-OFF_WIDTH), at(OFF_WIDTH)].map(Result::ok);
-            found.stretch = Some(MeasuredStiffness { value: stretch, ends, at: pressure });
+            stretch = at(0.0).map_err(|fault| Failure::Message(format!("--disc-width: {fault}")))?;
+            let shown = |stiffness: f64| LineForce::from_newtons_per_metre(stiffness).0;
+            found.0.push(Measured {
+                key: "stretch_stiffness",
+                unit: "N/mm",
+                value: shown(stretch),
+                ends: [-OFF_WIDTH, OFF_WIDTH].map(|off| at(off).ok().map(shown)),
+                origin: format!("the disc at {pressure}; 0.2 mm"),
+            });
         }
         if let Some(pressure) = self.angle_pressure {
-            let spec = &loaded.reading.spec;
-            let at = |off: f64| match self.vee(spec, pressure, off) {
+            let at = |off: f64| match self.vee(&loaded.reading.spec, pressure, off) {
                 Some(bench) => bench.bending_stiffness(stretch, poisson),
                 None => Err(BenchFault::Beyond),
             };
-            let named = |fault: BenchFault| Failure::Message(format!("--inflated-angle: {fault}"));
-            let value = at(0.0).map_err(named)?;
-            let ends = [at(-OFF_ANGLE), at(OFF_ANGLE)].map(Result::ok);
-            found.bending = Some(MeasuredStiffness { value, ends, at: pressure });
+            let value = at(0.0).map_err(|fault| Failure::Message(format!("--inflated-angle: {fault}")))?;
+            let shown = |stiffness: f64| BendingStiffness::from_newton_metres(stiffness).0;
+            found.0.push(Measured {
+                key: "bending_stiffness",
+                unit: "N mm",
+                value: shown(value),
+                ends: [-OFF_ANGLE, OFF_ANGLE].map(|off| at(off).ok().map(shown)),
+                origin: format!("the V-actuator at {pressure}; a degree"),
+            });
         }
-        found.shear = self.shear(loaded, stretch, poisson)?;
+        found.0.extend(self.shear(loaded, stretch, poisson)?);
         Ok(found)
     }
 
     /// The shear modulus from the bias strip, for fabric of the stretch stiffness `stretch`, N per m.
-    fn shear(&self, loaded: &Loaded, stretch: f64, poisson: f64) -> Result<Option<MeasuredShear>, Failure> {
+    fn shear(&self, loaded: &Loaded, stretch: f64, poisson: f64) -> Result<Option<Measured>, Failure> {
         let Some((path, length)) = self.bias_strip.as_ref().zip(self.bias_length) else { return Ok(None) };
         let test = read_test(&Source::new(path.display().to_string(), read_text(path, TABLE)?))?;
         let named = |fault: BiasFault| Failure::Message(format!("{}: {fault}", shown(path)));
@@ -168,8 +176,13 @@ impl BenchArgs {
             let stiffness = shear_stiffness(bias, LineForce::from_newtons_per_metre(stretch).0, poisson)?;
             Ok(1e-6 * LineForce(stiffness).newtons_per_metre() / thickness)
         };
-        let ends = [1.0 - OFF_BIAS, 1.0 + OFF_BIAS].map(|part| modulus(part * bias).ok());
-        Ok(Some(MeasuredShear { megapascals: modulus(bias).map_err(named)?, ends, bias }))
+        Ok(Some(Measured {
+            key: "shear_modulus",
+            unit: "MPa",
+            value: modulus(bias).map_err(named)?,
+            ends: [1.0 - OFF_BIAS, 1.0 + OFF_BIAS].map(|part| modulus(part * bias).ok()),
+            origin: format!("a strip along the bias that bears {} N/mm; 5 %", digits(bias)),
+        }))
     }
 }
 
@@ -203,27 +216,19 @@ impl Coiling {
     }
 }
 
-/// One stiffness, SI units, and its values at both ends of the measurement's error, where they exist.
-struct MeasuredStiffness {
+/// A measured value of the fabric: its key and unit in a spec, its values at both ends of the measurement's error, where they exist, and
+/// its origin with that error.
+struct Measured {
+    key: &'static str,
+    unit: &'static str,
     value: f64,
     ends: [Option<f64>; 2],
-    at: Pressure,
-}
-
-/// The shear modulus, MPa, its values at both ends of the strip's error, and the strip's stiffness, N/mm.
-struct MeasuredShear {
-    megapascals: f64,
-    ends: [Option<f64>; 2],
-    bias: f64,
+    origin: String,
 }
 
 /// Stiffnesses of a fabric; those without a bench test are absent.
 #[derive(Default)]
-pub(super) struct Stiffnesses {
-    stretch: Option<MeasuredStiffness>,
-    bending: Option<MeasuredStiffness>,
-    shear: Option<MeasuredShear>,
-}
+pub(super) struct Stiffnesses(Vec<Measured>);
 
 impl Stiffnesses {
     /// The whole `[fabric]` section, for an answer without a seal setting; empty without a measurement.
@@ -234,52 +239,22 @@ impl Stiffnesses {
 
     /// Lines of the `[fabric]` section.
     pub(super) fn toml(&self) -> String {
-        let mut out = String::new();
-        let mut line = |found: &Option<MeasuredStiffness>,
-                        key: &str,
-                        source: &str,
-                        off: &str,
-                        text: &dyn Fn(f64) -> String| {
-            let Some(MeasuredStiffness { value, ends, at }) = found else { return };
-            let ends = ends.map(|end| end.map_or("unknown".to_owned(), text));
-            // Writing to a String does not fail.
-            let _ = writeln!(
-                out,
-                "# of the {source} at {at}; {off} less or more would make it {}, {}\n{key} = \"{}\"",
-                ends[0],
-                ends[1],
-                text(*value)
-            );
+        let lines = |Measured { key, unit, value, ends, origin }: &Measured| {
+            let text = |value: f64| format!("{} {unit}", digits(value));
+            let [less, more] = ends.map(|end| end.map_or("unknown".to_owned(), text));
+            let value = text(*value);
+            format!("# of {origin} less or more would make it {less}, {more}\n{key} = \"{value}\"\n")
         };
-        line(&self.stretch, "stretch_stiffness", "disc", "0.2 mm", &|y| {
-            digits(LineForce::from_newtons_per_metre(y).0) + " N/mm"
-        });
-        line(&self.bending, "bending_stiffness", "V-actuator", "a degree", &|b| {
-            digits(BendingStiffness::from_newton_metres(b).0) + " N mm"
-        });
-        if let Some(MeasuredShear { megapascals, ends, bias }) = &self.shear {
-            let ends = ends.map(|end| end.map_or("unknown".to_owned(), |end| digits(end) + " MPa"));
-            let _ = writeln!(
-                out,
-                "# of a strip along the bias that bears {} N/mm; 5 % less or more would make it {}, {}\nshear_modulus = \"{} MPa\"",
-                digits(*bias),
-                ends[0],
-                ends[1],
-                digits(*megapascals)
-            );
-        }
-        out
+        self.0.iter().map(lines).collect()
     }
 
     /// The JSON answer.
     pub(super) fn json(&self) -> Value {
-        let known = |found: &Option<MeasuredStiffness>, unit: fn(f64) -> f64| {
-            found.as_ref().map(|found| unit(found.value))
-        };
+        let known = |key: &str| self.0.iter().find(|found| found.key == key).map(|found| found.value);
         json!({
-            "stretch_stiffness_N_mm": known(&self.stretch, |y| LineForce::from_newtons_per_metre(y).0),
-            "shear_modulus_MPa": self.shear.as_ref().map(|found| found.megapascals),
-            "bending_stiffness_Nmm": known(&self.bending, |b| BendingStiffness::from_newton_metres(b).0),
+            "stretch_stiffness_N_mm": known("stretch_stiffness"),
+            "shear_modulus_MPa": known("shear_modulus"),
+            "bending_stiffness_Nmm": known("bending_stiffness"),
         })
     }
 }

@@ -77,22 +77,20 @@ fn paper(piece: &DrawnPiece) -> String {
 
 /// A star's geometry, and the radii of tips and corners that the iron's band realises.
 fn of_star(spec: &Spec, index: usize, part: &StarDesign) -> String {
-    let mut out = String::new();
-    let _ = writeln!(out, "star {}: arms {:.2} mm long", index, part.star.l);
     let (tip, corner) = (part.realised_tip(), part.realised_corner());
-    let _ = writeln!(
-        out,
-        "  realised radius: tips {:.2} mm (cusp {:.2} mm), corners {:.2} mm (cusp {:.2} mm)",
-        tip.radius, tip.cusp, corner.radius, corner.cusp
-    );
-    let _ = writeln!(
-        out,
-        "  clear radius at the flap {:.2} mm, fabric {:.0} cm2 in both sheets{}",
+    format!(
+        "star {index}: arms {:.2} mm long\n  \
+         realised radius: tips {:.2} mm (cusp {:.2} mm), corners {:.2} mm (cusp {:.2} mm)\n  \
+         clear radius at the flap {:.2} mm, fabric {:.0} cm2 in both sheets{}\n",
+        part.star.l,
+        tip.radius,
+        tip.cusp,
+        corner.radius,
+        corner.cusp,
         part.clear_radius(),
         part.fabric() / 100.0,
         part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g")),
-    );
-    out
+    )
 }
 
 /// Masks, coating and frame.
@@ -178,10 +176,9 @@ fn printed(spec: &Spec, part: &StarDesign) -> String {
 pub(super) fn built(proven: &Proven) -> String {
     let built = proven.built();
     let Forecast { machine, .. } = &built.forecast;
-    let mut out = format!("\n{}", design(&built.forecast));
-    let _ = writeln!(out, "machine: {} ({})", machine.name, machine.description);
-    out.push_str(&predicted(&built.forecast));
-    let _ = writeln!(out, "files:");
+    let (design, predicted) = (design(&built.forecast), predicted(&built.forecast));
+    let mut out =
+        format!("\n{design}machine: {} ({})\n{predicted}files:\n", machine.name, machine.description);
     for (name, bytes) in built.files() {
         let output = built.artifacts.iter().find(|artifact| artifact.name == name).map(|file| &file.output);
         let pages = output.and_then(|output| pages(output, &built.forecast.design)).unwrap_or_default();
@@ -200,15 +197,15 @@ fn pages(output: &Output, design: &Design) -> Option<String> {
 
 /// The prediction, for a spec with a load.
 fn predicted(forecast: &Forecast) -> String {
-    if let Some(drawn) = &forecast.drawn {
+    let text = if let Some(drawn) = &forecast.drawn {
         let mut prediction = drawn.prediction.clone();
         prediction.evidence.warnings.clear();
-        let text = drawn_text(&forecast.spec, &prediction);
-        return format!("predicted:\n{}", text.split_once('\n').map_or("", |(_, body)| body));
-    }
-    let Some(mut prediction) = forecast.prediction.clone() else { return String::new() };
-    prediction.stars.iter_mut().for_each(|star| star.evidence.warnings.clear());
-    let text = report::text(&forecast.spec, &prediction);
+        drawn_text(&forecast.spec, &prediction)
+    } else {
+        let Some(mut prediction) = forecast.prediction.clone() else { return String::new() };
+        prediction.stars.iter_mut().for_each(|star| star.evidence.warnings.clear());
+        report::text(&forecast.spec, &prediction)
+    };
     // The heading already contains the name.
     let body = text.split_once('\n').map_or("", |(_, body)| body);
     format!("predicted:\n{}", body.trim_start_matches('\n'))

@@ -27,14 +27,14 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let line =
             |row: &CodeMeaning| wrapped(&format!("{:24} {}", row.code, row.meaning), 25, width(&stdout()));
         let lines: Vec<String> = rows.iter().map(line).collect();
-        let all = json!({ "codes": rows.iter().map(CodeMeaning::json).collect::<Vec<_>>() });
+        let all = json!({ "codes": rows });
         return args.verbosity.report(&(lines.join("\n") + "\n"), &all);
     };
     let word = word_of(code);
     if let Some(row) = rows.iter().find(|row| row.code == word) {
         let CodeMeaning { about, code, meaning, example } = row;
         let example = if example.is_empty() { String::new() } else { format!("Example: {example}\n") };
-        return args.verbosity.report(&format!("{code} ({about})\n{meaning}\n{example}"), &row.json());
+        return args.verbosity.report(&format!("{code} ({about})\n{meaning}\n{example}"), &json!(row));
     }
     let codes = || rows.iter().map(|row| row.code);
     let near = spec::nearest(&word.replace('-', "_"), codes());

@@ -5,7 +5,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use crate::cli::escape::shown;
-use crate::cli::findings;
+use crate::cli::words::beyond;
 use crate::spec;
 use crate::units::counted;
 use crate::verify::Finding;
@@ -15,21 +15,21 @@ const SHOWN: usize = 3;
 
 /// One line a finding. Of findings with the same file and code only the first few are listed, and the others counted.
 pub(super) fn lines(findings: &[Finding]) -> Vec<String> {
-    let mut alike: BTreeMap<(&str, &str), usize> = BTreeMap::new();
-    for finding in findings {
-        *alike.entry((&finding.file, finding.code)).or_default() += 1;
-    }
     let mut seen: BTreeMap<(&str, &str), usize> = BTreeMap::new();
     let mut lines = Vec::new();
     for finding in findings {
-        let kind = (finding.file.as_str(), finding.code);
-        let (count, all) = (seen.entry(kind).or_default(), alike.get(&kind).copied().unwrap_or(0));
+        let count = seen.entry((&finding.file, finding.code)).or_default();
         *count += 1;
         if *count <= SHOWN {
             lines.push(shown(finding.to_string()));
         }
-        if *count == SHOWN && all > SHOWN {
-            lines.push(format!("{}: {}: and {} more", shown(&finding.file), finding.code, all - SHOWN));
+        if *count == SHOWN {
+            let all = findings
+                .iter()
+                .filter(|other| (&other.file, other.code) == (&finding.file, finding.code))
+                .count();
+            let more = |more| format!("{}: {}: and {more} more", shown(&finding.file), finding.code);
+            lines.extend(beyond(all, SHOWN).map(more));
         }
     }
     lines
@@ -69,7 +69,7 @@ impl Unproven {
 
     /// The findings, and the remedy.
     pub(super) fn text(&self) -> String {
-        let lines = findings::lines(&self.findings).join("\n");
+        let lines = lines(&self.findings).join("\n");
         let (spec, profile, version) = (shown(&self.spec), shown(&self.profile), env!("CARGO_PKG_VERSION"));
         let send =
             format!("Send {spec}, the machine profile {profile}, the version {version} and these lines.");

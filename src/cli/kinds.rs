@@ -14,10 +14,10 @@ use crate::pipeline::{Built, Forecast};
 #[derive(clap::Args, Clone, Debug)]
 pub(super) struct Kinds {
     /// Make only these kinds; the spec, the machine profile and the manifest are always written.
-    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = kind_parser(Kind::ALL))]
+    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = kind_parser(|_| true))]
     only: Vec<Kind>,
     /// Make these kinds too, which are not made by default.
-    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = extra_parser())]
+    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = kind_parser(Kind::is_extra))]
     with: Vec<Kind>,
 }
 
@@ -69,12 +69,8 @@ fn left_out(large: &[Output]) -> String {
     by_reason.into_iter().map(line).collect::<Vec<_>>().join("\n")
 }
 
-fn extra_parser() -> impl TypedValueParser<Value = Kind> {
-    let extras: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| kind.is_extra()).collect();
-    kind_parser(&extras)
-}
-
-fn kind_parser(kinds: &[Kind]) -> impl TypedValueParser<Value = Kind> + use<> {
-    PossibleValuesParser::new(kinds.iter().map(|kind| kind.name()))
-        .try_map(|name| Kind::from_name(&name).ok_or("no such kind"))
+/// The parser of the kinds that are `allowed`.
+fn kind_parser(allowed: fn(Kind) -> bool) -> impl TypedValueParser<Value = Kind> {
+    let names = Kind::ALL.iter().filter(|kind| allowed(**kind)).map(|kind| kind.name());
+    PossibleValuesParser::new(names).try_map(|name| Kind::from_name(&name).ok_or("no such kind"))
 }

@@ -40,12 +40,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         return by_drawing(args, drawing);
     }
     let (name, path) = named(args.name.as_deref().unwrap_or("star"))?;
-    let starter = || spec::starter(name).map_err(|fault| Failure::Message(fault.to_string()));
     let found = progress::during(args.verbosity, "searching for a gripper", |_| chosen(name, &args.object))?;
     let text = match &found {
         // The search has applied the user's defaults already.
         Some(made) => format!("#:schema ./{}\n{}", spec::SCHEMA_FILE, made.text),
-        None => with_defaults(starter()?)?,
+        None => with_defaults(spec::starter(name).map_err(Failure::message)?)?,
     };
     write_new(&path, &text)?;
     let schema = schema::write_beside(&path)?;
@@ -105,7 +104,7 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let LayerProposal { layers, size: [width, height], unit, no_unit, hidden } =
         propose_layers(&file, &bytes, args.units).map_err(refused)?;
     let text = spec::drawing_starter(name, &file, &layers, unit);
-    let text = with_defaults(text.map_err(|fault| Failure::Message(fault.to_string()))?)?;
+    let text = with_defaults(text.map_err(Failure::message)?)?;
     write_new(&path, &text)?;
     let schema = schema::write_beside(&path)?;
     let rows: Vec<Value> = layers

@@ -1,6 +1,5 @@
 //! `stargrip-cam new NAME --object Q --mass Q`: the spec of a gripper that holds an object.
 
-use std::fmt::Write;
 use std::path::Path;
 
 use crate::answer::object;
@@ -14,7 +13,7 @@ use crate::cli::words::words;
 use crate::forecast::sizing::{NearestRequirements, Requirements};
 use crate::spec;
 use crate::spec::{Machine, ObjectShape, Spec};
-use crate::units::{Force, Length, Mass, Pressure};
+use crate::units::{Force, Length, Mass, Pressure, counted};
 
 pub(super) use crate::answer::object::NewGripper;
 
@@ -68,7 +67,9 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>
         NoGripper::Fault(text) => Failure::Message(text),
         NoGripper::Infeasible(reasons, nearest) => {
             let requirements = request.requirements(&base, &machine);
-            missed(&reasons, nearest.and_then(|nearest| in_words(name, args, &requirements, &nearest)))
+            let nearest = nearest.and_then(|nearest| in_words(name, args, &requirements, &nearest));
+            let reasons: String = reasons.iter().map(|reason| format!("\n  {reason}")).collect();
+            Failure::Infeasible(format!("no gripper was found that does all of this:{reasons}"), nearest)
         }
     })
 }
@@ -81,49 +82,39 @@ fn in_words(
     nearest: &NearestRequirements,
 ) -> Option<String> {
     let (had, best) = (&nearest.requirements, &nearest.choices.first()?.best.point);
-    let stars = if best.stars == 1 { "1 star".to_owned() } else { format!("{} stars", best.stars) };
     let at = best.load.pressure.map_or(String::new(), |pressure| format!(" at {pressure}"));
-    let mut words = vec![format!("stargrip-cam new {}", argument(name))];
-    let mut word = |option: &str, value: String| words.push(format!("--{option} {}", argument(value)));
-    word("object", Length(2.0 * had.object.0).to_string());
-    if let Some(height) = had.height {
-        word("height", height.to_string());
-    }
-    if let Some(shape) = had.shape {
-        word("shape", shape.word().to_owned());
-    }
-    word("mass", had.mass.to_string());
     let friction = (!had.friction_assumed).then_some(had.friction);
-    for (option, value) in [
-        ("pressure", had.pressure.map(|pressure| pressure.to_string())),
-        ("friction", friction.map(|friction| friction.to_string())),
-        ("fragile", had.largest_force.map(|force| force.to_string())),
-        ("fabric", args.fabric.clone()),
-        ("machine", args.machine.clone()),
-    ] {
-        if let Some(value) = value {
-            word(option, value);
-        }
-    }
     let sheet = if had.room.sheet == requirements.room.sheet {
         args.sheet
     } else {
         had.room.sheet.map(|side| [side; 2])
     };
-    if let Some([width, height]) = sheet {
-        word("sheet", format!("{}x{}", width.0, height.0));
-    }
+    let options = [
+        ("object", Some(Length(2.0 * had.object.0).to_string())),
+        ("height", had.height.map(|height| height.to_string())),
+        ("shape", had.shape.map(|shape| shape.word().to_owned())),
+        ("mass", Some(had.mass.to_string())),
+        ("pressure", had.pressure.map(|pressure| pressure.to_string())),
+        ("friction", friction.map(|friction| friction.to_string())),
+        ("fragile", had.largest_force.map(|force| force.to_string())),
+        ("fabric", args.fabric.clone()),
+        ("machine", args.machine.clone()),
+        ("sheet", sheet.map(|[width, height]| format!("{}x{}", width.0, height.0))),
+    ];
+    let word = |(option, value): (&str, Option<String>)| Some(format!(" --{option} {}", argument(value?)));
     Some(format!(
-        "{stars} of {} points, {} wide{at}:\n  {}",
+        "{} of {} points, {} wide{at}:\n  stargrip-cam new {}{}",
+        counted(best.stars as usize, "star"),
         best.star.points,
         best.star.tube_width,
-        words.join(" ")
+        argument(name),
+        options.into_iter().filter_map(word).collect::<String>()
     ))
 }
 
 /// The base of the search: fabric, machine, sheet and radii of curvature.
 fn base(args: &ObjectArgs) -> Result<Spec, Failure> {
-    let text = spec::starter("base").map_err(|fault| Failure::Message(fault.to_string()))?;
+    let text = spec::starter("base").map_err(Failure::message)?;
     let mut base = object::base(defaults::written_into(text)?, args.machine.as_deref(), args.sheet)?;
     if let Some(fabric) = args.fabric.as_deref().filter(|fabric| *fabric != "paper") {
         base.fabric = spec::read(&read_source(Path::new(fabric))?)?.spec.fabric;
@@ -134,7 +125,7 @@ fn base(args: &ObjectArgs) -> Result<Spec, Failure> {
 /// The machine of a built-in profile, or of a file.
 pub(super) fn machine(profile: &str) -> Result<Machine, Failure> {
     if spec::builtin_machine(profile).is_some() {
-        return Machine::builtin(profile).map_err(|fault| Failure::Message(fault.to_string()));
+        return Machine::builtin(profile).map_err(Failure::message);
     }
     let path = Path::new(profile);
     if path.is_file() {
@@ -145,13 +136,4 @@ pub(super) fn machine(profile: &str) -> Result<Machine, Failure> {
         |(controller, name)| format!("it usually has {controller}: --machine {name}"),
     );
     Err(Failure::Message(format!("{profile:?} is not a machine profile, and not a file; {remedy}")))
-}
-
-fn missed(reasons: &[String], nearest: Option<String>) -> Failure {
-    let mut text = String::from("no gripper was found that does all of this:");
-    for reason in reasons {
-        // Writing to a String does not fail.
-        let _ = write!(text, "\n  {reason}");
-    }
-    Failure::Infeasible(text, nearest)
 }

@@ -69,16 +69,10 @@ fn length(text: &str) -> Result<f64, String> {
 /// Writes the program for the rest of the job.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let text = read_text(&args.job, PROGRAM)?;
-    let place = match (args.line, args.at, args.near) {
-        (Some(line), _, _) => ResumeAt::Line(line),
-        (_, Some(share), _) => ResumeAt::Share(share),
-        (_, _, Some(point)) => ResumeAt::Near(point),
-        _ => {
-            return Err(Failure::Message(
-                "give the place where it stopped: --line, --at or --near".to_owned(),
-            ));
-        }
-    };
+    let share = || args.at.map(ResumeAt::Share);
+    let place = args.line.map(ResumeAt::Line).or_else(share).or(args.near.map(ResumeAt::Near));
+    let place =
+        place.ok_or_else(|| Failure::message("give the place where it stopped: --line, --at or --near"))?;
     let resumed = resume(&text, place, args.overlap).map_err(|fault| {
         let beside = sealing(&args.job).filter(|_| fault == ResumeFault::Trace);
         let beside = beside.map_or_else(String::new, |path| format!(", {}", shown(path)));

@@ -57,7 +57,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let clock = || start.elapsed().as_secs_f64();
     let measure = |_: &Progress| Ok((trade::measure(&base, &clock)?, against_shells(&clock)?));
     let (rows, shells) = progress::during(args.verbosity, "measuring every model", measure)
-        .map_err(|fault: StarFault| Failure::Message(fault.to_string()))?;
+        .map_err(|fault: StarFault| Failure::message(fault))?;
     for (path, text) in [
         (&args.csv, trade::csv(&rows)),
         (&args.svg, picture::against_ring(&rows)),

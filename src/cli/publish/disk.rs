@@ -18,34 +18,29 @@ fn step(_: DiskStep, _: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// The kind of the next operation.
+/// The kind of the next operation, as far as systems differ in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum DiskStep {
-    Create,
-    Write,
     Rename,
     Exchange,
-    Remove,
-    Permit,
-    List,
-    Sync,
+    Other,
 }
 
 pub(super) fn create_dir(path: &Path) -> io::Result<()> {
-    step(DiskStep::Create, path)?;
+    step(DiskStep::Other, path)?;
     fs::create_dir(path)
 }
 
 /// Writes a new file and syncs it, so that a power cut leaves no empty file under this name.
 pub(super) fn write_new(path: &Path, bytes: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
-    step(DiskStep::Write, path)?;
+    step(DiskStep::Other, path)?;
     let mut file = File::create_new(path)?;
     if let Some(permissions) = permissions {
         file.set_permissions(permissions)?;
     }
     let (first, rest) = bytes.split_at(bytes.len() / 2);
     file.write_all(first)?;
-    step(DiskStep::Write, path)?; // a full disk leaves half of a file
+    step(DiskStep::Other, path)?; // a full disk leaves half of a file
     file.write_all(rest)?;
     file.sync_all()
 }
@@ -56,19 +51,19 @@ pub(super) fn rename(from: &Path, to: &Path) -> io::Result<()> {
 }
 
 pub(super) fn remove_file(path: &Path) -> io::Result<()> {
-    step(DiskStep::Remove, path)?;
+    step(DiskStep::Other, path)?;
     fs::remove_file(path)
 }
 
 /// Removes an empty directory; one that is not empty stays as it is.
 pub(super) fn remove_dir(path: &Path) -> io::Result<()> {
-    step(DiskStep::Remove, path)?;
+    step(DiskStep::Other, path)?;
     fs::remove_dir(path)
 }
 
 /// Removes a directory of partly written files, if it exists.
 pub(super) fn remove_tree(path: &Path) -> io::Result<()> {
-    step(DiskStep::Remove, path)?;
+    step(DiskStep::Other, path)?;
     #[cfg(unix)]
     if fs::metadata(path).is_ok_and(|found| found.permissions().readonly()) {
         use std::os::unix::fs::PermissionsExt;
@@ -81,13 +76,13 @@ pub(super) fn remove_tree(path: &Path) -> io::Result<()> {
 }
 
 pub(super) fn set_permissions(path: &Path, permissions: Permissions) -> io::Result<()> {
-    step(DiskStep::Permit, path)?;
+    step(DiskStep::Other, path)?;
     fs::set_permissions(path, permissions)
 }
 
 /// The entries of a directory, sorted.
 pub(super) fn entries(directory: &Path) -> io::Result<Vec<PathBuf>> {
-    step(DiskStep::List, directory)?;
+    step(DiskStep::Other, directory)?;
     let paths = fs::read_dir(directory)?.map(|entry| Ok(entry?.path()));
     let mut paths = paths.collect::<io::Result<Vec<_>>>()?;
     paths.sort();
@@ -96,7 +91,7 @@ pub(super) fn entries(directory: &Path) -> io::Result<Vec<PathBuf>> {
 
 /// Syncs the names in a directory, so that they survive a power cut, where the system can.
 pub(super) fn sync_dir(path: &Path) -> io::Result<()> {
-    step(DiskStep::Sync, path)?;
+    step(DiskStep::Other, path)?;
     if !cfg!(unix) {
         return Ok(()); // elsewhere a directory cannot be opened as a file
     }

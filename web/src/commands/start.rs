@@ -1,7 +1,7 @@
 //! The initial data of a page: `start`; and the meaning of a code: `explain`.
 
 use serde_json::{Value, json};
-use stargrip_cam::answer::codes::{CodeMeaning, meanings, word_of};
+use stargrip_cam::answer::codes::{meanings, word_of};
 use stargrip_cam::artifact::Kind;
 use stargrip_cam::spec;
 use stargrip_cam::spec::Machine;
@@ -28,5 +28,5 @@ pub(super) fn start() -> Value {
 /// The meaning of a code, with its remedy; null if there is no such code.
 pub(super) fn explain(question: &Value) -> Value {
     let word = word_of(text(question, "code").unwrap_or_default());
-    meanings().iter().find(|meaning| meaning.code == word).map_or(Value::Null, CodeMeaning::json)
+    meanings().iter().find(|meaning| meaning.code == word).map_or(Value::Null, |row| json!(row))
 }
