@@ -3,7 +3,7 @@
 use crate::spec::KeepOut;
 use crate::verify::judge::{Judge, judged};
 use crate::verify::read::gcode;
-use crate::verify::read::gcode::{BlindMove, Event};
+use crate::verify::read::gcode::{BlindMove, Move};
 use crate::verify::{Finding, FindingCode, Findings};
 use inflatable::geom::{Bounds, Line, Point, Segment, segment_distance};
 
@@ -17,7 +17,9 @@ pub fn judge_clamps<'a>(
     lines: impl IntoIterator<Item = &'a str>,
     dialect: gcode::Dialect,
 ) -> Vec<Finding> {
-    judged(lines, dialect, &mut [&mut Clamps::new(clamps, reach)]).into_vec()
+    let mut findings = Findings::default();
+    let _ = judged(lines, dialect, vec![Box::new(Clamps::new(clamps, reach))], &mut findings);
+    findings.into_vec()
 }
 
 /// Reports every move that comes nearer to a clamp than `reach`, below its height. The first one begins where programs end,
@@ -92,26 +94,32 @@ impl<'a> ClampZone<'a> {
     }
 }
 
+impl Clamps<'_> {
+    /// A move along `path`, at height `z` at the least.
+    fn pass(&self, path: &Segment, z: f64, line: usize, findings: &mut Findings) {
+        let near = path.bounds().grown(self.reach + ROUNDING);
+        let groups = self.groups.iter().filter(|group| group.around.overlaps(&near));
+        let zones = groups.flat_map(|group| &group.zones).filter(|zone| zone.bounds().overlaps(&near));
+        for zone in zones.filter(|zone| zone.is_met(path, z, self.reach)) {
+            let found = format!("a move at Z{z} through the clamp {:?}", zone.clamp.name);
+            let allowed = format!("{} mm off every clamp", self.reach);
+            findings.add_at(FindingCode::ClampInTheWay, line, found, allowed);
+        }
+    }
+}
+
 impl Judge for Clamps<'_> {
-    fn see(&mut self, line: &gcode::Line<'_>, findings: &mut Findings) {
-        for event in line.events {
-            let (path, z, line) = match event {
-                Event::Move(step) => (step.path, step.from.z.min(step.to.z), step.line),
-                Event::Blind(BlindMove { line, to: [Some(x), Some(y), Some(z)], .. }) => {
-                    let to = Point::new(*x, *y);
-                    ((to != Point::ORIGIN).then(|| Line::new(Point::ORIGIN, to).into()), *z, *line)
-                }
-                _ => continue,
-            };
-            let Some(path) = path else { continue };
-            let near = path.bounds().grown(self.reach + ROUNDING);
-            let groups = self.groups.iter().filter(|group| group.around.overlaps(&near));
-            let zones = groups.flat_map(|group| &group.zones).filter(|zone| zone.bounds().overlaps(&near));
-            for zone in zones.filter(|zone| zone.is_met(&path, z, self.reach)) {
-                let found = format!("a move at Z{z} through the clamp {:?}", zone.clamp.name);
-                let allowed = format!("{} mm off every clamp", self.reach);
-                findings.add_at(FindingCode::ClampInTheWay, line, found, allowed);
-            }
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        if let Some(path) = &step.path {
+            self.pass(path, step.from.z.min(step.to.z), step.line, findings);
+        }
+    }
+
+    fn blind(&mut self, step: &BlindMove, findings: &mut Findings) {
+        if let [Some(x), Some(y), Some(z)] = step.to
+            && (x, y) != (0.0, 0.0)
+        {
+            self.pass(&Line::new(Point::ORIGIN, Point::new(x, y)).into(), z, step.line, findings);
         }
     }
 }
@@ -124,8 +132,7 @@ mod tests {
 
     fn found(text: &str, zones: &[KeepOut], reach: f64) -> Vec<Finding> {
         let (mut judge, mut findings) = (Clamps::new(zones, reach), Findings::default());
-        let _ =
-            each_line(text.split_inclusive('\n'), Dialect::GENERIC, |line| judge.see(line, &mut findings));
+        each_line(text.split_inclusive('\n'), Dialect::GENERIC, |line| judge.see(line, &mut findings));
         findings.into_vec()
     }
 

@@ -6,7 +6,7 @@ use crate::verify::finding::quote;
 use crate::verify::judge::Judge;
 use crate::verify::judge::expected_comments::{KEYS, OPERATOR, expected_comments};
 use crate::verify::judge::task::ProgramTask;
-use crate::verify::read::gcode::{Comment, Event, Line};
+use crate::verify::read::gcode::{Comment, Dwell};
 use crate::verify::{FindingCode, Findings};
 
 /// Lengths are written to a thousandth, mm.
@@ -34,6 +34,7 @@ impl<'a> CommentJudge<'a> {
         Self { task, found: Vec::new(), most, chopped: false }
     }
 
+    /// Compares all comments with those of the design.
     fn compare(&self, findings: &mut Findings) {
         let mut wanted = expected_comments(self.task, self.chopped).into_iter();
         let mut found = self.found.iter().peekable();
@@ -59,23 +60,20 @@ impl<'a> CommentJudge<'a> {
 }
 
 impl Judge for CommentJudge<'_> {
-    fn see(&mut self, line: &Line<'_>, _: &mut Findings) {
-        for event in line.events {
-            match event {
-                Event::Dwell(_) => self.chopped = true,
-                Event::Comment(comment) if self.found.len() < self.most => {
-                    let is_fact = comment.key().is_some_and(|key| KEYS.contains(&key));
-                    if is_fact || comment.text.starts_with(OPERATOR) {
-                        self.found.push(comment.clone());
-                    }
-                }
-                _ => {}
-            }
+    fn dwell(&mut self, _: &Dwell, _: &mut Findings) {
+        self.chopped = true;
+    }
+
+    fn comment(&mut self, comment: &Comment, _: &mut Findings) {
+        let is_fact = comment.key().is_some_and(|key| KEYS.contains(&key));
+        if self.found.len() < self.most && (is_fact || comment.text.starts_with(OPERATOR)) {
+            self.found.push(comment.clone());
         }
     }
 
-    fn end(&mut self, findings: &mut Findings) {
+    fn end(&mut self, findings: &mut Findings) -> f64 {
         self.compare(findings);
+        0.0
     }
 }
 

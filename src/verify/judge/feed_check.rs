@@ -6,11 +6,11 @@ use crate::verify::judge::clamp::Clamps;
 use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::script::{Body, ScriptJudge};
-use crate::verify::judge::seams::Seams;
+use crate::verify::judge::seams::Traced;
 use crate::verify::judge::stroke::stroke_seconds;
 use crate::verify::judge::task::ProgramTask;
 use crate::verify::judge::{Judge, judged};
-use crate::verify::read::gcode::{Dialect, Event, Line, Move, MoveKind};
+use crate::verify::read::gcode::{Dialect, Dwell, Move, MoveKind, Pause};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::{Bounds, Isometry, Path, Point};
 
@@ -49,17 +49,16 @@ impl FeedCheckTask<'_> {
             frame: lines.first().cloned().unwrap_or_default(),
             area,
         };
-        let mut path = Seams::new(&task, &rules, tolerance).traced();
-        let mut script = ScriptJudge::with_pauses(machine, 2 * lines.len());
-        let (mut body, mut height) = (Body::new(None), HeightJudge::new(&machine.process.heights, area));
-        let mut timed =
-            Timed::new(&rules, area, lines.iter().map(|line| line.length() / spec.seal.speed.0).collect());
-        let mut clamps = Clamps::new(&machine.bench.keep_out, 0.0);
-        let judges: &mut [&mut dyn Judge] =
-            &mut [&mut script, &mut body, &mut height, &mut timed, &mut clamps, &mut path];
-        let dialect = Dialect::for_controller(&machine.controller);
-        findings.absorb(judged(text.split_inclusive('\n'), dialect, judges));
-        path.deviation
+        let times = lines.iter().map(|line| line.length() / spec.seal.speed.0).collect();
+        let judges: Vec<Box<dyn Judge + '_>> = vec![
+            Box::new(ScriptJudge::with_pauses(machine, 2 * lines.len())),
+            Box::new(Body::new(None)),
+            Box::new(HeightJudge::new(&machine.process.heights, area)),
+            Box::new(Timed::new(&rules, area, times)),
+            Box::new(Clamps::new(&machine.bench.keep_out, 0.0)),
+            Box::new(Traced::new(&task)),
+        ];
+        judged(text.split_inclusive('\n'), Dialect::for_controller(&machine.controller), judges, findings)
     }
 }
 
@@ -81,34 +80,6 @@ impl<'a> Timed<'a> {
         Self { rules, area, wanted, drawn: 0, seconds: 0.0, waited: false, moving: false }
     }
 
-    fn step(&mut self, step: &Move, findings: &mut Findings) {
-        if self.rules.phase(step) != Phase::Clear {
-            let found = format!("Z{}", step.to.z);
-            findings.add_at(FindingCode::LowTrace, step.line, found, "travel height or above");
-        }
-        if !(self.area.contains(step.from.xy()) && self.area.contains(step.to.xy())) {
-            let found = format!("a move to ({:.3}, {:.3})", step.to.x, step.to.y);
-            findings.add_at(FindingCode::OutsideWorkArea, step.line, found, "the lines of the check");
-        }
-        if step.kind == MoveKind::Rapid {
-            self.end_of_line(step.line, false, findings);
-            return;
-        }
-        if !std::mem::replace(&mut self.moving, true) && !self.waited {
-            let (found, allowed) = ("a line without a pause before it", "a pause before and after each line");
-            findings.add_at(FindingCode::ProfileLine, step.line, found, allowed);
-        }
-        let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
-        let chopped = self.rules.chops && self.rules.motion.acceleration.is_some();
-        self.seconds += match step.feed {
-            Some(feed) if chopped && feed > 60.0 * self.rules.seal.speed.0 * (1.0 + TIME) => {
-                stroke_seconds(self.rules.motion, from, to, feed / 60.0)
-            }
-            Some(feed) => 60.0 * step.length() / feed,
-            None => 0.0,
-        };
-    }
-
     /// The end of a line, which a pause should be.
     fn end_of_line(&mut self, line: usize, paused: bool, findings: &mut Findings) {
         if !std::mem::take(&mut self.moving) {
@@ -125,27 +96,51 @@ impl<'a> Timed<'a> {
 }
 
 impl Judge for Timed<'_> {
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
-        for event in line.events {
-            match event {
-                Event::Move(step) => {
-                    self.step(step, findings);
-                    self.waited = false;
-                }
-                Event::Dwell(dwell) if self.moving => self.seconds += dwell.seconds,
-                Event::Pause(pause) => {
-                    self.end_of_line(pause.line, true, findings);
-                    (self.waited, self.seconds) = (true, 0.0);
-                }
-                _ => {}
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        let waited = std::mem::take(&mut self.waited);
+        if self.rules.phase(step) != Phase::Clear {
+            let found = format!("Z{}", step.to.z);
+            findings.add_at(FindingCode::LowTrace, step.line, found, "travel height or above");
+        }
+        if !(self.area.contains(step.from.xy()) && self.area.contains(step.to.xy())) {
+            let found = format!("a move to ({:.3}, {:.3})", step.to.x, step.to.y);
+            findings.add_at(FindingCode::OutsideWorkArea, step.line, found, "the lines of the check");
+        }
+        if step.kind == MoveKind::Rapid {
+            self.end_of_line(step.line, false, findings);
+            return;
+        }
+        if !std::mem::replace(&mut self.moving, true) && !waited {
+            let (found, allowed) = ("a line without a pause before it", "a pause before and after each line");
+            findings.add_at(FindingCode::ProfileLine, step.line, found, allowed);
+        }
+        let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
+        let chopped = self.rules.chops && self.rules.motion.acceleration.is_some();
+        self.seconds += match step.feed {
+            Some(feed) if chopped && feed > 60.0 * self.rules.seal.speed.0 * (1.0 + TIME) => {
+                stroke_seconds(self.rules.motion, from, to, feed / 60.0)
             }
+            Some(feed) => 60.0 * step.length() / feed,
+            None => 0.0,
+        };
+    }
+
+    fn dwell(&mut self, dwell: &Dwell, _: &mut Findings) {
+        if self.moving {
+            self.seconds += dwell.seconds;
         }
     }
 
-    fn end(&mut self, findings: &mut Findings) {
+    fn pause(&mut self, pause: &Pause, findings: &mut Findings) {
+        self.end_of_line(pause.line, true, findings);
+        (self.waited, self.seconds) = (true, 0.0);
+    }
+
+    fn end(&mut self, findings: &mut Findings) -> f64 {
         if self.drawn != self.wanted.len() {
             let (found, allowed) = (format!("{} lines", self.drawn), format!("{} lines", self.wanted.len()));
             findings.add(FindingCode::MissingSeam, found, allowed);
         }
+        0.0
     }
 }

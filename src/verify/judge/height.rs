@@ -2,7 +2,7 @@
 
 use crate::spec::Heights;
 use crate::verify::judge::{HEIGHT, Judge};
-use crate::verify::read::gcode::{BlindMove, Event, Line, Move, MoveKind};
+use crate::verify::read::gcode::{BlindMove, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::Bounds;
 
@@ -19,7 +19,9 @@ impl<'a> HeightJudge<'a> {
     pub(in crate::verify) fn new(heights: &'a Heights, area: Bounds) -> Self {
         Self { heights, area, is_first: true }
     }
+}
 
+impl Judge for HeightJudge<'_> {
     fn blind(&mut self, step: &BlindMove, findings: &mut Findings) {
         let (travel, park) = (self.heights.travel.0, self.heights.park.0);
         let Bounds { min, max } = self.area;
@@ -38,23 +40,11 @@ impl<'a> HeightJudge<'a> {
         self.is_first = false;
     }
 
-    fn known(&self, step: &Move, findings: &mut Findings) {
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
         let park = self.heights.park.0;
         if step.to.z > park + HEIGHT {
             let allowed = format!("at most Z{park}, the park height");
             findings.add_at(FindingCode::OutsideWorkArea, step.line, format!("Z{}", step.to.z), allowed);
-        }
-    }
-}
-
-impl Judge for HeightJudge<'_> {
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
-        for event in line.events {
-            match event {
-                Event::Blind(step) => self.blind(step, findings),
-                Event::Move(step) => self.known(step, findings),
-                _ => {}
-            }
         }
     }
 }

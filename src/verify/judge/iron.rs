@@ -1,11 +1,12 @@
 //! The iron below travel height: hot, in motion, along the fabric and never deeper than contact.
 
+use crate::units::Speed;
 use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::pace::Paced;
 use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::script::Body;
 use crate::verify::judge::{HEIGHT, Judge, judged};
-use crate::verify::read::gcode::{Dialect, Dwell, Event, Line, Move, MoveKind};
+use crate::verify::read::gcode::{BlindMove, Dialect, Dwell, Move, MoveKind, Pause};
 use crate::verify::{Finding, FindingCode, Findings};
 use inflatable::geom::Bounds;
 
@@ -18,32 +19,35 @@ pub fn judge_iron<'a>(
     lines: impl IntoIterator<Item = &'a str>,
     dialect: Dialect,
 ) -> Vec<Finding> {
-    let mut body = Body::new(Some(rules.seal.temperature).filter(|_| hotend));
-    let mut height = HeightJudge::new(&rules.process.heights, *area);
-    let [mut travel, mut contact, mut pace, mut rest] = iron(rules);
-    let judges: &mut [&mut dyn Judge] =
-        &mut [&mut body, &mut height, &mut *travel, &mut *contact, &mut *pace, &mut *rest];
-    judged(lines, dialect, judges).into_vec()
+    let mut judges: Vec<Box<dyn Judge + '_>> = vec![
+        Box::new(Body::new(hotend.then_some(rules.seal.temperature))),
+        Box::new(HeightJudge::new(&rules.process.heights, *area)),
+    ];
+    judges.extend(iron(rules));
+    let mut findings = Findings::default();
+    let _ = judged(lines, dialect, judges, &mut findings);
+    findings.into_vec()
 }
 
 /// The judges of a sealing program's iron.
-pub(in crate::verify) fn iron<'a>(rules: &'a IronRules<'a>) -> [Box<dyn Judge + 'a>; 4] {
+pub(super) fn iron<'a>(rules: &'a IronRules<'a>) -> [Box<dyn Judge + 'a>; 4] {
     [
-        Box::new(TravelFeed::new(rules.process.travel_speed.0)),
-        Box::new(IronJudge { rules }),
+        Box::new(TravelFeed(rules.process.travel_speed)),
+        Box::new(IronJudge(rules)),
         Box::new(Paced::new(rules)),
         Box::new(IronRest { rules, here: None, waited: 0.0 }),
     ]
 }
 
 /// Below travel height the iron is hot, feeds at seal speed, and moves along the fabric.
-struct IronJudge<'a> {
-    rules: &'a IronRules<'a>,
-}
+struct IronJudge<'a>(&'a IronRules<'a>);
 
-impl IronJudge<'_> {
-    fn step(&self, step: &Move, findings: &mut Findings) {
-        let (seal, contact) = (self.rules.seal, self.rules.process.heights.contact.0);
+impl Judge for IronJudge<'_> {
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        if self.0.phase(step) == Phase::Clear {
+            return;
+        }
+        let (seal, contact) = (self.0.seal, self.0.process.heights.contact.0);
         let mut blame = |code: FindingCode, found: String, allowed: String| {
             findings.add_at(code, step.line, found, allowed);
         };
@@ -69,18 +73,6 @@ impl IronJudge<'_> {
     }
 }
 
-impl Judge for IronJudge<'_> {
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
-        for event in line.events {
-            if let Event::Move(step) = event
-                && self.rules.phase(step) != Phase::Clear
-            {
-                self.step(step, findings);
-            }
-        }
-    }
-}
-
 /// On the fabric the iron never waits for long, and away from it never at all.
 struct IronRest<'a> {
     rules: &'a IronRules<'a>,
@@ -90,8 +82,13 @@ struct IronRest<'a> {
     waited: f64,
 }
 
-impl IronRest<'_> {
-    fn wait(&mut self, dwell: &Dwell, findings: &mut Findings) {
+impl Judge for IronRest<'_> {
+    fn step(&mut self, step: &Move, _: &mut Findings) {
+        let low = self.rules.phase(step) != Phase::Clear;
+        (self.here, self.waited) = (low.then_some(step.line), 0.0);
+    }
+
+    fn dwell(&mut self, dwell: &Dwell, findings: &mut Findings) {
         self.waited += dwell.seconds;
         let (waited, longest) = (self.waited, self.rules.longest_rest());
         let Some(here) = self.here else {
@@ -109,95 +106,63 @@ impl IronRest<'_> {
             findings.add_at(FindingCode::IronAtRest, dwell.line, found, allowed);
         }
     }
-}
 
-impl Judge for IronRest<'_> {
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
-        for event in line.events {
-            match event {
-                Event::Move(step) => {
-                    let low = self.rules.phase(step) != Phase::Clear;
-                    (self.here, self.waited) = (low.then_some(step.line), 0.0);
-                }
-                Event::Dwell(dwell) => self.wait(dwell, findings),
-                Event::Pause(pause) if pause.at.is_some_and(|at| self.rules.is_low(at.z)) => {
-                    let (found, allowed) = ("a pause on the fabric", "pauses above travel height only");
-                    findings.add_at(FindingCode::IronAtRest, pause.line, found, allowed);
-                }
-                _ => {}
-            }
+    fn pause(&mut self, pause: &Pause, findings: &mut Findings) {
+        if pause.at.is_some_and(|at| self.rules.is_low(at.z)) {
+            let (found, allowed) = ("a pause on the fabric", "pauses above travel height only");
+            findings.add_at(FindingCode::IronAtRest, pause.line, found, allowed);
         }
     }
 }
 
 /// Reports everything in a trace program that breaks the rules: it stays at travel height, and runs cold and through.
-pub(in crate::verify) struct Cold<'a> {
-    rules: &'a IronRules<'a>,
-}
+pub(super) struct Cold<'a>(pub(super) &'a IronRules<'a>);
 
-impl<'a> Cold<'a> {
-    pub(in crate::verify) fn new(rules: &'a IronRules<'a>) -> Self {
-        Self { rules }
-    }
-
-    fn step(&self, step: &Move, findings: &mut Findings) {
-        if self.rules.phase(step) != Phase::Clear {
+impl Judge for Cold<'_> {
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        if self.0.phase(step) != Phase::Clear {
             let found = format!("Z{}", step.to.z);
             findings.add_at(FindingCode::LowTrace, step.line, found, "travel height or above");
         }
-        let speed = self.rules.process.trace_speed.0 * 60.0;
+        let speed = self.0.process.trace_speed.0 * 60.0;
         let right = step.feed.is_some_and(|feed| (feed - speed).abs() <= 1e-3 * speed);
         if step.kind == MoveKind::Feed && !right {
             let found = step.feed.map_or("no feed".to_owned(), |feed| format!("F{feed}"));
             findings.add_at(FindingCode::WrongFeed, step.line, found, format!("F{speed}"));
         }
     }
-}
 
-impl Judge for Cold<'_> {
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
-        for event in line.events {
-            match event {
-                Event::Move(step) => self.step(step, findings),
-                Event::Pause(pause) => {
-                    let (found, allowed) = ("a pause as for heating", "a trace without heating and pauses");
-                    findings.add_at(FindingCode::HotTrace, pause.line, found, allowed);
-                }
-                Event::Dwell(dwell) => {
-                    let found = format!("{} s", dwell.seconds);
-                    findings.add_at(FindingCode::IronAtRest, dwell.line, found, "no wait in a trace");
-                }
-                _ => {}
-            }
-        }
+    fn pause(&mut self, pause: &Pause, findings: &mut Findings) {
+        let (found, allowed) = ("a pause as for heating", "a trace without heating and pauses");
+        findings.add_at(FindingCode::HotTrace, pause.line, found, allowed);
+    }
+
+    fn dwell(&mut self, dwell: &Dwell, findings: &mut Findings) {
+        let found = format!("{} s", dwell.seconds);
+        findings.add_at(FindingCode::IronAtRest, dwell.line, found, "no wait in a trace");
     }
 }
 
-/// Reports every G0 that the controller runs at another feed than that of `speed`, mm/s.
-pub(in crate::verify) struct TravelFeed {
-    allowed: f64,
-}
+/// Reports every G0 that the controller runs at another feed than that of this speed.
+pub(super) struct TravelFeed(pub(super) Speed);
 
 impl TravelFeed {
-    pub(in crate::verify) fn new(speed: f64) -> Self {
-        Self { allowed: speed * 60.0 }
+    fn travel(&self, kind: MoveKind, feed: Option<f64>, line: usize, findings: &mut Findings) {
+        let allowed = self.0.0 * 60.0;
+        let other = feed.filter(|feed| (feed - allowed).abs() > 1e-6 * allowed);
+        if let Some(feed) = other.filter(|_| kind == MoveKind::Rapid) {
+            let found = format!("a G0 at F{feed}, the feed in force");
+            findings.add_at(FindingCode::TravelFeed, line, found, format!("F{allowed}"));
+        }
     }
 }
 
 impl Judge for TravelFeed {
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
-        let allowed = self.allowed;
-        for event in line.events {
-            let (kind, feed, line) = match event {
-                Event::Move(step) => (step.kind, step.feed, step.line),
-                Event::Blind(step) => (step.kind, step.feed, step.line),
-                _ => continue,
-            };
-            let other = feed.filter(|feed| (feed - allowed).abs() > 1e-6 * allowed);
-            if let Some(feed) = other.filter(|_| kind == MoveKind::Rapid) {
-                let found = format!("a G0 at F{feed}, the feed in force");
-                findings.add_at(FindingCode::TravelFeed, line, found, format!("F{allowed}"));
-            }
-        }
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        self.travel(step.kind, step.feed, step.line, findings);
+    }
+
+    fn blind(&mut self, step: &BlindMove, findings: &mut Findings) {
+        self.travel(step.kind, step.feed, step.line, findings);
     }
 }

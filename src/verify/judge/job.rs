@@ -8,65 +8,41 @@ use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::iron::{Cold, TravelFeed, iron};
 use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::{Body, ScriptJudge};
-use crate::verify::judge::seams::Seams;
+use crate::verify::judge::seams::{Sealed, Traced, starts};
 use crate::verify::judge::task::ProgramTask;
 use crate::verify::judge::travel_order::TravelOrder;
 use crate::verify::judge::{Judge, judged};
-use crate::verify::read::gcode::{Dialect, Event, Line};
+use crate::verify::read::gcode::{Dialect, Line, Move};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::Bounds;
 
 impl ProgramTask<'_> {
     /// Reads the program and reports everything in it that is not as it should be; its largest deviation, mm.
     pub fn check(&self, text: &str, findings: &mut Findings) -> f64 {
-        let Self { spec, machine, .. } = *self;
-        let (rules, tolerance) = (IronRules::new(spec, machine), spec.accuracy.path.0);
-        let seams = Seams::new(self, &rules, tolerance);
-        let mut judges = self.judges(&rules);
-        let heights = &machine.process.heights;
-        judges.push(Box::new(TravelOrder::new(heights, seams.starts(self.hot), self.hot, tolerance)));
-        let mut judge = |path: &mut dyn Judge| {
-            let mut all: Vec<&mut dyn Judge> = Vec::new();
-            for judge in &mut judges {
-                all.push(&mut **judge);
-            }
-            all.push(path);
-            let dialect = Dialect::for_controller(&machine.controller);
-            findings.absorb(judged(text.split_inclusive('\n'), dialect, &mut all));
-        };
-        if self.hot {
-            let mut path = seams.sealed();
-            judge(&mut path);
-            path.deviation
-        } else {
-            let mut path = seams.traced();
-            judge(&mut path);
-            path.deviation
-        }
-    }
-
-    /// All judges except those of the way.
-    fn judges<'b>(&'b self, rules: &'b IronRules<'b>) -> Vec<Box<dyn Judge + 'b>> {
         let Self { spec, machine, hot, area, .. } = *self;
+        let (rules, heights) = (IronRules::new(spec, machine), &machine.process.heights);
+        let tolerance = spec.accuracy.path.0;
         let hotend = hot && machine.controller.heating == Heating::Hotend;
-        let allowed = area.grown(spec.accuracy.path.0);
+        let allowed = area.grown(tolerance);
         let reach = if hot { spec.seal.band.0 / 2.0 } else { 0.0 };
-        let mut judges: Vec<Box<dyn Judge + 'b>> = vec![
+        let mut judges: Vec<Box<dyn Judge + '_>> = vec![
             Box::new(ScriptJudge::new(machine, hot)),
             Box::new(Body::new(hotend.then_some(spec.seal.temperature))),
             Box::new(FirstWords),
-            Box::new(HeightJudge::new(&machine.process.heights, allowed)),
+            Box::new(HeightJudge::new(heights, allowed)),
             Box::new(Area { reach: area, allowed }),
             Box::new(Clamps::new(&machine.bench.keep_out, reach)),
         ];
         if hot {
-            judges.extend(iron(rules));
+            judges.extend(iron(&rules));
         } else {
-            judges.push(Box::new(TravelFeed::new(machine.process.travel_speed.0)));
-            judges.push(Box::new(Cold::new(rules)));
+            judges.push(Box::new(TravelFeed(machine.process.travel_speed)));
+            judges.push(Box::new(Cold(&rules)));
         }
         judges.push(Box::new(CommentJudge::new(self)));
-        judges
+        judges.push(Box::new(TravelOrder::new(heights, starts(self), hot, tolerance)));
+        judges.push(if hot { Box::new(Sealed::new(self, &rules)) } else { Box::new(Traced::new(self)) });
+        judged(text.split_inclusive('\n'), Dialect::for_controller(&machine.controller), judges, findings)
     }
 }
 
@@ -78,16 +54,13 @@ struct Area {
 }
 
 impl Judge for Area {
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
-        for event in line.events {
-            let Event::Move(step) = event else { continue };
-            let Some(Bounds { min, max }) = step.path.map(|path| path.bounds()) else { continue };
-            if !(self.allowed.contains(min) && self.allowed.contains(max)) {
-                let found =
-                    format!("a move from ({:.3}, {:.3}) to ({:.3}, {:.3})", min.x, min.y, max.x, max.y);
-                let allowed = format!("(0, 0) to ({:.3}, {:.3})", self.reach.max.x, self.reach.max.y);
-                findings.add_at(FindingCode::OutsideWorkArea, step.line, found, allowed);
-            }
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        if let Some(Bounds { min, max }) = step.path.map(|path| path.bounds())
+            && !(self.allowed.contains(min) && self.allowed.contains(max))
+        {
+            let found = format!("a move from ({:.3}, {:.3}) to ({:.3}, {:.3})", min.x, min.y, max.x, max.y);
+            let allowed = format!("(0, 0) to ({:.3}, {:.3})", self.reach.max.x, self.reach.max.y);
+            findings.add_at(FindingCode::OutsideWorkArea, step.line, found, allowed);
         }
     }
 }
@@ -97,7 +70,7 @@ impl Judge for Area {
 struct FirstWords;
 
 impl Judge for FirstWords {
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
+    fn line(&mut self, line: &Line<'_>, findings: &mut Findings) {
         if findings.is_empty() && line.text.trim_start().starts_with(['X', 'Y', 'Z', 'I', 'J', 'F']) {
             let found = quote(line.text.trim());
             findings.add_at(FindingCode::UnusedWord, line.number, found, "G0, G1, G2 or G3 first");

@@ -19,43 +19,76 @@ pub(in crate::verify) mod task;
 mod travel_order;
 
 use crate::verify::Findings;
-use crate::verify::read::gcode::{Dialect, Event, Line, each_line};
+use crate::verify::read::gcode::{BlindMove, Comment, Dialect, Dwell, Event, Line, Move, Pause, each_line};
 
-/// A judge of programs: it is shown one line after the other, and remembers no more of them than it needs.
+/// A judge of programs: it is shown one line after the other, and remembers no more of them than it needs. It adds what is wrong
+/// with each to its own findings.
 pub(in crate::verify) trait Judge {
-    /// The next line, and what it does; adds what is wrong with it to this judge's `findings`.
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings);
+    /// The next line, before each of its effects.
+    fn line(&mut self, _line: &Line<'_>, _findings: &mut Findings) {}
 
-    /// After the last line: adds what could not be judged before.
-    fn end(&mut self, findings: &mut Findings) {
-        let _ = findings;
+    /// A motion from a known position.
+    fn step(&mut self, _step: &Move, _findings: &mut Findings) {}
+
+    /// A motion before X, Y and Z are known.
+    fn blind(&mut self, _step: &BlindMove, _findings: &mut Findings) {}
+
+    /// A wait for a time.
+    fn dwell(&mut self, _dwell: &Dwell, _findings: &mut Findings) {}
+
+    /// A wait for the operator.
+    fn pause(&mut self, _pause: &Pause, _findings: &mut Findings) {}
+
+    /// A comment.
+    fn comment(&mut self, _comment: &Comment, _findings: &mut Findings) {}
+
+    /// After the last line: adds what could not be judged before. Returns the largest deviation from a path, mm.
+    fn end(&mut self, _findings: &mut Findings) -> f64 {
+        0.0
+    }
+
+    /// Shows the next line and its effects.
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
+        self.line(line, findings);
+        for event in line.events {
+            match event {
+                Event::Move(step) => self.step(step, findings),
+                Event::Blind(step) => self.blind(step, findings),
+                Event::Dwell(dwell) => self.dwell(dwell, findings),
+                Event::Pause(pause) => self.pause(pause, findings),
+                Event::Comment(comment) => self.comment(comment, findings),
+                _ => {}
+            }
+        }
     }
 }
 
-/// The findings of all `judges` in a program, one after the other, and then those of the reader.
+/// Adds the findings of all `judges` in a program, one after the other, and then those of the reader. Returns the largest
+/// deviation, mm.
 fn judged<'a>(
     lines: impl IntoIterator<Item = &'a str>,
     dialect: Dialect,
-    judges: &mut [&mut dyn Judge],
-) -> Findings {
+    judges: Vec<Box<dyn Judge + '_>>,
+    findings: &mut Findings,
+) -> f64 {
     let mut own = Findings::default();
-    let mut each: Vec<Findings> = judges.iter().map(|_| Findings::default()).collect();
-    let _ = each_line(lines, dialect, |line| {
-        for (judge, findings) in judges.iter_mut().zip(&mut each) {
-            judge.see(line, findings);
+    let mut judges: Vec<_> = judges.into_iter().map(|judge| (judge, Findings::default())).collect();
+    each_line(lines, dialect, |line| {
+        for (judge, found) in &mut judges {
+            judge.see(line, found);
         }
         own.extend(line.events.iter().filter_map(|event| match event {
             Event::Finding(finding) => Some(finding.clone()),
             _ => None,
         }));
     });
-    let mut all = Findings::default();
-    for (judge, mut findings) in judges.iter_mut().zip(each) {
-        judge.end(&mut findings);
-        all.absorb(findings);
+    let mut deviation = 0.0_f64;
+    for (mut judge, mut found) in judges {
+        deviation = deviation.max(judge.end(&mut found));
+        findings.absorb(found);
     }
-    all.absorb(own);
-    all
+    findings.absorb(own);
+    deviation
 }
 
 /// Slack on heights, mm; they are written to at least two decimals and read as written.

@@ -7,7 +7,7 @@
 use crate::verify::judge::Judge;
 use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::stroke::{StrokeRun, shortest_move};
-use crate::verify::read::gcode::{Event, Line, Move, MoveKind};
+use crate::verify::read::gcode::{Dwell, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::Segment;
 
@@ -43,40 +43,12 @@ impl<'a> Paced<'a> {
 
     fn judge_pending(&mut self, findings: &mut Findings) {
         if let Some((step, rest)) = self.pending.take() {
-            self.step(&step, rest, findings);
+            self.judge(&step, rest, findings);
         }
     }
 
-    fn next(&mut self, step: &Move, findings: &mut Findings) {
-        self.judge_pending(findings);
-        if self.rules.phase(step) == Phase::Clear {
-            self.schedule = Schedule::default();
-        } else if step.kind == MoveKind::Feed {
-            self.pending = Some((*step, 0.0));
-        }
-        // A rapid there is reported with the heat: there is no feed to judge.
-    }
-}
-
-impl Judge for Paced<'_> {
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
-        for event in line.events {
-            match (event, &mut self.pending) {
-                (Event::Move(step), _) => self.next(step, findings),
-                (Event::Dwell(dwell), Some((_, rest))) => *rest += dwell.seconds,
-                _ => {}
-            }
-        }
-    }
-
-    fn end(&mut self, findings: &mut Findings) {
-        self.judge_pending(findings);
-    }
-}
-
-impl Paced<'_> {
     /// One move in contact, and the wait after it.
-    fn step(&mut self, step: &Move, rest: f64, findings: &mut Findings) {
+    fn judge(&mut self, step: &Move, rest: f64, findings: &mut Findings) {
         let speed = self.rules.seal.speed.0;
         let Some(feed) = step.feed.map(|feed| feed / 60.0) else {
             findings.add_at(FindingCode::WrongFeed, step.line, "none", format!("F{}", speed * 60.0));
@@ -185,6 +157,29 @@ impl Paced<'_> {
         } else if stopped {
             self.schedule.stop = (due, off);
         }
+    }
+}
+
+impl Judge for Paced<'_> {
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        self.judge_pending(findings);
+        if self.rules.phase(step) == Phase::Clear {
+            self.schedule = Schedule::default();
+        } else if step.kind == MoveKind::Feed {
+            self.pending = Some((*step, 0.0));
+        }
+        // A rapid there is reported with the heat: there is no feed to judge.
+    }
+
+    fn dwell(&mut self, dwell: &Dwell, _: &mut Findings) {
+        if let Some((_, rest)) = &mut self.pending {
+            *rest += dwell.seconds;
+        }
+    }
+
+    fn end(&mut self, findings: &mut Findings) -> f64 {
+        self.judge_pending(findings);
+        0.0
     }
 }
 

@@ -48,7 +48,7 @@ impl<'a> ScriptJudge<'a> {
 }
 
 impl Judge for ScriptJudge<'_> {
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
+    fn line(&mut self, line: &Line<'_>, findings: &mut Findings) {
         if line.is_motion() {
             self.moved = true;
             self.tail.again(line.number);
@@ -64,11 +64,12 @@ impl Judge for ScriptJudge<'_> {
         }
     }
 
-    fn end(&mut self, findings: &mut Findings) {
+    fn end(&mut self, findings: &mut Findings) -> f64 {
         let pauses = std::mem::take(findings);
         self.head.end(findings);
         self.tail.end(findings);
         findings.absorb(pauses);
+        0.0
     }
 }
 
@@ -177,7 +178,7 @@ impl Body {
 }
 
 impl Judge for Body {
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
+    fn line(&mut self, line: &Line<'_>, findings: &mut Findings) {
         let heats = line.events.iter().filter_map(|event| match event {
             Event::Heat(heat) => Some(Some(*heat)),
             Event::Setting(_) => Some(None),
@@ -198,8 +199,9 @@ impl Judge for Body {
         }
     }
 
-    fn end(&mut self, findings: &mut Findings) {
+    fn end(&mut self, findings: &mut Findings) -> f64 {
         self.judge_pending(false, findings);
+        0.0
     }
 }
 

@@ -5,53 +5,17 @@ use crate::verify::judge::Judge;
 use crate::verify::judge::path::follow::Follower;
 use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::task::ProgramTask;
-use crate::verify::read::gcode::{self, Event, Move, MoveKind};
+use crate::verify::read::gcode::{Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::{Path, Point};
 
-/// The seams that one program should have.
-pub(in crate::verify) struct Seams<'a> {
-    rules: &'a IronRules<'a>,
-    /// Largest deviation, mm.
-    tolerance: f64,
-    expected: &'a [LaidSeam],
-    /// The frame, which a trace shows first.
-    frame: &'a Path,
-}
-
-impl<'a> Seams<'a> {
-    /// The seams of `task`, to be followed within `tolerance`, mm.
-    pub(in crate::verify) fn new(
-        task: &'a ProgramTask<'_>,
-        rules: &'a IronRules<'a>,
-        tolerance: f64,
-    ) -> Self {
-        Self { rules, tolerance, expected: &task.seams, frame: &task.frame }
-    }
-
-    /// The starts of the ways of a sealing program (`hot`) or of a trace, in order.
-    pub(in crate::verify) fn starts(&self, hot: bool) -> Vec<Point> {
-        let seams = self.expected.iter();
-        if hot {
-            seams.filter_map(|seam| seam.lead_in.start()).collect()
-        } else {
-            self.frame.start().into_iter().chain(seams.filter_map(|seam| seam.run.start())).collect()
-        }
-    }
-
-    /// The judge of a sealing program.
-    pub(in crate::verify) fn sealed(&self) -> Sealed<'_> {
-        let (expected, now) = (self.expected.iter(), None);
-        Sealed { rules: self.rules, tolerance: self.tolerance, expected, now, deviation: 0.0 }
-    }
-
-    /// The judge of a trace program.
-    pub(in crate::verify) fn traced(&self) -> Traced {
-        let mut paths: Vec<SeamWalk> = self.expected.iter().map(walk).collect();
-        paths.insert(0, SeamWalk::new(self.frame, "frame".to_owned(), self.frame.length()));
-        let wanted = paths.len() - 1;
-        let (paths, inside, now, found) = (paths.into_iter(), false, None, 0);
-        Traced { tolerance: self.tolerance, paths, wanted, found, inside, now, deviation: 0.0 }
+/// The starts of the ways of a program, in order; a trace shows the frame first.
+pub(super) fn starts(task: &ProgramTask<'_>) -> Vec<Point> {
+    let seams = task.seams.iter();
+    if task.hot {
+        seams.filter_map(|seam| seam.lead_in.start()).collect()
+    } else {
+        task.frame.start().into_iter().chain(seams.filter_map(|seam| seam.run.start())).collect()
     }
 }
 
@@ -67,14 +31,14 @@ fn walks(seam: &LaidSeam) -> [SeamWalk; 3] {
 }
 
 /// Every seam is there, in order, from its start to its end, overlap and ramps included.
-pub(in crate::verify) struct Sealed<'a> {
+pub(super) struct Sealed<'a> {
     rules: &'a IronRules<'a>,
     tolerance: f64,
     /// The seams that are still to come.
     expected: std::slice::Iter<'a, LaidSeam>,
     now: Option<SeamContact>,
     /// The largest, mm.
-    pub(in crate::verify) deviation: f64,
+    deviation: f64,
 }
 
 /// One contact with the fabric.
@@ -85,7 +49,31 @@ enum SeamContact {
     Extra(Option<usize>),
 }
 
-impl Sealed<'_> {
+impl<'a> Sealed<'a> {
+    pub(super) fn new(task: &'a ProgramTask<'_>, rules: &'a IronRules<'a>) -> Self {
+        let tolerance = task.spec.accuracy.path.0;
+        Self { rules, tolerance, expected: task.seams.iter(), now: None, deviation: 0.0 }
+    }
+
+    /// The end of a contact.
+    fn lift(&mut self, findings: &mut Findings) {
+        match self.now.take() {
+            Some(SeamContact::Seam(walks)) => {
+                let [down, run, up] = *walks;
+                for walk in [run, down, up] {
+                    self.deviation = self.deviation.max(walk.end(self.tolerance, findings));
+                }
+            }
+            Some(SeamContact::Extra(line)) => {
+                let found = "a contact that the design does not have";
+                findings.add_at(FindingCode::ExtraSeam, line, found, "only its seams");
+            }
+            None => {}
+        }
+    }
+}
+
+impl Judge for Sealed<'_> {
     fn step(&mut self, step: &Move, findings: &mut Findings) {
         let phase = self.rules.phase(step);
         if phase == Phase::Clear {
@@ -111,44 +99,18 @@ impl Sealed<'_> {
         }
     }
 
-    /// The end of a contact.
-    fn lift(&mut self, findings: &mut Findings) {
-        match self.now.take() {
-            Some(SeamContact::Seam(walks)) => {
-                let [down, run, up] = *walks;
-                for walk in [run, down, up] {
-                    self.deviation = self.deviation.max(walk.end(self.tolerance, findings));
-                }
-            }
-            Some(SeamContact::Extra(line)) => {
-                let found = "a contact that the design does not have";
-                findings.add_at(FindingCode::ExtraSeam, line, found, "only its seams");
-            }
-            None => {}
-        }
-    }
-}
-
-impl Judge for Sealed<'_> {
-    fn see(&mut self, line: &gcode::Line<'_>, findings: &mut Findings) {
-        for event in line.events {
-            if let Event::Move(step) = event {
-                self.step(step, findings);
-            }
-        }
-    }
-
-    fn end(&mut self, findings: &mut Findings) {
+    fn end(&mut self, findings: &mut Findings) -> f64 {
         self.lift(findings);
         for seam in self.expected.by_ref() {
             let found = format!("no {}", seam.name);
             findings.add(FindingCode::MissingSeam, found, "every seam of the design");
         }
+        self.deviation
     }
 }
 
 /// A trace shows the frame, and then every seam.
-pub(in crate::verify) struct Traced {
+pub(super) struct Traced {
     tolerance: f64,
     paths: std::vec::IntoIter<SeamWalk>,
     /// The expected number of seams, and the number of paths found.
@@ -158,10 +120,25 @@ pub(in crate::verify) struct Traced {
     inside: bool,
     now: Option<SeamWalk>,
     /// The largest, mm.
-    pub(in crate::verify) deviation: f64,
+    deviation: f64,
 }
 
 impl Traced {
+    pub(super) fn new(task: &ProgramTask<'_>) -> Self {
+        let frame = SeamWalk::new(&task.frame, "frame".to_owned(), task.frame.length());
+        let paths: Vec<SeamWalk> = std::iter::once(frame).chain(task.seams.iter().map(walk)).collect();
+        let (tolerance, wanted) = (task.spec.accuracy.path.0, task.seams.len());
+        Self {
+            tolerance,
+            paths: paths.into_iter(),
+            wanted,
+            found: 0,
+            inside: false,
+            now: None,
+            deviation: 0.0,
+        }
+    }
+
     /// The end of a path.
     fn leave(&mut self, findings: &mut Findings) {
         self.inside = false;
@@ -172,24 +149,21 @@ impl Traced {
 }
 
 impl Judge for Traced {
-    fn see(&mut self, line: &gcode::Line<'_>, findings: &mut Findings) {
-        for event in line.events {
-            let Event::Move(step) = event else { continue };
-            if step.kind == MoveKind::Rapid {
-                self.leave(findings);
-                continue;
-            }
-            if !std::mem::replace(&mut self.inside, true) {
-                self.found += 1;
-                self.now = self.paths.next();
-            }
-            if let Some(walk) = &mut self.now {
-                walk.step(step);
-            }
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        if step.kind == MoveKind::Rapid {
+            self.leave(findings);
+            return;
+        }
+        if !std::mem::replace(&mut self.inside, true) {
+            self.found += 1;
+            self.now = self.paths.next();
+        }
+        if let Some(walk) = &mut self.now {
+            walk.step(step);
         }
     }
 
-    fn end(&mut self, findings: &mut Findings) {
+    fn end(&mut self, findings: &mut Findings) -> f64 {
         self.leave(findings);
         let found = self.found.saturating_sub(1);
         if self.found == 0 {
@@ -200,6 +174,7 @@ impl Judge for Traced {
             let (found, allowed) = (format!("{found} paths"), format!("{} paths", self.wanted));
             findings.add(FindingCode::MissingSeam, found, allowed);
         }
+        self.deviation
     }
 }
 

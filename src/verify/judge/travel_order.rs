@@ -6,7 +6,7 @@
 
 use crate::spec::Heights;
 use crate::verify::judge::{HEIGHT, Judge};
-use crate::verify::read::gcode::{Event, Line, MoveKind};
+use crate::verify::read::gcode::{BlindMove, Comment, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::Point;
 
@@ -105,35 +105,31 @@ impl TravelOrder {
 }
 
 impl Judge for TravelOrder {
-    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
-        for event in line.events {
-            let found = match event {
-                Event::Move(step) if step.kind == MoveKind::Feed => {
-                    if std::mem::replace(&mut self.on_path, true) {
-                        continue;
-                    }
-                    Waypoint::Path
-                }
-                Event::Move(step) => Waypoint::Rapid([step.to.x, step.to.y, step.to.z].map(Some)),
-                Event::Blind(step) => Waypoint::Rapid(step.to),
-                Event::Comment(comment) => match comment.key() {
-                    Some("heat") => Waypoint::Comment("heat"),
-                    Some("seam") => Waypoint::Comment("seam"),
-                    _ => continue,
-                },
-                _ => continue,
-            };
-            if matches!(found, Waypoint::Rapid(_)) {
-                self.on_path = false;
-            }
-            self.pass(&found, line.number, findings);
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        let was_on_path = std::mem::replace(&mut self.on_path, step.kind == MoveKind::Feed);
+        if !self.on_path {
+            self.pass(&Waypoint::Rapid([step.to.x, step.to.y, step.to.z].map(Some)), step.line, findings);
+        } else if !was_on_path {
+            self.pass(&Waypoint::Path, step.line, findings);
         }
     }
 
-    fn end(&mut self, findings: &mut Findings) {
+    fn blind(&mut self, step: &BlindMove, findings: &mut Findings) {
+        self.on_path = false;
+        self.pass(&Waypoint::Rapid(step.to), step.line, findings);
+    }
+
+    fn comment(&mut self, comment: &Comment, findings: &mut Findings) {
+        if let Some(key) = ["heat", "seam"].into_iter().find(|key| comment.key() == Some(*key)) {
+            self.pass(&Waypoint::Comment(key), comment.line, findings);
+        }
+    }
+
+    fn end(&mut self, findings: &mut Findings) -> f64 {
         if let Some(wanted) = self.waypoints.get(self.passed) {
             findings.add(FindingCode::StrayTravel, "the end", format!("{} next", told(wanted)));
         }
+        0.0
     }
 }
 
@@ -173,9 +169,12 @@ mod tests {
     /// Code and line (of the way, from 0) of each finding in it.
     fn found(way: &[&str]) -> Vec<(&'static str, Option<usize>)> {
         let heights = Heights { contact: Length(0.0), travel: Length(5.0), park: Length(30.0) };
-        let mut judge = TravelOrder::new(&heights, [Point::new(10.0, 20.0)], true, 1e-3);
+        let judge = TravelOrder::new(&heights, [Point::new(10.0, 20.0)], true, 1e-3);
         let text = format!("G21\nG90\nG94\n{}\nM2\n", way.join("\n"));
-        let findings = judged(text.split_inclusive('\n'), Dialect::GENERIC, &mut [&mut judge]).into_vec();
+        let mut findings = Findings::default();
+        let lines = text.split_inclusive('\n');
+        let _ = judged(lines, Dialect::GENERIC, vec![Box::new(judge)], &mut findings);
+        let findings = findings.into_vec();
         let ours = |code: &str| ["stray-travel", "other-comment"].contains(&code);
         let ours = findings.iter().filter(|finding| ours(finding.code));
         ours.map(|finding| (finding.code, finding.line.map(|line| line - 4))).collect()

@@ -53,13 +53,12 @@ impl Line<'_> {
     }
 }
 
-/// Passes every one of `lines`, each with its line end, to `see` with its effects; returns the number of lines. A last empty
-/// line, with the number of the last real one, has the faults of the whole program.
+/// Passes every one of `lines`, each with its line end, to `see` with its effects. A last empty line, with the number of the last real one, has the faults of the whole program.
 pub fn each_line<'a>(
     lines: impl IntoIterator<Item = &'a str>,
     dialect: Dialect,
     mut see: impl FnMut(&Line<'_>),
-) -> usize {
+) {
     let mut interpreter = Interpreter::new(dialect);
     let mut events = Vec::new();
     for text in lines {
@@ -69,13 +68,13 @@ pub fn each_line<'a>(
     }
     interpreter.finish(&mut events);
     see(&Line { number: interpreter.lines(), text: "", events: &events });
-    interpreter.lines()
 }
 
 /// Reads a whole file into memory.
 pub fn read_program(text: &str, dialect: Dialect) -> Program {
     let (mut program, mut findings) = (Program::default(), Findings::default());
-    program.lines = each_line(text.split_inclusive('\n'), dialect, |line| {
+    each_line(text.split_inclusive('\n'), dialect, |line| {
+        program.lines = line.number;
         line.events.iter().for_each(|event| program.take(event.clone(), &mut findings));
     });
     program.findings = findings.into_vec();
