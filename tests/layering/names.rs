@@ -18,7 +18,6 @@ const REPEATED: &[(&str, &str)] = &[
     ),
     ("Dialect", "how programs are written, and how they are read"),
     ("Drawing", "what is drawn, and what is read back"),
-    ("DwellUnit", "as a profile says it, and as it is read back"),
     ("Line", "a line of a program, and a straight segment"),
     ("Machine", "the machine of a profile, and the reader's model of it"),
     ("Program", "what is planned, and what is read back"),

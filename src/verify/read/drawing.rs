@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::verify::Finding;
-use inflatable::geom::Path;
+use inflatable::geom::{Line, Path, Point, Segment};
 
 /// Gaps up to this are rounding, not an opening: the files carry at least three decimals of a millimetre.
 pub(in crate::verify) const JOIN: f64 = 1e-6;
@@ -37,5 +37,48 @@ impl Drawing {
             self.order.push(layer.to_owned());
         }
         self.layers.entry(layer.to_owned()).or_default()
+    }
+}
+
+/// Draws paths, segment after segment.
+#[derive(Default)]
+pub(in crate::verify) struct Pen {
+    /// The paths that have ended.
+    pub(in crate::verify) paths: Vec<Path>,
+    segments: Vec<Segment>,
+    /// The beginning of the path; `None` if none has begun.
+    pub(in crate::verify) start: Option<Point>,
+    pub(in crate::verify) here: Point,
+}
+
+impl Pen {
+    /// Begins a path.
+    pub(in crate::verify) fn begin(&mut self, p: Point) {
+        self.lift(false);
+        (self.start, self.here) = (Some(p), p);
+    }
+
+    /// Adds a segment.
+    pub(in crate::verify) fn push(&mut self, segment: impl Into<Segment>, end: Point) {
+        self.segments.push(segment.into());
+        self.here = end;
+    }
+
+    /// Closes the path, with a line if its ends are farther apart than `join`, mm.
+    pub(in crate::verify) fn close(&mut self, join: f64) {
+        let Some(start) = self.start else { return };
+        if self.here.distance(start) > join {
+            self.push(Line::new(self.here, start), start);
+        }
+        self.lift(true);
+        self.here = start;
+    }
+
+    /// Ends the path.
+    pub(in crate::verify) fn lift(&mut self, closed: bool) {
+        let segments = std::mem::take(&mut self.segments);
+        if !segments.is_empty() {
+            self.paths.push(Path { segments, closed });
+        }
     }
 }

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use crate::verify::finding::quote;
 use crate::verify::read::number;
 use crate::verify::{Drawing, FindingCode, Findings};
-use inflatable::geom::{Arc, Line, Path, Point};
+use inflatable::geom::{Arc, Line, Path, Point, Segment};
 
 /// Arcs of a larger radius are read as their chord, mm: at this radius a 1 m chord has a sagitta of a nanometre.
 const STRAIGHT: f64 = 1e11;
@@ -32,13 +32,13 @@ pub fn read_dxf(text: &str) -> Drawing {
     // A record runs from its group code 0 to the next.
     let starts: Vec<usize> = (0..tags.len()).filter(|i| tags[*i].code == 0).collect();
     if starts.first() != Some(&0) {
-        reader.findings.add_at(FindingCode::BadDxf, 1, "no record at the beginning", "0, SECTION");
+        reader.refuse(1, "no record at the beginning", "0, SECTION");
     }
     for (k, start) in starts.iter().enumerate() {
         let record = &tags[*start..starts.get(k + 1).copied().unwrap_or(tags.len())];
         let Some((head, body)) = record.split_first() else { continue };
         if ended {
-            reader.findings.add_at(FindingCode::BadDxf, head.line, "records after EOF", "EOF last");
+            reader.refuse(head.line, "records after EOF", "EOF last");
             break;
         }
         match head.value {
@@ -52,12 +52,8 @@ pub fn read_dxf(text: &str) -> Drawing {
             "EOF" => {
                 ended = true;
                 if section.is_some() {
-                    reader.findings.add_at(
-                        FindingCode::Truncated,
-                        head.line,
-                        "EOF within a section",
-                        "ENDSEC first",
-                    );
+                    let found = "EOF within a section";
+                    reader.findings.add_at(FindingCode::Truncated, head.line, found, "ENDSEC first");
                 }
             }
             "LAYER" if section == Some("TABLES") => {
@@ -87,21 +83,21 @@ struct DxfReader {
 }
 
 impl DxfReader {
+    fn refuse(&mut self, line: usize, found: impl Into<String>, allowed: &str) {
+        self.findings.add_at(FindingCode::BadDxf, line, found, allowed);
+    }
+
     fn tags<'a>(&mut self, text: &'a str) -> Vec<DxfTag<'a>> {
         let mut tags = Vec::new();
         let mut lines = text.lines().enumerate();
         while let Some((i, code)) = lines.next() {
             let Ok(code) = code.trim().parse::<i32>() else {
-                self.findings.add_at(FindingCode::BadDxf, i + 1, quote(code), "a group code");
+                self.refuse(i + 1, quote(code), "a group code");
                 break;
             };
             let Some((_, value)) = lines.next() else {
-                self.findings.add_at(
-                    FindingCode::Truncated,
-                    i + 1,
-                    "a group code without a value",
-                    "pairs of lines",
-                );
+                let found = "a group code without a value";
+                self.findings.add_at(FindingCode::Truncated, i + 1, found, "pairs of lines");
                 break;
             };
             // Comments are allowed anywhere.
@@ -119,12 +115,7 @@ impl DxfReader {
                 (9, "$ACADVER") => {
                     self.has_version = true;
                     if !VERSIONS.contains(&tag.value) {
-                        self.findings.add_at(
-                            FindingCode::BadDxf,
-                            tag.line,
-                            quote(tag.value),
-                            "AC1015 or later",
-                        );
+                        self.refuse(tag.line, quote(tag.value), "AC1015 or later");
                     }
                 }
                 (9, "$INSUNITS") => {
@@ -154,18 +145,15 @@ impl DxfReader {
             "LINE" => self
                 .numbers(head, body, [10, 20, 11, 21])
                 .map(|[a, b, c, d]| Path::open(vec![Line::new(Point::new(a, b), Point::new(c, d)).into()])),
-            "CIRCLE" => self.numbers(head, body, [10, 20, 40]).and_then(|[x, y, r]| {
-                self.radius(head, r)
-                    .map(|r| Path::closed(vec![Arc::new(Point::new(x, y), r, 0.0, TAU).into()]))
-            }),
+            "CIRCLE" => self
+                .numbers(head, body, [10, 20, 40])
+                .and_then(|[x, y, r]| self.arc(head, Arc::new(Point::new(x, y), r, 0.0, TAU)))
+                .map(Path::closed),
             "ARC" => self.numbers(head, body, [10, 20, 40, 50, 51]).and_then(|[x, y, r, from, to]| {
                 let turn = (to - from).rem_euclid(360.0);
                 let turn = if turn == 0.0 { 360.0 } else { turn };
-                self.radius(head, r).map(|r| {
-                    Path::open(vec![
-                        Arc::new(Point::new(x, y), r, from.to_radians(), turn.to_radians()).into(),
-                    ])
-                })
+                let arc = Arc::new(Point::new(x, y), r, from.to_radians(), turn.to_radians());
+                self.arc(head, arc).map(Path::open)
             }),
             "TEXT" => {
                 self.drawing.texts.push((layer.clone(), text(1).unwrap_or("").to_owned()));
@@ -192,7 +180,7 @@ impl DxfReader {
             let mut tags = body.iter().filter(|tag| tag.code == code);
             let (Some(tag), None) = (tags.next(), tags.next()) else {
                 let found = format!("{} without exactly one group {code}", quote(head.value));
-                self.findings.add_at(FindingCode::BadDxf, head.line, found, "each group once");
+                self.refuse(head.line, found, "each group once");
                 return None;
             };
             *value = self.number(*tag)?;
@@ -209,11 +197,11 @@ impl DxfReader {
         value
     }
 
-    fn radius(&mut self, head: DxfTag<'_>, r: f64) -> Option<f64> {
-        if r > 0.0 {
-            return Some(r);
+    fn arc(&mut self, head: DxfTag<'_>, arc: Arc) -> Option<Vec<Segment>> {
+        if arc.radius > 0.0 {
+            return Some(vec![arc.into()]);
         }
-        self.findings.add_at(FindingCode::BadNumber, head.line, format!("radius {r}"), "> 0");
+        self.findings.add_at(FindingCode::BadNumber, head.line, format!("radius {}", arc.radius), "> 0");
         None
     }
 
@@ -228,12 +216,7 @@ impl DxfReader {
                 (20, Some(last)) => last.1 = Some(self.number(*tag)?),
                 (42, Some(last)) => last.2 = self.number(*tag)?,
                 (20 | 42, None) => {
-                    self.findings.add_at(
-                        FindingCode::BadDxf,
-                        tag.line,
-                        "a group 20 or 42 before 10",
-                        "10 first",
-                    );
+                    self.refuse(tag.line, "a group 20 or 42 before 10", "10 first");
                     return None;
                 }
                 _ => {}
@@ -244,12 +227,7 @@ impl DxfReader {
         let points = points.filter(|p| p.len() > 1 && whole(90).is_some_and(|n| n as usize == p.len()));
         let (Some(points), Some(flags)) = (points, whole(70)) else {
             let found = format!("{} vertices, {} declared", vertices.len(), whole(90).unwrap_or(0));
-            self.findings.add_at(
-                FindingCode::BadDxf,
-                head.line,
-                found,
-                "2 or more whole ones, as many as declared, and flags",
-            );
+            self.refuse(head.line, found, "2 or more whole ones, as many as declared, and flags");
             return None;
         };
         let closed = flags & 1 == 1;

@@ -30,35 +30,23 @@ pub(in crate::verify) struct DxfFrame<'a> {
 
 /// Reports the first tag of `text` that is not the expected one.
 pub(in crate::verify) fn check(text: &str, frame: &DxfFrame<'_>) -> Result<(), Finding> {
-    let mut tags = Tags { lines: text.lines(), line: 0, ahead: None };
-    let mut handles = Handles { next: FIRST_HANDLE, seed: (0, String::new()) };
+    let seed = (0, String::new());
+    let mut tags = Tags { frame, lines: text.lines(), line: 0, ahead: None, handle: FIRST_HANDLE, seed };
     for record in FRAME.lines() {
         match record {
-            "{layers}" => frame.layers(&mut tags, &mut handles)?,
-            "{entities}" => entities(&mut tags, frame.layers, &mut handles)?,
-            _ => frame.record(&mut tags, record, &mut handles)?,
+            "{layers}" => tags.layers()?,
+            "{entities}" => tags.entities()?,
+            _ => tags.record(record)?,
         }
     }
     if let Some(tag) = tags.next()? {
         return Err(wrong(&tag, "the end of the file"));
     }
-    let (line, seed) = handles.seed;
-    if seed == format!("{:X}", handles.next) {
+    let ((line, seed), right) = (tags.seed, format!("{:X}", tags.handle));
+    if seed == right {
         return Ok(());
     }
-    Err(Finding::at(
-        FindingCode::UnknownWord,
-        line,
-        format!("$HANDSEED {seed}"),
-        format!("{:X}", handles.next),
-    ))
-}
-
-/// The handles given so far.
-struct Handles {
-    next: usize,
-    /// Line and text of the number that is declared free.
-    seed: (usize, String),
+    Err(Finding::at(FindingCode::UnknownWord, line, format!("$HANDSEED {seed}"), right))
 }
 
 struct Tag<'a> {
@@ -72,10 +60,16 @@ fn wrong(tag: &Tag<'_>, allowed: &str) -> Finding {
     Finding::at(FindingCode::UnknownWord, tag.line, found, allowed)
 }
 
+/// The tags of a file, beside the frame that they should have.
 struct Tags<'a> {
+    frame: &'a DxfFrame<'a>,
     lines: std::str::Lines<'a>,
     line: usize,
     ahead: Option<Tag<'a>>,
+    /// The next handle.
+    handle: usize,
+    /// Line and text of the handle that is declared free.
+    seed: (usize, String),
 }
 
 impl<'a> Tags<'a> {
@@ -87,26 +81,16 @@ impl<'a> Tags<'a> {
         let line = self.line + 1;
         self.line += 2;
         let Some(value) = self.lines.next() else {
-            return Err(Finding::at(
-                FindingCode::Truncated,
-                line,
-                "a group code without a value",
-                "pairs of lines",
-            ));
+            let found = "a group code without a value";
+            return Err(Finding::at(FindingCode::Truncated, line, found, "pairs of lines"));
         };
         Ok(Some(Tag { line, code: code.trim_ascii(), value }))
     }
 
     /// The next tag, if it has this group code.
     fn next_if(&mut self, code: &str) -> Result<Option<Tag<'a>>, Finding> {
-        let tag = self.next()?;
-        match tag {
-            Some(tag) if tag.code == code => Ok(Some(tag)),
-            other => {
-                self.ahead = other;
-                Ok(None)
-            }
-        }
+        self.ahead = self.next()?;
+        Ok(self.ahead.take_if(|tag| tag.code == code))
     }
 
     /// The next tag, which must have this group code.
@@ -126,38 +110,86 @@ impl<'a> Tags<'a> {
     }
 
     /// The tags that begin every object with a handle.
-    fn object(&mut self, handles: &mut Handles, owner: &str, class: &str) -> Result<(), Finding> {
-        self.exactly("5", &format!("{:X}", handles.next))?;
-        handles.next += 1;
+    fn object(&mut self, owner: &str, class: &str) -> Result<(), Finding> {
+        self.exactly("5", &format!("{:X}", self.handle))?;
+        self.handle += 1;
         self.exactly("330", owner)?;
         self.exactly("100", class)
     }
-}
 
-impl DxfFrame<'_> {
     /// A record of the frame.
-    fn record(&self, tags: &mut Tags<'_>, record: &str, handles: &mut Handles) -> Result<(), Finding> {
+    fn record(&mut self, record: &str) -> Result<(), Finding> {
         let mut parts = record.split("; ");
-        tags.exactly("0", parts.next().unwrap_or_default())?;
+        self.exactly("0", parts.next().unwrap_or_default())?;
         for part in parts {
             let (code, value) = part.split_once(' ').unwrap_or((part, ""));
             let Some(name) = value.strip_prefix('{').and_then(|name| name.strip_suffix('}')) else {
-                tags.exactly(code, value)?;
+                self.exactly(code, value)?;
                 continue;
             };
-            let tag = tags.take(code, value)?;
+            let tag = self.take(code, value)?;
             if name == "handseed" {
-                handles.seed = (tag.line, tag.value.to_owned());
+                self.seed = (tag.line, tag.value.to_owned());
                 continue;
             }
-            let right = self.number(name);
-            if !number::value(tag.value).is_some_and(|x| (x - right).abs() <= self.tolerance) {
+            let right = self.frame.number(name);
+            if !number::value(tag.value).is_some_and(|x| (x - right).abs() <= self.frame.tolerance) {
                 return Err(wrong(&tag, &format!("{code} {right}")));
             }
         }
         Ok(())
     }
 
+    fn layers(&mut self) -> Result<(), Finding> {
+        for (name, colour) in self.frame.layers {
+            self.exactly("0", "LAYER")?;
+            self.object("2", "AcDbSymbolTableRecord")?;
+            self.exactly("100", "AcDbLayerTableRecord")?;
+            for (code, value) in
+                [("2", *name), ("70", "0"), ("62", *colour), ("6", "Continuous"), ("390", "F")]
+            {
+                self.exactly(code, value)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// All entities, up to the end of their section. Their numbers are read elsewhere.
+    fn entities(&mut self) -> Result<(), Finding> {
+        while let Some(head) = self.next_if("0")? {
+            let Some((_, class)) = ENTITIES.iter().find(|(name, _)| *name == head.value) else {
+                if head.value == "ENDSEC" {
+                    self.ahead = Some(head);
+                    return Ok(());
+                }
+                return Err(wrong(&head, "LWPOLYLINE, CIRCLE"));
+            };
+            self.object("1F", "AcDbEntity")?;
+            let layer = self.take("8", "a layer")?;
+            if !self.frame.layers.iter().any(|(name, _)| *name == layer.value) {
+                return Err(wrong(&layer, "a layer of the drawing"));
+            }
+            self.exactly("100", class)?;
+            if head.value == "CIRCLE" {
+                let _ = (self.take("10", "X")?, self.take("20", "Y")?);
+                self.exactly("30", "0")?;
+                let _ = self.take("40", "a radius")?;
+                continue;
+            }
+            let _ = self.take("90", "a number of vertices")?;
+            let flags = self.take("70", "0 or 1")?;
+            if !matches!(flags.value, "0" | "1") {
+                return Err(wrong(&flags, "70 0 or 1"));
+            }
+            while self.next_if("10")?.is_some() {
+                let _ = (self.take("20", "Y")?, self.next_if("42")?);
+            }
+        }
+        Ok(())
+    }
+}
+
+impl DxfFrame<'_> {
     /// The value of the variable `name` of the frame.
     fn number(&self, name: &str) -> f64 {
         let (min, max) = (self.min, self.max);
@@ -175,52 +207,4 @@ impl DxfFrame<'_> {
             _ => f64::NAN,
         }
     }
-
-    fn layers(&self, tags: &mut Tags<'_>, handles: &mut Handles) -> Result<(), Finding> {
-        for (name, colour) in self.layers {
-            tags.exactly("0", "LAYER")?;
-            tags.object(handles, "2", "AcDbSymbolTableRecord")?;
-            tags.exactly("100", "AcDbLayerTableRecord")?;
-            for (code, value) in
-                [("2", *name), ("70", "0"), ("62", *colour), ("6", "Continuous"), ("390", "F")]
-            {
-                tags.exactly(code, value)?;
-            }
-        }
-        Ok(())
-    }
-}
-
-/// All entities, up to the end of their section. Their numbers are read elsewhere.
-fn entities(tags: &mut Tags<'_>, layers: &[(&str, &str)], handles: &mut Handles) -> Result<(), Finding> {
-    while let Some(head) = tags.next_if("0")? {
-        let Some((_, class)) = ENTITIES.iter().find(|(name, _)| *name == head.value) else {
-            if head.value == "ENDSEC" {
-                tags.ahead = Some(head);
-                return Ok(());
-            }
-            return Err(wrong(&head, "LWPOLYLINE, CIRCLE"));
-        };
-        tags.object(handles, "1F", "AcDbEntity")?;
-        let layer = tags.take("8", "a layer")?;
-        if !layers.iter().any(|(name, _)| *name == layer.value) {
-            return Err(wrong(&layer, "a layer of the drawing"));
-        }
-        tags.exactly("100", class)?;
-        if head.value == "CIRCLE" {
-            let _ = (tags.take("10", "X")?, tags.take("20", "Y")?);
-            tags.exactly("30", "0")?;
-            let _ = tags.take("40", "a radius")?;
-            continue;
-        }
-        let _ = tags.take("90", "a number of vertices")?;
-        let flags = tags.take("70", "0 or 1")?;
-        if !matches!(flags.value, "0" | "1") {
-            return Err(wrong(&flags, "70 0 or 1"));
-        }
-        while tags.next_if("10")?.is_some() {
-            let _ = (tags.take("20", "Y")?, tags.next_if("42")?);
-        }
-    }
-    Ok(())
 }

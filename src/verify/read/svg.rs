@@ -42,64 +42,63 @@ pub(in crate::verify) fn parse(text: &str) -> Result<Document<'_>, Finding> {
 
 /// Reads what [`read_svg`] reads.
 pub(in crate::verify) fn read_document(document: &Document<'_>, origin: SvgOrigin) -> Drawing {
-    let (mut drawing, mut findings) = (Drawing::default(), Findings::default());
+    let (drawing, findings) = (Drawing::default(), Findings::default());
+    let mut reader = SvgReader { flip: Isometry::mirror(), drawing, findings };
     let root = document.root_element();
     if root.tag_name().name() == "svg" {
-        let height = page(root, &mut drawing, &mut findings);
-        let flip = Isometry {
-            shift: Vec2::new(0.0, if origin == SvgOrigin::LowerLeft { height } else { 0.0 }),
-            ..Isometry::mirror()
-        };
-        SvgReader { flip, drawing: &mut drawing, findings: &mut findings }.group(root, "", 0);
+        let height = reader.page(root);
+        if origin == SvgOrigin::LowerLeft {
+            reader.flip.shift = Vec2::new(0.0, height);
+        }
+        reader.group(root, "", 0);
     } else {
-        findings.add(FindingCode::BadXml, quote(root.tag_name().name()), "a root element svg");
+        reader.findings.add(FindingCode::BadXml, quote(root.tag_name().name()), "a root element svg");
     }
-    drawing.findings = findings.into_vec();
-    drawing
+    Drawing { findings: reader.findings.into_vec(), ..reader.drawing }
 }
 
-/// Checks the scale; returns the height in user units (0 if there is none).
-fn page(root: Node<'_, '_>, drawing: &mut Drawing, findings: &mut Findings) -> f64 {
-    let line = line_of(root);
-    let mm = |name: &str| root.attribute(name)?.trim().strip_suffix("mm").and_then(number::value);
-    let view: Option<Vec<f64>> = root
-        .attribute("viewBox")
-        .and_then(|v| v.split([' ', ',']).filter(|x| !x.is_empty()).map(number::value).collect());
-    let (Some(width), Some(height), Some(&[left, top, w, h])) = (mm("width"), mm("height"), view.as_deref())
-    else {
-        let found = ["width", "height", "viewBox"].map(|name| quote(root.attribute(name).unwrap_or("")));
-        findings.add_at(
-            FindingCode::WrongScale,
-            line,
-            found.join(", "),
-            "width and height in mm, and a viewBox",
-        );
-        return 0.0;
-    };
-    if width != w || height != h || width <= 0.0 || height <= 0.0 {
-        let found = format!("{width} x {height} mm for {w} x {h} user units");
-        findings.add_at(FindingCode::WrongScale, line, found, "1 user unit = 1 mm, and a size > 0");
-    }
-    drawing.page = Some((width, height));
-    drawing.corner = Some((left, top));
-    h
-}
-
-struct SvgReader<'a> {
+struct SvgReader {
     flip: Isometry,
-    drawing: &'a mut Drawing,
-    findings: &'a mut Findings,
+    drawing: Drawing,
+    findings: Findings,
 }
 
-impl SvgReader<'_> {
+impl SvgReader {
+    /// Adds a finding about an element.
+    fn blame(
+        &mut self,
+        node: Node<'_, '_>,
+        code: FindingCode,
+        found: impl Into<String>,
+        allowed: impl Into<String>,
+    ) {
+        self.findings.add_at(code, line_of(node), found, allowed);
+    }
+
+    /// Checks the scale; returns the height in user units (0 if there is none).
+    fn page(&mut self, root: Node<'_, '_>) -> f64 {
+        let mm = |name: &str| root.attribute(name)?.trim().strip_suffix("mm").and_then(number::value);
+        let view = root.attribute("viewBox").and_then(numbers_in);
+        let (Some(width), Some(height), Some(&[left, top, w, h])) =
+            (mm("width"), mm("height"), view.as_deref())
+        else {
+            let found = ["width", "height", "viewBox"].map(|name| quote(root.attribute(name).unwrap_or("")));
+            let allowed = "width and height in mm, and a viewBox";
+            self.blame(root, FindingCode::WrongScale, found.join(", "), allowed);
+            return 0.0;
+        };
+        if width != w || height != h || width <= 0.0 || height <= 0.0 {
+            let found = format!("{width} x {height} mm for {w} x {h} user units");
+            self.blame(root, FindingCode::WrongScale, found, "1 user unit = 1 mm, and a size > 0");
+        }
+        self.drawing.page = Some((width, height));
+        self.drawing.corner = Some((left, top));
+        h
+    }
+
     fn group(&mut self, node: Node<'_, '_>, id: &str, depth: usize) {
         if depth > DEPTH {
-            self.findings.add_at(
-                FindingCode::TooDeep,
-                line_of(node),
-                "groups in groups",
-                format!("{DEPTH} levels"),
-            );
+            self.blame(node, FindingCode::TooDeep, "groups in groups", format!("{DEPTH} levels"));
             return;
         }
         for child in node.children().filter(Node::is_element) {
@@ -107,14 +106,8 @@ impl SvgReader<'_> {
             if self.findings.is_full() {
                 return;
             }
-            if child.has_attribute("transform") {
-                let found = quote(child.attribute("transform").unwrap_or(""));
-                self.findings.add_at(
-                    FindingCode::Transform,
-                    line_of(child),
-                    found,
-                    "coordinates that are final",
-                );
+            if let Some(transform) = child.attribute("transform") {
+                self.blame(child, FindingCode::Transform, quote(transform), "coordinates that are final");
             }
             match child.tag_name().name() {
                 "g" => {
@@ -137,28 +130,21 @@ impl SvgReader<'_> {
         let paths = match name {
             "path" => {
                 let (paths, fault) = svg_path::parse(node.attribute("d").unwrap_or(""));
-                if let Some((code, found, allowed)) = fault {
-                    self.findings.add_at(code, line_of(node), found, allowed);
-                }
-                Some(paths)
+                self.findings.extend(fault.map(|fault| Finding { line: line_of(node), ..fault }));
+                paths
             }
-            "circle" => self.circle(node),
-            "line" => self.numbers(node, ["x1", "y1", "x2", "y2"]).map(|[a, b, c, d]| {
+            "circle" => Vec::from_iter(self.circle(node)),
+            "line" => self.numbers(node, ["x1", "y1", "x2", "y2"]).map_or_else(Vec::new, |[a, b, c, d]| {
                 vec![Path::open(vec![Line::new(Point::new(a, b), Point::new(c, d)).into()])]
             }),
-            "rect" => self.rect(node),
-            "polyline" | "polygon" => self.points(node, name == "polygon"),
+            "rect" => Vec::from_iter(self.rect(node)),
+            "polyline" | "polygon" => Vec::from_iter(self.points(node, name == "polygon")),
             _ => {
-                self.findings.add_at(
-                    FindingCode::UnknownWord,
-                    line_of(node),
-                    quote(name),
-                    "shapes of lines and arcs",
-                );
-                None
+                self.blame(node, FindingCode::UnknownWord, quote(name), "shapes of lines and arcs");
+                Vec::new()
             }
         };
-        let flipped = paths.unwrap_or_default().into_iter().map(|path| self.flip.path(&path));
+        let flipped = paths.into_iter().map(|path| self.flip.path(&path));
         self.drawing.layer_mut(id).extend(flipped);
     }
 
@@ -169,7 +155,7 @@ impl SvgReader<'_> {
             let Some(text) = node.attribute(name) else { continue };
             let Some(number) = number::value(text.trim()) else {
                 let found = format!("{name}={}", quote(text));
-                self.findings.add_at(FindingCode::BadNumber, line_of(node), found, "a plain number");
+                self.blame(node, FindingCode::BadNumber, found, "a plain number");
                 return None;
             };
             *value = number;
@@ -177,45 +163,40 @@ impl SvgReader<'_> {
         Some(values)
     }
 
-    fn circle(&mut self, node: Node<'_, '_>) -> Option<Vec<Path>> {
+    fn circle(&mut self, node: Node<'_, '_>) -> Option<Path> {
         let [x, y, r] = self.numbers(node, ["cx", "cy", "r"])?;
         if r <= 0.0 {
-            self.findings.add_at(FindingCode::BadNumber, line_of(node), format!("r={r}"), "a radius > 0");
+            self.blame(node, FindingCode::BadNumber, format!("r={r}"), "a radius > 0");
             return None;
         }
-        Some(vec![Path::closed(vec![Arc::new(Point::new(x, y), r, 0.0, TAU).into()])])
+        Some(Path::closed(vec![Arc::new(Point::new(x, y), r, 0.0, TAU).into()]))
     }
 
-    fn rect(&mut self, node: Node<'_, '_>) -> Option<Vec<Path>> {
+    fn rect(&mut self, node: Node<'_, '_>) -> Option<Path> {
         let [x, y, w, h, rx, ry] = self.numbers(node, ["x", "y", "width", "height", "rx", "ry"])?;
         if w <= 0.0 || h <= 0.0 || rx != 0.0 || ry != 0.0 {
             let found = format!("{w} x {h}, corners {rx}, {ry}");
-            self.findings.add_at(
-                FindingCode::BadNumber,
-                line_of(node),
-                found,
-                "a size > 0 and sharp corners",
-            );
+            self.blame(node, FindingCode::BadNumber, found, "a size > 0 and sharp corners");
             return None;
         }
         let corners = [(x, y), (x + w, y), (x + w, y + h), (x, y + h)].map(|(x, y)| Point::new(x, y));
-        Some(vec![chain(&corners, true)])
+        Some(chain(&corners, true))
     }
 
-    fn points(&mut self, node: Node<'_, '_>, closed: bool) -> Option<Vec<Path>> {
+    fn points(&mut self, node: Node<'_, '_>, closed: bool) -> Option<Path> {
         let text = node.attribute("points").unwrap_or("");
-        let numbers: Option<Vec<f64>> = text
-            .split(|c: char| c.is_ascii_whitespace() || c == ',')
-            .filter(|x| !x.is_empty())
-            .map(number::value)
-            .collect();
-        let Some(numbers) = numbers.filter(|n| n.len() % 2 == 0) else {
-            self.findings.add_at(FindingCode::BadNumber, line_of(node), quote(text), "pairs of numbers");
+        let Some(numbers) = numbers_in(text).filter(|n| n.len() % 2 == 0) else {
+            self.blame(node, FindingCode::BadNumber, quote(text), "pairs of numbers");
             return None;
         };
         let points: Vec<Point> = numbers.chunks_exact(2).map(|xy| Point::new(xy[0], xy[1])).collect();
-        Some(vec![chain(&points, closed)])
+        Some(chain(&points, closed))
     }
+}
+
+/// The numbers of a list, with blanks or commas between them.
+fn numbers_in(text: &str) -> Option<Vec<f64>> {
+    text.split([' ', ',']).filter(|word| !word.is_empty()).map(number::value).collect()
 }
 
 /// The lines from point to point.
@@ -227,7 +208,7 @@ fn chain(points: &[Point], closed: bool) -> Path {
 }
 
 /// Line of an element in the file.
-fn line_of(node: Node<'_, '_>) -> Option<usize> {
+pub(in crate::verify) fn line_of(node: Node<'_, '_>) -> Option<usize> {
     usize::try_from(node.document().text_pos_at(node.range().start).row).ok()
 }
 

@@ -1,61 +1,74 @@
 //! The `d` attribute of an SVG path: absolute `M L H V A Z`, in user units, Y down.
 
-use crate::verify::FindingCode;
 use crate::verify::finding::quote;
-use crate::verify::read::drawing::JOIN;
+use crate::verify::read::drawing::{JOIN, Pen};
 use crate::verify::read::number;
+use crate::verify::{Finding, FindingCode};
 use inflatable::geom::{Arc, Line, Path, Point, Segment};
 
-/// A fault: code, found, allowed.
-pub(in crate::verify) type PathFault = (FindingCode, String, String);
-
 /// The subpaths of `d`; a fault drops the rest.
-pub(in crate::verify) fn parse(d: &str) -> (Vec<Path>, Option<PathFault>) {
-    let mut pen = SvgPen::default();
-    let mut scan = PathScan { rest: d };
-    let fault = draw(&mut scan, &mut pen).err();
+pub(in crate::verify) fn parse(d: &str) -> (Vec<Path>, Option<Finding>) {
+    let mut pen = Pen::default();
+    let fault = draw(&mut PathScan { rest: d }, &mut pen).err();
     pen.lift(false);
     (pen.paths, fault)
 }
 
-fn draw(scan: &mut PathScan<'_>, pen: &mut SvgPen) -> Result<(), PathFault> {
+fn draw(scan: &mut PathScan<'_>, pen: &mut Pen) -> Result<(), Finding> {
     while let Some(command) = scan.command()? {
         if command == 'Z' {
-            pen.close()?;
+            begun(pen)?;
+            pen.close(JOIN);
             continue;
         }
         let mut first = true;
         // A command letter applies to all sets of numbers that follow it.
         while first || scan.has_number() {
             match command {
-                'M' if first => pen.begin(Point::new(scan.number()?, scan.number()?)),
-                'M' | 'L' => pen.line(Point::new(scan.number()?, scan.number()?))?,
-                'H' => pen.line(Point::new(scan.number()?, pen.here.y))?,
-                'V' => pen.line(Point::new(pen.here.x, scan.number()?))?,
+                'M' if first => pen.begin(scan.point()?),
+                'M' | 'L' => line(pen, scan.point()?)?,
+                'H' => line(pen, Point::new(scan.number()?, pen.here.y))?,
+                'V' => line(pen, Point::new(pen.here.x, scan.number()?))?,
                 'A' => {
                     let (rx, ry, turned) = (scan.number()?, scan.number()?, scan.number()?);
                     if turned != 0.0 {
                         let found = format!("an arc turned by {turned} deg");
-                        return Err((
+                        return Err(Finding::new(
                             FindingCode::BadArc,
                             found,
-                            "0, as a circle needs no turning".to_owned(),
+                            "0, as a circle needs no turning",
                         ));
                     }
-                    let (large, sweep) = (scan.flag()?, scan.flag()?);
-                    pen.arc(rx, ry, large, sweep, Point::new(scan.number()?, scan.number()?))?;
+                    let (large, sweep, end) = (scan.flag()?, scan.flag()?, scan.point()?);
+                    if rx != ry {
+                        let found = format!("an ellipse with radii {rx} and {ry}");
+                        return Err(Finding::new(FindingCode::BadArc, found, "circular arcs"));
+                    }
+                    if let Some(segment) = arc(pen.here, end, rx.abs(), large, sweep) {
+                        begun(pen)?;
+                        pen.push(segment, end);
+                    }
                 }
                 _ => {
-                    return Err((
-                        FindingCode::UnknownWord,
-                        format!("path command {command}"),
-                        ALLOWED.to_owned(),
-                    ));
+                    let found = format!("path command {command}");
+                    return Err(Finding::new(FindingCode::UnknownWord, found, ALLOWED));
                 }
             }
             first = false;
         }
     }
+    Ok(())
+}
+
+/// Checks that a path has begun.
+fn begun(pen: &Pen) -> Result<(), Finding> {
+    let fault = || Finding::new(FindingCode::BadPath, "a path that does not begin with M", ALLOWED);
+    pen.start.map(|_| ()).ok_or_else(fault)
+}
+
+fn line(pen: &mut Pen, end: Point) -> Result<(), Finding> {
+    begun(pen)?;
+    pen.push(Line::new(pen.here, end), end);
     Ok(())
 }
 
@@ -75,7 +88,7 @@ impl PathScan<'_> {
         }
     }
 
-    fn command(&mut self) -> Result<Option<char>, PathFault> {
+    fn command(&mut self) -> Result<Option<char>, Finding> {
         self.skip(false);
         let Some(c) = self.rest.chars().next() else { return Ok(None) };
         if !c.is_ascii_alphabetic() {
@@ -90,17 +103,22 @@ impl PathScan<'_> {
         number::read(self.rest, true).is_some()
     }
 
-    fn number(&mut self) -> Result<f64, PathFault> {
+    fn number(&mut self) -> Result<f64, Finding> {
         let number = number::read(self.rest, true).ok_or_else(|| self.fault("a number"))?;
-        let beyond = || (FindingCode::BadNumber, quote(number.text), format!("at most {}", number::LARGEST));
+        let allowed = || format!("at most {}", number::LARGEST);
+        let beyond = || Finding::new(FindingCode::BadNumber, quote(number.text), allowed());
         let value = number.value.ok_or_else(beyond)?;
         self.rest = number.rest;
         self.skip(true);
         Ok(value)
     }
 
+    fn point(&mut self) -> Result<Point, Finding> {
+        Ok(Point::new(self.number()?, self.number()?))
+    }
+
     /// A flag is one digit, and need not be set off from the next word.
-    fn flag(&mut self) -> Result<bool, PathFault> {
+    fn flag(&mut self) -> Result<bool, Finding> {
         let flag = match self.rest.as_bytes().first() {
             Some(b'0') => false,
             Some(b'1') => true,
@@ -111,91 +129,22 @@ impl PathScan<'_> {
         Ok(flag)
     }
 
-    fn fault(&self, allowed: &str) -> PathFault {
-        (FindingCode::BadPath, quote(self.rest), allowed.to_owned())
+    fn fault(&self, allowed: &str) -> Finding {
+        Finding::new(FindingCode::BadPath, quote(self.rest), allowed)
     }
-}
-
-/// The subpath under way.
-#[derive(Default)]
-struct SvgPen {
-    paths: Vec<Path>,
-    segments: Vec<Segment>,
-    start: Option<Point>,
-    here: Point,
-}
-
-impl SvgPen {
-    fn begin(&mut self, p: Point) {
-        self.lift(false);
-        self.start = Some(p);
-        self.here = p;
-    }
-
-    fn lift(&mut self, closed: bool) {
-        let segments = std::mem::take(&mut self.segments);
-        if !segments.is_empty() {
-            self.paths.push(Path { segments, closed });
-        }
-    }
-
-    fn push(&mut self, segment: impl Into<Segment>, end: Point) -> Result<(), PathFault> {
-        if self.start.is_none() {
-            return Err((
-                FindingCode::BadPath,
-                "a path that does not begin with M".to_owned(),
-                ALLOWED.to_owned(),
-            ));
-        }
-        self.segments.push(segment.into());
-        self.here = end;
-        Ok(())
-    }
-
-    fn line(&mut self, end: Point) -> Result<(), PathFault> {
-        self.push(Line::new(self.here, end), end)
-    }
-
-    fn close(&mut self) -> Result<(), PathFault> {
-        let start = self.start.unwrap_or(self.here);
-        if self.here.distance(start) > JOIN || self.start.is_none() {
-            self.line(start)?;
-        }
-        self.lift(true);
-        self.here = start;
-        Ok(())
-    }
-
-    fn arc(&mut self, rx: f64, ry: f64, large: bool, sweep: bool, end: Point) -> Result<(), PathFault> {
-        if rx != ry {
-            let found = format!("an ellipse with radii {rx} and {ry}");
-            return Err((FindingCode::BadArc, found, "circular arcs".to_owned()));
-        }
-        match arc(self.here, end, rx.abs(), large, sweep) {
-            Drawn::Arc(arc) => self.push(arc, end),
-            Drawn::Line => self.line(end),
-            Drawn::Nothing => Ok(()),
-        }
-    }
-}
-
-enum Drawn {
-    Arc(Arc),
-    Line,
-    Nothing,
 }
 
 /// From end points to centre: SVG 1.1, appendix F.6.5 and F.6.6, for equal radii.
 ///
 /// A radius below half the chord is scaled up to it; a radius 0 gives a line, equal end points nothing.
-fn arc(from: Point, to: Point, radius: f64, large: bool, sweep: bool) -> Drawn {
+fn arc(from: Point, to: Point, radius: f64, large: bool, sweep: bool) -> Option<Segment> {
     let chord = to - from;
     let half = 0.5 * chord.length();
     if half == 0.0 {
-        return Drawn::Nothing;
+        return None;
     }
     if radius == 0.0 {
-        return Drawn::Line;
+        return Some(Line::new(from, to).into());
     }
     let r = radius.max(half);
     // Factored, so that it stays exact for arcs near 180 degrees, where the difference of the squares cancels.
@@ -205,7 +154,7 @@ fn arc(from: Point, to: Point, radius: f64, large: bool, sweep: bool) -> Drawn {
     let angle = 2.0 * libm::atan2(half, apothem);
     let turn = if large { std::f64::consts::TAU - angle } else { angle };
     let turn = if sweep { turn } else { -turn };
-    Drawn::Arc(Arc::new(center, r, (from - center).angle(), turn))
+    Some(Arc::new(center, r, (from - center).angle(), turn).into())
 }
 
 #[cfg(test)]
@@ -229,7 +178,7 @@ mod tests {
         for d in ["M0,0H4V3H0Z", "M0 0 4 0 4,3 0,3Z", "M0-0L4 0,4 3 0 3 0 0Z", "M0 0L4.0.0L4 3e0L.0 3z"] {
             let (paths, fault) = parse(d);
             if d.ends_with('z') {
-                assert_eq!(fault.map(|f| f.0), Some(FindingCode::UnknownWord));
+                assert_eq!(fault.map(|f| f.code), Some(FindingCode::UnknownWord.as_str()));
             } else {
                 assert_eq!((paths, fault), (square.clone(), None), "{d}");
             }
@@ -279,7 +228,7 @@ mod tests {
             ("M0 0L nan 0", "bad-path"),
             ("M0 0 Lé", "bad-path"),
         ] {
-            assert_eq!(parse(d).1.map(|f| f.0.as_str()), Some(code), "{d}");
+            assert_eq!(parse(d).1.map(|f| f.code), Some(code), "{d}");
         }
     }
 }

@@ -4,6 +4,7 @@
 use roxmltree::{Document, Node};
 
 use crate::verify::finding::quote;
+use crate::verify::read::svg::line_of;
 use crate::verify::{FindingCode, Findings};
 
 /// The namespace without which a browser shows nothing.
@@ -100,8 +101,7 @@ struct WordReader<'a> {
 impl WordReader<'_> {
     fn refuse(&mut self, node: Node<'_, '_>, found: &str, allowed: &str) {
         self.faults += 1;
-        let line = usize::try_from(node.document().text_pos_at(node.range().start).row).ok();
-        self.findings.add_at(FindingCode::UnknownWord, line, found, allowed);
+        self.findings.add_at(FindingCode::UnknownWord, line_of(node), found, allowed);
     }
 
     fn node(&mut self, node: Node<'_, '_>) {
@@ -127,11 +127,8 @@ impl WordReader<'_> {
             return;
         };
         if !parents.contains(&inside) {
-            self.refuse(
-                node,
-                &format!("<{name}> in <{inside}>"),
-                &format!("<{name}> in {}", parents.join(" or ")),
-            );
+            let allowed = format!("<{name}> in {}", parents.join(" or "));
+            self.refuse(node, &format!("<{name}> in <{inside}>"), &allowed);
         }
         if node.tag_name().namespace() != Some(SVG) {
             self.refuse(node, &format!("<{name}> of another namespace"), SVG);

@@ -1,9 +1,12 @@
 //! A line that the dialect understands: its commands and the values of its other words.
 
 use crate::spec::Command;
-use crate::verify::FindingCode;
 use crate::verify::read::gcode::Dialect;
-use crate::verify::read::gcode::lexer::{Word, WordFault};
+use crate::verify::read::gcode::lexer::Word;
+use crate::verify::{Finding, FindingCode};
+
+/// Words that exclude each other.
+const CONFLICT: FindingCode = FindingCode::ModalConflict;
 
 /// The commands and values of one line.
 #[derive(Clone, Debug, Default)]
@@ -21,35 +24,29 @@ const fn bit(letter: u8) -> u32 {
 
 impl Block {
     /// Reads `words` into this block, replacing what it held; the first fault ends it.
-    pub(super) fn read(&mut self, words: &[Word], dialect: &Dialect) -> Result<(), WordFault> {
+    pub(super) fn read(&mut self, words: &[Word], dialect: &Dialect) -> Result<(), Finding> {
         self.commands.clear();
         self.given = 0;
         for (place, word) in words.iter().enumerate() {
             let name = || format!("{}{}", char::from(word.letter), word.number);
             if matches!(word.letter, b'G' | b'M') || (word.letter == b'T' && place == 0) {
                 let Some(command) = dialect.vocabulary.command(word.letter, word.number) else {
-                    return Err((FindingCode::UnknownWord, name(), format!("codes of {}", dialect.name)));
+                    let allowed = format!("codes of {}", dialect.name);
+                    return Err(Finding::new(FindingCode::UnknownWord, name(), allowed));
                 };
                 if let Some(other) = self.commands.iter().find(|c| c.group() == command.group()) {
                     let found = format!("{} ({command:?}) beside {other:?}", name());
-                    return Err((
-                        FindingCode::ModalConflict,
-                        found,
-                        "one code of each group on a line".to_owned(),
-                    ));
+                    return Err(Finding::new(CONFLICT, found, "one code of each group on a line"));
                 }
                 self.commands.push(command);
                 continue;
             }
-            if !dialect.vocabulary.parameters.as_bytes().contains(&word.letter) || bit(word.letter) == 0 {
-                return Err((
-                    FindingCode::UnknownWord,
-                    name(),
-                    format!("words {}", dialect.vocabulary.parameters),
-                ));
+            let parameters = dialect.vocabulary.parameters;
+            if !parameters.as_bytes().contains(&word.letter) || bit(word.letter) == 0 {
+                return Err(Finding::new(FindingCode::UnknownWord, name(), format!("words {parameters}")));
             }
             if self.given & bit(word.letter) != 0 {
-                return Err((FindingCode::RepeatedWord, name(), "each letter once a line".to_owned()));
+                return Err(Finding::new(FindingCode::RepeatedWord, name(), "each letter once a line"));
             }
             self.given |= bit(word.letter);
             self.values[usize::from(word.letter - b'A')] = word.number;
@@ -80,54 +77,36 @@ impl Block {
     }
 
     /// Words that contradict each other or belong to nothing on the line.
-    fn check(&self) -> Result<(), WordFault> {
+    fn check(&self) -> Result<(), Finding> {
         let dwell = self.has(Command::Dwell);
         if dwell && self.has_any(b"XYZIJ") {
-            return Err((
-                FindingCode::ModalConflict,
-                "a dwell with axis words".to_owned(),
-                "P alone".to_owned(),
-            ));
+            return Err(Finding::new(CONFLICT, "a dwell with axis words", "P alone"));
         }
         if let Some(command) = self.commands.iter().find(|command| command.stands_alone()) {
             if self.commands.len() > 1 || self.has_any(b"XYZJF") {
-                let found = format!("{command:?} beside other words");
-                return Err((FindingCode::ModalConflict, found, "it alone".to_owned()));
+                return Err(Finding::new(CONFLICT, format!("{command:?} beside other words"), "it alone"));
             }
             let heats = matches!(command, Command::HeatAndWait | Command::HeatOnly);
             if heats && !self.value(b'S').is_some_and(|s| s >= 0.0) {
-                return Err((
-                    FindingCode::BadNumber,
-                    "heat without a temperature".to_owned(),
-                    "S, >= 0".to_owned(),
-                ));
+                return Err(Finding::new(FindingCode::BadNumber, "heat without a temperature", "S, >= 0"));
             }
         } else if self.value(b'P').is_some() != dwell {
-            return Err((
-                FindingCode::UnusedWord,
-                "P or a dwell, one of them".to_owned(),
-                "both or none".to_owned(),
-            ));
+            return Err(Finding::new(FindingCode::UnusedWord, "P or a dwell, one of them", "both or none"));
         }
         let own = |letter: u8| self.commands.iter().any(|command| command.own_letters().contains(&letter));
-        if let Some(letter) =
-            [b'P', b'R', b'S', b'T'].into_iter().find(|l| self.value(*l).is_some() && !own(*l))
-        {
-            let found = format!("{} without its command", char::from(letter));
-            return Err((FindingCode::UnusedWord, found, "words that a command uses".to_owned()));
+        if let Some(letter) = b"PRST".iter().find(|l| self.value(**l).is_some() && !own(**l)) {
+            let found = format!("{} without its command", char::from(*letter));
+            return Err(Finding::new(FindingCode::UnusedWord, found, "words that a command uses"));
         }
         if let Some(p) = self.value(b'P').filter(|p| *p < 0.0) {
-            return Err((FindingCode::BadNumber, format!("P{p}"), "a time >= 0".to_owned()));
+            return Err(Finding::new(FindingCode::BadNumber, format!("P{p}"), "a time >= 0"));
         }
         if let Some(f) = self.value(b'F').filter(|f| *f <= 0.0) {
-            return Err((FindingCode::BadFeed, format!("F{f}"), "a feed > 0".to_owned()));
+            return Err(Finding::new(FindingCode::BadFeed, format!("F{f}"), "a feed > 0"));
         }
         if self.has_any(b"IJ") && !self.has_any(b"XY") && !own(b'I') {
-            return Err((
-                FindingCode::BadArc,
-                "a centre without an end point".to_owned(),
-                "X or Y with I, J".to_owned(),
-            ));
+            let (found, allowed) = ("a centre without an end point", "X or Y with I, J");
+            return Err(Finding::new(FindingCode::BadArc, found, allowed));
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! The dialects, and their tables, each from its controller's documentation and source.
 
 use crate::spec;
-use crate::spec::Vocabulary;
+use crate::spec::{Comments, Controller, DwellUnit, Vocabulary};
 
 /// The strictest of GRBL (0.005 mm, or 0.1 % up to 0.5 mm) and LinuxCNC (about 0.028 mm).
 const STRICTEST: ArcTolerance = ArcTolerance { free: 0.005, relative: 0.001, limit: 0.028 };
@@ -16,7 +16,7 @@ impl Dialect {
         name: "generic",
         vocabulary: Vocabulary::of(spec::Dialect::Generic),
         line_length: 72,
-        comments: CommentMark::Semicolon,
+        comments: Comments::Semicolon,
         forbidden: "()!~?",
         travel_at_feed: true,
         dwell: DwellUnit::Seconds,
@@ -55,12 +55,9 @@ impl Dialect {
         name: "marlin",
         vocabulary: Vocabulary::of(spec::Dialect::Marlin),
         line_length: 95,
-        comments: CommentMark::Semicolon,
         forbidden: "()!~?*",
-        travel_at_feed: true,
         dwell: DwellUnit::Milliseconds,
-        dwell_step: 0.0,
-        arcs: STRICTEST,
+        ..Self::GENERIC
     };
 
     /// Klipper without `[gcode_arcs]`: G4 P in ms, PAUSE of `[pause_resume]`, extended commands; G0 as G1.
@@ -79,18 +76,6 @@ impl Dialect {
         ..Self::MARLIN
     };
 
-    /// Every table.
-    pub const ALL: [Self; 8] = [
-        Self::GENERIC,
-        Self::LINUXCNC,
-        Self::GRBL,
-        Self::GRBLHAL,
-        Self::FLUIDNC,
-        Self::MARLIN,
-        Self::KLIPPER,
-        Self::REPRAPFIRMWARE,
-    ];
-
     /// The table of a controller of family `dialect`.
     pub fn of(dialect: spec::Dialect) -> Self {
         match dialect {
@@ -105,33 +90,29 @@ impl Dialect {
         }
     }
 
-    /// The table for `controller`: its dialect, its comments, and its lines if they are shorter.
-    pub fn for_controller(controller: &spec::Controller) -> Self {
-        let dialect = Self::of(controller.dialect).with_line_length(controller.line_length);
-        let dialect = if controller.arcs { dialect } else { dialect.without_arcs() };
+    /// The table for `controller`: its dialect, its words, its comments, and its lines if they are shorter.
+    pub fn for_controller(controller: &Controller) -> Self {
+        let family = Self::of(controller.dialect);
+        let dialect = Self {
+            line_length: family.line_length.min(controller.line_length),
+            vocabulary: Vocabulary::for_controller(controller),
+            comments: controller.comments,
+            ..family
+        };
         match controller.comments {
-            spec::Comments::Semicolon => dialect,
-            spec::Comments::Parentheses => dialect.with_parentheses(),
+            Comments::Semicolon => dialect,
+            Comments::Parentheses => Self { forbidden: ";!~?", ..dialect },
         }
     }
-}
 
-/// Unit of the P word of a dwell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DwellUnit {
-    /// Seconds.
-    Seconds,
-    /// Milliseconds.
-    Milliseconds,
-}
-
-/// The form of a comment.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CommentMark {
-    /// From `;` to the end of the line.
-    Semicolon,
-    /// Between `(` and `)`, alone on its line.
-    Parentheses,
+    /// Duration of a dwell with this P word, s.
+    pub fn dwell_seconds(&self, p: f64) -> f64 {
+        let seconds = match self.dwell {
+            DwellUnit::Seconds => p,
+            DwellUnit::Milliseconds => p / 1000.0,
+        };
+        if self.dwell_step > 0.0 { (seconds / self.dwell_step).ceil() * self.dwell_step } else { seconds }
+    }
 }
 
 /// Largest difference of the distances from an arc's centre to its two ends, mm.
@@ -157,7 +138,7 @@ pub struct Dialect {
     /// The words that it understands.
     pub vocabulary: Vocabulary,
     /// The form of comments.
-    pub comments: CommentMark,
+    pub comments: Comments,
     /// Characters that must not occur anywhere, comments included.
     pub forbidden: &'static str,
     /// Whether G0 moves at the feed in force, as G1 does.
@@ -168,31 +149,4 @@ pub struct Dialect {
     pub dwell_step: f64,
     /// The limits beyond which an arc is refused.
     pub arcs: ArcTolerance,
-}
-
-impl Dialect {
-    /// The same dialect on a controller that reads lines of at most `line_length` bytes, if that is less.
-    pub const fn with_line_length(self, line_length: usize) -> Self {
-        let line_length = if line_length < self.line_length { line_length } else { self.line_length };
-        Self { line_length, ..self }
-    }
-
-    /// The same dialect on a controller that draws no arcs.
-    pub const fn without_arcs(self) -> Self {
-        Self { vocabulary: self.vocabulary.without_arcs(), ..self }
-    }
-
-    /// The same dialect with comments between parentheses.
-    pub const fn with_parentheses(self) -> Self {
-        Self { comments: CommentMark::Parentheses, forbidden: ";!~?", ..self }
-    }
-
-    /// Duration of a dwell with this P word, s.
-    pub fn dwell_seconds(&self, p: f64) -> f64 {
-        let seconds = match self.dwell {
-            DwellUnit::Seconds => p,
-            DwellUnit::Milliseconds => p / 1000.0,
-        };
-        if self.dwell_step > 0.0 { (seconds / self.dwell_step).ceil() * self.dwell_step } else { seconds }
-    }
 }

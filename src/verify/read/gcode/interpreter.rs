@@ -1,10 +1,10 @@
 //! The interpreter: line after line, in constant memory.
 
-use crate::spec::Command;
+use crate::spec::{Command, Comments};
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::lexer::{Alphabet, Word};
-use crate::verify::read::gcode::machine::{Here, Machine, report};
-use crate::verify::read::gcode::{Comment, CommentMark, Dialect, Event, Pause, lexer};
+use crate::verify::read::gcode::machine::{Here, Machine};
+use crate::verify::read::gcode::{Comment, Dialect, Event, Pause, lexer};
 use crate::verify::{Finding, FindingCode};
 
 /// The beginning of the last line of every program; the number of lines follows.
@@ -60,9 +60,8 @@ impl Interpreter {
         let line = line.unwrap_or(text);
         let line = line.strip_suffix('\r').unwrap_or(line);
         if line.len() > self.dialect.line_length {
-            let found = format!("{} characters", line.len());
             let allowed = format!("at most {}", self.dialect.line_length);
-            report(events, FindingCode::LineTooLong, self.line, &found, &allowed);
+            self.report(events, FindingCode::LineTooLong, format!("{} characters", line.len()), allowed);
         }
         let mut comment = None;
         if let Some(command) = self.whole_word(line) {
@@ -72,15 +71,15 @@ impl Interpreter {
             let (found, fault) = lexer::cut(line, &self.dialect, &self.alphabet, &mut self.words);
             comment = found;
             let fault = fault.or_else(|| self.block.read(&self.words, &self.dialect).err());
-            if let Some((code, found, allowed)) = fault {
-                events.push(Event::Finding(Finding::at(code, self.line, found, allowed)));
+            if let Some(fault) = fault {
+                events.push(Event::Finding(Finding { line: Some(self.line), ..fault }));
             } else if !self.words.is_empty() {
                 self.execute(events);
             }
         }
         let counted = match self.dialect.comments {
-            CommentMark::Semicolon => line.strip_prefix("; "),
-            CommentMark::Parentheses => line.strip_prefix('(').and_then(|line| line.strip_suffix(')')),
+            Comments::Semicolon => line.strip_prefix("; "),
+            Comments::Parentheses => line.strip_prefix('(').and_then(|line| line.strip_suffix(')')),
         };
         self.sentinel = counted
             .and_then(|text| text.strip_prefix(SENTINEL))
@@ -93,20 +92,15 @@ impl Interpreter {
     /// After the last line: reports a missing end.
     pub fn finish(&mut self, events: &mut Vec<Event>) {
         if self.ended.is_none() {
-            report(events, FindingCode::Truncated, self.line, "no end of the program", "M2 or M30");
+            self.report(events, FindingCode::Truncated, "no end of the program", "M2 or M30");
         }
         if !self.sentinel || !self.complete {
             let allowed = format!("last line \"; {SENTINEL}{} lines\" and a line end", self.line);
-            report(events, FindingCode::Truncated, self.line, "another last line", &allowed);
+            self.report(events, FindingCode::Truncated, "another last line", allowed);
         }
         if self.announced.take().is_some() {
-            report(
-                events,
-                FindingCode::HeatWithoutPause,
-                self.line,
-                "a heating without a wait for it",
-                "M0 after it",
-            );
+            let found = "a heating without a wait for it";
+            self.report(events, FindingCode::HeatWithoutPause, found, "M0 after it");
         }
     }
 
@@ -123,7 +117,7 @@ impl Interpreter {
     fn execute(&mut self, events: &mut Vec<Event>) {
         if let Some(end) = self.ended {
             let found = format!("words after the program's end in line {end}");
-            report(events, FindingCode::AfterEnd, self.line, &found, "comments only");
+            self.report(events, FindingCode::AfterEnd, found, "comments only");
             return;
         }
         let pause = self.block.has(Command::Pause);
@@ -132,13 +126,8 @@ impl Interpreter {
             self.announced = None;
         }
         if !pause && self.announced.take().is_some() {
-            report(
-                events,
-                FindingCode::HeatWithoutPause,
-                self.line,
-                "words between heating and pause",
-                "M0 first",
-            );
+            let found = "words between heating and pause";
+            self.report(events, FindingCode::HeatWithoutPause, found, "M0 first");
         }
         let (block, line, dialect) = (&self.block, self.line, &self.dialect);
         self.machine.execute(&mut Here { block, line, dialect, out: events });
@@ -153,18 +142,23 @@ impl Interpreter {
         }
     }
 
+    fn report(
+        &self,
+        events: &mut Vec<Event>,
+        code: FindingCode,
+        found: impl Into<String>,
+        allowed: impl Into<String>,
+    ) {
+        events.push(Event::Finding(Finding::at(code, self.line, found, allowed)));
+    }
+
     fn remark(&mut self, text: &str, events: &mut Vec<Event>) {
         let comment = Comment { line: self.line, text: text.to_owned() };
         if comment.key() == Some("heat") {
             self.announced = comment.number("temperature_C");
             if self.announced.is_none() {
-                report(
-                    events,
-                    FindingCode::BadComment,
-                    self.line,
-                    "heat without a temperature",
-                    "temperature_C=number",
-                );
+                let found = "heat without a temperature";
+                self.report(events, FindingCode::BadComment, found, "temperature_C=number");
             }
         }
         events.push(Event::Comment(comment));

@@ -1,10 +1,11 @@
 //! Cuts a line into words and a comment.
 
-use crate::verify::FindingCode;
+use crate::spec::Comments;
 use crate::verify::finding::quote;
-use crate::verify::read::gcode::{CommentMark, Dialect};
+use crate::verify::read::gcode::Dialect;
 use crate::verify::read::number;
 use crate::verify::read::number::Number;
+use crate::verify::{Finding, FindingCode};
 
 /// A letter with its number, e.g. `X-1.5`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,9 +13,6 @@ pub(super) struct Word {
     pub(super) letter: u8,
     pub(super) number: f64,
 }
-
-/// A fault of a line's characters: code, found, allowed.
-pub(super) type WordFault = (FindingCode, String, String);
 
 /// The kind of each byte in a line of some dialect.
 #[derive(Clone, Debug)]
@@ -30,8 +28,8 @@ impl Alphabet {
         let mut kinds = [BAD; 256];
         kinds[usize::from(b' ')..=usize::from(b'~')].fill(0);
         let marks: &[u8] = match dialect.comments {
-            CommentMark::Semicolon => b";",
-            CommentMark::Parentheses => b"()",
+            Comments::Semicolon => b";",
+            Comments::Parentheses => b"()",
         };
         for byte in marks {
             kinds[usize::from(*byte)] |= MARK;
@@ -56,7 +54,7 @@ pub(super) fn cut<'a>(
     dialect: &Dialect,
     alphabet: &Alphabet,
     words: &mut Vec<Word>,
-) -> (Option<&'a str>, Option<WordFault>) {
+) -> (Option<&'a str>, Option<Finding>) {
     words.clear();
     let kinds = alphabet.of(line);
     if kinds & BAD != 0 {
@@ -80,14 +78,15 @@ pub(super) fn cut<'a>(
                     continue;
                 }
                 Some(Number { text, .. }) => {
-                    (FindingCode::BadNumber, quote(text), format!("at most {}", number::LARGEST))
+                    let allowed = format!("at most {}", number::LARGEST);
+                    Finding::new(FindingCode::BadNumber, quote(text), allowed)
                 }
                 None => {
-                    (FindingCode::BadNumber, quote(rest), "a decimal number after each letter".to_owned())
+                    Finding::new(FindingCode::BadNumber, quote(rest), "a decimal number after each letter")
                 }
             }
         } else {
-            (FindingCode::UnknownWord, quote(rest), "a capital letter and a number".to_owned())
+            Finding::new(FindingCode::UnknownWord, quote(rest), "a capital letter and a number")
         };
         words.clear();
         return (comment, Some(fault));
@@ -96,49 +95,44 @@ pub(super) fn cut<'a>(
 }
 
 /// The first character of `line` that is not printable, or else the first that the dialect forbids.
-fn bad_character(line: &str, dialect: &Dialect) -> Option<WordFault> {
-    let fault = |bad: char, allowed| Some((FindingCode::BadCharacter, format!("{bad:?}"), allowed));
-    if let Some(bad) = line.chars().find(|c| !matches!(c, ' '..='~')) {
-        return fault(bad, "printable ASCII".to_owned());
-    }
-    let bad = line.chars().find(|c| dialect.forbidden.contains(*c))?;
-    fault(bad, format!("no character of {} in {}", dialect.forbidden, dialect.name))
+fn bad_character(line: &str, dialect: &Dialect) -> Option<Finding> {
+    let forbidden = |c: &char| dialect.forbidden.contains(*c);
+    let (bad, allowed) = match line.chars().find(|c| !matches!(c, ' '..='~')) {
+        Some(bad) => (bad, "printable ASCII".to_owned()),
+        None => (
+            line.chars().find(forbidden)?,
+            format!("no character of {} in {}", dialect.forbidden, dialect.name),
+        ),
+    };
+    Some(Finding::new(FindingCode::BadCharacter, format!("{bad:?}"), allowed))
 }
 
 /// The line's code, and its comment without the mark.
-fn split_comment<'a>(line: &'a str, dialect: &Dialect) -> Result<(&'a str, Option<&'a str>), WordFault> {
-    if dialect.comments == CommentMark::Semicolon {
+fn split_comment<'a>(line: &'a str, dialect: &Dialect) -> Result<(&'a str, Option<&'a str>), Finding> {
+    if dialect.comments == Comments::Semicolon {
         return Ok(line.split_once(';').map_or((line, None), |(code, comment)| (code, Some(comment))));
     }
-    let Some((code, rest)) = line.split_once('(') else {
-        return match line.find(')') {
-            None => Ok((line, None)),
-            Some(_) => {
-                Err((FindingCode::BadComment, quote(line), "a comment that begins before it ends".to_owned()))
-            }
-        };
-    };
-    match rest.split_once(')') {
-        Some((comment, "")) if !comment.contains('(') => Ok((code, Some(comment))),
-        _ => Err((
-            FindingCode::BadComment,
-            quote(line),
-            "one comment, closed at the end of the line".to_owned(),
-        )),
+    let fault = |allowed: &str| Err(Finding::new(FindingCode::BadComment, quote(line), allowed));
+    match (line.split_once('('), line.contains(')')) {
+        (None, false) => Ok((line, None)),
+        (None, true) => fault("a comment that begins before it ends"),
+        (Some((code, rest)), _) => match rest.split_once(')') {
+            Some((comment, "")) if !comment.contains('(') => Ok((code, Some(comment))),
+            _ => fault("one comment, closed at the end of the line"),
+        },
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spec::Code;
 
     fn words(line: &str) -> Result<Vec<(char, f64)>, &'static str> {
         let mut words = Vec::new();
         let dialect = Dialect::GENERIC;
         match cut(line, &dialect, &Alphabet::new(&dialect), &mut words) {
             (_, None) => Ok(words.iter().map(|w| (char::from(w.letter), w.number)).collect()),
-            (_, Some((code, _, _))) => Err(code.as_str()),
+            (_, Some(fault)) => Err(fault.code),
         }
     }
 

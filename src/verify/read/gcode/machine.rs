@@ -19,8 +19,8 @@ pub(super) struct Here<'a> {
 }
 
 impl Here<'_> {
-    fn report(&mut self, code: FindingCode, found: &str, allowed: &str) {
-        report(self.out, code, self.line, found, allowed);
+    fn report(&mut self, code: FindingCode, found: impl Into<String>, allowed: impl Into<String>) {
+        self.out.push(Event::Finding(Finding::at(code, self.line, found, allowed)));
     }
 }
 
@@ -143,7 +143,7 @@ impl Machine {
                 *at += value;
             } else {
                 let found = format!("a displacement {} from an unknown position", char::from(letter));
-                here.report(FindingCode::UnknownPosition, &found, "a position (G90) first");
+                here.report(FindingCode::UnknownPosition, found, "a position (G90) first");
                 return None;
             }
         }
@@ -168,7 +168,7 @@ impl Machine {
         match arc(from, to, center, ccw, &here.dialect.arcs) {
             Ok(arc) => Some(arc.into()),
             Err((found, allowed)) => {
-                here.report(FindingCode::BadArc, &found, &allowed);
+                here.report(FindingCode::BadArc, found, allowed);
                 chord
             }
         }
@@ -192,18 +192,10 @@ impl Machine {
     fn require(&mut self, set: bool, name: &'static str, here: &mut Here<'_>) {
         if !set && !self.reported.contains(&name) {
             self.reported.push(name);
-            here.report(
-                FindingCode::ModeUnset,
-                &format!("{name} not set"),
-                "every mode set before it is needed",
-            );
+            let found = format!("{name} not set");
+            here.report(FindingCode::ModeUnset, found, "every mode set before it is needed");
         }
     }
-}
-
-/// Adds a finding to the events.
-pub(super) fn report(out: &mut Vec<Event>, code: FindingCode, line: usize, found: &str, allowed: &str) {
-    out.push(Event::Finding(Finding::at(code, line, found, allowed)));
 }
 
 /// Turns below this are full circles: GRBL's `ARC_ANGULAR_TRAVEL_EPSILON`, rad.

@@ -15,7 +15,7 @@ mod machine;
 mod modes;
 mod program;
 
-pub use dialects::{ArcTolerance, CommentMark, Dialect, DwellUnit};
+pub use dialects::{ArcTolerance, Dialect};
 pub use event::{BlindMove, Comment, Dwell, Event, Heat, Move, MoveKind, Pause, Point3};
 pub use interpreter::Interpreter;
 pub use program::{Line, Program, each_line, read_program};

@@ -1,6 +1,7 @@
 //! The content of a PDF page: operators to lines and arcs.
 
 use crate::verify::finding::quote;
+use crate::verify::read::drawing::Pen;
 use crate::verify::read::pdf::object::{PdfObject, PdfScan};
 use crate::verify::{Drawing, FindingCode, Findings};
 use inflatable::geom::{Arc, Bounds, Line, Path, Point, Segment};
@@ -25,10 +26,7 @@ struct PdfPen<'a> {
     state: GraphicsState,
     saved: Vec<GraphicsState>,
     layers: Vec<String>,
-    paths: Vec<Path>,
-    segments: Vec<Segment>,
-    start: Option<Point>,
-    here: Point,
+    pen: Pen,
     clipping: bool,
     page: PdfPage,
     findings: &'a mut Findings,
@@ -41,20 +39,14 @@ pub(in crate::verify) fn read(
     unit: f64,
     findings: &mut Findings,
 ) -> PdfPage {
+    let drawing = Drawing { page: Some(size), ..Drawing::default() };
     let mut pen = PdfPen {
         state: GraphicsState { scale: unit, shift: (0.0, 0.0), clip: None, width: None, gray: None },
         saved: Vec::new(),
         layers: Vec::new(),
-        paths: Vec::new(),
-        segments: Vec::new(),
-        start: None,
-        here: Point::ORIGIN,
+        pen: Pen::default(),
         clipping: false,
-        page: PdfPage {
-            size,
-            drawing: Drawing { page: Some(size), ..Drawing::default() },
-            ..PdfPage::default()
-        },
+        page: PdfPage { size, drawing, ..PdfPage::default() },
         findings,
     };
     let mut scan = PdfScan::new(stream);
@@ -68,27 +60,24 @@ pub(in crate::verify) fn read(
                 pen.operator(word, &operands, name.take());
                 operands.clear();
             }
-            _ => pen.findings.add(
-                FindingCode::UnknownWord,
-                "an operand that is not a number",
-                "numbers and names",
-            ),
+            _ => pen.refuse(FindingCode::UnknownWord, "an operand that is not a number", "numbers and names"),
         }
     }
     if !stream.get(scan.position()..).unwrap_or_default().iter().all(u8::is_ascii_whitespace) {
-        pen.findings.add(
-            FindingCode::BadPdf,
-            format!("junk at byte {} of a page", scan.position()),
-            "operators",
-        );
+        let found = format!("junk at byte {} of a page", scan.position());
+        pen.findings.add(FindingCode::BadPdf, found, "operators");
     }
     if !pen.saved.is_empty() || !pen.layers.is_empty() {
-        pen.findings.add(FindingCode::Truncated, "a page that ends within q or BMC", "Q and EMC");
+        pen.refuse(FindingCode::Truncated, "a page that ends within q or BMC", "Q and EMC");
     }
     pen.page
 }
 
 impl PdfPen<'_> {
+    fn refuse(&mut self, code: FindingCode, found: &str, allowed: &str) {
+        self.findings.add(code, found, allowed);
+    }
+
     fn operator(&mut self, word: &str, operands: &[f64], name: Option<&str>) {
         if !matches!(word, "m" | "l" | "c" | "h") {
             self.page.operators.push(word.to_owned());
@@ -97,7 +86,7 @@ impl PdfPen<'_> {
             ("q", []) => self.saved.push(self.state),
             ("Q", []) => match self.saved.pop() {
                 Some(state) => self.state = state,
-                None => self.findings.add(FindingCode::BadPdf, "Q without q", "pairs"),
+                None => self.refuse(FindingCode::BadPdf, "Q without q", "pairs"),
             },
             ("cm", [a, b, c, d, e, f]) if *b == 0.0 && *c == 0.0 && a == d && *a > 0.0 => {
                 let GraphicsState { scale, shift: (x, y), .. } = self.state;
@@ -105,38 +94,32 @@ impl PdfPen<'_> {
                 self.state.scale = scale * a;
             }
             ("cm", _) => {
-                self.findings.add(
-                    FindingCode::Transform,
-                    format!("cm {operands:?}"),
-                    "scaling and shifting only",
-                );
+                let found = format!("cm {operands:?}");
+                self.refuse(FindingCode::Transform, &found, "scaling and shifting only");
             }
             ("BMC", []) => self.layers.push(name.unwrap_or_default().to_owned()),
             ("EMC", []) => drop(self.layers.pop()),
             ("w", [width]) => self.state.width = Some(*width),
             ("G", [gray]) => self.state.gray = Some(*gray),
-            ("m", [x, y]) => {
-                self.lift(false);
-                self.here = self.point(*x, *y);
-                self.start = Some(self.here);
-            }
+            ("m", [x, y]) => self.pen.begin(self.point(*x, *y)),
             ("l", [x, y]) => self.line(self.point(*x, *y)),
             ("c", [ax, ay, bx, by, x, y]) => {
                 self.curve(self.point(*ax, *ay), self.point(*bx, *by), self.point(*x, *y));
             }
-            ("h", []) => self.close(),
+            // Rounding to the file's quantum is not a side of its own.
+            ("h", []) => self.pen.close(1e-3),
             ("re", [x, y, w, h]) => {
                 for (word, x, y) in [("m", *x, *y), ("l", x + w, *y), ("l", x + w, y + h), ("l", *x, y + h)] {
                     self.operator(word, &[x, y], None);
                 }
-                self.close();
+                self.operator("h", &[], None);
             }
             ("W", []) => self.clipping = true,
             ("n", []) => self.end(false),
             ("S", []) => self.end(true),
             _ => {
                 let found = quote(&format!("{operands:?} {word}"));
-                self.findings.add(FindingCode::UnknownWord, found, "q Q cm BMC EMC w G m l c h re W n S");
+                self.refuse(FindingCode::UnknownWord, &found, "q Q cm BMC EMC w G m l c h re W n S");
             }
         }
     }
@@ -147,21 +130,20 @@ impl PdfPen<'_> {
     }
 
     fn push(&mut self, segment: impl Into<Segment>, end: Point) {
-        if self.start.is_none() {
-            self.findings.add(FindingCode::BadPath, "a path that does not begin with m", "m first");
+        if self.pen.start.is_none() {
+            self.refuse(FindingCode::BadPath, "a path that does not begin with m", "m first");
         }
-        self.segments.push(segment.into());
-        self.here = end;
+        self.pen.push(segment, end);
     }
 
     fn line(&mut self, end: Point) {
-        if self.here.distance(end) > 0.0 {
-            self.push(Line::new(self.here, end), end);
+        if self.pen.here.distance(end) > 0.0 {
+            self.push(Line::new(self.pen.here, end), end);
         }
     }
 
     fn curve(&mut self, a: Point, b: Point, end: Point) {
-        let from = self.here;
+        let from = self.pen.here;
         let at = |t: f64| {
             let s = 1.0 - t;
             let term = |p: f64, a: f64, b: f64, q: f64| {
@@ -182,38 +164,16 @@ impl PdfPen<'_> {
         match segment.filter(is_on) {
             Some(segment) => self.push(segment, end),
             None => {
-                self.findings.add(
-                    FindingCode::BadArc,
-                    "a curve that is not an arc of a circle",
-                    "lines and arcs",
-                );
+                self.refuse(FindingCode::BadArc, "a curve that is not an arc of a circle", "lines and arcs");
             }
-        }
-    }
-
-    fn close(&mut self) {
-        if let Some(start) = self.start {
-            // Rounding to the file's quantum is not a side of its own.
-            if self.here.distance(start) > 1e-3 {
-                self.line(start);
-            }
-            self.lift(true);
-            self.here = start;
-        }
-    }
-
-    fn lift(&mut self, closed: bool) {
-        let segments = std::mem::take(&mut self.segments);
-        if !segments.is_empty() {
-            self.paths.push(Path { segments, closed });
         }
     }
 
     /// Ends the path: it is stroked or not, and becomes the clip if `W` came before.
     fn end(&mut self, stroked: bool) {
-        self.lift(false);
-        let paths = std::mem::take(&mut self.paths);
-        self.start = None;
+        self.pen.lift(false);
+        let paths = std::mem::take(&mut self.pen.paths);
+        self.pen.start = None;
         if std::mem::take(&mut self.clipping) {
             let bounds = paths.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
             self.state.clip = Some(bounds);
@@ -228,7 +188,7 @@ impl PdfPen<'_> {
             self.page.strokes.push((layer.clone(), self.state.width, self.state.gray));
             self.page.drawing.layer_mut(&layer).extend(paths);
         } else if paths.len() != 1 {
-            self.findings.add(FindingCode::UnknownWord, "a path that is not drawn", "a clip, or a stroke");
+            self.refuse(FindingCode::UnknownWord, "a path that is not drawn", "a clip, or a stroke");
         }
     }
 }

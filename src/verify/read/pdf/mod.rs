@@ -50,7 +50,15 @@ pub(in crate::verify) fn read_document<'a>(
     if bytes.split(|byte| *byte == b'%').count() != SIGNS + 1 || !bytes.trim_ascii_end().ends_with(b"%%EOF") {
         findings.add(FindingCode::BadPdf, "comments, or no end", "no comments, and %%EOF last");
     }
-    let Some(PdfFile { objects, trailer }) = PdfFile::read(bytes, findings) else { return nothing };
+    let mut scan = PdfScan::new(bytes);
+    let (objects, trailer) = match file(&mut scan) {
+        Ok(parts) => parts,
+        Err(found) => {
+            let found = format!("{found} at byte {}", scan.position());
+            findings.add(FindingCode::BadPdf, found, "objects as PDF 1.7 has them");
+            return nothing;
+        }
+    };
     let mut walk = PageWalk { objects: &objects, seen: BTreeSet::new(), findings };
     let root = trailer.get("Root").and_then(|root| walk.follow(root, "Catalog"));
     let scaling = root.and_then(|catalog| catalog.value.get("ViewerPreferences"));
@@ -115,11 +123,8 @@ impl<'a, 'b> PageWalk<'a, 'b> {
             return;
         };
         for key in entries.keys().filter(|key| !allowed.contains(key)) {
-            self.findings.add(
-                FindingCode::UnknownWord,
-                format!("/{key} in a {kind}"),
-                format!("/{}", allowed.join(" /")),
-            );
+            let (found, allowed) = (format!("/{key} in a {kind}"), format!("/{}", allowed.join(" /")));
+            self.findings.add(FindingCode::UnknownWord, found, allowed);
         }
         let missing = allowed.iter().find(|key| **key != "UserUnit" && !entries.contains_key(*key));
         if let Some(missing) = missing {
@@ -136,22 +141,17 @@ impl<'a, 'b> PageWalk<'a, 'b> {
             Some((&page.value, stream, extent(&page.value)?))
         });
         let Some((page, stream, size)) = content else {
-            self.findings.add(
-                FindingCode::BadPdf,
-                "a page without size or content",
-                "a MediaBox at 0 0 and one stream",
-            );
+            let (found, allowed) = ("a page without size or content", "a MediaBox at 0 0 and one stream");
+            self.findings.add(FindingCode::BadPdf, found, allowed);
             return None;
         };
         // Resources can bring in fonts and pictures, which no drawing has.
         if page.get("Resources") != Some(&PdfObject::Dict(BTreeMap::new())) {
             self.refuse("a page with resources");
         }
-        let parent =
-            page.get("Parent").and_then(PdfObject::target).and_then(|number| self.objects.get(&number));
-        if !parent
-            .is_some_and(|parent| parent.value.get("Kids").is_some_and(|kids| kids.items().contains(kid)))
-        {
+        let parent = page.get("Parent").and_then(PdfObject::target).and_then(|n| self.objects.get(&n));
+        let kids = parent.and_then(|parent| parent.value.get("Kids"));
+        if !kids.is_some_and(|kids| kids.items().contains(kid)) {
             self.refuse("a page whose parent does not have it");
         }
         let unit = page.get("UserUnit").and_then(PdfObject::number).unwrap_or(1.0);
@@ -178,45 +178,26 @@ struct Indirect<'a> {
 }
 
 /// All objects, and the trailer's dictionary.
-struct PdfFile<'a> {
-    objects: PdfObjects<'a>,
-    trailer: PdfObject<'a>,
-}
-
-impl<'a> PdfFile<'a> {
-    fn read(bytes: &'a [u8], findings: &mut Findings) -> Option<Self> {
-        let mut scan = PdfScan::new(bytes);
-        match Self::parts(&mut scan) {
-            Ok(file) => Some(file),
-            Err(found) => {
-                let found = format!("{found} at byte {}", scan.position());
-                findings.add(FindingCode::BadPdf, found, "objects as PDF 1.7 has them");
-                None
-            }
+fn file<'a>(scan: &mut PdfScan<'a>) -> Result<(PdfObjects<'a>, PdfObject<'a>), &'static str> {
+    let mut objects = PdfObjects::new();
+    let table = loop {
+        let (at, word) = scan.word();
+        if word == "xref" {
+            break at;
         }
-    }
-
-    fn parts(scan: &mut PdfScan<'a>) -> Result<Self, &'static str> {
-        let mut objects = PdfObjects::new();
-        let table = loop {
-            let (at, word) = scan.word();
-            if word == "xref" {
-                break at;
-            }
-            let number: u32 = word.parse().map_err(|_| "no object")?;
-            let object = indirect(scan, at)?;
-            if objects.insert(number, object).is_some() {
-                return Err("an object twice");
-            }
-        };
-        offsets(scan, &objects)?;
-        let trailer = (scan.word().1 == "trailer").then(|| scan.object()).flatten().ok_or("no trailer")?;
-        let start = (scan.word().1 == "startxref").then(|| scan.word().1.parse()).ok_or("no startxref")?;
-        if start != Ok(table) {
-            return Err("a startxref that does not point to xref");
+        let number: u32 = word.parse().map_err(|_| "no object")?;
+        let object = indirect(scan, at)?;
+        if objects.insert(number, object).is_some() {
+            return Err("an object twice");
         }
-        if scan.is_done() { Ok(Self { objects, trailer }) } else { Err("something after the end") }
+    };
+    offsets(scan, &objects)?;
+    let trailer = (scan.word().1 == "trailer").then(|| scan.object()).flatten().ok_or("no trailer")?;
+    let start = (scan.word().1 == "startxref").then(|| scan.word().1.parse()).ok_or("no startxref")?;
+    if start != Ok(table) {
+        return Err("a startxref that does not point to xref");
     }
+    if scan.is_done() { Ok((objects, trailer)) } else { Err("something after the end") }
 }
 
 /// An object whose number has been read.

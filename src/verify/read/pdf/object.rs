@@ -29,42 +29,27 @@ pub(in crate::verify) enum PdfObject<'a> {
 impl<'a> PdfObject<'a> {
     /// The value of `key`, if this is a dictionary that has it.
     pub(in crate::verify) fn get(&self, key: &str) -> Option<&Self> {
-        match self {
-            Self::Dict(entries) => entries.get(key),
-            _ => None,
-        }
+        if let Self::Dict(entries) = self { entries.get(key) } else { None }
     }
 
     /// The elements, if this is an array.
     pub(in crate::verify) fn items(&self) -> &[Self] {
-        match self {
-            Self::Array(items) => items,
-            _ => &[],
-        }
+        if let Self::Array(items) = self { items } else { &[] }
     }
 
     /// The value, if this is a number.
     pub(in crate::verify) fn number(&self) -> Option<f64> {
-        match self {
-            Self::Number(x) => Some(*x),
-            _ => None,
-        }
+        if let Self::Number(x) = self { Some(*x) } else { None }
     }
 
     /// The bytes, if this is a string.
     pub(in crate::verify) fn text(&self) -> Option<&'a [u8]> {
-        match self {
-            Self::Text(bytes) => Some(bytes),
-            _ => None,
-        }
+        if let Self::Text(bytes) = self { Some(bytes) } else { None }
     }
 
     /// The number of the object that this refers to.
     pub(in crate::verify) fn target(&self) -> Option<u32> {
-        match self {
-            Self::Reference(n) => Some(*n),
-            _ => None,
-        }
+        if let Self::Reference(n) = self { Some(*n) } else { None }
     }
 }
 
@@ -180,12 +165,7 @@ impl<'a> PdfScan<'a> {
     fn reference(&mut self, first: &str) -> Option<PdfObject<'a>> {
         let target: u32 = first.parse().ok()?;
         let mut ahead = self.clone();
-        ahead.skip_blanks();
-        if ahead.regular() != "0" {
-            return None;
-        }
-        ahead.skip_blanks();
-        if ahead.regular() != "R" {
+        if ahead.word().1 != "0" || ahead.word().1 != "R" {
             return None;
         }
         self.at = ahead.at;
