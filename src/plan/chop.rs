@@ -36,7 +36,7 @@ pub struct Chop {
 }
 
 /// The steps of the controller, if all their data are known.
-fn stepper(motion: &Motion) -> Option<Stepper> {
+pub fn stepper(motion: &Motion) -> Option<Stepper> {
     let StepRate::AtLeast(rate) = motion.step_rate else { return None };
     Some(Stepper {
         steps_per_mm: motion.steps_per_mm?,

@@ -24,7 +24,7 @@ mod travel;
 mod whole_rates;
 mod written;
 
-pub use chop::{Chop, move_time};
+pub use chop::{Chop, move_time, stepper};
 pub use feedcheck::{CHECK_LENGTH, feed_check_refusals, feed_checks};
 pub use job_size::too_many_moves;
 pub use lowest_feed::{actual_speed, lowest_speed};

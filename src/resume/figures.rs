@@ -1,10 +1,9 @@
 //! Figures of the rest: length and time of a new program, for its comments.
 
-use std::ops::ControlFlow;
-
 use crate::emit;
 use crate::resume::record::Record;
-use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
+use crate::resume::toolpath::Toolpath;
+use crate::verify::Phase;
 use crate::verify::gcode::Comment;
 
 /// Lengths and times of a new program, whose first seam may be a part of one of the old program.
@@ -27,11 +26,8 @@ impl Figures {
     /// The time of travels is the old program's total less its contacts, because its acceleration is not read.
     pub(super) fn new(old: &Toolpath<'_>, new: &Toolpath<'_>) -> Self {
         let (mut title, mut seam, mut first, mut length) = (None, 0.0, (0.0, 0.0), 0.0);
-        new.walk(|step: &TimedMove| {
-            if step.phase == JobPhase::Clear {
-                return ControlFlow::Continue(());
-            }
-            let flat = if step.phase == JobPhase::Contact { step.flat() } else { 0.0 };
+        for step in new.moves().filter(|step| step.phase != Phase::Clear) {
+            let flat = if step.phase == Phase::Contact { step.flat() } else { 0.0 };
             length += flat;
             if title.is_none() {
                 title = step.title;
@@ -40,8 +36,7 @@ impl Figures {
             if step.title == title {
                 first = (first.0 + flat, first.1 + step.seconds);
             }
-            ControlFlow::Continue(())
-        });
+        }
         let told = old.told.unwrap_or(old.seconds);
         Self {
             seam,

@@ -55,11 +55,11 @@ pub struct Resumed {
 pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resumed, ResumeFault> {
     let record = Record::read(text)?;
     let toolpath = Toolpath::read(text, &record)?;
-    if let Some(finding) = judge::contradiction(&record, text, toolpath.seconds) {
+    let contradiction = judge::contradiction(&record, text, toolpath.seconds);
+    let broken = || judge::first_fault(&record, text, &toolpath.reach);
+    if let Some(finding) = contradiction.or_else(broken).or_else(|| stated::first_fault(&toolpath)) {
         return Err(ResumeFault::Disagrees(finding));
     }
-    judge::agrees(&record, text, &toolpath.reach)?;
-    stated::agrees(&toolpath)?;
     let stop = place.find(&toolpath)?;
     let wanted = overlap.unwrap_or(record.seal.overlap.0);
     let first = rest(&toolpath, &stop, wanted);
@@ -92,7 +92,9 @@ fn rest(toolpath: &Toolpath<'_>, stop: &StopPoint, wanted: f64) -> Result<Resume
     let draft = assembled(toolpath, &note, &way, line, None);
     let figures = Figures::new(toolpath, &Toolpath::read(&draft, record)?);
     let text = assembled(toolpath, &note, &way, line, Some(&figures));
-    judge::proves(record, &text, &toolpath.reach)?;
+    if let Some(finding) = judge::first_fault(record, &text, &toolpath.reach) {
+        return Err(ResumeFault::Unproven(finding));
+    }
     Ok(Resumed { text, line: line + 1, overlap, done, seconds: figures.seconds })
 }
 

@@ -1,7 +1,7 @@
 //! The record: the machine and the seal as stated in a program's structured comments.
 
 use crate::emit::Facts;
-use crate::plan::{Chop, Pace, Precision, Stepper};
+use crate::plan::{Chop, Pace, Precision, stepper};
 use crate::resume::ResumeFault;
 use crate::spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights};
 use crate::spec::{Motion, Process, Seal, StepRate, TOXIC};
@@ -18,6 +18,8 @@ pub(super) struct Record {
     pub(super) seal: Seal,
     pub(super) path: Length,
     pub(super) pace: Pace,
+    /// The motor values on which the timing of its strokes depends.
+    motion: Motion,
     /// Whether the file has all values that its strokes' timing depends on; older files do not.
     is_timed: bool,
 }
@@ -35,7 +37,8 @@ impl Record {
             Some("trace") => return Err(ResumeFault::Trace),
             _ => return Err(ResumeFault::NotOurs("program: purpose=seal")),
         }
-        let pace = header.pace()?;
+        let motion = header.motion()?;
+        let pace = header.pace(&motion)?;
         let process = header.process()?;
         let (seal, path) = (header.seal()?, header.length("path", "tolerance_mm")?);
         let positive =
@@ -47,7 +50,8 @@ impl Record {
             return Err(ResumeFault::TooHot(seal.temperature));
         }
         let is_timed = header.find("chop").is_err() || header.find("chop-start").is_ok();
-        Ok(Self { controller: header.controller(comments, pace)?, process, seal, path, pace, is_timed })
+        let controller = header.controller(comments, pace)?;
+        Ok(Self { controller, process, seal, path, pace, motion, is_timed })
     }
 
     /// The dialect of the file.
@@ -55,26 +59,9 @@ impl Record {
         gcode::Dialect::for_controller(&self.controller)
     }
 
-    /// The motor values in the file, on which the timing of its strokes depends.
-    pub(super) fn motion(&self) -> Motion {
-        let Pace::Chopped(chop) = self.pace else { return Motion::UNKNOWN };
-        Motion {
-            steps_per_mm: chop.stepper.map(|stepper| stepper.steps_per_mm),
-            step_rate: chop.stepper.map_or(StepRate::Unknown, |stepper| StepRate::AtLeast(stepper.rate)),
-            acceleration: Some(Acceleration(chop.acceleration)),
-            chop_feed: Some(Speed(chop.speed)),
-            start_delay: Duration(chop.start_delay),
-            tick: chop.stepper.map(|stepper| Duration(stepper.tick)),
-            wraps: chop.stepper.is_some_and(|stepper| stepper.wraps),
-            first_step_rate: chop.stepper.and_then(|stepper| stepper.first_rate),
-            min_move_steps: chop.stepper.map_or(0.0, |stepper| stepper.least_steps),
-            ..Motion::UNKNOWN
-        }
-    }
-
     /// The rules that the file states, with its motor values.
-    pub(super) fn rules<'a>(&'a self, motion: &'a Motion) -> IronRules<'a> {
-        let Self { seal, process, controller, pace, .. } = self;
+    pub(super) fn rules(&self) -> IronRules<'_> {
+        let Self { seal, process, controller, pace, motion, .. } = self;
         let chops = matches!(pace, Pace::Chopped(_));
         IronRules { seal, process, motion, dwell_step: controller.dwell.step.0, chops, timed: self.is_timed }
     }
@@ -202,47 +189,50 @@ impl Header {
         })
     }
 
-    fn pace(&self) -> Result<Pace, ResumeFault> {
+    fn motion(&self) -> Result<Motion, ResumeFault> {
         if self.find("chop").is_err() {
-            return Ok(Pace::Steady);
+            return Ok(Motion::UNKNOWN);
         }
-        let stepper = self.stepper()?;
-        let least = stepper.map_or(0.0, |Stepper { steps_per_mm: [x, y, _], least_steps, .. }| {
-            least_steps * libm::hypot(1.0 / x, 1.0 / y)
-        });
+        let mut motion = Motion::UNKNOWN;
+        if self.find("chop-steps").is_ok() {
+            let steps = |axis| self.within("chop-steps", axis);
+            motion.steps_per_mm = Some([steps("x")?, steps("y")?, steps("z")?]);
+            motion.step_rate = StepRate::AtLeast(self.within("chop-ticks", "rate_Hz")?);
+            motion.tick = Some(Duration(self.tick()?));
+            motion.wraps = self.word("machine", "dialect") == Some("fluidnc");
+            // Older programs do not contain them.
+            let first = self.number("chop-moves", "first_Hz").ok();
+            motion.first_step_rate = first.filter(|rate| (1e-3..=1e5).contains(rate));
+            let least = self.number("chop-moves", "least_steps");
+            motion.min_move_steps = least.map_or(0.0, |steps| steps.clamp(0.0, 100.0));
+        }
+        motion.chop_feed = Some(Speed(self.within("chop", "feed_mm_min")? / 60.0));
+        motion.acceleration = Some(Acceleration(self.within("chop-rest", "acceleration_mm_s2")?));
+        // Older programs do not contain it.
+        let delay = self.number("chop-start", "delay_s");
+        motion.start_delay = Duration(delay.map_or(0.0, |delay| delay.clamp(0.0, 1.0)));
+        Ok(motion)
+    }
+
+    fn pace(&self, motion: &Motion) -> Result<Pace, ResumeFault> {
+        let (Some(speed), Some(acceleration)) = (motion.chop_feed, motion.acceleration) else {
+            return Ok(Pace::Steady);
+        };
+        let least = motion.least_move();
+        let (band, seal_speed) = (self.within("seal", "band_mm")?, self.within("seal", "speed_mm_s")?);
         Ok(Pace::Chopped(Chop {
             least,
             file: Precision {
                 path: self.length("path", "tolerance_mm")?,
                 arcs: self.word("machine", "arcs") == Some("yes"),
             },
-            speed: self.within("chop", "feed_mm_min")? / 60.0,
+            speed: speed.0,
             longest: self.within("chop", "longest_mm")?,
-            acceleration: self.within("chop-rest", "acceleration_mm_s2")?,
+            acceleration: acceleration.0,
             step: self.number("chop-rest", "step_s")?,
-            rest: (self.within("seal", "band_mm")? / 10.0).max(2.0 * least)
-                / self.within("seal", "speed_mm_s")?,
-            // Older programs do not contain it.
-            start_delay: self.number("chop-start", "delay_s").map_or(0.0, |delay| delay.clamp(0.0, 1.0)),
-            stepper,
-        }))
-    }
-
-    fn stepper(&self) -> Result<Option<Stepper>, ResumeFault> {
-        if self.find("chop-steps").is_err() {
-            return Ok(None);
-        }
-        let steps = |axis| self.within("chop-steps", axis);
-        Ok(Some(Stepper {
-            steps_per_mm: [steps("x")?, steps("y")?, steps("z")?],
-            rate: self.within("chop-ticks", "rate_Hz")?,
-            tick: self.tick()?,
-            wraps: self.word("machine", "dialect") == Some("fluidnc"),
-            // Older programs do not contain them.
-            first_rate: self.number("chop-moves", "first_Hz").ok().filter(|rate| (1e-3..=1e5).contains(rate)),
-            least_steps: self
-                .number("chop-moves", "least_steps")
-                .map_or(0.0, |steps| steps.clamp(0.0, 100.0)),
+            rest: (band / 10.0).max(2.0 * least) / seal_speed,
+            start_delay: motion.start_delay.0,
+            stepper: stepper(motion),
         }))
     }
 }

@@ -1,9 +1,8 @@
 //! The place where a job has stopped.
 
-use std::ops::ControlFlow;
-
 use crate::resume::ResumeFault;
-use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
+use crate::resume::toolpath::{TimedMove, Toolpath};
+use crate::verify::Phase;
 use inflatable::geom::Point;
 
 /// Largest distance of a given point from a seam, mm: the accuracy of a position read from a display or a ruler.
@@ -28,7 +27,7 @@ pub(super) struct StopPoint {
     /// Line of the move.
     pub(super) line: usize,
     /// The iron's state in it.
-    pub(super) phase: JobPhase,
+    pub(super) phase: Phase,
     /// Path in contact since the start of the seam's run, mm.
     pub(super) along: f64,
     /// Fraction of the whole job's time before it, 0 to 1.
@@ -38,7 +37,7 @@ pub(super) struct StopPoint {
 impl StopPoint {
     /// The place at this fraction of a move of `toolpath`, 0 to 1.
     fn new(toolpath: &Toolpath<'_>, at: &TimedMove, fraction: f64) -> Self {
-        let length = if at.phase == JobPhase::Contact { at.step.length() } else { 0.0 };
+        let length = if at.phase == Phase::Contact { at.step.length() } else { 0.0 };
         let done = toolpath.share_at(at.begins + fraction * at.seconds);
         Self { line: at.step.line, phase: at.phase, along: at.along + fraction * length, done }
     }
@@ -69,27 +68,21 @@ impl ResumeAt {
 
 /// The first move for which `at` returns a fraction; the job stopped there.
 fn first(toolpath: &Toolpath<'_>, at: impl Fn(&TimedMove) -> Option<f64>) -> Result<StopPoint, ResumeFault> {
-    let mut stop = None;
-    toolpath.walk(|step| {
-        stop = at(step).map(|fraction| StopPoint::new(toolpath, step, fraction));
-        if stop.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    });
+    let stop = toolpath.moves().find_map(|step| Some(StopPoint::new(toolpath, &step, at(&step)?)));
     stop.ok_or(ResumeFault::NothingLeft)
 }
 
 /// The place in contact that is nearest to `point`.
 fn near(toolpath: &Toolpath<'_>, point: Point) -> Result<StopPoint, ResumeFault> {
     let mut best: Option<(f64, StopPoint)> = None;
-    toolpath.walk(|step| {
-        if let Some(path) = step.step.path.filter(|_| step.phase == JobPhase::Contact) {
-            let t = path.nearest_fraction(point);
-            let distance = path.point(t).distance(point);
-            if best.is_none_or(|(least, _)| distance < least - 1e-6) {
-                best = Some((distance, StopPoint::new(toolpath, step, t)));
-            }
+    for step in toolpath.moves().filter(|step| step.phase == Phase::Contact) {
+        let Some(path) = step.step.path else { continue };
+        let t = path.nearest_fraction(point);
+        let distance = path.point(t).distance(point);
+        if best.is_none_or(|(least, _)| distance < least - 1e-6) {
+            best = Some((distance, StopPoint::new(toolpath, &step, t)));
         }
-        ControlFlow::Continue(())
-    });
+    }
     match best {
         None => Err(ResumeFault::NothingLeft),
         Some((distance, _)) if distance > REACH => Err(ResumeFault::Nowhere(distance)),

@@ -1,15 +1,13 @@
 //! Lengths and times as the comments state them, against the moves.
 
 use std::collections::HashMap;
-use std::ops::ControlFlow;
 
 use crate::plan::Pace;
-use crate::resume::ResumeFault;
 use crate::resume::figures::comment;
-use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
+use crate::resume::toolpath::{TimedMove, Toolpath};
 use crate::spec::LEAST_ACCELERATION;
 use crate::verify::gcode::Comment;
-use crate::verify::{Finding, FindingCode};
+use crate::verify::{Finding, FindingCode, Phase};
 
 /// Rounding of coordinates and of a stated length, for each seam, mm.
 const LENGTH: f64 = 0.02;
@@ -39,7 +37,7 @@ impl WalkedSeam {
     fn add(&mut self, step: &TimedMove, tolerance: f64) {
         self.seconds += step.seconds;
         let flat = step.flat();
-        if step.phase == JobPhase::Contact {
+        if step.phase == Phase::Contact {
             self.length += flat;
         }
         // A chord c with the sagitta s is shorter than its arc by 8 s^2 / (3 c).
@@ -47,12 +45,9 @@ impl WalkedSeam {
     }
 }
 
-/// Checks that the comments of the program state its lengths and times, and the place in the whole job where it begins.
-///
-/// # Errors
-/// The first comment that does not.
-pub(super) fn agrees(toolpath: &Toolpath<'_>) -> Result<(), ResumeFault> {
-    StatedFigures::new(toolpath).first_fault().map_or(Ok(()), |finding| Err(ResumeFault::Disagrees(finding)))
+/// The first comment that does not state the lengths and times of the program, or the place in the whole job where it begins.
+pub(super) fn first_fault(toolpath: &Toolpath<'_>) -> Option<Finding> {
+    StatedFigures::new(toolpath).first_fault()
 }
 
 /// A program's moves and what its comments state about them.
@@ -96,34 +91,32 @@ impl<'a> StatedFigures<'a> {
         // From rest to rest a way takes at most so much longer than at full speed.
         let starting = |way: f64| 2.0 * (way / acceleration).sqrt();
         let mut before = None;
-        toolpath.walk(|step| {
+        for step in toolpath.moves() {
             if before.is_none() {
                 // Every job begins at X0 Y0. The way from there is no move, because a program does not know where the iron is.
                 let way = libm::hypot(step.step.from.x, step.step.from.y);
                 out.travels[1] += way / record.process.travel_speed.0 + starting(way);
             }
-            let begins = before.is_none_or(|phase| phase == JobPhase::Clear) && step.phase != JobPhase::Clear;
+            let begins = before.is_none_or(|phase| phase == Phase::Clear) && step.phase != Phase::Clear;
             before = Some(step.phase);
             if begins {
                 out.contacts += 1.0;
             }
-            if step.phase == JobPhase::Clear {
+            if step.phase == Phase::Clear {
                 let [least, most] = &mut out.travels;
                 *least += step.seconds / DIAGONAL;
                 *most += step.seconds + starting(step.step.length());
-            } else {
-                if out.all.length == 0.0 {
-                    out.ahead =
-                        step.begins + if step.phase == JobPhase::Contact { 0.0 } else { step.seconds };
-                }
-                let number = step.title.and_then(|title| titles.get(&title));
-                if let Some(seam) = number.and_then(|number| out.seams.get_mut(number)) {
-                    seam.add(step, record.path.0);
-                }
-                out.all.add(step, record.path.0);
+                continue;
             }
-            ControlFlow::Continue(())
-        });
+            if out.all.length == 0.0 {
+                out.ahead = step.begins + if step.phase == Phase::Contact { 0.0 } else { step.seconds };
+            }
+            let number = step.title.and_then(|title| titles.get(&title));
+            if let Some(seam) = number.and_then(|number| out.seams.get_mut(number)) {
+                seam.add(&step, record.path.0);
+            }
+            out.all.add(&step, record.path.0);
+        }
         out
     }
 

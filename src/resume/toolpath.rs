@@ -2,34 +2,17 @@
 //!
 //! It is read again for every use, and never stored: a chopped job has a million moves.
 
-use std::ops::ControlFlow;
-
 use crate::resume::ResumeFault;
 use crate::resume::record::Record;
-use crate::verify::gcode::{Event, Interpreter, Move};
+use crate::verify::Phase;
+use crate::verify::gcode::{Event, Interpreter, Move, each_line};
 use inflatable::geom::Bounds;
-
-/// Tolerance of heights, mm.
-const HEIGHT: f64 = 1e-6;
-
-/// The state of the iron, from its heights.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum JobPhase {
-    /// Away from the fabric.
-    Clear,
-    /// Moving down.
-    Down,
-    /// In contact.
-    Contact,
-    /// Moving up.
-    Up,
-}
 
 /// One move.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TimedMove {
     pub(super) step: Move,
-    pub(super) phase: JobPhase,
+    pub(super) phase: Phase,
     /// Path in contact since the start of the seam's run, mm, at the start of the move.
     pub(super) along: f64,
     /// Time before it, s.
@@ -71,15 +54,13 @@ pub(super) struct Toolpath<'a> {
 impl<'a> Toolpath<'a> {
     /// Reads a whole program; a finding is an error.
     pub(super) fn read(text: &'a str, record: &'a Record) -> Result<Self, ResumeFault> {
-        let (mut hot, mut heat, mut told, mut job) = (0, false, None, None);
-        let mut interpreter = Interpreter::new(record.dialect());
-        let mut events = Vec::new();
-        for line in text.split_inclusive('\n') {
-            interpreter.feed(line, &mut events);
+        let (mut lines, mut hot, mut heat, mut told, mut job, mut fault) = (0, 0, false, None, None, None);
+        each_line(text.split_inclusive('\n'), record.dialect(), |line| {
+            lines = line.number;
             let mut is_comment = false;
-            for event in events.drain(..) {
+            for event in line.events {
                 match event {
-                    Event::Finding(finding) => return Err(ResumeFault::Damaged(finding)),
+                    Event::Finding(finding) if fault.is_none() => fault = Some(finding.clone()),
                     Event::Comment(comment) => {
                         is_comment = true;
                         match comment.key() {
@@ -93,26 +74,22 @@ impl<'a> Toolpath<'a> {
                 }
             }
             if heat && !is_comment && hot == 0 {
-                hot = interpreter.lines();
+                hot = line.number;
             }
-        }
-        interpreter.finish(&mut events);
-        if let Some(Event::Finding(finding)) = events.into_iter().find(|e| matches!(e, Event::Finding(_))) {
+        });
+        if let Some(finding) = fault {
             return Err(ResumeFault::Damaged(finding));
         }
         if hot == 0 {
             return Err(ResumeFault::NotOurs("heat"));
         }
-        let lines = interpreter.lines();
-        let mut toolpath = Self { text, record, lines, hot, seconds: 0.0, told, job, reach: Bounds::EMPTY };
+        let toolpath = Self { text, record, lines, hot, seconds: 0.0, told, job, reach: Bounds::EMPTY };
         let (mut seconds, mut reach) = (0.0, Bounds::EMPTY);
-        toolpath.walk(|step| {
+        for step in toolpath.moves() {
             seconds = step.begins + step.seconds;
             reach = step.step.path.map_or(reach, |path| reach.union(path.bounds()));
-            ControlFlow::Continue(())
-        });
-        (toolpath.seconds, toolpath.reach) = (seconds, reach);
-        Ok(toolpath)
+        }
+        Ok(Self { seconds, reach, ..toolpath })
     }
 
     /// Time of the whole job, of which this program may be the rest, s, without the accelerations of travels.
@@ -132,57 +109,48 @@ impl<'a> Toolpath<'a> {
         (1.0 - (self.seconds - time) / self.whole()).clamp(0.0, 1.0)
     }
 
-    /// Calls `see` with one move after the other, until it breaks.
-    pub(super) fn walk(&self, mut see: impl FnMut(&TimedMove) -> ControlFlow<()>) {
+    /// One move after the other.
+    pub(super) fn moves(&self) -> impl Iterator<Item = TimedMove> {
         let mut interpreter = Interpreter::new(self.record.dialect());
-        let (mut events, mut title) = (Vec::new(), None);
-        // A move is passed on after its dwells.
-        let mut last: Option<TimedMove> = None;
-        for (i, line) in self.text.split_inclusive('\n').enumerate() {
-            interpreter.feed(line, &mut events);
-            for event in events.drain(..) {
-                match event {
-                    Event::Comment(comment) if comment.key() == Some("seam") => title = Some(i),
-                    Event::Move(step) => {
-                        let next = self.timed(step, last.as_ref(), title);
-                        if last.replace(next).is_some_and(|last| see(&last).is_break()) {
-                            return;
+        let (mut events, mut title, mut last) = (Vec::new(), None, None::<TimedMove>);
+        let mut lines = self.text.split_inclusive('\n').enumerate();
+        std::iter::from_fn(move || {
+            for (i, line) in lines.by_ref() {
+                interpreter.feed(line, &mut events);
+                let mut done = None;
+                for event in events.drain(..) {
+                    match event {
+                        Event::Comment(comment) if comment.key() == Some("seam") => title = Some(i),
+                        // A line has one move at the most, which is passed on after its dwells.
+                        Event::Move(step) => done = last.replace(self.timed(step, last.as_ref(), title)),
+                        Event::Dwell(dwell) => {
+                            if let Some(last) = &mut last {
+                                last.rests |= dwell.seconds > 0.0;
+                            }
                         }
+                        _ => {}
                     }
-                    Event::Dwell(dwell) => {
-                        if let Some(last) = &mut last {
-                            last.rests |= dwell.seconds > 0.0;
-                        }
-                    }
-                    _ => {}
+                }
+                if done.is_some() {
+                    return done;
                 }
             }
-        }
-        let _ = last.map(|last| see(&last));
+            last.take()
+        })
     }
 
     fn timed(&self, step: Move, before: Option<&TimedMove>, title: Option<usize>) -> TimedMove {
-        let (record, heights) = (self.record, &self.record.process.heights);
-        let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
-        let phase = if low >= heights.travel.0 - HEIGHT {
-            JobPhase::Clear
-        } else if high <= heights.contact.0 + HEIGHT {
-            JobPhase::Contact
-        } else if step.to.z < step.from.z {
-            JobPhase::Down
-        } else {
-            JobPhase::Up
-        };
+        let (record, phase) = (self.record, Phase::of(&step, &self.record.process.heights));
         let along = before
-            .filter(|b| matches!(b.phase, JobPhase::Contact | JobPhase::Up) && phase != JobPhase::Down)
-            .map_or(0.0, |b| b.along + if b.phase == JobPhase::Contact { b.step.length() } else { 0.0 });
+            .filter(|b| matches!(b.phase, Phase::Contact | Phase::Up) && phase != Phase::Down)
+            .map_or(0.0, |b| b.along + if b.phase == Phase::Contact { b.step.length() } else { 0.0 });
         let begins = before.map_or(0.0, |b| b.begins + b.seconds);
         let seconds = match step.feed {
-            _ if phase != JobPhase::Clear => step.length() / record.seal.speed.0,
+            _ if phase != Phase::Clear => step.length() / record.seal.speed.0,
             Some(feed) => step.length() / feed * 60.0,
             None => step.length() / record.process.travel_speed.0,
         };
-        let along = if phase == JobPhase::Clear { 0.0 } else { along };
+        let along = if phase == Phase::Clear { 0.0 } else { along };
         TimedMove { step, phase, along, begins, seconds, rests: false, title }
     }
 

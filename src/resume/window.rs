@@ -1,11 +1,11 @@
 //! The window: the part of a seam around the place where the new program continues it.
 
 use std::collections::VecDeque;
-use std::ops::ControlFlow;
 
 use crate::emit::Decimals;
 use crate::resume::resume_at::StopPoint;
-use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
+use crate::resume::toolpath::{TimedMove, Toolpath};
+use crate::verify::Phase;
 use crate::verify::gcode::MoveKind;
 use inflatable::geom::{Path, Segment};
 
@@ -31,50 +31,45 @@ pub(super) struct Window {
 impl Window {
     /// The moves around `stop`, from `back` mm before it; `None` if nothing is left.
     pub(super) fn around(toolpath: &Toolpath<'_>, stop: &StopPoint, back: f64) -> Option<Next> {
-        let in_contact = matches!(stop.phase, JobPhase::Contact | JobPhase::Up);
+        let in_contact = matches!(stop.phase, Phase::Contact | Phase::Up);
         let mut window = Self { steps: VecDeque::new(), length: 0.0, done: stop.along, title: None };
-        let (mut travel, mut next, mut past) = (toolpath.hot, None, false);
-        toolpath.walk(|step| {
-            if step.phase == JobPhase::Clear && step.step.kind == MoveKind::Rapid && step.step.path.is_some()
-            {
+        let (mut travel, mut past) = (toolpath.hot, false);
+        for step in toolpath.moves() {
+            if step.phase == Phase::Clear && step.step.kind == MoveKind::Rapid && step.step.path.is_some() {
                 travel = step.step.line - 1;
             }
-            if in_contact {
-                if past && step.phase != JobPhase::Contact {
-                    return ControlFlow::Break(());
-                }
-                window.add(*step);
-                if past {
-                    return ControlFlow::Break(());
-                }
+            if past {
                 // One more move is kept, because nothing of the interrupted one may be left.
+                if step.phase == Phase::Contact {
+                    window.add(step);
+                }
+                break;
+            }
+            if in_contact {
+                window.add(step);
                 window.forget(back);
                 past = step.step.line >= stop.line;
                 if past {
-                    window.title = step
-                        .title
-                        .and_then(|line| toolpath.line(line))
-                        .map(|line| line.trim_end().to_owned());
+                    let title = step.title.and_then(|line| toolpath.line(line));
+                    window.title = title.map(|line| line.trim_end().to_owned());
                 }
-            } else if step.step.line >= stop.line && step.phase == JobPhase::Down {
+            } else if step.step.line >= stop.line && step.phase == Phase::Down {
                 // During the ramp down, the next seam is the one that begins here.
-                next = Some(travel.max(toolpath.hot));
-                return ControlFlow::Break(());
+                return Some(Next::Travel(travel.max(toolpath.hot)));
             }
-            ControlFlow::Continue(())
-        });
-        if in_contact { Some(Next::Within(window)) } else { next.map(Next::Travel) }
+        }
+        in_contact.then_some(Next::Within(window))
     }
 
     /// Adds the next move; a ramp down begins a new seam.
     fn add(&mut self, step: TimedMove) {
-        let is_new = step.phase == JobPhase::Down
-            && self.steps.back().is_some_and(|last| last.phase != JobPhase::Down);
-        if step.phase == JobPhase::Clear || is_new {
+        let is_new =
+            step.phase == Phase::Down && self.steps.back().is_some_and(|last| last.phase != Phase::Down);
+        if step.phase == Phase::Clear || is_new {
             self.steps.clear();
             self.length = 0.0;
         }
-        if !matches!(step.phase, JobPhase::Down | JobPhase::Contact) {
+        if !matches!(step.phase, Phase::Down | Phase::Contact) {
             return;
         }
         self.length += step.flat();
@@ -99,11 +94,11 @@ impl Window {
     }
 
     fn down(&self) -> impl Iterator<Item = &TimedMove> {
-        self.steps.iter().take_while(|step| step.phase == JobPhase::Down)
+        self.steps.iter().take_while(|step| step.phase == Phase::Down)
     }
 
     fn contact(&self) -> impl Iterator<Item = &TimedMove> {
-        self.steps.iter().filter(|step| step.phase == JobPhase::Contact)
+        self.steps.iter().filter(|step| step.phase == Phase::Contact)
     }
 
     /// The last place at or before `from`, mm along the run, at which the iron stops: the start of the run, or a dwell.
@@ -158,15 +153,8 @@ impl Window {
 /// The first feed move at or after the line of index `from`, with the feed in force there: its index and text; `None` if it has its own
 /// feed.
 pub(super) fn with_feed(toolpath: &Toolpath<'_>, from: usize) -> Option<(usize, String)> {
-    let mut found = None;
-    toolpath.walk(|step| {
-        if step.step.line <= from || step.step.kind != MoveKind::Feed {
-            return ControlFlow::Continue(());
-        }
-        found = Some(step.step);
-        ControlFlow::Break(())
-    });
-    let step = found?;
+    let is_next = |step: &TimedMove| step.step.line > from && step.step.kind == MoveKind::Feed;
+    let step = toolpath.moves().find(is_next)?.step;
     let text = toolpath.line(step.line - 1).filter(|text| !text.contains(['F', ';', '(']))?;
     Some((step.line - 1, format!("{} F{}", text.trim_end(), Decimals::exactly(9).text(step.feed?))))
 }

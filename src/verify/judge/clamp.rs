@@ -5,7 +5,7 @@ use crate::verify::judge::{Judge, judged};
 use crate::verify::read::gcode;
 use crate::verify::read::gcode::{BlindMove, Move};
 use crate::verify::{Finding, FindingCode, Findings};
-use inflatable::geom::{Bounds, Line, Point, Segment, segment_distance};
+use inflatable::geom::{Bounds, BoxIndex, Line, Point, Segment, segment_distance};
 
 /// Depth to which a clamp may be touched, mm: positions in a file are rounded.
 const ROUNDING: f64 = 1e-3;
@@ -24,50 +24,18 @@ pub fn judge_clamps<'a>(
 
 /// Reports every move that comes nearer to a clamp than `reach`, below its height. The first one begins where programs end,
 /// at X0 Y0.
-pub(in crate::verify) struct Clamps<'a> {
+pub(super) struct Clamps<'a> {
     reach: f64,
-    groups: Vec<ClampGroup<'a>>,
+    zones: Vec<ClampZone<'a>>,
+    /// Most moves are near none of them.
+    index: BoxIndex,
 }
 
 /// A clamp without a rim of rounding: so that a way across it is found for a reach of 0 as well.
 struct ClampZone<'a> {
     clamp: &'a KeepOut,
-    min: Point,
-    max: Point,
+    bounds: Bounds,
     sides: [Segment; 4],
-}
-
-impl<'a> Clamps<'a> {
-    pub(in crate::verify) fn new(clamps: &'a [KeepOut], reach: f64) -> Self {
-        Self { reach, groups: grouped(clamps.iter().map(ClampZone::new).collect()) }
-    }
-}
-
-/// Clamps that lie near each other, and the box around them: most moves are near none of them.
-struct ClampGroup<'a> {
-    around: Bounds,
-    zones: Vec<ClampZone<'a>>,
-}
-
-/// Clamps in a group.
-const GROUP: usize = 32;
-
-/// The clamps in strips along Y, and each strip in groups.
-fn grouped(mut zones: Vec<ClampZone<'_>>) -> Vec<ClampGroup<'_>> {
-    let strips = zones.len().div_ceil(GROUP).isqrt().max(1);
-    let strip = zones.len().div_ceil(strips).next_multiple_of(GROUP).max(GROUP);
-    zones.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
-    for strip in zones.chunks_mut(strip) {
-        strip.sort_by(|a, b| a.min.y.total_cmp(&b.min.y));
-    }
-    let mut zones = zones.into_iter().peekable();
-    let mut groups = Vec::new();
-    while zones.peek().is_some() {
-        let zones: Vec<ClampZone<'_>> = zones.by_ref().take(GROUP).collect();
-        let around = zones.iter().map(ClampZone::bounds).fold(Bounds::EMPTY, Bounds::union);
-        groups.push(ClampGroup { around, zones });
-    }
-    groups
 }
 
 impl<'a> ClampZone<'a> {
@@ -76,30 +44,33 @@ impl<'a> ClampZone<'a> {
         let max = Point::new(clamp.x.0 + clamp.width.0 - ROUNDING, clamp.y.0 + clamp.depth.0 - ROUNDING);
         let [b, d] = [Point::new(max.x, min.y), Point::new(min.x, max.y)];
         let sides = [(min, b), (b, max), (max, d), (d, min)].map(|(from, to)| Line::new(from, to).into());
-        Self { clamp, min, max, sides }
-    }
-
-    fn bounds(&self) -> Bounds {
-        Bounds::of_points([self.min, self.max])
+        Self { clamp, bounds: Bounds { min, max }, sides }
     }
 
     /// Whether `path` at height `z` comes nearer than `reach`.
     fn is_met(&self, path: &Segment, z: f64, reach: f64) -> bool {
-        let inside =
-            |p: Point| self.min.x <= p.x && p.x <= self.max.x && self.min.y <= p.y && p.y <= self.max.y;
         self.clamp.height.is_none_or(|height| z <= height.0)
-            && (inside(path.start())
-                || inside(path.end())
+            && (self.bounds.contains(path.start())
+                || self.bounds.contains(path.end())
                 || self.sides.iter().any(|side| segment_distance(side, path) <= reach))
     }
 }
 
-impl Clamps<'_> {
+impl<'a> Clamps<'a> {
+    pub(super) fn new(clamps: &'a [KeepOut], reach: f64) -> Self {
+        let mut zones: Vec<ClampZone<'_>> = clamps.iter().map(ClampZone::new).collect();
+        zones.sort_by(|a, b| {
+            let [a, b] = [a.bounds.min, b.bounds.min];
+            a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x))
+        });
+        let index = BoxIndex::new(zones.iter().map(|zone| zone.bounds));
+        Self { reach, zones, index }
+    }
+
     /// A move along `path`, at height `z` at the least.
     fn pass(&self, path: &Segment, z: f64, line: usize, findings: &mut Findings) {
-        let near = path.bounds().grown(self.reach + ROUNDING);
-        let groups = self.groups.iter().filter(|group| group.around.overlaps(&near));
-        let zones = groups.flat_map(|group| &group.zones).filter(|zone| zone.bounds().overlaps(&near));
+        let near = self.index.overlapping(&path.bounds().grown(self.reach + ROUNDING));
+        let zones = near.into_iter().map(|number| &self.zones[number]);
         for zone in zones.filter(|zone| zone.is_met(path, z, self.reach)) {
             let found = format!("a move at Z{z} through the clamp {:?}", zone.clamp.name);
             let allowed = format!("{} mm off every clamp", self.reach);

@@ -8,7 +8,7 @@ use inflatable::geom::Bounds;
 
 /// Reports every motion before X, Y and Z are known that does not go up first and then stay up and within `area`, and
 /// every motion above the park height.
-pub(in crate::verify) struct HeightJudge<'a> {
+pub(super) struct HeightJudge<'a> {
     heights: &'a Heights,
     area: Bounds,
     /// Whether nothing has moved yet.
@@ -16,7 +16,7 @@ pub(in crate::verify) struct HeightJudge<'a> {
 }
 
 impl<'a> HeightJudge<'a> {
-    pub(in crate::verify) fn new(heights: &'a Heights, area: Bounds) -> Self {
+    pub(super) fn new(heights: &'a Heights, area: Bounds) -> Self {
         Self { heights, area, is_first: true }
     }
 }

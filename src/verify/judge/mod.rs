@@ -1,21 +1,21 @@
 //! Judges: they compare the files with the design; every difference becomes a finding.
 
-pub(in crate::verify) mod clamp;
+pub(super) mod clamp;
 mod comments;
-pub(in crate::verify) mod expected;
+pub(super) mod expected;
 mod expected_comments;
-pub(in crate::verify) mod feed_check;
-pub(in crate::verify) mod files;
+pub(super) mod feed_check;
+pub(super) mod files;
 mod height;
-pub(in crate::verify) mod iron;
+pub(super) mod iron;
 mod job;
 mod pace;
-pub(in crate::verify) mod path;
-pub(in crate::verify) mod rules;
+pub(super) mod path;
+pub(super) mod rules;
 mod script;
 mod seams;
-pub(in crate::verify) mod stroke;
-pub(in crate::verify) mod task;
+pub(super) mod stroke;
+pub(super) mod task;
 mod travel_order;
 
 use crate::verify::Findings;
@@ -23,7 +23,7 @@ use crate::verify::read::gcode::{BlindMove, Comment, Dialect, Dwell, Event, Line
 
 /// A judge of programs: it is shown one line after the other, and remembers no more of them than it needs. It adds what is wrong
 /// with each to its own findings.
-pub(in crate::verify) trait Judge {
+pub(super) trait Judge {
     /// The next line, before each of its effects.
     fn line(&mut self, _line: &Line<'_>, _findings: &mut Findings) {}
 

@@ -6,7 +6,7 @@
 
 use crate::verify::judge::Judge;
 use crate::verify::judge::rules::{IronRules, Phase};
-use crate::verify::judge::stroke::{StrokeRun, shortest_move};
+use crate::verify::judge::stroke::StrokeRun;
 use crate::verify::read::gcode::{Dwell, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::Segment;
@@ -29,7 +29,7 @@ struct Schedule {
 }
 
 /// Reports every move below travel height that is too fast or too slow.
-pub(in crate::verify) struct Paced<'a> {
+pub(super) struct Paced<'a> {
     rules: &'a IronRules<'a>,
     schedule: Schedule,
     /// The move that is judged with the waits after it, and those so far, s.
@@ -37,7 +37,7 @@ pub(in crate::verify) struct Paced<'a> {
 }
 
 impl<'a> Paced<'a> {
-    pub(in crate::verify) fn new(rules: &'a IronRules<'a>) -> Self {
+    pub(super) fn new(rules: &'a IronRules<'a>) -> Self {
         Self { rules, schedule: Schedule::default(), pending: None }
     }
 
@@ -128,7 +128,7 @@ impl<'a> Paced<'a> {
         let spared = 1.0 / seal.speed.0 - 1.0 / feed;
         let needed = if spared > 0.0 { least / spared } else { 0.0 };
         // Where two strokes that the controller makes do not fit, one is nearly as long as both.
-        let needed = needed.max(2.0 * shortest_move(self.rules.motion));
+        let needed = needed.max(2.0 * self.rules.motion.least_move());
         needed.clamp(seal.band.0 / 10.0, seal.band.0 / 2.0)
     }
 

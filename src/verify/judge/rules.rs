@@ -1,8 +1,7 @@
 //! The rules by which the iron is led, and its phase by its height.
 
-use crate::spec::{FeedFloor, Machine, Motion, Process, Seal, Spec};
+use crate::spec::{FeedFloor, Heights, Machine, Motion, Process, Seal, Spec};
 use crate::verify::judge::HEIGHT;
-use crate::verify::judge::stroke::shortest_move;
 use crate::verify::read::gcode::Move;
 
 /// The rules by which the iron is led, whatever its path.
@@ -24,13 +23,31 @@ pub struct IronRules<'a> {
 
 /// The phase of the iron, from its heights.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(in crate::verify) enum Phase {
+pub enum Phase {
     /// Away from the fabric.
     Clear,
-    /// On the way down or up.
-    Ramp,
+    /// Moving down.
+    Down,
     /// In contact.
     Contact,
+    /// Moving up.
+    Up,
+}
+
+impl Phase {
+    /// The phase of the iron in a move.
+    pub fn of(step: &Move, heights: &Heights) -> Self {
+        let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
+        if low >= heights.travel.0 - HEIGHT {
+            Self::Clear
+        } else if high <= heights.contact.0 + HEIGHT {
+            Self::Contact
+        } else if step.to.z < step.from.z {
+            Self::Down
+        } else {
+            Self::Up
+        }
+    }
 }
 
 impl<'a> IronRules<'a> {
@@ -47,27 +64,19 @@ impl<'a> IronRules<'a> {
     }
 
     /// The phase of the iron in a move.
-    pub(in crate::verify) fn phase(&self, step: &Move) -> Phase {
-        let heights = &self.process.heights;
-        let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
-        if low >= heights.travel.0 - HEIGHT {
-            Phase::Clear
-        } else if high <= heights.contact.0 + HEIGHT {
-            Phase::Contact
-        } else {
-            Phase::Ramp
-        }
+    pub(super) fn phase(&self, step: &Move) -> Phase {
+        Phase::of(step, &self.process.heights)
     }
 
     /// The longest time at rest, s: the time for a tenth of the band, as a longer rest leaves a scar; or that of two of the
     /// shortest moves that the controller makes.
-    pub(in crate::verify) fn longest_rest(&self) -> f64 {
-        let way = (self.seal.band.0 / 10.0).max(2.0 * shortest_move(self.motion));
+    pub(super) fn longest_rest(&self) -> f64 {
+        let way = (self.seal.band.0 / 10.0).max(2.0 * self.motion.least_move());
         way / self.seal.speed.0 + 1e-9
     }
 
     /// Whether a height is below that of travels.
-    pub(in crate::verify) fn is_low(&self, z: f64) -> bool {
+    pub(super) fn is_low(&self, z: f64) -> bool {
         z < self.process.heights.travel.0 - HEIGHT
     }
 }

@@ -14,7 +14,7 @@ const SAME: f64 = 0.5;
 const PENDING: usize = 1000;
 
 /// Reports every line that the profile gives and that is not where it should be, and every one that it does not give.
-pub(in crate::verify) struct ScriptJudge<'a> {
+pub(super) struct ScriptJudge<'a> {
     machine: &'a Machine,
     /// Number of pauses still allowed: one where the operator heats.
     pauses: usize,
@@ -26,12 +26,12 @@ pub(in crate::verify) struct ScriptJudge<'a> {
 
 impl<'a> ScriptJudge<'a> {
     /// The judge of a program that seals (`hot`) or traces.
-    pub(in crate::verify) fn new(machine: &'a Machine, hot: bool) -> Self {
+    pub(super) fn new(machine: &'a Machine, hot: bool) -> Self {
         Self::with_pauses(machine, usize::from(hot && machine.controller.heating == Heating::Operator))
     }
 
     /// The judge of a program that waits for the operator so often at most.
-    pub(in crate::verify) fn with_pauses(machine: &'a Machine, pauses: usize) -> Self {
+    pub(super) fn with_pauses(machine: &'a Machine, pauses: usize) -> Self {
         let (head, tail) = (WantedLine::new(&machine.script.start), WantedLine::new(&machine.script.end));
         Self { machine, pauses, moved: false, head, tail }
     }
@@ -123,7 +123,7 @@ impl<'a> WantedLine<'a> {
 
 /// Between the first motion and the last, no mode and no setting changes; and a hotend is heated there, once, and off
 /// before and after. Without one, nothing heats.
-pub(in crate::verify) struct Body {
+pub(super) struct Body {
     /// The temperature of a hotend.
     heat: Option<Temperature>,
     heated: bool,
@@ -142,7 +142,7 @@ struct PendingLine {
 
 impl Body {
     /// The judge of a program that heats a hotend to `heat`, or none.
-    pub(in crate::verify) fn new(heat: Option<Temperature>) -> Self {
+    pub(super) fn new(heat: Option<Temperature>) -> Self {
         Self { heat, heated: false, moved: false, pending: Vec::new() }
     }
 
@@ -206,6 +206,6 @@ impl Judge for Body {
 }
 
 /// Whether a line is more than a comment.
-pub(in crate::verify) fn is_code(line: &str) -> bool {
+pub(super) fn is_code(line: &str) -> bool {
     !line.is_empty() && !line.starts_with([';', '('])
 }

@@ -26,7 +26,7 @@ pub struct ProgramTask<'a> {
 
 impl<'a> ProgramTask<'a> {
     /// The task of the program for piece number `piece`, or for all pieces of `sheet`; `None` if the design has no such part.
-    pub(in crate::verify) fn of_pieces(
+    pub(super) fn of_pieces(
         (spec, machine, design): (&'a Spec, &'a Machine, &Design),
         hot: bool,
         sheet: usize,

@@ -22,7 +22,7 @@ enum Waypoint {
 }
 
 /// Reports every rapid to another place, and every announcement in another place.
-pub(in crate::verify) struct TravelOrder {
+pub(super) struct TravelOrder {
     waypoints: Vec<Waypoint>,
     /// Number of waypoints passed.
     passed: usize,
@@ -34,7 +34,7 @@ pub(in crate::verify) struct TravelOrder {
 
 impl TravelOrder {
     /// The way to paths that begin at `starts`, with a heating before it and an announcement of each if `hot`.
-    pub(in crate::verify) fn new(
+    pub(super) fn new(
         heights: &Heights,
         starts: impl IntoIterator<Item = Point>,
         hot: bool,

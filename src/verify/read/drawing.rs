@@ -42,30 +42,30 @@ impl Drawing {
 
 /// Draws paths, segment after segment.
 #[derive(Default)]
-pub(in crate::verify) struct Pen {
+pub(super) struct PathPen {
     /// The paths that have ended.
-    pub(in crate::verify) paths: Vec<Path>,
+    pub(super) paths: Vec<Path>,
     segments: Vec<Segment>,
     /// The beginning of the path; `None` if none has begun.
-    pub(in crate::verify) start: Option<Point>,
-    pub(in crate::verify) here: Point,
+    pub(super) start: Option<Point>,
+    pub(super) here: Point,
 }
 
-impl Pen {
+impl PathPen {
     /// Begins a path.
-    pub(in crate::verify) fn begin(&mut self, p: Point) {
+    pub(super) fn begin(&mut self, p: Point) {
         self.lift(false);
         (self.start, self.here) = (Some(p), p);
     }
 
     /// Adds a segment.
-    pub(in crate::verify) fn push(&mut self, segment: impl Into<Segment>, end: Point) {
+    pub(super) fn push(&mut self, segment: impl Into<Segment>, end: Point) {
         self.segments.push(segment.into());
         self.here = end;
     }
 
     /// Closes the path, with a line if its ends are farther apart than `join`, mm.
-    pub(in crate::verify) fn close(&mut self, join: f64) {
+    pub(super) fn close(&mut self, join: f64) {
         let Some(start) = self.start else { return };
         if self.here.distance(start) > join {
             self.push(Line::new(self.here, start), start);
@@ -75,7 +75,7 @@ impl Pen {
     }
 
     /// Ends the path.
-    pub(in crate::verify) fn lift(&mut self, closed: bool) {
+    pub(super) fn lift(&mut self, closed: bool) {
         let segments = std::mem::take(&mut self.segments);
         if !segments.is_empty() {
             self.paths.push(Path { segments, closed });

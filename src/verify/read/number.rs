@@ -1,7 +1,7 @@
 //! Decimal numbers in files, by a strict grammar: no `nan`, no `inf`, nothing out of range.
 
 /// Largest magnitude a coordinate in a file may have: a kilometre in mm, so that squares stay exact enough.
-pub(in crate::verify) const LARGEST: f64 = 1e6;
+pub(super) const LARGEST: f64 = 1e6;
 
 /// Most digits of a whole number that `f64` always holds exactly, as it does the power of ten that they are divided by.
 const EXACT: usize = 15;
@@ -12,20 +12,20 @@ const TENS: [f64; EXACT + 1] =
 
 /// A number at the front of a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::verify) struct Number<'a> {
+pub(super) struct Number<'a> {
     /// Its value; `None` beyond [`LARGEST`].
-    pub(in crate::verify) value: Option<f64>,
+    pub(super) value: Option<f64>,
     /// Its text.
-    pub(in crate::verify) text: &'a str,
+    pub(super) text: &'a str,
     /// The text behind it.
-    pub(in crate::verify) rest: &'a str,
+    pub(super) rest: &'a str,
 }
 
 /// Reads `[+-] digits [. digits] [e [+-] digits]` (the exponent only if allowed) off the front of `text`.
 ///
 /// At least one digit must come before or after the point. The text is passed once: up to [`EXACT`] digits and the power of ten
 /// are exact, so that their quotient is the nearest number, as `parse` has it; longer numbers are left to `parse`.
-pub(in crate::verify) fn read(text: &str, exponent: bool) -> Option<Number<'_>> {
+pub(super) fn read(text: &str, exponent: bool) -> Option<Number<'_>> {
     let bytes = text.as_bytes();
     let is_negative = bytes.first() == Some(&b'-');
     let mut at = usize::from(is_negative || bytes.first() == Some(&b'+'));
@@ -81,7 +81,7 @@ fn power(bytes: &[u8]) -> Option<usize> {
 }
 
 /// The value of a number's text; `None` if it is not a number or beyond [`LARGEST`].
-pub(in crate::verify) fn value(text: &str) -> Option<f64> {
+pub(super) fn value(text: &str) -> Option<f64> {
     read(text, true).filter(|number| number.rest.is_empty())?.value
 }
 

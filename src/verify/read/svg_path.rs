@@ -1,20 +1,20 @@
 //! The `d` attribute of an SVG path: absolute `M L H V A Z`, in user units, Y down.
 
 use crate::verify::finding::quote;
-use crate::verify::read::drawing::{JOIN, Pen};
+use crate::verify::read::drawing::{JOIN, PathPen};
 use crate::verify::read::number;
 use crate::verify::{Finding, FindingCode};
 use inflatable::geom::{Arc, Line, Path, Point, Segment};
 
 /// The subpaths of `d`; a fault drops the rest.
-pub(in crate::verify) fn parse(d: &str) -> (Vec<Path>, Option<Finding>) {
-    let mut pen = Pen::default();
+pub(super) fn parse(d: &str) -> (Vec<Path>, Option<Finding>) {
+    let mut pen = PathPen::default();
     let fault = draw(&mut PathScan { rest: d }, &mut pen).err();
     pen.lift(false);
     (pen.paths, fault)
 }
 
-fn draw(scan: &mut PathScan<'_>, pen: &mut Pen) -> Result<(), Finding> {
+fn draw(scan: &mut PathScan<'_>, pen: &mut PathPen) -> Result<(), Finding> {
     while let Some(command) = scan.command()? {
         if command == 'Z' {
             begun(pen)?;
@@ -61,12 +61,12 @@ fn draw(scan: &mut PathScan<'_>, pen: &mut Pen) -> Result<(), Finding> {
 }
 
 /// Checks that a path has begun.
-fn begun(pen: &Pen) -> Result<(), Finding> {
+fn begun(pen: &PathPen) -> Result<(), Finding> {
     let fault = || Finding::new(FindingCode::BadPath, "a path that does not begin with M", ALLOWED);
     pen.start.map(|_| ()).ok_or_else(fault)
 }
 
-fn line(pen: &mut Pen, end: Point) -> Result<(), Finding> {
+fn line(pen: &mut PathPen, end: Point) -> Result<(), Finding> {
     begun(pen)?;
     pen.push(Line::new(pen.here, end), end);
     Ok(())

@@ -27,7 +27,7 @@ type PieceRead = (usize, String, Vec<StlFacet>);
 
 /// The masks of which pieces were read: by star and face.
 #[derive(Default)]
-pub(in crate::verify) struct Assemblies(BTreeMap<(usize, bool), Vec<PieceRead>>);
+pub(super) struct Assemblies(BTreeMap<(usize, bool), Vec<PieceRead>>);
 
 /// The edges and the area of one piece, in the star's frame.
 struct MeshPart<'a> {
@@ -38,14 +38,14 @@ struct MeshPart<'a> {
 
 impl Assemblies {
     /// Remembers the facets of a file that is a piece of a mask.
-    pub(in crate::verify) fn add(&mut self, output: &Output, facets: Vec<StlFacet>) {
+    pub(super) fn add(&mut self, output: &Output, facets: Vec<StlFacet>) {
         if let (Some(star), Some(piece)) = (output.star, output.piece) {
             self.0.entry((star, output.mirrored)).or_default().push((piece, output.name(), facets));
         }
     }
 
     /// The findings about the pieces of each mask, put together.
-    pub(in crate::verify) fn disagreements(&self, design: &Design) -> Vec<Finding> {
+    pub(super) fn disagreements(&self, design: &Design) -> Vec<Finding> {
         let mut findings = Vec::new();
         let Some(design) = design.assembly() else { return findings };
         for ((star, mirrored), pieces) in &self.0 {
@@ -87,8 +87,7 @@ impl<'a> MeshPart<'a> {
 fn put_together(star: &StarDesign, parts: &[MeshPart<'_>]) -> Vec<Finding> {
     let mut findings = Vec::new();
     let mask = &star.mask;
-    let curves = std::iter::once(&mask.plate).chain(&mask.windows).flat_map(|path| &path.segments);
-    let plate: Vec<Prepared> = curves.map(|segment| Prepared::new(*segment)).collect();
+    let plate = Prepared::all(std::iter::once(&mask.plate).chain(&mask.windows));
     let holes = &star.outline.registration;
     let off_plate = |p: Point| {
         let rims = holes.iter().map(|hole| (hole.center.distance(p) - hole.diameter / 2.0).abs());
@@ -117,9 +116,8 @@ fn put_together(star: &StarDesign, parts: &[MeshPart<'_>]) -> Vec<Finding> {
         let gap = own.map(|(_, edge)| {
             let others = joints.iter().filter(|(owner, _)| *owner != i);
             let middle = edge.start.midpoint(edge.end);
-            others
-                .map(|(_, other)| Prepared::new((*other).into()).distance(middle))
-                .fold(f64::INFINITY, f64::min)
+            let off = others.map(|(_, other)| Prepared::new((*other).into()).distance(middle));
+            off.fold(f64::INFINITY, f64::min)
         });
         let widest = gap.fold(0.0, f64::max);
         if widest > GAP {

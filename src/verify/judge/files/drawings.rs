@@ -12,7 +12,7 @@ use crate::verify::{Drawing, Finding, FindingCode, Findings, SvgOrigin, deviatio
 use inflatable::geom::{Arc, Bounds, Path, Point, Segment};
 
 /// Reads an SVG, whose words and page must be the drawing's, in the colours of the spec.
-pub(in crate::verify) fn read_page(
+pub(super) fn read_page(
     text: &str,
     exact: &Exact,
     title: &str,
@@ -72,12 +72,7 @@ fn within_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
 }
 
 /// Reads a DXF, of which every tag must be one that the drawing's file has.
-pub(in crate::verify) fn read_plan(
-    text: &str,
-    exact: &Exact,
-    spec: &Spec,
-    findings: &mut Findings,
-) -> Drawing {
+pub(super) fn read_plan(text: &str, exact: &Exact, spec: &Spec, findings: &mut Findings) -> Drawing {
     let corner = exact.corner();
     let layers: Vec<(&str, &str)> =
         layers(exact, spec.cut.colours).map(|(name, look)| (name, look.dxf)).collect();
@@ -96,12 +91,7 @@ pub(in crate::verify) fn read_plan(
 }
 
 /// Compares the drawing read with the expected one; the largest deviation either way.
-pub(in crate::verify) fn compare(
-    found: &Drawing,
-    exact: &Exact,
-    tolerance: f64,
-    findings: &mut Findings,
-) -> f64 {
+pub(super) fn compare(found: &Drawing, exact: &Exact, tolerance: f64, findings: &mut Findings) -> f64 {
     let mut largest = 0.0_f64;
     for (name, paths) in found.layers.iter().filter(|(_, paths)| !paths.is_empty()) {
         if !exact.layers.iter().any(|(layer, _)| layer.name() == name) {
@@ -253,7 +243,7 @@ fn total(paths: &[Path]) -> f64 {
 }
 
 /// A shape as paths; a circle as two half turns.
-pub(in crate::verify) fn paths_of(shape: &Shape) -> Vec<Path> {
+pub(super) fn paths_of(shape: &Shape) -> Vec<Path> {
     match shape {
         Shape::Path(path) => vec![path.clone()],
         Shape::Circle { center, radius } => {
@@ -274,20 +264,20 @@ struct DrawnCurves {
 
 /// The seal drawings of all formats, to be held against each other.
 #[derive(Default)]
-pub(in crate::verify) struct Seals {
+pub(super) struct Seals {
     seen: Vec<DrawnCurves>,
 }
 
 impl Seals {
     /// Notes the content of a file.
-    pub(in crate::verify) fn add(&mut self, sheet: usize, file: &str, drawing: &Drawing) {
+    pub(super) fn add(&mut self, sheet: usize, file: &str, drawing: &Drawing) {
         let layers = drawing.layers.iter().filter(|(_, paths)| !paths.is_empty());
         let layers = layers.map(|(name, paths)| (name.clone(), paths.len(), total(paths))).collect();
         self.seen.push(DrawnCurves { sheet, file: file.to_owned(), layers });
     }
 
     /// Files of the same sheet that hold different things. A file with `proven` faults of its own does not make the others faulty.
-    pub(in crate::verify) fn disagreements(&self, tolerance: f64, proven: &[Finding]) -> Vec<Finding> {
+    pub(super) fn disagreements(&self, tolerance: f64, proven: &[Finding]) -> Vec<Finding> {
         let mut findings = Vec::new();
         for (i, DrawnCurves { sheet, file, layers }) in self.seen.iter().enumerate() {
             let Some(first) = self.seen[..i].iter().find(|seen| seen.sheet == *sheet) else { continue };

@@ -9,7 +9,7 @@ use crate::verify::judge::expected::Expected;
 use crate::verify::{Finding, FindingCode};
 
 /// Reports every value in the text of the manifest `written` that differs from `right`, whose list of files is not compared.
-pub(in crate::verify) fn check(text: &[u8], written: &Manifest, right: &Manifest) -> Vec<Finding> {
+pub(super) fn check(text: &[u8], written: &Manifest, right: &Manifest) -> Vec<Finding> {
     // The list of files and their kinds is judged by their names; another version may have written them.
     let tool = crate::manifest::Tool { version: written.tool.version.clone(), ..right.tool.clone() };
     let Manifest { files, only, with, .. } = written.clone();
@@ -24,6 +24,11 @@ pub(in crate::verify) fn check(text: &[u8], written: &Manifest, right: &Manifest
         compare("", Some(&found), Some(&right), &mut findings);
     }
     findings
+}
+
+/// A finding about the manifest.
+pub(super) fn wrong(found: impl Into<String>, allowed: impl Into<String>) -> Finding {
+    Finding::new(FindingCode::Manifest, found, allowed).in_file(MANIFEST)
 }
 
 /// Compares two values at `place`.
@@ -46,18 +51,14 @@ fn compare(place: &str, found: Option<&Value>, right: Option<&Value>, findings: 
         (a, b) => {
             let said =
                 |value: Option<&Value>| value.map_or("nothing".to_owned(), |value| quote(&value.to_string()));
-            let found = format!("{place}: {}", said(a));
-            findings.push(Finding::new(FindingCode::Manifest, found, said(b)).in_file(MANIFEST));
+            findings.push(wrong(format!("{place}: {}", said(a)), said(b)));
         }
     }
 }
 
 /// Reports the figures that are not those of the exact geometry, whatever the writer of manifests makes of it.
-pub(in crate::verify) fn against_design(expected: &Expected<'_>, manifest: &Manifest) -> Vec<Finding> {
+pub(super) fn against_design(expected: &Expected<'_>, manifest: &Manifest) -> Vec<Finding> {
     let mut findings = Vec::new();
-    let wrong = |found: String, allowed: String| {
-        Finding::new(FindingCode::Manifest, found, allowed).in_file(MANIFEST)
-    };
     for placed in expected.design.placed() {
         let (name, seams) = (placed.name(), &expected.design.part(placed).shape().seams);
         let seam_mm: f64 = seams.iter().map(|seam| seam.run().length()).sum();
@@ -71,7 +72,7 @@ pub(in crate::verify) fn against_design(expected: &Expected<'_>, manifest: &Mani
                 findings.push(wrong(found, format!("{seam_mm:.3} mm in {}", seams.len())));
             }
         } else if expected.design.assembly().is_none() {
-            findings.push(wrong(format!("no {name}"), "every piece of the design".to_owned()));
+            findings.push(wrong(format!("no {name}"), "every piece of the design"));
         }
     }
     if let Some(assembly) = expected.design.assembly() {
@@ -83,9 +84,6 @@ pub(in crate::verify) fn against_design(expected: &Expected<'_>, manifest: &Mani
 /// The same of the figures that only a gripper of stars has.
 fn against_assembly(design: &StarAssembly, manifest: &Manifest) -> Vec<Finding> {
     let mut findings = Vec::new();
-    let wrong = |found: String, allowed: String| {
-        Finding::new(FindingCode::Manifest, found, allowed).in_file(MANIFEST)
-    };
     for placed in &design.stars {
         let seam_mm: f64 = design.part(placed).shape.seams.iter().map(|seam| seam.run().length()).sum();
         match manifest.stars.iter().find(|star| star.index == placed.index) {
@@ -100,8 +98,7 @@ fn against_assembly(design: &StarAssembly, manifest: &Manifest) -> Vec<Finding> 
                 format!("star {}: {} mm of seam on sheet {}", star.index, star.seam_mm, star.sheet),
                 format!("{seam_mm:.3} mm on sheet {}", placed.sheet),
             )),
-            None => findings
-                .push(wrong(format!("no star {}", placed.index), "every star of the design".to_owned())),
+            None => findings.push(wrong(format!("no star {}", placed.index), "every star of the design")),
         }
     }
     let frame = &design.frame;

@@ -4,15 +4,15 @@ use crate::design::Layer;
 use crate::spec::Colours;
 
 /// The style of a layer on a screen.
-pub(in crate::verify) struct LayerStyle {
+pub(super) struct LayerStyle {
     /// Colour of the strokes in SVG.
-    pub(in crate::verify) svg: &'static str,
+    pub(super) svg: &'static str,
     /// Colour in DXF, of AutoCAD's palette.
-    pub(in crate::verify) dxf: &'static str,
+    pub(super) dxf: &'static str,
 }
 
 /// The look of `layer` where all cuts have one colour, or each its own.
-pub(in crate::verify) fn look(layer: Layer, colours: Colours) -> LayerStyle {
+pub(super) fn look(layer: Layer, colours: Colours) -> LayerStyle {
     const BLUE: (&str, &str) = ("#0000ff", "5");
     const CYAN: (&str, &str) = ("#00ffff", "4");
     const GREEN: (&str, &str) = ("#00ff00", "3");
@@ -31,7 +31,7 @@ pub(in crate::verify) fn look(layer: Layer, colours: Colours) -> LayerStyle {
 }
 
 /// Width, mm, and grey of the strokes of `layer` on paper.
-pub(in crate::verify) fn pen(layer: Layer) -> (f64, f64) {
+pub(super) fn pen(layer: Layer) -> (f64, f64) {
     match layer {
         Layer::Label => (0.25, 0.5),
         Layer::PaperMark => (0.15, 0.0),
@@ -40,7 +40,7 @@ pub(in crate::verify) fn pen(layer: Layer) -> (f64, f64) {
 }
 
 /// A title as files hold it: 120 characters at most, and `_` for all but letters and digits of ASCII, blanks and `. , - _ + = : /`.
-pub(in crate::verify) fn in_file(title: &str, most: usize) -> String {
+pub(super) fn in_file(title: &str, most: usize) -> String {
     let known = |c: char| c.is_ascii_alphanumeric() || " .,-_+=:/".contains(c);
     title.chars().take(most).map(|c| if known(c) { c } else { '_' }).collect()
 }

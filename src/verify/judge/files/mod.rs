@@ -2,9 +2,9 @@
 
 mod assembly;
 pub(in crate::verify) mod bytes;
-pub(in crate::verify) mod drawings;
+mod drawings;
 mod figures;
-pub(in crate::verify) mod layers;
+mod layers;
 mod names;
 mod paper;
 pub(in crate::verify) mod proof;

@@ -7,24 +7,23 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::artifact::Output;
 use crate::manifest::{MANIFEST, Manifest, ManifestFile};
+use crate::verify::judge::files::figures::wrong;
 use crate::verify::{Finding, FindingCode, OutputFiles};
 
 /// The manifest's entries by the name of their file.
 type Entries<'a> = BTreeMap<&'a str, &'a ManifestFile>;
 
 /// The manifest of a directory.
-pub(in crate::verify) fn read(files: &OutputFiles<'_>) -> Result<Manifest, Finding> {
+pub(super) fn read(files: &OutputFiles<'_>) -> Result<Manifest, Finding> {
     let right = "the manifest of the build";
     let Some(bytes) = files.get(MANIFEST) else {
-        let found = files.lacks(MANIFEST, right).found;
-        return Err(Finding::new(FindingCode::Manifest, found, right).in_file(MANIFEST));
+        return Err(wrong(files.lacks(MANIFEST, right).found, right));
     };
-    serde_json::from_slice(bytes)
-        .map_err(|error| Finding::new(FindingCode::Manifest, error.to_string(), right).in_file(MANIFEST))
+    serde_json::from_slice(bytes).map_err(|error| wrong(error.to_string(), right))
 }
 
 /// Names every file that is missing, superfluous or misnamed. The entries of those that are not; none without a manifest.
-pub(in crate::verify) fn check<'a>(
+pub(super) fn check<'a>(
     files: &OutputFiles<'_>,
     manifest: Option<&'a Manifest>,
     wanted: &[Output],

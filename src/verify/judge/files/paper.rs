@@ -11,12 +11,7 @@ use crate::verify::{FindingCode, Findings};
 const TOLERANCE: f64 = 0.01;
 
 /// Reads a PDF and compares it page by page; its largest deviation, mm.
-pub(in crate::verify) fn check(
-    bytes: &[u8],
-    pages: &[PaperPage],
-    title: &str,
-    findings: &mut Findings,
-) -> f64 {
+pub(super) fn check(bytes: &[u8], pages: &[PaperPage], title: &str, findings: &mut Findings) -> f64 {
     let (found, strings) = read_document(bytes, findings);
     let title = in_file(title, 120);
     if strings != [title.as_bytes(); 3] {

@@ -13,7 +13,7 @@ use crate::verify::{FindingCode, Findings, StlFacet};
 use inflatable::geom::{Path, Point};
 
 /// Largest distance of a chord from its arc, mm, with the error of single precision.
-pub(in crate::verify) const CHORD: f64 = 0.022;
+pub(super) const CHORD: f64 = 0.022;
 
 /// Largest distance of a corner from its path or its face, mm: it is rounded to a thousandth, and to single precision.
 const CORNER: f64 = 0.002;
@@ -25,15 +25,15 @@ const ROUNDED: f64 = 0.0008;
 const NORMAL: f64 = 0.002;
 
 /// The expected solid.
-pub(in crate::verify) struct Solid<'a> {
+pub(super) struct Solid<'a> {
     /// The text of its head.
-    pub(in crate::verify) name: String,
+    pub(super) name: String,
     /// Its edges, holes, and the outlines of sunk regions.
-    pub(in crate::verify) drawing: &'a Drawing,
+    pub(super) drawing: &'a Drawing,
     /// Its height, mm.
-    pub(in crate::verify) thickness: f64,
+    pub(super) thickness: f64,
     /// Depth of its sunk labels, mm.
-    pub(in crate::verify) depth: f64,
+    pub(super) depth: f64,
 }
 
 /// Paths along which there are walls, from one height to another.
@@ -45,11 +45,7 @@ struct Walls {
 }
 
 /// Reads a binary STL and checks that it is `solid`; its facets, and the largest deviation of its edges, mm.
-pub(in crate::verify) fn check(
-    bytes: &[u8],
-    solid: &Solid<'_>,
-    findings: &mut Findings,
-) -> (Vec<StlFacet>, f64) {
+pub(super) fn check(bytes: &[u8], solid: &Solid<'_>, findings: &mut Findings) -> (Vec<StlFacet>, f64) {
     let Some((facets, beside)) = read_solid(bytes) else {
         let found = format!("{} bytes that are not a binary STL", bytes.len());
         let allowed = "a head of 84 bytes and 50 a facet, all numbers finite";
@@ -183,9 +179,7 @@ fn bits(x: f32) -> u32 {
 
 impl Walls {
     fn new(what: &'static str, paths: &[Path], bottom: f64) -> Self {
-        let segments = paths.iter().flat_map(|path| &path.segments);
-        let length = paths.iter().map(Path::length).sum();
-        Self { what, targets: segments.map(|segment| Prepared::new(*segment)).collect(), length, bottom }
+        Self { what, targets: Prepared::all(paths), length: paths.iter().map(Path::length).sum(), bottom }
     }
 }
 
@@ -222,7 +216,7 @@ impl Search<'_> {
 }
 
 /// The lower edge of the wall that a facet is part of, if it is and has one: from, to, height.
-pub(in crate::verify) fn foot(facet: &StlFacet) -> Option<[[f64; 3]; 2]> {
+pub(super) fn foot(facet: &StlFacet) -> Option<[[f64; 3]; 2]> {
     let corners = facet.map(|v| v.map(f64::from));
     let pairs = [(0, 1, 2), (1, 2, 0), (2, 0, 1)].map(|(a, b, c)| (corners[a], corners[b], corners[c]));
     pairs.into_iter().find(|(a, b, c)| a[2] == b[2] && c[2] > a[2]).map(|(a, b, _)| [a, b])

@@ -46,7 +46,7 @@ impl Deviation {
 ///
 /// The distances are exact to rounding for lines and arcs (extremes are computed, not sampled).
 pub fn deviation(file: &[Path], exact: &[Path]) -> Deviation {
-    let (from_file, from_exact) = (targets(file), targets(exact));
+    let (from_file, from_exact) = (Prepared::all(file), Prepared::all(exact));
     let there = directed(&from_file, &from_exact);
     let back = directed(&from_exact, &from_file);
     let closed = |paths: &[Path]| paths.iter().filter(|path| is_closed(path)).count();
@@ -64,14 +64,10 @@ pub fn deviation(file: &[Path], exact: &[Path]) -> Deviation {
     }
 }
 
-fn targets(paths: &[Path]) -> Vec<Prepared> {
-    paths.iter().flat_map(|path| &path.segments).map(|segment| Prepared::new(*segment)).collect()
-}
-
 fn directed(probes: &[Prepared], targets: &[Prepared]) -> Farthest {
     let index = BoxIndex::new(targets.iter().map(|target| target.bounds));
     let (mut near, mut scratch) = (Vec::new(), Vec::new());
-    let mut worst = Farthest::NONE;
+    let mut worst = Farthest::default();
     for probe in probes {
         let zone = zone(probe, |p| index.least(p, |number| targets[number].distance(p)));
         near.clear();

@@ -13,7 +13,7 @@ use inflatable::geom::{Path, Point, Segment};
 const MARGIN: f64 = 0.05;
 
 /// The deviations of a run from its exact path. Positions are arc lengths along the exact path.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Following {
     /// Largest distance from a point of the run to the exact path; infinite if one of them is empty.
     pub file_to_exact: f64,
@@ -55,6 +55,7 @@ pub fn follow(run: &[Segment], exact: &Path) -> Following {
 }
 
 /// Follows a run step by step, and keeps three steps.
+#[derive(Default)]
 pub(in crate::verify) struct Follower {
     track: Track,
     /// The step before the one that is measured, and the one that is: it waits for the one after it.
@@ -74,30 +75,8 @@ impl Follower {
     /// At the start of `exact`.
     pub(in crate::verify) fn new(exact: &Path) -> Self {
         let track = Track::new(exact);
-        let result = Following {
-            file_to_exact: 0.0,
-            exact_to_file: 0.0,
-            at: Point::ORIGIN,
-            step: 0,
-            start: 0.0,
-            end: 0.0,
-            length: 0.0,
-            exact_length: track.length,
-            backwards: None,
-            jump: None,
-        };
-        let (there, back) = (Farthest::NONE, Farthest::NONE);
-        Self {
-            track,
-            before: None,
-            here: None,
-            number: 0,
-            at: Passing { s: 0.0, place: Point::ORIGIN, distance: 0.0 },
-            there,
-            back,
-            result,
-            scratch: Vec::new(),
-        }
+        let result = Following { exact_length: track.length, ..Following::default() };
+        Self { track, result, ..Self::default() }
     }
 
     /// Takes the next step; `number` identifies it in the result.
@@ -188,7 +167,7 @@ impl Follower {
     /// The largest distance from the part of the exact path between `low` and `high` to the step that waits and its two
     /// neighbours; a distance below `enough` need not be exact.
     fn way_back(&mut self, (low, high): (f64, f64), after: Option<&Prepared>, enough: f64) -> Farthest {
-        let mut home = Farthest::NONE;
+        let mut home = Farthest::default();
         let Some(here) = &self.here else { return home };
         for k in self.track.between(low, high) {
             let (target, begin) = (&self.track.targets[k], self.track.begins[k]);

@@ -12,7 +12,7 @@
 
 use std::borrow::Borrow;
 
-use inflatable::geom::{Bounds, Point, Segment, Vec2};
+use inflatable::geom::{Bounds, Path, Point, Segment, Vec2};
 
 /// Bisections of a change-over between two targets: 5 mm / 2^32 is below any rounding in a file.
 const BISECTIONS: u32 = 32;
@@ -40,6 +40,11 @@ impl Prepared {
             Segment::Arc(arc) => Vec2::unit(arc.start_angle + 0.5 * arc.sweep),
         };
         Self { segment, start, end, length: segment.length(), bounds: segment.bounds_of([start, end]), axis }
+    }
+
+    /// All segments of `paths`.
+    pub(in crate::verify) fn all<'a>(paths: impl IntoIterator<Item = &'a Path>) -> Vec<Self> {
+        paths.into_iter().flat_map(|path| &path.segments).map(|segment| Self::new(*segment)).collect()
     }
 
     /// The point at fraction `t`.
@@ -157,15 +162,13 @@ impl Prepared {
 }
 
 /// A distance and where it was measured.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::verify) struct Farthest {
     pub(in crate::verify) distance: f64,
     pub(in crate::verify) at: Point,
 }
 
 impl Farthest {
-    pub(in crate::verify) const NONE: Self = Self { distance: 0.0, at: Point::ORIGIN };
-
     /// The larger of both.
     pub(in crate::verify) fn max(self, other: Self) -> Self {
         if other.distance > self.distance { other } else { self }

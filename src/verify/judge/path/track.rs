@@ -7,6 +7,7 @@ use inflatable::geom::{Path, Point, Segment, Vec2};
 pub(super) const TIE: f64 = 1e-6;
 
 /// The exact path with the arc length at which each segment begins.
+#[derive(Default)]
 pub(super) struct Track {
     pub(super) targets: Vec<Prepared>,
     pub(super) begins: Vec<f64>,
@@ -14,7 +15,7 @@ pub(super) struct Track {
 }
 
 /// The passage of the path by some point.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Passing {
     /// Arc length to there.
     pub(super) s: f64,
@@ -25,17 +26,13 @@ pub(super) struct Passing {
 
 impl Track {
     pub(super) fn new(path: &Path) -> Self {
-        let mut length = 0.0;
-        let mut track = Self { targets: Vec::new(), begins: Vec::new(), length };
-        for segment in &path.segments {
-            let target = Prepared::new(*segment);
-            if target.length > 0.0 {
-                track.targets.push(target);
-                track.begins.push(length);
-                length += target.length;
-            }
+        let mut track = Self::default();
+        for target in Prepared::all([path]).into_iter().filter(|target| target.length > 0.0) {
+            track.begins.push(track.length);
+            track.length += target.length;
+            track.targets.push(target);
         }
-        Self { length, ..track }
+        track
     }
 
     /// The part of `[from, to]` that exists.

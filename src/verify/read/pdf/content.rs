@@ -1,7 +1,7 @@
 //! The content of a PDF page: operators to lines and arcs.
 
 use crate::verify::finding::quote;
-use crate::verify::read::drawing::Pen;
+use crate::verify::read::drawing::PathPen;
 use crate::verify::read::pdf::object::{PdfObject, PdfScan};
 use crate::verify::{Drawing, FindingCode, Findings};
 use inflatable::geom::{Arc, Bounds, Line, Path, Point, Segment};
@@ -26,25 +26,20 @@ struct PdfPen<'a> {
     state: GraphicsState,
     saved: Vec<GraphicsState>,
     layers: Vec<String>,
-    pen: Pen,
+    pen: PathPen,
     clipping: bool,
     page: PdfPage,
     findings: &'a mut Findings,
 }
 
 /// Reads a content stream whose user unit is `unit` mm.
-pub(in crate::verify) fn read(
-    stream: &[u8],
-    size: (f64, f64),
-    unit: f64,
-    findings: &mut Findings,
-) -> PdfPage {
+pub(super) fn read(stream: &[u8], size: (f64, f64), unit: f64, findings: &mut Findings) -> PdfPage {
     let drawing = Drawing { page: Some(size), ..Drawing::default() };
     let mut pen = PdfPen {
         state: GraphicsState { scale: unit, shift: (0.0, 0.0), clip: None, width: None, gray: None },
         saved: Vec::new(),
         layers: Vec::new(),
-        pen: Pen::default(),
+        pen: PathPen::default(),
         clipping: false,
         page: PdfPage { size, drawing, ..PdfPage::default() },
         findings,

@@ -9,7 +9,7 @@ const DEPTH: usize = 16;
 
 /// One object.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::verify) enum PdfObject<'a> {
+pub(super) enum PdfObject<'a> {
     /// A number.
     Number(f64),
     /// `/Name`.
@@ -28,34 +28,34 @@ pub(in crate::verify) enum PdfObject<'a> {
 
 impl<'a> PdfObject<'a> {
     /// The value of `key`, if this is a dictionary that has it.
-    pub(in crate::verify) fn get(&self, key: &str) -> Option<&Self> {
+    pub(super) fn get(&self, key: &str) -> Option<&Self> {
         if let Self::Dict(entries) = self { entries.get(key) } else { None }
     }
 
     /// The elements, if this is an array.
-    pub(in crate::verify) fn items(&self) -> &[Self] {
+    pub(super) fn items(&self) -> &[Self] {
         if let Self::Array(items) = self { items } else { &[] }
     }
 
     /// The value, if this is a number.
-    pub(in crate::verify) fn number(&self) -> Option<f64> {
+    pub(super) fn number(&self) -> Option<f64> {
         if let Self::Number(x) = self { Some(*x) } else { None }
     }
 
     /// The bytes, if this is a string.
-    pub(in crate::verify) fn text(&self) -> Option<&'a [u8]> {
+    pub(super) fn text(&self) -> Option<&'a [u8]> {
         if let Self::Text(bytes) = self { Some(bytes) } else { None }
     }
 
     /// The number of the object that this refers to.
-    pub(in crate::verify) fn target(&self) -> Option<u32> {
+    pub(super) fn target(&self) -> Option<u32> {
         if let Self::Reference(n) = self { Some(*n) } else { None }
     }
 }
 
 /// Reads objects off the front of bytes.
 #[derive(Clone)]
-pub(in crate::verify) struct PdfScan<'a> {
+pub(super) struct PdfScan<'a> {
     bytes: &'a [u8],
     /// The same, if all of it is text, as a content is: words then need no further check.
     text: &'a str,
@@ -63,23 +63,23 @@ pub(in crate::verify) struct PdfScan<'a> {
 }
 
 impl<'a> PdfScan<'a> {
-    pub(in crate::verify) fn new(bytes: &'a [u8]) -> Self {
+    pub(super) fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, text: std::str::from_utf8(bytes).unwrap_or_default(), at: 0 }
     }
 
     /// The position of the reader, in bytes.
-    pub(in crate::verify) fn position(&self) -> usize {
+    pub(super) fn position(&self) -> usize {
         self.at
     }
 
     /// The next word, and its offset.
-    pub(in crate::verify) fn word(&mut self) -> (usize, &'a str) {
+    pub(super) fn word(&mut self) -> (usize, &'a str) {
         self.skip_blanks();
         (self.at, self.regular())
     }
 
     /// Whether the input is at its end.
-    pub(in crate::verify) fn is_done(&mut self) -> bool {
+    pub(super) fn is_done(&mut self) -> bool {
         self.skip_blanks();
         self.at >= self.bytes.len()
     }
@@ -103,7 +103,7 @@ impl<'a> PdfScan<'a> {
     }
 
     /// The next object; `None` at the end or where nothing can be read.
-    pub(in crate::verify) fn object(&mut self) -> Option<PdfObject<'a>> {
+    pub(super) fn object(&mut self) -> Option<PdfObject<'a>> {
         self.nested(0)
     }
 
@@ -202,7 +202,7 @@ impl<'a> PdfScan<'a> {
     }
 
     /// The bytes of a stream of `length`, whose dictionary and keyword have been read.
-    pub(in crate::verify) fn stream(&mut self, length: usize) -> Option<&'a [u8]> {
+    pub(super) fn stream(&mut self, length: usize) -> Option<&'a [u8]> {
         if self.bytes.get(self.at..)?.starts_with(b"\r\n") {
             self.at += 2;
         } else if self.peek()? == b'\n' {
