@@ -22,8 +22,8 @@ use crate::resume::record::Record;
 use crate::resume::resume_at::StopPoint;
 use crate::resume::toolpath::Toolpath;
 use crate::resume::window::{Next, Window, with_feed};
-use crate::spec::{Code, KeepOut, Process};
-use crate::verify::{Finding, FindingCode, judge_clamps};
+use crate::spec::{KeepOut, Process};
+use crate::verify::{Finding, judge_clamps};
 
 pub use fault::ResumeFault;
 pub use resume_at::ResumeAt;
@@ -105,8 +105,7 @@ fn rest(toolpath: &Toolpath<'_>, stop: &StopPoint, wanted: f64) -> Result<Resume
 pub fn clamp_in_the_way(text: &str, clamps: &[KeepOut]) -> Result<Option<Finding>, ResumeFault> {
     let record = Record::read(text)?;
     let lines = text.split_inclusive('\n');
-    let found = judge_clamps(clamps, record.seal.band.0 / 2.0, lines, record.dialect());
-    Ok(found.into_iter().find(|finding| finding.code == FindingCode::ClampInTheWay.as_str()))
+    Ok(judge_clamps(clamps, record.seal.band.0 / 2.0, lines, record.dialect()))
 }
 
 /// Writes the path back to `from` (mm along the seam's run) into `out`, and the rest of the move that contains it. Returns the place where
@@ -120,15 +119,14 @@ fn approach(
     let record = toolpath.record;
     let Process { heights, ramp, .. } = &record.process;
     // The seam's own ramp lies before its run, so there is always space for a ramp.
-    let (from, pieces, rest, last) = if record.joins_moves() {
+    let (from, (rest, last)) = if record.joins_moves() {
         let (from, last) = window.stop_before(from).ok_or(ResumeFault::NothingLeft)?;
         // The last strokes down may have no dwell of their own: then the next ones are joined to them, and need another dwell.
-        let (rest, last) = window.run_from(from).unwrap_or((Vec::new(), last));
-        (from, window.way_down(from, ramp.0), rest, last)
+        (from, window.run_from(from).unwrap_or((Vec::new(), last)))
     } else {
-        let way = window.way_to(from, ramp.0, least_rest(record)).ok_or(ResumeFault::NothingLeft)?;
-        (from, way.0, way.1, way.2)
+        (from, window.rest_from(from, least_rest(record)).ok_or(ResumeFault::NothingLeft)?)
     };
+    let pieces = window.way_down(from, ramp.0);
     let start = pieces.first().ok_or(ResumeFault::NothingLeft)?.start();
     let steps = vec![
         Step::Travel(start),

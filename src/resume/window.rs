@@ -130,23 +130,16 @@ impl Window {
         Path::open(self.steps.iter().filter_map(|step| step.step.path).collect())
     }
 
-    /// The ramp down along the seam that ends at `from`, then the rest of the move that contains `from`, and the line of that move. The
-    /// rest is at least `least` long, if necessary with the next move, because the old lines begin at a stop.
-    pub(super) fn way_to(
-        &self,
-        from: f64,
-        ramp: f64,
-        least: f64,
-    ) -> Option<(Vec<Segment>, Vec<Segment>, usize)> {
-        let (track, begins) = (self.track(), self.begins());
-        let down = self.way_down(from, ramp);
+    /// The rest of the move that contains `from`, and the line of that move. The rest is at least `least` long, if necessary with the next
+    /// move, because the old lines begin at a stop.
+    pub(super) fn rest_from(&self, from: f64, least: f64) -> Option<(Vec<Segment>, usize)> {
         // A remainder of a move within rounding is ignored; the next move is used instead.
         let beyond = |far: f64| self.contact().find(|step| step.along + step.flat() > far);
         let within = beyond(from + least.max(1e-6)).or_else(|| beyond(from + 1e-6));
         let last = within.or_else(|| self.contact().last())?;
-        let rest = within
-            .map_or(Vec::new(), |step| track.part(from - begins, step.along + step.flat() - begins).segments);
-        Some((down, rest, last.step.line))
+        let begins = self.begins();
+        let part = |step: &TimedMove| self.track().part(from - begins, step.along + step.flat() - begins);
+        Some((within.map_or(Vec::new(), |step| part(step).segments), last.step.line))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Moves through clamps.
 
 use crate::spec::KeepOut;
-use crate::verify::judge::{Judge, judged};
+use crate::verify::judge::Judge;
 use crate::verify::read::gcode;
 use crate::verify::read::gcode::{BlindMove, Move};
 use crate::verify::{Finding, FindingCode, Findings};
@@ -10,16 +10,16 @@ use inflatable::geom::{Bounds, BoxIndex, Line, Point, Segment, segment_distance}
 /// Depth to which a clamp may be touched, mm: positions in a file are rounded.
 const ROUNDING: f64 = 1e-3;
 
-/// Every move in a program, given line by line, that comes nearer to one of `clamps` than `reach`, mm.
+/// The first move in a program, given line by line, that comes nearer to one of `clamps` than `reach`, mm.
 pub fn judge_clamps<'a>(
     clamps: &[KeepOut],
     reach: f64,
     lines: impl IntoIterator<Item = &'a str>,
     dialect: gcode::Dialect,
-) -> Vec<Finding> {
-    let mut findings = Findings::default();
-    let _ = judged(lines, dialect, vec![Box::new(Clamps::new(clamps, reach))], &mut findings);
-    findings.into_vec()
+) -> Option<Finding> {
+    let (mut clamps, mut findings) = (Clamps::new(clamps, reach), Findings::default());
+    gcode::each_line(lines, dialect, |line| clamps.see(line, &mut findings));
+    findings.into_vec().into_iter().next()
 }
 
 /// Reports every move that comes nearer to a clamp than `reach`, below its height. The first one begins where programs end,

@@ -73,12 +73,8 @@ impl<'a> Paced<'a> {
             let longest = self.longest(feed);
             if step.length() > longest + 0.01 {
                 let found = format!("a stroke of {:.3} mm", step.length());
-                findings.add_at(
-                    FindingCode::LongStroke,
-                    step.line,
-                    found,
-                    format!("at most {longest:.3} mm"),
-                );
+                let allowed = format!("at most {longest:.3} mm");
+                findings.add_at(FindingCode::LongStroke, step.line, found, allowed);
             }
             rest > 0.0
         } else {
@@ -100,12 +96,8 @@ impl<'a> Paced<'a> {
         let lowest = step.path.and_then(|path| lowest_along(&path, step.to.z - step.from.z, lowest_of));
         if let Some(lowest) = lowest.filter(|lowest| feed < lowest * (1.0 - ROUNDING)) {
             let found = format!("F{:.3}, which the controller runs at {:.3}", feed * 60.0, lowest * 60.0);
-            findings.add_at(
-                FindingCode::BelowFloor,
-                step.line,
-                found,
-                format!("at least F{:.3}", lowest * 60.0),
-            );
+            let allowed = format!("at least F{:.3}", lowest * 60.0);
+            findings.add_at(FindingCode::BelowFloor, step.line, found, allowed);
         }
     }
 

@@ -181,7 +181,7 @@ impl Judge for Body {
     fn line(&mut self, line: &Line<'_>, findings: &mut Findings) {
         let heats = line.events.iter().filter_map(|event| match event {
             Event::Heat(heat) => Some(Some(*heat)),
-            Event::Setting(_) => Some(None),
+            Event::Setting => Some(None),
             _ => None,
         });
         let told = |heat| PendingLine { line: line.number, text: quote(line.text.trim_end()), heat };

@@ -68,10 +68,8 @@ impl TravelOrder {
             return found == wanted;
         };
         let near = |slack: f64| {
-            move |(found, wanted): (&Option<f64>, &Option<f64>)| match (found, wanted) {
-                (Some(found), Some(wanted)) => (found - wanted).abs() <= slack,
-                (_, None) => true,
-                (None, Some(_)) => false,
+            move |(found, wanted): (&Option<f64>, &Option<f64>)| {
+                wanted.is_none_or(|wanted| found.is_some_and(|found| (found - wanted).abs() <= slack))
             }
         };
         found[..2].iter().zip(&wanted[..2]).all(near(self.tolerance)) && near(HEIGHT)((&found[2], &wanted[2]))

@@ -167,15 +167,8 @@ fn compare_layer(
         }
     };
     if measured.is_nan() || measured > tolerance {
-        findings.add(
-            FindingCode::Deviation,
-            if measured.is_finite() {
-                format!("{measured:.6} mm on layer {name}")
-            } else {
-                format!("no path to measure on layer {name}")
-            },
-            format!("{tolerance} mm"),
-        );
+        let off = if measured.is_finite() { &format!("{measured:.6} mm") } else { "no path to measure" };
+        findings.add(FindingCode::Deviation, format!("{off} on layer {name}"), format!("{tolerance} mm"));
     }
     measured
 }

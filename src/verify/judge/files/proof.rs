@@ -202,15 +202,8 @@ fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
     };
     // The same program gives the same bytes; another build of it may differ in the last digits.
     let numbers = |text: &str| serde_json::from_str::<serde_json::Value>(text).ok();
-    let same = match (numbers(text), numbers(&right)) {
-        (Some(found), Some(allowed)) => alike(&found, &allowed),
-        _ => false,
-    };
-    if !same {
-        findings.add(
-            FindingCode::Prediction,
-            "other numbers than this spec gives",
-            "what `predict --json` prints",
-        );
+    if !numbers(text).zip(numbers(&right)).is_some_and(|(found, allowed)| alike(&found, &allowed)) {
+        let found = "other numbers than this spec gives";
+        findings.add(FindingCode::Prediction, found, "what `predict --json` prints");
     }
 }

@@ -61,15 +61,13 @@ pub(super) fn check(bytes: &[u8], solid: &Solid<'_>, findings: &mut Findings) ->
         layers.flat_map(|(_, shapes)| shapes.iter().flat_map(paths_of)).collect()
     };
     let (plate, labels) = (paths(false), paths(true));
-    let is_edge = |layer: Layer| matches!(layer, Layer::MaskPlate | Layer::FrameEdge);
-    let area = |(layer, path): (Layer, Path)| {
-        if is_edge(layer) { path.area().abs() } else { -path.area().abs() }
-    };
     let layers = solid.drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label);
-    let shapes =
-        layers.flat_map(|(layer, shapes)| shapes.iter().flat_map(paths_of).map(|path| (*layer, path)));
+    let areas = layers.flat_map(|(layer, shapes)| {
+        let sign = if matches!(layer, Layer::MaskPlate | Layer::FrameEdge) { 1.0 } else { -1.0 };
+        shapes.iter().flat_map(paths_of).map(move |path| sign * path.area().abs())
+    });
     let sunk: f64 = labels.iter().map(Path::area).sum();
-    let right = shapes.map(area).sum::<f64>() * solid.thickness - sunk * solid.depth;
+    let right = areas.sum::<f64>() * solid.thickness - sunk * solid.depth;
     let volume: f64 = facets.iter().map(sixfold).sum::<f64>() / 6.0;
     let walls = [
         Walls::new("edge", &plate, 0.0),
@@ -164,11 +162,8 @@ fn closed(corners: &[[u32; 3]], findings: &mut Findings) {
         open += usize::from(!paired(uses));
     }
     if open > 0 || all == 0 {
-        findings.add(
-            FindingCode::NotWatertight,
-            format!("{open} of {all} edges"),
-            "each edge once in each direction",
-        );
+        let found = format!("{open} of {all} edges");
+        findings.add(FindingCode::NotWatertight, found, "each edge once in each direction");
     }
 }
 

@@ -12,21 +12,15 @@ const CONFLICT: FindingCode = FindingCode::ModalConflict;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Block {
     pub(super) commands: Vec<Command>,
-    /// The letters that have a value, a bit each, and the values of those.
-    given: u32,
-    values: [f64; 26],
-}
-
-/// The bit of a letter; 0 for other characters than capitals.
-const fn bit(letter: u8) -> u32 {
-    if letter.is_ascii_uppercase() { 1 << (letter - b'A') } else { 0 }
+    /// The values of the capital letters.
+    values: [Option<f64>; 26],
 }
 
 impl Block {
     /// Reads `words` into this block, replacing what it held; the first fault ends it.
     pub(super) fn read(&mut self, words: &[Word], dialect: &Dialect) -> Result<(), Finding> {
         self.commands.clear();
-        self.given = 0;
+        self.values = [None; 26];
         for (place, word) in words.iter().enumerate() {
             let name = || format!("{}{}", char::from(word.letter), word.number);
             if matches!(word.letter, b'G' | b'M') || (word.letter == b'T' && place == 0) {
@@ -42,14 +36,12 @@ impl Block {
                 continue;
             }
             let parameters = dialect.vocabulary.parameters;
-            if !parameters.as_bytes().contains(&word.letter) || bit(word.letter) == 0 {
+            if !parameters.as_bytes().contains(&word.letter) {
                 return Err(Finding::new(FindingCode::UnknownWord, name(), format!("words {parameters}")));
             }
-            if self.given & bit(word.letter) != 0 {
+            if self.values[usize::from(word.letter - b'A')].replace(word.number).is_some() {
                 return Err(Finding::new(FindingCode::RepeatedWord, name(), "each letter once a line"));
             }
-            self.given |= bit(word.letter);
-            self.values[usize::from(word.letter - b'A')] = word.number;
         }
         self.check()
     }
@@ -57,18 +49,18 @@ impl Block {
     /// This block is the command alone, whatever words of its own follow it.
     pub(super) fn set(&mut self, command: Command) {
         self.commands.clear();
-        self.given = 0;
+        self.values = [None; 26];
         self.commands.push(command);
     }
 
     /// The value of a word.
     pub(super) fn value(&self, letter: u8) -> Option<f64> {
-        (self.given & bit(letter) != 0).then(|| self.values[usize::from(letter - b'A')])
+        self.values[usize::from(letter - b'A')]
     }
 
     /// Whether the line has any of these words.
     pub(super) fn has_any(&self, letters: &[u8]) -> bool {
-        letters.iter().any(|letter| self.given & bit(*letter) != 0)
+        letters.iter().any(|letter| self.value(*letter).is_some())
     }
 
     /// Whether the line has the command.

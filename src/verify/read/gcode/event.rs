@@ -99,8 +99,6 @@ pub struct Dwell {
     pub line: usize,
     /// Duration, s.
     pub seconds: f64,
-    /// The place of the iron; `None` while that is unknown.
-    pub at: Option<Point3>,
 }
 
 /// A wait for the operator.
@@ -121,8 +119,8 @@ pub enum Event {
     Move(Move),
     /// A motion before X, Y and Z are known.
     Blind(BlindMove),
-    /// A line, by its number, that puts a mode or a setting of the controller into force.
-    Setting(usize),
+    /// A mode or a setting of the controller comes into force.
+    Setting,
     /// A heater.
     Heat(Heat),
     /// A wait for a time.

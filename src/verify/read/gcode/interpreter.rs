@@ -25,9 +25,8 @@ pub struct Interpreter {
     /// The temperature that a comment announced and the next pause puts into force.
     announced: Option<f64>,
     ended: Option<usize>,
-    /// Whether the last line was the right sentinel, and whether it had its line end.
+    /// Whether the last line was the right sentinel, with its line end.
     sentinel: bool,
-    complete: bool,
 }
 
 impl Interpreter {
@@ -43,7 +42,6 @@ impl Interpreter {
             announced: None,
             ended: None,
             sentinel: false,
-            complete: true,
         }
     }
 
@@ -55,9 +53,7 @@ impl Interpreter {
     /// Reads the next line, with its line end if it has one, and adds its effects to `events`.
     pub fn feed(&mut self, text: &str, events: &mut Vec<Event>) {
         self.line += 1;
-        let line = text.strip_suffix('\n');
-        self.complete = line.is_some();
-        let line = line.unwrap_or(text);
+        let line = text.strip_suffix('\n').unwrap_or(text);
         let line = line.strip_suffix('\r').unwrap_or(line);
         if line.len() > self.dialect.line_length {
             let allowed = format!("at most {}", self.dialect.line_length);
@@ -83,7 +79,7 @@ impl Interpreter {
         };
         self.sentinel = counted
             .and_then(|text| text.strip_prefix(SENTINEL))
-            .is_some_and(|rest| rest == format!("{} lines", self.line));
+            .is_some_and(|rest| rest == format!("{} lines", self.line) && text.ends_with('\n'));
         if let Some(comment) = comment {
             self.remark(comment.trim(), events);
         }
@@ -94,7 +90,7 @@ impl Interpreter {
         if self.ended.is_none() {
             self.report(events, FindingCode::Truncated, "no end of the program", "M2 or M30");
         }
-        if !self.sentinel || !self.complete {
+        if !self.sentinel {
             let allowed = format!("last line \"; {SENTINEL}{} lines\" and a line end", self.line);
             self.report(events, FindingCode::Truncated, "another last line", allowed);
         }

@@ -66,7 +66,7 @@ impl Machine {
             }
         }
         if block.commands.iter().any(|command| command.is_setting()) {
-            here.out.push(Event::Setting(line));
+            here.out.push(Event::Setting);
         }
         if block.commands.iter().any(|command| command.stands_alone()) {
             return;
@@ -77,8 +77,7 @@ impl Machine {
             self.modes.feed = Some(if self.modes.is_inverse_time() { f } else { f * self.modes.scale() });
         }
         if let Some(p) = block.value(b'P') {
-            let seconds = here.dialect.dwell_seconds(p);
-            here.out.push(Event::Dwell(Dwell { line, seconds, at: self.at() }));
+            here.out.push(Event::Dwell(Dwell { line, seconds: here.dialect.dwell_seconds(p) }));
         }
         if block.has_any(b"XYZIJ") {
             self.travel(here);

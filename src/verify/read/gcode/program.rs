@@ -10,8 +10,6 @@ pub struct Program {
     pub moves: Vec<Move>,
     /// Motions before X, Y and Z are known.
     pub blind: Vec<BlindMove>,
-    /// Lines that put modes or settings into force.
-    pub settings: Vec<usize>,
     /// Commands to heaters.
     pub heats: Vec<Heat>,
     /// Waits for a time.
@@ -86,7 +84,7 @@ impl Program {
         match event {
             Event::Move(x) => self.moves.push(x),
             Event::Blind(x) => self.blind.push(x),
-            Event::Setting(line) => self.settings.push(line),
+            Event::Setting => {}
             Event::Heat(x) => self.heats.push(x),
             Event::Dwell(x) => self.dwells.push(x),
             Event::Pause(x) => self.pauses.push(x),

@@ -57,14 +57,12 @@ impl<'a> PdfObject<'a> {
 #[derive(Clone)]
 pub(super) struct PdfScan<'a> {
     bytes: &'a [u8],
-    /// The same, if all of it is text, as a content is: words then need no further check.
-    text: &'a str,
     at: usize,
 }
 
 impl<'a> PdfScan<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes, text: std::str::from_utf8(bytes).unwrap_or_default(), at: 0 }
+        Self { bytes, at: 0 }
     }
 
     /// The position of the reader, in bytes.
@@ -197,8 +195,7 @@ impl<'a> PdfScan<'a> {
         let rest = self.bytes.get(start..).unwrap_or_default();
         self.at += rest.iter().position(ends).unwrap_or(rest.len());
         // Bytes that are not text are not a word of this tool either.
-        let word = || std::str::from_utf8(&self.bytes[start..self.at]).unwrap_or("\u{fffd}");
-        self.text.get(start..self.at).unwrap_or_else(word)
+        std::str::from_utf8(&self.bytes[start..self.at]).unwrap_or("\u{fffd}")
     }
 
     /// The bytes of a stream of `length`, whose dictionary and keyword have been read.
