@@ -25,12 +25,47 @@ pub enum QuantityFault {
     UnknownUnit(String),
 }
 
+/// A kind of quantities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuantityKind {
+    /// Its name in messages: "length".
+    pub name: &'static str,
+    /// Units in which it can be written, with the factor to the base unit; the first is the base.
+    pub units: &'static [(&'static str, f64)],
+}
+
+impl QuantityKind {
+    /// The unit in which it is printed.
+    pub fn unit(self) -> &'static str {
+        self.units[0].0
+    }
+
+    /// The number of `text` in the base unit.
+    ///
+    /// # Errors
+    /// If it is not a finite decimal number followed by one of the units.
+    pub fn parse(self, text: &str) -> Result<f64, QuantityFault> {
+        let (value, unit) = split_number(text).ok_or(QuantityFault::NotANumber)?;
+        if unit.is_empty() {
+            return Err(QuantityFault::NoUnit);
+        }
+        let known = self.units.iter().find(|(name, _)| *name == unit);
+        let (_, factor) = known.ok_or_else(|| QuantityFault::UnknownUnit(unit.to_owned()))?;
+        Some(value * factor).filter(|base| base.is_finite()).ok_or(QuantityFault::NotANumber)
+    }
+
+    /// The units as a list for messages: "mm, cm, m". Units with a letter that is missing on some keyboards are left out; they always have
+    /// another spelling.
+    pub fn unit_list(self) -> String {
+        let names = self.units.iter().map(|(name, _)| *name).filter(|name| name.is_ascii());
+        names.collect::<Vec<_>>().join(", ")
+    }
+}
+
 /// A physical quantity that a spec can state.
 pub trait Quantity: Copy + fmt::Display {
-    /// The quantity's name in messages: "length".
-    const KIND: &'static str;
-    /// Units in which it can be written, with the factor to the base unit; the first is the base.
-    const UNITS: &'static [(&'static str, f64)];
+    /// Its name and its units.
+    const KIND: QuantityKind;
     /// Wraps a value in the base unit.
     fn from_base(value: f64) -> Self;
     /// The value in the base unit.
@@ -39,25 +74,9 @@ pub trait Quantity: Copy + fmt::Display {
     /// Reads `text`.
     ///
     /// # Errors
-    /// If it is not a finite decimal number followed by one of [`Quantity::UNITS`].
+    /// As for [`QuantityKind::parse`].
     fn parse(text: &str) -> Result<Self, QuantityFault> {
-        let (value, unit) = split_number(text).ok_or(QuantityFault::NotANumber)?;
-        if unit.is_empty() {
-            return Err(QuantityFault::NoUnit);
-        }
-        let (_, factor) = Self::UNITS
-            .iter()
-            .find(|(name, _)| *name == unit)
-            .ok_or_else(|| QuantityFault::UnknownUnit(unit.to_owned()))?;
-        let base = value * factor;
-        if base.is_finite() { Ok(Self::from_base(base)) } else { Err(QuantityFault::NotANumber) }
-    }
-
-    /// The units as a list for messages: "mm, cm, m". Units with a letter that is missing on some keyboards are left out; they always have
-    /// another spelling.
-    fn unit_list() -> String {
-        let names = Self::UNITS.iter().map(|(name, _)| *name).filter(|name| name.is_ascii());
-        names.collect::<Vec<_>>().join(", ")
+        Self::KIND.parse(text).map(Self::from_base)
     }
 }
 
@@ -96,15 +115,14 @@ macro_rules! quantities {
         pub struct $name(pub f64);
 
         impl Quantity for $name {
-            const KIND: &'static str = $kind;
-            const UNITS: &'static [(&'static str, f64)] = &[$(($unit, $factor)),+];
+            const KIND: QuantityKind = QuantityKind { name: $kind, units: &[$(($unit, $factor)),+] };
             fn from_base(value: f64) -> Self { Self(value) }
             fn base(self) -> f64 { self.0 }
         }
 
         impl fmt::Display for $name {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                write!(f, "{} {}", Readable(self.0), Self::UNITS[0].0)
+                write!(f, "{} {}", Readable(self.0), Self::KIND.unit())
             }
         }
     )+};
@@ -368,8 +386,8 @@ mod tests {
 
     #[test]
     fn units_are_listed_as_a_keyboard_writes_them() {
-        assert_eq!(Length::unit_list(), "mm, cm, m, um, in");
-        assert_eq!(Temperature::unit_list(), "C, degC");
+        assert_eq!(Length::KIND.unit_list(), "mm, cm, m, um, in");
+        assert_eq!(Temperature::KIND.unit_list(), "C, degC");
     }
 
     #[test]

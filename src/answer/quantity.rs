@@ -26,7 +26,7 @@ pub fn number(allowed: Allowed) -> impl Fn(&str) -> Result<f64, String> + Clone 
 pub fn quantity<Q: Quantity>(allowed: Allowed) -> impl Fn(&str) -> Result<Q, String> + Clone + Send + Sync {
     move |text| {
         let found = Q::parse(text).map_err(|_| {
-            let unit = format!("write the {} as a number and one of {}", Q::KIND, Q::unit_list());
+            let unit = format!("write the {} as a number and one of {}", Q::KIND.name, Q::KIND.unit_list());
             remedy(text, &unit)
         })?;
         within(allowed, found)
@@ -34,7 +34,7 @@ pub fn quantity<Q: Quantity>(allowed: Allowed) -> impl Fn(&str) -> Result<Q, Str
 }
 
 fn within<Q: Quantity>(allowed: Allowed, found: Q) -> Result<Q, String> {
-    let wrong = || format!("the {} {}", Q::KIND, allowed.in_words(Q::UNITS[0].0));
+    let wrong = || format!("the {} {}", Q::KIND.name, allowed.in_words(Q::KIND.unit()));
     Some(found).filter(|found| allowed.holds(found.base())).ok_or_else(wrong)
 }
 
@@ -57,7 +57,7 @@ pub fn range<Q: Quantity>(allowed: Allowed) -> impl Fn(&str) -> Result<(Q, Q), S
         let end = |end: &str| {
             quantity(end).map_err(|why| match Q::parse(end) {
                 Err(_) if from != to => {
-                    format!("{why}, at each end: 20 {unit}..40 {unit}", unit = Q::UNITS[0].0)
+                    format!("{why}, at each end: 20 {unit}..40 {unit}", unit = Q::KIND.unit())
                 }
                 _ => why,
             })

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::value::{RawNumber, RawValue};
-use crate::units::{Percent, Pressure, Quantity, QuantityFault, Readable, Temperature};
+use crate::units::{Percent, Pressure, Quantity, QuantityFault, QuantityKind, Readable, Temperature};
 
 /// A number that its range does not hold; the range is left to be named.
 pub(super) fn out_of_range(key: &str, number: &RawNumber, value: &RawValue) -> Fault {
@@ -66,16 +66,16 @@ pub(crate) fn comma(text: &str) -> Option<(&'static str, String)> {
 }
 
 /// The unit that a person most likely intends for `key`: for an elastic modulus the usual unit for fabrics, else the base unit.
-pub(super) fn usual_unit<Q: Quantity>(key: &str) -> &'static str {
-    let is_modulus = Q::KIND == Pressure::KIND && key.ends_with("modulus");
-    if is_modulus { "MPa" } else { Q::UNITS[0].0 }
+fn usual_unit(kind: QuantityKind, key: &str) -> &'static str {
+    let is_modulus = kind == Pressure::KIND && key.ends_with("modulus");
+    if is_modulus { "MPa" } else { kind.unit() }
 }
 
 /// The remedy for the bare `number` of `key`. One up to 1 may be a share of one or a number of per cent.
-pub(super) fn bare_number<Q: Quantity>(key: &str, number: &str) -> String {
-    let unit = usual_unit::<Q>(key);
+pub(super) fn bare_number(kind: QuantityKind, key: &str, number: &str) -> String {
+    let unit = usual_unit(kind, key);
     match number.parse::<f64>() {
-        Ok(share) if Q::KIND == Percent::KIND && share > 0.0 && share <= 1.0 => {
+        Ok(share) if kind == Percent::KIND && share > 0.0 && share <= 1.0 => {
             format!(
                 "write {key} = \"{} {unit}\" for a share of {number}, or \"{number} {unit}\"",
                 Readable(100.0 * share)
@@ -86,13 +86,14 @@ pub(super) fn bare_number<Q: Quantity>(key: &str, number: &str) -> String {
 }
 
 /// The fault of a text that should be a quantity.
-pub(super) fn malformed<Q: Quantity>(
+pub(super) fn malformed(
+    kind: QuantityKind,
     key: &str,
     text: &str,
     reason: &QuantityFault,
     span: Range<usize>,
 ) -> Fault {
-    let (kind, units, base) = (Q::KIND, Q::unit_list(), usual_unit::<Q>(key));
+    let (name, units, base) = (kind.name, kind.unit_list(), usual_unit(kind, key));
     let message = format!("`{key}` is {}", quoted(text));
     if let Some((label, help)) = comma(text) {
         return Fault::error(FaultCode::NotANumber, span, message)
@@ -106,15 +107,15 @@ pub(super) fn malformed<Q: Quantity>(
                 .help(format!("write {key} = \"{}\"", text.trim().replace('\u{2212}', "-")))
         }
         QuantityFault::NotANumber => Fault::error(FaultCode::NotANumber, span, message)
-            .label(format!("must be {}: a finite decimal number and a unit", article(kind)))
+            .label(format!("must be {}: a finite decimal number and a unit", article(name)))
             .help(format!("write for instance: {key} = \"5 {base}\"; units are {units}")),
         QuantityFault::NoUnit => Fault::error(FaultCode::NoUnit, span, format!("{message}, without a unit"))
-            .label(format!("{} needs a unit: {units}", article(kind)))
-            .help(bare_number::<Q>(key, text.trim())),
+            .label(format!("{} needs a unit: {units}", article(name)))
+            .help(bare_number(kind, key, text.trim())),
         QuantityFault::UnknownUnit(unit) => {
             let fault = Fault::error(FaultCode::UnknownUnit, span, message)
-                .label(format!("{} is not a unit of {kind}: must be one of {units}", quoted(unit)));
-            match meant::<Q>(text, unit) {
+                .label(format!("{} is not a unit of {name}: must be one of {units}", quoted(unit)));
+            match meant(kind, text, unit) {
                 Some(meant) => fault.help(format!("did you mean \"{meant}\"?")),
                 None => fault,
             }
@@ -123,14 +124,14 @@ pub(super) fn malformed<Q: Quantity>(
 }
 
 /// The whole quantity in the unit that `unit` abbreviates; `text` ends with `unit`.
-fn meant<Q: Quantity>(text: &str, unit: &str) -> Option<String> {
+fn meant(kind: QuantityKind, text: &str, unit: &str) -> Option<String> {
     let number = text.trim().strip_suffix(unit)?.trim();
-    if Q::KIND == Temperature::KIND && FAHRENHEIT.contains(&unit) {
+    if kind == Temperature::KIND && FAHRENHEIT.contains(&unit) {
         let celsius = (number.parse::<f64>().ok()? - 32.0) / 1.8;
         return Some(format!("{} C", Readable(celsius.round())));
     }
     let usual =
         SYNONYMS.iter().find(|(name, _)| name.eq_ignore_ascii_case(unit)).map_or(unit, |(_, usual)| usual);
-    let (near, _) = Q::UNITS.iter().find(|(name, _)| name.eq_ignore_ascii_case(usual))?;
+    let (near, _) = kind.units.iter().find(|(name, _)| name.eq_ignore_ascii_case(usual))?;
     Some(format!("{number} {near}"))
 }

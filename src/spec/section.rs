@@ -15,7 +15,7 @@ use crate::spec::shape::ValueShape;
 use crate::spec::unknown::{self, Known, Missing};
 use crate::spec::value::{RawKind, RawTable, RawValue};
 use crate::spec::{Code, FaultCode};
-use crate::units::{Length, Percent, Quantity, QuantityFault};
+use crate::units::{Length, Percent, Quantity, QuantityFault, QuantityKind, Readable};
 
 /// Reads one document and collects its faults.
 pub(super) struct Reader<'r> {
@@ -162,6 +162,17 @@ impl<'r> Section<'_, 'r> {
         self.reader.faults.push(fault);
     }
 
+    /// Refuses the value of `key`: the finding and the allowed values.
+    pub(super) fn refuse(
+        &mut self,
+        code: FaultCode,
+        key: &str,
+        found: impl Into<String>,
+        allowed: impl Into<String>,
+    ) {
+        self.report(Fault::error(code, self.place_of(key), found).label(allowed));
+    }
+
     /// Adds one fault if some of `required`, pairs of a key and an example value, were not written.
     pub(super) fn require(&mut self, required: &[(&'static str, &'static str)]) {
         self.require_if(true, required);
@@ -205,41 +216,39 @@ impl<'r> Section<'_, 'r> {
         self.table?.get(key)
     }
 
-    /// A quantity in its base unit within `allowed`; `None` if it is absent or faulty.
+    /// A quantity within `allowed`; `None` if it is absent or faulty.
     pub(super) fn quantity<Q: Quantity>(&mut self, key: &'static str, allowed: Allowed) -> Option<Q> {
-        let value = self.take(key, ValueShape::quantity::<Q>(allowed))?;
+        self.in_base(key, Q::KIND, allowed).map(Q::from_base)
+    }
+
+    /// A quantity of some kind in its base unit within `allowed`; `None` if it is absent or faulty.
+    pub(super) fn in_base(&mut self, key: &'static str, kind: QuantityKind, allowed: Allowed) -> Option<f64> {
+        let value = self.take(key, ValueShape::Quantity(kind, allowed))?;
+        let a_quantity = article(kind.name);
         let fault = match &value.kind {
-            RawKind::Text(text) => match Q::parse(text) {
-                Ok(found) if allowed.holds(found.base()) => return Some(found),
+            RawKind::Text(text) => match kind.parse(text) {
+                Ok(found) if allowed.holds(found) => return Some(found),
                 Ok(found) => {
-                    let base = found.to_string();
+                    let base = format!("{} {}", Readable(found), kind.unit());
                     // Far out of every range the number in the base unit only adds digits.
-                    let is_plain = base == text.trim() || found.base().abs() > 1e9;
+                    let is_plain = base == text.trim() || found.abs() > 1e9;
                     let same = if is_plain { String::new() } else { format!(", that is {base}") };
-                    Fault::error(
-                        FaultCode::OutOfRange,
-                        value.span.clone(),
-                        format!("`{key}` is {}{same}", quoted(text)),
-                    )
-                    .label(allowed.in_words(Q::UNITS[0].0))
+                    let message = format!("`{key}` is {}{same}", quoted(text));
+                    Fault::error(FaultCode::OutOfRange, value.span.clone(), message)
+                        .label(allowed.in_words(kind.unit()))
                 }
-                Err(reason) => malformed::<Q>(key, text, &reason, value.span.clone()),
+                Err(reason) => malformed(kind, key, text, &reason, value.span.clone()),
             },
             RawKind::Number(number) => {
                 // The example for a value of `nan` is a number.
                 let example = if number.value.is_finite() { number.shown() } else { "5".to_owned() };
-                let number = number.shown();
-                Fault::error(
-                    FaultCode::NoUnit,
-                    value.span.clone(),
-                    format!("`{key}` is the bare number {number}"),
-                )
-                .label(format!("{} needs a unit: {}", article(Q::KIND), Q::unit_list()))
-                .help(bare_number::<Q>(key, &example))
+                let message = format!("`{key}` is the bare number {}", number.shown());
+                Fault::error(FaultCode::NoUnit, value.span.clone(), message)
+                    .label(format!("{a_quantity} needs a unit: {}", kind.unit_list()))
+                    .help(bare_number(kind, key, &example))
             }
             _ => {
-                let label =
-                    format!("must be {} in quotes, with a unit: {}", article(Q::KIND), Q::unit_list());
+                let label = format!("must be {a_quantity} in quotes, with a unit: {}", kind.unit_list());
                 self.wrong_type(key, value, &label)
             }
         };
@@ -269,7 +278,7 @@ impl<'r> Section<'_, 'r> {
             Ok(_) => {
                 let message = format!("`{key}` is {}", quoted(text));
                 let fault = Fault::error(FaultCode::OutOfRange, span.clone(), message);
-                Err(fault.label(allowed.in_words(Length::UNITS[0].0)))
+                Err(fault.label(allowed.in_words(Length::KIND.unit())))
             }
             Err(QuantityFault::NoUnit) => {
                 let unitless = |side: &str| matches!(Length::parse(side), Err(QuantityFault::NoUnit));
@@ -279,7 +288,7 @@ impl<'r> Section<'_, 'r> {
                 let help = format!("write for instance: {key} = \"{}\"", sides.join(" x "));
                 Err(Fault { code: FaultCode::NoUnit.as_str(), ..fault.help(help) })
             }
-            Err(reason) => Err(malformed::<Length>(key, text, &reason, span.clone())),
+            Err(reason) => Err(malformed(Length::KIND, key, text, &reason, span.clone())),
         });
         match both {
             [Ok(width), Ok(depth)] => Some([width, depth]),

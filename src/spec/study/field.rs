@@ -4,7 +4,6 @@ use std::ops::Range;
 use std::sync::LazyLock;
 
 use crate::spec::FaultCode;
-use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::key::{self, KeyPath};
 use crate::spec::raw::RawSpec;
@@ -13,10 +12,6 @@ use crate::spec::section::{Reader, Section};
 use crate::spec::shape::ValueShape;
 use crate::spec::unknown::nearest;
 use crate::spec::value::{RawEntry, RawKind, RawNumber, RawTable, RawValue};
-use crate::units::{
-    Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Percent, Pressure, Quantity,
-    Speed, Temperature,
-};
 
 /// A key of the spec that a study sets.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,14 +78,14 @@ impl Field {
     /// The unit of its numbers; `None` if they have none.
     pub fn unit(&self) -> Option<&'static str> {
         match &self.shape {
-            ValueShape::Quantity { units, .. } => units.first().copied(),
+            ValueShape::Quantity(kind, _) => Some(kind.unit()),
             _ => None,
         }
     }
 
     /// Whether its values are numbers, so that there are some between two of them.
     pub fn is_number(&self) -> bool {
-        matches!(self.shape, ValueShape::Quantity { .. } | ValueShape::Number(_) | ValueShape::Count(..))
+        matches!(self.shape, ValueShape::Quantity(..) | ValueShape::Number(_) | ValueShape::Count(..))
     }
 
     /// Whether its values are whole numbers.
@@ -151,7 +146,7 @@ fn number(text: &str) -> Option<RawNumber> {
 
 fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &ValueShape) -> Option<KeyValue> {
     match shape {
-        ValueShape::Quantity { kind, allowed, .. } => quantity(section, key, kind, *allowed),
+        ValueShape::Quantity(kind, allowed) => section.in_base(key, *kind, *allowed),
         ValueShape::Number(allowed) => section.number(key, *allowed),
         ValueShape::Count(low, high) => section.count(key, *low, *high).map(f64::from),
         ValueShape::Truth => return section.truth(key).map(KeyValue::Truth),
@@ -169,30 +164,6 @@ fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &ValueShape) -
         ValueShape::Sections | ValueShape::Lists(_) | ValueShape::Texts | ValueShape::Choices(_) => None,
     }
     .map(KeyValue::Number)
-}
-
-type Taker = fn(&mut Section<'_, '_>, &'static str, Allowed) -> Option<f64>;
-
-fn taker<Q: Quantity>() -> (&'static str, Taker) {
-    (Q::KIND, |section, key, allowed| section.quantity::<Q>(key, allowed).map(Q::base))
-}
-
-/// A quantity of some kind in its base unit.
-fn quantity(section: &mut Section<'_, '_>, key: &'static str, kind: &str, allowed: Allowed) -> Option<f64> {
-    let takers = [
-        taker::<Length>(),
-        taker::<Angle>(),
-        taker::<Pressure>(),
-        taker::<Temperature>(),
-        taker::<Speed>(),
-        taker::<LineForce>(),
-        taker::<Mass>(),
-        taker::<Force>(),
-        taker::<ArealDensity>(),
-        taker::<BendingStiffness>(),
-        taker::<Percent>(),
-    ];
-    takers.iter().find(|(known, _)| *known == kind).and_then(|(_, take)| take(section, key, allowed))
 }
 
 /// A key of the study, with its value.
@@ -247,7 +218,7 @@ mod tests {
     /// A value that every shape takes.
     fn example(shape: &ValueShape) -> String {
         match shape {
-            ValueShape::Quantity { units, .. } => format!("0.5 {}", units[0]),
+            ValueShape::Quantity(kind, _) => format!("0.5 {}", kind.unit()),
             ValueShape::Area(_) => "220 mm x 210 mm".to_owned(),
             ValueShape::Number(_) => "0.25".to_owned(),
             ValueShape::Count(low, _) => low.to_string(),

@@ -34,7 +34,7 @@ const fn key(
 
 const SIZE: (f64, f64) = (1e-3, 1e5);
 const EXTRA: (f64, f64) = (0.0, 1e5);
-const LENGTH: Units = Length::UNITS;
+const LENGTH: Units = Length::KIND.units;
 
 fn load(spec: &mut Spec) -> &mut Load {
     spec.load.get_or_insert_with(Load::default)
@@ -43,24 +43,26 @@ fn load(spec: &mut Spec) -> &mut Load {
 /// Every key that takes a quantity or a plain number.
 const KEYS: &[Key] = &[
     key("fabric", "thickness", LENGTH, SIZE, |s, x| s.fabric.thickness = Length(x)),
-    key("fabric", "young_modulus", Pressure::UNITS, (1e-3, 1e9), |s, x| s.fabric.young_modulus = Pressure(x)),
+    key("fabric", "young_modulus", Pressure::KIND.units, (1e-3, 1e9), |s, x| {
+        s.fabric.young_modulus = Pressure(x)
+    }),
     key("fabric", "poisson_ratio", &[], (-0.999, 0.5), |s, x| s.fabric.poisson_ratio = x),
-    key("fabric", "seal_strength", LineForce::UNITS, (1e-6, 1e4), |s, x| {
+    key("fabric", "seal_strength", LineForce::KIND.units, (1e-6, 1e4), |s, x| {
         s.fabric.seal_strength = Some(LineForce(x));
     }),
-    key("fabric", "areal_density", ArealDensity::UNITS, (1e-6, 1e4), |s, x| {
+    key("fabric", "areal_density", ArealDensity::KIND.units, (1e-6, 1e4), |s, x| {
         s.fabric.areal_density = Some(ArealDensity(x));
     }),
-    key("fabric", "bending_stiffness", BendingStiffness::UNITS, (1e-9, 1e9), |s, x| {
+    key("fabric", "bending_stiffness", BendingStiffness::KIND.units, (1e-9, 1e9), |s, x| {
         s.fabric.bending_stiffness = Some(BendingStiffness(x));
     }),
-    key("fabric", "stretch_stiffness", LineForce::UNITS, (1e-6, 1e9), |s, x| {
+    key("fabric", "stretch_stiffness", LineForce::KIND.units, (1e-6, 1e9), |s, x| {
         s.fabric.stretch_stiffness = Some(LineForce(x));
     }),
-    key("fabric", "shear_modulus", Pressure::UNITS, (1e-3, 1e9), |s, x| {
+    key("fabric", "shear_modulus", Pressure::KIND.units, (1e-3, 1e9), |s, x| {
         s.fabric.shear_modulus = Some(Pressure(x));
     }),
-    key("fabric", "warp", Angle::UNITS, (-180.0, 180.0), |s, x| s.fabric.warp = Angle(x)),
+    key("fabric", "warp", Angle::KIND.units, (-180.0, 180.0), |s, x| s.fabric.warp = Angle(x)),
     key("star", "tip_radius", LENGTH, EXTRA, |s, x| s.stars[0].tip_radius = Length(x)),
     key("star", "corner_radius", LENGTH, EXTRA, |s, x| s.stars[0].corner_radius = Length(x)),
     key("stack", "pitch", LENGTH, SIZE, |s, x| s.stars[0].pitch = Length(x)),
@@ -69,8 +71,10 @@ const KEYS: &[Key] = &[
     }),
     key("inlet", "length", LENGTH, SIZE, |s, x| s.inlet.as_mut().expect("one").length = Length(x)),
     key("inlet", "fillet", LENGTH, EXTRA, |s, x| s.inlet.as_mut().expect("one").fillet = Length(x)),
-    key("seal", "temperature", Temperature::UNITS, (1e-9, 299.9), |s, x| s.seal.temperature = Temperature(x)),
-    key("seal", "speed", Speed::UNITS, (1e-3, 1e3), |s, x| s.seal.speed = Speed(x)),
+    key("seal", "temperature", Temperature::KIND.units, (1e-9, 299.9), |s, x| {
+        s.seal.temperature = Temperature(x)
+    }),
+    key("seal", "speed", Speed::KIND.units, (1e-3, 1e3), |s, x| s.seal.speed = Speed(x)),
     key("seal", "band", LENGTH, SIZE, |s, x| s.seal.band = Length(x)),
     key("seal", "overlap", LENGTH, EXTRA, |s, x| s.seal.overlap = Length(x)),
     key("seal", "allowance", LENGTH, EXTRA, |s, x| s.seal.allowance = Length(x)),
@@ -89,23 +93,25 @@ const KEYS: &[Key] = &[
     key("sheet", "margin", LENGTH, EXTRA, |s, x| s.sheet.margin = Length(x)),
     key("sheet", "gap", LENGTH, EXTRA, |s, x| s.sheet.gap = Length(x)),
     key("sheet", "hole_diameter", LENGTH, EXTRA, |s, x| s.sheet.hole_diameter = Length(x)),
-    key("load", "pressure", Pressure::UNITS, (1e-3, 1e6), |s, x| load(s).pressure = Some(Pressure(x))),
+    key("load", "pressure", Pressure::KIND.units, (1e-3, 1e6), |s, x| load(s).pressure = Some(Pressure(x))),
     key("load", "object_diameter", LENGTH, SIZE, |s, x| load(s).object_radius = Some(Length(0.5 * x))),
     key("load", "object_height", LENGTH, SIZE, |s, x| load(s).object_height = Some(Length(x))),
     key("load", "friction", &[], (1e-9, 10.0), |s, x| load(s).friction = Some(x)),
     key("load", "friction_least", &[], (1e-9, 10.0), |s, x| load(s).friction_least = Some(x)),
     key("load", "friction_most", &[], (1e-9, 10.0), |s, x| load(s).friction_most = Some(x)),
-    key("load", "mass", Mass::UNITS, (1e-9, 1e4), |s, x| load(s).mass = Some(Mass(x))),
-    key("load", "largest_force", Force::UNITS, (1e-9, 1e6), |s, x| load(s).largest_force = Some(Force(x))),
+    key("load", "mass", Mass::KIND.units, (1e-9, 1e4), |s, x| load(s).mass = Some(Mass(x))),
+    key("load", "largest_force", Force::KIND.units, (1e-9, 1e6), |s, x| {
+        load(s).largest_force = Some(Force(x))
+    }),
     key("accuracy", "path", LENGTH, (1e-4, 1.0), |s, x| s.accuracy.path = Length(x)),
-    key("accuracy", "response", Percent::UNITS, (1e-9, 100.0), |s, x| s.accuracy.response = Percent(x)),
+    key("accuracy", "response", Percent::KIND.units, (1e-9, 100.0), |s, x| s.accuracy.response = Percent(x)),
 ];
 
 /// The required quantities of `[star]`.
 const REQUIRED: &[Key] = &[
     key("star", "inner_radius", LENGTH, SIZE, |s, x| s.stars[0].inner_radius = Length(x)),
     key("star", "tube_width", LENGTH, SIZE, |s, x| s.stars[0].tube_width = Length(x)),
-    key("star", "tip_angle", Angle::UNITS, (1e-9, 179.9), |s, x| s.stars[0].tip_angle = Angle(x)),
+    key("star", "tip_angle", Angle::KIND.units, (1e-9, 179.9), |s, x| s.stars[0].tip_angle = Angle(x)),
 ];
 
 /// The place in the range, the unit, the number of blanks, and whether there is an exponent.
