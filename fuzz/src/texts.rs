@@ -68,7 +68,7 @@ fn peel(source: &Source) {
             assert!(chosen.strength >= 0.75 && chosen.count >= 3, "{chosen:?}");
             assert!(!chosen.toml().contains("NaN"), "{}", chosen.toml());
         }
-        Err(fault) => shown::line(&fault.to_string()),
+        Err(fault) => shown::line(&fault),
     }
 }
 

@@ -174,7 +174,7 @@ impl Request {
     /// # Errors
     /// The reason why there is none.
     pub fn gripper(&self, name: &str, base: &Spec, machine: &Machine) -> Result<NewGripper, NoGripper> {
-        let _ = spec::quoted(name).map_err(|fault| NoGripper::Fault(fault.to_string()))?;
+        let _ = spec::quoted(name).map_err(NoGripper::Fault)?;
         let requirements = self.requirements(base, machine);
         let ring = RingTable::new().map_err(|fault| NoGripper::Fault(fault.to_string()))?;
         let candidate =

@@ -10,7 +10,7 @@ use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::text_file::{TABLE, read_text};
 use crate::coupon::DISC;
-use crate::coupon::bias::{BiasFault, BiasStrip, shear_stiffness};
+use crate::coupon::bias::{BiasStrip, shear_stiffness};
 use crate::coupon::cone::read_test;
 use crate::design::realised_radius;
 use crate::forecast::case::sheet;
@@ -168,7 +168,7 @@ impl BenchArgs {
     fn shear(&self, loaded: &Loaded, stretch: f64, poisson: f64) -> Result<Option<Measured>, Failure> {
         let Some((path, length)) = self.bias_strip.as_ref().zip(self.bias_length) else { return Ok(None) };
         let test = read_test(&Source::new(path.display().to_string(), read_text(path, TABLE)?))?;
-        let named = |fault: BiasFault| Failure::Message(format!("{}: {fault}", shown(path)));
+        let named = |fault: String| Failure::Message(format!("{}: {fault}", shown(path)));
         let strip = BiasStrip { width: self.bias_width.0, length: length.0 };
         let bias = strip.stiffness(&test).map_err(named)?;
         let thickness = loaded.reading.spec.fabric.thickness.metres();

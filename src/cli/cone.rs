@@ -53,8 +53,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         return Err(no_radius());
     }
     let source = Source::new(args.data.display().to_string(), read_text(&args.data, TABLE)?);
-    let cone = Cone::new(args.half_angle.rad(), args.friction, args.balance)
-        .map_err(|fault| message(fault.to_string()))?;
+    let cone = Cone::new(args.half_angle.rad(), args.friction, args.balance).map_err(message)?;
     let contact = args.contact_radius.map(Length::metres);
     let reduced = |first: f64, overlay: Option<Overlay<'_>>| {
         let test = read_cone_test(&source, &cone, first)?;

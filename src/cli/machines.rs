@@ -59,7 +59,7 @@ const SLOW: f64 = 0.1;
 
 /// All built-in profiles.
 fn machines() -> Result<Vec<Machine>, Failure> {
-    let read = |name| Machine::builtin(name).map_err(Failure::message);
+    let read = |name| Machine::builtin(name).map_err(Failure::Message);
     spec::builtin_machines().map(read).collect()
 }
 

@@ -104,7 +104,7 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let LayerProposal { layers, size: [width, height], unit, no_unit, hidden } =
         propose_layers(&file, &bytes, args.units).map_err(refused)?;
     let text = spec::drawing_starter(name, &file, &layers, unit);
-    let text = with_defaults(text.map_err(Failure::message)?)?;
+    let text = with_defaults(text.map_err(Failure::Message)?)?;
     write_new(&path, &text)?;
     let schema = schema::write_beside(&path)?;
     let rows: Vec<Value> = layers

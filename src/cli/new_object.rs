@@ -114,7 +114,7 @@ fn in_words(
 
 /// The base of the search: fabric, machine, sheet and radii of curvature.
 fn base(args: &ObjectArgs) -> Result<Spec, Failure> {
-    let text = spec::starter("base").map_err(Failure::message)?;
+    let text = spec::starter("base").map_err(Failure::Message)?;
     let mut base = object::base(defaults::written_into(text)?, args.machine.as_deref(), args.sheet)?;
     if let Some(fabric) = args.fabric.as_deref().filter(|fabric| *fabric != "paper") {
         base.fabric = spec::read(&read_source(Path::new(fabric))?)?.spec.fabric;
@@ -125,7 +125,7 @@ fn base(args: &ObjectArgs) -> Result<Spec, Failure> {
 /// The machine of a built-in profile, or of a file.
 pub(super) fn machine(profile: &str) -> Result<Machine, Failure> {
     if spec::builtin_machine(profile).is_some() {
-        return Machine::builtin(profile).map_err(Failure::message);
+        return Machine::builtin(profile).map_err(Failure::Message);
     }
     let path = Path::new(profile);
     if path.is_file() {

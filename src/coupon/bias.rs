@@ -9,8 +9,6 @@
 //! from 1/E(theta) = (c^4 + s^4)/E + (1/G - 2 nu/E) c^2 s^2 with c^2 = s^2 = 1/2: Jones, "Mechanics of composite materials" (1999),
 //! equation 2.97. E_45 t is the slope of load over travel times length over width. Clamps hold the strip's width, so a short strip is stiffer.
 
-use std::fmt;
-
 use crate::coupon::cone::Press;
 use crate::units::Readable;
 
@@ -35,76 +33,22 @@ pub struct BiasStrip {
     pub length: f64,
 }
 
-/// The reason why a test gives no shear modulus.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum BiasFault {
-    /// The strip is too short for its width; its length, and the least one, mm.
-    Short(f64, f64),
-    /// Too few points; their number.
-    Few(usize),
-    /// All points have one travel, or load falls with travel.
-    NoSlope,
-    /// A point is too far from the line; the distance relative to the range of loads.
-    Curved(f64),
-    /// No weave gives such a stiff strip: its stiffness E_45 t, and the limit, N/mm.
-    TooStiff(f64, f64),
-    /// No sheet gives such a soft strip: its stiffness E_45 t, and the limit, N/mm.
-    TooSoft(f64, f64),
-}
-
-impl fmt::Display for BiasFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Short(found, least) => write!(
-                f,
-                "the strip is {found} mm long between the clamps; at least {least} mm, {SLENDER} times its width, \
-                 are needed: clamp it farther apart, or cut a narrower strip"
-            ),
-            Self::Few(found) => {
-                write!(f, "{found} points; at least {LEAST} are needed")
-            }
-            Self::NoSlope => {
-                f.write_str("the load does not rise with the travel; check whether the columns are exchanged")
-            }
-            Self::Curved(found) => write!(
-                f,
-                "the load deviates from a straight line by {:.0} %; at most {:.0} % are allowed: keep the \
-                 rows of the first, straight part",
-                100.0 * found,
-                100.0 * STRAIGHT
-            ),
-            Self::TooStiff(found, most) => write!(
-                f,
-                "the strip bears {found:.3} N/mm of width and strain; must be at most {most:.3}, {STIFFEST} times the \
-                 stiffness along the warp, because a weave is softer along the bias: check the strip's length, width \
-                 and units, that it is one sheet, cut at 45 deg, and the stretch stiffness; leave `shear_modulus` out \
-                 for an isotropic sheet"
-            ),
-            Self::TooSoft(found, least) => write!(
-                f,
-                "the strip bears {} N/mm of width and strain; must be at least {}, where the shear modulus is a \
-                 thousandth of the isotropic one: check the strip's length, width and units, and the stretch stiffness",
-                Readable(*found),
-                Readable(*least)
-            ),
-        }
-    }
-}
-
-impl std::error::Error for BiasFault {}
-
 impl BiasStrip {
     /// E_45 t of the strip in `test`, N/mm, by least squares.
     ///
     /// # Errors
     /// If the strip is shorter than five widths, or the points do not lie on a straight, rising line.
-    pub fn stiffness(&self, test: &[Press]) -> Result<f64, BiasFault> {
+    pub fn stiffness(&self, test: &[Press]) -> Result<f64, String> {
         let least = SLENDER * self.width;
         if self.length < least {
-            return Err(BiasFault::Short(self.length, least));
+            return Err(format!(
+                "the strip is {} mm long between the clamps; at least {least} mm, {SLENDER} times its width, are \
+                 needed: clamp it farther apart, or cut a narrower strip",
+                self.length
+            ));
         }
         if test.len() < LEAST {
-            return Err(BiasFault::Few(test.len()));
+            return Err(format!("{} points; at least {LEAST} are needed", test.len()));
         }
         #[expect(clippy::cast_precision_loss, reason = "a table's rows")]
         let count = test.len() as f64;
@@ -115,14 +59,20 @@ impl BiasStrip {
         };
         let slope = sum(&|x, y| x * y) / sum(&|x, _| x * x);
         if slope.is_nan() || slope <= 0.0 {
-            return Err(BiasFault::NoSlope);
+            let why = "the load does not rise with the travel; check whether the columns are exchanged";
+            return Err(why.to_owned());
         }
         let loads = || test.iter().map(|press| press.load);
         let range = loads().fold(f64::NEG_INFINITY, f64::max) - loads().fold(f64::INFINITY, f64::min);
         let off = |press: &Press| (press.load - y - slope * (press.travel - x)).abs() / range;
         let most = test.iter().map(off).fold(0.0, f64::max);
         if most > STRAIGHT {
-            return Err(BiasFault::Curved(most));
+            return Err(format!(
+                "the load deviates from a straight line by {:.0} %; at most {:.0} % are allowed: keep the rows of \
+                 the first, straight part",
+                100.0 * most,
+                100.0 * STRAIGHT
+            ));
         }
         Ok(slope * self.length / self.width)
     }
@@ -134,16 +84,27 @@ impl BiasStrip {
 /// # Errors
 /// If no weave has this stiffness. E_45 t is at most 1.1 Y, and below 2 Y / (1 - nu), where the shear modulus would be infinite; G is at
 /// least a thousandth of the isotropic one.
-pub fn shear_stiffness(along_bias: f64, stretch: f64, poisson: f64) -> Result<f64, BiasFault> {
+pub fn shear_stiffness(along_bias: f64, stretch: f64, poisson: f64) -> Result<f64, String> {
     let rigid = 2.0 * (1.0 - poisson) / stretch;
     let most = STIFFEST * stretch;
     if along_bias > most || along_bias * rigid >= 4.0 {
-        return Err(BiasFault::TooStiff(along_bias, most.min(4.0 / rigid)));
+        let most = most.min(4.0 / rigid);
+        return Err(format!(
+            "the strip bears {along_bias:.3} N/mm of width and strain; must be at most {most:.3}, {STIFFEST} times the \
+             stiffness along the warp, because a weave is softer along the bias: check the strip's length, width \
+             and units, that it is one sheet, cut at 45 deg, and the stretch stiffness; leave `shear_modulus` out \
+             for an isotropic sheet"
+        ));
     }
     let softest = SOFTEST * stretch / (2.0 * (1.0 + poisson));
     let least = 4.0 / (1.0 / softest + rigid);
     if along_bias < least {
-        return Err(BiasFault::TooSoft(along_bias, least));
+        return Err(format!(
+            "the strip bears {} N/mm of width and strain; must be at least {}, where the shear modulus is a \
+             thousandth of the isotropic one: check the strip's length, width and units, and the stretch stiffness",
+            Readable(along_bias),
+            Readable(least)
+        ));
     }
     Ok(1.0 / (4.0 / along_bias - rigid))
 }
@@ -174,13 +135,17 @@ mod tests {
     #[test]
     fn what_is_no_line_or_no_strip_is_refused() {
         let short = BiasStrip { width: 41.0, ..STRIP };
-        assert_eq!(short.stiffness(&line(1.0, 0.0)), Err(BiasFault::Short(200.0, 205.0)));
-        assert_eq!(STRIP.stiffness(&line(1.0, 0.0)[..2]), Err(BiasFault::Few(2)));
-        assert_eq!(STRIP.stiffness(&line(-1.0, 0.0)), Err(BiasFault::NoSlope));
-        assert_eq!(STRIP.stiffness(&[Press { travel: 1.0, load: 1.0 }; 3]), Err(BiasFault::NoSlope));
-        assert!(matches!(STRIP.stiffness(&line(1.0, 0.5)), Err(BiasFault::Curved(_))));
+        let why = |strip: BiasStrip, test: &[Press]| strip.stiffness(test).expect_err("refused");
+        let long = why(short, &line(1.0, 0.0));
+        assert!(long.starts_with("the strip is 200 mm long between the clamps; at least 205 mm"), "{long}");
+        assert_eq!(why(STRIP, &line(1.0, 0.0)[..2]), "2 points; at least 3 are needed");
+        for test in [&line(-1.0, 0.0)[..], &[Press { travel: 1.0, load: 1.0 }; 3]] {
+            assert!(why(STRIP, test).starts_with("the load does not rise with the travel"));
+        }
+        assert!(why(STRIP, &line(1.0, 0.5)).starts_with("the load deviates from a straight line"));
         assert!(STRIP.stiffness(&line(1.0, 0.05)).is_ok());
-        assert!(matches!(shear_stiffness(130.0, 38.4, 0.39), Err(BiasFault::TooStiff(..))));
+        let stiff = shear_stiffness(130.0, 38.4, 0.39).expect_err("refused");
+        assert!(stiff.contains("must be at most"), "{stiff}");
     }
 
     #[test]
@@ -188,7 +153,7 @@ mod tests {
         let (y, nu) = (38.4, 0.39);
         // Ten times the length, and loads in kN.
         for (strip, words) in [(113.0, "at most 42.240"), (0.0113, "at least 0.0552")] {
-            let fault = shear_stiffness(strip, y, nu).expect_err(words).to_string();
+            let fault = shear_stiffness(strip, y, nu).expect_err(words);
             assert!(fault.contains(words) && fault.contains("length, width and units"), "{fault}");
         }
         assert!(shear_stiffness(1.09 * y, y, nu).is_ok() && shear_stiffness(0.06, y, nu).is_ok());

@@ -6,7 +6,6 @@
 //! none either, because even the weakest seal would pass.
 
 use std::collections::HashMap;
-use std::fmt;
 use std::fmt::Write;
 
 use crate::coupon::strips::{TEMPERATURES, WIDTH};
@@ -72,18 +71,6 @@ pub struct PeelRow {
     pub peel: f64,
 }
 
-/// The data do not support a choice; the reason.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct CalibrationFault(pub String);
-
-impl fmt::Display for CalibrationFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the data do not support a choice: {}", self.0)
-    }
-}
-
-impl std::error::Error for CalibrationFault {}
-
 /// A setting with the results of its specimens.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Calibration {
@@ -134,11 +121,7 @@ pub fn settings(rows: &[PeelRow]) -> Vec<Calibration> {
 ///
 /// # Errors
 /// If the data do not support a choice.
-pub fn calibrate(
-    settings: &[Calibration],
-    needed: f64,
-    margin: f64,
-) -> Result<Calibration, CalibrationFault> {
+pub fn calibrate(settings: &[Calibration], needed: f64, margin: f64) -> Result<Calibration, String> {
     let least = (margin * needed).max(WEAKEST);
     let steady = steady(settings)?;
     let best = steady
@@ -147,7 +130,7 @@ pub fn calibrate(
         .max_by(|a, b| a.setting.speed.total_cmp(&b.setting.speed).then(a.strength.total_cmp(&b.strength)));
     best.copied().ok_or_else(|| {
         let strongest = steady.iter().map(|c| c.strength).fold(0.0, f64::max);
-        CalibrationFault(format!(
+        unsupported(&format!(
             "the strongest setting holds {strongest:.3} N/mm, but {least:.3} N/mm are needed ({margin} times \
              {needed:.3}): seal slower or hotter, or use less pressure"
         ))
@@ -158,25 +141,29 @@ pub fn calibrate(
 ///
 /// # Errors
 /// If there are none.
-pub fn steady(settings: &[Calibration]) -> Result<Vec<Calibration>, CalibrationFault> {
+pub fn steady(settings: &[Calibration]) -> Result<Vec<Calibration>, String> {
     let tested = settings.len();
     if tested == 0 {
         let why = "no row has a `peel_N`: write the force of each tested strip into that column";
-        return Err(CalibrationFault(why.to_owned()));
+        return Err(unsupported(why));
     }
     if !settings.iter().any(|c| c.count >= LEAST) {
-        let why = format!("no setting has {LEAST} specimens; tested settings: {tested}");
-        return Err(CalibrationFault(why));
+        return Err(unsupported(&format!("no setting has {LEAST} specimens; tested settings: {tested}")));
     }
     let steady: Vec<Calibration> = settings.iter().filter(|c| c.unfit().is_none()).copied().collect();
     if steady.is_empty() {
-        return Err(CalibrationFault(format!(
+        return Err(unsupported(&format!(
             "every setting's standard deviation is above {:.0} % of its mean: test more specimens, or seal \
              more evenly",
             100.0 * SPREAD
         )));
     }
     Ok(steady)
+}
+
+/// That the data do not support a choice, with the reason.
+fn unsupported(why: &str) -> String {
+    format!("the data do not support a choice: {why}")
 }
 
 fn judge(setting: PeelRow, peels: &[f64]) -> Calibration {
@@ -314,8 +301,7 @@ mod tests {
 
     #[test]
     fn data_that_support_nothing_are_said_to() {
-        let why =
-            |rows: &[PeelRow], needed| calibrate(&settings(rows), needed, 1.5).expect_err("no choice").0;
+        let why = |rows: &[PeelRow], needed| calibrate(&settings(rows), needed, 1.5).expect_err("no choice");
         assert!(why(&rows()[..2], 1.0).contains("no setting has 3 specimens"));
         assert!(why(&rows()[6..], 0.1).contains("standard deviation is above 25 %"));
         assert!(why(&rows(), 10.0).contains("the strongest setting holds 2.760 N/mm"));

@@ -13,7 +13,6 @@
 //! Where a balance leaves no force outwards the cone **locks**: by the derived one from `mu = (1 - sin(gamma)) / cos(gamma)` on,
 //! because the plate's friction then bears all that the cone pushes; by the paper's from `mu = 1 / tan(gamma)` on.
 
-use std::fmt;
 use std::fmt::Write;
 
 use crate::coupon::table::{TableColumn, read_table};
@@ -78,53 +77,28 @@ pub struct Cone {
     pub balance: Balance,
 }
 
-/// The reason why a cone is invalid.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ConeFault {
-    /// Half the angle, rad, is not above 0 and below pi/2.
-    HalfAngle(f64),
-    /// The friction is below 0, or so large that the cone locks: the friction, and from where on it locks.
-    Friction(f64, f64),
-}
-
-impl fmt::Display for ConeFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::HalfAngle(found) => {
-                let found = Readable(found.to_degrees());
-                write!(f, "half the cone's angle is {found} deg; it must be above 0 and below 90 deg")
-            }
-            Self::Friction(found, locks) => {
-                let (found, locks) = (Readable(found), Readable(locks));
-                write!(
-                    f,
-                    "the friction is {found}; it must be 0 or more, and below {locks}, where the cone locks: check the \
-                     friction, or press a cone with a smaller half angle"
-                )
-            }
-        }
-    }
-}
-
-impl std::error::Error for ConeFault {}
-
 impl Cone {
     /// The cone, checked.
     ///
     /// # Errors
     /// If the angle or the friction is out of range, or friction locks the cone.
-    pub fn new(half_angle: f64, friction: f64, balance: Balance) -> Result<Self, ConeFault> {
+    pub fn new(half_angle: f64, friction: f64, balance: Balance) -> Result<Self, String> {
         if !(half_angle > 0.0 && half_angle < std::f64::consts::FRAC_PI_2) {
-            return Err(ConeFault::HalfAngle(half_angle));
+            let found = Readable(half_angle.to_degrees());
+            return Err(format!("half the cone's angle is {found} deg; it must be above 0 and below 90 deg"));
         }
         let locks = balance.locks(half_angle);
         let cone = Self { half_angle, friction, balance };
         // Within rounding of the lock the ratio may already be 0.
         if friction >= 0.0 && friction < locks && cone.ratio() > 0.0 {
-            Ok(cone)
-        } else {
-            Err(ConeFault::Friction(friction, locks))
+            return Ok(cone);
         }
+        Err(format!(
+            "the friction is {}; it must be 0 or more, and below {}, where the cone locks: check the friction, or press a \
+             cone with a smaller half angle",
+            Readable(friction),
+            Readable(locks)
+        ))
     }
 
     /// Radial force per vertical load, F_s / P, above 0.
@@ -327,7 +301,7 @@ mod tests {
             let (half_angle, locks) = (degrees.to_radians(), locks.to_radians().tan());
             let cone = Cone::new(half_angle, locks - 1e-9, balance).expect("slides");
             assert!(cone.ratio() > 0.0, "{cone:?}");
-            let fault = Cone::new(half_angle, locks + 1e-9, balance).expect_err("locks").to_string();
+            let fault = Cone::new(half_angle, locks + 1e-9, balance).expect_err("locks");
             assert!(fault.contains(&format!("below {}, where the cone locks", Readable(locks))), "{fault}");
         }
     }

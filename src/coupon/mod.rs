@@ -20,9 +20,7 @@ use crate::shape::{LaidSeam, PieceName, PlacedPiece, SealedShape, Seam, laid_sea
 use crate::spec::{Machine, Spec};
 use inflatable::geom::{Bounds, Isometry, Path, Point};
 
-pub use calibration::{
-    Calibration, CalibrationFault, PeelRow, calibrate, listing, read_rows, settings, steady,
-};
+pub use calibration::{Calibration, PeelRow, calibrate, listing, read_rows, settings, steady};
 pub use shapes::{disc, hose, vee};
 pub use strips::{StripGrid, TEMPERATURES, TestStrip, overview, table};
 pub use table::{TableColumn, read_table};

@@ -59,10 +59,10 @@ pub use model::{
     MaskKind, ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
-pub use name::{NAME_LENGTH, NameFault, check_name, misleads};
+pub use name::{NAME_LENGTH, check_name, misleads};
 pub use profile::{
-    CONTACT, LEAST_ACCELERATION, UnknownMachine, builtin_machine, builtin_machines, limits_set_by,
-    read_machine, usual_profile,
+    CONTACT, LEAST_ACCELERATION, builtin_machine, builtin_machines, limits_set_by, read_machine,
+    usual_profile,
 };
 pub use raw::RawSpec;
 pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, TOXIC, read};

@@ -1,78 +1,32 @@
 //! Free words of a spec: names and descriptions, which are later written to file headers and title blocks.
 
-use std::fmt;
-
 /// Longest name, in characters.
 pub const NAME_LENGTH: usize = 80;
-
-/// The reason why a text cannot be a name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NameFault {
-    /// It is empty or blank.
-    Empty,
-    /// It has this many characters, more than [`NAME_LENGTH`].
-    TooLong(usize),
-    /// It holds a control character or a line break.
-    Control(char),
-    /// It holds a mark that turns the direction of text, so that it reads as another one.
-    Direction(char),
-    /// It holds a code point that is not a character, which no XML or HTML file may hold.
-    NoCharacter(char),
-}
-
-impl fmt::Display for NameFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Empty => f.write_str("a name needs at least one visible character"),
-            Self::TooLong(length) => {
-                write!(f, "the name has {length} characters, at most {NAME_LENGTH} are allowed")
-            }
-            Self::Control(c) => {
-                write!(
-                    f,
-                    "a name must be one line without control characters, here is U+{:04X}",
-                    u32::from(*c)
-                )
-            }
-            Self::Direction(c) => {
-                write!(
-                    f,
-                    "a name must read the same everywhere: remove U+{:04X}, which turns the direction of text",
-                    u32::from(*c)
-                )
-            }
-            Self::NoCharacter(c) => {
-                write!(
-                    f,
-                    "a name must consist of characters, and U+{:04X} is not one: remove it",
-                    u32::from(*c)
-                )
-            }
-        }
-    }
-}
-
-impl std::error::Error for NameFault {}
 
 /// Checks that `text` can be a name: 1 to [`NAME_LENGTH`] characters, no control character, no line break, no code point that is
 /// not a character, and no mark that turns the direction of text (letters that are written from right to left need none).
 ///
 /// # Errors
-/// If it cannot.
-pub fn check_name(text: &str) -> Result<(), NameFault> {
-    match text.chars().find(|c| misleads(*c)) {
-        Some(c) if turns(c) => return Err(NameFault::Direction(c)),
-        Some(c) if is_no_character(c) => return Err(NameFault::NoCharacter(c)),
-        Some(c) => return Err(NameFault::Control(c)),
-        None => {}
+/// The reason why it cannot.
+pub fn check_name(text: &str) -> Result<(), String> {
+    if let Some(c) = text.chars().find(|c| misleads(*c)) {
+        let point = format!("U+{:04X}", u32::from(c));
+        return Err(if turns(c) {
+            format!("a name must read the same everywhere: remove {point}, which turns the direction of text")
+        } else if is_no_character(c) {
+            format!("a name must consist of characters, and {point} is not one: remove it")
+        } else {
+            format!("a name must be one line without control characters, here is {point}")
+        });
     }
     if text.chars().all(is_blank) {
-        return Err(NameFault::Empty);
+        return Err("a name needs at least one visible character".to_owned());
     }
-    match text.chars().count() {
-        length if length > NAME_LENGTH => Err(NameFault::TooLong(length)),
-        _ => Ok(()),
+    let length = text.chars().count();
+    if length > NAME_LENGTH {
+        return Err(format!("the name has {length} characters, at most {NAME_LENGTH} are allowed"));
     }
+    Ok(())
 }
 
 /// Whether `c` is invisible: a space, or one of Unicode's fillers, joiners and selectors, which have no shape.
@@ -108,22 +62,30 @@ mod tests {
 
     #[test]
     fn names_are_one_visible_line() {
+        let refused = |name: &str, words: &str| {
+            assert!(check_name(name).is_err_and(|why| why.contains(words)), "{name:?}: {words}");
+        };
         assert_eq!(check_name("../a) ; <script> é 星"), Ok(()));
-        assert_eq!(check_name(" \u{a0} "), Err(NameFault::Empty));
+        let empty = "at least one visible character";
+        refused(" \u{a0} ", empty);
         for invisible in ["\u{200b}", "\u{3164}\u{3164}", "\u{feff} \u{2060}", "\u{2800}", "\u{e0041}"] {
-            assert_eq!(check_name(invisible), Err(NameFault::Empty), "{invisible:?}");
+            refused(invisible, empty);
         }
         assert_eq!(check_name("a\u{200d}b"), Ok(()), "a joiner between letters");
         assert_eq!(check_name(&"星".repeat(80)), Ok(()));
-        assert_eq!(check_name(&"星".repeat(81)), Err(NameFault::TooLong(81)));
+        refused(&"星".repeat(81), "the name has 81 characters, at most 80");
+        let marked = |c: char, words: &str| {
+            refused(&format!("a{c}b"), words);
+            refused(&format!("a{c}b"), &format!("U+{:04X}", u32::from(c)));
+        };
         for c in ['\n', '\r', '\0', '\u{85}', '\u{2028}', '\u{1b}'] {
-            assert_eq!(check_name(&format!("a{c}b")), Err(NameFault::Control(c)));
+            marked(c, "without control characters");
         }
         for c in ['\u{202a}', '\u{202e}', '\u{2066}', '\u{2069}', '\u{200e}', '\u{200f}', '\u{61c}'] {
-            assert_eq!(check_name(&format!("a{c}b")), Err(NameFault::Direction(c)));
+            marked(c, "turns the direction of text");
         }
         for c in ['\u{fffe}', '\u{ffff}'] {
-            assert_eq!(check_name(&format!("a{c}b")), Err(NameFault::NoCharacter(c)));
+            marked(c, "must consist of characters");
         }
         assert_eq!(check_name("כוכב نجمة"), Ok(()), "right to left, by its letters alone");
     }

@@ -115,10 +115,7 @@ pub(super) fn read_schema(root: &mut Section<'_, '_>, version: u32) {
 pub(super) fn read_name(root: &mut Section<'_, '_>) -> String {
     let Some((name, span)) = root.text("name") else { return String::new() };
     if let Err(reason) = check_name(name) {
-        root.report(
-            Fault::error(FaultCode::Name, span, format!("`name` is {}", quoted(name)))
-                .label(reason.to_string()),
-        );
+        root.report(Fault::error(FaultCode::Name, span, format!("`name` is {}", quoted(name))).label(reason));
     }
     name.to_owned()
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::spec::LayerRole;
-use crate::spec::name::{NameFault, check_name};
+use crate::spec::name::check_name;
 use drawings::Unit;
 
 /// The starter, with a placeholder for the name.
@@ -18,7 +18,7 @@ const DRAWING: &str = include_str!("../../templates/drawing.toml");
 ///
 /// # Errors
 /// If `name` cannot be a spec's name.
-pub fn starter(name: &str) -> Result<String, NameFault> {
+pub fn starter(name: &str) -> Result<String, String> {
     Ok(TEMPLATE.replacen(PLACEHOLDER, &quoted(name)?, 1))
 }
 
@@ -31,23 +31,22 @@ pub fn drawing_starter(
     file: &str,
     layers: &[(String, LayerRole, String)],
     unit: Option<Unit>,
-) -> Result<String, NameFault> {
-    let text = |words: &str| format!("\"{}\"", words.replace('\\', "\\\\").replace('"', "\\\""));
+) -> Result<String, String> {
     let mut roles = String::new();
     for (word, role) in LayerRole::ALL {
         let own: Vec<&(String, LayerRole, String)> = layers.iter().filter(|layer| layer.1 == role).collect();
         for (layer, _, reason) in &own {
-            let _ = writeln!(roles, "# {}: {reason}", text(layer));
+            let _ = writeln!(roles, "# {}: {reason}", in_quotes(layer));
         }
         if !own.is_empty() {
-            let names: Vec<String> = own.iter().map(|(layer, ..)| text(layer)).collect();
+            let names: Vec<String> = own.iter().map(|(layer, ..)| in_quotes(layer)).collect();
             let _ = writeln!(roles, "{word} = [{}]", names.join(", "));
         }
     }
     let units = unit.map_or("# units = \"mm\"".to_owned(), |unit| format!("units = \"{}\"", unit.name()));
     Ok(DRAWING
         .replacen(PLACEHOLDER, &quoted(name)?, 1)
-        .replacen("\"FILE\"", &text(file), 1)
+        .replacen("\"FILE\"", &in_quotes(file), 1)
         .replacen("UNITS", &units, 1)
         .replacen("ROLES\n", &roles, 1))
 }
@@ -56,10 +55,14 @@ pub fn drawing_starter(
 ///
 /// # Errors
 /// If `name` cannot be a spec's name.
-pub fn quoted(name: &str) -> Result<String, NameFault> {
+pub fn quoted(name: &str) -> Result<String, String> {
     check_name(name)?;
-    // A name holds no control characters, so TOML requires only these two to be escaped.
-    Ok(format!("\"{}\"", name.replace('\\', "\\\\").replace('"', "\\\"")))
+    Ok(in_quotes(name))
+}
+
+/// `text` without control characters in quotes: TOML requires only these two characters to be escaped.
+fn in_quotes(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 
 #[cfg(test)]
@@ -100,8 +103,9 @@ mod tests {
         {
             assert_eq!(spec(&starter(name).expect("a name")).name, name);
         }
-        assert_eq!(starter("a\nb"), Err(NameFault::Control('\n')));
-        assert_eq!(starter(""), Err(NameFault::Empty));
+        let why = |name: &str| starter(name).expect_err("no name");
+        assert!(why("a\nb").contains("without control characters, here is U+000A"));
+        assert!(why("").contains("at least one visible character"));
     }
 
     #[test]

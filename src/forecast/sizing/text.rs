@@ -6,7 +6,7 @@ use crate::forecast::optimize::{SEARCHED, sure_payload};
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::{mm, scaled, shown};
 use crate::forecast::sizing::{Choice, FRICTION, FRICTION_RANGE, MARGIN};
-use crate::spec::{FeedFloor, NameFault, ObjectShape, Spec, quoted};
+use crate::spec::{FeedFloor, ObjectShape, Spec, quoted};
 use crate::units::{Length, Readable};
 use inflatable::mechanics::strength::GRAVITY;
 use std::fmt::{Display, Write};
@@ -15,7 +15,7 @@ use std::fmt::{Display, Write};
 ///
 /// # Errors
 /// If `name` cannot be a spec's name.
-pub fn spec_text(name: &str, choice: &Choice, base: &Spec) -> Result<String, NameFault> {
+pub fn spec_text(name: &str, choice: &Choice, base: &Spec) -> Result<String, String> {
     let mut out = Lines { text: String::new() };
     out.head(choice);
     let _ = write!(out.text, "schema = 1\nname = {}\n\n", quoted(name)?);

@@ -12,8 +12,6 @@ mod motion;
 mod process;
 mod script;
 
-use std::fmt;
-
 use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
@@ -73,29 +71,19 @@ fn read_description(root: &mut Section<'_, '_>) -> String {
     text.to_owned()
 }
 
-/// No machine of this name comes with the program.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnknownMachine(pub String);
-
-impl fmt::Display for UnknownMachine {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let known: Vec<&str> = builtin_machines().collect();
-        write!(f, "no machine {:?} comes with the program; there are {}", self.0, known.join(", "))
-    }
-}
-
-impl std::error::Error for UnknownMachine {}
-
 impl Machine {
     /// The machine that comes with the program under `name`: "generic", "grbl" and so on, as [`builtin_machines`] lists.
     ///
     /// # Errors
     /// If there is no such machine.
-    pub fn builtin(name: &str) -> Result<Self, UnknownMachine> {
+    pub fn builtin(name: &str) -> Result<Self, String> {
         let text = builtin_machine(name);
         // A profile of our own that does not read is a fault of this program; a test reads each of them.
         let machine = text.and_then(|text| read_machine(&Source::new(name, text)).ok());
-        machine.ok_or_else(|| UnknownMachine(name.to_owned()))
+        machine.ok_or_else(|| {
+            let known: Vec<&str> = builtin_machines().collect();
+            format!("no machine {name:?} comes with the program; there are {}", known.join(", "))
+        })
     }
 }
 
@@ -198,6 +186,6 @@ mod builtin_tests {
             assert!(Machine::builtin(name).is_ok(), "{name}");
         }
         let fault = Machine::builtin("grlb").expect_err("a typo");
-        assert!(fault.to_string().contains("\"grlb\"") && fault.to_string().contains("grbl, "), "{fault}");
+        assert!(fault.contains("\"grlb\"") && fault.contains("grbl, "), "{fault}");
     }
 }

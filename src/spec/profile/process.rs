@@ -124,7 +124,7 @@ fn read_keep_out(reader: &mut Reader<'_>) -> Vec<KeepOut> {
             let name = name.map_or("clamp".to_owned(), |(name, span)| {
                 if let Err(reason) = check_name(name) {
                     let fault = Fault::error(FaultCode::Name, span, format!("`name` is {}", quoted(name)));
-                    s.report(fault.label(reason.to_string()));
+                    s.report(fault.label(reason));
                 }
                 name.to_owned()
             });

@@ -24,7 +24,7 @@ pub(super) fn drawing(files: &[(String, Vec<u8>)]) -> Result<Value, String> {
     };
     let stem = file.rsplit_once('.').map_or(file.as_str(), |(stem, _)| stem);
     let name = if quoted(stem).is_ok() { stem } else { NAMELESS };
-    let spec = drawing_starter(name, file, &layers, unit).map_err(|fault| fault.to_string())?;
+    let spec = drawing_starter(name, file, &layers, unit)?;
     let roles = layers.iter().map(|(layer, role, reason)| json!([layer, role.word(), reason]));
     Ok(json!({ "spec": spec, "layers": roles.collect::<Vec<_>>() }))
 }

@@ -25,9 +25,9 @@ pub(super) fn new(question: &Value) -> Result<Value, String> {
         Ok(size) => size,
         Err(why) => return Ok(json!({ "fields": [{ "field": "sheet", "found": why }] })),
     };
-    let starter = spec::starter("base").map_err(|fault| fault.to_string())?;
+    let starter = spec::starter("base")?;
     let base = base(starter, field(question, "machine"), size).map_err(|faults| faults.to_string())?;
-    let machine = Machine::builtin(&base.machine.profile).map_err(|fault| fault.to_string())?;
+    let machine = Machine::builtin(&base.machine.profile)?;
     Ok(match request.gripper(name, &base, &machine) {
         Ok(made) => json!({ "spec": made.text, "in_words": made.in_words(), "chosen": made.json() }),
         Err(NoGripper::Fault(why)) => json!({ "reasons": [why] }),
