@@ -18,7 +18,7 @@ use crate::spec::Spec;
 pub use crate::digest::sha256;
 use crate::shape::PieceName;
 pub use bill::{ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts};
-pub use coupons::{CouponChoice, CouponManifest, FEED_CHECK_MANIFEST, FeedCheckManifest};
+pub use coupons::{CouponChoice, CouponManifest, FEED_CHECK_MANIFEST, FeedCheckManifest, StripGrid};
 pub use predicted::{ManifestPrediction, ManifestStarPrediction};
 
 /// The manifest's file name in an output directory.
@@ -198,14 +198,17 @@ impl Manifest {
     }
 
     /// The manifest as the bytes of `manifest.json`.
-    ///
-    /// # Panics
-    /// Never: all fields can be written as JSON.
     pub fn to_json(&self) -> Vec<u8> {
-        let mut json = serde_json::to_vec_pretty(self).expect("plain data");
-        json.push(b'\n');
-        json
+        json(self)
     }
+}
+
+/// A manifest as the bytes of its file.
+fn json(manifest: &impl Serialize) -> Vec<u8> {
+    // Plain data can always be written.
+    let mut json = serde_json::to_vec_pretty(manifest).unwrap_or_default();
+    json.push(b'\n');
+    json
 }
 
 impl ManifestStar {

@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::manifest::{ManifestFile, SealedPiece, Tool};
+use crate::manifest::{ManifestFile, SealedPiece, Tool, json};
+use crate::units::{Length, Speed, Temperature};
 
 /// Content of `manifest.json` in a directory of coupons: the settings, and the files written.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -22,28 +23,33 @@ pub struct CouponManifest {
 /// The settings of the strips, and the groups of coupons.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CouponChoice {
-    /// Temperatures of the iron.
-    #[serde(rename = "temperatures_C")]
-    pub temperatures: Vec<f64>,
-    /// Speeds of the iron.
-    #[serde(rename = "speeds_mm_s")]
-    pub speeds: Vec<f64>,
-    /// Heights of the tip in contact.
-    #[serde(rename = "heights_mm")]
-    pub heights: Vec<f64>,
-    /// Number of seals with each setting.
-    pub repeats: usize,
+    /// The settings to vary.
+    #[serde(flatten)]
+    pub grid: StripGrid,
     /// Kinds of coupons: "strips", "disc", "v-actuator", "burst".
     pub only: Vec<String>,
+}
+
+/// The settings of the strips to vary.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StripGrid {
+    /// Temperatures of the iron.
+    #[serde(rename = "temperatures_C")]
+    pub temperatures: Vec<Temperature>,
+    /// Speeds of the iron.
+    #[serde(rename = "speeds_mm_s")]
+    pub speeds: Vec<Speed>,
+    /// Heights of the tip in contact.
+    #[serde(rename = "heights_mm")]
+    pub heights: Vec<Length>,
+    /// Number of seals with each setting; at least three for a spread.
+    pub repeats: usize,
 }
 
 impl CouponManifest {
     /// The manifest as the bytes of `manifest.json`.
     pub fn to_json(&self) -> Vec<u8> {
-        // Plain data can always be written.
-        let mut json = serde_json::to_vec_pretty(self).unwrap_or_default();
-        json.push(b'\n');
-        json
+        json(self)
     }
 }
 
@@ -68,9 +74,6 @@ pub struct FeedCheckManifest {
 impl FeedCheckManifest {
     /// The manifest as bytes.
     pub fn to_json(&self) -> Vec<u8> {
-        // Plain data can always be written.
-        let mut json = serde_json::to_vec_pretty(self).unwrap_or_default();
-        json.push(b'\n');
-        json
+        json(self)
     }
 }

@@ -10,7 +10,6 @@ use crate::manifest::{CouponChoice, CouponManifest, MANIFEST, ManifestFile, Seal
 use crate::pipeline::Sources;
 use crate::pipeline::directory::{refused, sources_of};
 use crate::spec::{Machine, Spec};
-use crate::units::{Length, Speed, Temperature};
 use crate::verify;
 use crate::verify::{FileProof, Finding, FindingCode, Findings, Method, OutputFiles, ProgramTask, Proof};
 use inflatable::geom::Path;
@@ -192,40 +191,32 @@ impl ProvenCoupons {
 pub(super) fn prove_coupons(written: &CouponManifest, files: &OutputFiles<'_>) -> Proof {
     let failed = |findings: Vec<Finding>| Proof { findings, ..Proof::default() };
     let (reading, machine) = match sources_of(files) {
-        (Ok(reading), Ok(machine)) => (reading, machine),
-        (spec, machine) => return failed(spec.err().into_iter().chain(machine.err()).collect()),
+        Ok(sources) => sources,
+        Err(findings) => return failed(findings),
     };
     let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok()).unwrap_or_default();
     let sources = Sources { spec: text("spec.toml"), machine: text("machine.toml") };
-    let Some((grid, groups)) = wanted(&written.coupons, &machine) else {
+    let Some(groups) = wanted(&written.coupons, &machine) else {
         let finding = Finding::new(FindingCode::Manifest, "other settings", "settings that `coupon` takes");
         return failed(vec![finding.in_file(MANIFEST)]);
     };
-    match MadeCoupons::new(&reading.spec, &machine, sources, &grid, &groups) {
+    match MadeCoupons::new(&reading.spec, &machine, sources, &written.coupons.grid, &groups) {
         Ok(made) => made.proof(written, files),
-        Err(refusals) => failed(refusals.into_iter().map(refused).collect()),
+        Err(refusals) => failed(refused(refusals)),
     }
 }
 
-/// The settings and groups of a manifest; `None` if `coupon` would refuse them.
-fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<(StripGrid, Vec<CouponGroup>)> {
-    let CouponChoice { temperatures, speeds, heights, repeats, only } = choice;
-    let right = [temperatures, speeds, heights].iter().all(|values| !values.is_empty())
-        && (1..=20).contains(repeats)
-        && [speeds.len(), heights.len(), *repeats]
-            .iter()
-            .try_fold(temperatures.len(), |n, m| n.checked_mul(*m))?
-            <= MOST_STRIPS;
+/// The groups of a manifest; `None` if `coupon` would refuse its settings.
+fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<Vec<CouponGroup>> {
+    let grid = &choice.grid;
+    let lengths = [grid.temperatures.len(), grid.speeds.len(), grid.heights.len()];
+    let strips = lengths.iter().try_fold(grid.repeats, |strips, length| strips.checked_mul(*length))?;
+    // Without a setting there is no strip.
+    let right = (1..=MOST_STRIPS).contains(&strips) && grid.repeats <= 20 && grid.refusal(machine).is_none();
     let group =
         |name: &String| CouponGroup::NAMES.iter().find(|(known, _)| known == name).map(|(_, group)| *group);
-    let groups = only.iter().map(group).collect::<Option<Vec<_>>>()?;
-    let grid = StripGrid {
-        temperatures: temperatures.iter().copied().map(Temperature).collect(),
-        speeds: speeds.iter().copied().map(Speed).collect(),
-        heights: heights.iter().copied().map(Length).collect(),
-        repeats: *repeats,
-    };
-    (right && grid.refusal(machine).is_none()).then_some((grid, groups))
+    let groups = choice.only.iter().map(group).collect();
+    if right { groups } else { None }
 }
 
 /// The task that the program of a coupon must perform.
@@ -254,10 +245,7 @@ fn manifest(
         tool: Tool::this(),
         name: spec.name.clone(),
         coupons: CouponChoice {
-            temperatures: grid.temperatures.iter().map(|t| t.0).collect(),
-            speeds: grid.speeds.iter().map(|v| v.0).collect(),
-            heights: grid.heights.iter().map(|h| h.0).collect(),
-            repeats: grid.repeats,
+            grid: grid.clone(),
             only: only.map(|(name, _)| (*name).to_owned()).collect(),
         },
         files: files.iter().map(|(name, kind, bytes)| ManifestFile::plain(name, *kind, bytes)).collect(),

@@ -1,12 +1,12 @@
 //! Reads the spec and the machine profile of a published directory.
 
-use crate::design::Refusal;
+use crate::design::{Refusal, Refusals};
 use crate::spec;
 use crate::spec::{DrawingSpec, Faults, Machine, Reading, Source};
 use crate::verify::{Finding, FindingCode, OutputFiles};
 
-/// The directory's own spec and machine profile.
-pub(super) fn sources_of(files: &OutputFiles<'_>) -> (Result<Reading, Finding>, Result<Machine, Finding>) {
+/// The directory's own spec and machine profile; a finding for each that is missing or refused.
+pub(super) fn sources_of(files: &OutputFiles<'_>) -> Result<(Reading, Machine), Vec<Finding>> {
     let read_spec = |source: &Source| {
         let reading = spec::read(source)?;
         let name = reading.spec.drawing.as_ref().map(DrawingSpec::published_name);
@@ -15,7 +15,10 @@ pub(super) fn sources_of(files: &OutputFiles<'_>) -> (Result<Reading, Finding>, 
             None => reading,
         })
     };
-    (source_of(files, "spec.toml", read_spec), source_of(files, "machine.toml", spec::read_machine))
+    match (source_of(files, "spec.toml", read_spec), source_of(files, "machine.toml", spec::read_machine)) {
+        (Ok(reading), Ok(machine)) => Ok((reading, machine)),
+        (spec, machine) => Err(spec.err().into_iter().chain(machine.err()).collect()),
+    }
 }
 
 fn source_of<T>(
@@ -32,7 +35,8 @@ fn source_of<T>(
     })
 }
 
-/// A refusal of the directory's design, as a finding.
-pub(super) fn refused(refusal: Refusal) -> Finding {
-    Finding::new(refusal.code, refusal.found, refusal.remedy).in_file("spec.toml")
+/// The refusals of the directory's design, as findings.
+pub(super) fn refused(refusals: Refusals) -> Vec<Finding> {
+    let finding = |refusal: Refusal| Finding::new(refusal.code, refusal.found, refusal.remedy);
+    refusals.into_iter().map(|refusal| finding(refusal).in_file("spec.toml")).collect()
 }

@@ -1,9 +1,10 @@
 //! The pipeline: the states of a gripper from its spec to files that may be published.
 //!
 //! ```text
-//! Spec, Machine -> Designed -> Planned -> Forecast -> Built -> Proven
-//!                     |           |           |         |         |
-//!                 geometry    programs   prediction   files    read back
+//! Spec, Machine -> Planned -> Forecast -> Built -> Proven
+//!                     |           |         |         |
+//!                 geometry,  prediction   files    read back
+//!                 programs
 //! ```
 //!
 //! Each step refuses invalid input, and no step can be skipped: `check` and `build` go as far as [`Proven`], the only state that can be
@@ -35,17 +36,6 @@ pub use coupons::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 pub use feed_check::{FeedCheckFault, ProvenFeedCheck, feed_check, prove_feed_check};
 pub use precautions::Precaution;
 pub use proven::{Proven, PublishedBuild, prove_files, read_back};
-
-/// A gripper with its geometry, in which the inlet is the only opening for air.
-#[derive(Clone, Debug)]
-pub struct Designed {
-    /// The parsed spec.
-    pub spec: Spec,
-    /// The machine profile.
-    pub machine: Machine,
-    /// The exact geometry.
-    pub design: Design,
-}
 
 /// A gripper that the machine can seal.
 #[derive(Clone, Debug)]
@@ -101,23 +91,14 @@ pub struct Sources<'a> {
     pub machine: &'a str,
 }
 
-impl Designed {
-    /// The geometry of `spec` for `machine`.
+impl Planned {
+    /// The geometry of `spec`, in which the inlet is the only opening for air, and its programs for `machine`.
     ///
     /// # Errors
-    /// All reasons why it cannot be made, or would leak.
+    /// All reasons why it cannot be made or would leak, or why the machine cannot run the programs.
     pub fn new(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
         let design = Design::new(&spec, &machine)?;
         airtight::leaks(&spec, &machine, &design).or(())?;
-        Ok(Self { spec, machine, design })
-    }
-
-    /// The programs for the machine.
-    ///
-    /// # Errors
-    /// All reasons why the machine cannot run them.
-    pub fn plan(self) -> Result<Planned, Refusals> {
-        let Self { spec, machine, design } = self;
         // The size is checked before the programs are made: they may exceed the memory.
         let too_many: Refusals = plan::too_many_moves(&spec, &machine, &design).into_iter().collect();
         too_many.or(())?;
@@ -126,31 +107,21 @@ impl Designed {
         let mut refusals = plan::refusals(&spec, &machine, &programs, &traces);
         refusals.extend(plan::pressed_beyond(&machine, &design));
         refusals.or(())?;
-        Ok(Planned { spec, machine, design, programs, traces })
-    }
-}
-
-impl Planned {
-    /// Predicts the behaviour, if the spec has a load.
-    ///
-    /// # Errors
-    /// If the model that the spec requests has no answer.
-    pub fn forecast(self) -> Result<Forecast, Refusals> {
-        self.watched_forecast(&Watch::default())
+        Ok(Self { spec, machine, design, programs, traces })
     }
 
-    /// The same; `watch` receives the progress of the shell computation of a drawn piece.
+    /// Predicts the behaviour, if the spec has a load; `watch` receives the progress of the shell computation of a drawn piece.
     ///
     /// # Errors
     /// If the model that the spec requests has no answer, or if the shell computation was cancelled.
-    pub fn watched_forecast(self, watch: &Watch<'_>) -> Result<Forecast, Refusals> {
-        let asked = self.design.assembly().filter(|_| self.spec.load.is_some());
-        let prediction = asked.map(|_| predict(&self.spec, &self.design)).transpose();
-        let prediction = prediction.map_err(|fault| no_prediction(&fault))?;
-        let drawn = self.design.drawn().filter(|_| self.spec.load.is_some());
-        let drawn = drawn.map(|piece| of_spec(&self.spec, piece, watch)).transpose();
-        let drawn = drawn.map_err(|fault| no_prediction(&fault))?;
+    pub fn forecast(self, watch: &Watch<'_>) -> Result<Forecast, Refusals> {
         let Self { spec, machine, design, programs, traces } = self;
+        let asked = design.assembly().filter(|_| spec.load.is_some());
+        let prediction = asked.map(|_| predict(&spec, &design)).transpose();
+        let prediction = prediction.map_err(|fault| no_prediction(&fault))?;
+        let drawn = design.drawn().filter(|_| spec.load.is_some());
+        let drawn = drawn.map(|piece| of_spec(&spec, piece, watch)).transpose();
+        let drawn = drawn.map_err(|fault| no_prediction(&fault))?;
         Ok(Forecast { spec, machine, design, programs, traces, prediction, drawn })
     }
 }
@@ -161,7 +132,7 @@ impl Forecast {
     /// # Errors
     /// The refusals of the first step that fails.
     pub fn of(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
-        Designed::new(spec, machine)?.plan()?.forecast()
+        Planned::new(spec, machine)?.forecast(&Watch::default())
     }
 }
 

@@ -100,10 +100,9 @@ impl PublishedBuild {
 
     /// The length of each file, bytes, as stated in the manifest.
     pub fn stated_sizes(&self) -> impl Iterator<Item = (&str, usize)> {
-        let files = self.written.iter().flat_map(|manifest| &manifest.files);
-        files
-            .chain(self.coupons.iter().flat_map(|manifest| &manifest.files))
-            .map(|entry| (entry.path.as_str(), entry.bytes))
+        let of_coupons = self.coupons.iter().flat_map(|manifest| &manifest.files);
+        let files = self.written.iter().flat_map(|manifest| &manifest.files).chain(of_coupons);
+        files.map(|entry| (entry.path.as_str(), entry.bytes))
     }
 
     /// Proves `files` by the same steps as `build`: all of them are made again, and each one that differs by a byte is a finding. Each one
@@ -154,17 +153,6 @@ impl PublishedBuild {
         });
         let findings = [finding.in_file(MANIFEST)].into_iter().chain(foreign).collect();
         Proof { findings, ..Proof::default() }
-    }
-
-    /// Proves `files` by reading alone, as [`Built::prove`] does.
-    pub fn read_back(&self, files: &OutputFiles<'_>) -> Proof {
-        if let Some(coupons) = &self.coupons {
-            return prove_coupons(coupons, files);
-        }
-        match &self.forecast {
-            Ok(forecast) => prove_claimed(forecast, self.written.as_ref(), files),
-            Err(findings) => Proof { findings: findings.clone(), ..Proof::default() },
-        }
     }
 }
 
@@ -223,9 +211,15 @@ pub fn prove_files(files: &OutputFiles<'_>) -> Proof {
     PublishedBuild::of(files).prove(files)
 }
 
-/// Proves an output directory by reading alone: see [`PublishedBuild::read_back`].
+/// Proves an output directory by reading alone, as [`Built::prove`] does.
 pub fn read_back(files: &OutputFiles<'_>) -> Proof {
-    PublishedBuild::of(files).read_back(files)
+    match PublishedBuild::of(files) {
+        PublishedBuild { coupons: Some(coupons), .. } => prove_coupons(&coupons, files),
+        PublishedBuild { forecast: Ok(forecast), written, .. } => {
+            prove_claimed(&forecast, written.as_ref(), files)
+        }
+        PublishedBuild { forecast: Err(findings), .. } => Proof { findings, ..Proof::default() },
+    }
 }
 
 /// Proves `files` of a directory, whose profile must also agree with its name in the spec.
@@ -257,13 +251,10 @@ fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
 
 /// The forecast of the directory's own spec and profile.
 fn forecast_of(files: &OutputFiles<'_>) -> Result<Forecast, Vec<Finding>> {
-    let (reading, machine) = match sources_of(files) {
-        (Ok(spec), Ok(machine)) => (spec, machine),
-        (spec, machine) => return Err(spec.err().into_iter().chain(machine.err()).collect()),
-    };
+    let (reading, machine) = sources_of(files)?;
     let drawing = reading.spec.drawing.as_ref().map(DrawingSpec::published_name);
     if let Some(name) = drawing.filter(|name| files.get(name).is_none()) {
         return Err(vec![files.lacks(name, "the file of the build")]);
     }
-    Forecast::of(reading.spec, machine).map_err(|refusals| refusals.into_iter().map(refused).collect())
+    Forecast::of(reading.spec, machine).map_err(refused)
 }

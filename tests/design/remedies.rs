@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use stargrip_cam::design::{Design, Refusal, RefusalCode, Refusals};
-use stargrip_cam::pipeline::Designed;
+use stargrip_cam::pipeline::Planned;
 use stargrip_cam::spec::{self, Source};
 
 use crate::support;
@@ -141,7 +141,7 @@ fn the_speed_that_is_named_is_fast_enough() {
     let text = support::PAPER.replace("50 mm", "2500 mm").replace("30 mm", "800 mm");
     let with = |rest: &str| {
         let spec = support::read(&format!("{text}{rest}"));
-        Designed::new(spec, support::machine()).and_then(Designed::plan).map(|_| ())
+        Planned::new(spec, support::machine()).map(|_| ())
     };
     let refusal = only(&with("").expect_err("too long"));
     assert_eq!(refusal.code, RefusalCode::JobTooLarge);

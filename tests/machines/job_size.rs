@@ -1,7 +1,7 @@
 //! Jobs of absurd size are refused with a message, before anything large is made.
 
 use stargrip_cam::design::{Refusal, RefusalCode};
-use stargrip_cam::pipeline::Designed;
+use stargrip_cam::pipeline::Planned;
 use stargrip_cam::spec::{Source, key, read, read_machine};
 
 use crate::profile;
@@ -13,7 +13,7 @@ fn refusal(radius: f64, rest: &str, machine: &str) -> Option<Refusal> {
     );
     let spec = read(&Source::new("spec", &text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
     let machine = read_machine(&Source::new("machine", machine)).unwrap_or_else(|faults| panic!("{faults}"));
-    let planned = Designed::new(spec, machine).and_then(Designed::plan);
+    let planned = Planned::new(spec, machine);
     planned.err().map(|refusals| refusals.first().expect("a reason").clone())
 }
 

@@ -2,7 +2,7 @@
 
 use stargrip_cam::coupon::{CouponGroup, StripGrid, coupons};
 use stargrip_cam::emit;
-use stargrip_cam::pipeline::Designed;
+use stargrip_cam::pipeline::Planned;
 use stargrip_cam::plan::feed_checks;
 use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, read, read_machine};
 use stargrip_cam::units::{Length, Speed, Temperature};
@@ -61,9 +61,8 @@ pub(crate) fn spec(dialect: &str, text: &str) -> Spec {
 
 /// The sealing programs, and the traces.
 pub(crate) fn seals(spec: &Spec, machine: &Machine) -> (Vec<Named>, Vec<Named>) {
-    let planned = Designed::new(spec.clone(), machine.clone())
-        .and_then(Designed::plan)
-        .unwrap_or_else(|refusals| panic!("{refusals:?}"));
+    let planned =
+        Planned::new(spec.clone(), machine.clone()).unwrap_or_else(|refusals| panic!("{refusals:?}"));
     let named = |kind: &str, programs: &[stargrip_cam::plan::Program]| {
         let text = |program| emit::gcode(spec, machine, program);
         programs.iter().map(|program| (format!("{kind} {:?}", program.numbers()), text(program))).collect()

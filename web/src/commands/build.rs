@@ -6,7 +6,7 @@ use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::design::Refusals;
 use stargrip_cam::forecast::drawn::Watch;
 use stargrip_cam::manifest::ManifestFile;
-use stargrip_cam::pipeline::{Built, Designed, Forecast, Sources, prove_files};
+use stargrip_cam::pipeline::{Built, Forecast, Planned, Sources, prove_files};
 use stargrip_cam::spec::{ModelChoice, form_settings};
 use stargrip_cam::verify::OutputFiles;
 
@@ -58,7 +58,7 @@ fn forecast(given: &Given, is_quick: bool) -> Result<Forecast, Refusals> {
         spec.accuracy.model = ModelChoice::Auto;
     }
     let watch = Watch { progress: Some(&tell), ..Watch::default() };
-    Designed::new(spec, given.machine.clone())?.plan()?.watched_forecast(&watch)
+    Planned::new(spec, given.machine.clone())?.forecast(&watch)
 }
 
 /// The files, if they agree with the design; if not, that is a fault of this program.
