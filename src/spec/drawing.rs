@@ -13,8 +13,8 @@ use crate::spec::value::{RawKind, RawValue};
 use crate::units::Length;
 use drawings::{Drawing, Format, Options, Unit};
 
-/// The least width of a passage that makers report to inflate well.
-const LEAST_PASSAGE: Length = Length(15.0);
+/// The least width of a passage that makers report to inflate well, mm.
+const LEAST_PASSAGE: f64 = 15.0;
 
 /// `[drawing]`
 #[derive(Clone, Debug, PartialEq)]
@@ -160,12 +160,12 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
         }
     }
     let inlet = ("the drawing shows where its ports are", "delete it; only `tube_diameter` counts here");
-    only_keys(reader, "inlet", &["tube_diameter"], inlet);
+    unlike(reader, "inlet", |key| key == "tube_diameter", inlet);
     let load = (
         "no model predicts the force of a drawn shape on an object",
         "delete it; only `pressure` counts here",
     );
-    only_keys(reader, "load", &["pressure"], load);
+    unlike(reader, "load", |key| key == "pressure", load);
     let hole = (
         "only stars have a flap on the hole side",
         "delete it; the holes of a drawing are cut as they are drawn",
@@ -173,11 +173,6 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
     unlike(reader, "seal", |key| key != "hole_allowance", hole);
     separator(reader);
     drawing
-}
-
-/// A fault for each key of `section` that is not in the list `known`, with a label and a remedy.
-fn only_keys(reader: &mut Reader<'_>, section: &str, known: &[&str], words: (&str, &str)) {
-    unlike(reader, section, |key| known.contains(&key), words);
 }
 
 /// A fault for each key of `section` that drawings do not have (`has`), with a label and a remedy.
@@ -193,20 +188,18 @@ fn unlike(reader: &mut Reader<'_>, section: &str, has: impl Fn(&str) -> bool, (l
 /// The mask of a drawn shape is a separator.
 fn separator(reader: &mut Reader<'_>) {
     let Some(mask) = reader.raw.root().get("mask") else { return };
-    let kind = mask.as_table().and_then(|table| table.0.iter().find(|entry| entry.key == "kind"));
-    if kind.is_none_or(|entry| matches!(&entry.value.kind, RawKind::Text(word) if word == "coating")) {
-        let fault = Fault::error(
-            FaultCode::Conflict,
-            mask.span.clone(),
-            "a coating mask beside [drawing]".to_owned(),
-        )
-        .label("only stars are coated")
-        .help("write kind = \"separator\" for paper between the sheets of a heat press, or delete [mask]");
+    let kind = mask.as_table().and_then(|table| table.get("kind"));
+    if kind.is_none_or(|kind| kind.as_text() == Some("coating")) {
+        let found = "a coating mask beside [drawing]";
+        let fault =
+            Fault::error(FaultCode::Conflict, mask.span.clone(), found).label("only stars are coated").help(
+                "write kind = \"separator\" for paper between the sheets of a heat press, or delete [mask]",
+            );
         reader.faults.push(fault);
         return;
     }
     let reason = ("a separator is as large as the air", "delete it; only `kind` and `creep` count here");
-    only_keys(reader, "mask", &["kind", "creep"], reason);
+    unlike(reader, "mask", |key| ["kind", "creep"].contains(&key), reason);
 }
 
 fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
@@ -224,8 +217,8 @@ fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
         file.to_owned()
     });
     let units = s.choice("units", &Unit::named());
-    let join = s.quantity("join", Allowed::closed(0.0, 10.0)).unwrap_or(Length(0.02));
-    let passage = s.quantity("passage", Allowed::closed(0.0, 1000.0)).unwrap_or(LEAST_PASSAGE);
+    let join = s.length("join", Allowed::closed(0.0, 10.0), 0.02);
+    let passage = s.length("passage", Allowed::closed(0.0, 1000.0), LEAST_PASSAGE);
     let layers = read_layers(s);
     s.is_written().then(|| DrawingSpec {
         file: file.unwrap_or_default(),

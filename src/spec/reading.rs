@@ -12,7 +12,6 @@ use crate::spec::model::{
     Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, MachineChoice, Mask, MaskKind,
     ProgramScope, Seal, Sheet, Spec,
 };
-use crate::spec::name::{check_name, misleads};
 use crate::spec::raw::RawSpec;
 use crate::spec::section::{Reader, Section};
 use crate::spec::shape::ValueShape;
@@ -105,26 +104,16 @@ pub(super) fn read_schema(root: &mut Section<'_, '_>, version: u32) {
     let found = root.count("schema", 0, u32::MAX);
     root.narrow("schema", ValueShape::Count(version, version));
     if let Some(found) = found.filter(|found| *found != version) {
-        let fault = Fault::error(FaultCode::Schema, root.place_of("schema"), format!("`schema` is {found}"))
-            .label(format!("must be {version}, the only version this program supports"));
-        root.report(fault);
+        let allowed = format!("must be {version}, the only version this program supports");
+        root.refuse(FaultCode::Schema, "schema", format!("`schema` is {found}"), allowed);
     }
-}
-
-/// The required `name`.
-pub(super) fn read_name(root: &mut Section<'_, '_>) -> String {
-    let Some((name, span)) = root.text("name") else { return String::new() };
-    if let Err(reason) = check_name(name) {
-        root.report(Fault::error(FaultCode::Name, span, format!("`name` is {}", quoted(name))).label(reason));
-    }
-    name.to_owned()
 }
 
 pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
     let mut root = reader.root();
     root.require(&[("schema", "1"), ("name", "\"five-point star\"")]);
     read_schema(&mut root, 1);
-    let name = read_name(&mut root);
+    let name = root.name().unwrap_or_default();
     let fabric = read_fabric(&mut reader.section("fabric"));
     let drawing = drawing::read(reader);
     let (stars, inlet) = stars::read(reader, drawing.is_some());
@@ -170,13 +159,9 @@ fn check_product(reader: &mut Reader<'_>, spec: &Spec) {
     }
 }
 
-fn length(section: &mut Section<'_, '_>, key: &'static str, allowed: Allowed, default: f64) -> Length {
-    section.quantity(key, allowed).unwrap_or(Length(default))
-}
-
 pub(super) fn read_fabric(s: &mut Section<'_, '_>) -> Fabric {
     Fabric {
-        thickness: length(s, "thickness", SIZE, 0.3),
+        thickness: s.length("thickness", SIZE, 0.3),
         young_modulus: s.quantity("young_modulus", Allowed::closed(1e-3, 1e9)).unwrap_or(Pressure(128e3)),
         poisson_ratio: s.number("poisson_ratio", Allowed::above(-1.0, 0.5)).unwrap_or(0.39),
         seal_strength: s.quantity("seal_strength", Allowed::closed(1e-6, 1e4)),
@@ -192,10 +177,10 @@ fn read_seal(s: &mut Section<'_, '_>) -> Seal {
     let seal = Seal {
         temperature: s.quantity("temperature", Allowed::above(0.0, 400.0)).unwrap_or(Temperature(200.0)),
         speed: s.quantity("speed", SEAL_SPEEDS).unwrap_or(Speed(0.1)),
-        band: length(s, "band", SIZE, 2.0),
-        overlap: length(s, "overlap", EXTRA, 5.0),
-        allowance: length(s, "allowance", EXTRA, 8.0),
-        hole_allowance: length(s, "hole_allowance", EXTRA, 1.0),
+        band: s.length("band", SIZE, 2.0),
+        overlap: s.length("overlap", EXTRA, 5.0),
+        allowance: s.length("allowance", EXTRA, 8.0),
+        hole_allowance: s.length("hole_allowance", EXTRA, 1.0),
     };
     check_ptfe(s, seal.temperature);
     seal
@@ -206,14 +191,12 @@ pub const TOXIC: Temperature = Temperature(300.0);
 
 /// Between iron and fabric lies a release layer of PTFE: above 260 C it ages, from 300 C its fumes are toxic.
 fn check_ptfe(s: &mut Section<'_, '_>, temperature: Temperature) {
-    let place = s.place_of("temperature");
     let message = format!("`temperature` is {temperature}");
     if temperature.0 >= TOXIC.0 {
-        let fault = Fault::error(FaultCode::Ptfe, place, message)
-            .label("must be less than 300 C: from there the PTFE release layer gives off toxic fumes");
-        s.report(fault);
+        let allowed = "must be less than 300 C: from there the PTFE release layer gives off toxic fumes";
+        s.refuse(FaultCode::Ptfe, "temperature", message, allowed);
     } else if temperature.0 > 260.0 {
-        let fault = Fault::warning(FaultCode::Ptfe, place, message)
+        let fault = Fault::warning(FaultCode::Ptfe, s.place_of("temperature"), message)
             .label("above 260 C the PTFE release layer decomposes slowly")
             .help("seal at 260 C or below, or ensure good ventilation");
         s.report(fault);
@@ -225,10 +208,10 @@ fn read_mask(s: &mut Section<'_, '_>) -> Mask {
     Mask {
         kind: s.choice("kind", &kinds).unwrap_or(MaskKind::Coating),
         extent: s.quantity("extent", SIZE),
-        creep: length(s, "creep", EXTRA, 0.0),
-        border: length(s, "border", EXTRA, 10.0),
+        creep: s.length("creep", EXTRA, 0.0),
+        border: s.length("border", EXTRA, 10.0),
         mirror: s.truth("mirror").unwrap_or(false),
-        thickness: length(s, "thickness", SIZE, 2.0),
+        thickness: s.length("thickness", SIZE, 2.0),
         bed: s.area("bed", SIZE).map(|[width, depth]| Bed { width, depth }),
     }
 }
@@ -238,9 +221,9 @@ pub const FEWEST_POSTS: u32 = 3;
 
 fn read_frame(s: &mut Section<'_, '_>, kerf: Length) -> FrameSpec {
     FrameSpec {
-        plate_thickness: length(s, "plate_thickness", SIZE, 5.0),
-        clearance: length(s, "clearance", EXTRA, 5.0),
-        post_diameter: length(s, "post_diameter", SIZE, 6.0),
+        plate_thickness: s.length("plate_thickness", SIZE, 5.0),
+        clearance: s.length("clearance", EXTRA, 5.0),
+        post_diameter: s.length("post_diameter", SIZE, 6.0),
         posts: s.count("posts", FEWEST_POSTS, 64).unwrap_or(4),
         kerf: s.quantity("kerf", EXTRA).unwrap_or(kerf),
     }
@@ -248,7 +231,7 @@ fn read_frame(s: &mut Section<'_, '_>, kerf: Length) -> FrameSpec {
 
 fn read_cut(s: &mut Section<'_, '_>) -> CutSpec {
     CutSpec {
-        kerf: length(s, "kerf", EXTRA, 0.0),
+        kerf: s.length("kerf", EXTRA, 0.0),
         colours: s
             .choice("colours", &[("one", Colours::One), ("ordered", Colours::Ordered)])
             .unwrap_or(Colours::One),
@@ -260,12 +243,11 @@ pub const SMALLEST_HOLE: f64 = 0.2;
 
 /// The diameter of the registration holes; 0 for none.
 fn read_hole(s: &mut Section<'_, '_>) -> Length {
-    let diameter = length(s, "hole_diameter", EXTRA, 3.0);
+    let diameter = s.length("hole_diameter", EXTRA, 3.0);
     if diameter.0 > 0.0 && diameter.0 < SMALLEST_HOLE {
         let message = format!("`hole_diameter` is {diameter}");
-        let fault = Fault::error(FaultCode::OutOfRange, s.place_of("hole_diameter"), message)
-            .label("must be at least 0.2 mm, or 0 mm for no registration holes");
-        s.report(fault);
+        let allowed = "must be at least 0.2 mm, or 0 mm for no registration holes";
+        s.refuse(FaultCode::OutOfRange, "hole_diameter", message, allowed);
     }
     diameter
 }
@@ -275,34 +257,20 @@ pub(super) fn read_sheet(s: &mut Section<'_, '_>) -> Sheet {
         width: s.quantity("width", SIZE),
         height: s.quantity("height", SIZE),
         copies: s.count("copies", 1, 1000).unwrap_or(1),
-        margin: length(s, "margin", EXTRA, 10.0),
-        gap: length(s, "gap", EXTRA, 10.0),
+        margin: s.length("margin", EXTRA, 10.0),
+        gap: s.length("gap", EXTRA, 10.0),
         turn: s.truth("turn").unwrap_or(false),
         hole_diameter: read_hole(s),
     }
 }
 
 pub(super) fn read_choice(s: &mut Section<'_, '_>) -> MachineChoice {
-    let profile = s.text("profile").map(|(profile, span)| {
-        if profile.trim().is_empty() || profile.chars().any(misleads) {
-            let fault = Fault::error(FaultCode::Profile, span, format!("`profile` is {}", quoted(profile)))
-                .label("must be the name of a built-in profile, or a path relative to the spec");
-            s.report(fault);
-        }
-        profile.to_owned()
-    });
+    let allowed = "must be the name of a built-in profile, or a path relative to the spec";
+    let scopes =
+        [("star", ProgramScope::Piece), ("piece", ProgramScope::Piece), ("sheet", ProgramScope::Sheet)];
     MachineChoice {
-        profile: profile.unwrap_or_else(|| "generic".to_owned()),
-        program: s
-            .choice(
-                "program",
-                &[
-                    ("star", ProgramScope::Piece),
-                    ("piece", ProgramScope::Piece),
-                    ("sheet", ProgramScope::Sheet),
-                ],
-            )
-            .unwrap_or(ProgramScope::Piece),
+        profile: s.path("profile", FaultCode::Profile, allowed).unwrap_or_else(|| "generic".to_owned()),
+        program: s.choice("program", &scopes).unwrap_or(ProgramScope::Piece),
         feed_floor: s
             .choice("feed_floor", &[("refuse", FeedFloor::Refuse), ("chop", FeedFloor::Chop)])
             .unwrap_or(FeedFloor::Refuse),
@@ -333,7 +301,7 @@ fn read_link(s: &mut Section<'_, '_>) -> Option<String> {
 
 fn read_accuracy(s: &mut Section<'_, '_>) -> Accuracy {
     Accuracy {
-        path: length(s, "path", Allowed::closed(1e-4, 1.0), 0.001),
+        path: s.length("path", Allowed::closed(1e-4, 1.0), 0.001),
         model: s.choice("model", &ModelChoice::ALL).unwrap_or(ModelChoice::Auto),
         response: s.quantity("response", Allowed::above(0.0, 100.0)).unwrap_or(Percent(50.0)),
     }

@@ -173,6 +173,11 @@ impl<'r> Section<'_, 'r> {
         self.report(Fault::error(code, self.place_of(key), found).label(allowed));
     }
 
+    /// A length within `allowed`, or `default`, mm.
+    pub(super) fn length(&mut self, key: &'static str, allowed: Allowed, default: f64) -> Length {
+        self.quantity(key, allowed).unwrap_or(Length(default))
+    }
+
     /// Adds one fault if some of `required`, pairs of a key and an example value, were not written.
     pub(super) fn require(&mut self, required: &[(&'static str, &'static str)]) {
         self.require_if(true, required);

@@ -6,7 +6,7 @@ use crate::spec::model::{Inlet, StarSpec};
 use crate::spec::section::{Reader, Section};
 use crate::spec::shape::ValueShape;
 use crate::spec::{FaultCode, key};
-use crate::units::{Angle, Length};
+use crate::units::Angle;
 
 /// Most points of a star, and most stars of a stack.
 const MOST: u32 = 64;
@@ -73,12 +73,10 @@ fn read_place(s: &mut Section<'_, '_>, base: &StarSpec) -> StarSpec {
 /// The inlet, `None` if there is none, and the tip that carries it.
 fn read_inlet(s: &mut Section<'_, '_>) -> (Option<Inlet>, Option<u32>) {
     let none = s.truth("none").unwrap_or(false);
-    let length =
-        |s: &mut Section<'_, '_>, key, allowed, default| s.quantity(key, allowed).unwrap_or(Length(default));
     let inlet = Inlet {
-        tube_diameter: length(s, "tube_diameter", SIZE, 4.0),
-        length: length(s, "length", SIZE, 20.0),
-        fillet: length(s, "fillet", EXTRA, 1.0),
+        tube_diameter: s.length("tube_diameter", SIZE, 4.0),
+        length: s.length("length", SIZE, 20.0),
+        fillet: s.length("fillet", EXTRA, 1.0),
     };
     let tip = s.count("tip", 1, MOST);
     if !none {
@@ -131,13 +129,8 @@ fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32,
         let tip = section.count("inlet_tip", 1, MOST);
         star.inlet_tip = tip.unwrap_or(star.inlet_tip);
         if tip.is_some() && !has_inlet {
-            let fault = Fault::error(
-                FaultCode::Conflict,
-                section.place_of("inlet_tip"),
-                "`inlet_tip` without an inlet",
-            )
-            .label("[inlet] has `none = true`");
-            section.report(fault);
+            let found = "`inlet_tip` without an inlet";
+            section.refuse(FaultCode::Conflict, "inlet_tip", found, "[inlet] has `none = true`");
         }
         if index == Some(1) && stars.len() > 1 && section.has("pitch") {
             let fault = Fault::warning(FaultCode::NoEffect, section.place_of("pitch"), "`pitch` of star 1")
@@ -147,13 +140,10 @@ fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32,
         }
         let Some(slot) = slot else { continue };
         if std::mem::replace(&mut seen[slot], true) {
-            let fault = Fault::error(
-                FaultCode::DuplicateIndex,
-                section.place_of("index"),
-                format!("`index` is {slot}"),
-            )
-            .label("this star has a section already")
-            .help("write all keys of one star into one section");
+            let message = format!("`index` is {slot}");
+            let fault = Fault::error(FaultCode::DuplicateIndex, section.place_of("index"), message)
+                .label("this star has a section already")
+                .help("write all keys of one star into one section");
             section.report(fault);
         }
         if let Some(place) = stars.get_mut(slot - 1) {

@@ -13,7 +13,6 @@ mod process;
 mod script;
 
 use crate::spec::FaultCode;
-use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
 use crate::spec::foreign::Document;
 use crate::spec::machine::{Controller, Machine};
@@ -22,8 +21,8 @@ use crate::spec::profile::controller::{read_controller, read_dwells};
 use crate::spec::profile::motion::read_motion;
 use crate::spec::profile::process::{read_bench, read_process, read_tip};
 use crate::spec::profile::script::{Stated, read_script};
-use crate::spec::reading::{read_name, read_schema, read_with};
-use crate::spec::section::{Reader, Section};
+use crate::spec::reading::{read_schema, read_with};
+use crate::spec::section::Reader;
 use crate::spec::source::Source;
 
 pub use builtin::{builtin_machine, builtin_machines, usual_profile};
@@ -47,8 +46,11 @@ pub(in crate::spec) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let mut root = reader.root();
     root.require(&[("schema", "1"), ("name", "\"my machine\""), ("dialect", "\"generic\"")]);
     read_schema(&mut root, 1);
-    let name = read_name(&mut root);
-    let description = read_description(&mut root);
+    let name = root.name().unwrap_or_default();
+    let description = root.checked_text("description", FaultCode::Name, |text| {
+        let is_wrong = text.chars().any(misleads) || text.chars().count() > DESCRIPTION_LENGTH;
+        is_wrong.then(|| format!("must be one line of at most {DESCRIPTION_LENGTH} characters"))
+    });
     let controller = read_controller(&mut root);
     let tip = read_tip(&mut root);
     let dwell = read_dwells(&mut reader.section("dwell"), controller.dialect);
@@ -58,17 +60,7 @@ pub(in crate::spec) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let motion = read_motion(&mut reader.section("motion"), controller.dialect);
     let stated = Stated { controller: &controller, process: &process, motion: &motion };
     let script = read_script(reader, &stated);
-    Machine { name, description, controller, process, bench, motion, script }
-}
-
-fn read_description(root: &mut Section<'_, '_>) -> String {
-    let Some((text, span)) = root.text("description") else { return String::new() };
-    if text.chars().any(misleads) || text.chars().count() > DESCRIPTION_LENGTH {
-        let fault = Fault::error(FaultCode::Name, span, format!("`description` is {}", quoted(text)))
-            .label(format!("must be one line of at most {DESCRIPTION_LENGTH} characters"));
-        root.report(fault);
-    }
-    text.to_owned()
+    Machine { name, description: description.unwrap_or_default(), controller, process, bench, motion, script }
 }
 
 impl Machine {

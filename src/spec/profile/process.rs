@@ -2,9 +2,8 @@
 
 use crate::spec::FaultCode;
 use crate::spec::allowed::{Allowed, SIZE};
-use crate::spec::fault::{Fault, quoted};
+use crate::spec::fault::Fault;
 use crate::spec::machine::{Bench, Heights, KeepOut, Process, lowest_contact};
-use crate::spec::name::check_name;
 use crate::spec::profile::known::{known, known_as};
 use crate::spec::section::{Reader, Section};
 use crate::units::{Length, Speed};
@@ -18,7 +17,7 @@ const FAST: Allowed = Allowed::closed(0.01, 1e4);
 
 /// The keys before the first section: whether there is a spring, if the profile states it, and the ramp's length.
 pub(super) fn read_tip(root: &mut Section<'_, '_>) -> (Option<bool>, Length) {
-    (root.truth("spring_loaded"), root.quantity("ramp", SIZE).unwrap_or(Length(3.0)))
+    (root.truth("spring_loaded"), root.length("ramp", SIZE, 3.0))
 }
 
 /// Reads `[heights]` and `[speeds]`, with the result of [`read_tip`].
@@ -48,27 +47,18 @@ fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights
     if let (Some(false), Some(Length(contact))) = (spring_loaded, contact)
         && contact < lowest_contact(false)
     {
-        let fault = Fault::error(
-            FaultCode::OutOfRange,
-            s.place_of("contact"),
-            format!("`contact` is {}", Length(contact)),
-        )
-        .label("must be 0 mm for a tip without a spring (`spring_loaded = false`)");
-        s.report(fault);
+        let allowed = "must be 0 mm for a tip without a spring (`spring_loaded = false`)";
+        s.refuse(FaultCode::OutOfRange, "contact", format!("`contact` is {}", Length(contact)), allowed);
     }
     for (low, low_key, high, high_key) in
         [(contact, "contact", travel, "travel"), (travel, "travel", park, "park")]
     {
-        if let (Some(Length(low)), Some(Length(high))) = (low, high)
+        if let (Some(low), Some(high)) = (low, high)
             && high <= low
         {
-            let fault = Fault::error(
-                FaultCode::OutOfRange,
-                s.place_of(high_key),
-                format!("`{high_key}` is {}", Length(high)),
-            )
-            .label(format!("must be above `{low_key}`, {}", Length(low)));
-            s.report(fault);
+            let (found, allowed) =
+                (format!("`{high_key}` is {high}"), format!("must be above `{low_key}`, {low}"));
+            s.refuse(FaultCode::OutOfRange, high_key, found, allowed);
         }
     }
     Heights {
@@ -116,19 +106,14 @@ fn read_keep_out(reader: &mut Reader<'_>) -> Vec<KeepOut> {
                 ("depth", "\"20 mm\""),
             ]);
             let place = Allowed::closed(-1e5, 1e5);
-            let name = s.text("name");
-            let mut side = |key, allowed, default| s.quantity(key, allowed).unwrap_or(Length(default));
-            let (x, y) = (side("x", place, 0.0), side("y", place, 0.0));
-            let (width, depth) = (side("width", SIZE, 1.0), side("depth", SIZE, 1.0));
-            let height = known(&mut s, "height", HEIGHT);
-            let name = name.map_or("clamp".to_owned(), |(name, span)| {
-                if let Err(reason) = check_name(name) {
-                    let fault = Fault::error(FaultCode::Name, span, format!("`name` is {}", quoted(name)));
-                    s.report(fault.label(reason));
-                }
-                name.to_owned()
-            });
-            KeepOut { name, x, y, width, depth, height }
+            KeepOut {
+                name: s.name().unwrap_or_else(|| "clamp".to_owned()),
+                x: s.length("x", place, 0.0),
+                y: s.length("y", place, 0.0),
+                width: s.length("width", SIZE, 1.0),
+                depth: s.length("depth", SIZE, 1.0),
+                height: known(&mut s, "height", HEIGHT),
+            }
         })
         .collect()
 }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
+use crate::spec::name::{check_name, misleads};
 use crate::spec::section::Section;
 use crate::spec::shape::ValueShape;
 use crate::spec::unknown;
@@ -12,6 +13,36 @@ impl<'r> Section<'_, 'r> {
     /// A text in quotes and its place; `None` if it is absent or something else.
     pub(in crate::spec) fn text(&mut self, key: &'static str) -> Option<(&'r str, Range<usize>)> {
         self.word(key, ValueShape::Text)
+    }
+
+    /// A text in quotes; `wrong` returns what is allowed instead of a wrong one, which is a fault of `code`.
+    pub(in crate::spec) fn checked_text(
+        &mut self,
+        key: &'static str,
+        code: FaultCode,
+        wrong: impl FnOnce(&str) -> Option<String>,
+    ) -> Option<String> {
+        let (text, _) = self.text(key)?;
+        if let Some(allowed) = wrong(text) {
+            self.refuse(code, key, format!("`{key}` is {}", quoted(text)), allowed);
+        }
+        Some(text.to_owned())
+    }
+
+    /// The path of a file; a wrong one is a fault of `code` with the words `allowed`.
+    pub(in crate::spec) fn path(
+        &mut self,
+        key: &'static str,
+        code: FaultCode,
+        allowed: &str,
+    ) -> Option<String> {
+        let is_wrong = |path: &str| path.trim().is_empty() || path.chars().any(misleads);
+        self.checked_text(key, code, |path| is_wrong(path).then(|| allowed.to_owned()))
+    }
+
+    /// A name by the rules of [`check_name`].
+    pub(in crate::spec) fn name(&mut self) -> Option<String> {
+        self.checked_text("name", FaultCode::Name, |name| check_name(name).err())
     }
 
     /// A text of some shape.

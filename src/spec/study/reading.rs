@@ -3,18 +3,18 @@
 use std::ops::Range;
 
 use crate::spec::accuracy::{Detail, ModelChoice};
-use crate::spec::fault::{Fault, quoted};
+use crate::spec::fault::Fault;
 use crate::spec::faults::Faults;
 use crate::spec::foreign::Document;
 use crate::spec::key;
 use crate::spec::reading::{read_schema, read_with};
-use crate::spec::section::{Reader, Section};
+use crate::spec::section::Reader;
 use crate::spec::shape::ValueShape;
 use crate::spec::source::Source;
 use crate::spec::study::axis::{Axis, Block, Draw, MOST_VALUES, between, counted_out};
 use crate::spec::study::field::{Field, KeyValue, Leaf, leaves};
 use crate::spec::value::{RawKind, RawValue};
-use crate::spec::{FaultCode, KeyPath, misleads};
+use crate::spec::{FaultCode, KeyPath};
 
 /// A study as its file defines it.
 #[derive(Clone, Debug)]
@@ -60,7 +60,8 @@ fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
     let mut root = reader.root();
     root.require(&[("schema", "1"), ("spec", "\"spec.toml\"")]);
     read_schema(&mut root, 1);
-    let spec = read_path(&mut root);
+    let allowed = "must be the path of a spec, relative to this file";
+    let spec = root.path("spec", FaultCode::Name, allowed).unwrap_or_default();
     let model = root.choice("model", &ModelChoice::ALL);
     let place = root.place_of("model");
     let fineness = root.choice("fineness", &Detail::ALL);
@@ -91,15 +92,6 @@ fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
         blocks,
         outputs: outputs.map(|names| names.into_iter().map(wanted).collect()),
     }
-}
-
-fn read_path(root: &mut Section<'_, '_>) -> String {
-    let Some((path, span)) = root.text("spec") else { return String::new() };
-    if path.trim().is_empty() || path.chars().any(misleads) {
-        let fault = Fault::error(FaultCode::Name, span, format!("`spec` is {}", quoted(path)));
-        root.report(fault.label("must be the path of a spec, relative to this file"));
-    }
-    path.to_owned()
 }
 
 /// The keys that were set so far, with the section that sets them.
