@@ -227,6 +227,9 @@ pub enum Command {
     Setting,
 }
 
+/// The group of commands that are alone on their line.
+const ALONE: u8 = 9;
+
 impl Command {
     /// Commands of the same group exclude each other on one line (the modal groups of RS274/NGC).
     pub const fn group(self) -> u8 {
@@ -240,31 +243,18 @@ impl Command {
             Self::Inches | Self::Millimetres => 6,
             Self::Pause | Self::End => 7,
             Self::ExactPath => 8,
-            Self::HeatAndWait | Self::HeatOnly | Self::Progress | Self::Setting => 9,
+            Self::HeatAndWait | Self::HeatOnly | Self::Progress | Self::Setting => ALONE,
         }
     }
 
     /// Whether the command is alone on its line, with words of its own.
     pub const fn stands_alone(self) -> bool {
-        matches!(self, Self::HeatAndWait | Self::HeatOnly | Self::Progress | Self::Setting)
+        self.group() == ALONE
     }
 
     /// Whether it changes how other lines are read, or how the controller moves, and does nothing itself.
     pub const fn is_setting(self) -> bool {
-        matches!(
-            self,
-            Self::PlaneXy
-                | Self::Inches
-                | Self::Millimetres
-                | Self::Absolute
-                | Self::Relative
-                | Self::CentersAbsolute
-                | Self::CentersRelative
-                | Self::InverseTime
-                | Self::PerMinute
-                | Self::ExactPath
-                | Self::Setting
-        )
+        matches!(self, Self::Setting) || matches!(self.group(), 2..=6 | 8)
     }
 
     /// Letters that have a meaning with this command only.

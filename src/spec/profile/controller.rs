@@ -1,34 +1,30 @@
 //! The language and abilities of the controller.
 
+use crate::spec::FaultCode;
 use crate::spec::allowed::Allowed;
 use crate::spec::machine::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating};
 use crate::spec::profile::modes::{check_arcs, check_dwell_unit, check_heating};
 use crate::spec::section::Section;
-use crate::spec::{Fault, FaultCode};
 use crate::units::Duration;
 
 /// Reads the controller, from the keys before the first section; its dwells have a section of their own.
 pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
     let dialect = root.choice("dialect", &Dialect::NAMES).unwrap_or(Dialect::Generic);
-    let heating = root
-        .choice("heating", &[("operator", Heating::Operator), ("hotend", Heating::Hotend)])
-        .unwrap_or(Heating::Operator);
-    let comments = root
-        .choice("comments", &[("semicolon", Comments::Semicolon), ("parentheses", Comments::Parentheses)])
-        .unwrap_or(Comments::Semicolon);
+    let heating = [("operator", Heating::Operator), ("hotend", Heating::Hotend)];
+    let heating = root.choice("heating", &heating).unwrap_or(Heating::Operator);
+    let comments = [("semicolon", Comments::Semicolon), ("parentheses", Comments::Parentheses)];
+    let comments = root.choice("comments", &comments).unwrap_or(Comments::Semicolon);
     check_heating(root, dialect, heating);
     let arcs = root.truth("arcs");
     let arcs = check_arcs(root, dialect, arcs);
     let thumbnails = root.truth("thumbnails").unwrap_or(false);
     if thumbnails && comments == Comments::Parentheses {
-        let place = root.place_of("thumbnails");
-        let fault = Fault::error(
+        root.refuse(
             FaultCode::Conflict,
-            place,
+            "thumbnails",
             "`thumbnails` is true, but `comments` are in parentheses",
-        )
-        .label("hosts read pictures only from comments with `;`: write false, or `comments = \"semicolon\"`");
-        root.report(fault);
+            "hosts read pictures only from comments with `;`: write false, or `comments = \"semicolon\"`",
+        );
     }
     let line_length = read_line_length(root, dialect);
     Controller { dialect, line_length, comments, arcs, dwell: EXACT, heating, thumbnails }
@@ -38,14 +34,10 @@ pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
 fn read_line_length(root: &mut Section<'_, '_>, dialect: Dialect) -> usize {
     let (found, most) = (root.count("line_length", 72, 255).unwrap_or(72), dialect.longest_line());
     if found > most {
-        let place = root.place_of("line_length");
-        let message = format!(
-            "`line_length` is {found}, but controllers of `{}` read no longer lines than {most}",
-            dialect.name()
-        );
-        root.report(
-            Fault::error(FaultCode::Conflict, place, message).label(format!("must be at most {most}")),
-        );
+        let name = dialect.name();
+        let found =
+            format!("`line_length` is {found}, but controllers of `{name}` read no longer lines than {most}");
+        root.refuse(FaultCode::Conflict, "line_length", found, format!("must be at most {most}"));
     }
     found.min(most) as usize
 }

@@ -8,11 +8,6 @@ use crate::units::Quantity;
 /// The word for an unknown value.
 const UNKNOWN: &str = "unknown";
 
-/// Whether the value of `key` is `word`, which replaces a number.
-pub(super) fn says(s: &mut Section<'_, '_>, key: &'static str, word: &str) -> bool {
-    s.take(key, ValueShape::Text).and_then(|value| value.as_text()) == Some(word)
-}
-
 /// A plain number, or `None` for "unknown" and for nothing at all.
 pub(super) fn known_number(s: &mut Section<'_, '_>, key: &'static str, allowed: Allowed) -> Option<f64> {
     known_as(s, key, |s| s.number(key, allowed))
@@ -29,10 +24,20 @@ pub(super) fn known_as<T>(
     key: &'static str,
     read: impl FnOnce(&mut Section<'_, '_>) -> Option<T>,
 ) -> Option<T> {
-    if says(s, key, UNKNOWN) {
+    unless(s, key, UNKNOWN, read).flatten()
+}
+
+/// What `read` takes of `key`, or `None` if the value is `word`, which replaces a number.
+pub(super) fn unless<T>(
+    s: &mut Section<'_, '_>,
+    key: &'static str,
+    word: &'static str,
+    read: impl FnOnce(&mut Section<'_, '_>) -> T,
+) -> Option<T> {
+    if s.take(key, ValueShape::Text).and_then(|value| value.as_text()) == Some(word) {
         return None;
     }
     let found = read(s);
-    s.or_word(key, UNKNOWN);
-    found
+    s.or_word(key, word);
+    Some(found)
 }

@@ -18,6 +18,17 @@ pub(super) enum LinePart {
     End,
 }
 
+impl LinePart {
+    /// The key that holds it.
+    pub(super) fn key(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::Pause => "pause",
+            Self::End => "end",
+        }
+    }
+}
+
 /// The effect of an allowed line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Effect {

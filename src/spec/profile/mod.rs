@@ -15,12 +15,12 @@ mod script;
 use crate::spec::FaultCode;
 use crate::spec::faults::Faults;
 use crate::spec::foreign::Document;
-use crate::spec::machine::{Controller, Machine};
+use crate::spec::machine::{Machine, Script};
 use crate::spec::name::misleads;
 use crate::spec::profile::controller::{read_controller, read_dwells};
 use crate::spec::profile::motion::read_motion;
 use crate::spec::profile::process::{read_bench, read_process, read_tip};
-use crate::spec::profile::script::{Stated, read_script};
+use crate::spec::profile::script::read_script;
 use crate::spec::reading::{read_schema, read_with};
 use crate::spec::section::Reader;
 use crate::spec::source::Source;
@@ -51,16 +51,17 @@ pub(in crate::spec) fn read_profile(reader: &mut Reader<'_>) -> Machine {
         let is_wrong = text.chars().any(misleads) || text.chars().count() > DESCRIPTION_LENGTH;
         is_wrong.then(|| format!("must be one line of at most {DESCRIPTION_LENGTH} characters"))
     });
-    let controller = read_controller(&mut root);
+    let description = description.unwrap_or_default();
+    let mut controller = read_controller(&mut root);
     let tip = read_tip(&mut root);
-    let dwell = read_dwells(&mut reader.section("dwell"), controller.dialect);
-    let controller = Controller { dwell, ..controller };
+    controller.dwell = read_dwells(&mut reader.section("dwell"), controller.dialect);
     let process = read_process(reader, tip);
     let bench = read_bench(reader);
     let motion = read_motion(&mut reader.section("motion"), controller.dialect);
-    let stated = Stated { controller: &controller, process: &process, motion: &motion };
-    let script = read_script(reader, &stated);
-    Machine { name, description: description.unwrap_or_default(), controller, process, bench, motion, script }
+    let mut machine =
+        Machine { name, description, controller, process, bench, motion, script: Script::default() };
+    machine.script = read_script(reader, &machine);
+    machine
 }
 
 impl Machine {

@@ -2,29 +2,16 @@
 
 use crate::spec::machine::{Controller, Dialect, DwellUnit, Heating};
 use crate::spec::section::Section;
-use crate::spec::{Fault, FaultCode, Vocabulary};
+use crate::spec::{Command, FaultCode, Vocabulary};
 
-/// A mode: the word that sets it, its name, and whether only arcs need it.
-type Mode = (&'static str, &'static str, bool);
-
-const UNITS: Mode = ("G21", "millimetres", false);
-const PLANE: Mode = ("G17", "the XY plane", true);
-const CENTRES: Mode = ("G91.1", "arc centres relative to the start", true);
-const DISTANCE: Mode = ("G90", "absolute positions", false);
-const FEED: Mode = ("G94", "feed per minute", false);
-
-/// Modes that a controller of this family keeps from the program before, so that a program must set them.
-fn modes(dialect: Dialect) -> &'static [Mode] {
-    match dialect {
-        Dialect::Generic | Dialect::LinuxCnc | Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => {
-            &[UNITS, PLANE, CENTRES, DISTANCE, FEED]
-        }
-        // Arc centres are always relative to the start (reprapfirmware.org, G2).
-        Dialect::RepRapFirmware => &[UNITS, PLANE, DISTANCE, FEED],
-        Dialect::Klipper => &[UNITS, DISTANCE],
-        Dialect::Marlin => &[DISTANCE],
-    }
-}
+/// Modes of which programs depend: the command, the word that sets it, its name, and whether only arcs need it.
+const MODES: [(Command, &str, &str, bool); 5] = [
+    (Command::Millimetres, "G21", "millimetres", false),
+    (Command::PlaneXy, "G17", "the XY plane", true),
+    (Command::CentersRelative, "G91.1", "arc centres relative to the start", true),
+    (Command::Absolute, "G90", "absolute positions", false),
+    (Command::PerMinute, "G94", "feed per minute", false),
+];
 
 /// Whether programs may hold arcs: `arcs` as written, and false where the dialect draws none. A profile that requests arcs there
 /// is refused.
@@ -34,21 +21,17 @@ pub(super) fn check_arcs(root: &mut Section<'_, '_>, dialect: Dialect, arcs: Opt
         return arcs.unwrap_or(draws);
     }
     let found = format!("`arcs` is true, but G2 and G3 are options of {}", dialect.title());
-    let fault = Fault::error(FaultCode::Conflict, root.place_of("arcs"), found)
-        .label("must be false for this dialect: the program cuts arcs into chords");
-    root.report(fault);
+    let allowed = "must be false for this dialect: the program cuts arcs into chords";
+    root.refuse(FaultCode::Conflict, "arcs", found, allowed);
     false
 }
 
 /// Reports a profile whose controller is to heat, by a word that it does not read.
 pub(super) fn check_heating(root: &mut Section<'_, '_>, dialect: Dialect, heating: Heating) {
-    if heating == Heating::Operator || Vocabulary::of(dialect).command(b'M', 109.0).is_some() {
-        return;
+    if heating == Heating::Hotend && Vocabulary::of(dialect).command(b'M', 109.0).is_none() {
+        let found = format!("`heating` is \"hotend\", but controllers of `{}` read no M109", dialect.name());
+        root.refuse(FaultCode::Conflict, "heating", found, "must be \"operator\" for this dialect");
     }
-    let found = format!("`heating` is \"hotend\", but controllers of `{}` read no M109", dialect.name());
-    let fault = Fault::error(FaultCode::Conflict, root.place_of("heating"), found)
-        .label("must be \"operator\" for this dialect");
-    root.report(fault);
 }
 
 /// The unit of P in G4 on a controller of the family `dialect`. A profile with another one `written` is refused.
@@ -61,16 +44,12 @@ pub(super) fn check_dwell_unit(
         Dialect::Marlin | Dialect::Klipper | Dialect::RepRapFirmware => {
             (DwellUnit::Milliseconds, "ms", "milliseconds")
         }
-        Dialect::Generic | Dialect::LinuxCnc | Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => {
-            (DwellUnit::Seconds, "s", "seconds")
-        }
+        _ => (DwellUnit::Seconds, "s", "seconds"),
     };
     if written.is_some_and(|written| written != unit) {
         let found =
             format!("`unit` is not {words}, in which controllers of `{}` read G4's P", dialect.name());
-        let fault = Fault::error(FaultCode::Conflict, dwell.place_of("unit"), found)
-            .label(format!("must be \"{name}\" for this dialect"));
-        dwell.report(fault);
+        dwell.refuse(FaultCode::Conflict, "unit", found, format!("must be \"{name}\" for this dialect"));
     }
     unit
 }
@@ -81,22 +60,21 @@ pub(super) fn check_modes(program: &mut Section<'_, '_>, start: &[String], contr
         return;
     }
     let is_set = |word: &str| start.iter().any(|line| words(line).any(|own| own == word));
-    let missing: Vec<&Mode> = modes(controller.dialect)
-        .iter()
-        .filter(|(word, _, for_arcs)| !is_set(word) && (controller.arcs || !for_arcs))
-        .collect();
+    // Other modes a controller keeps from the program before.
+    let fixed = Vocabulary::of(controller.dialect).fixed;
+    let needed =
+        MODES.iter().filter(|(mode, .., for_arcs)| !fixed.contains(mode) && (controller.arcs || !for_arcs));
+    let missing: Vec<_> = needed.filter(|(_, word, ..)| !is_set(word)).collect();
     if missing.is_empty() {
         return;
     }
-    let list = |texts: Vec<String>| texts.join(", ");
-    let what = list(missing.iter().map(|(_, what, _)| (*what).to_owned()).collect());
-    let words = list(missing.iter().map(|(word, ..)| format!("\"{word}\"")).collect());
+    let what: Vec<&str> = missing.iter().map(|(_, _, what, _)| *what).collect();
+    let words: Vec<String> = missing.iter().map(|(_, word, ..)| format!("\"{word}\"")).collect();
     let only_arcs = missing.iter().all(|(.., for_arcs)| *for_arcs);
     let or = if only_arcs { "; or write `arcs = false`" } else { "" };
-    let found = format!("`start` does not set {what}");
-    let fault = Fault::error(FaultCode::ProgramLine, program.place_of("start"), found)
-        .label(format!("must hold {words}{or}"));
-    program.report(fault);
+    let found = format!("`start` does not set {}", what.join(", "));
+    let allowed = format!("must hold {}{or}", words.join(", "));
+    program.refuse(FaultCode::ProgramLine, "start", found, allowed);
 }
 
 /// The words of a line of code, in capital letters.

@@ -5,7 +5,7 @@ use crate::spec::allowed::Allowed;
 use crate::spec::fault::Fault;
 use crate::spec::machine::Dialect;
 use crate::spec::motion::{Motion, StepRate};
-use crate::spec::profile::known::{known, known_number, says};
+use crate::spec::profile::known::{known, known_number, unless};
 use crate::spec::section::Section;
 use crate::units::{Duration, Speed};
 
@@ -24,30 +24,20 @@ const MARLIN: (f64, f64) = (120.0, 6.0);
 
 /// Reads `[motion]` of a controller of the family `dialect`.
 pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
-    let axes = [
-        known_number(s, "x_steps_per_mm", STEPS),
-        known_number(s, "y_steps_per_mm", STEPS),
-        known_number(s, "z_steps_per_mm", STEPS),
-    ];
-    let steps_per_mm = match axes {
+    let axes = ["x_steps_per_mm", "y_steps_per_mm", "z_steps_per_mm"];
+    let steps_per_mm = match axes.map(|axis| known_number(s, axis, STEPS)) {
         [Some(x), Some(y), Some(z)] => Some([x, y, z]),
         [None, None, None] => None,
         _ => {
-            let fault =
-                Fault::error(FaultCode::Conflict, s.place(), "[motion] has the steps of some axes only")
-                    .label(
-                        "must set `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them",
-                    );
-            s.report(fault);
+            let found = "[motion] has the steps of some axes only";
+            let allowed = "must set `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them";
+            s.report(Fault::error(FaultCode::Conflict, s.place(), found).label(allowed));
             None
         }
     };
-    let step_rate = if says(s, "min_step_rate", "none") {
-        StepRate::NoLimit
-    } else {
-        let rate = known_number(s, "min_step_rate", RATE);
-        s.or_word("min_step_rate", "none");
-        rate.map_or(StepRate::Unknown, StepRate::AtLeast)
+    let step_rate = match unless(s, "min_step_rate", "none", |s| known_number(s, "min_step_rate", RATE)) {
+        None => StepRate::NoLimit,
+        Some(rate) => rate.map_or(StepRate::Unknown, StepRate::AtLeast),
     };
     if dialect == Dialect::Marlin && step_rate == StepRate::NoLimit {
         refuse_no_floor(s);
@@ -56,13 +46,7 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         Dialect::Marlin => (Some(MARLIN.0), MARLIN.1),
         _ => (None, 0.0),
     };
-    let first_step_rate = if says(s, "first_step_rate", "none") {
-        None
-    } else {
-        let rate = s.number("first_step_rate", RATE);
-        s.or_word("first_step_rate", "none");
-        rate.or(first)
-    };
+    let rate = unless(s, "first_step_rate", "none", |s| s.number("first_step_rate", RATE));
     Motion {
         steps_per_mm,
         step_rate,
@@ -72,7 +56,7 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         start_delay: s.quantity("start_delay", Allowed::closed(0.0, 1.0)).unwrap_or(Duration(0.0)),
         tick: known(s, "tick", Allowed::closed(0.0, 0.1)),
         wraps: dialect == Dialect::FluidNc,
-        first_step_rate,
+        first_step_rate: rate.and_then(|rate| rate.or(first)),
         min_move_steps: s.number("min_move_steps", MOVE).unwrap_or(fewest),
     }
 }

@@ -4,8 +4,7 @@ use std::ops::Range;
 
 use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
-use crate::spec::machine::{Controller, Limits, Process, Script};
-use crate::spec::motion::Motion;
+use crate::spec::machine::{Controller, Limits, Machine, Script};
 use crate::spec::profile::line::{Effect, LinePart, allowed, effect};
 use crate::spec::profile::modes::check_modes;
 use crate::spec::section::{Reader, Section};
@@ -14,51 +13,40 @@ use crate::spec::vocabulary::{Command, Vocabulary};
 /// Slack of speeds that are equal except for the conversion of mm/min, as a fraction.
 const SLACK: f64 = 1e-9;
 
-/// Other settings of the profile, with which its lines must agree.
-pub(super) struct Stated<'a> {
-    /// The controller that runs the lines.
-    pub(super) controller: &'a Controller,
-    /// Speeds of moves without sealing.
-    pub(super) process: &'a Process,
-    /// The lowest feed and the acceleration.
-    pub(super) motion: &'a Motion,
-}
-
-/// Reads `[program]`, whose lines must agree with `stated`, the other settings of the profile.
-pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Stated<'_>) -> Script {
-    let length = stated.controller.line_length;
+/// Reads `[program]`, whose lines must agree with `stated`, the profile without them.
+pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Machine) -> Script {
     let mut program = reader.section("program");
     program.require(&[("start", "[\"G21\", \"G90\"]"), ("pause", "\"M0\""), ("end", "[\"M2\"]")]);
     let mut limits = Limits::default();
-    let start = read_commands(&mut program, ("start", LinePart::Start), stated, &mut limits);
-    check_modes(&mut program, &start, stated.controller);
+    let start = read_commands(&mut program, LinePart::Start, stated, &mut limits);
+    check_modes(&mut program, &start, &stated.controller);
     let pause = program.text("pause");
     let pause = pause
-        .map(|(line, span)| read_command(&mut program, ("pause", LinePart::Pause), line, span, stated).0);
-    let end = read_commands(&mut program, ("end", LinePart::End), stated, &mut Limits::default());
+        .map(|(line, span)| read_command(&mut program, LinePart::Pause, line, span, &stated.controller).0);
+    let end = read_commands(&mut program, LinePart::End, stated, &mut Limits::default());
     // Each becomes a comment that begins with "; requires: ".
-    let requires = program.texts("requires").unwrap_or_default();
-    let requires = requires
-        .into_iter()
-        .map(|(line, span)| read_line(&mut program, "requires", line, span, length - 12))
-        .collect();
+    let length = stated.controller.line_length - 12;
+    let requires = program.texts("requires").unwrap_or_default().into_iter();
+    let requires =
+        requires.map(|(line, span)| read_line(&mut program, "requires", line, span, length)).collect();
     Script { start, pause: pause.unwrap_or_default(), end, requires, limits }
 }
 
 /// Reads a list of lines; the limits that they set go into `limits`.
 fn read_commands(
     s: &mut Section<'_, '_>,
-    (key, part): (&'static str, LinePart),
-    stated: &Stated<'_>,
+    part: LinePart,
+    stated: &Machine,
     limits: &mut Limits,
 ) -> Vec<String> {
+    let key = part.key();
     let lines = s.texts(key).unwrap_or_default();
     let last = lines.len().checked_sub(1);
     let is_written = s.has(key);
     let mut read = Vec::with_capacity(lines.len());
     let mut ends = false;
     for (i, (line, span)) in lines.into_iter().enumerate() {
-        let (line, effect) = read_command(s, (key, part), line, span.clone(), stated);
+        let (line, effect) = read_command(s, part, line, span.clone(), &stated.controller);
         match effect {
             Some(Effect::Setting(set)) => {
                 if let Some(fault) = contradiction(key, &line, span, set, stated) {
@@ -78,11 +66,11 @@ fn read_commands(
         read.push(line);
     }
     if part == LinePart::End && !ends && is_written {
-        let vocabulary = Vocabulary::for_controller(stated.controller);
+        let vocabulary = Vocabulary::for_controller(&stated.controller);
         let ends = vocabulary.codes().filter(|(.., command)| *command == Command::End);
         let ends: Vec<String> = ends.map(|(letter, number, _)| format!("{letter}{number}")).collect();
-        let fault = Fault::error(FaultCode::ProgramLine, s.place_of(key), "`end` does not end the program");
-        s.report(fault.label(format!("must have the last line {}", ends.join(" or "))));
+        let allowed = format!("must have the last line {}", ends.join(" or "));
+        s.refuse(FaultCode::ProgramLine, key, "`end` does not end the program", allowed);
     }
     read
 }
@@ -90,12 +78,12 @@ fn read_commands(
 /// The effect of one line that the controller runs; `None` if it was refused.
 fn read_command(
     s: &mut Section<'_, '_>,
-    (key, part): (&'static str, LinePart),
+    part: LinePart,
     line: &str,
     span: Range<usize>,
-    stated: &Stated<'_>,
+    controller: &Controller,
 ) -> (String, Option<Effect>) {
-    let vocabulary = Vocabulary::for_controller(stated.controller);
+    let (key, vocabulary) = (part.key(), Vocabulary::for_controller(controller));
     let found = effect(line, vocabulary).filter(|effect| match effect {
         Effect::Modes | Effect::Setting(_) | Effect::HeaterOff => part != LinePart::Pause,
         Effect::Pause => part == LinePart::Pause,
@@ -114,7 +102,7 @@ fn read_command(
         };
         s.report(Fault::error(FaultCode::ProgramLine, span.clone(), message).label(may).help(remedy));
     }
-    (read_line(s, key, line, span, stated.controller.line_length), found)
+    (read_line(s, key, line, span, controller.line_length), found)
 }
 
 /// Limits that a line of a program sets for the moves that follow; `None` if it sets none, or is not allowed in a profile.
@@ -126,14 +114,8 @@ pub fn limits_set_by(line: &str, controller: &Controller) -> Option<Limits> {
 }
 
 /// The reason why a line contradicts another setting of the profile.
-fn contradiction(
-    key: &str,
-    line: &str,
-    span: Range<usize>,
-    set: Limits,
-    stated: &Stated<'_>,
-) -> Option<Fault> {
-    let Stated { process, motion, .. } = stated;
+fn contradiction(key: &str, line: &str, span: Range<usize>, set: Limits, stated: &Machine) -> Option<Fault> {
+    let Machine { process, motion, .. } = stated;
     let (message, label) = match set {
         Limits { lowest_speed: Some(speed), .. } if speed.0 > motion.min_feed.0 * (1.0 + SLACK) => (
             format!("lets no move be slower than {speed}"),
@@ -177,9 +159,7 @@ fn read_line(s: &mut Section<'_, '_>, key: &str, line: &str, span: Range<usize>,
     } else {
         return line.to_owned();
     };
-    s.report(
-        Fault::error(FaultCode::ProgramLine, span, format!("a line of `{key}` is {}", quoted(line)))
-            .label(label),
-    );
+    let message = format!("a line of `{key}` is {}", quoted(line));
+    s.report(Fault::error(FaultCode::ProgramLine, span, message).label(label));
     String::new()
 }
