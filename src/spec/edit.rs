@@ -1,7 +1,5 @@
 //! A spec's text with other values for its star, everything else as it was, comments included.
 
-use std::ops::Range;
-
 use toml_edit::{DocumentMut, Item, TableLike, TomlError, Value};
 
 use crate::spec::fault::Fault;
@@ -78,18 +76,8 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
     if !own.is_empty() {
         return Err(Faults::new(source, own));
     }
-    let values = entries.iter().map(|(key, value)| (*key, Some(value.as_str())));
-    let text = edited(source, values, |key| raw.span_of(key))?;
-    let edited = Source::new(format!("{}, edited", source.name), text);
-    let found = read(&edited)?.spec;
-    if found.stars.first().map(StarEdit::of) == Some(*star) {
-        Ok(edited.text)
-    } else {
-        let fault =
-            Fault::error(FaultCode::Edit, raw.span_of(key::star::POINTS), "the star cannot be edited here");
-        let fault = fault.label("must take new values").help("write [star] with one key a line");
-        Err(Faults::new(source, vec![fault]))
-    }
+    // The reader takes these values or refuses them: no star has its own, and their decimals read back to the same numbers.
+    read_back(source, with_values(source, &entries)?)
 }
 
 /// The text of `source` with `value`, TOML of its own ("3", "\"40 mm\""), set at `key`, which is no key of a single star. Lines
@@ -106,11 +94,14 @@ pub fn with_value(source: &Source, key: KeyPath, value: &str) -> Result<String, 
 /// # Errors
 /// If `source`, a value or the result is refused.
 pub fn with_changes(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String, Faults> {
-    let raw = read(source)?.raw;
-    let text = edited(source, values.iter().copied(), |key| raw.span_of(key))?;
+    let _ = read(source)?;
+    read_back(source, edited(source, values)?)
+}
+
+/// `text`, the edited text of `source`, if it is valid.
+fn read_back(source: &Source, text: String) -> Result<String, Faults> {
     let edited = Source::new(format!("{}, edited", source.name), text);
-    let _ = read(&edited)?;
-    Ok(edited.text)
+    read(&edited).map(|_| edited.text)
 }
 
 /// The text of `source`, a valid spec, with every key set to its value, TOML of its own. Lines end with LF. It has not been read
@@ -119,17 +110,13 @@ pub fn with_changes(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Resu
 /// # Errors
 /// If a value is not TOML, or the section of a key cannot be edited.
 pub fn with_values(source: &Source, values: &[(KeyPath, String)]) -> Result<String, Faults> {
-    edited(source, values.iter().map(|(key, value)| (*key, Some(value.as_str()))), |_| 0..0)
+    let values: Vec<_> = values.iter().map(|(key, value)| (*key, Some(value.as_str()))).collect();
+    edited(source, &values)
 }
 
-/// The text of `source` with `values`, each TOML of its own; `None` takes a key away. `place` returns the span of a key.
-fn edited<'v>(
-    source: &Source,
-    values: impl Iterator<Item = (KeyPath, Option<&'v str>)>,
-    place: impl Fn(KeyPath) -> Range<usize>,
-) -> Result<String, Faults> {
+/// The text of `source` with `values`, each TOML of its own; `None` takes a key away.
+fn edited(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String, Faults> {
     let mut document = document(source)?;
-    let values: Vec<(KeyPath, Option<&str>)> = values.collect();
     // One of the two size keys replaces the other, unless both are set here.
     let replaced = |key: KeyPath| {
         let other = key.twin()?;
@@ -137,7 +124,7 @@ fn edited<'v>(
     };
     let set_sizes = values.iter().filter(|(_, value)| value.is_some());
     let replaced: Vec<_> = set_sizes.filter_map(|(key, _)| replaced(*key)).collect();
-    for (key, value) in replaced.into_iter().chain(values) {
+    for (key, value) in replaced.into_iter().chain(values.iter().copied()) {
         let Some(value) = value else {
             let root = document.as_table_mut();
             let section: Option<&mut dyn TableLike> = match key.section() {
@@ -155,8 +142,8 @@ fn edited<'v>(
         let item = document.entry(key.section()).or_insert_with(toml_edit::table);
         let inline = item.is_inline_table();
         let Some(section) = item.as_table_like_mut() else {
-            let message = format!("`{key}` cannot be edited here");
-            let fault = Fault::error(FaultCode::Edit, place(key), message)
+            // Not in a valid spec.
+            let fault = Fault::error(FaultCode::Edit, 0..0, format!("`{key}` cannot be edited here"))
                 .label("must take a new value")
                 .help("write its section with one key a line");
             return Err(Faults::new(source, vec![fault]));

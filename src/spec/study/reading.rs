@@ -64,17 +64,15 @@ fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
     let spec = root.path("spec", FaultCode::Name, allowed).unwrap_or_default();
     let model = root.choice("model", &ModelChoice::ALL);
     let place = root.place_of("model");
-    let fineness = root.choice("fineness", &Detail::ALL);
-    let fineness = fineness.map(|detail| (detail, root.place_of("fineness")));
-    let outputs = root.texts("outputs");
+    let fineness = root.choice("fineness", &Detail::ALL).map(|detail| (detail, root.place_of("fineness")));
     let wanted = |(name, place): (&str, Range<usize>)| Wanted { name: name.to_owned(), place };
+    let outputs = root.texts("outputs").map(|names| names.into_iter().map(wanted).collect());
     let mut seen = SeenKeys::default();
     if model.is_some() {
         seen.add(key::accuracy::MODEL, place, "model", &mut reader.faults);
     }
     let set = read_set(reader, &mut seen);
-    let mut blocks = Vec::new();
-    blocks.extend(read_draw(reader, &mut seen));
+    let mut blocks = Vec::from_iter(read_draw(reader, &mut seen));
     blocks.extend(read_rows(reader, &mut seen));
     blocks.extend(read_vary(reader, &mut seen));
     if blocks.is_empty() && reader.faults.is_empty() {
@@ -83,15 +81,7 @@ fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
             .help("write for instance: vary.star.points = [3, 4, 5]");
         reader.faults.push(fault);
     }
-    StudyFile {
-        source: source.clone(),
-        spec,
-        model,
-        fineness,
-        set,
-        blocks,
-        outputs: outputs.map(|names| names.into_iter().map(wanted).collect()),
-    }
+    StudyFile { source: source.clone(), spec, model, fineness, set, blocks, outputs }
 }
 
 /// The keys that were set so far, with the section that sets them.
@@ -117,8 +107,7 @@ impl SeenKeys {
 
 /// The leaves of section `name`, each once.
 fn section<'r>(reader: &mut Reader<'r>, name: &'static str, seen: &mut SeenKeys) -> Vec<Leaf<'r>> {
-    let Some(value) = reader.free(name) else { return Vec::new() };
-    let Some(table) = value.as_table() else { return Vec::new() };
+    let Some(table) = reader.free(name).and_then(RawValue::as_table) else { return Vec::new() };
     let found = leaves(table, &mut reader.faults);
     for leaf in &found {
         seen.add(leaf.field.key(), leaf.place.clone(), name, &mut reader.faults);
@@ -126,27 +115,30 @@ fn section<'r>(reader: &mut Reader<'r>, name: &'static str, seen: &mut SeenKeys)
     found
 }
 
+/// What was found, or `None` and its fault among `faults`.
+fn kept<T>(found: Result<T, Fault>, faults: &mut Vec<Fault>) -> Option<T> {
+    found.map_err(|fault| faults.push(fault)).ok()
+}
+
 fn read_set(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Vec<(Field, KeyValue)> {
-    let mut set = Vec::new();
-    for leaf in section(reader, "set", seen) {
-        match leaf.field.read(leaf.value) {
-            Ok(value) => set.push((leaf.field, value)),
-            Err(fault) => reader.faults.push(fault),
-        }
-    }
-    set
+    let leaves = section(reader, "set", seen).into_iter();
+    let set = leaves.filter_map(|leaf| {
+        let value = kept(leaf.field.read(leaf.value), &mut reader.faults)?;
+        Some((leaf.field, value))
+    });
+    set.collect()
 }
 
 fn read_vary(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Vec<Block> {
-    let leaves = section(reader, "vary", seen);
-    leaves.into_iter().filter_map(|leaf| Block::new(vec![read_axis(leaf, &mut reader.faults)?])).collect()
+    let leaves = section(reader, "vary", seen).into_iter();
+    leaves.filter_map(|leaf| Block::new(vec![kept(read_axis(leaf), &mut reader.faults)?])).collect()
 }
 
 fn read_rows(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
     let mut axes: Vec<Axis> = Vec::new();
     for leaf in section(reader, "rows", seen) {
         let (name, place) = (leaf.field.key(), leaf.value.span.clone());
-        let Some(axis) = read_axis(leaf, &mut reader.faults) else { continue };
+        let Some(axis) = kept(read_axis(leaf), &mut reader.faults) else { continue };
         if let Some(first) = axes.first().filter(|first| first.len() != axis.len()) {
             let found = format!("`{name}` has {} values in [rows]", axis.len());
             let label =
@@ -159,48 +151,29 @@ fn read_rows(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
 }
 
 /// A list of values, or a range that is counted out.
-fn read_axis(leaf: Leaf<'_>, faults: &mut Vec<Fault>) -> Option<Axis> {
-    let Leaf { field, value, .. } = leaf;
-    let name = field.key();
+fn read_axis(Leaf { field, value, .. }: Leaf<'_>) -> Result<Axis, Fault> {
     let told = |code, label: &str| {
-        Fault::error(code, value.span.clone(), format!("`{name}` is {}", value.in_words())).label(label)
+        let found = format!("`{}` is {}", field.key(), value.in_words());
+        Fault::error(code, value.span.clone(), found).label(label)
     };
-    let label = "must be a list, [a, b, c], or \"FROM..TO/COUNT\"";
     let values = match &value.kind {
         RawKind::List(list) if list.is_empty() => {
-            Err(told(FaultCode::OutOfRange, "must hold at least one value"))
+            return Err(told(FaultCode::OutOfRange, "must hold at least one value"));
         }
-        RawKind::List(list) if list.len() > usize::try_from(MOST_VALUES).unwrap_or(usize::MAX) => {
-            Err(told(FaultCode::OutOfRange, &format!("must hold at most {MOST_VALUES} values")))
+        RawKind::List(list) if list.len() > MOST_VALUES as usize => {
+            return Err(told(FaultCode::OutOfRange, &format!("must hold at most {MOST_VALUES} values")));
         }
-        RawKind::List(list) => return read_list(field, list, faults),
+        // One fault is enough: an error in the first of a thousand values is in all of them.
+        RawKind::List(list) => list.iter().map(|value| field.read(value)).collect::<Result<_, _>>()?,
         RawKind::Text(text) if text.contains("..") => {
-            counted_out(&field, text).map_err(|why| told(FaultCode::OutOfRange, &why))
+            counted_out(&field, text).map_err(|why| told(FaultCode::OutOfRange, &why))?
         }
-        _ => Err(told(FaultCode::WrongType, label).help("a single fixed value belongs in [set]")),
+        _ => {
+            let fault = told(FaultCode::WrongType, "must be a list, [a, b, c], or \"FROM..TO/COUNT\"");
+            return Err(fault.help("a single fixed value belongs in [set]"));
+        }
     };
-    match values {
-        Ok(values) => Some(Axis::listed(field, values)),
-        Err(fault) => {
-            faults.push(fault);
-            None
-        }
-    }
-}
-
-fn read_list(field: Field, list: &[RawValue], faults: &mut Vec<Fault>) -> Option<Axis> {
-    let mut values = Vec::with_capacity(list.len());
-    for value in list {
-        match field.read(value) {
-            Ok(value) => values.push(value),
-            Err(fault) => {
-                // One fault is enough: an error in the first of a thousand values is in all of them.
-                faults.push(fault);
-                return None;
-            }
-        }
-    }
-    Some(Axis::listed(field, values))
+    Ok(Axis::listed(field, values))
 }
 
 fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
@@ -208,50 +181,36 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
     if section.is_written() {
         section.require(&[("count", "1000"), ("between", "{ \"star.tube_width\" = \"10 mm..40 mm\" }")]);
     }
-    let count = section.count("count", 1, MOST_DRAWN);
-    let seed = section.count("seed", 0, u32::MAX).unwrap_or(1);
-    let method = section.choice("method", &[("latin", true), ("random", false)]).unwrap_or(true);
+    let count = section.count("count", 1, MOST_DRAWN).map_or(1, u64::from);
+    let seed = section.count("seed", 0, u32::MAX).map_or(1, u64::from);
+    let latin = section.choice("method", &[("latin", true), ("random", false)]).unwrap_or(true);
     let between_ends = section.take("between", ValueShape::Sections)?;
     let Some(table) = between_ends.as_table() else {
-        let fault =
-            Fault::error(FaultCode::WrongType, between_ends.span.clone(), "`between` is not a section");
-        reader.faults.push(fault.label("must be a section, [draw.between], of keys with \"FROM..TO\""));
+        let allowed = "must be a section, [draw.between], of keys with \"FROM..TO\"";
+        section.refuse(FaultCode::WrongType, "between", "`between` is not a section", allowed);
         return None;
     };
-    let mut axes = Vec::new();
-    for leaf in leaves(table, &mut reader.faults) {
-        let Leaf { field, place, value } = leaf;
-        seen.add(field.key(), place, "draw", &mut reader.faults);
+    let drawn = |Leaf { field, value, .. }: Leaf<'_>| {
         let ends = match &value.kind {
             RawKind::Text(text) => between(&field, text),
             _ => Err("must be a text, \"FROM..TO\"".to_owned()),
         };
         let ends = ends.and_then(|[from, to]| {
-            if from <= to {
-                Ok([from, to])
-            } else {
-                Err("the range is descending: write the smaller end first".to_owned())
-            }
+            let why = "the range is descending: write the smaller end first";
+            if from <= to { Ok([from, to]) } else { Err(why.to_owned()) }
         });
-        match ends {
-            Ok([from, to]) => {
-                let count = u64::from(count.unwrap_or(1));
-                let draw = Draw {
-                    from,
-                    to,
-                    whole: field.is_whole(),
-                    seed: u64::from(seed),
-                    key: Draw::number(&field.key().to_string()),
-                    count,
-                    latin: method,
-                };
-                axes.push(Axis::drawn(field, draw));
-            }
-            Err(why) => {
-                let found = format!("`{}` is {}", field.key(), value.in_words());
-                reader.faults.push(Fault::error(FaultCode::OutOfRange, value.span.clone(), found).label(why));
-            }
-        }
+        let [from, to] = ends.map_err(|why| {
+            let found = format!("`{}` is {}", field.key(), value.in_words());
+            Fault::error(FaultCode::OutOfRange, value.span.clone(), found).label(why)
+        })?;
+        let key = Draw::number(&field.key().to_string());
+        let whole = field.is_whole();
+        Ok(Axis::drawn(field, Draw { from, to, whole, seed, key, count, latin }))
+    };
+    let mut axes = Vec::new();
+    for leaf in leaves(table, &mut reader.faults) {
+        seen.add(leaf.field.key(), leaf.place.clone(), "draw", &mut reader.faults);
+        axes.extend(kept(drawn(leaf), &mut reader.faults));
     }
     Block::new(axes)
 }
