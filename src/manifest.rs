@@ -185,13 +185,6 @@ impl Manifest {
         Self { prediction: at_pressure.map(ManifestPrediction::of), ..self }
     }
 
-    /// The same manifest with the list `files`, which `request` selects.
-    #[must_use]
-    pub fn with_files(self, files: Vec<ManifestFile>, request: &KindRequest) -> Self {
-        let KindRequest { only, with } = request.clone();
-        Self { files, only, with, ..self }
-    }
-
     /// The requested kinds.
     pub fn request(&self) -> KindRequest {
         KindRequest { only: self.only.clone(), with: self.with.clone() }
@@ -251,11 +244,6 @@ impl ManifestFile {
     /// The entry of one artifact.
     pub fn of(artifact: &Artifact) -> Self {
         Self::with_hash(artifact, sha256(&artifact.bytes))
-    }
-
-    /// The entry of a file that belongs to no sheet, star or plate.
-    pub fn plain(path: &str, kind: Kind, bytes: &[u8]) -> Self {
-        Self::of(&Artifact { output: Output::of(kind), name: path.to_owned(), bytes: bytes.to_vec() })
     }
 
     /// The same with a hash of the content that has been computed already.

@@ -94,8 +94,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let files: Vec<_> = proven.files().into_iter().map(|(name, bytes)| (name, bytes.into())).collect();
     tell(&put(&args.output, &files)?.to_string());
     let made = proven.made();
-    let names =
-        |wanted: Kind| made.files.iter().filter(move |(_, kind, _)| *kind == wanted).map(|(name, ..)| name);
+    let names = |wanted: Kind| {
+        made.files.iter().filter(move |file| file.output.kind == wanted).map(|file| &file.name)
+    };
     let (programs, drawings): (Vec<&String>, Vec<&String>) =
         (names(Kind::SealGcode).collect(), names(Kind::SealSvg).collect());
     let has_strips = made.table.is_some();

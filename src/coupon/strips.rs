@@ -1,12 +1,13 @@
 //! The grid of seal strips: temperature by speed by height, each repeated, and its table.
 
+use std::collections::HashMap;
 use std::fmt::Write;
 
 use crate::emit;
 use crate::emit::GridCell;
 pub use crate::manifest::StripGrid;
 use crate::spec::{Allowed, CONTACT, Machine, SEAL_SPEEDS, Spec, TOXIC};
-use crate::units::{Length, Speed, Temperature};
+use crate::units::{Length, Quantity, Speed, Temperature};
 use inflatable::geom::{Bounds, Line, Path, Point, Vec2};
 
 /// Temperatures of strips, C: no coating melts in a hot room, and from the upper end on the release layer is toxic.
@@ -46,37 +47,31 @@ impl StripGrid {
 
     /// Why `machine` does not seal strips with these settings, as text with the allowed ones; `None` if it does.
     pub fn refusal(&self, machine: &Machine) -> Option<String> {
-        if let Some(t) = self.temperatures.iter().find(|t| !TEMPERATURES.holds(t.0)) {
-            return Some(format!("a temperature of {t}; it {}", TEMPERATURES.in_words("C")));
-        }
-        if let Some(v) = self.speeds.iter().find(|v| !SEAL_SPEEDS.holds(v.0)) {
-            return Some(format!("a speed of {v}; it {}", SEAL_SPEEDS.in_words("mm/s")));
-        }
-        if let Some(h) = self.heights.iter().find(|h| !CONTACT.holds(h.0)) {
-            return Some(format!("a height of {h}; it {}", CONTACT.in_words("mm")));
-        }
         let lowest = machine.process.lowest_contact();
-        let too_low = self.heights.iter().find(|h| h.0 < lowest.0).map(|h| {
+        let too_low = || {
+            self.heights.iter().find(|h| h.0 < lowest.0).map(|h| {
             format!("a height of {h}; it must be {lowest} for the profile's tip without a spring: set `spring_loaded = true` if it has one")
-        });
-        too_low.or_else(|| self.alike())
+        })
+        };
+        outside("temperature", &self.temperatures, TEMPERATURES)
+            .or_else(|| outside("speed", &self.speeds, SEAL_SPEEDS))
+            .or_else(|| outside("height", &self.heights, CONTACT))
+            .or_else(too_low)
+            .or_else(|| self.alike())
     }
 
     /// Two settings with the same file name, as text with the required difference; `None` if all names differ.
     fn alike(&self) -> Option<String> {
-        let names: Vec<String> = self.settings().map(|(t, v, h)| program_name(self, t, v, h)).collect();
-        let settings: Vec<_> = self.settings().collect();
-        let twin = (0..names.len()).find(|i| names[..*i].contains(&names[*i]))?;
-        let first = names.iter().position(|name| *name == names[twin])?;
-        let say = |i: usize| {
-            let (temperature, speed, height) = settings[i];
-            format!("{temperature} at {speed}, Z {height}")
-        };
+        let mut known = HashMap::new();
+        let said = |(t, v, h)| (program_name(self, t, v, h), format!("{t} at {v}, Z {h}"));
+        let (first, twin) = self.settings().map(said).find_map(|(name, setting)| {
+            let first = known.get(&name).cloned();
+            let _ = known.entry(name).or_insert_with(|| setting.clone());
+            Some((first?, setting))
+        })?;
         Some(format!(
-            "the settings {} and {} cannot be told apart; temperatures must differ by at least 1 C, speeds by at \
-             least 0.001 mm/s, heights by at least 0.001 mm, and each be given once (--repeats seals a setting more often)",
-            say(first),
-            say(twin)
+            "the settings {first} and {twin} cannot be told apart; temperatures must differ by at least 1 C, speeds by at \
+             least 0.001 mm/s, heights by at least 0.001 mm, and each be given once (--repeats seals a setting more often)"
         ))
     }
 
@@ -98,6 +93,12 @@ impl StripGrid {
             })
             .collect()
     }
+}
+
+/// The first of `values` that is not `allowed`, as text with the allowed ones.
+fn outside<Q: Quantity>(word: &str, values: &[Q], allowed: Allowed) -> Option<String> {
+    let wrong = values.iter().find(|value| !allowed.holds(value.base()))?;
+    Some(format!("a {word} of {wrong}; it {}", allowed.in_words(Q::KIND.unit())))
 }
 
 impl TestStrip {

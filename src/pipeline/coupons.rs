@@ -1,10 +1,8 @@
 //! Coupons in the pipeline: planned, read back, and only then published.
 
-use std::borrow::Cow;
-
 use crate::airtight;
-use crate::artifact::{Kind, Output, program_ending};
-use crate::coupon::{Coupon, CouponGroup, CouponPiece, StripGrid, coupons, overview, table};
+use crate::artifact::{Artifact, Kind, Output, program_ending};
+use crate::coupon::{Coupon, CouponGroup, StripGrid, coupons, overview, table};
 use crate::design::{Refusal, Refusals};
 use crate::manifest::{CouponChoice, CouponManifest, MANIFEST, ManifestFile, SealedPiece, Tool, sha256};
 use crate::pipeline::Sources;
@@ -27,8 +25,8 @@ const MOST_STRIPS: usize = 10_000;
 pub struct MadeCoupons {
     /// Every program of the set.
     pub coupons: Vec<Coupon>,
-    /// Name, kind and content of every file but the manifest and the table.
-    pub files: Vec<(String, Kind, Vec<u8>)>,
+    /// Every file but the manifest and the table.
+    pub files: Vec<Artifact>,
     /// The table to fill in; `None` without strips.
     pub table: Option<String>,
     /// The manifest of the files.
@@ -52,30 +50,29 @@ impl MadeCoupons {
         groups: &[CouponGroup],
     ) -> Result<Self, Refusals> {
         let coupons = coupons(spec, machine, grid, groups)?;
-        let pieces = coupons.iter().flat_map(|coupon| &coupon.pieces);
-        let of_piece = |piece: &CouponPiece, leak: Refusal| Refusal {
-            found: format!("{}: {}", piece.name, leak.found),
-            ..leak
+        let leaks = coupons.iter().flat_map(|coupon| &coupon.pieces).flat_map(|piece| {
+            let leaks = airtight::shape_leaks(&piece.shape).into_iter();
+            leaks.map(|leak| Refusal { found: format!("{}: {}", piece.name, leak.found), ..leak })
+        });
+        leaks.collect::<Refusals>().or(())?;
+        let file = |name: String, kind: Kind, text: &str| Artifact {
+            output: Output::of(kind),
+            name,
+            bytes: text.as_bytes().to_vec(),
         };
-        let leaks: Refusals = pieces
-            .flat_map(|piece| {
-                airtight::shape_leaks(&piece.shape).into_iter().map(move |leak| of_piece(piece, leak))
-            })
-            .collect();
-        leaks.or(())?;
         let mut files = vec![
-            ("spec.toml".to_owned(), Kind::Spec, sources.spec.as_bytes().to_vec()),
-            ("machine.toml".to_owned(), Kind::Machine, sources.machine.as_bytes().to_vec()),
+            file("spec.toml".to_owned(), Kind::Spec, sources.spec),
+            file("machine.toml".to_owned(), Kind::Machine, sources.machine),
         ];
         let ending = program_ending(machine.controller.dialect);
         for coupon in &coupons {
-            files.push((format!("{}.{ending}", coupon.name), Kind::SealGcode, coupon.gcode().into_bytes()));
-            files.push((format!("{}.svg", coupon.name), Kind::SealSvg, coupon.svg.clone().into_bytes()));
+            files.push(file(format!("{}.{ending}", coupon.name), Kind::SealGcode, &coupon.gcode()));
+            files.push(file(format!("{}.svg", coupon.name), Kind::SealSvg, &coupon.svg));
         }
         let has_strips = groups.contains(&CouponGroup::Strips);
         let strips = if has_strips { grid.strips(machine) } else { Vec::new() };
         if has_strips {
-            files.push((OVERVIEW.to_owned(), Kind::SealSvg, overview(spec, grid, &strips).into_bytes()));
+            files.push(file(OVERVIEW.to_owned(), Kind::SealSvg, &overview(spec, grid, &strips)));
         }
         let manifest = manifest(spec, grid, groups, &coupons, &files);
         Ok(Self { coupons, files, table: has_strips.then(|| table(&strips)), manifest })
@@ -92,12 +89,9 @@ impl MadeCoupons {
 
     /// The files and the manifest for the verifier.
     fn output_files(&self) -> OutputFiles<'_> {
-        let mut files: Vec<(Cow<'_, str>, Cow<'_, [u8]>)> =
-            vec![(MANIFEST.into(), self.manifest.to_json().into())];
-        files.extend(
-            self.files.iter().map(|(name, _, bytes)| (name.as_str().into(), bytes.as_slice().into())),
-        );
-        OutputFiles { files, ..OutputFiles::default() }
+        let manifest = (MANIFEST.into(), self.manifest.to_json().into());
+        let files = self.files.iter().map(|file| (file.name.as_str().into(), file.bytes.as_slice().into()));
+        OutputFiles { files: files.chain([manifest]).collect(), ..OutputFiles::default() }
     }
 
     /// Reads every program among `files`, whose manifest is `written`, and compares all files with these.
@@ -106,17 +100,18 @@ impl MadeCoupons {
         if written.tool != Tool::this() {
             proof.written_by = Some(written.tool.version.clone());
         }
-        for (name, kind, bytes) in &self.files {
+        for file in &self.files {
             let mut findings = Findings::default();
-            if let Some(found) = files.get(name) {
-                self.judge((name, *kind, bytes), found, written, &mut findings, &mut proof);
+            if let Some(found) = files.get(&file.name) {
+                self.judge(file, found, written, &mut findings, &mut proof);
             } else {
-                findings.push(files.lacks(name, &format!("the {kind}")));
+                findings.push(files.lacks(&file.name, &format!("the {}", file.output.kind)));
             }
-            proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(name)));
+            let findings = findings.into_vec().into_iter();
+            proof.findings.extend(findings.map(|finding| finding.in_file(&file.name)));
         }
         let known =
-            |name: &str| name == MANIFEST || name == TABLE || self.files.iter().any(|(own, ..)| own == name);
+            |name: &str| name == MANIFEST || name == TABLE || self.files.iter().any(|file| file.name == name);
         for name in files.names().filter(|name| !known(name)) {
             let found = "a file that the coupons do not have";
             let finding = Finding::new(FindingCode::UnnamedFile, found, "only their files");
@@ -132,14 +127,15 @@ impl MadeCoupons {
     /// Compares one file with `found`, and reads it if it is a program.
     fn judge(
         &self,
-        (name, kind, bytes): (&str, Kind, &[u8]),
+        Artifact { output, name, bytes }: &Artifact,
         found: &[u8],
         written: &CouponManifest,
         findings: &mut Findings,
         proof: &mut Proof,
     ) {
-        let sha256 = sha256(found);
-        let stated = written.files.iter().find(|entry| entry.path == name).map(|entry| entry.sha256.as_str());
+        let (kind, sha256) = (output.kind, sha256(found));
+        let stated =
+            written.files.iter().find(|entry| entry.path == *name).map(|entry| entry.sha256.as_str());
         if stated != Some(sha256.as_str()) {
             let stated = stated.unwrap_or("named in the manifest");
             findings.add(FindingCode::Hash, sha256.clone(), stated);
@@ -153,7 +149,7 @@ impl MadeCoupons {
         if !equal && proof.written_by.is_none() {
             findings.push(verify::first_difference(found, bytes));
         } else if !equal && coupon.is_none() {
-            proof.unproven.push(name.to_owned());
+            proof.unproven.push(name.clone());
         }
         let by = match (equal, coupon) {
             // Spec and profile are inputs: they are not made again.
@@ -162,13 +158,7 @@ impl MadeCoupons {
             (false, Some(_)) => Method::Reading,
             (false, None) => Method::Hash,
         };
-        proof.files.push(FileProof {
-            path: name.to_owned(),
-            output: Output::of(kind),
-            by,
-            sha256,
-            deviation,
-        });
+        proof.files.push(FileProof { path: name.clone(), output: output.clone(), by, sha256, deviation });
     }
 }
 
@@ -182,7 +172,7 @@ impl ProvenCoupons {
     pub fn files(&self) -> Vec<(&str, Vec<u8>)> {
         let MadeCoupons { files, table, manifest, .. } = &self.0;
         let table = table.iter().map(|table| (TABLE, table.clone().into_bytes()));
-        let files = files.iter().map(|(name, _, bytes)| (name.as_str(), bytes.clone()));
+        let files = files.iter().map(|file| (file.name.as_str(), file.bytes.clone()));
         files.chain(table).chain(std::iter::once((MANIFEST, manifest.to_json()))).collect()
     }
 }
@@ -238,7 +228,7 @@ fn manifest(
     grid: &StripGrid,
     groups: &[CouponGroup],
     coupons: &[Coupon],
-    files: &[(String, Kind, Vec<u8>)],
+    files: &[Artifact],
 ) -> CouponManifest {
     let only = CouponGroup::NAMES.iter().filter(|(_, group)| groups.contains(group));
     CouponManifest {
@@ -248,7 +238,7 @@ fn manifest(
             grid: grid.clone(),
             only: only.map(|(name, _)| (*name).to_owned()).collect(),
         },
-        files: files.iter().map(|(name, kind, bytes)| ManifestFile::plain(name, *kind, bytes)).collect(),
+        files: files.iter().map(ManifestFile::of).collect(),
         pieces: coupons.iter().map(|coupon| SealedPiece::coupon(&coupon.name, &coupon.program)).collect(),
     }
 }

@@ -1,6 +1,6 @@
 //! The feed check in the pipeline: planned, read back, and only then written.
 
-use crate::artifact::{Kind, Output};
+use crate::artifact::{Artifact, Kind, Output};
 use crate::design::Refusals;
 use crate::emit;
 use crate::manifest::{FeedCheckManifest, ManifestFile, Tool, sha256};
@@ -44,17 +44,19 @@ pub fn feed_check(
     let programs: Vec<Program> =
         plan::feed_checks(spec, machine).into_iter().map(|(_, program)| program).collect();
     plan::feed_check_refusals(spec, machine, &programs).or(()).map_err(FeedCheckFault::Refused)?;
-    let (text, deviation) = made(spec, machine, None);
-    if let Err(findings) = deviation {
+    let (text, _, findings) = made(spec, machine, None);
+    if !findings.is_empty() {
         let findings = findings.into_iter().map(|finding| finding.in_file(name)).collect();
         return Err(FeedCheckFault::Wrong(findings));
     }
+    let bytes = text.as_bytes().to_vec();
+    let program = Artifact { output: Output::of(Kind::TraceGcode), name: name.to_owned(), bytes };
     let manifest = FeedCheckManifest {
         tool: Tool::this(),
         name: spec.name.clone(),
         spec: sources.spec.to_owned(),
         machine: sources.machine.to_owned(),
-        files: vec![ManifestFile::plain(name, Kind::TraceGcode, text.as_bytes())],
+        files: vec![ManifestFile::of(&program)],
     };
     Ok(ProvenFeedCheck { text, manifest })
 }
@@ -79,8 +81,9 @@ pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) 
     }
     let other = (manifest.tool != Tool::this()).then(|| manifest.tool.version.clone());
     let text = String::from_utf8_lossy(found);
-    let (right, read) = made(&spec, &machine, Some(text.as_ref()));
-    let deviation = read.map_err(|wrong| findings.extend(wrong)).ok();
+    let (right, deviation, wrong) = made(&spec, &machine, Some(text.as_ref()));
+    let deviation = wrong.is_empty().then_some(deviation);
+    findings.extend(wrong);
     let equal = right.as_bytes() == found;
     if !equal && other.is_none() {
         findings.push(verify::first_difference(found, right.as_bytes()));
@@ -92,8 +95,8 @@ pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) 
     Proof { findings, files: vec![file], written_by: other, unproven: Vec::new() }
 }
 
-/// The program, and the largest deviation, mm, of `found`, or else of the program itself; or the findings.
-fn made(spec: &Spec, machine: &Machine, found: Option<&str>) -> (String, Result<f64, Vec<Finding>>) {
+/// The program; the largest deviation, mm, of `found`, or else of the program itself; and the findings.
+fn made(spec: &Spec, machine: &Machine, found: Option<&str>) -> (String, f64, Vec<Finding>) {
     let checks = plan::feed_checks(spec, machine);
     let text = emit::feed_check(spec, machine, &checks);
     let steps = checks.iter().flat_map(|(_, program)| &program.steps);
@@ -104,7 +107,5 @@ fn made(spec: &Spec, machine: &Machine, found: Option<&str>) -> (String, Result<
     let task = FeedCheckTask { spec, machine, lines: lines.collect() };
     let mut findings = Findings::default();
     let deviation = task.check(found.unwrap_or(&text), &mut findings);
-    let findings = findings.into_vec();
-    let read = if findings.is_empty() { Ok(deviation) } else { Err(findings) };
-    (text, read)
+    (text, deviation, findings.into_vec())
 }

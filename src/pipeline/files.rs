@@ -36,8 +36,9 @@ impl Forecast {
 
     /// The manifest of `files`, which `request` selects.
     pub(super) fn manifest(&self, files: Vec<ManifestFile>, request: &KindRequest) -> Manifest {
+        let KindRequest { only, with } = request.clone();
         let bill = Manifest::new(&self.spec, &self.design, &self.programs);
-        bill.with_prediction(self.prediction.as_ref()).with_files(files, request)
+        Manifest { files, only, with, ..bill.with_prediction(self.prediction.as_ref()) }
     }
 }
 
@@ -54,9 +55,7 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
             Some(drawn) => drawn.prediction.to_json(),
             None => forecast.prediction.as_ref()?.to_json(),
         },
-        Subject::Scene => {
-            return scene(forecast);
-        }
+        Subject::Scene => return scene(forecast),
         Subject::Preview => return preview(forecast, sources, output),
         Subject::Report => report(forecast, sources)?,
         Subject::Trace => program(forecast, &forecast.traces, output)?,

@@ -13,10 +13,7 @@ impl<'a> Sources<'a> {
     }
 
     /// `spec` with the profile and the drawing that a page does not have.
-    fn linked<'s>(self, spec: &'s Spec) -> LinkedSpec<'s>
-    where
-        'a: 's,
-    {
+    fn linked(self, spec: &'a Spec) -> LinkedSpec<'a> {
         let is_built_in = spec::builtin_machine(&spec.machine.profile).is_some();
         let drawing = spec.drawing.as_ref();
         let drawing = drawing.and_then(|own| Some((own.file_name(), own.content.as_ref()?.bytes())));

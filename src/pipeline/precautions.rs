@@ -115,16 +115,13 @@ fn pace(forecast: &Forecast) -> Option<Pace> {
 /// Weak places of the seal; for an unfit gripper without seals that certainly burst, which its refusal reports.
 fn weak_seal(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
     let report = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
-    let mut list = Vec::new();
-    for piece in &report.pieces {
-        let unsaid = |load: &&SealLoad| is_fit || load.bursting == Some(Bursting::Perhaps);
+    let unsaid = |load: &&SealLoad| is_fit || load.bursting == Some(Bursting::Perhaps);
+    let weak = report.pieces.iter().flat_map(|piece| {
         let bursting = piece.loads.iter().filter(unsaid).filter_map(SealLoad::weakness);
         let texts = piece.passage.weaknesses.iter().cloned().chain(bursting);
-        list.extend(
-            texts.map(|text| Precaution::new(PrecautionCode::WeakSeal, format!("{}: {text}", piece.name))),
-        );
-    }
-    list
+        texts.map(|text| Precaution::new(PrecautionCode::WeakSeal, format!("{}: {text}", piece.name)))
+    });
+    weak.collect()
 }
 
 /// Warnings of the prediction, without the reasons that make the gripper unfit, and without the distance to bursting, which is reported
@@ -179,28 +176,33 @@ fn strength(forecast: &Forecast) -> Option<Precaution> {
 fn speed(forecast: &Forecast, path: &str) -> Vec<Precaution> {
     let Forecast { spec, machine, .. } = forecast;
     let (speed, command) = (spec.seal.speed, |name: &str| format!("`stargrip-cam {name} {path}`"));
-    let mut list = Vec::new();
-    match pace(forecast) {
-        Some(Pace::Chopped(chop)) => list.push((PrecautionCode::ChoppedSeal, format!(
-            "the seal's speed is an average of dwells and strokes of at most {} mm at {} mm/s: this assumes \
+    let slow = match pace(forecast) {
+        Some(Pace::Chopped(chop)) => Some((
+            PrecautionCode::ChoppedSeal,
+            format!(
+                "the seal's speed is an average of dwells and strokes of at most {} mm at {} mm/s: this assumes \
              an acceleration of {} mm/s^2{}; time the program that {} writes",
-            Readable(chop.longest),
-            rounded(chop.speed),
-            Readable(chop.acceleration),
-            machine.motion.steps_per_mm.map_or(String::new(), |[x, y, _]| {
-                format!(" and at least {x} (X) and {y} (Y) steps/mm")
-            }),
-            command("feedcheck")
-        ))),
-        _ if machine.motion.speed_range().is_none() && speed < SLOW => list.push((PrecautionCode::UnknownFeed, format!(
-            "the lowest feed of this machine is unknown, and some controllers go several times faster than {speed} \
+                Readable(chop.longest),
+                rounded(chop.speed),
+                Readable(chop.acceleration),
+                machine.motion.steps_per_mm.map_or(String::new(), |[x, y, _]| {
+                    format!(" and at least {x} (X) and {y} (Y) steps/mm")
+                }),
+                command("feedcheck")
+            ),
+        )),
+        _ if machine.motion.speed_range().is_none() && speed < SLOW => Some((
+            PrecautionCode::UnknownFeed,
+            format!(
+                "the lowest feed of this machine is unknown, and some controllers go several times faster than {speed} \
              without reporting it: time the program that {} writes",
-            command("feedcheck")
-        ))),
-        _ => {}
-    }
-    let list = list.into_iter().map(|(code, text)| Precaution::new(code, text));
-    list.chain(fast(forecast, path)).collect()
+                command("feedcheck")
+            ),
+        )),
+        _ => None,
+    };
+    let slow = slow.map(|(code, text)| Precaution::new(code, text));
+    slow.into_iter().chain(fast(forecast, path)).collect()
 }
 
 /// The warning that such a fast seal is untested.

@@ -37,14 +37,8 @@ impl Faults {
 
     /// The line of the text in which `fault` begins, from 1; the last one if it is about what is not written.
     pub fn line_of(&self, fault: &Fault) -> usize {
-        1 + self
-            .source
-            .text
-            .trim_end_matches('\n')
-            .bytes()
-            .take(fault.span.start)
-            .filter(|byte| *byte == b'\n')
-            .count()
+        let before = self.source.text.trim_end_matches('\n').bytes().take(fault.span.start);
+        1 + before.filter(|byte| *byte == b'\n').count()
     }
 
     /// The text that contains them.

@@ -29,35 +29,26 @@ pub(super) fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
 
 /// `friction_least` <= `friction` <= `friction_most`, and none of the ends without `friction`.
 fn check_friction(s: &mut Section<'_, '_>, load: &Load) {
-    let Some(friction) = load.friction else {
-        // A faulty friction is reported already.
-        let ends =
-            ["friction_least", "friction_most"].into_iter().filter(|key| s.has(key) && !s.has("friction"));
-        for key in ends.collect::<Vec<_>>() {
-            let fault =
-                Fault::error(FaultCode::Conflict, s.place_of(key), format!("`{key}` without `friction`"))
-                    .label("it is an end of the range of `friction`")
-                    .help(format!("write friction, or delete {key}"));
-            s.report(fault);
-        }
-        return;
-    };
-    let ends = [
-        ("friction_least", load.friction_least, "above", load.friction_least > Some(friction)),
-        (
-            "friction_most",
-            load.friction_most,
-            "below",
-            load.friction_most.is_some_and(|most| most < friction),
-        ),
+    let ends: [(_, _, _, fn(&f64, &f64) -> bool); 2] = [
+        ("friction_least", load.friction_least, "above", f64::gt),
+        ("friction_most", load.friction_most, "below", f64::lt),
     ];
-    for (key, end, word, _) in ends.into_iter().filter(|(.., is_wrong)| *is_wrong) {
-        let end = end.unwrap_or(friction);
-        let message = format!("`{key}` is {end}, {word} `friction`, {friction}");
-        let fault = Fault::error(FaultCode::Conflict, s.place_of(key), message)
-            .label("the friction lies between friction_least and friction_most")
-            .help(format!("write {key} = {friction}, or change friction"));
-        s.report(fault);
+    for (key, end, word, is_beyond) in ends {
+        let (found, label, help) = match (load.friction, end) {
+            (Some(friction), Some(end)) if is_beyond(&end, &friction) => (
+                format!("`{key}` is {end}, {word} `friction`, {friction}"),
+                "the friction lies between friction_least and friction_most",
+                format!("write {key} = {friction}, or change friction"),
+            ),
+            // A faulty friction is reported already.
+            (None, _) if s.has(key) && !s.has("friction") => (
+                format!("`{key}` without `friction`"),
+                "it is an end of the range of `friction`",
+                format!("write friction, or delete {key}"),
+            ),
+            _ => continue,
+        };
+        s.report(Fault::error(FaultCode::Conflict, s.place_of(key), found).label(label).help(help));
     }
 }
 

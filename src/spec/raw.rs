@@ -44,11 +44,6 @@ impl RawSpec {
         &self.root
     }
 
-    /// The elements of the list `name` of the first level, if it is one.
-    pub(super) fn root_list(&self, name: &str) -> Option<&[RawValue]> {
-        self.root.get(name).and_then(RawValue::as_list)
-    }
-
     /// Place of the value that decides `key`: of a star's key its own `[[stack.star]]` before the common section;
     /// `None` if it was not written.
     pub fn find(&self, key: KeyPath) -> Option<Range<usize>> {

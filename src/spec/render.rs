@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use annotate_snippets::{AnnotationKind, Level as Tone, Origin, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level as Tone, Origin, Renderer, Snippet};
 
 use crate::spec::fault::{Fault, Severity};
 use crate::spec::name::misleads;
@@ -83,15 +83,16 @@ fn one(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<usize>
         |tone: Tone<'static>, text: &str| tone.message(told(&broken(text, width, MARGIN + "= help: ".len())));
     // A fault of a missing section has no line to show; one of the syntax may be at the end of the last line.
     let is_at_line = fault.code == FaultCode::Syntax.as_str() && !text.is_empty() && !text.ends_with('\n');
+    let help = |group: Group<'static>| match &fault.help {
+        Some(help) => group.element(note(Tone::HELP, help)),
+        None => group,
+    };
     if fault.span.is_empty() && fault.span.start == text.len() && !is_at_line {
         let mut group = title.element(Origin::path(shown_name(source)));
         if !fault.label.is_empty() {
             group = group.element(note(Tone::NOTE, &fault.label));
         }
-        if let Some(help) = &fault.help {
-            group = group.element(note(Tone::HELP, help));
-        }
-        return renderer.render(&[group]);
+        return renderer.render(&[help(group)]);
     }
     // Only the line is handed on: the renderer's work grows with the length of its input, once for each fault.
     let start = text[..fault.span.start].rfind('\n').map_or(0, |at| at + 1);
@@ -116,10 +117,7 @@ fn one(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<usize>
     if !fits {
         group = group.element(note(Tone::NOTE, &fault.label));
     }
-    if let Some(help) = &fault.help {
-        group = group.element(note(Tone::HELP, help));
-    }
-    renderer.render(&[group])
+    renderer.render(&[help(group)])
 }
 
 /// `text` broken between words so that, behind `head` columns, no line is wider than `width`; a longer word stays whole.

@@ -6,6 +6,7 @@ use crate::spec::fault::Fault;
 use crate::spec::machine::{Bench, Heights, KeepOut, Process, lowest_contact};
 use crate::spec::profile::known::{known, known_as};
 use crate::spec::section::{Reader, Section};
+use crate::spec::value::RawValue;
 use crate::units::{Length, Speed};
 
 /// Height in contact: above the release layer the iron seals nothing.
@@ -91,7 +92,7 @@ fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
 }
 
 fn read_keep_out(reader: &mut Reader<'_>) -> Vec<KeepOut> {
-    let Some(list) = reader.raw.root_list("keep_out") else {
+    let Some(list) = reader.raw.root().get("keep_out").and_then(RawValue::as_list) else {
         // Registers the section, even where the profile has none.
         let _ = reader.section("keep_out");
         return Vec::new();
