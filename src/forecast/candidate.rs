@@ -11,44 +11,8 @@ use crate::spec::{Code, Fabric, Inlet, Load, ModelChoice, Seal, Spec, StarSpec};
 use crate::units::{Length, Pressure};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::fit::Fit;
-use inflatable::mechanics::hinge::ring::{Ring, RingTable};
-use inflatable::mechanics::hinge::{Edges, HingeEffort, HingeModel, HingeState, Level};
+use inflatable::mechanics::hinge::ring::RingTable;
 use std::fmt;
-
-/// The exact ring with its targets from the table.
-#[derive(Clone, Copy, Debug)]
-pub struct TableRing<'a>(pub &'a RingTable);
-
-impl HingeModel for TableRing<'_> {
-    fn level(&self) -> Level {
-        Level::Ring
-    }
-
-    fn state(&self, r_star: f64, lambda: f64) -> Result<HingeState, HingeFault> {
-        Ring.state(r_star, lambda)
-    }
-
-    fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
-        let entry = self.0.at(r_star)?;
-        Ok(HingeState {
-            lambda: entry.lambda_t,
-            volume: Some(entry.volume),
-            slope: 0.0,
-            curvature: entry.curvature,
-            edges: Some(Edges {
-                tension: entry.tension,
-                angle: entry.angle,
-                width: entry.width,
-                rim_force: 2.0 * entry.tension * libm::cos(entry.angle),
-            }),
-            effort: HingeEffort { residual: 0.0, iterations: 0, error: RingTable::ERROR },
-        })
-    }
-
-    fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
-        Ok(Some(self.0.at(r_star)?.lambda_c))
-    }
-}
 
 /// One gripper, in the spec's units: the values of a spec that determine its prediction.
 #[derive(Clone, Debug, PartialEq)]
@@ -165,7 +129,7 @@ impl Candidate {
     /// If there is no such star, or a model has no answer for it.
     pub fn answer(&self, ring: &RingTable) -> Result<Answer, RefusedDesign> {
         self.answer_by(ring, |case| match self.model {
-            ModelChoice::Ring => Outcome::correcting(case, &TableRing(ring)).map(Some),
+            ModelChoice::Ring => Outcome::correcting(case, ring).map(Some),
             ModelChoice::Fit => Outcome::correcting(case, &Fit).map(Some),
             ModelChoice::Auto | ModelChoice::Section | ModelChoice::Shell | ModelChoice::Bvp => {
                 by_section(case)
@@ -204,7 +168,7 @@ impl Candidate {
             cut_area(&star, &self.seal, self.inlet.as_ref(), self.star.inlet_tip, self.hole_diameter.0);
         Ok(Answer {
             operating_pressure: Pressure::from_pascals(case.operating_pressure()),
-            burst: burst(&case, &TableRing(ring)).map(Pressure::from_pascals),
+            burst: burst(&case, ring).map(Pressure::from_pascals),
             star,
             case,
             outcome,

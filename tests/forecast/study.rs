@@ -2,7 +2,6 @@
 
 use crate::{PAPER, candidate, close, paper, predict};
 use proptest::prelude::*;
-use stargrip_cam::forecast::candidate::TableRing;
 use stargrip_cam::forecast::study::{ColumnKind, ColumnValues, RowBatch, Study, csv};
 use stargrip_cam::mechanics::hinge::HingeModel;
 use stargrip_cam::mechanics::hinge::ring::{Ring, RingTable};
@@ -459,7 +458,7 @@ proptest! {
 fn the_table_is_the_ring() {
     let table = RingTable::new().expect("solved");
     for r_star in [1e-3, 0.1, 1.0, 7.0] {
-        let (fast, exact) = (TableRing(&table), &Ring as &dyn HingeModel);
+        let (fast, exact) = (&table, &Ring as &dyn HingeModel);
         let [a, b] = [fast.target(r_star), exact.target(r_star)].map(|state| state.expect("in range"));
         let [x, y] = [a, b].map(|state| state.edges.expect("a ring has edges"));
         let pairs = [

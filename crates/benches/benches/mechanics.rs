@@ -36,7 +36,7 @@ fn ring_state(r_star: f64) -> f64 {
 #[divan::bench(args = R_STARS)]
 fn table_entry(bencher: Bencher, r_star: f64) {
     let table = RingTable::new().expect("solved");
-    bencher.bench_local(|| table.at(black_box(r_star)).expect("in range"));
+    bencher.bench_local(|| table.target(black_box(r_star)).expect("in range"));
 }
 
 /// Making the series.

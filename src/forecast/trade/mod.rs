@@ -9,7 +9,6 @@ pub mod shells;
 pub mod shown;
 
 use crate::design::Star;
-use crate::forecast::candidate::TableRing;
 use crate::forecast::case::mechanism;
 use crate::spec::StarSpec;
 use crate::units::Length;
@@ -49,10 +48,9 @@ pub const QUANTITIES: [&str; 5] = ["lambda_t", "V''", "k", "rho_f", "stiffness"]
 /// If a model refuses one of the hinges.
 pub fn measure(base: &StarSpec, clock: &dyn Fn() -> f64) -> Result<Vec<TradeRow>, StarFault> {
     let table = RingTable::new()?;
-    let fast = TableRing(&table);
     let penalised = [1e2, 1e3, 1e4, 1e5].map(|beta| Bvp::new(beta, 1e-6));
     let mut models: Vec<(String, &dyn HingeModel)> =
-        vec![("fit".to_owned(), &Fit), ("ring, table".to_owned(), &fast), ("ring".to_owned(), &Ring)];
+        vec![("fit".to_owned(), &Fit), ("ring, table".to_owned(), &table), ("ring".to_owned(), &Ring)];
     models
         .extend(penalised.iter().map(|bvp| (format!("bvp, beta = {}", bvp.beta()), bvp as &dyn HingeModel)));
     let stars = stars(base);

@@ -5,6 +5,8 @@
 //! leading term `R* / pi` does not depend on lambda below `lambda_c`, and falls with `R* G''` beyond, so the
 //! target moves onto the onset like 1/R*.
 
+use std::f64::consts::FRAC_1_PI;
+
 /// Limits of the ring for R* -> infinity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RingLimit {
@@ -18,11 +20,6 @@ pub struct RingLimit {
     pub width: f64,
 }
 
-/// Limit of `V_bar(lambda) - R*/pi` for lambda up to lambda_c: `lambda / pi^2`.
-pub fn limit_volume_above_tube(lambda: f64) -> f64 {
-    lambda * std::f64::consts::FRAC_1_PI.powi(2)
-}
-
 /// The limits, from closed forms and one root.
 ///
 /// The curvature follows from the plane problem, the largest area under `lambda r <= s`. A short cone of
@@ -31,7 +28,6 @@ pub fn limit_volume_above_tube(lambda: f64) -> f64 {
 /// there gives `dL/dlambda = r_c sin(gamma)`; with the hoop tension `h = R* / (lambda sin(gamma))`,
 /// `V_bar' = -2 h r_c L` has the slope `-2 R* r_c^2 / lambda`.
 pub fn limit() -> RingLimit {
-    use std::f64::consts::FRAC_1_PI;
     // Newton on tan(x/2) - x: the root is simple, and 2.33 is within 2e-3 of it.
     let mut x0: f64 = 2.33;
     for _ in 0..6 {
@@ -72,12 +68,17 @@ mod tests {
         }
     }
 
+    /// Limit of `V_bar(lambda) - R*/pi` for lambda up to lambda_c: `lambda / pi^2`.
+    fn limit_volume_above_tube(lambda: f64) -> f64 {
+        lambda * FRAC_1_PI.powi(2)
+    }
+
     #[test]
     fn volume_tends_to_the_tube_plus_a_term_in_lambda() {
         for lambda in [0.8, 1.0, 1.2, 1.35] {
             let r_star = 1e4;
             let volume = Ring.state(r_star, lambda).expect("solved").volume.unwrap_or(f64::NAN);
-            let above = volume - r_star * std::f64::consts::FRAC_1_PI;
+            let above = volume - r_star * FRAC_1_PI;
             assert!((above - limit_volume_above_tube(lambda)).abs() < 1e-4, "{above}");
         }
     }

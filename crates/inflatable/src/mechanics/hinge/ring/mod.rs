@@ -22,8 +22,8 @@ mod section;
 mod solve;
 mod table;
 
-pub use limit::{RingLimit, limit, limit_volume_above_tube};
-pub use table::{RingTable, TargetEntry};
+pub use limit::{RingLimit, limit};
+pub use table::RingTable;
 
 #[cfg(test)]
 use self::section::CONE;
@@ -56,17 +56,18 @@ impl HingeModel for Ring {
     fn state(&self, r_star: f64, lambda: f64) -> Result<HingeState, HingeFault> {
         check_r_star(r_star, MOST_R_STAR)?;
         check_lambda(lambda, LEAST_LAMBDA, MOST_LAMBDA)?;
-        let unsolved = |fault| unsolved(r_star, lambda, fault);
-        // The cone exists for no R* below lambda = 1.12.
-        if lambda < 1.1 {
-            return Ok(state(&solve_free(r_star, lambda).map_err(unsolved)?));
-        }
-        let target = solve_target(r_star).map_err(unsolved)?;
-        let onset = solve_onset(r_star, &target).map_err(unsolved)?;
-        if lambda < onset.unknowns[LAMBDA] {
-            return Ok(state(&solve_free(r_star, lambda).map_err(unsolved)?));
-        }
-        follow(r_star, &target, lambda).map(|solved| state(&solved)).map_err(unsolved)
+        let solved = || {
+            // The cone exists for no R* below lambda = 1.12.
+            if lambda < 1.1 {
+                return solve_free(r_star, lambda);
+            }
+            let target = solve_target(r_star)?;
+            if lambda < solve_onset(r_star, &target)?.unknowns[LAMBDA] {
+                return solve_free(r_star, lambda);
+            }
+            follow(r_star, &target, lambda)
+        };
+        solved().map(|solved| state(&solved)).map_err(|fault| unsolved(r_star, lambda, fault))
     }
 
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
@@ -76,10 +77,17 @@ impl HingeModel for Ring {
 
     fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
         check_r_star(r_star, MOST_R_STAR)?;
-        let target = solve_target(r_star).map_err(|fault| unsolved(r_star, 1.3, fault))?;
-        let onset = solve_onset(r_star, &target).map_err(|fault| unsolved(r_star, 1.3, fault))?;
-        Ok(Some(onset.unknowns[LAMBDA]))
+        target_and_onset(r_star).map(|[_, onset]| Some(onset.unknowns[LAMBDA]))
     }
+}
+
+/// The sections at the target and at the onset of the cone.
+fn target_and_onset(r_star: f64) -> Result<[Solved; 2], HingeFault> {
+    let both = || {
+        let target = solve_target(r_star)?;
+        Ok([target, solve_onset(r_star, &target)?])
+    };
+    both().map_err(|fault| unsolved(r_star, 1.3, fault))
 }
 
 /// Follows the branch with cone from `from` to `lambda`, in steps that Newton's iteration can take.
@@ -112,8 +120,8 @@ fn state(solved: &Solved) -> HingeState {
         slope: solved.section.slope.value,
         curvature: solved.curvature,
         edges: Some(Edges {
-            tension: solved.unknowns[TENSION],
-            angle: solved.unknowns[PHI_0],
+            tension,
+            angle: phi_0,
             width: solved.section.width.value,
             rim_force: 2.0 * tension * libm::cos(phi_0),
         }),

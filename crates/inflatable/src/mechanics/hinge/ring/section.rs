@@ -53,7 +53,9 @@ pub(super) fn free_section(r_star: f64, unknowns: [f64; 4]) -> Option<RingSectio
     let first = free_arc(&start, Gradient::constant(-0.75));
     let start = ArcStart { phi: Gradient::constant(-0.75), tension, axis: first.axis, reach: first.reach };
     let second = free_arc(&start, Gradient::constant(-FRAC_PI_2));
-    Some(assemble(r_star, lambda, &first, None, &second))
+    let zero = Gradient::constant(0.0);
+    let no_cone = TensionArc { length: zero, rise: zero, moment: zero, second_moment: zero, ..first };
+    Some(assemble(r_star, lambda, [&first, &no_cone, &second], zero))
 }
 
 /// The section with a cone between two free arcs.
@@ -75,29 +77,20 @@ pub(super) fn cone_section(r_star: f64, unknowns: [f64; 4]) -> Option<RingSectio
     let (q, r) = (first.axis, first.reach);
     let end_tension = tension + cone * (q + gain * 0.5) * cos / sin;
     let hoop = cone * (q * r + (q + r) * gain * 0.5 + gain.squared() * (1.0 / 3.0)) / sin;
-    let second_moment = -(sin * cone) * (r.squared() + r * gain + gain.squared() * (1.0 / 3.0));
-    let frustum = ConePart {
+    let frustum = TensionArc {
         length: cone,
         rise: -(sin * cone),
         moment: -(sin * cone) * (r + gain * 0.5),
-        second_moment,
-        hoop,
+        second_moment: -(sin * cone) * (r.squared() + r * gain + gain.squared() * (1.0 / 3.0)),
+        axis: q + gain,
+        reach: r + gain,
     };
-    let start = ArcStart { phi: -gamma, tension: end_tension, axis: q + gain, reach: r + gain };
+    let start = ArcStart { phi: -gamma, tension: end_tension, axis: frustum.axis, reach: frustum.reach };
     if end_tension.value <= 0.0 || start.axis.value <= 0.0 {
         return None;
     }
     let second = free_arc(&start, Gradient::constant(-FRAC_PI_2));
-    Some(assemble(r_star, lambda, &first, Some(&frustum), &second))
-}
-
-/// The contribution of the cone to the integrals; `hoop` is the integral of h r ds.
-struct ConePart {
-    length: Gradient,
-    rise: Gradient,
-    moment: Gradient,
-    second_moment: Gradient,
-    hoop: Gradient,
+    Some(assemble(r_star, lambda, [&first, &frustum, &second], hoop))
 }
 
 /// Quadrature needs T > 0 and a start above the outer edge's slope, below a full turn.
@@ -106,23 +99,16 @@ fn admissible(unknowns: [f64; 4]) -> Option<()> {
     (tension > 0.0 && lambda > 0.0 && phi_0 > -0.75 && phi_0 < 3.0).then_some(())
 }
 
-fn assemble(
-    r_star: f64,
-    lambda: Gradient,
-    first: &TensionArc<4>,
-    cone: Option<&ConePart>,
-    second: &TensionArc<4>,
-) -> RingSection {
-    let zero = Gradient::constant(0.0);
-    let of_cone = |part: fn(&ConePart) -> Gradient| cone.map_or(zero, part);
-    let moment = first.moment + of_cone(|c| c.moment) + second.moment;
-    let second_moment = first.second_moment + of_cone(|c| c.second_moment) + second.second_moment;
+/// The section of an arc, a cone and an arc; `hoop` is the integral of h r ds over the cone.
+fn assemble(r_star: f64, lambda: Gradient, parts: [&TensionArc<4>; 3], hoop: Gradient) -> RingSection {
+    let sum = |of: fn(&TensionArc<4>) -> Gradient| of(parts[0]) + of(parts[1]) + of(parts[2]);
+    let second_moment = sum(|part| part.second_moment);
     RingSection {
-        length: first.length + of_cone(|c| c.length) + second.length - 1.0,
-        closing: first.rise + of_cone(|c| c.rise) + second.rise,
-        contact: lambda * first.reach - first.length,
-        volume: moment * (-2.0 * r_star) - lambda * second_moment,
-        slope: -second_moment - of_cone(|c| c.hoop) * 2.0,
-        width: second.reach,
+        length: sum(|part| part.length) - 1.0,
+        closing: sum(|part| part.rise),
+        contact: lambda * parts[0].reach - parts[0].length,
+        volume: sum(|part| part.moment) * (-2.0 * r_star) - lambda * second_moment,
+        slope: -second_moment - hoop * 2.0,
+        width: parts[2].reach,
     }
 }

@@ -8,7 +8,7 @@ use crate::mechanics::hinge::ring::section::{
     CONE, Gradient, LAMBDA, PHI_0, RingSection, TENSION, cone_section, free_section,
 };
 use crate::numerics::newton::solve_dense;
-use crate::numerics::{NewtonFault, newton};
+use crate::numerics::{NewtonFault, NewtonReport, newton};
 use nalgebra::{Const, DimMin, SMatrix, SVector};
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 
@@ -28,23 +28,22 @@ pub(super) struct Solved {
     pub(super) iterations: u32,
 }
 
-type Equations = fn(&RingSection) -> [Gradient; 4];
-
-/// Which equations hold with a cone, in the order in which they are dropped when an unknown is held.
-fn with_cone(section: &RingSection) -> [Gradient; 4] {
+/// The equations of a section with a cone, in the order in which they are dropped when an unknown is held.
+fn equations(section: &RingSection) -> [Gradient; 4] {
     [section.length, section.closing, section.contact, section.slope]
 }
 
-/// Solves the first `N` equations for the unknowns `free`, from `start`, holding the others.
-fn solve<const N: usize>(
+/// Solves the first `N` equations for the unknowns `free`, from `start`, holding the others. Adds the second derivative, and the tangent
+/// along lambda of the first `BRANCH` unknowns, by `J_y dy/dlambda = -F_lambda`.
+fn solve<const N: usize, const BRANCH: usize>(
     build: impl Fn([f64; 4]) -> Option<RingSection>,
-    equations: Equations,
     free: [usize; N],
     start: [f64; 4],
     slope_scale: f64,
-) -> Result<([f64; 4], f64, u32), NewtonFault>
+) -> Result<Solved, NewtonFault>
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
+    Const<BRANCH>: DimMin<Const<BRANCH>, Output = Const<BRANCH>>,
 {
     let place = |values: [f64; N]| {
         let mut unknowns = start;
@@ -53,14 +52,25 @@ where
         }
         unknowns
     };
-    let report = newton(free.map(|index| start[index]), TOLERANCE, |values| {
-        let rows = equations(&build(place(values))?);
-        let scale = |row: usize| if row == 3 { slope_scale } else { 1.0 };
-        let residuals = std::array::from_fn(|row| scale(row) * rows[row].value);
-        let jacobian = std::array::from_fn(|row| free.map(|index| scale(row) * rows[row].slope[index]));
-        Some((residuals, jacobian))
-    })?;
-    Ok((place(report.point), report.residual, report.iterations))
+    let NewtonReport { point, residual, iterations } =
+        newton(free.map(|index| start[index]), TOLERANCE, |values| {
+            let rows = equations(&build(place(values))?);
+            let scale = |row: usize| if row == 3 { slope_scale } else { 1.0 };
+            let residuals = std::array::from_fn(|row| scale(row) * rows[row].value);
+            let jacobian = std::array::from_fn(|row| free.map(|index| scale(row) * rows[row].slope[index]));
+            Some((residuals, jacobian))
+        })?;
+    let unknowns = place(point);
+    let section = build(unknowns).ok_or(NewtonFault::Stalled { residual })?;
+    let rows = equations(&section);
+    let jacobian = SMatrix::<f64, BRANCH, BRANCH>::from_fn(|row, column| rows[row].slope[column]);
+    let right = SVector::<f64, BRANCH>::from_fn(|row, _| -rows[row].slope[LAMBDA]);
+    let change = solve_dense(jacobian, &right).ok_or(NewtonFault::Singular)?;
+    let mut tangent = [0.0; 4];
+    tangent[LAMBDA] = 1.0;
+    tangent[..BRANCH].copy_from_slice(change.as_slice());
+    let curvature = (0..4).map(|i| section.slope.slope[i] * tangent[i]).sum();
+    Ok(Solved { unknowns, section, tangent, curvature, residual, iterations })
 }
 
 /// The free section at `lambda`, whether or not it keeps the hoop inequality.
@@ -73,17 +83,13 @@ pub(super) fn solve_free(r_star: f64, lambda: f64) -> Result<Solved, NewtonFault
         0.0,
         lambda,
     ];
-    let build = |unknowns| free_section(r_star, unknowns);
-    let solved = solve::<2>(build, with_cone, [PHI_0, TENSION], start, 1.0)?;
-    finish::<2>(build, [PHI_0, TENSION], solved)
+    solve::<2, 2>(|unknowns| free_section(r_star, unknowns), [PHI_0, TENSION], start, 1.0)
 }
 
 /// The section with a cone at `lambda`, from the unknowns `start`.
 pub(super) fn solve_cone(r_star: f64, lambda: f64, mut start: [f64; 4]) -> Result<Solved, NewtonFault> {
     start[LAMBDA] = lambda;
-    let build = |unknowns| cone_section(r_star, unknowns);
-    let solved = solve::<3>(build, with_cone, [PHI_0, TENSION, CONE], start, 1.0)?;
-    finish::<3>(build, [PHI_0, TENSION, CONE], solved)
+    solve::<3, 3>(|unknowns| cone_section(r_star, unknowns), [PHI_0, TENSION, CONE], start, 1.0)
 }
 
 /// The start of the cone: `lambda = lambda_c`, L = 0.
@@ -92,9 +98,7 @@ pub(super) fn solve_onset(r_star: f64, target: &Solved) -> Result<Solved, Newton
     let back = -target.unknowns[CONE] / target.tangent[CONE];
     let mut start: [f64; 4] = std::array::from_fn(|i| target.unknowns[i] + back * target.tangent[i]);
     start[CONE] = 0.0;
-    let build = |unknowns| cone_section(r_star, unknowns);
-    let solved = solve::<3>(build, with_cone, [PHI_0, TENSION, LAMBDA], start, 1.0)?;
-    finish::<3>(build, [PHI_0, TENSION, CONE], solved)
+    solve::<3, 3>(|unknowns| cone_section(r_star, unknowns), [PHI_0, TENSION, LAMBDA], start, 1.0)
 }
 
 /// The largest volume: `lambda = lambda_t`.
@@ -106,32 +110,8 @@ pub(super) fn solve_target(r_star: f64) -> Result<Solved, NewtonFault> {
         0.113 / (1.0 + 1.25 * r_star),
         1.380_05 - 0.1093 / (1.0 + 1.51 * r_star),
     ];
-    let build = |unknowns| cone_section(r_star, unknowns);
     // V_bar' grows with R* off the target, so its rounding does too.
     let scale = 1.0 / (1.0 + r_star);
-    let solved = solve::<4>(build, with_cone, [PHI_0, TENSION, CONE, LAMBDA], start, scale)?;
-    finish::<3>(build, [PHI_0, TENSION, CONE], solved)
-}
-
-/// Adds the tangent along lambda and the second derivative: `J_y dy/dlambda = -F_lambda`.
-fn finish<const N: usize>(
-    build: impl Fn([f64; 4]) -> Option<RingSection>,
-    free: [usize; N],
-    (unknowns, residual, iterations): ([f64; 4], f64, u32),
-) -> Result<Solved, NewtonFault>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
-    let section = build(unknowns).ok_or(NewtonFault::Stalled { residual })?;
-    let rows = with_cone(&section);
-    let jacobian = SMatrix::<f64, N, N>::from_fn(|row, column| rows[row].slope[free[column]]);
-    let right = SVector::<f64, N>::from_fn(|row, _| -rows[row].slope[LAMBDA]);
-    let change = solve_dense(jacobian, &right).ok_or(NewtonFault::Singular)?;
-    let mut tangent = [0.0; 4];
-    tangent[LAMBDA] = 1.0;
-    for (&index, &value) in free.iter().zip(change.iter()) {
-        tangent[index] = value;
-    }
-    let curvature = (0..4).map(|i| section.slope.slope[i] * tangent[i]).sum();
-    Ok(Solved { unknowns, section, tangent, curvature, residual, iterations })
+    let free = [PHI_0, TENSION, CONE, LAMBDA];
+    solve::<4, 3>(|unknowns| cone_section(r_star, unknowns), free, start, scale)
 }
