@@ -19,9 +19,9 @@ pub(super) fn fill(
     outcome: &Outcome,
 ) -> Result<(), StarFault> {
     let model = inflated.model();
-    let [tip, corner] = [inflated.tip(), inflated.corner()];
-    let angles = inflated.target_angles();
-    let (c_i, c_e) = inflated.hinge_stiffness();
+    let [tip, corner] = inflated.hinges();
+    let [tip_target, corner_target] = inflated.target_angles();
+    let [c_i, c_e] = inflated.hinge_stiffness();
     let stiffness = case.pressure.map(|_| Hinges { tip: c_i, corner: c_e });
     star.model = model.level().name();
     star.lambda_t = Hinges { tip: Some(tip.lambda), corner: Some(corner.lambda) };
@@ -30,8 +30,8 @@ pub(super) fn fill(
         corner: model.onset(case.mechanism.corner().r_star)?,
     };
     star.d2v_dlambda2 = Hinges { tip: Some(tip.curvature), corner: Some(corner.curvature) };
-    star.tip_target_angle_deg = Some(angles.0.to_degrees());
-    star.corner_target_angle_deg = Some(angles.1.to_degrees());
+    star.tip_target_angle_deg = Some(tip_target.to_degrees());
+    star.corner_target_angle_deg = Some(corner_target.to_degrees());
     star.hinge_stiffness_Nm = stiffness;
     // The seal's ranges do not depend on the hinge's model.
     star.ranges = ranges(case, outcome, stiffness, star.ranges);

@@ -77,7 +77,7 @@ fn touch(kilopascals: f64) -> Touch {
         pressure,
         width: star.inflated_width(),
         radius: rest.radius,
-        inner: star.corner_radius / inflated.corner().lambda,
+        inner: star.corner_radius / inflated.hinges()[1].lambda,
         spring: 0.0,
     };
     let opening = own.bulge();

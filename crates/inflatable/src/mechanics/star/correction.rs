@@ -187,13 +187,13 @@ impl Correction {
         stiffness / (1.0 + stiffness * self.arm_compliance).max(LEAST_LEFT)
     }
 
-    /// The radial stiffness of `star`, of the [`sector_sine`](Mechanism::sector_sine) `sector`, over that of its hinges between rigid
-    /// arms, where the radius grows by `slope` (m per rad) with the tips' angle.
-    pub(super) fn softness(&self, star: &Mechanism, slope: f64, sector: f64) -> f64 {
+    /// The radial stiffness of `star` over that of its hinges between rigid arms, where the radius grows by `slope` (m per rad) with the
+    /// tips' angle.
+    pub(super) fn softness(&self, star: &Mechanism, slope: f64) -> f64 {
         if !self.corner_compliance {
             return 1.0;
         }
-        let own = LEVER * star.width / sector;
+        let own = LEVER * star.width / star.sector_sine();
         self.stiffness_factor * slope * slope / (slope * slope + own * own)
     }
 }
@@ -210,7 +210,7 @@ mod tests {
     }
 
     fn softness(star: &Mechanism) -> f64 {
-        star.correction.softness(star, star.radius(0.1).slope, star.sector_sine())
+        star.correction.softness(star, star.radius(0.1).slope)
     }
 
     #[test]

@@ -56,8 +56,6 @@ pub struct Grasp {
     growth: f64,
     /// Radius and slope at rest, m and m per rad.
     rest: [f64; 2],
-    /// `sin(pi/n)`.
-    sector: f64,
     /// `(mu W / sin(pi/n))^2`, m^2.
     lever: f64,
 }
@@ -79,16 +77,14 @@ impl Grasp {
         let HingePair { stiffness: [tip, corner], target: [of_tip, of_corner] } = hinges;
         let pull = tip * (1.0 + 2.0 * c * (angle - of_tip)) + corner * (1.0 + 2.0 * c * (angle - of_corner));
         let both = tip + corner;
-        let sector = star.sector_sine();
-        let lever = LEVER * star.width / sector;
-        let at = star.radius_of_sector(angle, sector);
+        let lever = LEVER * star.width / star.sector_sine();
+        let at = star.radius(angle);
         Self {
             star: *star,
             angles: [angle, (widest - angle).max(0.0)],
             stiffness,
             growth: c * both / pull.max(LEAST_LEFT * both),
             rest: [at.value, at.slope],
-            sector,
             lever: lever * lever,
         }
     }
@@ -126,7 +122,7 @@ impl Grasp {
         }
         // Force over k(0), and the opening by that force, with its derivative.
         let at = |turned: f64| {
-            let open = self.star.radius_of_sector(angle + turned, self.sector);
+            let open = self.star.radius(angle + turned);
             let moment = turned * (1.0 + self.growth * turned);
             let force = moment / open.slope;
             let steeper = (1.0 + 2.0 * self.growth * turned - force * open.curvature) / open.slope;

@@ -111,11 +111,7 @@ impl Mechanism {
     /// For R = 0 this is the paper's rho(phi_i), with its derivative in place of the printed one, whose
     /// `cos(phi)/2` and `sin(phi)` should read `cos(phi/2)` and `sin(phi/2)`.
     pub fn radius(&self, phi: f64) -> Radius {
-        self.radius_of_sector(phi, self.sector_sine())
-    }
-
-    /// [`Mechanism::radius`] with [`Mechanism::sector_sine`] given: iterations need many radii of one star.
-    fn radius_of_sector(&self, phi: f64, sector: f64) -> Radius {
+        let sector = self.sector_sine();
         let (sin, cos) = libm::sincos(0.5 * phi);
         // r = R / lambda = R alpha_0 / (pi - phi) at both hinges, with derivatives r / (pi - phi), 2 r / (pi - phi)^2.
         let coiled = |radius: f64, hinge: Hinge, angle: f64| {
@@ -140,18 +136,17 @@ impl Mechanism {
 
     /// The largest inner radius between the tip angle `from` (rad) and an almost straight corner.
     pub fn widest(&self, from: f64) -> Widest {
-        let sector = self.sector_sine();
-        self.widest_from(from, &self.radius_of_sector(from, sector), sector)
+        self.widest_from(from, &self.radius(from))
     }
 
-    /// [`Mechanism::widest`] with the radius at `from` and [`Mechanism::sector_sine`] given.
-    fn widest_from(&self, from: f64, start: &Radius, sector: f64) -> Widest {
+    /// [`Mechanism::widest`] with the radius at `from` given.
+    fn widest_from(&self, from: f64, start: &Radius) -> Widest {
         if start.slope <= 0.0 {
             return Widest { angle: from, radius: start.value };
         }
         let straight = PI - self.turn();
         let last = from + NEARLY_STRAIGHT * (straight - from);
-        let slope = |phi: f64| self.radius_of_sector(phi, sector).slope;
+        let slope = |phi: f64| self.radius(phi).slope;
         let angle = if self.tip_radius == 0.0 && self.corner_radius == 0.0 {
             // l cos(phi/2) = W' sin(phi/2).
             last.min(2.0 * libm::atan2(self.arm, self.inflated_width()))
@@ -161,7 +156,7 @@ impl Mechanism {
             // The slope changes its sign between the two, so there is a root.
             bracketed_root(from, last, WIDEST_TOLERANCE, |phi| Ok::<_, RootFault>(slope(phi))).unwrap_or(from)
         };
-        Widest { angle, radius: self.radius_of_sector(angle, sector).value }
+        Widest { angle, radius: self.radius(angle).value }
     }
 }
 

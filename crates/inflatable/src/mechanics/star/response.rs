@@ -26,9 +26,9 @@ pub struct Inflated<'a> {
     model: &'a dyn HingeModel,
     /// Gauge pressure p, Pa.
     pressure: f64,
-    tip: HingeState,
-    corner: HingeState,
-    /// The effect of the arms on tip and corner.
+    /// Tip and corner at their targets.
+    hinges: [HingeState; 2],
+    /// The effect of the arms on both.
     arms: [Option<Arms>; 2],
 }
 
@@ -56,23 +56,17 @@ impl<'a> Inflated<'a> {
     /// If the model refuses one of the hinges.
     pub fn new(star: &'a Mechanism, model: &'a dyn HingeModel, pressure: f64) -> Result<Self, StarFault> {
         let arms = [star.tip(), star.corner()].map(|hinge| hinge.arms(model));
-        let tip = star.tip().rest_between(arms[0], model)?;
-        let corner = star.corner().rest_between(arms[1], model)?;
+        let hinges = [star.tip().rest_between(arms[0], model)?, star.corner().rest_between(arms[1], model)?];
         if !(pressure >= 0.0 && pressure.is_finite()) {
             return Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "0 or more" });
         }
-        let inflated = Self { star, model, pressure, tip, corner, arms };
-        let (c_i, c_e) = inflated.hinge_stiffness();
+        let inflated = Self { star, model, pressure, hinges, arms };
+        let [c_i, c_e] = inflated.hinge_stiffness();
         if (c_i + c_e).is_finite() {
             Ok(inflated)
         } else {
             Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "such that p W^3 is finite" })
         }
-    }
-
-    /// The star.
-    pub fn star(&self) -> &Mechanism {
-        self.star
     }
 
     /// The model's level.
@@ -85,27 +79,21 @@ impl<'a> Inflated<'a> {
         self.model
     }
 
-    /// The tip's hinge at its target.
-    pub fn tip(&self) -> &HingeState {
-        &self.tip
-    }
-
-    /// The corner's hinge at its target.
-    pub fn corner(&self) -> &HingeState {
-        &self.corner
+    /// Tip and corner at their targets.
+    pub fn hinges(&self) -> &[HingeState; 2] {
+        &self.hinges
     }
 
     /// Stiffnesses C_i and C_e of tip and corner at their targets, N m per rad.
-    pub fn hinge_stiffness(&self) -> (f64, f64) {
-        let Self { star, pressure, .. } = self;
-        (star.tip().stiffness(*pressure, &self.tip), star.corner().stiffness(*pressure, &self.corner))
+    pub fn hinge_stiffness(&self) -> [f64; 2] {
+        let [tip, corner] = &self.hinges;
+        [self.star.tip().stiffness(self.pressure, tip), self.star.corner().stiffness(self.pressure, corner)]
     }
 
     /// Target angles phi_it and phi_et of tip and corner, rad.
-    pub fn target_angles(&self) -> (f64, f64) {
-        let [of_tip, of_corner] = self.arms;
-        let corner = self.star.corner().angle_between(of_corner, &self.corner);
-        (self.star.tip().angle_between(of_tip, &self.tip), corner)
+    pub fn target_angles(&self) -> [f64; 2] {
+        let ([tip, corner], [of_tip, of_corner]) = (&self.hinges, self.arms);
+        [self.star.tip().angle_between(of_tip, tip), self.star.corner().angle_between(of_corner, corner)]
     }
 
     /// Whether the model gives the effect of the arms on both hinges.
@@ -115,22 +103,26 @@ impl<'a> Inflated<'a> {
 
     /// The tips' angles at which tip and corner would rest in the star, rad: those of their targets, moved by what shells give beyond them.
     fn own_rests(&self) -> [f64; 2] {
-        let (phi_it, phi_et) = self.target_angles();
+        let [phi_it, phi_et] = self.target_angles();
         [phi_it, phi_et - self.star.turn()].map(|angle| angle + self.star.correction.angle_offset)
-    }
-
-    /// Equilibrium of linear hinges: `(C_i phi_it + C_e (phi_et - 2 pi / n)) / (C_i + C_e)`, rad; with a correction, moved by its
-    /// [`angle_offset`](crate::mechanics::star::Correction::angle_offset).
-    pub fn linear_equilibrium(&self) -> f64 {
-        let ([one, other], [tip, corner]) = (self.own_rests(), self.weights());
-        (tip * one + corner * other) / (tip + corner)
     }
 
     /// The stiffness of tip and corner in the equilibrium; the ratio does not depend on the pressure, which may be 0.
     fn weights(&self) -> [f64; 2] {
         let weight =
             |hinge: Hinge, state: &HingeState| self.star.correction.bent(-state.curvature / hinge.arc());
-        [weight(self.star.tip(), &self.tip), weight(self.star.corner(), &self.corner)]
+        [weight(self.star.tip(), &self.hinges[0]), weight(self.star.corner(), &self.hinges[1])]
+    }
+
+    /// The spring `n (C_i + C_e)` times `softness`, N m per rad.
+    fn spring(&self, softness: f64) -> f64 {
+        let [tip, corner] = self.hinge_stiffness();
+        softness * f64::from(self.star.points) * (tip + corner)
+    }
+
+    /// The spring with the correction's softness, where the radius grows by `slope` (m per rad) with the tips' angle.
+    fn softened(&self, slope: f64) -> f64 {
+        self.spring(self.star.correction.softness(self.star, slope))
     }
 
     /// Equilibrium of linear hinges in closed form, with the correction if there is one: the paper's rho_f and radial stiffness
@@ -139,13 +131,10 @@ impl<'a> Inflated<'a> {
     /// If the arms touch, the stiffness is the one at the touching arms.
     pub fn linear_rest(&self) -> Rest {
         let equilibrium = self.star.correction.balance(self.own_rests(), self.weights());
-        let (tip, corner) = self.hinge_stiffness();
         let angle = equilibrium.max(self.star.correction.contact_angle);
-        let sector = self.star.sector_sine();
-        let radius = self.star.radius_of_sector(angle, sector);
-        let softness = self.star.correction.softness(self.star, radius.slope, sector);
-        let spring = softness * f64::from(self.star.points) * (tip + corner);
-        let widest = self.star.widest_from(angle, &radius, sector);
+        let radius = self.star.radius(angle);
+        let spring = self.softened(radius.slope);
+        let widest = self.star.widest_from(angle, &radius);
         rest([equilibrium, angle], spring * (angle - equilibrium), spring, &radius, widest)
     }
 
@@ -161,7 +150,8 @@ impl<'a> Inflated<'a> {
             // The root is only found to a tolerance; the remaining torque is not a preload.
             torque = 0.0;
         }
-        Ok(rest([equilibrium, angle], torque, spring, &self.star.radius(angle), self.star.widest(angle)))
+        let radius = self.star.radius(angle);
+        Ok(rest([equilibrium, angle], torque, spring, &radius, self.star.widest_from(angle, &radius)))
     }
 
     /// Angle phi_i at which the torque vanishes, rad, not clamped.
@@ -172,7 +162,8 @@ impl<'a> Inflated<'a> {
         }
         // Between the two hinges' own rests both pull against each other, so the torque changes sign. The linear
         // equilibrium is inside; searching from it outwards avoids the far coiling of the weaker hinge.
-        let start = self.linear_equilibrium();
+        let [tip, corner] = self.weights();
+        let start = (tip * one + corner * other) / (tip + corner);
         let torque = |phi: f64| self.scaled_torque(phi).map(|(torque, _)| torque);
         let at_start = torque(start)?;
         let (low, high) = (one.min(other), one.max(other));
@@ -247,9 +238,7 @@ impl<'a> Inflated<'a> {
             return Ok(grasp.force(rho));
         }
         let phi = self.angle_at(rho, rest)?;
-        let (tip, corner) = self.hinge_stiffness();
-        let spring = f64::from(self.star.points) * (tip + corner);
-        Ok(spring * (phi - rest.equilibrium) / self.star.radius(phi).slope)
+        Ok(self.spring(1.0) * (phi - rest.equilibrium) / self.star.radius(phi).slope)
     }
 
     /// The force law of a star with a correction, which rests at `rest`, on objects that open it; `None` without a correction.
@@ -260,20 +249,14 @@ impl<'a> Inflated<'a> {
         if !self.star.correction.corner_compliance {
             return None;
         }
-        let (tip, corner) = self.hinge_stiffness();
-        let hinges = HingePair { stiffness: [tip, corner], target: self.own_rests() };
-        let stiffness =
-            if rest.equilibrium < rest.angle { self.free_stiffness(rest) } else { rest.stiffness };
+        let hinges = HingePair { stiffness: self.hinge_stiffness(), target: self.own_rests() };
+        let stiffness = if rest.equilibrium < rest.angle {
+            let slope = self.star.radius(rest.equilibrium).slope;
+            self.softened(slope) / (slope * slope)
+        } else {
+            rest.stiffness
+        };
         Some(Grasp::new(self.star, hinges, [rest.equilibrium, rest.widest.angle], stiffness))
-    }
-
-    /// Radial stiffness at the equilibrium's angle, N per m.
-    fn free_stiffness(&self, rest: &Rest) -> f64 {
-        let (tip, corner) = self.hinge_stiffness();
-        let sector = self.star.sector_sine();
-        let slope = self.star.radius_of_sector(rest.equilibrium, sector).slope;
-        let softness = self.star.correction.softness(self.star, slope, sector);
-        softness * f64::from(self.star.points) * (tip + corner) / (slope * slope)
     }
 
     /// Tip angle (rad) at which the inner radius is `rho` (m), between rest and the widest opening.

@@ -38,7 +38,7 @@ fn linear_stiffness_is_the_published_formula_with_half_angles() {
     let star = paper(4);
     let inflated = Inflated::new(&star, &Fit, 2e4).expect("covered");
     let rest = inflated.linear_rest();
-    let (tip, corner) = inflated.hinge_stiffness();
+    let [tip, corner] = inflated.hinge_stiffness();
     let (sin, cos) = (0.5 * rest.angle).sin_cos();
     let lever = (PI / 4.0).sin() / (star.arm * cos - star.inflated_width() * sin);
     assert!((rest.stiffness / (4.0 * 4.0 * (tip + corner) * lever * lever) - 1.0).abs() < 1e-12);
