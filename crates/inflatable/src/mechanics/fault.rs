@@ -47,18 +47,14 @@ pub enum HingeFault {
 
 impl fmt::Display for HingeFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut out_of_range = |symbol: &str, found: f64, range: [f64; 2]| {
+            let [least, most] = range.map(Readable);
+            write!(f, "{symbol} is {}, allowed is {least} to {most}", Readable(found))
+        };
         match *self {
-            Self::RStar { found, most } => {
-                write!(f, "R* = R/W is {}, allowed is 0 to {}", Readable(found), Readable(most))
-            }
-            Self::Coiling { found, least, most } => {
-                let (least, most) = (Readable(least), Readable(most));
-                write!(f, "the coiling factor is {}, allowed is {least} to {most}", Readable(found))
-            }
-            Self::Scale { symbol, found, least, most } => {
-                let (least, most) = (Readable(least), Readable(most));
-                write!(f, "{symbol} is {}, allowed is {least} to {most}", Readable(found))
-            }
+            Self::RStar { found, most } => out_of_range("R* = R/W", found, [0.0, most]),
+            Self::Coiling { found, least, most } => out_of_range("the coiling factor", found, [least, most]),
+            Self::Scale { symbol, found, least, most } => out_of_range(symbol, found, [least, most]),
             Self::Unsolved { r_star, lambda, residual } => {
                 let (r_star, lambda) = (Readable(r_star), Readable(lambda));
                 write!(

@@ -53,8 +53,4 @@ impl HingeModel for Fit {
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
         self.state(r_star, TARGET_COILING)
     }
-
-    fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
-        check_r_star(r_star, f64::MAX).map(|()| None)
-    }
 }

@@ -59,11 +59,13 @@ pub trait HingeModel: Sync {
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault>;
 
     /// The coiling factor `lambda_c` at which hoop tension sets in away from the rim, and V_bar'' jumps;
-    /// `None` if the model has none.
+    /// `None` if the model has none: in a sheet that stretches it is there from the start, at finite beta it sets in gradually.
     ///
     /// # Errors
-    /// As for [`HingeModel::state`].
-    fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault>;
+    /// If `r_star` is no finite number from 0 on, or the model has an onset and refuses the hinge.
+    fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
+        check_r_star(r_star, f64::MAX).map(|()| None)
+    }
 
     /// The effect of the arms on a hinge of the flat arc `arc` (rad); `None` if the model does not give it.
     fn arms(&self, _r_star: f64, _arc: f64) -> Option<Arms> {

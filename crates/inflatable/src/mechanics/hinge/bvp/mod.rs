@@ -123,11 +123,6 @@ impl HingeModel for Bvp {
         }
         Ok(state)
     }
-
-    fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
-        // At finite beta hoop tension sets in gradually.
-        check_r_star(r_star, MOST_R_STAR).map(|()| None)
-    }
 }
 
 /// The edges, the inner one at the end of the rim's layer: where the hoop tension has fallen below 1 % of the pressure.

@@ -55,8 +55,7 @@ impl PenalisedSection {
 
     /// Integrand of the penalised volume.
     pub(super) fn volume_density(&self, s: f64, y: &[f64; 4]) -> f64 {
-        let [_, phi, u, z] = *y;
-        2.0 * (self.r_star + s + u) * z * libm::cos(phi) - 2.0 * self.hoop(u) / self.beta
+        self.plain_density(s, y) - 2.0 * self.hoop(y[U]) / self.beta
     }
 
     /// Integrand of the volume itself.

@@ -1,16 +1,12 @@
 //! The last two look-ups of a thread: rows of a study often repeat them, and beyond the validated pressures a star is computed at two.
 
-/// The last two values that were made.
+/// The last two values that were made, the newer one first.
 #[derive(Debug)]
-pub(super) struct LastTwo<T> {
-    values: Vec<T>,
-    /// Place of the older one, or of the next.
-    older: usize,
-}
+pub(super) struct LastTwo<T>(Vec<T>);
 
 impl<T> LastTwo<T> {
     /// Nothing was made yet.
-    pub(super) const NONE: Self = Self { values: Vec::new(), older: 0 };
+    pub(super) const NONE: Self = Self(Vec::new());
 
     /// The value that `is` it, or else what `make` makes.
     pub(super) fn find_or_make<E>(
@@ -18,18 +14,13 @@ impl<T> LastTwo<T> {
         is: impl Fn(&T) -> bool,
         make: impl FnOnce() -> Result<T, E>,
     ) -> Result<&T, E> {
-        if let Some(at) = self.values.iter().position(is) {
-            return Ok(&self.values[at]);
+        if let Some(at) = self.0.iter().position(is) {
+            return Ok(&self.0[at]);
         }
         let own = make()?;
-        let at = self.older;
-        self.older = 1 - at;
-        if at < self.values.len() {
-            self.values[at] = own;
-        } else {
-            self.values.push(own);
-        }
-        Ok(&self.values[at])
+        self.0.truncate(1);
+        self.0.insert(0, own);
+        Ok(&self.0[0])
     }
 }
 

@@ -26,15 +26,14 @@ mod tabled;
 #[cfg(test)]
 mod tests;
 
-pub use self::arms::ArmsByArc;
 pub use self::moment::{Moment, OFFSETS};
 pub use self::profile::{Meridian, MeridianPoint};
-pub use self::table::{RadiusSeries, SectionEntry, SectionTable, hinge_at};
+pub use self::table::{SectionEntry, SectionTable, hinge_at};
 pub use self::tabled::Tabled;
 
 use self::density::{Hoop, Scales};
 use self::mesh::MeridianMesh;
-use self::solve::{Lost, ShapeSearch};
+use self::solve::ShapeSearch;
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::{
     Arms, Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star,
@@ -126,7 +125,7 @@ impl Section {
         let mut search = self.rest(r_star)?;
         let at = |lambda: &f64| {
             check_lambda(*lambda, LEAST_LAMBDA, MOST_LAMBDA)?;
-            search.hold(*lambda).map_err(|lost| unsolved(r_star, lost))?;
+            search.hold(*lambda)?;
             Ok(state(&search))
         };
         lambdas.iter().map(at).collect()
@@ -141,21 +140,15 @@ impl Section {
     /// If no shape is found.
     pub fn disc(&self) -> Result<[f64; 2], HingeFault> {
         let mut search = ShapeSearch::new(self.scales, MeridianMesh::disc(self.elements));
-        search.rest_at(1.0).map_err(|lost| unsolved(0.0, lost))?;
+        search.from_arcs(Some(1.0))?;
         let shape = &search.shape;
         Ok([shape[shape.len() - 4], shape[2]])
-    }
-
-    /// Effect of arms on hinges; `None` outside of their table.
-    fn arms_by_arc(&self, r_star: f64) -> Option<ArmsByArc> {
-        let Scales { bendability, stiffness, .. } = self.scales;
-        arms::arms(bendability, (stiffness * bendability).sqrt().recip(), r_star)
     }
 
     fn rest(&self, r_star: f64) -> Result<ShapeSearch, HingeFault> {
         check_r_star(r_star, MOST_R_STAR)?;
         let mut search = ShapeSearch::new(self.scales, MeridianMesh::new(r_star, self.elements));
-        search.rest().map_err(|lost| unsolved(r_star, lost))?;
+        search.rest()?;
         Ok(search)
     }
 }
@@ -168,7 +161,7 @@ impl HingeModel for Section {
     fn state(&self, r_star: f64, lambda: f64) -> Result<HingeState, HingeFault> {
         check_lambda(lambda, LEAST_LAMBDA, MOST_LAMBDA)?;
         let mut search = self.rest(r_star)?;
-        search.hold(lambda).map_err(|lost| unsolved(r_star, lost))?;
+        search.hold(lambda)?;
         Ok(state(&search))
     }
 
@@ -176,13 +169,9 @@ impl HingeModel for Section {
         self.rest(r_star).map(|search| state(&search))
     }
 
-    fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
-        // Hoop tension is there from the start.
-        check_r_star(r_star, MOST_R_STAR).map(|()| None)
-    }
-
     fn arms(&self, r_star: f64, arc: f64) -> Option<Arms> {
-        self.arms_by_arc(r_star).map(|arms| arms.at(arc))
+        let Scales { bendability, stiffness, .. } = self.scales;
+        Some(arms::arms(bendability, (stiffness * bendability).sqrt().recip(), r_star)?.at(arc))
     }
 }
 
@@ -203,8 +192,4 @@ fn state(search: &ShapeSearch) -> HingeState {
         }),
         effort: HingeEffort { residual: search.decrement, iterations: search.factorisations, error: ERROR },
     }
-}
-
-fn unsolved(r_star: f64, lost: Lost) -> HingeFault {
-    HingeFault::Unsolved { r_star, lambda: lost.lambda, residual: lost.decrement }
 }

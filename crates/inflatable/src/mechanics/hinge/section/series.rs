@@ -33,7 +33,7 @@ pub(super) struct Series {
 
 /// A series at one nu, tau and 1/eps: the coefficients of R*.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct AlongRadii([Quantities; COUNTS[2]]);
+pub(super) struct AlongRadii([f64; OF_PRESSURE]);
 
 /// The partial sums of the last hinge.
 #[derive(Debug)]
@@ -85,9 +85,7 @@ impl Series {
         if pressure_changed {
             last.of_pressure = sum::<{ COUNTS[0] }, OF_PRESSURE>(last.of_fabric.as_slice(), b);
         }
-        let mut series = [Quantities::default(); COUNTS[2]];
-        series.as_flattened_mut().copy_from_slice(&last.of_pressure);
-        AlongRadii(series)
+        AlongRadii(last.of_pressure)
     }
 
     fn sum_over_fabrics(&self, [nu, tau]: [f64; 2], out: &mut [f64; OF_FABRIC]) {
@@ -126,7 +124,7 @@ fn weighted<T: Copy + Add<Output = T> + Mul<Output = T>, const N: usize>(
 impl AlongRadii {
     /// The quantities at R* = `place`, 0 to 1.
     pub(super) fn at(&self, place: f64) -> Quantities {
-        sum::<{ COUNTS[2] }, 4>(self.0.as_flattened(), place)
+        sum::<{ COUNTS[2] }, 4>(&self.0, place)
     }
 }
 

@@ -13,6 +13,7 @@
 //! diagonal shifted; steps are halved until Pi falls enough (Armijo). A solution is accepted only where the exact,
 //! unshifted H is positive definite. The buffers are made once.
 
+use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::section::density::Scales;
 use crate::mechanics::hinge::section::mesh::MeridianMesh;
 use crate::mechanics::hinge::section::potential::{Potential, WIDTH, value};
@@ -68,15 +69,6 @@ pub(super) struct ShapeSearch {
     trial: Vec<f64>,
 }
 
-/// No shape was found.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Lost {
-    /// The coiling factor reached.
-    pub(super) lambda: f64,
-    /// Newton's decrement there, relative to Pi.
-    pub(super) decrement: f64,
-}
-
 impl ShapeSearch {
     /// Begins with a shallow arc.
     pub(super) fn new(scales: Scales, mesh: MeridianMesh) -> Self {
@@ -102,10 +94,10 @@ impl ShapeSearch {
     }
 
     /// Goes from the beginning to the hinge at rest, by way of a coarser mesh.
-    pub(super) fn rest(&mut self) -> Result<(), Lost> {
+    pub(super) fn rest(&mut self) -> Result<(), HingeFault> {
         let mut coarse = Self::new(self.scales, self.mesh.coarser(COARSER));
         coarse.enough = ENOUGH_TO_REFINE;
-        let found = coarse.rest_from_arcs();
+        let found = coarse.from_arcs(None);
         self.factorisations += coarse.factorisations;
         if found.is_ok() {
             self.lambda = coarse.lambda;
@@ -114,26 +106,15 @@ impl ShapeSearch {
                 return Ok(());
             }
         }
-        self.rest_from_arcs()
+        self.from_arcs(None)
     }
 
-    fn rest_from_arcs(&mut self) -> Result<(), Lost> {
+    /// Goes from the beginning to the hinge at rest, or to the shape at the coiling factor `held`.
+    pub(super) fn from_arcs(&mut self, held: Option<f64>) -> Result<(), HingeFault> {
         for angle in STARTS {
-            self.lambda = START_LAMBDA;
+            self.lambda = held.unwrap_or(START_LAMBDA);
             self.shape = arc(&self.mesh, self.lambda, angle);
-            if self.minimise(true).is_ok() {
-                return Ok(());
-            }
-        }
-        Err(self.lost())
-    }
-
-    /// Goes from the beginning to the shape at `lambda`.
-    pub(super) fn rest_at(&mut self, lambda: f64) -> Result<(), Lost> {
-        for angle in STARTS {
-            self.lambda = lambda;
-            self.shape = arc(&self.mesh, lambda, angle);
-            if self.minimise(false).is_ok() {
+            if self.minimise(held.is_none()).is_ok() {
                 return Ok(());
             }
         }
@@ -141,7 +122,7 @@ impl ShapeSearch {
     }
 
     /// Follows the branch of equilibria from the last one to `lambda`.
-    pub(super) fn hold(&mut self, lambda: f64) -> Result<(), Lost> {
+    pub(super) fn hold(&mut self, lambda: f64) -> Result<(), HingeFault> {
         let mut most = MOST_TURN;
         let mut known = (self.lambda, self.shape.clone());
         while self.lambda != lambda {
@@ -164,8 +145,9 @@ impl ShapeSearch {
         Ok(())
     }
 
-    fn lost(&self) -> Lost {
-        Lost { lambda: self.lambda, decrement: self.decrement }
+    /// No shape was found beyond the one that was reached.
+    fn lost(&self) -> HingeFault {
+        HingeFault::Unsolved { r_star: self.mesh.r_star, lambda: self.lambda, residual: self.decrement }
     }
 
     fn value(&self, lambda: f64, shape: &[f64]) -> Option<f64> {
@@ -173,7 +155,7 @@ impl ShapeSearch {
     }
 
     /// The least Pi from here, at a fixed lambda or a `free` one.
-    fn minimise(&mut self, free: bool) -> Result<(), Lost> {
+    fn minimise(&mut self, free: bool) -> Result<(), HingeFault> {
         let mut shift = 0.0;
         let mut value = self.value(self.lambda, &self.shape).ok_or_else(|| self.lost())?;
         for _ in 0..MOST_STEPS {
@@ -209,7 +191,7 @@ impl ShapeSearch {
     }
 
     /// Derivatives at the shape found, with S and its tangent; an error if it is not stable against other shapes.
-    fn settle(&mut self) -> Result<(), Lost> {
+    fn settle(&mut self) -> Result<(), HingeFault> {
         let exact = self.factor(&mut 0.0).ok_or_else(|| self.lost())?;
         let _ = self.direction(false);
         if self.mesh.r_star > MOST_TABLED_R_STAR {

@@ -33,10 +33,6 @@ pub struct SectionTable {
     moment: Series,
 }
 
-/// The rest at one fabric, width and pressure: it depends on R* alone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RadiusSeries(AlongRadii);
-
 /// A hinge at rest, as the table gives it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SectionEntry {
@@ -88,56 +84,40 @@ impl SectionTable {
         poisson: f64,
         r_star: f64,
     ) -> Result<SectionEntry, HingeFault> {
-        self.along_radii(bendability, thickness, poisson)?.at(r_star)
+        SectionEntry::of(&self.along_radii([bendability, thickness, poisson])?, r_star)
     }
 
-    /// The series in R* at 1/eps = `bendability`, t/W = `thickness` and nu = `poisson`.
-    ///
-    /// # Errors
-    /// As for [`Section::new`].
-    pub fn along_radii(
-        &self,
-        bendability: f64,
-        thickness: f64,
-        poisson: f64,
-    ) -> Result<RadiusSeries, HingeFault> {
+    /// The rest at 1/eps, t/W and nu = `scales`: it depends on R* alone.
+    pub(super) fn along_radii(&self, scales: [f64; 3]) -> Result<AlongRadii, HingeFault> {
         thread_local! {
             static LAST: RefCell<PartialSums> = RefCell::default();
         }
-        let place = place(bendability, thickness, poisson)?;
-        Ok(RadiusSeries(LAST.with_borrow_mut(|last| self.rest.along_radii(place, last))))
+        let place = place(scales)?;
+        Ok(LAST.with_borrow_mut(|last| self.rest.along_radii(place, last)))
     }
 
     /// The moment of the hinge that rests as `rest` around that: the same arguments and ranges as [`SectionTable::at`].
     ///
     /// # Errors
     /// As for [`SectionTable::at`].
-    pub fn moment(
-        &self,
-        [bendability, thickness, poisson]: [f64; 3],
-        r_star: f64,
-        rest: &SectionEntry,
-    ) -> Result<Moment, HingeFault> {
+    pub fn moment(&self, scales: [f64; 3], r_star: f64, rest: &SectionEntry) -> Result<Moment, HingeFault> {
         thread_local! {
             static LAST: RefCell<PartialSums> = RefCell::default();
         }
         check_r_star(r_star, MOST_TABLED_R_STAR)?;
-        let place = place(bendability, thickness, poisson)?;
+        let place = place(scales)?;
         let series = LAST.with_borrow_mut(|last| self.moment.along_radii(place, last));
         let secants = series.at(place_of_radius(r_star));
         Ok(Moment { lambda: rest.lambda, stiffness: rest.stiffness, secants })
     }
 }
 
-impl RadiusSeries {
-    /// The hinge at rest at R*.
-    ///
-    /// # Errors
-    /// As for [`HingeModel::target`](crate::mechanics::hinge::HingeModel::target).
-    pub fn at(&self, r_star: f64) -> Result<SectionEntry, HingeFault> {
+impl SectionEntry {
+    /// The hinge at rest at R*, by the `series` of its fabric, width and pressure.
+    pub(super) fn of(series: &AlongRadii, r_star: f64) -> Result<Self, HingeFault> {
         check_r_star(r_star, MOST_TABLED_R_STAR)?;
-        let [lambda, stiffness, opening, width] = self.0.at(place_of_radius(r_star));
-        Ok(SectionEntry {
+        let [lambda, stiffness, opening, width] = series.at(place_of_radius(r_star));
+        Ok(Self {
             lambda: 1.0 + libm::exp(lambda),
             stiffness: libm::exp(stiffness),
             opening: libm::exp(opening),
@@ -174,7 +154,7 @@ pub fn hinge_at([b, tau, r_star, poisson]: [f64; 4]) -> [f64; 4] {
 }
 
 /// Position of a hinge in nu, tau and b, each 0 to 1.
-fn place(bendability: f64, thickness: f64, poisson: f64) -> Result<[f64; 3], HingeFault> {
+fn place([bendability, thickness, poisson]: [f64; 3]) -> Result<[f64; 3], HingeFault> {
     let _ = Section::new(bendability, thickness, poisson)?;
     let tau = thickness / (12.0 * (1.0 - poisson * poisson)).sqrt();
     Ok([

@@ -5,10 +5,9 @@ use crate::mechanics::hinge::section::LEAST_LAMBDA;
 use crate::mechanics::hinge::section::arms::{ArmsByArc, ArmsByRadius};
 use crate::mechanics::hinge::section::last_two::{LastTwo, same};
 use crate::mechanics::hinge::section::moment::Moment;
-use crate::mechanics::hinge::section::table::{MOST_TABLED_R_STAR, RadiusSeries, SectionEntry, SectionTable};
-use crate::mechanics::hinge::{
-    Arms, Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star,
-};
+use crate::mechanics::hinge::section::series::AlongRadii;
+use crate::mechanics::hinge::section::table::{SectionEntry, SectionTable};
+use crate::mechanics::hinge::{Arms, Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda};
 use std::cell::RefCell;
 use std::sync::OnceLock;
 
@@ -37,7 +36,7 @@ struct TabledState {
 #[derive(Debug)]
 struct Common {
     scales: [f64; 3],
-    rest: RadiusSeries,
+    rest: AlongRadii,
     arms: Option<ArmsByRadius>,
 }
 
@@ -100,14 +99,14 @@ impl Common {
 
     fn new(scales: [f64; 3]) -> Result<Self, HingeFault> {
         let [bendability, thickness, poisson] = scales;
-        let rest = SectionTable::shipped()?.along_radii(bendability, thickness, poisson)?;
+        let rest = SectionTable::shipped()?.along_radii(scales)?;
         let tau = thickness / (12.0 * (1.0 - poisson * poisson)).sqrt();
         Ok(Self { scales, rest, arms: ArmsByRadius::new(bendability, tau) })
     }
 
     /// The hinge of R*.
     fn at(&self, r_star: f64) -> Result<TabledState, HingeFault> {
-        let entry = self.rest.at(r_star)?;
+        let entry = SectionEntry::of(&self.rest, r_star)?;
         let arms = self.arms.as_ref().and_then(|arms| arms.at(r_star));
         Ok(TabledState { r_star, entry, arms, moment: OnceLock::new() })
     }
@@ -169,10 +168,6 @@ impl HingeModel for Tabled {
 
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
         self.with(r_star, |hinge| Ok(hinge.rest()))
-    }
-
-    fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
-        check_r_star(r_star, MOST_TABLED_R_STAR).map(|()| None)
     }
 
     fn arms(&self, r_star: f64, arc: f64) -> Option<Arms> {
