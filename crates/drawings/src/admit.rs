@@ -44,8 +44,7 @@ const OTHERS: [(&[u8], &str, &str); 9] = [
 
 /// Refuses bytes that are of another format or too many, and options out of their range.
 pub(crate) fn admit(bytes: &[u8], format: Format, options: &Options) -> Result<(), Vec<Fault>> {
-    let fault =
-        |text: String, remedy: &str| vec![Fault { place: Place::default(), text, remedy: remedy.into() }];
+    let fault = |text: String, remedy: &str| Fault::only(Place::default(), text, remedy);
     if !(1e-6..=10.0).contains(&options.tolerance) {
         let text = format!("The tolerance is {} mm; 1e-6 mm to 10 mm are allowed.", options.tolerance);
         return Err(fault(text, "Change it."));

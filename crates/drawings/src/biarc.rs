@@ -48,7 +48,7 @@ pub(crate) fn fit(curve: &impl Curve, tolerance: f64, limit: usize, out: &mut Ve
         if accepted {
             match biarc.filter(|_| error <= allowed) {
                 Some(arcs) => arcs.append(straight, first, out),
-                None => push_line(piece.ends, out),
+                None => push_line(Line::new(piece.ends[0], piece.ends[1]), out),
             }
             if out.len() > limit {
                 return false;
@@ -121,11 +121,12 @@ impl Span {
         if !self.advances() {
             return f64::INFINITY;
         }
-        let [first, second] =
-            [0, 1].map(|i| Circle::new(biarc.points[i], biarc.points[i + 1], biarc.tangents[i], straight));
+        let [first, second] = biarc.segments(straight);
         let (joint, tangent) = (biarc.points[1], biarc.tangents[1]);
-        let distance = |p: &Point| {
-            if (*p - joint).dot(tangent) < 0.0 { first.distance(*p) } else { second.distance(*p) }
+        // From the whole circle or line: the samples are beside it.
+        let distance = |p: &Point| match if (*p - joint).dot(tangent) < 0.0 { first } else { second } {
+            Segment::Arc(arc) => (p.distance(arc.center) - arc.radius).abs(),
+            Segment::Line(line) => line.direction().cross(*p - line.start).abs(),
         };
         self.samples.iter().map(distance).fold(0.0, f64::max)
     }
@@ -164,19 +165,24 @@ struct Biarc {
 impl Biarc {
     /// Appends its arcs; arcs of one circle become one, also with the arc before it (from index `first` on).
     fn append(&self, straight: f64, first: usize, out: &mut Vec<Segment>) {
-        for i in 0..2 {
-            let (start, end) = (self.points[i], self.points[i + 1]);
-            let Some(arc) = arc_from(start, end, self.tangents[i], straight) else {
-                push_line([start, end], out);
-                continue;
-            };
-            match out[first..].last_mut() {
-                Some(Segment::Arc(before)) if same_circle(before, &arc) => {
+        for segment in self.segments(straight) {
+            match (segment, out[first..].last_mut()) {
+                (Segment::Arc(arc), Some(Segment::Arc(before))) if same_circle(before, &arc) => {
                     before.sweep += arc.sweep;
                 }
-                _ => out.push(arc.into()),
+                (Segment::Arc(_), _) => out.push(segment),
+                (Segment::Line(line), _) => push_line(line, out),
             }
         }
+    }
+
+    /// Its arcs; a line in place of one that leaves its chord by less than `straight`.
+    fn segments(&self, straight: f64) -> [Segment; 2] {
+        [0, 1].map(|i| {
+            let [start, end] = [self.points[i], self.points[i + 1]];
+            let arc = arc_from(start, end, self.tangents[i], straight);
+            arc.map_or_else(|| Line::new(start, end).into(), Segment::from)
+        })
     }
 }
 
@@ -202,30 +208,9 @@ fn arc_from(start: Point, end: Point, tangent: Vec2, straight: f64) -> Option<Ar
     Some(Arc::new(center, radius.abs(), (start - center).angle(), 2.0 * half))
 }
 
-fn push_line([a, b]: [Point; 2], out: &mut Vec<Segment>) {
-    if a.distance(b) > SHORT {
-        out.push(Line::new(a, b).into());
-    }
-}
-
-/// The circle or line of an arc.
-enum Circle {
-    Round { center: Point, radius: f64 },
-    Straight { start: Point, direction: Vec2 },
-}
-
-impl Circle {
-    fn new(start: Point, end: Point, tangent: Vec2, straight: f64) -> Self {
-        match arc_from(start, end, tangent, straight) {
-            Some(arc) => Self::Round { center: arc.center, radius: arc.radius },
-            None => Self::Straight { start, direction: (end - start).normalized() },
-        }
-    }
-
-    fn distance(&self, p: Point) -> f64 {
-        match self {
-            Self::Round { center, radius } => (p.distance(*center) - radius).abs(),
-            Self::Straight { start, direction } => direction.cross(p - *start).abs(),
-        }
+/// Appends a line unless it is too short.
+pub(crate) fn push_line(line: Line, out: &mut Vec<Segment>) {
+    if line.length() > SHORT {
+        out.push(line.into());
     }
 }

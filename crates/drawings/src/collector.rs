@@ -40,8 +40,8 @@ impl Chain {
 
 /// Collects the elements and faults of a reader.
 pub(crate) struct Collector<'o> {
-    options: &'o Options,
-    drawing: Drawing,
+    pub(crate) options: &'o Options,
+    pub(crate) drawing: Drawing,
     faults: Vec<Fault>,
     segments: usize,
     visits: usize,
@@ -53,23 +53,6 @@ impl<'o> Collector<'o> {
     pub(crate) fn new(options: &'o Options) -> Self {
         let drawing = Drawing { unit_mm: 1.0, ..Drawing::default() };
         Self { options, drawing, faults: Vec::new(), segments: 0, visits: 0, text: 0, dropped: 0 }
-    }
-
-    pub(crate) fn options(&self) -> &'o Options {
-        self.options
-    }
-
-    /// The elements up to now.
-    pub(crate) fn elements(&self) -> &[Element] {
-        &self.drawing.elements
-    }
-
-    pub(crate) fn set_root(&mut self, names: Vec<String>) {
-        self.drawing.root = names;
-    }
-
-    pub(crate) fn set_unit(&mut self, unit_mm: f64) {
-        self.drawing.unit_mm = unit_mm;
     }
 
     /// The drawing, or all faults.

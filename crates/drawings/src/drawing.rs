@@ -79,6 +79,13 @@ pub struct Fault {
     pub remedy: String,
 }
 
+impl Fault {
+    /// A fault that ends reading.
+    pub(crate) fn only(place: Place, text: impl Into<String>, remedy: &str) -> Vec<Self> {
+        vec![Self { place, text: text.into(), remedy: remedy.into() }]
+    }
+}
+
 /// A place in a file; empty for the file as a whole.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Place {

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use inflatable::geom::{Arc, Line, Point, Segment, Vec2};
 
 use crate::affine::Affine;
-use crate::biarc::{Curve, SHORT, fit};
+use crate::biarc::{Curve, SHORT, fit, push_line};
 
 /// Relative difference of the two radii, and cosine between them, up to which an ellipse is a circle. Transforms of a
 /// file have 5 to 17 digits; at 1e-9 and a radius of 1 m the error is 1 nm.
@@ -75,9 +75,7 @@ impl Piece {
     pub(crate) fn append(&self, tolerance: f64, limit: usize, out: &mut Vec<Segment>) -> bool {
         match self {
             Self::Line(a, b) => {
-                if a.distance(*b) > SHORT {
-                    out.push(Line::new(*a, *b).into());
-                }
+                push_line(Line::new(*a, *b), out);
                 out.len() <= limit
             }
             Self::Ellipse { center, u, v, start, sweep } => {

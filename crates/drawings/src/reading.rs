@@ -14,8 +14,7 @@ pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Drawing, Vec<
             let found = name.rsplit_once('.').map_or("no ending", |(_, ending)| ending);
             let found: String = found.chars().take(20).collect();
             let text = format!("The ending of the file name is \"{found}\"; \"svg\" and \"dxf\" are read.");
-            let remedy = "Export the drawing as SVG or as ASCII DXF.".into();
-            Err(vec![Fault { place: Place::default(), text, remedy }])
+            Err(Fault::only(Place::default(), text, "Export the drawing as SVG or as ASCII DXF."))
         }
     }
 }

@@ -29,80 +29,69 @@ pub(super) enum Shape {
     Chain(Chain),
 }
 
-/// The result of reading an entity.
-#[derive(Debug)]
-pub(super) enum Reading {
-    Geometry(Geometry),
-    /// Its plane is not parallel to the drawing's.
-    Tilted,
-    /// Its type is not read.
-    Unknown,
-}
-
 /// Reads an entity; `parts` are the vertices that follow a POLYLINE.
-pub(super) fn read(record: &Record<'_, '_>, parts: &[Record<'_, '_>]) -> Result<Reading, Flaw> {
-    let reader = match record.kind {
-        "LINE" => line,
-        "ARC" | "CIRCLE" => circle,
-        "ELLIPSE" => ellipse,
-        "SPLINE" => spline,
-        "POINT" => point,
-        "LWPOLYLINE" => polyline::light,
-        "POLYLINE" => return in_plane(record, |record| polyline::heavy(record, parts)),
-        _ => return Ok(Reading::Unknown),
-    };
+pub(super) fn read(record: &Record<'_, '_>, parts: &[Record<'_, '_>]) -> Result<Geometry, Flaw> {
     match record.kind {
-        "LINE" | "SPLINE" | "POINT" => reader(record), // world coordinates, whatever their extrusion
-        _ => in_plane(record, reader),
+        // In world coordinates, whatever their extrusion.
+        "LINE" => line(record),
+        "SPLINE" => spline(record),
+        "POINT" => point(record),
+        "ARC" | "CIRCLE" => in_plane(record, circle),
+        "ELLIPSE" => in_plane(record, ellipse),
+        "LWPOLYLINE" => in_plane(record, polyline::light),
+        "POLYLINE" => in_plane(record, |record| polyline::heavy(record, parts)),
+        _ => Err(record.unknown()),
     }
 }
 
 /// Reads an entity that has a plane of its own.
 fn in_plane<'a, 'g>(
     record: &Record<'a, 'g>,
-    reader: impl Fn(&Record<'a, 'g>) -> Result<Reading, Flaw>,
-) -> Result<Reading, Flaw> {
-    let Some(mirrored) = mirrored(record)? else { return Ok(Reading::Tilted) };
-    let mut reading = reader(record)?;
-    if let Reading::Geometry(geometry) = &mut reading {
-        // The centre and axis of an ellipse are in world coordinates; its direction is mirrored where it is read.
-        geometry.mirrored = mirrored && record.kind != "ELLIPSE" && !polyline::in_space(record)?;
-    }
-    Ok(reading)
+    reader: impl Fn(&Record<'a, 'g>) -> Result<Geometry, Flaw>,
+) -> Result<Geometry, Flaw> {
+    let mirrored = mirrored(record)?;
+    let geometry = reader(record)?;
+    // The centre and axis of an ellipse are in world coordinates; its direction is mirrored where it is read.
+    let mirrored = mirrored && record.kind != "ELLIPSE" && !polyline::in_space(record)?;
+    Ok(Geometry { mirrored, ..geometry })
 }
 
-/// Whether the extrusion is along -z, or `None` if it is along neither z nor -z.
-pub(super) fn mirrored(record: &Record<'_, '_>) -> Result<Option<bool>, Flaw> {
-    let [x, y] = [record.optional(210)?.unwrap_or(0.0), record.optional(220)?.unwrap_or(0.0)];
-    let z = record.optional(230)?.unwrap_or(1.0);
+/// Whether the extrusion is along -z; refuses one along neither z nor -z.
+pub(super) fn mirrored(record: &Record<'_, '_>) -> Result<bool, Flaw> {
+    let [x, y] = [record.number_or(210, 0.0)?, record.number_or(220, 0.0)?];
+    let z = record.number_or(230, 1.0)?;
     // AutoCAD takes an axis as the z axis below 1/64; here the plane must be that of the drawing to 1e-9.
     let upright = x.abs().max(y.abs()) <= 1e-9 * z.abs();
-    Ok((upright && z != 0.0).then_some(z < 0.0))
+    if upright && z != 0.0 {
+        Ok(z < 0.0)
+    } else {
+        Err(Flaw::Lost("It lies in another plane than the drawing and is left out.".into()))
+    }
 }
 
-/// A reading in the drawing's plane.
-pub(super) fn flat(shape: Shape, heights: &[f64]) -> Reading {
+/// Geometry in the drawing's plane.
+pub(super) fn flat(shape: Shape, heights: &[f64]) -> Geometry {
     let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
     let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let heights = if low <= high { [low, high] } else { [0.0, 0.0] };
-    Reading::Geometry(Geometry { shape, heights, mirrored: false, remark: None })
+    Geometry { shape, heights, mirrored: false, remark: None }
 }
 
 fn place(record: &Record<'_, '_>, code: i32) -> Result<Point, Flaw> {
     Ok(Point::new(record.number(code)?, record.number(code + 10)?))
 }
 
-fn line(record: &Record<'_, '_>) -> Result<Reading, Flaw> {
+fn line(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
     let (a, b) = (place(record, 10)?, place(record, 11)?);
-    let heights = [record.optional(30)?.unwrap_or(0.0), record.optional(31)?.unwrap_or(0.0)];
+    let heights = [record.number_or(30, 0.0)?, record.number_or(31, 0.0)?];
     Ok(flat(Shape::Chain(Chain::of(Piece::Line(a, b), a)), &heights))
 }
 
-fn point(record: &Record<'_, '_>) -> Result<Reading, Flaw> {
+fn point(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
     Ok(flat(Shape::Point(place(record, 10)?), &record.numbers(30)?))
 }
 
-fn circle(record: &Record<'_, '_>) -> Result<Reading, Flaw> {
+fn circle(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
     let center = place(record, 10)?;
     let radius = record.number(40)?;
     if radius < 0.0 {
@@ -122,7 +111,7 @@ fn circle(record: &Record<'_, '_>) -> Result<Reading, Flaw> {
     Ok(flat(Shape::Chain(chain), &record.numbers(30)?))
 }
 
-fn ellipse(record: &Record<'_, '_>) -> Result<Reading, Flaw> {
+fn ellipse(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
     let center = place(record, 10)?;
     let major = Vec2::new(record.number(11)?, record.number(21)?);
     let ratio = record.number(40)?;
@@ -131,20 +120,20 @@ fn ellipse(record: &Record<'_, '_>) -> Result<Reading, Flaw> {
             record.flaw(format!("The ratio of axes of an ELLIPSE is {ratio}; it must be greater than 0."))
         );
     }
-    let sign = if mirrored(record)? == Some(true) { -1.0 } else { 1.0 };
-    let start = record.optional(41)?.unwrap_or(0.0) % TAU;
-    let turn = (record.optional(42)?.unwrap_or(TAU) - start).rem_euclid(TAU);
+    let sign = if mirrored(record)? { -1.0 } else { 1.0 };
+    let start = record.number_or(41, 0.0)? % TAU;
+    let turn = (record.number_or(42, TAU)? - start).rem_euclid(TAU);
     // Ends are written with some digits of 2 pi; a gap below a millionth of a turn does not count.
     let closed = !(1e-6..=TAU - 1e-6).contains(&turn);
     let sweep = if closed { TAU } else { turn };
     let piece = Piece::Ellipse { center, u: major, v: major.perp() * (ratio * sign), start, sweep };
     let mut heights = record.numbers(30)?;
-    let rise = record.optional(31)?.unwrap_or(0.0);
+    let rise = record.number_or(31, 0.0)?;
     heights.extend(heights.first().copied().map(|z| z + rise));
     Ok(flat(Shape::Chain(Chain { closed, ..Chain::of(piece, center) }), &heights))
 }
 
-fn spline(record: &Record<'_, '_>) -> Result<Reading, Flaw> {
+fn spline(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
     let control = points(record, [10, 20])?;
     let flags = record.flags(70)?;
     let mut heights = record.numbers(30)?;
@@ -169,7 +158,7 @@ fn spline(record: &Record<'_, '_>) -> Result<Reading, Flaw> {
 }
 
 /// A spline that has fit points alone.
-fn fitted(record: &Record<'_, '_>, closed: bool, heights: &[f64]) -> Result<Reading, Flaw> {
+fn fitted(record: &Record<'_, '_>, closed: bool, heights: &[f64]) -> Result<Geometry, Flaw> {
     let fit = points(record, [11, 21])?;
     if fit.len() < 2 {
         return Err(record.flaw("A SPLINE has neither control points nor two fit points.".into()));
@@ -179,12 +168,8 @@ fn fitted(record: &Record<'_, '_>, closed: bool, heights: &[f64]) -> Result<Read
         Ok(found.map(|(x, y)| Vec2::new(x, y)).filter(|v| v.length() > 0.0))
     };
     let pieces = through(&fit, [tangent(12)?, tangent(13)?], closed);
-    let mut reading = flat(Shape::Chain(Chain { pieces, closed, start: fit[0] }), heights);
-    if let Reading::Geometry(geometry) = &mut reading {
-        geometry.remark =
-            Some("It has fit points only; they are joined by a cubic spline, as CAD programs do.");
-    }
-    Ok(reading)
+    let remark = Some("It has fit points only; they are joined by a cubic spline, as CAD programs do.");
+    Ok(Geometry { remark, ..flat(Shape::Chain(Chain { pieces, closed, start: fit[0] }), heights) })
 }
 
 /// The points of two codes.

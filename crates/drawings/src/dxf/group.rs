@@ -1,5 +1,6 @@
 //! Group codes: pairs of lines, and the records they make.
 
+use crate::collector::Stop;
 use crate::{Fault, Place};
 
 /// A code and its value.
@@ -15,9 +16,7 @@ pub(super) fn groups(text: &str, most: usize) -> Result<Vec<Group<'_>>, Vec<Faul
     let mut groups = Vec::new();
     while let Some(first) = lines.next() {
         let line = 2 * groups.len() + 1;
-        let fault = |text: String, remedy: &str| {
-            vec![Fault { place: Place::line(line), text, remedy: remedy.into() }]
-        };
+        let fault = |text: String, remedy: &str| Fault::only(Place::line(line), text, remedy);
         let Ok(code) = first.trim().parse::<i32>() else {
             if first.trim().is_empty() && lines.all(|rest| rest.trim().is_empty()) {
                 break;
@@ -43,10 +42,11 @@ pub(super) fn groups(text: &str, most: usize) -> Result<Vec<Group<'_>>, Vec<Faul
             return Ok(groups);
         }
     }
-    let line = 2 * groups.len();
-    let text = "The file has no end mark (0, EOF); it may be cut off.".into();
-    let remedy = "Export it again, or add the lines 0 and EOF if it is complete.".into();
-    Err(vec![Fault { place: Place::line(line), text, remedy }])
+    Err(Fault::only(
+        Place::line(2 * groups.len()),
+        "The file has no end mark (0, EOF); it may be cut off.",
+        "Export it again, or add the lines 0 and EOF if it is complete.",
+    ))
 }
 
 /// An entity or a table entry: a type (code 0) and the groups up to the next.
@@ -60,11 +60,21 @@ pub(super) struct Record<'a, 'g> {
     pub(super) line: usize,
 }
 
-/// A reason for which a record is not read, and its line.
+/// A reason for which a record is not read.
 #[derive(Debug)]
-pub(super) struct Flaw {
-    pub(super) text: String,
-    pub(super) line: usize,
+pub(super) enum Flaw {
+    /// It is faulty: the finding and its line.
+    At { text: String, line: usize },
+    /// It shows something else than figures in the drawing's plane: the text of the note.
+    Lost(String),
+    /// A limit is exceeded; the fault is recorded.
+    Limit,
+}
+
+impl From<Stop> for Flaw {
+    fn from(_: Stop) -> Self {
+        Self::Limit
+    }
 }
 
 impl<'a> Record<'a, '_> {
@@ -84,7 +94,7 @@ impl<'a> Record<'a, '_> {
         group.value.parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(|| {
             let found: String = group.value.chars().take(20).collect();
             let text = format!("Code {} of {} is \"{found}\", not a finite number.", group.code, self.kind);
-            Flaw { text, line: self.line + 2 * (i + 1) + 1 }
+            Flaw::At { text, line: self.line + 2 * (i + 1) + 1 }
         })
     }
 
@@ -94,6 +104,11 @@ impl<'a> Record<'a, '_> {
         found.map(|(i, group)| self.parse(i, group)).transpose()
     }
 
+    /// The first number of a code, or `default`.
+    pub(super) fn number_or(&self, code: i32, default: f64) -> Result<f64, Flaw> {
+        Ok(self.optional(code)?.unwrap_or(default))
+    }
+
     /// The number of a code that must be there.
     pub(super) fn number(&self, code: i32) -> Result<f64, Flaw> {
         self.optional(code)?.ok_or_else(|| self.flaw(format!("{} has no value of code {code}.", self.kind)))
@@ -101,14 +116,19 @@ impl<'a> Record<'a, '_> {
 
     /// A flag word; 0 if it is missing.
     pub(super) fn flags(&self, code: i32) -> Result<i64, Flaw> {
-        let number = self.optional(code)?.unwrap_or(0.0);
+        let number = self.number_or(code, 0.0)?;
         #[expect(clippy::cast_possible_truncation, reason = "flags are small, and a cast saturates")]
         Ok(number as i64)
     }
 
     /// A flaw of the whole record.
     pub(super) fn flaw(&self, text: String) -> Flaw {
-        Flaw { text, line: self.line }
+        Flaw::At { text, line: self.line }
+    }
+
+    /// Its type is not read.
+    pub(super) fn unknown(&self) -> Flaw {
+        Flaw::Lost(format!("Entities of type {} are not read; it is left out.", self.kind))
     }
 }
 

@@ -42,7 +42,7 @@ pub fn read_dxf(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> 
         );
     }
     if let Some(unit_mm) = unit(&sections, &mut collector) {
-        collector.set_unit(unit_mm);
+        collector.drawing.unit_mm = unit_mm;
         // A limit that is exceeded is among the faults.
         let _ = walk::Walk::new(&sections, &mut collector).run(&Affine::scale(unit_mm, unit_mm));
     }
@@ -96,7 +96,7 @@ fn unit(sections: &tables::Sections<'_, '_>, collector: &mut Collector<'_>) -> O
         14 => Some(Unit::Decimetre),
         _ => None,
     };
-    match (collector.options().unit, own) {
+    match (collector.options.unit, own) {
         (Some(given), Some(own)) if given != own => {
             let text = format!("The unit \"{}\" replaces the file's unit \"{}\".", given.name(), own.name());
             collector.note(Weight::Information, Place::default(), text);

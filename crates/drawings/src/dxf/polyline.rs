@@ -2,7 +2,7 @@
 
 use inflatable::geom::Point;
 
-use super::figures::{Reading, Shape, flat};
+use super::figures::{Geometry, Shape, flat};
 use super::group::{Flaw, Record};
 use crate::collector::{Chain, bulged};
 use crate::piece::Piece;
@@ -15,7 +15,7 @@ struct Vertex {
 }
 
 /// LWPOLYLINE: all vertices in one entity.
-pub(super) fn light(record: &Record<'_, '_>) -> Result<Reading, Flaw> {
+pub(super) fn light(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
     let mut vertices: Vec<Vertex> = Vec::new();
     let mut missing = false;
     for (i, group) in record.groups.iter().enumerate() {
@@ -37,11 +37,11 @@ pub(super) fn light(record: &Record<'_, '_>) -> Result<Reading, Flaw> {
 }
 
 /// POLYLINE: the vertices are entities of their own.
-pub(super) fn heavy(record: &Record<'_, '_>, parts: &[Record<'_, '_>]) -> Result<Reading, Flaw> {
+pub(super) fn heavy(record: &Record<'_, '_>, parts: &[Record<'_, '_>]) -> Result<Geometry, Flaw> {
     const FRAME: i64 = 16;
     let flags = record.flags(70)?;
     if flags & (16 | 64) != 0 {
-        return Ok(Reading::Unknown); // meshes
+        return Err(record.unknown()); // meshes
     }
     let mut vertices = Vec::with_capacity(parts.len());
     let mut heights = Vec::with_capacity(parts.len());
@@ -49,8 +49,8 @@ pub(super) fn heavy(record: &Record<'_, '_>, parts: &[Record<'_, '_>]) -> Result
         // Control points of a smoothed polyline do not lie on it; its smoothed points are listed beside them.
         if part.flags(70)? & FRAME == 0 {
             let point = Point::new(part.number(10)?, part.number(20)?);
-            vertices.push(Vertex { point, bulge: part.optional(42)?.unwrap_or(0.0) });
-            heights.push(part.optional(30)?.unwrap_or(0.0));
+            vertices.push(Vertex { point, bulge: part.number_or(42, 0.0)? });
+            heights.push(part.number_or(30, 0.0)?);
         }
     }
     chain(record, &vertices, flags & 1 != 0, &heights)
@@ -66,7 +66,7 @@ fn chain(
     vertices: &[Vertex],
     closed: bool,
     heights: &[f64],
-) -> Result<Reading, Flaw> {
+) -> Result<Geometry, Flaw> {
     let Some(first) = vertices.first() else {
         return Err(record.flaw(format!("{} has no vertices.", record.kind)));
     };

@@ -2,7 +2,7 @@
 
 use inflatable::geom::Point;
 
-use super::figures::{Geometry, Reading, Shape, mirrored, read};
+use super::figures::{Geometry, Shape, mirrored, read};
 use super::group::{Flaw, Record};
 use super::tables::{Block, Layer, Sections};
 use crate::affine::Affine;
@@ -59,15 +59,18 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
                 continue;
             }
             let read = match record.kind {
-                "INSERT" => self.insert(record, &place, context)?,
-                _ => self.entity(record, vertices, &place, context)?,
+                "INSERT" => self.insert(record, &place, context),
+                _ => self.entity(record, vertices, &place, context),
             };
-            if let Err(Flaw { text, line }) = read {
-                self.out.fault(
+            match read {
+                Ok(()) => {}
+                Err(Flaw::At { text, line }) => self.out.fault(
                     Place { line: Some(line), ..place },
                     text,
                     "Export the drawing again, or remove the entity.",
-                );
+                ),
+                Err(Flaw::Lost(text)) => self.out.note(Weight::Lost, place, text),
+                Err(Flaw::Limit) => return Err(Stop),
             }
         }
         Ok(())
@@ -142,35 +145,20 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         parts: &[Record<'a, 'g>],
         place: &Place,
         context: &Context,
-    ) -> Result<Result<(), Flaw>, Stop> {
-        match read(record, parts) {
-            Ok(Reading::Geometry(geometry)) => {
-                self.heights(&geometry, place);
-                if let Some(remark) = geometry.remark {
-                    self.out.note(Weight::Information, place.clone(), remark);
-                }
-                let mirror = if geometry.mirrored { Affine::scale(-1.0, 1.0) } else { Affine::IDENTITY };
-                let map = context.map.after(&mirror);
-                let place = Place { at: None, ..place.clone() };
-                match geometry.shape {
-                    Shape::Point(point) => self.out.point(place, &map, point),
-                    Shape::Chain(chain) => self.out.chain(place, &map, &chain)?,
-                }
-            }
-            Ok(Reading::Tilted) => {
-                self.lost(place, "It lies in another plane than the drawing and is left out.");
-            }
-            Ok(Reading::Unknown) => {
-                let text = format!("Entities of type {} are not read; it is left out.", record.kind);
-                self.lost(place, text);
-            }
-            Err(flaw) => return Ok(Err(flaw)),
+    ) -> Result<(), Flaw> {
+        let geometry = read(record, parts)?;
+        self.heights(&geometry, place);
+        if let Some(remark) = geometry.remark {
+            self.out.note(Weight::Information, place.clone(), remark);
         }
-        Ok(Ok(()))
-    }
-
-    fn lost(&mut self, place: &Place, text: impl Into<String>) {
-        self.out.note(Weight::Lost, place.clone(), text);
+        let mirror = if geometry.mirrored { Affine::scale(-1.0, 1.0) } else { Affine::IDENTITY };
+        let map = context.map.after(&mirror);
+        let place = Place { at: None, ..place.clone() };
+        match geometry.shape {
+            Shape::Point(point) => self.out.point(place, &map, point),
+            Shape::Chain(chain) => self.out.chain(place, &map, &chain)?,
+        }
+        Ok(())
     }
 
     /// Notes an entity that does not lie at z = 0.
@@ -186,53 +174,40 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
     }
 
     /// Reads the block of an INSERT, once for each row and column.
-    fn insert(
-        &mut self,
-        record: &Record<'a, 'g>,
-        place: &Place,
-        context: &Context,
-    ) -> Result<Result<(), Flaw>, Stop> {
+    fn insert(&mut self, record: &Record<'a, 'g>, place: &Place, context: &Context) -> Result<(), Flaw> {
         let sections = self.sections;
         let name = record.text(2).unwrap_or_default();
         let key = name.to_lowercase();
-        let limit = self.out.options().limits.depth;
+        let limit = self.out.options.limits.depth;
         let block = match sections.blocks.get(&key) {
             Some(_) if context.blocks.contains(&key) => {
-                return Ok(Err(record.flaw(format!("The block \"{name}\" contains itself."))));
+                return Err(record.flaw(format!("The block \"{name}\" contains itself.")));
             }
             Some(_) if context.blocks.len() >= limit => {
-                return Ok(Err(record.flaw(format!("Blocks are more than {limit} levels deep."))));
+                return Err(record.flaw(format!("Blocks are more than {limit} levels deep.")));
             }
             Some(block) => block,
-            None => return Ok(Err(record.flaw(format!("The block \"{name}\" is not defined.")))),
+            None => return Err(record.flaw(format!("The block \"{name}\" is not defined."))),
         };
         if block.head.flags(70).is_ok_and(|flags| flags & 4 != 0) {
-            self.lost(place, format!("The block \"{name}\" is in another file; it is left out."));
-            return Ok(Ok(()));
+            return Err(Flaw::Lost(format!("The block \"{name}\" is in another file; it is left out.")));
         }
-        let placement = match Placement::read(record, block) {
-            Ok(Some(placement)) => placement,
-            Ok(None) => {
-                self.lost(place, "It lies in another plane than the drawing and is left out.");
-                return Ok(Ok(()));
-            }
-            Err(flaw) => return Ok(Err(flaw)),
-        };
+        let (counts, map) = placement(record, block)?;
         let id = place.element.clone().unwrap_or_default();
         let mut inner =
             Context { layers: place.layers.clone(), blocks: context.blocks.clone(), ..context.clone() };
         inner.blocks.push(key);
-        for row in 0..placement.counts[1] {
-            for column in 0..placement.counts[0] {
+        for row in 0..counts[1] {
+            for column in 0..counts[0] {
                 self.out.visit()?;
-                let copies = placement.counts != [1, 1];
-                let index = if copies { format!("[{},{}]", column + 1, row + 1) } else { String::new() };
+                let index =
+                    if counts != [1, 1] { format!("[{},{}]", column + 1, row + 1) } else { String::new() };
                 inner.path = format!("{id}{index} > ");
-                inner.map = context.map.after(&placement.map(column, row));
+                inner.map = context.map.after(&map(column, row));
                 self.entities(&block.entities, &inner)?;
             }
         }
-        Ok(Ok(()))
+        Ok(())
     }
 }
 
@@ -248,42 +223,26 @@ fn colour(record: &Record<'_, '_>) -> Option<String> {
     }
 }
 
-/// The placement of a block by an INSERT.
-struct Placement {
-    mirror: Affine,
-    turn: Affine,
-    scale: Affine,
-    base: Affine,
-    at: Point,
-    counts: [u32; 2],
-    steps: [f64; 2],
-}
-
-impl Placement {
-    /// `None` if its plane is not that of the drawing.
-    fn read(record: &Record<'_, '_>, block: &Block<'_, '_>) -> Result<Option<Self>, Flaw> {
-        let Some(mirrored) = mirrored(record)? else { return Ok(None) };
-        let or = |code, default| Ok(record.optional(code)?.unwrap_or(default));
-        let count = |code| -> Result<u32, Flaw> {
-            let found = record.flags(code)?.max(1);
-            u32::try_from(found).map_err(|_| record.flaw(format!("Code {code} of INSERT is {found}.")))
-        };
-        let base = [block.head.optional(10)?.unwrap_or(0.0), block.head.optional(20)?.unwrap_or(0.0)];
-        Ok(Some(Self {
-            mirror: if mirrored { Affine::scale(-1.0, 1.0) } else { Affine::IDENTITY },
-            turn: Affine::rotate(or(50, 0.0)?),
-            scale: Affine::scale(or(41, 1.0)?, or(42, 1.0)?),
-            base: Affine::translate(-base[0], -base[1]),
-            at: Point::new(record.number(10)?, record.number(20)?),
-            counts: [count(70)?, count(71)?],
-            steps: [or(44, 0.0)?, or(45, 0.0)?],
-        }))
-    }
-
-    /// The map of the block's entities for a column and a row, from 0.
-    fn map(&self, column: u32, row: u32) -> Affine {
-        let step = Affine::translate(f64::from(column) * self.steps[0], f64::from(row) * self.steps[1]);
-        let move_to = Affine::translate(self.at.x, self.at.y);
-        self.mirror.after(&move_to).after(&self.turn).after(&step).after(&self.scale).after(&self.base)
-    }
+/// The columns and rows of an INSERT, and the map of the block's entities for each of them, from 0.
+fn placement(
+    record: &Record<'_, '_>,
+    block: &Block<'_, '_>,
+) -> Result<([u32; 2], impl Fn(u32, u32) -> Affine + use<>), Flaw> {
+    let mirror = if mirrored(record)? { Affine::scale(-1.0, 1.0) } else { Affine::IDENTITY };
+    let count = |code| -> Result<u32, Flaw> {
+        let found = record.flags(code)?.max(1);
+        u32::try_from(found).map_err(|_| record.flaw(format!("Code {code} of INSERT is {found}.")))
+    };
+    let base = [block.head.number_or(10, 0.0)?, block.head.number_or(20, 0.0)?];
+    let base = Affine::translate(-base[0], -base[1]);
+    let turn = Affine::rotate(record.number_or(50, 0.0)?);
+    let scale = Affine::scale(record.number_or(41, 1.0)?, record.number_or(42, 1.0)?);
+    let at = Affine::translate(record.number(10)?, record.number(20)?);
+    let counts = [count(70)?, count(71)?];
+    let steps = [record.number_or(44, 0.0)?, record.number_or(45, 0.0)?];
+    let map = move |column: u32, row: u32| {
+        let step = Affine::translate(f64::from(column) * steps[0], f64::from(row) * steps[1]);
+        mirror.after(&at).after(&turn).after(&step).after(&scale).after(&base)
+    };
+    Ok((counts, map))
 }

@@ -16,7 +16,7 @@ const EXPANDED: usize = 4 << 20;
 pub(super) fn admit(text: &str) -> Result<(), Vec<Fault>> {
     let fault = |at: usize, found: String| {
         let line = text[..at].matches('\n').count() + 1;
-        vec![Fault { place: Place::line(line), text: found, remedy: "Save the drawing as plain SVG.".into() }]
+        Fault::only(Place::line(line), found, "Save the drawing as plain SVG.")
     };
     if let Some(at) = crowded(text.as_bytes()) {
         let found = format!("An element has more than {ATTRIBUTES} attributes.");

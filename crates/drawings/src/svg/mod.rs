@@ -79,8 +79,7 @@ fn line_starts(text: &str) -> Vec<(usize, usize)> {
 fn utf8(bytes: &[u8]) -> Result<&str, Vec<Fault>> {
     std::str::from_utf8(bytes).map_err(|error| {
         let line = bytes[..error.valid_up_to()].split(|&byte| byte == b'\n').count();
-        let text = "The text is not UTF-8.".into();
-        vec![Fault { place: Place::line(line), text, remedy: "Save the file as UTF-8.".into() }]
+        Fault::only(Place::line(line), "The text is not UTF-8.", "Save the file as UTF-8.")
     })
 }
 
@@ -104,7 +103,7 @@ fn parsed<'t>(text: &'t str, options: &Options) -> Result<Document<'t>, Vec<Faul
             roxmltree::Error::NodesLimitReached => format!("The file has more than {nodes_limit} nodes."),
             error => format!("The file is not well-formed XML: {error}."),
         };
-        vec![Fault { place: Place::line(line), text, remedy: "Save the drawing as plain SVG again.".into() }]
+        Fault::only(Place::line(line), text, "Save the drawing as plain SVG again.")
     })
 }
 

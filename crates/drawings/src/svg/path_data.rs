@@ -54,9 +54,8 @@ impl Pen {
 
     /// A quadratic Bezier as the cubic that it is.
     fn bend(&mut self, control: Point, end: Point) {
-        let (first, second) = (self.at.lerp(control, 2.0 / 3.0), end.lerp(control, 2.0 / 3.0));
-        self.push(Piece::Cubic([self.at, first, second, end]), end);
-        self.quadratic = Some(control);
+        self.curve(self.at.lerp(control, 2.0 / 3.0), end.lerp(control, 2.0 / 3.0), end);
+        (self.cubic, self.quadratic) = (None, Some(control));
     }
 
     fn draw(&mut self, segment: PathSegment) {

@@ -46,6 +46,12 @@ impl Shape<'_, '_> {
         Ok(length)
     }
 
+    /// The radii along X and Y; the other one in place of one that is missing.
+    fn radii(&self) -> Result<[Option<f64>; 2], String> {
+        let [rx, ry] = [self.size("rx", 0)?, self.size("ry", 1)?];
+        Ok([rx.or(ry), ry.or(rx)])
+    }
+
     fn point(&self, x: &str, y: &str) -> Result<Point, String> {
         Ok(Point::new(self.length(x, 0)?.unwrap_or(0.0), self.length(y, 1)?.unwrap_or(0.0)))
     }
@@ -71,12 +77,8 @@ impl Shape<'_, '_> {
 
     fn ellipse(&self) -> Result<Vec<Chain>, String> {
         let center = self.point("cx", "cy")?;
-        let [rx, ry] = if self.node.tag_name().name() == "circle" {
-            [self.size("r", 2)?; 2]
-        } else {
-            let [rx, ry] = [self.size("rx", 0)?, self.size("ry", 1)?];
-            [rx.or(ry), ry.or(rx)]
-        };
+        let is_circle = self.node.tag_name().name() == "circle";
+        let [rx, ry] = if is_circle { [self.size("r", 2)?; 2] } else { self.radii()? };
         let (Some(rx), Some(ry)) = (rx, ry) else { return Ok(Vec::new()) };
         // A circle without a radius is read as a point.
         if (rx == 0.0) != (ry == 0.0) {
@@ -94,11 +96,10 @@ impl Shape<'_, '_> {
         if w == 0.0 || h == 0.0 {
             return Ok(Vec::new());
         }
-        let [rx, ry] = [self.size("rx", 0)?, self.size("ry", 1)?];
-        let rx = rx.or(ry).unwrap_or(0.0).min(w / 2.0);
-        let ry = ry.or(self.size("rx", 0)?).unwrap_or(0.0).min(h / 2.0);
+        let [rx, ry] = self.radii()?;
+        let (rx, ry) = (rx.unwrap_or(0.0).min(w / 2.0), ry.unwrap_or(0.0).min(h / 2.0));
         let (rx, ry) = if rx == 0.0 || ry == 0.0 { (0.0, 0.0) } else { (rx, ry) };
-        let corner = |x: f64, y: f64| at + Vec2::new(x, y);
+        let corner = |(x, y): (f64, f64)| at + Vec2::new(x, y);
         let (u, v) = (Vec2::new(rx, 0.0), Vec2::new(0.0, ry));
         let mut pieces = Vec::with_capacity(8);
         // Each side, then the corner behind it: its centre and its first angle.
@@ -109,17 +110,11 @@ impl Shape<'_, '_> {
             ([(0.0, h - ry), (0.0, ry)], (rx, ry), PI),
         ];
         for ([a, b], center, start) in sides {
-            pieces.push(Piece::Line(corner(a.0, a.1), corner(b.0, b.1)));
+            pieces.push(Piece::Line(corner(a), corner(b)));
             if rx > 0.0 {
-                pieces.push(Piece::Ellipse {
-                    center: corner(center.0, center.1),
-                    u,
-                    v,
-                    start,
-                    sweep: FRAC_PI_2,
-                });
+                pieces.push(Piece::Ellipse { center: corner(center), u, v, start, sweep: FRAC_PI_2 });
             }
         }
-        Ok(vec![Chain { pieces, closed: true, start: corner(rx, 0.0) }])
+        Ok(vec![Chain { pieces, closed: true, start: corner((rx, 0.0)) }])
     }
 }

@@ -130,7 +130,7 @@ fn measured(
         }
     }
     let own = sizes(lengths, from);
-    if let Some(given) = out.options().unit {
+    if let Some(given) = out.options.unit {
         return Ok(by_unit(given, from, lengths, own, out));
     }
     doubt(root, head, lengths, from)?;
@@ -160,7 +160,7 @@ fn measured(
         let text = format!("One unit of the viewBox is {unit_mm} mm; 1e-9 mm to 1e6 mm are allowed.");
         return Err((text, "Correct width, height and viewBox.".into()));
     }
-    out.set_unit(unit_mm);
+    out.drawing.unit_mm = unit_mm;
     Ok((flipped(size[1]).after(&map), Viewport(view)))
 }
 
@@ -224,7 +224,7 @@ fn by_unit(
         |from| [from.w, from.h],
     );
     let origin = from.map_or(Affine::IDENTITY, |from| Affine::translate(-from.x, -from.y));
-    out.set_unit(unit);
+    out.drawing.unit_mm = unit;
     (flipped(view[1] * unit).after(&Affine::scale(unit, unit)).after(&origin), Viewport(view))
 }
 

@@ -58,7 +58,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             targets: Vec::new(),
             depth: 0,
         };
-        self.out.set_root(names(self.root).map(str::to_owned).collect());
+        self.out.drawing.root = names(self.root).map(str::to_owned).collect();
         self.group(self.root, context, false)
     }
 
@@ -83,7 +83,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
 
     /// Stops where an element is in too many others.
     fn deeper(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
-        let limit = self.out.options().limits.depth;
+        let limit = self.out.options.limits.depth;
         if context.depth < limit {
             return Ok(());
         }
@@ -93,7 +93,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     fn element(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
-        let from = self.out.elements().len();
+        let from = self.out.drawing.elements.len();
         self.unclipped(node, context)?;
         self.clipped(node, context, from);
         Ok(())
@@ -108,7 +108,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         };
         let find = |id: &str| self.ids.get(id).copied();
         let clip = clip::of(node, value, (&context.map, context.viewport), find);
-        if !clip.is_some_and(|clip| clip.holds(&self.out.elements()[from..])) {
+        if !clip.is_some_and(|clip| clip.holds(&self.out.drawing.elements[from..])) {
             let text = clip::unapplied("clip-path", &shortened(value));
             self.out.note(Weight::Changed, self.place(node, context), text);
         }
