@@ -230,7 +230,7 @@ impl ManifestStar {
                     time_s: thousandths(seams.iter().map(|seam| seam.time_s).sum()),
                     clear_radius_mm: thousandths(part.clear_radius()),
                     fabric_mm2: thousandths(part.fabric()),
-                    mass_g: part.mass(&spec.fabric).map(thousandths),
+                    mass_g: crate::design::FlatPiece::Star(part).mass(&spec.fabric).map(thousandths),
                     seams,
                 });
             }

@@ -89,7 +89,7 @@ fn of_star(spec: &Spec, index: usize, part: &StarDesign) -> String {
         corner.cusp,
         part.clear_radius(),
         part.fabric() / 100.0,
-        part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g")),
+        FlatPiece::Star(part).mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g")),
     )
 }
 

@@ -94,9 +94,4 @@ impl StarAssembly {
     pub fn firsts(&self) -> impl Iterator<Item = &PlacedPart> {
         (0..self.distinct.len()).filter_map(|i| self.stars.iter().find(|star| star.distinct == i))
     }
-
-    /// The stars on sheet number `sheet`, in order.
-    pub fn on_sheet(&self, sheet: usize) -> impl Iterator<Item = &PlacedPart> {
-        self.stars.iter().filter(move |star| star.sheet == sheet)
-    }
 }

@@ -3,8 +3,9 @@
 //! A cut takes half of its width from either side. Cut-outs (holes, windows) would come out larger, and cut edges (outlines,
 //! plates) smaller; so the tool travels half a kerf inside the former and outside the latter.
 
+use crate::design::mask::hundredths_down;
 use crate::design::offset::offset;
-use crate::design::{MaskPlate, Outline, Refusal, RefusalCode, Star};
+use crate::design::{Circle, MaskPlate, Outline, Refusal, RefusalCode, Star};
 use crate::spec::{SMALLEST_HOLE, key};
 use crate::units::{Most, Readable};
 use inflatable::geom::{Isometry, Path};
@@ -30,13 +31,7 @@ impl CutLines {
     /// # Errors
     /// If the cut is wider than something that it is to cut out.
     pub fn new(kerf: f64, star: &Star, outline: &Outline, mask: &MaskPlate) -> Result<Self, Refusal> {
-        if let Some(hole) = outline.registration.iter().find(|hole| leaves_no_hole(kerf, hole.diameter)) {
-            let (found, diameter) = (Readable(kerf), Readable(hole.diameter));
-            return Err(refusal(
-                format!("a cut of {found} mm leaves nothing of a registration hole of {diameter} mm"),
-                format!("kerf must be at most {} mm", Most((hole.diameter - SMALLEST_HOLE).max(0.0))),
-            ));
-        }
+        leaves_holes(kerf, &outline.registration)?;
         let inside = |path: &Path, what| tool_inside(path, kerf, what);
         let around = |path: &Path, what| tool_around(path, kerf, what);
         // All windows are the first one, turned; without a kerf they stay as they are, to the bit.
@@ -66,6 +61,16 @@ pub(super) fn leaves_no_hole(kerf: f64, diameter: f64) -> bool {
     kerf > 0.0 && diameter - kerf < SMALLEST_HOLE - ROUNDING
 }
 
+/// Refuses a cut `kerf` wide that leaves nothing of one of these registration holes.
+pub(super) fn leaves_holes(kerf: f64, holes: &[Circle]) -> Result<(), Refusal> {
+    let Some(hole) = holes.iter().find(|hole| leaves_no_hole(kerf, hole.diameter)) else { return Ok(()) };
+    let (found, diameter) = (Readable(kerf), Readable(hole.diameter));
+    Err(refusal(
+        format!("a cut of {found} mm leaves nothing of a registration hole of {diameter} mm"),
+        format!("kerf must be at most {} mm", Most((hole.diameter - SMALLEST_HOLE).max(0.0))),
+    ))
+}
+
 /// The line of a tool with this kerf that cuts `path` out of a part.
 ///
 /// # Errors
@@ -84,18 +89,21 @@ pub(super) fn tool_around(path: &Path, kerf: f64, what: &str) -> Result<Path, Re
 
 /// The refusal of a kerf that leaves nothing of `path`, which `share` of it moves outwards, with the widest that does.
 fn too_wide(kerf: f64, path: &Path, share: f64, what: &str) -> Refusal {
-    // To a thousandth of a millimetre; rounding down keeps a cut that fits.
-    let (mut fits, mut fails) = (0.0, kerf);
-    while fails - fits > 1e-3 {
-        let middle = f64::midpoint(fits, fails);
-        let side = if offset(path, share * middle).is_some() { &mut fits } else { &mut fails };
-        *side = middle;
-    }
-    let most = Readable((fits * 100.0_f64).floor() / 100.0);
+    let most = hundredths_down(largest(kerf, |kerf| offset(path, share * kerf).is_some()));
     refusal(
         format!("a cut of {} mm leaves nothing of {what}", Readable(kerf)),
         format!("kerf must be at most {most} mm"),
     )
+}
+
+/// The largest length that fits where 0 does and `fails` does not, to a thousandth of a millimetre; rounding down keeps it.
+pub(super) fn largest(mut fails: f64, is_fit: impl Fn(f64) -> bool) -> f64 {
+    let mut fits = 0.0;
+    while fails - fits > 1e-3 {
+        let middle = f64::midpoint(fits, fails);
+        if is_fit(middle) { fits = middle } else { fails = middle }
+    }
+    fits
 }
 
 fn refusal(found: String, remedy: String) -> Refusal {

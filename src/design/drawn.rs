@@ -26,7 +26,7 @@ use crate::design::drawn::proposal::LeftOut;
 use crate::design::placement::{SheetLayout, footprint, place};
 use crate::design::star_seam::MOUTH_OVERRUN;
 use crate::design::{Circle, PlacedPart, Refusal, RefusalCode, Refusals, Warning};
-use crate::shape::{Rules, SealedShape, Sealing, Sketch, sealed_shape};
+use crate::shape::{Rules, SealedShape, Sealing, ShapeCode, Sketch, sealed_shape};
 use crate::spec::{DrawingSpec, LayerRole, Machine, MaskKind, Spec, key};
 use drawings::{Drawing, Figure, Format, Options, Unit, Weight};
 use inflatable::geom::{Bounds, Path};
@@ -89,13 +89,12 @@ impl DrawnPiece {
         let Sealing { shape, air, inner, holes, repairs, warnings: warned } =
             sealing.map_err(|faults| faults.iter().map(faults::refusal).collect::<Refusals>())?;
         let inner = inner.iter().flat_map(|path| within_air(path, air.closed(), drawing.join.0)).collect();
-        notes.extend(repairs.iter().map(faults::repair));
-        let narrow = warned.iter().filter(|warning| faults::is_passage(warning)).map(|warning| warning.found);
-        let passage = narrow.reduce(f64::min);
-        let mut warnings: Vec<Warning> = warned.iter().map(faults::warning).collect();
+        notes.extend(repairs.iter().map(|repair| faults::found_at(&repair.what, repair.place)));
+        let narrow = warned.iter().filter(|warning| warning.code == ShapeCode::NarrowPassage);
+        let passage = narrow.map(|warning| warning.found).reduce(f64::min);
+        let mut warnings: Vec<Warning> = warned.iter().map(faults::refusal).collect();
         let part = DrawnCut::new(&shape, &holes)?;
-        let diameter = spec.sheet.hole_diameter.0;
-        let allowance = rules.allowance;
+        let (allowance, diameter) = (rules.allowance, spec.sheet.hole_diameter.0);
         let room = Clearance::new(&shape, &air, &part);
         let registration = marks::registration(&shape, &part, &room, allowance, diameter);
         if registration.is_empty() && diameter > 0.0 {
@@ -108,8 +107,7 @@ impl DrawnPiece {
         let edges = air.edges_to_mouths(shape.band);
         let bounds = footprint(&shape, &tool.outside, machine.process.ramp.0);
         let number = usize::try_from(spec.sheet.copies).unwrap_or(1);
-        let boxes: Vec<Bounds> = vec![bounds; number];
-        let (places, sheets) = place(&boxes, &spec.sheet, machine)?;
+        let (places, sheets) = place(&vec![bounds; number], &spec.sheet, machine)?;
         let copies = PlacedPart::all(Self::KIND, &vec![0; number], places);
         let air = air.closed().to_vec();
         let piece = Self {
@@ -155,7 +153,7 @@ fn rules(spec: &Spec, drawing: &DrawingSpec) -> Rules {
 fn read(spec: &Spec, drawing: &DrawingSpec) -> Result<Arc<Drawing>, Refusals> {
     let Some(content) = &drawing.content else {
         let found = format!("the drawing {:?} was not read", drawing.file);
-        let remedy = "it must lie beside the spec".to_owned();
+        let remedy = "it must lie beside the spec";
         return Err(Refusal::new(key::drawing::FILE, RefusalCode::DrawingUnread, found, remedy).into());
     };
     let options = Options { unit: drawing.units, ..Options::new(0.5 * spec.accuracy.path.0) };
@@ -201,10 +199,7 @@ pub fn propose_layers(name: &str, bytes: &[u8], unit: Option<Unit>) -> Result<La
     if read.elements.is_empty() {
         return Err(nothing_drawn(&read, is_dxf).into());
     }
-    let bounds = read.elements.iter().fold(Bounds::EMPTY, |all, element| match &element.figure {
-        Figure::Path(path) => all.union(path.bounds()),
-        Figure::Point(_) => all,
-    });
+    let bounds = paths(&read).map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
     let size = [bounds.width(), bounds.height()].map(|length| length.max(0.0));
     let hidden =
         LeftOut::of(&read, is_dxf, Weight::Hidden).into_iter().map(|left_out| left_out.layer).collect();
@@ -214,12 +209,15 @@ pub fn propose_layers(name: &str, bytes: &[u8], unit: Option<Unit>) -> Result<La
 /// The figures of the drawing of `spec`, as far as the file can be read; none of a spec without one.
 pub fn figures(spec: &Spec) -> Vec<Path> {
     let read = spec.drawing.as_ref().and_then(|drawing| read(spec, drawing).ok());
-    let elements = read.iter().flat_map(|read| &read.elements);
-    let paths = elements.filter_map(|element| match &element.figure {
-        Figure::Path(path) => Some(path.clone()),
+    read.iter().flat_map(|read| paths(read)).cloned().collect()
+}
+
+/// The figures of a drawing without its points.
+fn paths(read: &Drawing) -> impl Iterator<Item = &Path> {
+    read.elements.iter().filter_map(|element| match &element.figure {
+        Figure::Path(path) => Some(path),
         Figure::Point(_) => None,
-    });
-    paths.collect()
+    })
 }
 
 /// The notes on a drawing that could be read, in the order of the file; none of a spec without one.
@@ -245,7 +243,7 @@ fn nothing_drawn(read: &Drawing, is_dxf: bool) -> Refusal {
         let _ = write!(found, "; layer {layer:?} is hidden");
         remedy = "show the layer in the drawing program and save again, then give it the role air or seam";
     }
-    Refusal::new(key::drawing::LAYERS, RefusalCode::NothingDrawn, found, remedy.to_owned())
+    Refusal::new(key::drawing::LAYERS, RefusalCode::NothingDrawn, found, remedy)
 }
 
 /// The sketch of `drawing` by its roles, and the notes on its repairs.

@@ -1,6 +1,6 @@
 //! The flat piece of every product: seams, tube, cut and fabric.
 
-use crate::design::{Circle, CutEdge, DrawnPiece, SHEETS, StarDesign};
+use crate::design::{Circle, CutEdge, DrawnCut, DrawnPiece, SHEETS, StarDesign};
 use crate::shape::SealedShape;
 use crate::spec::Fabric;
 use inflatable::geom::{Path, Point};
@@ -54,23 +54,23 @@ impl<'a> FlatPiece<'a> {
 
     /// The cut lines.
     pub fn cut(self, edge: CutEdge) -> PieceCut<'a> {
-        let (outside, inside, holes, kerf) = match (self, edge) {
-            (Self::Star(star), CutEdge::Part) => {
-                let outline = &star.outline;
-                (&outline.outside, std::slice::from_ref(&outline.hole), &outline.registration[..], 0.0)
+        match self {
+            Self::Star(star) => {
+                let (outside, hole, kerf) = match edge {
+                    CutEdge::Part => (&star.outline.outside, &star.outline.hole, 0.0),
+                    CutEdge::Tool => (&star.cut.outside, &star.cut.hole, star.cut.kerf),
+                };
+                let holes = &star.outline.registration;
+                PieceCut { outside, inside: std::slice::from_ref(hole), holes, kerf }
             }
-            (Self::Star(star), CutEdge::Tool) => {
-                let cut = &star.cut;
-                (&cut.outside, std::slice::from_ref(&cut.hole), &star.outline.registration[..], cut.kerf)
+            Self::Drawn(piece) => {
+                let DrawnCut { outside, inside, kerf } = match edge {
+                    CutEdge::Part => &piece.part,
+                    CutEdge::Tool => &piece.tool,
+                };
+                PieceCut { outside, inside, holes: &piece.registration, kerf: *kerf }
             }
-            (Self::Drawn(piece), CutEdge::Part) => {
-                (&piece.part.outside, &piece.part.inside[..], &piece.registration[..], 0.0)
-            }
-            (Self::Drawn(piece), CutEdge::Tool) => {
-                (&piece.tool.outside, &piece.tool.inside[..], &piece.registration[..], piece.tool.kerf)
-            }
-        };
-        PieceCut { outside, inside, holes, kerf }
+        }
     }
 
     /// Fabric of the piece, both sheets, mm^2.

@@ -37,12 +37,7 @@ struct Junction {
 impl Channel {
     /// The channel of `inlet` at tip `tip` of `star`.
     pub fn new(star: &Star, inlet: &Inlet, tip: u32) -> Self {
-        Self {
-            tip,
-            half_width: PI * inlet.tube_diameter.0 / 4.0,
-            fillet: inlet.fillet.0,
-            mouth: star.tip_reach() + inlet.length.0,
-        }
+        Self { tip, ..Self::of_disc(star.tip_reach(), inlet) }
     }
 
     /// The outer contour at `delta`, opened by the channel: from the mouth inwards, around the star, out to the mouth.
@@ -59,11 +54,8 @@ impl Channel {
         least_radius: f64,
         beyond: f64,
     ) -> Result<Path, Refusal> {
-        let arc = contour.parts.iter().enumerate().find_map(|(at, (part, segment))| match segment {
-            Segment::Arc(arc) if *part == Part::Tip(self.tip) => Some((at, *arc)),
-            _ => None,
-        });
-        let Some((at, arc)) = arc else {
+        let tip = contour.parts.iter().position(|(part, _)| *part == Part::Tip(self.tip));
+        let Some((at, Segment::Arc(arc))) = tip.map(|at| (at, contour.parts[at].1)) else {
             return Err(self.too_wide(star.w, delta, star.r_i + star.w + delta));
         };
         let junction = self.fitted(star, arc.sweep / 2.0, delta, least_radius)?;
@@ -156,17 +148,9 @@ impl Channel {
         let found = format!(
             "the hose's channel on star {index} is {width} mm wide, wider than the tube of {tube} mm that it feeds"
         );
-        let remedy = format!(
-            "a hose that is no thicker than the inflated tube has at most {} mm",
-            Most(round_tube(star.w))
-        );
-        Some(Warning {
-            key: key::inlet::TUBE_DIAMETER,
-            code: RefusalCode::ThickHose,
-            found,
-            remedy,
-            drawn: None,
-        })
+        let most = Most(round_tube(star.w));
+        let remedy = format!("a hose that is no thicker than the inflated tube has at most {most} mm");
+        Some(Warning::new(key::inlet::TUBE_DIAMETER, RefusalCode::ThickHose, found, remedy))
     }
 
     fn too_wide(&self, width: f64, delta: f64, room: f64) -> Refusal {

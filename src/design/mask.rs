@@ -52,12 +52,17 @@ impl MaskPlate {
         };
         let window = zone.window(extent)?;
         let windows = (1..=star.n).map(|k| Isometry::rotation(star.corner_ray(k)).path(&window)).collect();
-        let [rim, border, allowance] = rim(spec);
+        // Outside, a window ends where the band does, less the creep; the plate's edge is `allowance` and `border` farther out.
+        let rim = mask.border.0 + spec.seal.allowance.0 + mask.creep.0;
         if rim < LEAST_RIM - ROUNDING {
-            return Err(thin_rim(rim, border, allowance));
+            return Err(thin_rim(rim, spec));
         }
-        let plate = offset(&outline.outside, mask.border.0).ok_or_else(|| no_plate(mask.border.0))?;
-        Ok(Self { plate, windows, extent, wanted, border: mask.border.0 })
+        let border = mask.border.0;
+        let plate = offset(&outline.outside, border).ok_or_else(|| {
+            let found = format!("the outline cannot be grown by {} mm", Readable(border));
+            Refusal::new(key::mask::BORDER, RefusalCode::NoPlate, found, "make border smaller")
+        })?;
+        Ok(Self { plate, windows, extent, wanted, border })
     }
 
     /// A default that was cut, for the mask of star number `index`, which is `star`.
@@ -66,22 +71,20 @@ impl MaskPlate {
             return None;
         }
         let hinge = Zone::hinge(star);
-        let hundredths = |length: f64| Readable((length * 100.0).floor() / 100.0);
+        let [extent, hinged, wanted] = [self.extent, hinge, self.wanted].map(hundredths_down);
         let part = if self.extent < hinge {
-            format!("less than the hinge of {} mm", hundredths(hinge))
+            format!("less than the hinge of {hinged} mm")
         } else {
-            format!("less than the default of {} mm", hundredths(self.wanted))
+            format!("less than the default of {wanted} mm")
         };
         let found = format!(
-            "the coating windows of star {index} reach {} mm from a corner's apex, {part}: neighbouring windows \
-             leave no more room",
-            hundredths(self.extent)
+            "the coating windows of star {index} reach {extent} mm from a corner's apex, {part}: neighbouring windows \
+             leave no more room"
         );
         let remedy = format!(
-            "write extent = \"{} mm\" in [mask] to accept it; fewer points or a larger inner_radius make room",
-            hundredths(self.extent)
+            "write extent = \"{extent} mm\" in [mask] to accept it; fewer points or a larger inner_radius make room"
         );
-        Some(Warning { key: key::mask::EXTENT, code: RefusalCode::ShortWindow, found, remedy, drawn: None })
+        Some(Warning::new(key::mask::EXTENT, RefusalCode::ShortWindow, found, remedy))
     }
 
     /// The caption of every page on which the mask of star number `star` is printed.
@@ -106,38 +109,26 @@ fn too_far(wanted: f64, most: f64) -> Refusal {
         key::mask::EXTENT,
         RefusalCode::LongExtent,
         format!("at {} mm neighbouring windows would leave no bridge or run past the arms", Readable(wanted)),
-        format!("extent must be at most {} mm", Readable((most * 100.0).floor() / 100.0)),
+        format!("extent must be at most {} mm", hundredths_down(most)),
     )
 }
 
-/// Width of the rim of a mask of `spec`, and the border and the allowance that would be just enough if the other stayed, mm.
-///
-/// Outside, a window ends where the band does, less the creep; the plate's edge is `allowance` and `border` farther out.
-fn rim(spec: &Spec) -> [f64; 3] {
-    let (border, allowance) = (spec.mask.border.0, spec.seal.allowance.0);
-    let rim = border + allowance + spec.mask.creep.0;
-    [rim, border + LEAST_RIM - rim, allowance + LEAST_RIM - rim]
+/// A length, mm, rounded down to a hundredth.
+pub(super) fn hundredths_down(length: f64) -> Readable {
+    Readable((length * 100.0).floor() / 100.0)
 }
 
-fn thin_rim(rim: f64, border: f64, allowance: f64) -> Refusal {
+/// The refusal of a mask of `spec` whose rim is too narrow, with the border and the allowance that would be just enough if the other stayed.
+fn thin_rim(rim: f64, spec: &Spec) -> Refusal {
     Refusal::new(
         key::mask::BORDER,
         RefusalCode::ThinRim,
         format!("{} mm of the mask's plate stay between its edge and the coating windows", Readable(rim)),
         format!(
             "border must be at least {} mm; or alone: an allowance of at least {} mm",
-            Least(border),
-            Least(allowance)
+            Least(spec.mask.border.0 + LEAST_RIM - rim),
+            Least(spec.seal.allowance.0 + LEAST_RIM - rim)
         ),
-    )
-}
-
-fn no_plate(border: f64) -> Refusal {
-    Refusal::new(
-        key::mask::BORDER,
-        RefusalCode::NoPlate,
-        format!("the outline cannot be grown by {} mm", Readable(border)),
-        "make border smaller".to_owned(),
     )
 }
 

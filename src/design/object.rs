@@ -152,20 +152,15 @@ pub fn does_not_enter(spec: &Spec, (inner, hole): (f64, f64), entering: f64, wid
 pub(super) fn tight(spec: &Spec, index: usize, star: &Star, meeting: Meeting) -> Option<Warning> {
     let (hole, entering) = (star.hole(&spec.seal), meeting.entering);
     let (gap, wanted) = (hole - entering, room(Length(entering)).0);
-    (gap >= 0.0 && gap < TIGHT * wanted).then(|| Warning {
-        key: key::star::INNER_RADIUS.of_star(index),
-        code: RefusalCode::TightHole,
-        found: format!(
-            "{} mm of room between the object and the cut hole of {} mm across",
-            Most(gap),
-            Most(2.0 * hole)
-        ),
-        remedy: format!(
-            "with {} mm no exact alignment is needed: inner_radius of {} mm",
-            Readable(wanted),
-            Least(star.rho_0 + wanted - gap)
-        ),
-        drawn: None,
+    (gap >= 0.0 && gap < TIGHT * wanted).then(|| {
+        let (room, across) = (Most(gap), Most(2.0 * hole));
+        let (wanted, inner) = (Readable(wanted), Least(star.rho_0 + wanted - gap));
+        Warning::new(
+            key::star::INNER_RADIUS.of_star(index),
+            RefusalCode::TightHole,
+            format!("{room} mm of room between the object and the cut hole of {across} mm across"),
+            format!("with {wanted} mm no exact alignment is needed: inner_radius of {inner} mm"),
+        )
     })
 }
 

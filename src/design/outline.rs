@@ -57,24 +57,13 @@ impl Outline {
         }
         let delta = band + seal.allowance.0;
         let Some(flap) = star.contour(Side::Outside, delta, 0.0) else { return Err(refusals) };
-        let (flap, registration) = if hole_diameter > 0.0 {
-            punched(star, flap, first, seal, hole_diameter)
-        } else {
-            Ok((flap, Vec::new()))
-        }
-        .unwrap_or_else(|refusal| {
-            refusals.push(refusal);
-            Default::default()
-        });
+        let punched = punched(star, flap, first, seal, hole_diameter);
+        let Some((flap, registration)) = refusals.keep(punched) else { return Err(refusals) };
         let reach = flap.path().furthest(Point::ORIGIN);
         let outside = match channel {
-            // Without a flap the refusal is already there.
-            Some(_) if flap.parts.is_empty() => None,
-            Some(channel) => channel
-                .open(star, &flap, delta, 0.0, 0.0)
-                .map(Channel::mouth_cut)
-                .map_err(|refusal| refusals.push(refusal))
-                .ok(),
+            Some(channel) => {
+                refusals.keep(channel.open(star, &flap, delta, 0.0, 0.0)).map(Channel::mouth_cut)
+            }
             None => Some(flap.path()),
         };
         match (outside, hole) {
@@ -118,7 +107,7 @@ pub fn cut_area(
     Some(area)
 }
 
-/// The flap's contour with the registration holes in it, on ears where the flap is too narrow.
+/// The flap's contour with the registration holes in it, on ears where the flap is too narrow; without any for the diameter 0.
 fn punched(
     star: &Star,
     flap: Contour,
@@ -126,6 +115,9 @@ fn punched(
     seal: &Seal,
     diameter: f64,
 ) -> Result<(Contour, Vec<Circle>), Refusal> {
+    if diameter <= 0.0 {
+        return Ok((flap, Vec::new()));
+    }
     let half = flap.parts.iter().find_map(|(part, segment)| match (part, segment) {
         (Part::Tip(_), Segment::Arc(arc)) => Some(arc.sweep / 2.0),
         _ => None,

@@ -4,7 +4,7 @@ use crate::design::placement::footprint;
 use crate::design::star_seam::star_seam;
 use crate::design::{Channel, CutLines, MaskPlate, Outline, Pieces, Refusal, Refusals, Side, Star};
 use crate::shape::{Port, SealedShape};
-use crate::spec::{Fabric, Spec, StarSpec};
+use crate::spec::{Spec, StarSpec};
 use crate::units::Length;
 use inflatable::geom::{Bounds, Path};
 
@@ -59,35 +59,20 @@ impl StarDesign {
         let half_band = seal.band.0 / 2.0;
         let channel = spec.inlet.as_ref().map(|inlet| Channel::new(&star, inlet, star_spec.inlet_tip));
         let mut refusals = Refusals::new();
-        let mut refuse = |found: Refusals| {
-            for refusal in found {
-                if !refusals.iter().any(|known| known.code == refusal.code && known.key == refusal.key) {
-                    refusals.push(refusal);
-                }
-            }
-        };
-        let inner = star_seam(&star, Side::Hole, None, seal).map_err(|r| refuse(r.into())).ok();
+        let inner = refusals.keep(star_seam(&star, Side::Hole, None, seal));
         // Before the outer seam: the cut lies farther out, so its limits for the inlet are the stricter ones.
+        let hole_diameter = spec.sheet.hole_diameter.0;
         let outline =
-            Outline::new(&star, channel.as_ref(), star_spec.inlet_tip, seal, spec.sheet.hole_diameter.0)
-                .map_err(&mut refuse)
-                .ok();
-        let outer =
-            star_seam(&star, Side::Outside, channel.as_ref(), seal).map_err(|r| refuse(r.into())).ok();
-        let mut edges = |least_radius| {
-            edges(&star, channel.as_ref(), least_radius).map_err(|refusal| refuse(refusal.into())).ok()
-        };
-        let (drawn, realised) = (edges(0.0), edges(half_band));
-        let mask = outline.as_ref().and_then(|outline| {
-            MaskPlate::new(spec, star_spec, &star, outline).map_err(|refusal| refuse(refusal.into())).ok()
-        });
-        let cut = outline.as_ref().zip(mask.as_ref()).and_then(|(outline, mask)| {
-            CutLines::new(spec.cut.kerf.0, &star, outline, mask)
-                .map_err(|refusal| refuse(refusal.into()))
-                .ok()
-        });
-        let pieces = outline.as_ref().zip(mask.as_ref()).and_then(|(outline, mask)| {
-            Pieces::new(&star, outline, mask, spec.mask.bed).map_err(|refusal| refuse(refusal.into())).ok()
+            refusals.keep(Outline::new(&star, channel.as_ref(), star_spec.inlet_tip, seal, hole_diameter));
+        let outer = refusals.keep(star_seam(&star, Side::Outside, channel.as_ref(), seal));
+        let drawn = refusals.keep(edges(&star, channel.as_ref(), 0.0));
+        let realised = refusals.keep(edges(&star, channel.as_ref(), half_band));
+        let mask = outline
+            .as_ref()
+            .and_then(|outline| refusals.keep(MaskPlate::new(spec, star_spec, &star, outline)));
+        let (cut, pieces) = outline.as_ref().zip(mask.as_ref()).map_or((None, None), |(outline, mask)| {
+            let cut = refusals.keep(CutLines::new(spec.cut.kerf.0, &star, outline, mask));
+            (cut, refusals.keep(Pieces::new(&star, outline, mask, spec.mask.bed)))
         });
         match (inner.zip(outer), outline, drawn.zip(realised), mask, cut.zip(pieces)) {
             (
@@ -109,7 +94,7 @@ impl StarDesign {
                 };
                 Ok(Self { star, channel, edges, realised_edges, shape, outline, mask, cut, pieces })
             }
-            _ => Err(refusals),
+            _ => Err(refusals.each_once()),
         }
     }
 
@@ -126,12 +111,6 @@ impl StarDesign {
     /// Fabric of the star, both sheets, mm^2: the area inside the cut, registration holes included.
     pub fn fabric(&self) -> f64 {
         SHEETS * self.outline.area()
-    }
-
-    /// Mass of the star's fabric, both sheets, g; `None` where its areal density is unknown.
-    pub fn mass(&self, fabric: &Fabric) -> Option<f64> {
-        // 1 kg/m^2 is 1e-3 g/mm^2.
-        fabric.areal_density.map(|density| density.0 * 1e-3 * self.fabric())
     }
 
     /// The box that the part needs on the sheet: its cut, and the bands with ramps of length `ramp`.

@@ -24,8 +24,8 @@ pub struct Refusal {
 
 impl Refusal {
     /// A refusal that points at `key`.
-    pub fn new(key: KeyPath, code: RefusalCode, found: String, remedy: String) -> Self {
-        Self { key, code, found, remedy, drawn: None }
+    pub fn new(key: KeyPath, code: RefusalCode, found: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self { key, code, found: found.into(), remedy: remedy.into(), drawn: None }
     }
 
     /// The same refusal, found at a place of the drawing.
@@ -48,21 +48,8 @@ impl fmt::Display for Refusal {
 
 impl std::error::Error for Refusal {}
 
-/// A warning about a design that can be made.
-#[non_exhaustive]
-#[derive(Clone, Debug, PartialEq)]
-pub struct Warning {
-    /// The key that is best changed, or written to accept the warning.
-    pub key: KeyPath,
-    /// Its code for scripts: "short-window".
-    pub code: RefusalCode,
-    /// The finding, with numbers.
-    pub found: String,
-    /// The remedy.
-    pub remedy: String,
-    /// The place in the drawing of the spec.
-    pub drawn: Option<Box<DrawnPlace>>,
-}
+/// A warning about a design that can be made; its key is best changed, or written to accept the warning.
+pub type Warning = Refusal;
 
 /// All reasons for which such a gripper cannot be made; as an error it lists them all, a line each.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -72,6 +59,22 @@ impl Refusals {
     /// No refusal yet.
     pub const fn new() -> Self {
         Self(Vec::new())
+    }
+
+    /// What was `made`; nothing, with its refusals, if it was not.
+    pub(super) fn keep<T>(&mut self, made: Result<T, impl Into<Self>>) -> Option<T> {
+        made.map_err(|refused| self.0.extend(refused.into())).ok()
+    }
+
+    /// The same without those of one code at one key that follow the first.
+    pub(super) fn each_once(self) -> Self {
+        let mut kept = Self::new();
+        for refusal in self {
+            if !kept.iter().any(|known| known.code == refusal.code && known.key == refusal.key) {
+                kept.push(refusal);
+            }
+        }
+        kept
     }
 
     /// `made`, unless something was refused.

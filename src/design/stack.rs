@@ -84,15 +84,11 @@ impl Stack {
         let gap = self.plates.get(index)? - self.plates.get(index - 1)? - plate.0;
         // The distance of a star alone is that of [stack]; of others that of the one above where it has one.
         let key = if index > 1 { key::stack::PITCH.of_star(index) } else { key::stack::PITCH };
-        (gap > LOOSE * tube).then(|| Warning {
-            key,
-            code: RefusalCode::WideFrame,
-            found: format!(
-                "the plates leave {gap:.1} mm for star {index}, whose inflated tube is {tube:.1} mm high"
-            ),
-            remedy: format!("a pitch of {} keeps its arms in their plane", pitch_for(width, plate)),
-            drawn: None,
-        })
+        let found = format!(
+            "the plates leave {gap:.1} mm for star {index}, whose inflated tube is {tube:.1} mm high"
+        );
+        let remedy = format!("a pitch of {} keeps its arms in their plane", pitch_for(width, plate));
+        (gap > LOOSE * tube).then(|| Warning::new(key, RefusalCode::WideFrame, found, remedy))
     }
 }
 

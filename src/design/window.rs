@@ -15,6 +15,7 @@
 
 use std::f64::consts::PI;
 
+use crate::design::mask::hundredths_down;
 use crate::design::{Refusal, RefusalCode, Star};
 use crate::spec::{Mask, Seal, key};
 use crate::units::Readable;
@@ -176,10 +177,7 @@ impl<'a> Zone<'a> {
                 Readable(room),
                 Readable(extent)
             ),
-            format!(
-                "creep must be at most {} mm",
-                Readable((self.most_creep(extent) * 100.0).floor() / 100.0)
-            ),
+            format!("creep must be at most {} mm", hundredths_down(self.most_creep(extent))),
         )
     }
 

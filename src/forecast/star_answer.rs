@@ -1,6 +1,6 @@
 //! One model's values of a star, for a prediction.
 
-use crate::design::StarDesign;
+use crate::design::{FlatPiece, StarDesign};
 use crate::forecast::case::{Case, measured_stiffnesses};
 use crate::forecast::outcome::{Outcome, SHORTEST_ARM};
 use crate::forecast::prediction::{FabricStretch, Hinges, ModelEvidence, Nonlinear, StarPrediction};
@@ -151,7 +151,7 @@ pub(super) fn bare(spec: &Spec, part: &StarDesign, case: &Case) -> StarPredictio
         bendability: case.bendability(),
         operating_pressure_kPa: Pressure::from_pascals(case.operating_pressure()).0,
         realised_radius_mm: Hinges { tip: part.realised_tip().radius, corner: part.realised_corner().radius },
-        mass_g: part.mass(&spec.fabric),
+        mass_g: FlatPiece::Star(part).mass(&spec.fabric),
         stretch: FabricStretch::Ratio(case.stretch()),
         ranges_of: "shell",
         evidence: ModelEvidence {

@@ -33,14 +33,10 @@ impl Forecast {
 /// That the link which `spec` asks for is too long for a code.
 fn long_link(spec: &Spec, sources: Sources<'_>) -> Option<Warning> {
     let length = sources.linked(spec).short_link(spec.build.link.as_ref()?).len();
-    (length > MOST_LETTERS).then(|| Warning {
-        key: key::build::LINK,
-        code: RefusalCode::LongLink,
-        found: format!("the link to this spec has {length} characters"),
-        remedy: format!(
-            "a QR code holds at most {MOST_LETTERS}: previews and report have none; leave out `link` in [build], or shorten the \
-             spec, its own profile or its drawing"
-        ),
-        drawn: None,
-    })
+    let found = format!("the link to this spec has {length} characters");
+    let remedy = format!(
+        "a QR code holds at most {MOST_LETTERS}: previews and report have none; leave out `link` in [build], or shorten the \
+         spec, its own profile or its drawing"
+    );
+    (length > MOST_LETTERS).then(|| Warning::new(key::build::LINK, RefusalCode::LongLink, found, remedy))
 }

@@ -2,10 +2,10 @@
 
 use std::iter::successors;
 
-use crate::design::cut::{leaves_no_hole, tool_around, tool_inside};
+use crate::design::cut::{largest, leaves_holes, tool_around, tool_inside};
 use crate::design::{Circle, Refusal, RefusalCode};
 use crate::shape::{AirSide, SealedShape, Separator};
-use crate::spec::{SMALLEST_HOLE, Spec, key};
+use crate::spec::{Spec, key};
 use crate::units::{Most, Readable};
 use inflatable::geom::Path;
 
@@ -35,8 +35,8 @@ impl DrawnCut {
     /// The cut along the outline of `shape`, and of `holes` inside it.
     pub(super) fn new(shape: &SealedShape, holes: &[Path]) -> Result<Self, Refusal> {
         let Some(outside) = &shape.cut else {
-            let found = "the drawn shape has no outline".to_owned();
-            let remedy = "draw a closed curve on a layer of `cut`".to_owned();
+            let found = "the drawn shape has no outline";
+            let remedy = "draw a closed curve on a layer of `cut`";
             return Err(Refusal::new(key::drawing::LAYERS, RefusalCode::WrongOutlines, found, remedy));
         };
         let around = |path: &Path| if path.area() < 0.0 { path.reversed() } else { path.clone() };
@@ -46,18 +46,7 @@ impl DrawnCut {
 
     /// The lines of a tool whose cut is `kerf` wide, for a piece with these registration holes.
     pub(super) fn for_tool(&self, kerf: f64, holes: &[Circle]) -> Result<Self, Refusal> {
-        if let Some(hole) = holes.iter().find(|hole| leaves_no_hole(kerf, hole.diameter)) {
-            return Err(Refusal::new(
-                key::cut::KERF,
-                RefusalCode::WideKerf,
-                format!(
-                    "a cut of {} mm leaves nothing of a registration hole of {} mm",
-                    Readable(kerf),
-                    Readable(hole.diameter)
-                ),
-                format!("kerf must be at most {} mm", Most((hole.diameter - SMALLEST_HOLE).max(0.0))),
-            ));
-        }
+        leaves_holes(kerf, holes)?;
         let inside = self.inside.iter().map(|path| tool_inside(path, kerf, "a hole"));
         let inside = inside.collect::<Result<_, _>>()?;
         Ok(Self { outside: tool_around(&self.outside, kerf, "the outline")?, inside, kerf })
@@ -83,25 +72,17 @@ impl DrawnSeparator {
 
 /// The refusal of a creep that cuts the paper up, with the largest one that does not; `is_made` tests a creep.
 fn no_separator(creep: f64, is_made: impl Fn(f64) -> bool) -> Refusal {
-    let refusal =
-        |found: String, remedy: String| Refusal::new(key::mask::CREEP, RefusalCode::NoWindow, found, remedy);
+    let (key, code) = (key::mask::CREEP, RefusalCode::NoWindow);
     if !is_made(0.0) {
-        let found = "the seams leave no paper in one piece for each chamber".to_owned();
+        let found = "the seams leave no paper in one piece for each chamber";
         let remedy =
             "draw seams in the air farther from each other, or without sharp bends; or delete [mask]";
-        return refusal(found, remedy.to_owned());
+        return Refusal::new(key, code, found, remedy);
     }
-    let (mut fits, mut fails): (f64, f64) = (0.0, creep);
-    while fails - fits > 1e-3 {
-        let middle = f64::midpoint(fits, fails);
-        let side = if is_made(middle) { &mut fits } else { &mut fails };
-        *side = middle;
-    }
+    let fits = largest(creep, &is_made);
     // What is printed is itself tried: rounded down, a creep may be another that fails.
     let hundredths = successors(Some((fits * 100.0).floor()), |last| Some(last - 1.0));
     let most = hundredths.map(|last| last / 100.0).find(|most| *most <= 0.0 || is_made(*most));
-    refusal(
-        format!("a creep of {} mm closes a port or a passage of the separator", Readable(creep)),
-        format!("creep must be at most {} mm", Most(most.unwrap_or(0.0))),
-    )
+    let found = format!("a creep of {} mm closes a port or a passage of the separator", Readable(creep));
+    Refusal::new(key, code, found, format!("creep must be at most {} mm", Most(most.unwrap_or(0.0))))
 }

@@ -1,9 +1,10 @@
 //! Faults of files and shapes as refusals and warnings: each with the names of elements, a place, and the key to change.
 
-use crate::design::{Refusal, RefusalCode, Warning};
-use crate::shape::{Repair, ShapeCode, ShapeFault};
+use crate::design::{Refusal, RefusalCode};
+use crate::shape::{ShapeCode, ShapeFault};
 use crate::spec::{DrawnPlace, KeyPath, key};
 use drawings::Fault;
+use inflatable::geom::Point;
 
 /// A fault of the file.
 pub(super) fn unreadable(fault: &Fault) -> Refusal {
@@ -28,40 +29,16 @@ pub(super) fn clause(sentence: &str) -> String {
     }
 }
 
-/// A fault of the shape.
+/// A fault of the shape, or a warning about it.
 pub(super) fn refusal(fault: &ShapeFault) -> Refusal {
     let (key, code) = of(fault);
-    Refusal::new(key, code, found(fault), fault.remedy.clone()).drawn_at(place(fault))
+    let place = DrawnPlace { elements: fault.names.clone(), at: Some([fault.place.x, fault.place.y]) };
+    Refusal::new(key, code, found_at(&fault.what, fault.place), fault.remedy.clone()).drawn_at(place)
 }
 
-/// A warning about the shape.
-pub(super) fn warning(fault: &ShapeFault) -> Warning {
-    let (key, code) = of(fault);
-    Warning {
-        key,
-        code,
-        found: found(fault),
-        remedy: fault.remedy.clone(),
-        drawn: Some(Box::new(place(fault))),
-    }
-}
-
-/// The note on a repair.
-pub(super) fn repair(repair: &Repair) -> String {
-    format!("{} at X {:.3} Y {:.3} mm", repair.what, repair.place.x, repair.place.y)
-}
-
-/// Whether it is about the width of a passage.
-pub(super) fn is_passage(fault: &ShapeFault) -> bool {
-    matches!(fault.code, ShapeCode::NarrowPassage | ShapeCode::NarrowTube)
-}
-
-fn found(fault: &ShapeFault) -> String {
-    format!("{} at X {:.3} Y {:.3} mm", fault.what, fault.place.x, fault.place.y)
-}
-
-fn place(fault: &ShapeFault) -> DrawnPlace {
-    DrawnPlace { elements: fault.names.clone(), at: Some([fault.place.x, fault.place.y]) }
+/// The finding `what`, and its place: the note on a repair.
+pub(super) fn found_at(what: &str, place: Point) -> String {
+    format!("{what} at X {:.3} Y {:.3} mm", place.x, place.y)
 }
 
 /// The key that is best changed, and the code.

@@ -69,12 +69,10 @@ fn triangle(places: &[Point], least: f64) -> Option<[Point; 3]> {
 
 /// The warning where there is no room for registration holes of this diameter.
 pub(super) fn no_room(diameter: f64) -> Warning {
-    Warning {
-        key: key::sheet::HOLE_DIAMETER,
-        code: RefusalCode::NoRoomForHoles,
-        found: format!("the flap has no room for three registration holes of {}", Length(diameter)),
-        remedy: "write hole_diameter = \"0 mm\" in [sheet] to accept it; a larger allowance makes room"
-            .to_owned(),
-        drawn: None,
-    }
+    Warning::new(
+        key::sheet::HOLE_DIAMETER,
+        RefusalCode::NoRoomForHoles,
+        format!("the flap has no room for three registration holes of {}", Length(diameter)),
+        "write hole_diameter = \"0 mm\" in [sheet] to accept it; a larger allowance makes room",
+    )
 }

@@ -49,7 +49,7 @@ fn stars(design: &StarAssembly, sheet: usize) -> Block<'static> {
     let mut block = Block::new("Stars");
     for distinct in 0..design.distinct.len() {
         let alike: Vec<&PlacedPart> =
-            design.on_sheet(sheet).filter(|star| star.distinct == distinct).collect();
+            design.stars.iter().filter(|star| star.sheet == sheet && star.distinct == distinct).collect();
         let Some(first) = alike.first() else { continue };
         let star = &design.part(first).star;
         block.say(format!(
