@@ -3,6 +3,8 @@
 //! A closed curve parts air from fabric: air lies where an odd number of them lies around. Where curves meet in nodes, the drawn closed
 //! curves count; where there are none, all faces between the meeting curves are chambers.
 
+use std::collections::BTreeSet;
+
 use crate::shape::faces::{walk_path, walks};
 use crate::shape::fault::{ShapeCode, ShapeFault, quoted};
 use crate::shape::join::{Network, NetworkEdge, root};
@@ -92,7 +94,7 @@ pub(super) fn air(
         let (left, right) = (depth.at(left), depth.at(right));
         if left.min(right) > 1 {
             let what = format!("{} lies in an island, which has no air,", quoted(&own));
-            faults.push(misplaced(ShapeCode::NestedIsland, own, place, what));
+            faults.push(misplaced(ShapeCode::NestedIsland, &own, place, what));
             continue;
         }
         match (left % 2 == 1, right % 2 == 1, edge.nodes) {
@@ -110,7 +112,7 @@ pub(super) fn air(
             }
             (false, false, _) => {
                 let what = format!("{} is not the border of any chamber", quoted(&own));
-                faults.push(misplaced(ShapeCode::WallOutside, own, place, what));
+                faults.push(misplaced(ShapeCode::WallOutside, &own, place, what));
             }
         }
     }
@@ -125,9 +127,8 @@ pub(super) fn air(
     air
 }
 
-fn misplaced(code: ShapeCode, names: Vec<String>, place: Point, what: String) -> ShapeFault {
-    let remedy = "remove it, or put it on another layer".to_owned();
-    ShapeFault { code, names, place, found: f64::NAN, allowed: f64::NAN, what, remedy }
+fn misplaced(code: ShapeCode, names: &[String], place: Point, what: String) -> ShapeFault {
+    ShapeFault::new(code, names, place, (what, "remove it, or put it on another layer"), [f64::NAN; 2])
 }
 
 /// The connected part of each edge that meets a node, by the number of its first edge.
@@ -149,7 +150,7 @@ fn parts(network: &Network) -> Vec<usize> {
 fn depths(network: &Network, drawn: &[(usize, &Path)], part: &[usize]) -> Depth {
     let mut curves = Vec::new();
     let mut paths: Vec<Path> = Vec::new();
-    let mut of_source: Vec<(usize, usize)> = Vec::new();
+    let mut of_source: BTreeSet<(usize, usize)> = BTreeSet::new();
     let mut meeting = Vec::new();
     for (number, edge) in network.edges.iter().enumerate() {
         match edge.nodes {
@@ -163,11 +164,8 @@ fn depths(network: &Network, drawn: &[(usize, &Path)], part: &[usize]) -> Depth 
             }
         }
     }
-    of_source.sort_unstable();
     for (source, path) in drawn {
-        let at = of_source.partition_point(|(known, _)| known < source);
-        if let Some((known, part)) = of_source.get(at).filter(|(known, _)| known == source) {
-            let _ = known;
+        if let Some((_, part)) = of_source.range((*source, 0)..(*source + 1, 0)).next() {
             curves.push(AirCurve::Within(*part));
             paths.push((*path).clone());
         }

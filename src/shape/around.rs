@@ -7,12 +7,12 @@ use crate::shape::clean::{NOTHING, Piece, without_doubles};
 use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::join::{Network, network};
 use crate::shape::loose::{crossings, loose_ends};
-use crate::shape::mouth::{Mouth, NoChannel, ambiguous, cap, channel};
+use crate::shape::mouth::{Mouth, cap};
 use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
-use crate::shape::ports::{no_channel, reason};
+use crate::shape::ports::{Opening, open_ports};
 use crate::shape::sketch::{Rules, Sketch};
-use inflatable::geom::{Bounds, Path, Point, Vec2};
+use inflatable::geom::{Path, Point, Vec2};
 
 /// A band's centre line before it is a seam.
 #[derive(Clone, Debug)]
@@ -56,8 +56,7 @@ pub(super) fn around_air(
     taken: &mut Vec<usize>,
     notes: &mut SealingNotes,
 ) -> Layout {
-    let names: Vec<String> = sketch.air.iter().map(|drawn| drawn.name.clone()).collect();
-    let (mut pieces, mut edges) = notes.mended(&sketch.air, rules.join);
+    let (mut pieces, mut edges, names) = notes.mended(&sketch.air, rules.join);
     let mut mouths = caps(sketch, rules, &edges, &mut pieces);
     if !mouths.is_empty() {
         edges = network(&pieces, rules.join);
@@ -74,9 +73,13 @@ pub(super) fn around_air(
     let rings: Vec<(usize, &Path)> =
         drawn.filter(|(_, drawn)| drawn.path.closed).map(|(i, drawn)| (i, &drawn.path)).collect();
     let mut air = air(&edges, &rings, &names, rules.join, &mut notes.faults);
-    let length = rules.band + rules.allowance;
+    let (half, length) = (rules.band / 2.0, rules.band + rules.allowance);
     let of_air = air.boundaries.iter().map(|boundary| boundary.path.clone()).collect();
-    open_edges(sketch, rules, length, &mut air, &mut mouths, taken, notes);
+    let outer = air.boundaries.iter_mut().filter(|boundary| boundary.outer);
+    // Perhaps a drawn seam is nearer to a port.
+    let opening = Opening { half: 0.0, length, may_wait: !sketch.seams.is_empty() };
+    let outlines = outer.map(|boundary| &mut boundary.path).collect();
+    open_ports(sketch, rules, &opening, outlines, &mut mouths, taken, notes);
     necks((&air, &mouths), sketch, rules, &names, notes);
     if notes.faults.iter().any(|fault| fault.code == ShapeCode::Crowded) {
         return Layout::default();
@@ -88,7 +91,7 @@ pub(super) fn around_air(
     let (boundaries, walls) = one_band_a_wall(offset, &names, rules, notes);
     // Distances outwards add up: the cut may follow the centre lines where edges were united.
     let (followed, by) =
-        if walls.is_empty() { (&air.boundaries, length) } else { (&boundaries, length - rules.band / 2.0) };
+        if walls.is_empty() { (&air.boundaries, length) } else { (&boundaries, length - half) };
     let outer = followed.iter().filter(|boundary| boundary.outer);
     let edges = outer.map(|boundary| (boundary.path.clone(), by)).collect();
     let (mut lines, mut closed) = (Vec::new(), Vec::new());
@@ -96,14 +99,10 @@ pub(super) fn around_air(
         closed.push(path.clone());
         let kind = if outer { LineUse::Outer } else { LineUse::Island };
         let names = named(&sources, &names);
-        lines.extend(opened(path, &mouths, rules, rules.band / 2.0).into_iter().map(|path| Line {
-            path,
-            names: names.clone(),
-            kind,
-            joined: [false; 2],
-        }));
+        for path in opened(path, &mouths, rules, half) {
+            lines.push(Line { path, names: names.clone(), kind, joined: [false; 2] });
+        }
     }
-    let half = rules.band / 2.0;
     let drawn: Vec<Wall> = air.walls.into_iter().map(|wall| lengthened(wall, half)).collect();
     let side = AirSide {
         edges: air.boundaries.into_iter().map(|boundary| boundary.path).collect(),
@@ -159,65 +158,6 @@ fn nearest_two(distances: impl Iterator<Item = f64>) -> Option<[usize; 2]> {
     (least[1].1 != usize::MAX).then_some(least.map(|(_, number)| number))
 }
 
-/// Channels through the edges for the ports that are not taken.
-fn open_edges(
-    sketch: &Sketch,
-    rules: &Rules,
-    length: f64,
-    air: &mut Air,
-    mouths: &mut Vec<Mouth>,
-    taken: &mut Vec<usize>,
-    notes: &mut SealingNotes,
-) {
-    let mut outer: Vec<&mut Boundary> = air.boundaries.iter_mut().filter(|boundary| boundary.outer).collect();
-    let edges: Vec<Path> = outer.iter().map(|boundary| boundary.path.clone()).collect();
-    let around: Vec<Bounds> = edges.iter().map(Path::bounds).collect();
-    for (number, port) in sketch.ports.iter().enumerate() {
-        let place = port.place.middle();
-        if taken.contains(&number) {
-            continue;
-        }
-        if let Some(why) = ambiguous(&port.place, &edges) {
-            taken.push(number);
-            no_channel(&why, &port.name, place, rules, notes);
-            continue;
-        }
-        let Some(nearest) = nearest_path(edges.iter().zip(around.iter().copied()), place) else { continue };
-        let boundary = &mut *outer[nearest];
-        let leads = |_: Point, _: Vec2| length;
-        let paths = (&boundary.path, &edges[nearest]);
-        match channel(paths, number, &port.place, rules.port_width, leads, rules.overrun + 1.0) {
-            Ok((path, mouth)) => {
-                boundary.path = path;
-                mouths.push(mouth);
-                taken.push(number);
-            }
-            // Perhaps a drawn seam is nearer.
-            Err(NoChannel::Far(_)) if !sketch.seams.is_empty() => {}
-            Err(why) => {
-                taken.push(number);
-                let why = reason(why, place, mouths, rules);
-                no_channel(&why, &port.name, place, rules, notes);
-            }
-        }
-    }
-}
-
-/// The number of the first path that is nearest to `p`; each comes with its box.
-pub(super) fn nearest_path<'a>(paths: impl Iterator<Item = (&'a Path, Bounds)>, p: Point) -> Option<usize> {
-    let mut best: Option<(f64, usize)> = None;
-    for (number, (path, around)) in paths.enumerate() {
-        if best.is_some_and(|(least, _)| around.distance(p) > least) {
-            continue;
-        }
-        let far = path.distance(p);
-        if best.is_none_or(|(least, _)| far < least) {
-            best = Some((far, number));
-        }
-    }
-    best.map(|(_, number)| number)
-}
-
 /// Faults where fabric between two edges has no room for their bands.
 fn necks(
     (air, mouths): (&Air, &[Mouth]),
@@ -242,8 +182,8 @@ fn necks(
         sources.dedup();
         let mut own = named(&sources, names);
         let near = mouths.iter().filter(|mouth| mouth.is_beside(neck.middle(), both));
-        let name = |mouth: &Mouth| sketch.ports.get(mouth.port).map(|port| port.name.clone());
-        let (ports, front): (Vec<String>, _) = (near.filter_map(name).collect(), in_front.and_then(name));
+        let name = |mouth: &Mouth| sketch.ports[mouth.port].name.clone();
+        let (ports, front): (Vec<String>, _) = (near.map(name).collect(), in_front.map(name));
         let told = if ports.len() > 1 {
             let place = format!("between the channels of ports {}", quoted(&ports));
             Some((place, ports, rules.ports_apart()))
@@ -257,11 +197,8 @@ fn necks(
             notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), text, [neck.width, both]);
             continue;
         }
-        let what = format!(
-            "{:.3} mm of fabric between edges of {} are too narrow for two bands",
-            neck.width,
-            quoted(&own)
-        );
+        let fabric = format!("{:.3} mm of fabric between edges of {}", neck.width, quoted(&own));
+        let what = format!("{fabric} are too narrow for two bands");
         let [a, b] = neck.curves;
         let apart = a != b && air.boundaries[a].outer && air.boundaries[b].outer;
         let cut = if apart && sketch.cuts.is_empty() { ", with a drawn cut around both" } else { "" };
@@ -275,7 +212,7 @@ fn necks(
 
 /// The centre lines of the boundaries' bands.
 fn offsets(air: &Air, rules: &Rules, names: &[String], notes: &mut SealingNotes) -> Vec<Boundary> {
-    let half = rules.band / 2.0;
+    let (half, both) = (rules.band / 2.0, 2.0 * rules.band);
     let mut lines = Vec::new();
     for Boundary { path, sources, outer } in &air.boundaries {
         let own = named(sources, names);
@@ -290,15 +227,8 @@ fn offsets(air: &Air, rules: &Rules, names: &[String], notes: &mut SealingNotes)
                 let bounds = path.bounds();
                 let size = bounds.width().min(bounds.height());
                 let what = format!("island {} of {size:.3} mm has no room for a band around", quoted(&own));
-                let remedy =
-                    format!("make it at least {} mm wide, or draw a seam along its middle", 2.0 * rules.band);
-                notes.fault(
-                    ShapeCode::NoRoom,
-                    &own,
-                    bounds.center(),
-                    (what, remedy),
-                    [size, 2.0 * rules.band],
-                );
+                let remedy = format!("make it at least {both} mm wide, or draw a seam along its middle");
+                notes.fault(ShapeCode::NoRoom, &own, bounds.center(), (what, remedy), [size, both]);
             }
             _ => {
                 let known = notes.faults.iter().any(|fault| {
@@ -306,9 +236,8 @@ fn offsets(air: &Air, rules: &Rules, names: &[String], notes: &mut SealingNotes)
                 });
                 if !known {
                     let what = format!("the band along {} falls into {} loops", quoted(&own), loops.len());
-                    let remedy = "make the fabric between its edges wider".to_owned();
-                    let numbers = [f64::NAN, 2.0 * rules.band];
-                    notes.fault(ShapeCode::BandsOverlap, &own, place, (what, remedy), numbers);
+                    let text = (what, "make the fabric between its edges wider");
+                    notes.fault(ShapeCode::BandsOverlap, &own, place, text, [f64::NAN, both]);
                 }
             }
         }
@@ -323,18 +252,14 @@ fn one_band_a_wall(
     rules: &Rules,
     notes: &mut SealingNotes,
 ) -> (Vec<Boundary>, Vec<Wall>) {
-    let pieces: Vec<Piece> = offset
-        .iter()
-        .enumerate()
-        .map(|(source, boundary)| Piece { path: boundary.path.clone(), source })
-        .collect();
-    let (pieces, doubled) = notes.unless_crowded(without_doubles(pieces, rules.join));
+    let closed: Vec<(usize, &Path)> = offset.iter().map(|boundary| &boundary.path).enumerate().collect();
+    let pieces = closed.iter().map(|(source, path)| Piece { path: (*path).clone(), source: *source });
+    let (pieces, doubled) = notes.unless_crowded(without_doubles(pieces.collect(), rules.join));
     if doubled.is_empty() {
         return (offset, Vec::new());
     }
     let network = network(&pieces, 2.0 * rules.join);
     let own: Vec<String> = offset.iter().map(|boundary| named(&boundary.sources, names).join("+")).collect();
-    let closed: Vec<(usize, &Path)> = offset.iter().enumerate().map(|(i, b)| (i, &b.path)).collect();
     let found = air(&network, &closed, &own, rules.join, &mut notes.faults);
     let back = |sources: Vec<usize>| {
         let mut all: Vec<usize> = sources.iter().flat_map(|source| offset[*source].sources.clone()).collect();
@@ -342,12 +267,10 @@ fn one_band_a_wall(
         all.dedup();
         all
     };
-    let boundaries = found.boundaries.into_iter();
-    let walls = found.walls.into_iter();
-    (
-        boundaries.map(|edge| Boundary { sources: back(edge.sources), ..edge }).collect(),
-        walls.map(|wall| Wall { sources: back(wall.sources), ..wall }).collect(),
-    )
+    let Air { boundaries, walls } = found;
+    let boundaries = boundaries.into_iter().map(|edge| Boundary { sources: back(edge.sources), ..edge });
+    let walls = walls.into_iter().map(|wall| Wall { sources: back(wall.sources), ..wall });
+    (boundaries.collect(), walls.collect())
 }
 
 /// A wall that ends on an edge goes on to the centre line of the band along that edge.
@@ -383,14 +306,9 @@ pub(super) fn opened(path: Path, mouths: &[Mouth], rules: &Rules, half: f64) -> 
             parts.extend(mouth.open(&part, rules.overrun, across));
             continue;
         }
-        let stations: Vec<f64> =
-            sides.iter().filter_map(|side| part.nearest(*side)).map(|nearest| nearest.s).collect();
-        let (from, to) = (
-            stations.iter().copied().fold(f64::INFINITY, f64::min),
-            stations.iter().copied().fold(0.0, f64::max),
-        );
-        parts.push(part.part(0.0, from));
-        parts.push(part.part(to, part.length()));
+        let [a, b] = sides.map(|side| part.nearest(side).map_or(0.0, |nearest| nearest.s));
+        parts.push(part.part(0.0, a.min(b)));
+        parts.push(part.part(a.max(b), part.length()));
     }
     parts.retain(|path| path.length() > NOTHING);
     parts

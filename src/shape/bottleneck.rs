@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::shape::clean::Crowd;
+use crate::shape::clean::{Crowd, quarters};
 use inflatable::geom::{Arc, BoxIndex, Line, Path, Point, Segment, Vec2, intersections};
 
 /// Directions closer to a right angle than this are right, rad.
@@ -96,8 +96,7 @@ pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bot
             let b = &parts[j];
             let steps = b.at.abs_diff(a.at);
             let round = curves[a.curve].path.closed && steps + 1 == counts[a.curve];
-            let neighbours = a.curve == b.curve && (steps <= 1 || round);
-            if neighbours {
+            if a.curve == b.curve && (steps <= 1 || round) {
                 return;
             }
             pairs(a, b, &mut |p, q, at_corner| {
@@ -130,15 +129,7 @@ pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bot
 }
 
 fn add_parts(parts: &mut Vec<CurvePart>, curve: usize, GapCurve { path, joined }: &GapCurve<'_>) {
-    let mut pieces: Vec<Segment> = Vec::new();
-    for segment in &path.segments {
-        let count = match segment {
-            Segment::Line(_) => 1,
-            Segment::Arc(arc) => (1..8).find(|n| arc.sweep.abs() <= f64::from(*n) * 1.6).unwrap_or(8),
-        };
-        let cut = |i: u32| segment.part(f64::from(i) / f64::from(count), f64::from(i + 1) / f64::from(count));
-        pieces.extend((0..count).map(cut));
-    }
+    let pieces: Vec<Segment> = path.segments.iter().flat_map(quarters).map(|(part, ..)| part).collect();
     let count = pieces.len();
     let arc = |segment: &Segment| if let Segment::Arc(arc) = segment { Some(*arc) } else { None };
     for (at, segment) in pieces.iter().enumerate() {
@@ -180,11 +171,9 @@ fn may_face(a: &CurvePart, b: &CurvePart, limit: f64) -> bool {
 fn pairs(a: &CurvePart, b: &CurvePart, see: &mut impl FnMut(Point, Point, bool)) {
     inner_pairs(&a.segment, &b.segment, &mut |p, q| see(p, q, false));
     for corner in &a.corners {
-        foot(&b.segment, corner.at, &mut |q| {
-            if corner.faces(q) {
-                see(corner.at, q, true);
-            }
-        });
+        if let Some(q) = foot(&b.segment, corner.at).filter(|q| corner.faces(*q)) {
+            see(corner.at, q, true);
+        }
         for other in &b.corners {
             if corner.faces(other.at) && other.faces(corner.at) {
                 see(corner.at, other.at, true);
@@ -192,11 +181,9 @@ fn pairs(a: &CurvePart, b: &CurvePart, see: &mut impl FnMut(Point, Point, bool))
         }
     }
     for corner in &b.corners {
-        foot(&a.segment, corner.at, &mut |p| {
-            if corner.faces(p) {
-                see(p, corner.at, true);
-            }
-        });
+        if let Some(p) = foot(&a.segment, corner.at).filter(|p| corner.faces(*p)) {
+            see(p, corner.at, true);
+        }
     }
 }
 
@@ -218,19 +205,11 @@ fn is_least(arc: &Arc, p: Point, q: Point) -> bool {
     !inwards || p.distance(q) <= arc.radius * (1.0 + 1e-9)
 }
 
-/// The nearest points to `p` inside a segment.
-fn foot(segment: &Segment, p: Point, see: &mut impl FnMut(Point)) {
+/// The nearest point to `p` inside a segment.
+fn foot(segment: &Segment, p: Point) -> Option<Point> {
     match segment {
-        Segment::Line(line) => {
-            if let Some(q) = inside_line(line, p) {
-                see(q);
-            }
-        }
-        Segment::Arc(arc) => {
-            if let Some(q) = on_arc(arc, p - arc.center).filter(|q| is_least(arc, *q, p)) {
-                see(q);
-            }
-        }
+        Segment::Line(line) => inside_line(line, p),
+        Segment::Arc(arc) => on_arc(arc, p - arc.center).filter(|q| is_least(arc, *q, p)),
     }
 }
 

@@ -8,9 +8,9 @@ use crate::shape::air::beside;
 use crate::shape::clean::Piece;
 use crate::shape::faces::{walk_path, walks};
 use crate::shape::join::{Network, network};
-use crate::shape::joints::{Joints, Meetings};
+use crate::shape::joints::{Joints, MouthEnds, meetings};
 use crate::shape::leak::Leak;
-use crate::shape::{Role, SealedShape, Seam};
+use crate::shape::{Role, SealedShape};
 use inflatable::geom::{Enclosures, Line, Path, Point};
 
 /// Gaps below this are rounding, mm.
@@ -44,23 +44,24 @@ impl SealedShape {
     /// Its chambers and its leaks.
     pub fn topology(&self) -> Topology {
         let joints = Joints::of(self);
-        let meetings = Meetings::of(self, &joints);
+        let meetings = meetings(self, &joints);
         let mut leaks = Vec::new();
         for (i, seam) in self.seams.iter().enumerate() {
             let path = &seam.center_line;
             if path.largest_gap() > GAP {
                 leaks.push(Leak::Gap(i, path.largest_gap()));
             }
-            leaks.extend(meetings.leaks(i));
-            if let (Role::Boundary, false, Some(ends)) = (seam.role, path.closed, ends(seam)) {
+            leaks.extend(meetings.range([i, 0]..[i + 1, 0]).map(|(&[a, b], places)| {
+                let places = places.clone();
+                if a == b { Leak::CrossesItself(a, places) } else { Leak::Cross([a, b], places) }
+            }));
+            let ends = path.start().zip(path.end());
+            if let (Role::Boundary, false, Some((start, end))) = (seam.role, path.closed, ends) {
                 // Ends that only touch each other are sealed nowhere twice.
-                let touching = ends[0].distance(ends[1]) <= SLACK;
-                let open = [0, 1]
-                    .map(|which| touching || !joints.joined[i][which] && joints.mouth_at(i, which).is_none());
-                match open {
-                    [true, _] => leaks.push(Leak::Open(i, ends)),
-                    [false, true] => leaks.push(Leak::Open(i, [ends[1], ends[0]])),
-                    [false, false] => {}
+                if start.distance(end) <= SLACK || !joints.is_shut(i, 0) {
+                    leaks.push(Leak::Open(i, [start, end]));
+                } else if !joints.is_shut(i, 1) {
+                    leaks.push(Leak::Open(i, [end, start]));
                 }
             }
         }
@@ -85,18 +86,12 @@ impl SealedShape {
     /// The chambers, and a point in each.
     fn chambers(&self, joints: &Joints) -> Vec<(Chamber, Point)> {
         let count = self.seams.len();
-        let seam = |source: usize| self.seams.get(source);
-        let mut pieces: Vec<Piece> = joints
-            .mouths
-            .iter()
-            .map(|mouth| Piece {
-                path: Path::open(vec![Line::new(mouth.ends[0], mouth.ends[1]).into()]),
-                source: count + mouth.port,
-            })
-            .collect();
+        let mouth =
+            |mouth: &MouthEnds| Piece { path: Path::through(&mouth.ends), source: count + mouth.port };
+        let mut pieces: Vec<Piece> = joints.mouths.iter().map(mouth).collect();
         let boundaries = self.seams.iter().enumerate().filter(|(_, seam)| seam.role == Role::Boundary);
         pieces.extend(boundaries.map(|(source, seam)| Piece { path: seam.center_line.clone(), source }));
-        let is_ring = |piece: &&Piece| seam(piece.source).is_none() || !joints.is_wall(piece.source);
+        let is_ring = |piece: &&Piece| joints.joined.get(piece.source) != Some(&[true; 2]);
         let ring_pieces: Vec<Piece> = pieces.iter().filter(is_ring).cloned().collect();
         // Ends of rings and mouths are the same points.
         let rings = network(&ring_pieces, SLACK);
@@ -113,7 +108,7 @@ impl SealedShape {
             })
             .collect();
         let faces = faces(&network(&pieces, self.band / 2.0 + SLACK));
-        Chambers::of(&rings, &faces, count)
+        chambers(&rings, &faces, count)
     }
 }
 
@@ -153,48 +148,38 @@ fn faces(network: &Network) -> Vec<Face> {
     faces
 }
 
-/// The nesting of rings and faces.
-struct Chambers;
-
-impl Chambers {
-    /// The faces with air, their rings counted among the first `count` curves, ports after them.
-    fn of(rings: &[(Path, Vec<usize>)], faces: &[Face], count: usize) -> Vec<(Chamber, Point)> {
-        let ring_around = Enclosures::new(rings.iter().map(|(path, _)| path));
-        let face_around = Enclosures::new(faces.iter().map(|face| &face.path));
-        let areas: Vec<f64> = faces.iter().map(|face| face.path.area().abs()).collect();
-        let innermost =
-            |p: Point| face_around.around(p).into_iter().min_by(|a, b| areas[*a].total_cmp(&areas[*b]));
-        let first = |ring: usize| rings[ring].1.iter().copied().find(|source| *source < count);
-        // The rings around each ring, and the face that it lies in.
-        let mut depth = Vec::with_capacity(rings.len());
-        let mut within: Vec<Vec<usize>> = vec![Vec::new(); faces.len()];
-        for (number, (path, _)) in rings.iter().enumerate() {
-            let (_, [left, right]) = beside(path, 1e-6);
-            let outside = if path.area() > 0.0 { right } else { left };
-            depth.push(ring_around.around(outside).len());
-            if let Some(face) = innermost(outside) {
-                within[face].push(number);
-            }
+/// The faces with air, their rings counted among the first `count` curves, ports after them.
+fn chambers(rings: &[(Path, Vec<usize>)], faces: &[Face], count: usize) -> Vec<(Chamber, Point)> {
+    let ring_around = Enclosures::new(rings.iter().map(|(path, _)| path));
+    let face_around = Enclosures::new(faces.iter().map(|face| &face.path));
+    let areas: Vec<f64> = faces.iter().map(|face| face.path.area().abs()).collect();
+    let innermost =
+        |p: Point| face_around.around(p).into_iter().min_by(|a, b| areas[*a].total_cmp(&areas[*b]));
+    let first = |ring: usize| rings[ring].1.iter().copied().find(|source| *source < count);
+    // The rings around each ring, and the face that it lies in.
+    let mut depth = Vec::with_capacity(rings.len());
+    let mut within: Vec<Vec<usize>> = vec![Vec::new(); faces.len()];
+    for (number, (path, _)) in rings.iter().enumerate() {
+        let (_, [left, right]) = beside(path, 1e-6);
+        let outside = if path.area() > 0.0 { right } else { left };
+        depth.push(ring_around.around(outside).len());
+        if let Some(face) = innermost(outside) {
+            within[face].push(number);
         }
-        let chamber = |(number, face): (usize, &Face)| {
-            let around = ring_around.around(face.inside);
-            if around.len().is_multiple_of(2) {
-                return None;
-            }
-            let outside = around.iter().copied().max_by_key(|ring| depth[*ring]).and_then(first)?;
-            let mut islands: Vec<usize> = within[number].iter().filter_map(|ring| first(*ring)).collect();
-            islands.sort_unstable();
-            let ports =
-                face.sources.iter().filter(|source| **source >= count).map(|source| source - count).collect();
-            Some((Chamber { outside, islands, ports }, face.inside))
-        };
-        faces.iter().enumerate().filter_map(chamber).collect()
     }
-}
-
-/// Both ends of a seam's centre line.
-fn ends(seam: &Seam) -> Option<[Point; 2]> {
-    Some([seam.center_line.start()?, seam.center_line.end()?])
+    let chamber = |(number, face): (usize, &Face)| {
+        let around = ring_around.around(face.inside);
+        if around.len().is_multiple_of(2) {
+            return None;
+        }
+        let outside = around.iter().copied().max_by_key(|ring| depth[*ring]).and_then(first)?;
+        let mut islands: Vec<usize> = within[number].iter().filter_map(|ring| first(*ring)).collect();
+        islands.sort_unstable();
+        let ports =
+            face.sources.iter().filter(|source| **source >= count).map(|source| source - count).collect();
+        Some((Chamber { outside, islands, ports }, face.inside))
+    };
+    faces.iter().enumerate().filter_map(chamber).collect()
 }
 
 #[cfg(test)]
@@ -202,7 +187,7 @@ mod tests {
     use std::f64::consts::TAU;
 
     use super::*;
-    use crate::shape::Port;
+    use crate::shape::{Port, Seam};
     use inflatable::geom::Arc;
 
     fn circle(x: f64, radius: f64) -> Path {

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use crate::shape::around::{Layout, Line, LineUse};
 use crate::shape::bottleneck::{Bottleneck, GapCurve, bottlenecks};
-use crate::shape::fault::{ShapeCode, ShapeFault, quoted};
+use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::hairpins::hairpins;
 use crate::shape::notes::SealingNotes;
+use crate::shape::segments::Segments;
 use crate::shape::sketch::{Rules, Sketch, thousandths_up};
-use inflatable::geom::{BoxIndex, Enclosures, Path, Point, Segment, intersections};
+use inflatable::geom::{Enclosures, Path, Point, Segment, intersections};
 
 /// Lengths that differ by less are alike, mm.
 const ALIKE: f64 = 1e-6;
@@ -19,7 +20,8 @@ pub(super) fn checked(lines: &Layout, sketch: &Sketch, rules: &Rules, notes: &mu
     hairpins(&lines.lines, rules.band, notes);
     let curves: Vec<GapCurve<'_>> =
         lines.lines.iter().map(|line| GapCurve { path: &line.path, joined: line.joined }).collect();
-    let limit = rules.band + rules.least_passage.max(2.0 * rules.band);
+    let both = 2.0 * rules.band;
+    let limit = rules.band + rules.least_passage.max(both);
     let air = Enclosures::new(&lines.closed);
     for neck in notes.unless_crowded(bottlenecks(&curves, limit)) {
         let in_air = air.around(neck.middle()).len() % 2 == 1;
@@ -29,44 +31,24 @@ pub(super) fn checked(lines: &Layout, sketch: &Sketch, rules: &Rules, notes: &mu
         }
         let mut names: Vec<String> = neck.curves.iter().flat_map(|i| lines.lines[*i].names.clone()).collect();
         names.dedup();
-        if tube < 2.0 * rules.band - ALIKE && port_at_foot(lines, sketch, &neck, rules, notes) {
+        if tube < both - ALIKE && port_at_foot(lines, sketch, &neck, rules, notes) {
             continue;
         }
+        let (least, passage) = (rules.band, rules.least_passage);
         let what = |found: String| format!("{found} between the bands of {}", quoted(&names));
-        let (code, text, numbers) = if tube < -ALIKE {
-            (
-                ShapeCode::BandsOverlap,
-                (
-                    what(format!("an overlap of {:.3} mm", -tube)),
-                    format!("move the centre lines to at least {} mm from each other", rules.band),
-                ),
-                [neck.width, rules.band],
-            )
-        } else if in_air && tube < 2.0 * rules.band - ALIKE {
-            (
-                ShapeCode::NarrowTube,
-                (
-                    what(format!("a tube of {tube:.3} mm")),
-                    format!("make it at least {} mm wide, twice the band", 2.0 * rules.band),
-                ),
-                [tube, 2.0 * rules.band],
-            )
-        } else if in_air && tube < rules.least_passage - ALIKE {
-            (
-                ShapeCode::NarrowPassage,
-                (
-                    what(format!("a passage of {tube:.3} mm")),
-                    format!("air may flow slowly; make it at least {} mm (`passage`)", rules.least_passage),
-                ),
-                [tube, rules.least_passage],
-            )
-        } else {
-            continue;
-        };
-        let ((what, remedy), [found, allowed], place) = (text, numbers, neck.middle());
-        let fault = ShapeFault { code, names, place, found, allowed, what, remedy };
-        let list = if code == ShapeCode::NarrowPassage { &mut notes.warnings } else { &mut notes.faults };
-        list.push(fault);
+        if tube < -ALIKE {
+            let what = what(format!("an overlap of {:.3} mm", -tube));
+            let text = (what, format!("move the centre lines to at least {least} mm from each other"));
+            notes.fault(ShapeCode::BandsOverlap, &names, neck.middle(), text, [neck.width, least]);
+        } else if in_air && tube < both - ALIKE {
+            let what = what(format!("a tube of {tube:.3} mm"));
+            let text = (what, format!("make it at least {both} mm wide, twice the band"));
+            notes.fault(ShapeCode::NarrowTube, &names, neck.middle(), text, [tube, both]);
+        } else if in_air && tube < passage - ALIKE {
+            let what = what(format!("a passage of {tube:.3} mm"));
+            let text = (what, format!("air may flow slowly; make it at least {passage} mm (`passage`)"));
+            notes.warning(ShapeCode::NarrowPassage, &names, neck.middle(), text, [tube, passage]);
+        }
     }
 }
 
@@ -88,22 +70,18 @@ fn port_at_foot(
     for mouth in lines.mouths.iter().filter(|mouth| mouth.is_beside(neck.middle(), 2.0 * rules.band)) {
         let least = mouth.half + rules.band / 2.0;
         let feet = [inner.path.start(), inner.path.end()].into_iter().flatten();
-        let from_axis = |foot: Point| (foot - mouth.at).dot(mouth.out.perp()).abs();
         let beside = feet.filter(|foot| mouth.is_beside(*foot, rules.band));
-        let Some((foot, far)) = beside.map(|foot| (foot, from_axis(foot))).find(|(_, far)| *far < least)
-        else {
-            continue;
-        };
-        let port = sketch.ports.get(mouth.port).map(|port| port.name.clone());
-        let (port, names) = (port.unwrap_or_default(), inner.names.clone());
+        let mut far = beside.map(|foot| (foot, mouth.local(foot).1.abs()));
+        let Some((foot, far)) = far.find(|(_, far)| *far < least) else { continue };
+        let port = [sketch.ports[mouth.port].name.clone()];
         let what = format!(
             "port {} lies {far:.3} mm from the end of {}, whose band meets the hose's channel",
-            quoted(std::slice::from_ref(&port)),
-            quoted(&names)
+            quoted(&port),
+            quoted(&inner.names)
         );
         let remedy =
             format!("put the port at least {:.3} mm from there along the edge", thousandths_up(least));
-        let names = [vec![port], names].concat();
+        let names = [&port, &inner.names[..]].concat();
         // The end may be near both sides of the channel.
         if notes.faults.iter().all(|fault| fault.names != names || fault.place != foot) {
             notes.fault(ShapeCode::BandsOverlap, &names, foot, (what, remedy), [far, least]);
@@ -116,8 +94,7 @@ fn port_at_foot(
 /// Whether a narrow place is the channel of a port, whose width is that of its hose.
 fn is_mouth(lines: &Layout, neck: &Bottleneck, tube: f64) -> bool {
     lines.mouths.iter().any(|mouth| {
-        let from = neck.middle() - mouth.at;
-        let (along, across) = (from.dot(mouth.out), from.dot(mouth.out.perp()));
+        let (along, across) = mouth.local(neck.middle());
         along <= mouth.beyond + 1.0
             && along > -mouth.depth.max(100.0)
             && across.abs() <= mouth.half / 2.0
@@ -127,37 +104,30 @@ fn is_mouth(lines: &Layout, neck: &Bottleneck, tube: f64) -> bool {
 
 /// Faults where centre lines cross, except where one ends on the other.
 fn crossing_bands(lines: &[Line], band: f64, notes: &mut SealingNotes) {
-    let segments: Vec<(usize, Segment)> = lines
-        .iter()
-        .enumerate()
-        .flat_map(|(number, line)| line.path.segments.iter().map(move |segment| (number, *segment)))
-        .collect();
-    let index = BoxIndex::new(segments.iter().map(|(_, segment)| segment.bounds()));
+    let segments = Segments::of(lines.iter().map(|line| &line.path));
+    let is_end = |number: usize, p: Point| {
+        let Line { path, joined, .. } = &lines[number];
+        let mut ends = [path.start(), path.end()].into_iter().zip(joined);
+        ends.any(|(end, joined)| *joined && end.is_some_and(|end| end.distance(p) <= band / 2.0 + ALIKE))
+    };
     let mut told: BTreeMap<[usize; 2], Point> = BTreeMap::new();
-    for (i, (a, s)) in segments.iter().enumerate() {
-        for j in index.overlapping(&s.bounds()).into_iter().filter(|j| *j < i) {
-            let (b, t) = &segments[j];
-            let is_end = |line: &Line, p: Point| {
-                let ends = [(line.path.start(), line.joined[0]), (line.path.end(), line.joined[1])];
-                ends.into_iter().any(|(end, joined)| {
-                    joined && end.is_some_and(|end| end.distance(p) <= band / 2.0 + ALIKE)
-                })
-            };
-            if a == b || told.contains_key(&[*b, *a]) {
+    for (i, one) in segments.list.iter().enumerate() {
+        for j in segments.index.overlapping(&one.bounds).into_iter().filter(|j| *j < i) {
+            let other = &segments.list[j];
+            let pair = [other.path, one.path];
+            if one.path == other.path || told.contains_key(&pair) {
                 continue;
             }
-            for p in intersections(s, t) {
-                if !is_end(&lines[*a], p) && !is_end(&lines[*b], p) {
-                    let _ = told.insert([*b, *a], p);
-                    break;
-                }
+            let met = intersections(&one.segment, &other.segment).into_iter();
+            if let Some(p) = met.into_iter().find(|p| pair.iter().all(|line| !is_end(*line, *p))) {
+                let _ = told.insert(pair, p);
             }
         }
     }
     for ([a, b], place) in told {
         let names = [lines[a].names.clone(), lines[b].names.clone()].concat();
         let what = format!("the bands of {} cross", quoted(&names));
-        let remedy = "end one on the other, or move them apart".to_owned();
+        let remedy = "end one on the other, or move them apart";
         notes.fault(ShapeCode::Crossing, &names, place, (what, remedy), [0.0, band]);
     }
 }
@@ -168,20 +138,17 @@ const APART: f64 = 10.0;
 /// Warnings of hinges and slits narrower than the iron is round, where fabric between the air's edge and the band stays unsealed.
 pub(super) fn sharp_corners(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
     let half = rules.band / 2.0;
-    let lines_of = lines.lines.iter().enumerate();
-    let segments: Vec<(usize, Segment)> =
-        lines_of.flat_map(|(at, line)| line.path.segments.iter().map(move |s| (at, *s))).collect();
-    let index = BoxIndex::new(segments.iter().map(|(_, segment)| segment.bounds()));
+    let segments = Segments::of(lines.lines.iter().map(|line| &line.path));
     // The corners of a port are its own, not the drawing's.
     let is_drawn = |place: &Point| lines.mouths.iter().all(|mouth| !mouth.has_corner(*place, 0.0));
     for edge in &lines.air.edges {
         let mut open: Vec<(f64, Point, usize)> = Vec::new();
         for place in inward_places(edge).filter(is_drawn) {
             let mut nearest = (f64::INFINITY, 0);
-            let far = index.least(place, |i| {
-                let far = segments[i].1.distance(place);
+            let far = segments.index.least(place, |i| {
+                let far = segments.list[i].segment.distance(place);
                 if far < nearest.0 {
-                    nearest = (far, segments[i].0);
+                    nearest = (far, segments.list[i].path);
                 }
                 far
             });
@@ -206,14 +173,13 @@ pub(super) fn sharp_corners(lines: &Layout, rules: &Rules, notes: &mut SealingNo
                 0 => String::new(),
                 more => format!(" (and {more} more within {APART} mm)"),
             };
-            let names = lines.lines[line].names.clone();
+            let names = &lines.lines[line].names;
+            let own = quoted(names);
             let what = format!(
-                "a hinge of {} is sharper than the iron, {found:.3} mm or more stay unsealed{more}",
-                quoted(&names)
+                "a hinge of {own} is sharper than the iron, {found:.3} mm or more stay unsealed{more}"
             );
             let remedy = format!("round it with at least {half} mm");
-            let code = ShapeCode::SharpCorner;
-            notes.warnings.push(ShapeFault { code, names, place, found, allowed: 0.0, what, remedy });
+            notes.warning(ShapeCode::SharpCorner, names, place, (what, remedy), [found, 0.0]);
         }
     }
 }

@@ -35,15 +35,10 @@ pub(super) fn pieces(
         let ends = path.segments.iter().flat_map(|segment| [segment.start(), segment.end()]);
         let mut ends = ends.chain(path.segments.iter().map(|segment| segment.point(0.5)));
         if !ends.all(|p| p.x.abs() <= FAR && p.y.abs() <= FAR) {
-            faults.push(ShapeFault {
-                code: ShapeCode::NotFinite,
-                place: Point::ORIGIN,
-                found: f64::NAN,
-                allowed: FAR,
-                what: format!("{} has a coordinate beyond {FAR} mm", quoted(&names)),
-                remedy: "draw it near the origin".to_owned(),
-                names,
-            });
+            let what = format!("{} has a coordinate beyond {FAR} mm", quoted(&names));
+            let text = (what, "draw it near the origin");
+            let code = ShapeCode::NotFinite;
+            faults.push(ShapeFault::new(code, &names, Point::ORIGIN, text, [f64::NAN, FAR]));
             continue;
         }
         let solid = path.segments.iter().filter(|segment| segment.length() > NOTHING);
@@ -72,14 +67,14 @@ fn without_crumbs(path: Path) -> Path {
         // From the last end that was kept, so that many crumbs are a way.
         if segment.length() > CRUMB || segment.end().distance(at) > CRUMB {
             let near = segment.start().distance(at) <= CRUMB;
-            kept.push(if near { with_end(&segment.reversed(), at).reversed() } else { *segment });
+            kept.push(if near { with_start(segment, at) } else { *segment });
         }
     }
     // The first one, and the last one of a closed path, may still be crumbs.
     let first = kept.len() > 1 && kept[0].length() <= CRUMB;
     if first {
         let crumb = kept.remove(0);
-        kept[0] = with_end(&kept[0].reversed(), crumb.start()).reversed();
+        kept[0] = with_start(&kept[0], crumb.start());
     }
     let start = kept.first().map(Segment::start);
     if let (true, Some(start), Some(last)) = (path.closed, start, kept.last_mut())
@@ -98,6 +93,11 @@ pub(super) fn with_end(segment: &Segment, end: Point) -> Segment {
     segment.between(segment.start(), end)
 }
 
+/// The segment with another start.
+pub(super) fn with_start(segment: &Segment, start: Point) -> Segment {
+    with_end(&segment.reversed(), start).reversed()
+}
+
 /// A path cut where a segment does not begin where the one before ends.
 fn unbroken(path: Path, source: usize) -> Vec<Piece> {
     if path.segments.is_empty() {
@@ -108,15 +108,9 @@ fn unbroken(path: Path, source: usize) -> Vec<Piece> {
     }
     let meets = |a: &Segment, b: &Segment| a.end().distance(b.start()) <= NOTHING;
     let mut runs: Vec<Vec<Segment>> = path.segments.chunk_by(meets).map(<[Segment]>::to_vec).collect();
-    if path.closed && runs.len() > 1 {
-        let joins =
-            runs.last().and_then(|run| run.last()).zip(runs[0].first()).is_some_and(|(a, b)| meets(a, b));
-        if joins {
-            let first = runs.remove(0);
-            if let Some(last) = runs.last_mut() {
-                last.extend(first);
-            }
-        }
+    let ends = path.segments.last().zip(path.segments.first());
+    if path.closed && ends.is_some_and(|(last, first)| meets(last, first)) {
+        join_over_start(&mut runs);
     }
     runs.into_iter().map(|segments| Piece { path: Path::open(segments), source }).collect()
 }
@@ -131,7 +125,7 @@ struct QuarterPart {
 }
 
 /// A curve drawn twice: the curve that was kept, the one that was removed, and a place.
-pub(super) type Doubled = ([usize; 2], Point);
+type Doubled = ([usize; 2], Point);
 
 /// Pairs of curves that are compared at most: a hundred thousand curves with two hundred others near to each.
 const MOST_PAIRS: usize = 20_000_000;
@@ -148,7 +142,9 @@ pub(super) fn without_doubles(pieces: Vec<Piece>, join: f64) -> Result<(Vec<Piec
         .iter()
         .enumerate()
         .flat_map(|(piece, Piece { path, .. })| {
-            path.segments.iter().enumerate().flat_map(move |(at, segment)| quarters(segment, piece, at))
+            path.segments.iter().enumerate().flat_map(move |(at, segment)| {
+                quarters(segment).map(move |(segment, from, to)| QuarterPart { segment, piece, at, from, to })
+            })
         })
         .collect();
     let (single, copies) = without_copies(&parts);
@@ -219,15 +215,15 @@ fn without_copies(parts: &[QuarterPart]) -> (Vec<usize>, Vec<(usize, usize)>) {
     (single, copies)
 }
 
-fn quarters(segment: &Segment, piece: usize, at: usize) -> impl Iterator<Item = QuarterPart> + use<> {
+/// The parts of a segment that turn by a quarter turn at most, each with the fractions where it begins and ends.
+pub(super) fn quarters(segment: &Segment) -> impl Iterator<Item = (Segment, f64, f64)> {
     let count = match segment {
         Segment::Line(_) => 1,
         Segment::Arc(arc) => (1..8).find(|n| arc.sweep.abs() <= f64::from(*n) * 1.6).unwrap_or(8),
     };
-    let segment = *segment;
     (0..count).map(move |i| {
         let (from, to) = (f64::from(i) / f64::from(count), f64::from(i + 1) / f64::from(count));
-        QuarterPart { segment: segment.part(from, to), piece, at, from, to }
+        (segment.part(from, to), from, to)
     })
 }
 
@@ -268,16 +264,21 @@ fn rest(piece: &Piece, cuts: &[(usize, usize, f64, f64)], crumb: f64) -> Vec<Pie
         }
     }
     // A closed piece goes on over its start.
-    if piece.path.closed && !cut_at_start && runs.len() > 1 {
-        let first = runs.remove(0);
-        if let Some(last) = runs.last_mut() {
-            last.extend(first);
-        }
+    if piece.path.closed && !cut_at_start {
+        join_over_start(&mut runs);
     }
     runs.into_iter()
         .map(|segments| Piece { path: Path::open(segments), source: piece.source })
         .filter(|piece| piece.path.length() > crumb)
         .collect()
+}
+
+/// Puts the first of several runs behind the last.
+fn join_over_start(runs: &mut Vec<Vec<Segment>>) {
+    if runs.len() > 1 {
+        let first = runs.remove(0);
+        runs.last_mut().into_iter().for_each(|last| last.extend(first.iter()));
+    }
 }
 
 fn push(runs: &mut [Vec<Segment>], segment: Segment) {

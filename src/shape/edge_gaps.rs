@@ -3,8 +3,9 @@
 use crate::shape::around::Layout;
 use crate::shape::clean::{NOTHING, with_end};
 use crate::shape::notes::SealingNotes;
+use crate::shape::segments::Segments;
 use crate::shape::sketch::Rules;
-use inflatable::geom::{Bounds, BoxIndex, Path, Segment, SegmentIndex};
+use inflatable::geom::{Bounds, Path, SegmentIndex};
 
 /// Moves each end of `welds` that lies off every band of `lines`, but within `join` of an edge of the air, to that edge, where the band
 /// begins. Each weld comes with its names.
@@ -14,8 +15,7 @@ pub(super) fn close_edge_gaps(
     rules: &Rules,
     notes: &mut SealingNotes,
 ) {
-    let edges: Vec<Segment> = lines.air.closed.iter().flat_map(|path| path.segments.clone()).collect();
-    let boxes = BoxIndex::new(edges.iter().map(Segment::bounds));
+    let edges = Segments::of(&lines.air.closed);
     let bands = SegmentIndex::new(lines.lines.iter().flat_map(|line| line.path.segments.clone()).collect());
     let reach = rules.band / 2.0 + 2e-6;
     for (path, names) in welds {
@@ -23,8 +23,8 @@ pub(super) fn close_edge_gaps(
             let mut way = if is_start { path.reversed() } else { path.clone() };
             let Some(last) = way.segments.last_mut() else { continue };
             let end = last.end();
-            let near = boxes.overlapping(&Bounds::of_points([end]).grown(rules.join)).into_iter();
-            let feet = near.map(|i| edges[i].point(edges[i].nearest_fraction(end)));
+            let near = edges.near(Bounds::of_points([end]).grown(rules.join));
+            let feet = near.map(|edge| edge.segment.point(edge.segment.nearest_fraction(end)));
             let feet = feet.map(|foot| (foot.distance(end), foot)).filter(|(gap, _)| *gap <= rules.join);
             let Some((gap, foot)) = feet.min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
             if gap <= NOTHING || bands.has_within(end, reach) {

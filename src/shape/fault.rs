@@ -84,38 +84,17 @@ pub struct ShapeFault {
 /// A place that may fail or differ from the drawing. The shape can be made.
 pub type ShapeWarning = ShapeFault;
 
-impl ShapeCode {
-    /// The code in messages.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::NotFinite => "curve-not-finite",
-            Self::Crowded => "curves-crowded",
-            Self::Gap => "curve-gap",
-            Self::DanglingEnd => "curve-dangling-end",
-            Self::Crossing => "curves-cross",
-            Self::NestedIsland => "nested-island",
-            Self::WallOutside => "wall-outside",
-            Self::NoRoom => "no-room-for-band",
-            Self::BandsOverlap => "bands-overlap",
-            Self::NarrowTube => "narrow-tube",
-            Self::NarrowPassage => "narrow-passage",
-            Self::SharpCorner => "sharp-corner",
-            Self::NoPort => "chamber-without-port",
-            Self::LostPort => "port-off-edge",
-            Self::PortTooWide => "port-too-wide",
-            Self::ShortSeam => "short-seam",
-            Self::Outlines => "wrong-outlines",
-            Self::CutInBand => "cut-in-band",
-            Self::ThinWeb => "thin-web",
-            Self::Leak => "shape-leaks",
-            Self::Empty => "nothing-drawn",
-        }
-    }
-}
-
-impl fmt::Display for ShapeCode {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.word())
+impl ShapeFault {
+    /// A fault of the curves `names` at `place`: the finding and its remedy, and the values found and allowed.
+    pub(super) fn new(
+        code: ShapeCode,
+        names: &[String],
+        place: Point,
+        (what, remedy): (impl Into<String>, impl Into<String>),
+        [found, allowed]: [f64; 2],
+    ) -> Self {
+        let (names, what, remedy) = (names.to_vec(), what.into(), remedy.into());
+        Self { code, names, place, found, allowed, what, remedy }
     }
 }
 
@@ -129,12 +108,9 @@ impl fmt::Display for ShapeFault {
 
 /// "'a' and 'b'": the names that are not empty, each once.
 pub(super) fn quoted(names: &[String]) -> String {
-    let mut known: Vec<&str> = Vec::new();
-    for name in names.iter().map(String::as_str).filter(|name| !name.is_empty()) {
-        if !known.contains(&name) {
-            known.push(name);
-        }
-    }
+    let numbered = names.iter().enumerate().filter(|(_, name)| !name.is_empty());
+    let known: Vec<&String> =
+        numbered.filter(|(i, name)| !names[..*i].contains(name)).map(|(_, name)| name).collect();
     match known.as_slice() {
         [] => "a curve".to_owned(),
         [one] => format!("'{one}'"),

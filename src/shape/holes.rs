@@ -3,10 +3,11 @@
 
 use crate::shape::air::beside;
 use crate::shape::around::Layout;
-use crate::shape::fault::{ShapeCode, ShapeFault, quoted};
+use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::notes::SealingNotes;
+use crate::shape::segments::{PathSegment, Segments};
 use crate::shape::sketch::Rules;
-use inflatable::geom::{BoxIndex, Enclosures, Path, Point, Segment};
+use inflatable::geom::{Enclosures, Path, Point};
 
 /// Faults of cuts inside the outline that have bands inside: these would fall out of the piece. The first `holes` of `inner` are
 /// drawn as holes.
@@ -28,19 +29,16 @@ pub(super) fn around_bands(
             continue;
         }
         let place = path.start().unwrap_or(Point::ORIGIN);
+        let own = quoted(names);
         let (code, what, remedy) = if number < holes {
             let remedy =
                 "draw holes beside the bands; the cut around all of it is on a layer with the role `cut`";
-            (ShapeCode::CutInBand, format!("the hole {} lies around a band", quoted(names)), remedy)
+            (ShapeCode::CutInBand, format!("the hole {own} lies around a band"), remedy)
         } else {
             let remedy = "draw one cut around all of it; a frame belongs on a layer with the role `ignore`";
-            (
-                ShapeCode::Outlines,
-                format!("{} lies around a band and within another cut", quoted(names)),
-                remedy,
-            )
+            (ShapeCode::Outlines, format!("{own} lies around a band and within another cut"), remedy)
         };
-        notes.fault(code, names, place, (what, remedy.to_owned()), [f64::NAN; 2]);
+        notes.fault(code, names, place, (what, remedy), [f64::NAN; 2]);
     }
 }
 
@@ -54,19 +52,17 @@ pub(super) fn webs(
     rules: &Rules,
     notes: &mut SealingNotes,
 ) {
-    let cuts = || outlines.iter().chain(inner).enumerate();
-    let segments: Vec<(usize, Segment)> =
-        cuts().flat_map(|(at, (path, _))| path.segments.iter().map(move |s| (at, *s))).collect();
-    let index = BoxIndex::new(segments.iter().map(|(_, segment)| segment.bounds()));
-    for (number, (path, names)) in cuts().skip(outlines.len()) {
+    let cuts: Vec<&(Path, Vec<String>)> = outlines.iter().chain(inner).collect();
+    let segments = Segments::of(cuts.iter().map(|(path, _)| path));
+    for (number, (path, names)) in cuts.iter().enumerate().skip(outlines.len()) {
         let mut least = (LEAST_WEB, Point::ORIGIN, number);
         for segment in &path.segments {
-            for i in index.overlapping(&segment.bounds().grown(LEAST_WEB)) {
-                let (other, across) = &segments[i];
+            for PathSegment { path, segment: across, .. } in segments.near(segment.bounds().grown(LEAST_WEB))
+            {
                 let far = inflatable::geom::segment_distance(segment, across);
-                if *other < number && far < least.0 - 1e-6 {
+                if *path < number && far < least.0 - 1e-6 {
                     let near = across.point(across.nearest_fraction(segment.point(0.5)));
-                    least = (far, segment.point(segment.nearest_fraction(near)), *other);
+                    least = (far, segment.point(segment.nearest_fraction(near)), *path);
                 }
             }
         }
@@ -74,26 +70,19 @@ pub(super) fn webs(
         if other == number {
             continue;
         }
-        let own =
-            [names.clone(), cuts().nth(other).map_or(Vec::new(), |(_, (_, names))| names.clone())].concat();
-        let hole = quoted(names);
-        let cut = match cuts().nth(other).map(|(_, (_, names))| names.as_slice()) {
-            Some([]) | None => "the cut".to_owned(),
-            Some(names) => quoted(names),
-        };
+        let across = &cuts[other].1;
+        let (hole, own) = (quoted(names), [&names[..], across].concat());
+        let cut = if across.is_empty() { "the cut".to_owned() } else { quoted(across) };
         if far <= rules.join.max(1e-6) {
-            let text = (
-                format!("{hole} crosses or touches {cut}"),
-                format!(
-                    "move it, so that {LEAST_WEB} mm of fabric stay between them, or draw both as one cut"
-                ),
+            let what = format!("{hole} crosses or touches {cut}");
+            let remedy = format!(
+                "move it, so that {LEAST_WEB} mm of fabric stay between them, or draw both as one cut"
             );
-            notes.fault(ShapeCode::CutInBand, &own, place, text, [far, LEAST_WEB]);
+            notes.fault(ShapeCode::CutInBand, &own, place, (what, remedy), [far, LEAST_WEB]);
         } else {
             let what = format!("only {far:.3} mm of fabric between {hole} and {cut}");
             let remedy = format!("it may tear: leave {LEAST_WEB} mm, or more");
-            let (code, allowed) = (ShapeCode::ThinWeb, LEAST_WEB);
-            notes.warnings.push(ShapeFault { code, names: own, place, found: far, allowed, what, remedy });
+            notes.warning(ShapeCode::ThinWeb, &own, place, (what, remedy), [far, LEAST_WEB]);
         }
     }
 }

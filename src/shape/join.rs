@@ -1,8 +1,9 @@
 //! Pieces joined end to end: a **network** of edges between nodes. A node is where more than two edges meet, or where one ends
 //! in the open; an edge that meets no node is closed.
 
-use crate::shape::clean::{NOTHING, Piece, with_end};
-use inflatable::geom::{Bounds, BoxIndex, Path, Point, Segment};
+use crate::shape::clean::{NOTHING, Piece, with_end, with_start};
+use crate::shape::segments::{PathSegment, Segments};
+use inflatable::geom::{Bounds, BoxIndex, Path, Point};
 
 /// A run of curves from node to node.
 #[derive(Clone, Debug)]
@@ -27,15 +28,21 @@ pub(super) struct Network {
 impl Network {
     /// The nodes at which a single edge ends: node, edge, and which end.
     pub(super) fn free_ends(&self) -> Vec<(usize, usize, usize)> {
-        let mut ends: Vec<Vec<(usize, usize)>> = vec![Vec::new(); self.nodes.len()];
-        for (number, edge) in self.edges.iter().enumerate() {
-            for (which, node) in edge.nodes.iter().flatten().enumerate() {
-                ends[*node].push((number, which));
-            }
-        }
+        let ends = ends_at(&self.edges, self.nodes.len());
         let single = ends.iter().enumerate().filter(|(_, ends)| ends.len() == 1);
         single.map(|(node, ends)| (node, ends[0].0, ends[0].1)).collect()
     }
+}
+
+/// The ends of `edges` at each of so many `nodes`: the edge, and which of its ends.
+fn ends_at(edges: &[NetworkEdge], nodes: usize) -> Vec<Vec<(usize, usize)>> {
+    let mut ends = vec![Vec::new(); nodes];
+    for (number, edge) in edges.iter().enumerate() {
+        for (which, node) in edge.nodes.iter().flatten().enumerate() {
+            ends[*node].push((number, which));
+        }
+    }
+    ends
 }
 
 /// An end of an open piece.
@@ -160,39 +167,32 @@ fn sides(pieces: &[Piece], ends: &[PieceEnd], groups: &Groups, join: f64) -> Vec
     if ends.is_empty() {
         return Vec::new();
     }
-    let mut segments: Vec<(usize, f64, Segment)> = Vec::new();
-    for (number, piece) in pieces.iter().enumerate() {
-        let mut s = 0.0;
-        for segment in &piece.path.segments {
-            segments.push((number, s, *segment));
-            s += segment.length();
-        }
-    }
+    let segments = Segments::of(pieces.iter().map(|piece| &piece.path));
     let lengths: Vec<f64> = pieces.iter().map(|piece| piece.path.length()).collect();
-    let index = BoxIndex::new(segments.iter().map(|(_, _, segment)| segment.bounds()));
     let mut sides: Vec<TouchSide> = Vec::new();
     for (group, members) in groups.members.iter().enumerate() {
         let PieceEnd { piece: from, at: place, .. } = ends[members[0]];
         let mut best: Vec<TouchSide> = Vec::new();
-        for i in index.overlapping(&Bounds::of_points([place]).grown(join)) {
-            let (piece, before, segment) = &segments[i];
-            let t = segment.nearest_fraction(place);
+        for PathSegment { path: piece, before, segment, .. } in
+            segments.near(Bounds::of_points([place]).grown(join))
+        {
+            let (piece, t) = (*piece, segment.nearest_fraction(place));
             let at = segment.point(t);
             let (gap, s) = (at.distance(place), before + t * segment.length());
-            let length = lengths[*piece];
             // Beside its own end every piece is near.
-            let at_own_end = !pieces[*piece].path.closed
+            let at_own_end = !pieces[piece].path.closed
                 && members.iter().any(|end| {
-                    let along = if ends[*end].last { length - s } else { s };
-                    ends[*end].piece == *piece && along <= 4.0 * join
+                    let along = if ends[*end].last { lengths[piece] - s } else { s };
+                    ends[*end].piece == piece && along <= 4.0 * join
                 });
             if gap > join || at_own_end {
                 continue;
             }
-            match best.iter_mut().find(|side| side.piece == *piece) {
-                Some(side) if side.gap <= gap => {}
-                Some(side) => *side = TouchSide { group, piece: *piece, s, at, gap, from },
-                None => best.push(TouchSide { group, piece: *piece, s, at, gap, from }),
+            let side = TouchSide { group, piece, s, at, gap, from };
+            match best.iter_mut().find(|known| known.piece == piece) {
+                Some(known) if known.gap <= gap => {}
+                Some(known) => *known = side,
+                None => best.push(side),
             }
         }
         sides.extend(best);
@@ -210,57 +210,33 @@ fn split(
 ) -> Vec<NetworkEdge> {
     let sources = vec![piece.source];
     let length = piece.path.length();
-    let edge =
-        |path: Path, nodes: [usize; 2]| NetworkEdge { path, nodes: Some(nodes), sources: sources.clone() };
-    let mut edges: Vec<NetworkEdge> = match (own, cuts) {
+    let stops: Vec<(f64, usize)> = match (own, cuts) {
         (None, []) => return vec![NetworkEdge { path: piece.path.clone(), nodes: None, sources }],
-        (None, [first, ..]) => {
-            let ahead = cuts.iter().skip(1).copied().chain([(first.0 + length, first.1)]);
-            let pairs = cuts.iter().copied().zip(ahead);
-            pairs.map(|(a, b)| edge(piece.path.part(a.0, b.0), [a.1, b.1])).collect()
-        }
-        (Some(ends), []) => vec![edge(piece.path.clone(), ends)],
-        (Some([start, end]), cuts) => {
-            let stops: Vec<(f64, usize)> =
-                [(0.0, start)].into_iter().chain(cuts.iter().copied()).chain([(length, end)]).collect();
-            let pairs = stops.windows(2);
-            pairs.map(|stop| edge(piece.path.part(stop[0].0, stop[1].0), [stop[0].1, stop[1].1])).collect()
-        }
+        (None, [first, ..]) => cuts.iter().copied().chain([(first.0 + length, first.1)]).collect(),
+        (Some([start, end]), _) => [&[(0.0, start)], cuts, &[(length, end)]].concat(),
     };
-    // A crumb between two ends that were joined.
-    edges.retain(|edge| {
-        let same = edge.nodes.is_some_and(|[a, b]| a == b);
-        let is_crumb = same && edge.path.length() <= 2.0 * join;
-        !edge.path.segments.is_empty() && !is_crumb
-    });
-    for edge in &mut edges {
-        let Some([a, b]) = edge.nodes else { continue };
-        move_start(&mut edge.path, nodes[a]);
-        move_end(&mut edge.path, nodes[b]);
+    let mut edges = Vec::new();
+    for stop in stops.windows(2) {
+        let [(from, a), (to, b)] = [stop[0], stop[1]];
+        let mut path = if cuts.is_empty() { piece.path.clone() } else { piece.path.part(from, to) };
+        // A crumb between two ends that were joined.
+        if a == b && path.length() <= 2.0 * join {
+            continue;
+        }
+        if let Some(first) = path.segments.first_mut() {
+            *first = with_start(first, nodes[a]);
+        }
+        if let Some(last) = path.segments.last_mut() {
+            *last = with_end(last, nodes[b]);
+            edges.push(NetworkEdge { path, nodes: Some([a, b]), sources: sources.clone() });
+        }
     }
     edges
 }
 
-fn move_start(path: &mut Path, to: Point) {
-    if let Some(first) = path.segments.first_mut() {
-        *first = with_end(&first.reversed(), to).reversed();
-    }
-}
-
-fn move_end(path: &mut Path, to: Point) {
-    if let Some(last) = path.segments.last_mut() {
-        *last = with_end(last, to);
-    }
-}
-
 /// The edges, run together where just two of them meet.
 fn chained(parts: &[NetworkEdge], nodes: usize) -> Vec<NetworkEdge> {
-    let mut ends: Vec<Vec<(usize, usize)>> = vec![Vec::new(); nodes];
-    for (number, part) in parts.iter().enumerate() {
-        for (which, node) in part.nodes.iter().flatten().enumerate() {
-            ends[*node].push((number, which));
-        }
-    }
+    let ends = ends_at(parts, nodes);
     let is_node = |node: usize| ends[node].len() != 2;
     let mut used = vec![false; parts.len()];
     let mut edges = Vec::new();

@@ -4,6 +4,7 @@ use crate::shape::clean::Piece;
 use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::join::{Network, network as joined};
 use crate::shape::notes::{SealingNotes, named};
+use crate::shape::segments::{PathSegment, Segments};
 use inflatable::geom::{Bounds, BoxIndex, Path, Point, Segment, intersections};
 
 /// Ends farther apart than this are two ends, not a gap, mm.
@@ -36,13 +37,7 @@ pub(super) fn loose_ends(
         return;
     }
     let ends = BoxIndex::new(free.iter().map(|(node, ..)| Bounds::of_points([network.nodes[*node]])));
-    let segments: Vec<(usize, Segment)> = network
-        .edges
-        .iter()
-        .enumerate()
-        .flat_map(|(number, edge)| edge.path.segments.iter().map(move |segment| (number, *segment)))
-        .collect();
-    let sides = BoxIndex::new(segments.iter().map(|(_, segment)| segment.bounds()));
+    let sides = Segments::of(network.edges.iter().map(|edge| &edge.path));
     let mut told = vec![false; free.len()];
     for (i, (node, edge, _)) in free.iter().enumerate() {
         if told[i] {
@@ -53,8 +48,8 @@ pub(super) fn loose_ends(
         let far = |j: usize| network.nodes[free[j].0].distance(place);
         let other = ends.overlapping(&zone).into_iter().filter(|j| *j != i && !told[*j]);
         let other = other.min_by(|a, b| far(*a).total_cmp(&far(*b))).filter(|j| far(*j) <= WIDEST_GAP);
-        let side = sides.overlapping(&zone).into_iter().filter(|at| segments[*at].0 != *edge);
-        let side = side.map(|at| (segments[at].1.distance(place), segments[at].0));
+        let side = sides.near(zone).filter(|side| side.path != *edge);
+        let side = side.map(|side| (side.segment.distance(place), side.path));
         let side = side.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(gap, _)| *gap <= WIDEST_GAP);
         let own = |edge: usize| named(&network.edges[edge].sources, names);
         let (gap, partner) = match (other, side) {
@@ -66,7 +61,6 @@ pub(super) fn loose_ends(
             _ => {
                 let names = own(*edge);
                 let what = format!("{} has a free end", quoted(&names));
-                let remedy = remedy.to_owned();
                 notes.fault(ShapeCode::DanglingEnd, &names, place, (what, remedy), [f64::NAN; 2]);
                 continue;
             }
@@ -94,26 +88,17 @@ pub(super) fn loose_ends(
 
 /// Faults where edges cross, except where they are joined.
 pub(super) fn crossings(network: &Network, names: &[String], join: f64, notes: &mut SealingNotes) {
-    let segments: Vec<(usize, usize, Segment)> = network
-        .edges
-        .iter()
-        .enumerate()
-        .flat_map(|(number, edge)| {
-            edge.path.segments.iter().enumerate().map(move |(at, segment)| (number, at, *segment))
-        })
-        .collect();
-    let boxes: Vec<Bounds> = segments.iter().map(|(_, _, segment)| segment.bounds()).collect();
-    let index = BoxIndex::new(boxes.iter().copied());
+    let segments = Segments::of(network.edges.iter().map(|edge| &edge.path));
     let mut told: Vec<([usize; 2], Point)> = Vec::new();
-    for (i, (a, at, s)) in segments.iter().enumerate() {
+    for (i, PathSegment { path: a, at, segment: s, bounds, .. }) in segments.list.iter().enumerate() {
         if told.len() >= MOST_CROSSINGS {
             break;
         }
-        index.visit(&boxes[i], |j| {
-            let (b, other, t) = &segments[j];
+        segments.index.visit(bounds, |j| {
             if j >= i {
                 return;
             }
+            let PathSegment { path: b, at: other, segment: t, .. } = &segments.list[j];
             let count = network.edges[*a].path.segments.len();
             let steps = at.abs_diff(*other);
             let follows = a == b && (steps == 1 || steps + 1 == count);
@@ -122,8 +107,8 @@ pub(super) fn crossings(network: &Network, names: &[String], join: f64, notes: &
                     p.distance(segment.start()) <= slack || p.distance(segment.end()) <= slack
                 };
                 let is_node = |edge: usize| {
-                    let nodes = network.edges[edge].nodes.into_iter().flatten();
-                    nodes.into_iter().any(|node| network.nodes[node].distance(p) <= 4.0 * join)
+                    let mut nodes = network.edges[edge].nodes.into_iter().flatten();
+                    nodes.any(|node| network.nodes[node].distance(p) <= 4.0 * join)
                 };
                 let joined = (follows && at_end(s, 1e-6) && at_end(t, 1e-6)) || (is_node(*a) && is_node(*b));
                 if !joined {
@@ -139,11 +124,7 @@ pub(super) fn crossings(network: &Network, names: &[String], join: f64, notes: &
         if a != b {
             own.extend(named(&network.edges[b].sources, names));
         }
-        let what = if a == b {
-            format!("{} crosses itself", quoted(&own))
-        } else {
-            format!("{} cross or touch", quoted(&own))
-        };
+        let what = format!("{} {}", quoted(&own), if a == b { "crosses itself" } else { "cross or touch" });
         let are_closed = [a, b].iter().all(|edge| network.edges[*edge].nodes.is_none());
         let remedy = trimmed(network, [a, b], place, names).unwrap_or_else(|| {
             let remedy = match (a == b, are_closed) {
@@ -176,18 +157,16 @@ impl Network {
 /// The remedy where one of the edges `ab`, which cross at `place`, ends a little past the other.
 fn trimmed(network: &Network, [a, b]: [usize; 2], place: Point, names: &[String]) -> Option<String> {
     let free = network.free_ends();
+    let own = |edge: usize| free.iter().filter(move |(_, of, _)| *of == edge);
     let past = |edge: usize| {
-        let own = free
-            .iter()
-            .filter(|(_, of, _)| *of == edge)
-            .map(|(node, ..)| network.nodes[*node].distance(place));
-        own.filter(|far| *far <= WIDEST_GAP).reduce(f64::min)
+        let far = own(edge).map(|(node, ..)| network.nodes[*node].distance(place));
+        far.filter(|far| *far <= WIDEST_GAP).reduce(f64::min)
     };
     let (far, edge) =
         [a, b].into_iter().filter_map(|edge| Some((past(edge)?, edge))).min_by(|x, y| x.0.total_cmp(&y.0))?;
-    let own = quoted(&named(&network.edges[edge].sources, names));
+    let name = quoted(&named(&network.edges[edge].sources, names));
     let is_short = network.edges[edge].path.length() <= LONGEST_MARK;
-    let is_mark = is_short && a != b && free.iter().filter(|(_, of, _)| *of == edge).count() == 2;
+    let is_mark = is_short && a != b && own(edge).count() == 2;
     let port = if is_mark { "; if it marks a port, put it on a layer with the role `port`" } else { "" };
-    Some(format!("trim the {far:.3} mm of {own} that go past the other curve{port}"))
+    Some(format!("trim the {far:.3} mm of {name} that go past the other curve{port}"))
 }

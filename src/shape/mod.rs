@@ -30,6 +30,7 @@ mod ports;
 mod reach;
 mod sealing;
 mod seam;
+mod segments;
 mod separator;
 mod sketch;
 mod unsound;

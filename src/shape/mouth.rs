@@ -24,26 +24,29 @@ pub(super) struct Mouth {
 }
 
 impl Mouth {
+    /// `p` from the middle of the mouth: how far along the way out, and how far to its left.
+    pub(super) fn local(&self, p: Point) -> (f64, f64) {
+        let from = p - self.at;
+        (from.dot(self.out), from.dot(self.out.perp()))
+    }
+
     /// Whether the corner `p` of a centre line `half` mm outside the air is one where the channel itself begins or ends.
     pub(super) fn has_corner(&self, p: Point, half: f64) -> bool {
-        let from = p - self.at;
-        let (along, across) = (from.dot(self.out), from.dot(self.out.perp()));
+        let (along, across) = self.local(p);
         (across.abs() - self.half - half).abs() < 1e-6
             && (-self.depth..=self.beyond + half + 1e-6).contains(&along)
     }
 
     /// Whether `p` lies beside the channel, at most `aside` mm from it.
     pub(super) fn is_beside(&self, p: Point, aside: f64) -> bool {
-        let from = p - self.at;
-        (-self.depth..=self.beyond + 1.0).contains(&from.dot(self.out))
-            && from.dot(self.out.perp()).abs() <= self.half + aside
+        let (along, across) = self.local(p);
+        (-self.depth..=self.beyond + 1.0).contains(&along) && across.abs() <= self.half + aside
     }
 
     /// Whether `p` lies before the end of the channel, at most `far` mm from it.
     pub(super) fn is_in_front(&self, p: Point, far: f64) -> bool {
-        let from = p - self.at;
-        (self.beyond..=self.beyond + far).contains(&from.dot(self.out))
-            && from.dot(self.out.perp()).abs() <= self.half
+        let (along, across) = self.local(p);
+        (self.beyond..=self.beyond + far).contains(&along) && across.abs() <= self.half
     }
 
     /// The point `along` the way out and `across` it to the left, from the middle of the mouth.
@@ -56,9 +59,9 @@ impl Mouth {
     pub(super) fn sides_begin(&self, path: &Path, across: f64) -> Option<f64> {
         let side = |sign: f64| {
             let lines = path.segments.iter().filter(|segment| matches!(segment, Segment::Line(_)));
-            let ends = lines.map(|line| [line.start(), line.end()].map(|p| p - self.at));
-            let is_on = |from: &Vec2| (sign * from.dot(self.out.perp()) - across).abs() < 1e-6;
-            let along = ends.filter(|ends| ends.iter().all(is_on)).map(|ends| ends.map(|p| p.dot(self.out)));
+            let ends = lines.map(|line| [line.start(), line.end()].map(|p| self.local(p)));
+            let is_on = |(_, aside): &(f64, f64)| (sign * aside - across).abs() < 1e-6;
+            let along = ends.filter(|ends| ends.iter().all(is_on)).map(|ends| ends.map(|(along, _)| along));
             let ahead = along.filter(|[a, b]| a.max(*b) > 0.0).map(|[a, b]| a.min(b).max(0.0));
             ahead.reduce(f64::min)
         };
@@ -95,8 +98,7 @@ pub(super) fn cap(port: usize, ends: [Point; 2], leading: [Vec2; 2], beyond: f64
     let half = ends[0].distance(ends[1]) / 2.0;
     let mouth = Mouth { port, at, out, half, length: 0.0, beyond, depth: 1.0 };
     let far = ends.map(|end| end + out * beyond);
-    let corners = [ends[0], far[0], far[1], ends[1]];
-    (Path::open(corners.windows(2).map(|pair| Line::new(pair[0], pair[1]).into()).collect()), mouth)
+    (Path::through(&[ends[0], far[0], far[1], ends[1]]), mouth)
 }
 
 /// The reason why a port has no channel.
@@ -120,9 +122,9 @@ pub(super) enum NoChannel {
 /// Least sine of the angle at which the line of a port crosses an edge: 15 degrees.
 const STEEP: f64 = 0.26;
 
-/// The reason why the line of a port does not mark one place on `edges`; `None` where it does, or is a point.
-pub(super) fn ambiguous(place: &PortPlace, edges: &[Path]) -> Option<NoChannel> {
-    let PortPlace::Across([a, b]) = place else { return None };
+/// Whether the line of a port marks one place at most on `edges`, or is a point.
+pub(super) fn unambiguous(place: &PortPlace, edges: &[Path]) -> Result<(), NoChannel> {
+    let PortPlace::Across([a, b]) = place else { return Ok(()) };
     let line = Segment::Line(Line::new(*a, *b));
     let way = (*b - *a).normalized();
     let (mut met, mut flat): (Vec<Point>, bool) = (Vec::new(), false);
@@ -135,10 +137,10 @@ pub(super) fn ambiguous(place: &PortPlace, edges: &[Path]) -> Option<NoChannel> 
         }
     }
     match met.len() {
-        0 => None,
-        _ if flat => Some(NoChannel::Along),
-        1 => None,
-        _ => Some(NoChannel::Twice(met)),
+        0 => Ok(()),
+        _ if flat => Err(NoChannel::Along),
+        1 => Ok(()),
+        _ => Err(NoChannel::Twice(met)),
     }
 }
 
@@ -149,7 +151,7 @@ pub(super) fn channel(
     port: usize,
     place: &PortPlace,
     width: f64,
-    length: impl Fn(Point, Vec2) -> f64,
+    length: f64,
     beyond: f64,
 ) -> Result<(Path, Mouth), NoChannel> {
     let (middle, out) = foot(drawn, place, width)?;
@@ -162,7 +164,6 @@ pub(super) fn channel(
     // Travelling with the air on the left, the way out is on the right: the edge goes on to the left of it.
     let ahead = first_across(path, s, middle, across, half).ok_or_else(narrow)?;
     let back = first_across(&path.reversed(), total - s, middle, -across, half).ok_or_else(narrow)?;
-    let length = length(middle, out);
     let far = |lateral: f64, along: f64| middle + across * lateral + out * along;
     let (from, to) = (ahead, total - back);
     let rest = path.part(from, if to > from { to } else { to + total });
@@ -173,8 +174,7 @@ pub(super) fn channel(
         return Err(NoChannel::Deep { depth, most: width, at: middle });
     }
     let corners = [end, far(-half, length + beyond), far(half, length + beyond), start];
-    let lines: Vec<Segment> =
-        corners.windows(2).map(|pair| Segment::Line(Line::new(pair[0], pair[1]))).collect();
+    let lines = Path::through(&corners).segments;
     let met = lines.iter().flat_map(|line| drawn.segments.iter().flat_map(|edge| intersections(edge, line)));
     let met = met.filter(|p| p.distance(start).min(p.distance(end)) > 1e-6);
     let met = met.map(|p| ((p - middle).dot(out), p)).min_by(|a, b| a.0.total_cmp(&b.0));
@@ -229,7 +229,7 @@ fn first_across(path: &Path, s: f64, middle: Point, across: Vec2, half: f64) -> 
         }
         met.sort_by(f64::total_cmp);
         if let Some(t) = met.first() {
-            return Some(s + before + t * length).map(|s| s.rem_euclid(total));
+            return Some((s + before + t * length).rem_euclid(total));
         }
         before += length;
         if before > total / 2.0 {

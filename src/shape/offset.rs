@@ -38,10 +38,8 @@ pub fn offset_right(path: &Path, by: f64) -> Vec<Path> {
 /// Whether `loops` lie at `by` from the closed `path` all along, and wherever they can. `far` is the distance from the path.
 fn is_sound(path: &Path, by: f64, loops: &[Path], far: &impl Fn(Point) -> f64) -> bool {
     let off = by.abs();
-    let on_loops = BoxIndex::new(
-        loops.iter().flat_map(|line| &line.segments).map(Segment::bounds).collect::<Vec<_>>().into_iter(),
-    );
     let segments: Vec<&Segment> = loops.iter().flat_map(|line| &line.segments).collect();
+    let on_loops = BoxIndex::new(segments.iter().map(|segment| segment.bounds()));
     let is_at = |segment: &&Segment| (far(segment.point(0.5)) - off).abs() <= SOUND;
     let is_met = |segment: &Segment| {
         let p = segment.point(0.5) - segment.tangent(0.5).perp() * by;

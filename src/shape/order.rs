@@ -18,13 +18,10 @@ pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
     for stage in [LineUse::Weld, LineUse::Island, LineUse::Outer] {
         // Walls go with the welds: both end in other bands or in the air.
         let kind = |line: &Line| if line.kind == LineUse::Wall { LineUse::Weld } else { line.kind };
-        let (own, rest): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|line| kind(line) == stage);
+        let (mut own, rest): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|line| kind(line) == stage);
         lines = rest;
-        let mut ends: Vec<Ends> = own.iter().enumerate().map(Ends::of).collect();
-        let mut left: Vec<Option<Line>> = own.into_iter().map(Some).collect();
-        while let Some((next, backwards)) = nearest(&ends, at) {
-            let Ends { number, .. } = ends.remove(next);
-            let Some(mut line) = left[number].take() else { break };
+        while let Some((next, backwards)) = nearest(&own, at) {
+            let mut line = own.remove(next);
             if backwards {
                 line.path = line.path.reversed();
                 line.joined.reverse();
@@ -36,31 +33,14 @@ pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
     ordered
 }
 
-/// The start of a line, and its end if it may be sealed from there.
-struct Ends {
-    number: usize,
-    ends: [Option<Point>; 2],
-}
-
-impl Ends {
-    fn of((number, line): (usize, &Line)) -> Self {
-        let end = if line.path.closed { None } else { line.path.end() };
-        Self { number, ends: [line.path.start(), end] }
-    }
-}
-
-/// The place in `lines` of the one that begins nearest to `at`, and whether its end does.
-fn nearest(lines: &[Ends], at: Point) -> Option<(usize, bool)> {
-    let mut best: Option<(f64, usize, bool)> = None;
-    for (place, line) in lines.iter().enumerate() {
-        for (end, backwards) in line.ends.iter().zip([false, true]) {
-            let far = end.map_or(f64::INFINITY, |end| end.distance(at));
-            if best.is_none_or(|(least, ..)| far < least) {
-                best = Some((far, place, backwards));
-            }
-        }
-    }
-    best.map(|(_, place, backwards)| (place, backwards))
+/// The place in `lines` of the one that begins nearest to `at`, or may be sealed from its end, and whether its end is nearest.
+fn nearest(lines: &[Line], at: Point) -> Option<(usize, bool)> {
+    let far = |end: Option<Point>| end.map_or(f64::INFINITY, |end| end.distance(at));
+    let ends = lines.iter().enumerate().flat_map(|(place, Line { path, .. })| {
+        let end = if path.closed { None } else { path.end() };
+        [(far(path.start()), place, false), (far(end), place, true)]
+    });
+    ends.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place, backwards)| (place, backwards))
 }
 
 /// Straight segments shorter than this are not looked for as a start, mm: the ways down and up would leave them soon, and some are rounding.

@@ -1,7 +1,7 @@
 //! The cut around a sealed shape, and the cuts inside it.
 
 use crate::shape::air::{beside, depth};
-use crate::shape::around::{Layout, Line};
+use crate::shape::around::Layout;
 use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::holes::{around_bands, webs};
 use crate::shape::loose::{crossings, loose_ends};
@@ -9,8 +9,9 @@ use crate::shape::mouth::Mouth;
 use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
 use crate::shape::reach::unreached;
+use crate::shape::segments::{PathSegment, Segments};
 use crate::shape::sketch::{DrawnCurve, Rules, Sketch, thousandths_up};
-use inflatable::geom::{BoxIndex, Enclosures, Line as Chord, Path, Point, Segment};
+use inflatable::geom::{Enclosures, Line as Chord, Path, Point, Segment};
 
 /// The outline, and the closed paths that are cut inside it.
 pub(super) fn outline(
@@ -51,11 +52,9 @@ pub(super) fn outline(
         count => {
             let place = outlines.get(1).and_then(|(path, _)| path.start()).unwrap_or(Point::ORIGIN);
             let names: Vec<String> = outlines.iter().flat_map(|(_, names)| names.clone()).collect();
-            let text = (
-                format!("{count} outlines to be cut"),
-                "draw one cut around all of it on a layer with the role `cut`, or a file for each piece"
-                    .to_owned(),
-            );
+            let remedy =
+                "draw one cut around all of it on a layer with the role `cut`, or a file for each piece";
+            let text = (format!("{count} outlines to be cut"), remedy);
             #[expect(clippy::cast_precision_loss, reason = "a count of curves")]
             let found = count as f64;
             notes.fault(ShapeCode::Outlines, &names, place, text, [found, 1.0]);
@@ -78,17 +77,15 @@ fn no_outline(cuts: &[DrawnCurve], before: usize, notes: &mut SealingNotes) {
     let Some(first) = cuts.first().filter(|_| notes.faults.len() == before) else { return };
     let names: Vec<String> = cuts.iter().map(|drawn| drawn.name.clone()).collect();
     let place = first.path.point_at(0.0).unwrap_or(Point::ORIGIN);
-    let text = (
-        format!("the cuts {} meet or share an edge, so none of them is the outline", quoted(&names)),
-        "draw one closed cut around all of it, or a file for each piece".to_owned(),
-    );
-    notes.fault(ShapeCode::Outlines, &names, place, text, [0.0, 1.0]);
+    let cuts = quoted(&names);
+    let what = format!("the cuts {cuts} meet or share an edge, so none of them is the outline");
+    let remedy = "draw one closed cut around all of it, or a file for each piece";
+    notes.fault(ShapeCode::Outlines, &names, place, (what, remedy), [0.0, 1.0]);
 }
 
 /// Drawn curves that must be closed, mended.
 fn closed(drawn: &[DrawnCurve], rules: &Rules, notes: &mut SealingNotes) -> Vec<(Path, Vec<String>)> {
-    let names: Vec<String> = drawn.iter().map(|drawn| drawn.name.clone()).collect();
-    let (pieces, network) = notes.mended(drawn, rules.join);
+    let (pieces, network, names) = notes.mended(drawn, rules.join);
     loose_ends((&pieces, &network), &names, rules.join, "close it", notes);
     crossings(&network, &names, rules.join, notes);
     let edges = network.edges.into_iter().filter(|edge| edge.nodes.is_none());
@@ -121,9 +118,7 @@ fn touching(
     notes: &mut SealingNotes,
 ) {
     let half = rules.band / 2.0;
-    let segments: Vec<Segment> =
-        lines.lines.iter().flat_map(|Line { path, .. }| path.segments.clone()).collect();
-    let index = BoxIndex::new(segments.iter().map(Segment::bounds));
+    let bands = Segments::of(lines.lines.iter().map(|line| &line.path));
     let in_mouth =
         |p: Point| lines.mouths.iter().any(|mouth| (p - mouth.at).length() <= reach(mouth, rules) + 1e-6);
     let outline = Enclosures::new(outlines.iter().map(|(path, _)| path));
@@ -131,9 +126,9 @@ fn touching(
     for (number, (path, names)) in outlines.iter().chain(inner).enumerate() {
         let mut least: Option<(f64, Point)> = None;
         for segment in &path.segments {
-            for i in index.overlapping(&segment.bounds().grown(half)) {
-                let far = inflatable::geom::segment_distance(segment, &segments[i]);
-                let place = segments[i].point(segments[i].nearest_fraction(segment.point(0.5)));
+            for PathSegment { segment: band, .. } in bands.near(segment.bounds().grown(half)) {
+                let far = inflatable::geom::segment_distance(segment, band);
+                let place = band.point(band.nearest_fraction(segment.point(0.5)));
                 let place = segment.point(segment.nearest_fraction(place));
                 if far < half - 1e-6 && !in_mouth(place) && least.is_none_or(|(known, _)| far < known) {
                     least = Some((far, place));
@@ -159,14 +154,8 @@ fn touching(
         }
         let (place, _) = beside(path, 1e-6);
         if number >= outlines.len() && (outline.around(place).is_empty() && !outlines.is_empty()) {
-            let what = format!("{} lies outside of the cut", quoted(names));
-            notes.fault(
-                ShapeCode::CutInBand,
-                names,
-                place,
-                (what, "move it inside".to_owned()),
-                [f64::NAN; 2],
-            );
+            let text = (format!("{} lies outside of the cut", quoted(names)), "move it inside");
+            notes.fault(ShapeCode::CutInBand, names, place, text, [f64::NAN; 2]);
         }
         if number >= outlines.len() && air.around(place).len() % 2 == 1 {
             let is_on_edge = lines.closed.iter().any(|edge| edge.distance(place) <= half + rules.join);
@@ -189,18 +178,17 @@ fn reach(mouth: &Mouth, rules: &Rules) -> f64 {
 
 /// Whether `p` lies beside the channel of `mouth` outside the drawn edge, at most a band from it.
 fn is_past_edge(mouth: &Mouth, p: Point, band: f64) -> bool {
-    (p - mouth.at).dot(mouth.out) > -mouth.length && mouth.is_beside(p, band)
+    mouth.local(p).0 > -mouth.length && mouth.is_beside(p, band)
 }
 
 /// The remedy of an outline that crosses the bands beside the hose too near the edge.
 fn across_channel(mouth: &Mouth, sketch: &Sketch, rules: &Rules) -> String {
     let across = mouth.half + rules.band / 2.0;
     let least = mouth.length - (reach(mouth, rules).powi(2) - across.powi(2)).sqrt();
-    let port = sketch.ports.get(mouth.port).map(|port| port.name.clone());
+    let port = quoted(std::slice::from_ref(&sketch.ports[mouth.port].name));
+    let least = thousandths_up(least.max(rules.band));
     format!(
-        "at port {} it must lie at least {:.3} mm outside the edge: only there may it cross the bands beside the hose",
-        quoted(&port.into_iter().collect::<Vec<_>>()),
-        thousandths_up(least.max(rules.band))
+        "at port {port} it must lie at least {least:.3} mm outside the edge: only there may it cross the bands beside the hose"
     )
 }
 
@@ -214,7 +202,7 @@ fn outside(outlines: &[(Path, Vec<String>)], lines: &Layout, notes: &mut Sealing
         let (place, _) = beside(&line.path, 1e-6);
         if outline.around(place).is_empty() {
             let what = format!("the seam of {} lies outside of the cut", quoted(&line.names));
-            let remedy = "draw the cut around it".to_owned();
+            let remedy = "draw the cut around it";
             notes.fault(ShapeCode::CutInBand, &line.names, place, (what, remedy), [f64::NAN; 2]);
         }
     }

@@ -1,10 +1,10 @@
-//! Drawn ports: copies are merged, and those that no edge takes are faults.
+//! Drawn ports: copies are merged, each opens the edge that it lies on, and those that no edge takes are faults.
 
 use crate::shape::fault::{Repair, ShapeCode, quoted};
-use crate::shape::mouth::{Mouth, NoChannel};
+use crate::shape::mouth::{Mouth, NoChannel, channel, unambiguous};
 use crate::shape::notes::SealingNotes;
-use crate::shape::sketch::{DrawnPort, PortPlace, Rules, thousandths_up};
-use inflatable::geom::Point;
+use crate::shape::sketch::{DrawnPort, PortPlace, Rules, Sketch, thousandths_up};
+use inflatable::geom::{Bounds, Path, Point};
 
 /// The ports, each that was drawn twice at one place once.
 pub(super) fn once(ports: &[DrawnPort], join: f64, notes: &mut SealingNotes) -> Vec<DrawnPort> {
@@ -29,8 +29,68 @@ pub(super) fn once(ports: &[DrawnPort], join: f64, notes: &mut SealingNotes) -> 
     kept
 }
 
+/// How ports open edges.
+pub(super) struct Opening {
+    /// Half a band where the edges are its centre lines, 0 where they are those of the air, mm.
+    pub half: f64,
+    /// Length of a channel past the edge, mm.
+    pub length: f64,
+    /// Whether ports that are too far away wait for other edges.
+    pub may_wait: bool,
+}
+
+/// Channels through the outer `edges` for the ports that are not taken.
+pub(super) fn open_ports(
+    sketch: &Sketch,
+    rules: &Rules,
+    opening: &Opening,
+    mut edges: Vec<&mut Path>,
+    mouths: &mut Vec<Mouth>,
+    taken: &mut Vec<usize>,
+    notes: &mut SealingNotes,
+) {
+    let drawn: Vec<Path> = edges.iter().map(|path| (**path).clone()).collect();
+    let around: Vec<Bounds> = drawn.iter().map(Path::bounds).collect();
+    let Opening { half, length, may_wait } = *opening;
+    let (width, beyond) = (rules.port_width + 2.0 * half, rules.overrun + 1.0);
+    for (number, port) in sketch.ports.iter().enumerate() {
+        let place = port.place.middle();
+        if taken.contains(&number) {
+            continue;
+        }
+        let Some(nearest) = nearest_path(drawn.iter().zip(around.iter().copied()), place) else { continue };
+        let paths = (&*edges[nearest], &drawn[nearest]);
+        let made = unambiguous(&port.place, &drawn)
+            .and_then(|()| channel(paths, number, &port.place, width, length, beyond));
+        match made {
+            Ok((path, mouth)) => {
+                *edges[nearest] = path;
+                mouths.push(Mouth { half: mouth.half - half, ..mouth });
+            }
+            Err(NoChannel::Far(_)) if may_wait => continue,
+            Err(why) => no_channel(&reason(why, place, mouths, rules), &port.name, place, rules, notes),
+        }
+        taken.push(number);
+    }
+}
+
+/// The number of the first path that is nearest to `p`; each comes with its box.
+fn nearest_path<'a>(paths: impl Iterator<Item = (&'a Path, Bounds)>, p: Point) -> Option<usize> {
+    let mut best: Option<(f64, usize)> = None;
+    for (number, (path, around)) in paths.enumerate() {
+        if best.is_some_and(|(least, _)| around.distance(p) > least) {
+            continue;
+        }
+        let far = path.distance(p);
+        if best.is_none_or(|(least, _)| far < least) {
+            best = Some((far, number));
+        }
+    }
+    best.map(|(_, number)| number)
+}
+
 /// The reason `why` there is no channel at `place`: the channel of `mouths` which takes the room, if one does.
-pub(super) fn reason(why: NoChannel, place: Point, mouths: &[Mouth], rules: &Rules) -> NoChannel {
+fn reason(why: NoChannel, place: Point, mouths: &[Mouth], rules: &Rules) -> NoChannel {
     let aside = rules.port_width / 2.0 + 2.0 * rules.band;
     match why {
         NoChannel::Narrow { .. } | NoChannel::Deep { .. }
@@ -45,61 +105,52 @@ pub(super) fn reason(why: NoChannel, place: Point, mouths: &[Mouth], rules: &Rul
 /// Notes the fault of a port that has no channel for the reason `why`.
 pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rules, notes: &mut SealingNotes) {
     let names = [name.to_owned()];
+    let (port, unknown) = (quoted(&names), [f64::NAN; 2]);
+    let lost = |notes: &mut SealingNotes, what: String, remedy: &str, numbers: [f64; 2]| {
+        notes.fault(ShapeCode::LostPort, &names, place, (what, remedy), numbers);
+    };
     match why {
-        NoChannel::Far(distance) => {
+        NoChannel::Far(distance) if distance.is_finite() => {
             let allowed = rules.farthest_port();
-            let name = quoted(&names);
-            let text = if distance.is_finite() {
-                let what = format!("port {name} lies {distance:.3} mm from the nearest outer edge");
-                (what, format!("put it on an edge, or at most {allowed:.3} mm from it"))
-            } else {
-                let what = format!("port {name} is not on the outer edge of a chamber");
-                (what, "draw a closed edge of air, or give a layer that role".to_owned())
-            };
-            notes.fault(ShapeCode::LostPort, &names, place, text, [*distance, allowed]);
+            let what = format!("port {port} lies {distance:.3} mm from the nearest outer edge");
+            let remedy = format!("put it on an edge, or at most {allowed:.3} mm from it");
+            lost(notes, what, &remedy, [*distance, allowed]);
+        }
+        NoChannel::Far(distance) => {
+            let what = format!("port {port} is not on the outer edge of a chamber");
+            let remedy = "draw a closed edge of air, or give a layer that role";
+            lost(notes, what, remedy, [*distance, rules.farthest_port()]);
         }
         NoChannel::Beside => {
-            let what = format!("port {} lies in the channel of another port, or beside it", quoted(&names));
-            let remedy = format!("{}, or remove it", rules.ports_apart());
-            notes.fault(ShapeCode::LostPort, &names, place, (what, remedy), [f64::NAN; 2]);
-        }
-        NoChannel::Blocked { far, at } => {
-            let what =
-                format!("the channel of port {} meets the edge {far:.3} mm in front of it", quoted(&names));
-            let numbers = [*far, f64::NAN];
-            notes.fault(ShapeCode::BandsOverlap, &names, *at, (what, rules.room_in_front()), numbers);
+            let what = format!("port {port} lies in the channel of another port, or beside it");
+            lost(notes, what, &format!("{}, or remove it", rules.ports_apart()), unknown);
         }
         NoChannel::Along => {
-            let what = format!("port {} runs along the edge", quoted(&names));
-            let remedy = "draw a short line across the edge, or a point on it".to_owned();
-            notes.fault(ShapeCode::LostPort, &names, place, (what, remedy), [f64::NAN; 2]);
+            let remedy = "draw a short line across the edge, or a point on it";
+            lost(notes, format!("port {port} runs along the edge"), remedy, unknown);
         }
         NoChannel::Twice(places) => {
             let list: Vec<String> = places.iter().map(|p| format!("X {:.3} Y {:.3}", p.x, p.y)).collect();
-            let what = format!(
-                "port {} crosses outer edges {} times ({})",
-                quoted(&names),
-                places.len(),
-                list.join(", ")
-            );
-            let remedy =
-                "draw a short line for each port, with one end in the air and one outside".to_owned();
-            notes.fault(ShapeCode::LostPort, &names, place, (what, remedy), [f64::NAN; 2]);
+            let (count, list) = (places.len(), list.join(", "));
+            let what = format!("port {port} crosses outer edges {count} times ({list})");
+            let remedy = "draw a short line for each port, with one end in the air and one outside";
+            lost(notes, what, remedy, unknown);
+        }
+        NoChannel::Blocked { far, at } => {
+            let what = format!("the channel of port {port} meets the edge {far:.3} mm in front of it");
+            let text = (what, rules.room_in_front());
+            notes.fault(ShapeCode::BandsOverlap, &names, *at, text, [*far, f64::NAN]);
         }
         NoChannel::Narrow { width, at } => {
-            let what = format!("the edge at port {} has room for {width:.3} mm only", quoted(&names));
-            let remedy = format!(
-                "the hose needs {:.3} mm: make the edge longer, or take a thinner hose",
-                rules.port_width
-            );
-            notes.fault(ShapeCode::PortTooWide, &names, *at, (what, remedy), [*width, rules.port_width]);
+            let needed = rules.port_width;
+            let what = format!("the edge at port {port} has room for {width:.3} mm only");
+            let remedy =
+                format!("the hose needs {needed:.3} mm: make the edge longer, or take a thinner hose");
+            notes.fault(ShapeCode::PortTooWide, &names, *at, (what, remedy), [*width, needed]);
         }
         NoChannel::Deep { depth, most, at } => {
-            let what = format!(
-                "across the hose at port {} the edge falls back by {:.3} mm",
-                quoted(&names),
-                thousandths_up(*depth)
-            );
+            let back = thousandths_up(*depth);
+            let what = format!("across the hose at port {port} the edge falls back by {back:.3} mm");
             let remedy = format!(
                 "it may by at most {most:.3} mm: put the port on a straighter or wider part of the edge, or take a \
                  thinner hose"

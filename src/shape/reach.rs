@@ -4,8 +4,9 @@ use crate::shape::around::Layout;
 use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::mouth::Mouth;
 use crate::shape::notes::SealingNotes;
+use crate::shape::segments::Segments;
 use crate::shape::sketch::{Rules, Sketch};
-use inflatable::geom::{Bounds, BoxIndex, Line as Chord, Path, Point, Segment, intersections};
+use inflatable::geom::{Bounds, Line as Chord, Path, Point, Segment, intersections};
 
 /// Faults of mouths that a band closes before one of the `cuts` crosses the way out. Without a drawn cut its way is also closed where the
 /// cut along the bands passes by, farther out than twice the flap around the end of a channel: flaps then bridge a gap.
@@ -16,12 +17,9 @@ pub(super) fn unreached<'a>(
     rules: &Rules,
     notes: &mut SealingNotes,
 ) {
-    let cuts: Vec<Segment> = cuts.flat_map(|path| path.segments.iter().copied()).collect();
-    let bands: Vec<Segment> =
-        lines.lines.iter().flat_map(|line| line.path.segments.iter().copied()).collect();
-    let around = |segments: &[Segment]| BoxIndex::new(segments.iter().map(Segment::bounds));
-    let (cut_boxes, band_boxes) = (around(&cuts), around(&bands));
-    let all = cuts.iter().fold(Bounds::EMPTY, |all, segment| all.union(segment.bounds()));
+    let cuts = Segments::of(cuts);
+    let bands = Segments::of(lines.lines.iter().map(|line| &line.path));
+    let all = cuts.list.iter().fold(Bounds::EMPTY, |all, cut| all.union(cut.bounds));
     let far = all.width() + all.height();
     let by = rules.band + rules.allowance;
     for mouth in &lines.mouths {
@@ -30,16 +28,14 @@ pub(super) fn unreached<'a>(
         let most = if sketch.cuts.is_empty() { 2.0 * (mouth.beyond + by) } else { f64::INFINITY };
         let first = [-mouth.half, 0.0, mouth.half].map(|across| {
             let way = [start, far].map(|along| mouth.point(along, across));
-            [(&cuts, &cut_boxes), (&bands, &band_boxes)]
-                .map(|(segments, boxes)| first(mouth, way, segments, boxes))
+            [&cuts, &bands].map(|segments| first(mouth, way, segments))
         });
         let is_closed = first.iter().any(|[cut, band]| cut >= band);
         let ahead = first[1][0];
         if !is_closed && ahead <= most {
             continue;
         }
-        let names: Vec<String> =
-            sketch.ports.get(mouth.port).map(|port| port.name.clone()).into_iter().collect();
+        let names = [sketch.ports[mouth.port].name.clone()];
         let port = quoted(&names);
         let (what, numbers) = if is_closed {
             (format!("a band lies between the mouth of port {port} and the cut"), [f64::NAN; 2])
@@ -52,9 +48,8 @@ pub(super) fn unreached<'a>(
 }
 
 /// The distance past the mouth at which the `way` out first meets one of the `segments`; infinite if it does not.
-fn first(mouth: &Mouth, way: [Point; 2], segments: &[Segment], boxes: &BoxIndex) -> f64 {
+fn first(mouth: &Mouth, way: [Point; 2], segments: &Segments) -> f64 {
     let way = Segment::Line(Chord::new(way[0], way[1]));
-    let near = boxes.overlapping(&way.bounds()).into_iter();
-    let met = near.flat_map(|i| intersections(&segments[i], &way)).map(|p| (p - mouth.at).dot(mouth.out));
-    met.fold(f64::INFINITY, f64::min)
+    let met = segments.near(way.bounds()).flat_map(|near| intersections(&near.segment, &way));
+    met.map(|p| mouth.local(p).0).fold(f64::INFINITY, f64::min)
 }

@@ -44,10 +44,7 @@ pub fn sealed_shape(sketch: &Sketch, rules: &Rules) -> Result<Sealing, Vec<Shape
         lost_ports(sketch, rules, &taken, &mut notes);
     }
     if lines.lines.is_empty() && notes.faults.is_empty() {
-        let text = (
-            "no edge of air and no seam is drawn".to_owned(),
-            "give a layer the role air or seam".to_owned(),
-        );
+        let text = ("no edge of air and no seam is drawn", "give a layer the role air or seam");
         notes.fault(ShapeCode::Empty, &[], Point::ORIGIN, text, [0.0, 1.0]);
     }
     if !notes.faults.is_empty() {
@@ -78,18 +75,15 @@ fn ports(lines: &Layout) -> Vec<Port> {
 
 fn seams(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) -> Vec<Seam> {
     let named = lines.lines.iter().zip(seam_names(&lines.lines));
-    let seam = |(line, name): (&crate::shape::around::Line, String)| {
+    let seam = |(line, name): (&Line, String)| {
         let closed = line.path.closed;
         let (length, least) = (line.path.length(), 2.0 * rules.overlap);
         if closed && length < least {
             let place = line.path.start().unwrap_or(Point::ORIGIN);
-            let text = (
-                format!(
-                    "the seam of {} is {length:.3} mm long, shorter than twice its overlap",
-                    quoted(&line.names)
-                ),
-                format!("make the overlap at most {:.3} mm", (length * 500.0).floor() / 1000.0),
-            );
+            let own = quoted(&line.names);
+            let what = format!("the seam of {own} is {length:.3} mm long, shorter than twice its overlap");
+            let most = (length * 500.0).floor() / 1000.0;
+            let text = (what, format!("make the overlap at most {most:.3} mm"));
             notes.fault(ShapeCode::ShortSeam, &line.names, place, text, [length, least]);
         }
         let role = if line.kind == LineUse::Weld { Role::Weld } else { Role::Boundary };

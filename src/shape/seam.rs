@@ -1,7 +1,7 @@
 //! A seam: the centre line of a band, and how the iron enters and leaves it; the shapes that seams make, as they lie on a sheet.
 
 use crate::shape::{PieceName, SeamName};
-use inflatable::geom::{Bounds, Isometry, Line, Path, Point, Segment};
+use inflatable::geom::{Bounds, Isometry, Path, Point};
 
 /// The purpose of a seam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,30 +53,17 @@ impl Seam {
         if self.center_line.closed {
             return self.center_line.part(self.overlap, self.overlap + length);
         }
-        straight_out(&self.center_line, length)
+        straight_in(&self.center_line.reversed(), length).reversed()
     }
-}
-
-/// Whether a segment is long enough to give a line's direction; shorter ones may be rounding of a drawing.
-fn has_direction(segment: &Segment) -> bool {
-    segment.length() > 0.01
 }
 
 /// The straight way of `length` that ends where the open `path` begins.
 fn straight_in(path: &Path, length: f64) -> Path {
-    let direction = path.segments.iter().find(|segment| has_direction(segment)).or(path.segments.first());
+    // Shorter segments may be rounding of a drawing: they give no direction.
+    let direction = path.segments.iter().find(|segment| segment.length() > 0.01).or(path.segments.first());
     let (Some(start), Some(first)) = (path.start(), direction) else { return Path::default() };
     let tangent = first.tangent(0.0);
-    Path::open(vec![Line::new(start - tangent * length, start).into()])
-}
-
-/// The straight way of `length` that goes on where the open `path` ends.
-fn straight_out(path: &Path, length: f64) -> Path {
-    let direction =
-        path.segments.iter().rev().find(|segment| has_direction(segment)).or(path.segments.last());
-    let (Some(end), Some(last)) = (path.end(), direction) else { return Path::default() };
-    let tangent = last.tangent(1.0);
-    Path::open(vec![Line::new(end, end + tangent * length).into()])
+    Path::through(&[start - tangent * length, start])
 }
 
 /// The opening for a hose: between the two ends of an open seam.
@@ -173,16 +160,13 @@ impl LaidSeam {
     }
 }
 
-impl PlacedPiece<'_> {
-    /// Its seams in the order of sealing, with ways down and up of `ramp` mm.
-    fn laid_seams(&self, ramp: f64) -> impl Iterator<Item = LaidSeam> {
-        self.shape.seams.iter().map(move |seam| LaidSeam::new(&self.name, seam, self.placement, ramp))
-    }
-}
-
 /// The seams of `pieces` in the order of sealing, with ways down and up of `ramp` mm.
 pub fn laid_seams(pieces: &[PlacedPiece<'_>], ramp: f64) -> Vec<LaidSeam> {
-    pieces.iter().flat_map(|piece| piece.laid_seams(ramp)).collect()
+    let laid = |piece: &PlacedPiece<'_>| -> Vec<LaidSeam> {
+        let seams = piece.shape.seams.iter();
+        seams.map(|seam| LaidSeam::new(&piece.name, seam, piece.placement, ramp)).collect()
+    };
+    pieces.iter().flat_map(laid).collect()
 }
 
 /// The rectangle around the cuts of `pieces` and around all that the iron does to the fabric along `seams`: what a trace shows
@@ -192,7 +176,5 @@ pub fn frame(pieces: &[PlacedPiece<'_>], seams: &[LaidSeam]) -> Path {
         pieces.iter().filter_map(|piece| Some(piece.placement.path(piece.shape.cut.as_ref()?).bounds()));
     let half_band = pieces.first().map_or(0.0, |piece| piece.shape.band / 2.0);
     let touched = seams.iter().flat_map(LaidSeam::paths).map(|path| path.bounds().grown(half_band));
-    let Bounds { min, max } = cuts.chain(touched).fold(Bounds::EMPTY, Bounds::union);
-    let corners = [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y), min];
-    Path::closed(corners.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
+    Path::around(cuts.chain(touched).fold(Bounds::EMPTY, Bounds::union))
 }

@@ -76,8 +76,8 @@ impl AirSide {
     /// Whether `p` lies within `margin` mm of the way of a hose into a port.
     pub fn is_on_hose(&self, p: Point, margin: f64) -> bool {
         self.mouths.iter().any(|mouth| {
-            let from = p - mouth.at;
-            from.dot(mouth.out) > -mouth.depth && from.dot(mouth.out.perp()).abs() < mouth.half + margin
+            let (along, across) = mouth.local(p);
+            along > -mouth.depth && across.abs() < mouth.half + margin
         })
     }
 
@@ -89,7 +89,9 @@ impl AirSide {
         let cut = polyline(&outline);
         let mut pieces: Vec<Polyline<f64>> = Vec::new();
         for edge in self.edges.iter().filter(|edge| edge.area() > 0.0) {
-            for part in offset_right(&self.lengthened(edge, &outline, band / 2.0), -creep) {
+            // Channels as long as they must be to leave the piece that is cut along the outline.
+            let longer = self.with_ends(edge, band / 2.0, |mouth, _| past(mouth, &outline));
+            for part in offset_right(&longer, -creep) {
                 pieces.extend(combined(&polyline(&part), &cut, BooleanOp::And)?.0);
             }
         }
@@ -134,7 +136,7 @@ impl AirSide {
             let mut apart = Vec::new();
             for other in united {
                 // Few of many islands are near each other.
-                if !boxes_overlap(&one, &other) {
+                if !one.extents().zip(other.extents()).is_some_and(|(a, b)| a.overlaps_aabb(&b)) {
                     apart.push(other);
                     continue;
                 }
@@ -150,11 +152,6 @@ impl AirSide {
             united = apart;
         }
         Some(united)
-    }
-
-    /// The closed `edge` with the channels of its ports as long as they must be to leave the piece that is cut along `cut`.
-    fn lengthened(&self, edge: &Path, cut: &Path, half: f64) -> Path {
-        self.with_ends(edge, half, |mouth, _| past(mouth, cut))
     }
 
     /// The closed `edge` with each end of a channel `longer` mm farther out. The channel of an edge that was drawn as a centre line ends
@@ -189,7 +186,7 @@ fn way_out(mouth: &Mouth, cut: &Path, across: f64) -> f64 {
     let far = bounds.width() + bounds.height();
     let way = Line::new(mouth.point(-mouth.depth, across), mouth.point(far, across)).into();
     let places = cut.segments.iter().flat_map(|segment| intersections(segment, &way));
-    places.map(|p| (p - mouth.at).dot(mouth.out)).reduce(f64::min).unwrap_or(0.0)
+    places.map(|p| mouth.local(p).0).reduce(f64::min).unwrap_or(0.0)
 }
 
 /// Distance that a tongue must go beyond its channel to leave the piece, mm.
@@ -239,10 +236,6 @@ fn strip_with(path: &Path, half: f64, (same, slack): (f64, f64)) -> Option<Polyl
     let foot = cap(path.start()?, left.end(), right.start())?;
     let around = right.segments.into_iter().chain([head]).chain(left.segments).chain([foot]);
     Some(polyline(&Path::closed(around.collect())))
-}
-
-fn boxes_overlap(a: &Polyline<f64>, b: &Polyline<f64>) -> bool {
-    a.extents().zip(b.extents()).is_some_and(|(a, b)| a.overlaps_aabb(&b))
 }
 
 fn counterclockwise(path: &Path) -> Path {

@@ -23,12 +23,10 @@ pub(super) fn unsound_chambers(
     }
     let chambers = topology.chambers.iter().zip(&topology.insides);
     for (chamber, inside) in chambers.filter(|(chamber, _)| chamber.ports.is_empty()) {
-        let names = lines.lines.get(chamber.outside).map_or(Vec::new(), |line| line.names.clone());
-        let text = (
-            format!("the chamber inside of {} has no port", quoted(&names)),
-            "draw a port on its outer edge, or open a wall to a chamber with a port".to_owned(),
-        );
-        notes.fault(ShapeCode::NoPort, &names, amid(shape, *inside), text, [0.0, 1.0]);
+        let names = &lines.lines[chamber.outside].names;
+        let what = format!("the chamber inside of {} has no port", quoted(names));
+        let remedy = "draw a port on its outer edge, or open a wall to a chamber with a port";
+        notes.fault(ShapeCode::NoPort, names, amid(shape, *inside), (what, remedy), [0.0, 1.0]);
     }
 }
 
@@ -51,7 +49,7 @@ fn leaking(
     if known && !matches!(leak, Leak::SealedPort(_) | Leak::NarrowPort(..)) {
         return;
     }
-    let of = |seam: usize| lines.lines.get(seam).map_or(Vec::new(), |line| line.names.clone());
+    let of = |seam: usize| lines.lines[seam].names.clone();
     let names = match leak {
         Leak::Gap(seam, _) | Leak::CrossesItself(seam, _) | Leak::Open(seam, _) => of(*seam),
         Leak::Cross([a, b], _) => [of(*a), of(*b)].concat(),
@@ -60,13 +58,8 @@ fn leaking(
     let reach = |mouth: &&Mouth| {
         place.distance(mouth.at) <= 2.0 * (mouth.half + rules.band) + mouth.depth + mouth.beyond
     };
-    let ports: Vec<String> = lines
-        .mouths
-        .iter()
-        .filter(reach)
-        .filter_map(|mouth| sketch.ports.get(mouth.port))
-        .map(|port| port.name.clone())
-        .collect();
+    let near = lines.mouths.iter().filter(reach);
+    let ports: Vec<String> = near.map(|mouth| sketch.ports[mouth.port].name.clone()).collect();
     let found = match leak {
         Leak::CrossesItself(..) => format!("the band along {} crosses itself", quoted(&names)),
         Leak::Cross(..) => format!("the bands of {} cross", quoted(&names)),

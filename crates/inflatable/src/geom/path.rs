@@ -1,6 +1,6 @@
 //! Paths: chains of segments.
 
-use crate::geom::{Bounds, Point, Segment, Vec2};
+use crate::geom::{Bounds, Line, Point, Segment, Vec2};
 
 /// A chain of segments, each beginning where the one before ends; `closed` if the last ends where the first begins.
 ///
@@ -22,6 +22,17 @@ impl Path {
     /// A closed path.
     pub fn closed(segments: Vec<Segment>) -> Self {
         Self { segments, closed: true }
+    }
+
+    /// An open path of straight lines from each of `points` to the next.
+    pub fn through(points: &[Point]) -> Self {
+        Self::open(points.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
+    }
+
+    /// The edge of a box, counterclockwise.
+    pub fn around(Bounds { min, max }: Bounds) -> Self {
+        let corners = [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y), min];
+        Self { closed: true, ..Self::through(&corners) }
     }
 
     /// First point; `None` for the empty path.
