@@ -138,8 +138,7 @@ fn approach(
         out.push_str(title);
         out.push('\n');
     }
-    let _ = emit::write_steps(out, record.facts(), &steps, record.pace, start)
-        .map_err(|_| ResumeFault::NothingLeft)?;
+    out.push_str(&emit::write_steps(record.facts(), &steps, record.pace, start));
     // The dwells of the old move belong to it, and have been written again with its rest.
     Ok((from, toolpath.after(last)))
 }

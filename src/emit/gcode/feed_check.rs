@@ -1,7 +1,5 @@
 //! The feed check as text: each line between two pauses, so that it can be timed.
 
-use std::fmt;
-
 use crate::emit::gcode::writer::Writer;
 use crate::emit::gcode::{Facts, Job};
 use crate::emit::number::number;
@@ -13,54 +11,41 @@ pub const FEED_CHECK_TITLE: &str = "stargrip-cam feedcheck program";
 
 /// The feed check: every program of `checks` between two pauses, so that it can be timed. Nothing is heated.
 pub fn feed_check(spec: &Spec, machine: &Machine, checks: &[(&'static str, Program)]) -> String {
-    let mut out = String::new();
-    // A String takes everything.
-    let _ = write(&mut out, spec, machine, checks);
-    out
-}
-
-fn write(
-    out: &mut impl fmt::Write,
-    spec: &Spec,
-    machine: &Machine,
-    checks: &[(&'static str, Program)],
-) -> fmt::Result {
     let (facts, script) = (Facts::new(spec, machine), &machine.script);
-    let mut writer = Writer::new(out, facts);
-    writer.comment(FEED_CHECK_TITLE)?;
-    writer.comment("cold, at travel height: time each line with a watch")?;
-    writer.comment("each pause must stop the machine where the comment before it says")?;
+    let mut writer = Writer::new(facts);
+    writer.comment(FEED_CHECK_TITLE);
+    writer.comment("cold, at travel height: time each line with a watch");
+    writer.comment("each pause must stop the machine where the comment before it says");
     for line in &script.requires {
-        writer.requirement(&format!("requires: {line}"))?;
+        writer.requirement(&format!("requires: {line}"));
     }
     for line in &script.start {
-        writer.line(line)?;
+        writer.line(line);
     }
-    writer.height(machine.process.heights.park.0)?;
+    writer.height(machine.process.heights.park.0);
     for (name, program) in checks {
         let (seconds, speed) = (CHECK_LENGTH / spec.seal.speed.0, number(spec.seal.speed.0));
-        writer
-            .comment(&format!("next: {CHECK_LENGTH} mm {name}, must take {seconds:.1} s at {speed} mm/s"))?;
-        let mut job = Job::new(facts, program.pace, writer);
+        writer.comment(&format!("next: {CHECK_LENGTH} mm {name}, must take {seconds:.1} s at {speed} mm/s"));
+        let mut job = Job::new(program.pace, writer);
         for (i, step) in program.steps.iter().enumerate() {
             if i + 1 == program.steps.len() {
-                pause(&mut job.writer, machine)?;
+                pause(&mut job.writer, machine);
             }
-            job.step(step)?;
+            job.step(step);
         }
-        pause(&mut job.writer, machine)?;
+        pause(&mut job.writer, machine);
         writer = job.writer;
     }
-    writer.height(machine.process.heights.park.0)?;
+    writer.height(machine.process.heights.park.0);
     for line in &script.end {
-        writer.line(line)?;
+        writer.line(line);
     }
-    writer.sentinel()
+    writer.finished()
 }
 
 /// A pause, with the position that the display must show: a machine that took a position for a displacement is elsewhere.
-fn pause(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine) -> fmt::Result {
+fn pause(writer: &mut Writer<'_>, machine: &Machine) {
     let [x, y, z] = [writer.at.x, writer.at.y, machine.process.heights.travel.0].map(number);
-    writer.comment(&format!("must stop here, at X{x} Y{y} Z{z}"))?;
-    writer.line(&machine.script.pause)
+    writer.comment(&format!("must stop here, at X{x} Y{y} Z{z}"));
+    writer.line(&machine.script.pause);
 }

@@ -1,6 +1,4 @@
-//! The writer: lines of G-code into a sink, one at a time.
-
-use std::fmt;
+//! The writer: lines of G-code, one at a time.
 
 use crate::emit::gcode::dialect::Spelling;
 use crate::emit::number::{Decimals, number};
@@ -34,32 +32,29 @@ impl<'a> Facts<'a> {
 }
 
 /// Writes lines, and remembers the iron's position by the numbers written.
-pub(super) struct Writer<'a, W> {
-    out: &'a mut W,
-    facts: Facts<'a>,
+pub(super) struct Writer<'a> {
+    /// The lines so far.
+    pub(super) out: String,
+    /// The data besides the steps.
+    pub(super) facts: Facts<'a>,
     decimals: Decimals,
     /// The spelling of the dialect.
     pub(super) spelling: Spelling,
-    /// Lines so far.
-    pub(super) lines: usize,
     /// The iron's position by the numbers written.
     pub(super) at: Point,
     /// The feed in force, mm/min.
     pub(super) feed: Option<f64>,
-    line: String,
 }
 
-impl<'a, W: fmt::Write> Writer<'a, W> {
-    pub(super) fn new(out: &'a mut W, facts: Facts<'a>) -> Self {
+impl<'a> Writer<'a> {
+    pub(super) fn new(facts: Facts<'a>) -> Self {
         Self {
-            out,
+            out: String::new(),
             facts,
             decimals: Decimals::for_tolerance(facts.path),
             spelling: Spelling::of(facts.controller.dialect),
-            lines: 0,
             at: Point::ORIGIN,
             feed: None,
-            line: String::new(),
         }
     }
 
@@ -69,91 +64,89 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
     }
 
     /// A line as it is.
-    pub(super) fn line(&mut self, text: &str) -> fmt::Result {
-        self.out.write_str(text)?;
-        self.out.write_char('\n')?;
-        self.lines += 1;
-        Ok(())
+    pub(super) fn line(&mut self, text: &str) {
+        self.out.push_str(text);
+        self.out.push('\n');
     }
 
     /// A comment, cut to the length that the controller reads.
-    pub(super) fn comment(&mut self, text: &str) -> fmt::Result {
+    pub(super) fn comment(&mut self, text: &str) {
         let room = self.facts.controller.line_length.saturating_sub(2);
-        self.marked(&inert(text, room))
+        self.marked(&inert(text, room));
     }
 
     /// A structured comment, "key: word=value word=value": words that a line has no room for go on in the next one, under the
     /// same key, so that no digit is cut.
-    pub(super) fn facts(&mut self, text: &str) -> fmt::Result {
+    pub(super) fn facts(&mut self, text: &str) {
         let room = self.facts.controller.line_length.saturating_sub(2);
         let Some((key, words)) = text.split_once(": ") else { return self.comment(text) };
         let mut line = format!("{key}:");
         for word in words.split(' ') {
             if line.len() + 1 + word.len() > room && line.len() > key.len() + 1 {
-                self.comment(&line)?;
+                self.comment(&line);
                 line.truncate(key.len() + 1);
             }
             line.push(' ');
             line.push_str(word);
         }
-        self.comment(&line)
+        self.comment(&line);
     }
 
     /// A comment of the profile's own, which may name settings such as `$1`.
-    pub(super) fn requirement(&mut self, text: &str) -> fmt::Result {
+    pub(super) fn requirement(&mut self, text: &str) {
         let room = self.facts.controller.line_length.saturating_sub(4);
         let parts: Vec<String> = text.split('$').map(|part| inert(part, room)).collect();
-        self.marked(&parts.join("$"))
+        self.marked(&parts.join("$"));
     }
 
-    fn marked(&mut self, text: &str) -> fmt::Result {
+    fn marked(&mut self, text: &str) {
         let line = match self.facts.controller.comments {
             Comments::Semicolon => format!("; {text}").trim_end().to_owned(),
             Comments::Parentheses => format!("({})", text.trim_end()),
         };
-        self.line(&line)
+        self.line(&line);
     }
 
-    /// The last line: how many there are.
-    pub(super) fn sentinel(&mut self) -> fmt::Result {
-        let lines = self.lines + 1;
-        self.comment(&format!("end of program, {lines} lines"))
+    /// The whole text, with a last line that counts them.
+    pub(super) fn finished(mut self) -> String {
+        let lines = self.out.lines().count() + 1;
+        self.comment(&format!("end of program, {lines} lines"));
+        self.out
     }
 
     /// Straight up or down.
-    pub(super) fn height(&mut self, z: f64) -> fmt::Result {
+    pub(super) fn height(&mut self, z: f64) {
         self.word("G0 Z", z);
-        self.travel_feed();
-        self.end_line()
+        self.end_travel();
     }
 
     /// As fast as possible, in the plane.
-    pub(super) fn travel(&mut self, to: Point) -> fmt::Result {
+    pub(super) fn travel(&mut self, to: Point) {
         let to = self.round(to);
         self.word("G0 X", to.x);
         self.word(" Y", to.y);
         self.at = to;
-        self.travel_feed();
-        self.end_line()
+        self.end_travel();
     }
 
-    /// The feed of a travel, on every one where the controller would go on at the seal's; the next cut states its own.
-    fn travel_feed(&mut self) {
+    /// Ends a travel with its feed where the controller would go on at the seal's; the next cut states its own.
+    fn end_travel(&mut self) {
         if self.spelling.travel_at_feed {
-            self.line.push_str(" F");
-            self.line.push_str(&number(self.facts.process.travel_speed.0 * 60.0));
+            self.out.push_str(" F");
+            self.out.push_str(&number(self.facts.process.travel_speed.0 * 60.0));
             self.feed = None;
         }
+        self.out.push('\n');
     }
 
-    /// One feed move along `piece` to its `end`, to height `z` if given, at `speed` mm/s.
-    pub(super) fn cut(&mut self, piece: &Segment, end: Point, z: Option<f64>, speed: f64) -> fmt::Result {
-        let (from, to) = (self.at, self.round(end));
+    /// One feed move along `piece`, to height `z` if given, at `speed` mm/s.
+    pub(super) fn cut(&mut self, piece: &Segment, z: Option<f64>, speed: f64) {
+        let (from, to) = (self.at, self.round(piece.end()));
         if from == to && z.is_none() {
-            return Ok(());
+            return;
         }
         let center = self.center(piece, from, to);
-        self.line.push_str(match (piece, center) {
+        self.out.push_str(match (piece, center) {
             (Segment::Arc(arc), Some(_)) if arc.is_ccw() => "G3",
             (_, Some(_)) => "G2",
             (_, None) => "G1",
@@ -170,11 +163,11 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
         let feed = speed * 60.0;
         if self.feed != Some(feed) {
             self.feed = Some(feed);
-            self.line.push_str(" F");
-            self.line.push_str(&number(feed));
+            self.out.push_str(" F");
+            self.out.push_str(&number(feed));
         }
         self.at = to;
-        self.end_line()
+        self.out.push('\n');
     }
 
     /// Centre of the arc through the rounded points; `None` where a straight move is as good.
@@ -190,16 +183,7 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
     }
 
     fn word(&mut self, letter: &str, value: f64) {
-        self.line.push_str(letter);
-        self.decimals.write(&mut self.line, value);
-    }
-
-    fn end_line(&mut self) -> fmt::Result {
-        let mut line = std::mem::take(&mut self.line);
-        let written = self.line(&line);
-        // The room is used again.
-        line.clear();
-        self.line = line;
-        written
+        self.out.push_str(letter);
+        self.decimals.write(&mut self.out, value);
     }
 }
