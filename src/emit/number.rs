@@ -69,6 +69,13 @@ pub(super) fn number(x: f64) -> String {
     Decimals::exactly(9).text(x)
 }
 
+/// The nearest number of single precision, in which some formats have their coordinates.
+pub(super) fn single(x: f64) -> f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "rounding is what is wanted")]
+    let single = x as f32;
+    single
+}
+
 /// A number's text, filled from the right, as the digits come out; 20 digits and a point are the most there can be.
 struct Digits {
     text: [u8; 24],

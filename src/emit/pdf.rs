@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_PI_6;
 use pdf_writer::{Content, Finish, Name, Pdf, Rect, Ref, TextStr};
 
 use crate::design::{Layer, PaperPage};
-use crate::emit::number::Decimals;
+use crate::emit::number::{Decimals, single};
 use crate::emit::text::inert;
 use inflatable::geom::{Arc, Path, Point, Segment};
 
@@ -134,9 +134,4 @@ fn curves(content: &mut Content, arc: &Arc, end: Option<Point>) {
 /// A coordinate as PDF writers take it.
 fn number(x: f64) -> f32 {
     single(Decimals::exactly(DECIMALS).round(x))
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "pages are below 10 m, see DECIMALS")]
-fn single(x: f64) -> f32 {
-    x as f32
 }

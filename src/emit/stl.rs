@@ -11,7 +11,7 @@ use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 use crate::design::{Drawing, Layer};
 use crate::emit::chords::pieces;
-use crate::emit::number::Decimals;
+use crate::emit::number::{Decimals, single};
 use crate::emit::text::inert;
 use inflatable::geom::{Path, Point};
 
@@ -144,11 +144,7 @@ impl StlWriter {
     }
 
     fn facet(&mut self, corners: [([f64; 2], f64); 3], normal: [f64; 3]) {
-        let mut number = |x: f64| {
-            #[expect(clippy::cast_possible_truncation, reason = "STL is single precision, see DECIMALS")]
-            let single = x as f32;
-            self.out.extend(single.to_le_bytes());
-        };
+        let mut number = |x: f64| self.out.extend(single(x).to_le_bytes());
         normal.into_iter().for_each(&mut number);
         for ([x, y], z) in corners {
             [x, y, z].into_iter().for_each(&mut number);

@@ -7,9 +7,10 @@ use tiny_skia::{
     FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, PixmapMut, Stroke, StrokeDash, Transform,
 };
 
-use crate::emit::picture::typeface::{Pencil, trace};
+use crate::emit::number::single;
+use crate::emit::picture::typeface::trace;
 use crate::emit::picture::{Colour, Mark, Pen, Picture, Text};
-use inflatable::geom::{Arc, Path, Point, Segment, Vec2};
+use inflatable::geom::{Arc, Path, Point, Segment};
 
 impl Picture {
     /// The picture as a PNG with this number of pixels along its longer side; `None` if it has no extent.
@@ -61,9 +62,7 @@ impl Canvas<'_> {
 
     fn text(&mut self, text: &Text) {
         let start = self.at(text.start(text.width()));
-        let mut letters = Letters { start, size: text.size * self.scale, path: PathBuilder::new() };
-        trace(&text.content, &mut letters);
-        let Some(path) = letters.path.finish() else { return };
+        let Some(path) = trace(&text.content, start, text.size * self.scale).finish() else { return };
         self.pixels.fill_path(&path, &paint(text.ink), FillRule::Winding, Transform::identity(), None);
     }
 
@@ -111,41 +110,6 @@ impl Canvas<'_> {
     }
 }
 
-/// Letters on their way to pixels.
-struct Letters {
-    start: Point,
-    size: f64,
-    path: PathBuilder,
-}
-
-impl Letters {
-    fn at(&self, x: f64, y: f64) -> (f32, f32) {
-        let p = self.start + Vec2::new(x, -y) * self.size;
-        (single(p.x), single(p.y))
-    }
-}
-
-impl Pencil for Letters {
-    fn move_to(&mut self, x: f64, y: f64) {
-        let (x, y) = self.at(x, y);
-        self.path.move_to(x, y);
-    }
-
-    fn line_to(&mut self, x: f64, y: f64) {
-        let (x, y) = self.at(x, y);
-        self.path.line_to(x, y);
-    }
-
-    fn curve_to(&mut self, [bx, by]: [f64; 2], x: f64, y: f64) {
-        let ((bx, by), (x, y)) = (self.at(bx, by), self.at(x, y));
-        self.path.quad_to(bx, by, x, y);
-    }
-
-    fn close(&mut self) {
-        self.path.close();
-    }
-}
-
 fn encoded(pixels: &Pixmap, scale: f64) -> Option<Vec<u8>> {
     // All pixels are opaque, so premultiplied colours are the plain ones.
     let colors = pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
@@ -177,11 +141,4 @@ fn count(x: f64) -> u32 {
     )]
     let count = x.round().max(1.0) as u32;
     count
-}
-
-/// The nearest single.
-fn single(x: f64) -> f32 {
-    #[expect(clippy::cast_possible_truncation, reason = "rounding is what is wanted")]
-    let single = x as f32;
-    single
 }

@@ -5,7 +5,11 @@
 
 use std::sync::OnceLock;
 
+use tiny_skia::PathBuilder;
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
+
+use crate::emit::number::single;
+use inflatable::geom::{Point, Vec2};
 
 const FONT: &[u8] = include_bytes!("../../../templates/font/DejaVuSans-ASCII.ttf");
 
@@ -33,54 +37,53 @@ pub(super) fn width(text: &str) -> f64 {
     text.chars().map(|c| advances.get(c as usize).copied().unwrap_or(UNKNOWN)).sum()
 }
 
-/// The receiver of an outline: in units of the type's size, Y up, from the beginning of the base line.
-pub(super) trait Pencil {
-    fn move_to(&mut self, x: f64, y: f64);
-    fn line_to(&mut self, x: f64, y: f64);
-    fn curve_to(&mut self, by: [f64; 2], x: f64, y: f64);
-    fn close(&mut self);
-}
-
-/// Traces the outlines of the letters of `text`.
-pub(super) fn trace(text: &str, pencil: &mut impl Pencil) {
-    let Some(face) = face() else { return };
+/// Traces the outlines of the letters of `text`, whose base line begins at `start`, in type of `size`; Y down.
+pub(super) fn trace(text: &str, start: Point, size: f64) -> PathBuilder {
+    let mut path = PathBuilder::new();
+    let Some(face) = face() else { return path };
     let mut at = 0.0;
     for c in text.chars() {
         let glyph = face.glyph_index(c);
-        let mut placed = Placed { at, scale: 1.0 / f64::from(face.units_per_em()), pencil };
-        let _ = glyph.and_then(|glyph| face.outline_glyph(glyph, &mut placed));
+        let scale = 1.0 / f64::from(face.units_per_em());
+        let mut letter = Letter { start, size, at, scale, path: &mut path };
+        let _ = glyph.and_then(|glyph| face.outline_glyph(glyph, &mut letter));
         at += advance(&face, glyph);
     }
+    path
 }
 
-/// A glyph's outline, moved to its place and scaled.
-struct Placed<'a, P> {
+/// The outline of a letter, moved to its place and scaled.
+struct Letter<'a> {
+    start: Point,
+    size: f64,
+    /// Its distance from the start, by the type's size.
     at: f64,
     scale: f64,
-    pencil: &'a mut P,
+    path: &'a mut PathBuilder,
 }
 
-impl<P> Placed<'_, P> {
-    fn x(&self, x: f32) -> f64 {
-        self.at + f64::from(x) * self.scale
-    }
-
-    fn y(&self, y: f32) -> f64 {
-        f64::from(y) * self.scale
+impl Letter<'_> {
+    fn place(&self, x: f32, y: f32) -> (f32, f32) {
+        let (x, y) = (self.at + f64::from(x) * self.scale, f64::from(y) * self.scale);
+        let p = self.start + Vec2::new(x, -y) * self.size;
+        (single(p.x), single(p.y))
     }
 }
 
-impl<P: Pencil> OutlineBuilder for Placed<'_, P> {
+impl OutlineBuilder for Letter<'_> {
     fn move_to(&mut self, x: f32, y: f32) {
-        self.pencil.move_to(self.x(x), self.y(y));
+        let (x, y) = self.place(x, y);
+        self.path.move_to(x, y);
     }
 
     fn line_to(&mut self, x: f32, y: f32) {
-        self.pencil.line_to(self.x(x), self.y(y));
+        let (x, y) = self.place(x, y);
+        self.path.line_to(x, y);
     }
 
     fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        self.pencil.curve_to([self.x(x1), self.y(y1)], self.x(x), self.y(y));
+        let ((x1, y1), (x, y)) = (self.place(x1, y1), self.place(x, y));
+        self.path.quad_to(x1, y1, x, y);
     }
 
     /// The outlines of a TrueType face have none.
@@ -89,7 +92,7 @@ impl<P: Pencil> OutlineBuilder for Placed<'_, P> {
     }
 
     fn close(&mut self) {
-        self.pencil.close();
+        self.path.close();
     }
 }
 
