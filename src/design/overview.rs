@@ -1,6 +1,6 @@
 //! The overview: the first of several pages, the whole drawing made small, with the pages that show it.
 
-use crate::design::paper::{Page, Tile, TileGrid, at, rectangle};
+use crate::design::paper::{Page, Tile, TileGrid, at};
 use crate::design::{Drawing, Layer, Shape, lettering};
 use inflatable::geom::{Arc, Bounds, Line, Path, Point, Segment, Vec2};
 
@@ -24,7 +24,7 @@ impl TileGrid<'_> {
             .collect();
         let mut marks: Vec<Path> = Vec::new();
         for tile in tiles {
-            marks.push(small.path(&rectangle(&tile.own)));
+            marks.push(small.path(&Path::rectangle(&tile.own)));
             let height = NAME * scale * tile.own.width().min(tile.own.height());
             let middle = small.point(tile.own.center());
             let shift = Vec2::new(lettering::width(&tile.name, height), height) * 0.5;

@@ -232,7 +232,7 @@ impl TileGrid<'_> {
             out.push(stroke(&[at(x, 2.0), at(x, 2.0 + tall)]));
         }
         out.extend(lettering::lettered("100 MM", at(76.0, 6.0), 2.5));
-        out.push(rectangle(&Bounds { min: at(110.0, 0.0), max: at(130.0, 20.0) }));
+        out.push(Path::rectangle(&Bounds { min: at(110.0, 0.0), max: at(130.0, 20.0) }));
         out.extend(lettering::lettered("20 MM", at(112.5, 9.0), 2.5));
         let (columns, rows, paper) = (self.columns, self.rows, self.paper_name());
         let page = match self.paper {
@@ -253,7 +253,7 @@ pub(super) fn at(x: f64, y: f64) -> Point {
 
 /// Whether a line of the part crosses `cell`, or the part fills it. Every closed path except labels is an edge of it.
 fn holds(drawing: &Drawing, cell: &Bounds) -> bool {
-    let frame = rectangle(cell);
+    let frame = Path::rectangle(cell);
     let mut around = 0;
     for (_, shapes) in drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label) {
         for path in shapes.iter().flat_map(|shape| shape.paths().into_owned()) {
@@ -265,13 +265,6 @@ fn holds(drawing: &Drawing, cell: &Bounds) -> bool {
         }
     }
     !around.is_multiple_of(2)
-}
-
-/// The edge of a box, counterclockwise.
-pub(super) fn rectangle(bounds: &Bounds) -> Path {
-    let Bounds { min, max } = *bounds;
-    let corners = [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y), min];
-    Path::closed(corners.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
 }
 
 fn stroke(points: &[Point]) -> Path {

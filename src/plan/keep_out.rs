@@ -5,31 +5,7 @@ use crate::plan::lowest_feed::contact;
 use crate::plan::{Program, Purpose, Ramp, Step};
 use crate::shape::PieceName;
 use crate::spec::{KeepOut, Machine, Spec, key};
-use inflatable::geom::{Bounds, Line, Point, Segment, segment_distance};
-
-/// The sides of a clamp, counterclockwise.
-fn sides(zone: &KeepOut) -> [Segment; 4] {
-    let (a, c) = (corner(zone), Point::new(zone.x.0 + zone.width.0, zone.y.0 + zone.depth.0));
-    let (b, d) = (Point::new(c.x, a.y), Point::new(a.x, c.y));
-    [(a, b), (b, c), (c, d), (d, a)].map(|(from, to)| Line::new(from, to).into())
-}
-
-fn corner(zone: &KeepOut) -> Point {
-    Point::new(zone.x.0, zone.y.0)
-}
-
-fn bounds(zone: &KeepOut) -> Bounds {
-    let far = Point::new(zone.x.0 + zone.width.0, zone.y.0 + zone.depth.0);
-    Bounds { min: corner(zone), max: far }
-}
-
-/// Distance from a path to a clamp; 0 inside.
-fn distance(zone: &KeepOut, piece: &Segment) -> f64 {
-    if bounds(zone).contains(piece.start()) {
-        return 0.0;
-    }
-    sides(zone).iter().map(|side| segment_distance(side, piece)).fold(f64::INFINITY, f64::min)
-}
+use inflatable::geom::{Bounds, Line, Point, Segment, box_distance};
 
 /// A way of the iron, and how near to it no clamp may be.
 struct Way {
@@ -77,10 +53,11 @@ pub(super) fn clamps_in_the_way(
     }
     let refusal = |zone: &KeepOut| {
         let passes = zone.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
-        let place = bounds(zone);
+        let place = zone.bounds();
         let blocks = blocks.iter().filter(|block| block.near.overlaps(&place));
         let ways = blocks.flat_map(|block| &block.ways).filter(|way| way.low || !passes);
-        let mut met = ways.filter(|way| way.near.overlaps(&place) && distance(zone, &way.piece) <= way.reach);
+        let mut met =
+            ways.filter(|way| way.near.overlaps(&place) && box_distance(&place, &way.piece) <= way.reach);
         let first = met.next()?;
         // A way with the iron down meets the clamp whatever its height.
         let met = if first.low { first } else { met.find(|way| way.low).unwrap_or(first) };

@@ -176,5 +176,5 @@ pub fn frame(pieces: &[PlacedPiece<'_>], seams: &[LaidSeam]) -> Path {
         pieces.iter().filter_map(|piece| Some(piece.placement.path(piece.shape.cut.as_ref()?).bounds()));
     let half_band = pieces.first().map_or(0.0, |piece| piece.shape.band / 2.0);
     let touched = seams.iter().flat_map(LaidSeam::paths).map(|path| path.bounds().grown(half_band));
-    Path::around(cuts.chain(touched).fold(Bounds::EMPTY, Bounds::union))
+    Path::rectangle(&cuts.chain(touched).fold(Bounds::EMPTY, Bounds::union))
 }

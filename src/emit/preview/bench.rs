@@ -4,44 +4,31 @@ use crate::design::SheetLayout;
 use crate::emit::picture::{Anchor, Group, Text};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{
-    CLAMP, CLAMP_AREA, GREY, PAGE, SHEET, Style, TEXT, WORK_AREA, arrow_head, circle, rectangle, straight,
+    CLAMP, CLAMP_AREA, GREY, PAGE, SHEET, Style, TEXT, WORK_AREA, arrow_head, circle, straight,
 };
 use crate::emit::text::{inert, shortened};
-use crate::spec::{Machine, NAME_LENGTH};
+use crate::spec::{KeepOut, Machine, NAME_LENGTH};
 use crate::units::Readable;
 use inflatable::geom::{Bounds, Path, Point, Vec2};
-
-/// Blank around a sheet, by the type's size: at its lower left there are axes and sizes.
-pub(super) struct Margins {
-    pub(super) left: f64,
-    pub(super) below: f64,
-    pub(super) above: f64,
-    pub(super) right: f64,
-}
-
-impl Margins {
-    pub(super) fn new(layout: &SheetLayout, style: Style) -> Self {
-        let unit = style.unit;
-        Self {
-            left: 4.5 * unit + height_of(layout, style).width(),
-            below: 5.6 * unit,
-            above: 2.0 * unit,
-            right: 2.5 * unit,
-        }
-    }
-}
 
 /// The sheet's own area.
 pub(super) fn sheet_box(layout: &SheetLayout) -> Bounds {
     Bounds { min: Point::ORIGIN, max: Point::new(layout.width, layout.height) }
 }
 
+/// The part of the plane that is shown: the sheet, and blank around it, by the type's size: at its lower left there are axes and sizes.
+pub(super) fn view(layout: &SheetLayout, style: Style) -> Bounds {
+    let Bounds { min, max } = sheet_box(layout);
+    let (unit, left) = (style.unit, 4.5 * style.unit + height_of(layout, style).width());
+    Bounds { min: min - Vec2::new(left, 5.6 * unit), max: max + Vec2::new(2.5 * unit, 2.0 * unit) }
+}
+
 /// The sheet and its sizes.
 pub(super) fn sheet_group(layout: &SheetLayout, style: Style) -> Group {
     let mut group = Group::new("sheet");
     let (unit, sheet) = (style.unit, sheet_box(layout));
-    group.area(vec![rectangle(&sheet)], SHEET);
-    group.line(rectangle(&sheet), style.pen(GREY, 1.0));
+    group.area(vec![Path::rectangle(&sheet)], SHEET);
+    group.line(Path::rectangle(&sheet), style.pen(GREY, 1.0));
     let (below, beside) = (-3.2 * unit, -3.2 * unit);
     let ends = [
         (Point::new(0.0, below), Point::new(layout.width, below)),
@@ -82,13 +69,10 @@ pub(super) fn bench_group(machine: &Machine, window: &Bounds, style: Style, plac
             group.line(path, style.dashes(WORK_AREA, 1.5));
         }
     }
-    for clamp in &machine.bench.keep_out {
-        let min = Point::new(clamp.x.0, clamp.y.0);
-        let area = Bounds { min, max: min + Vec2::new(clamp.width.0, clamp.depth.0) };
-        let Some(seen) = common(&area, window) else { continue };
-        group.area(vec![rectangle(&seen)], CLAMP_AREA);
-        group.line(rectangle(&seen), style.pen(CLAMP, 1.2));
-        places.keep_off(&rectangle(&seen), 0.0);
+    for (_, seen) in clamps(machine, window) {
+        group.area(vec![Path::rectangle(&seen)], CLAMP_AREA);
+        group.line(Path::rectangle(&seen), style.pen(CLAMP, 1.2));
+        places.keep_off(&Path::rectangle(&seen), 0.0);
     }
     axes(&mut group, style);
     group
@@ -97,15 +81,12 @@ pub(super) fn bench_group(machine: &Machine, window: &Bounds, style: Style, plac
 /// The clamps' names, in them or beside them; after everything else has its place.
 pub(super) fn clamp_labels(machine: &Machine, window: &Bounds, style: Style, places: &mut Places) -> Group {
     let mut group = Group::new("clamps");
-    for clamp in &machine.bench.keep_out {
-        let min = Point::new(clamp.x.0, clamp.y.0);
-        let area = Bounds { min, max: min + Vec2::new(clamp.width.0, clamp.depth.0) };
-        let Some(seen) = common(&area, window) else { continue };
+    for (clamp, seen) in clamps(machine, window) {
         // The whole name where there is room for it.
         let names = [inert(&clamp.name, NAME_LENGTH), shortened(&clamp.name, 24)];
         let tried = names.iter().flat_map(|words| [0.9, 0.7, 0.5].map(|share| (words, share * style.unit)));
         let texts = tried.flat_map(|(words, size)| {
-            let half = 0.5 * Text::centered(min, size, CLAMP, words.clone()).width();
+            let half = 0.5 * Text::centered(seen.min, size, CLAMP, words.clone()).width();
             let (across, up) = (0.5 * seen.width() + half + size, 0.5 * seen.height() + size);
             let aside = [
                 (0.0, 0.0),
@@ -154,6 +135,12 @@ fn within(x: f64, y: f64, window: &Bounds) -> Vec<Path> {
         out.push(straight(Point::new(0.0, y), Point::new(right, y)));
     }
     out
+}
+
+/// The clamps that are seen, each with its visible part.
+fn clamps<'a>(machine: &'a Machine, window: &Bounds) -> impl Iterator<Item = (&'a KeepOut, Bounds)> {
+    let keep_out = machine.bench.keep_out.iter();
+    keep_out.filter_map(|clamp| Some((clamp, common(&clamp.bounds(), window)?)))
 }
 
 /// The intersection of two boxes; `None` if it has no area.

@@ -2,9 +2,9 @@
 //! colour.
 
 use crate::emit::picture::{Anchor, Colour, Group, Pen, Text};
-use crate::emit::preview::style::{CODE, Style, TEXT, circle, rectangle, straight};
+use crate::emit::preview::style::{CODE, Style, TEXT, circle, straight};
 use crate::link::LinkCode;
-use inflatable::geom::{Bounds, Point, Vec2};
+use inflatable::geom::{Bounds, Path, Point, Vec2};
 
 /// Lines under a heading, and a QR code under the lines.
 pub(super) struct Block<'a> {
@@ -97,7 +97,7 @@ impl<'a> Block<'a> {
             let module =
                 |x: i32, y: i32| corner + Vec2::new(f64::from(x), -f64::from(y)) * (MODULE * style.unit);
             let run = |[x, y, length]: [i32; 3]| {
-                rectangle(&Bounds { min: module(x, y + 1), max: module(x + length, y) })
+                Path::rectangle(&Bounds { min: module(x, y + 1), max: module(x + length, y) })
             };
             group.area(code.runs().into_iter().map(run).collect(), CODE);
         }
@@ -120,8 +120,8 @@ impl Swatch {
         match self {
             Self::Area(ink) => {
                 let area = Bounds { min: at - up, max: at + right * (2.8 * unit) + up };
-                group.area(vec![rectangle(&area)], ink);
-                group.line(rectangle(&area), style.pen(TEXT, 0.6));
+                group.area(vec![Path::rectangle(&area)], ink);
+                group.line(Path::rectangle(&area), style.pen(TEXT, 0.6));
             }
             Self::Line(pen) => group.line(straight(at, at + right * (2.8 * unit)), pen),
             Self::Dot(ink) => group.area(vec![circle(at + right * (1.4 * unit), 0.4 * unit)], ink),

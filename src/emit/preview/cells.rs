@@ -1,7 +1,7 @@
 //! A picture of all seal strips of a grid: the place of each, its temperature and speed, and its cut.
 
 use crate::emit::picture::{Anchor, Group, Pen, Picture, Text};
-use crate::emit::preview::style::{BAND, CUT, FABRIC, LABEL, PAGE, Style, TEXT, rectangle};
+use crate::emit::preview::style::{BAND, CUT, FABRIC, LABEL, PAGE, Style, TEXT};
 use crate::emit::text::{inert, shortened};
 use crate::spec::NAME_LENGTH;
 use inflatable::geom::{Bounds, Path, Point, Vec2};
@@ -26,8 +26,8 @@ pub fn cells(title: &str, cells: &[GridCell], band: f64) -> String {
     let size = cells.iter().map(|cell| fitting(cell, style)).fold(style.unit, f64::min);
     let (mut fabric, mut seams, mut words) = (Group::new("cut"), Group::new("seal"), Group::new("words"));
     for cell in cells {
-        fabric.area(vec![rectangle(&cell.specimen)], FABRIC);
-        fabric.line(rectangle(&cell.specimen), style.pen(CUT, 1.0));
+        fabric.area(vec![Path::rectangle(&cell.specimen)], FABRIC);
+        fabric.line(Path::rectangle(&cell.specimen), style.pen(CUT, 1.0));
         seams.line(cell.seam.clone(), Pen::new(BAND, band));
         let (left, top) = (cell.specimen.min.x, cell.specimen.max.y);
         let number = Text::centered(
@@ -49,7 +49,7 @@ pub fn cells(title: &str, cells: &[GridCell], band: f64) -> String {
     let window = all.union(heading.bounds()).grown(2.0 * style.unit);
     words.text(heading);
     let mut page = Group::new("page");
-    page.area(vec![rectangle(&window)], PAGE);
+    page.area(vec![Path::rectangle(&window)], PAGE);
     let groups = vec![page, fabric, seams, words];
     Picture { title: title.to_owned(), window, top: all.max.y, groups }.svg()
 }

@@ -2,7 +2,7 @@
 
 use crate::emit::picture::{Group, Picture, Text};
 use crate::emit::preview::block::{Block, flow};
-use crate::emit::preview::style::{CUT, GREY, PAGE, Style, circle, rectangle, straight};
+use crate::emit::preview::style::{CUT, GREY, PAGE, Style, circle, straight};
 use crate::emit::text::shortened;
 use crate::spec::NAME_LENGTH;
 use inflatable::geom::{Bounds, Path, Point, Vec2};
@@ -84,7 +84,7 @@ pub fn faults(title: &str, drawn: &[Path], faults: &[FaultMark]) -> String {
         max: Point::new(view.min.x + width, view.max.y),
     };
     let mut page = Group::new("page");
-    page.area(vec![rectangle(&window)], PAGE);
+    page.area(vec![Path::rectangle(&window)], PAGE);
     let groups = vec![page, lines, marks, words, said];
     Picture { title: format!("{TITLE}{title}"), window, top: around.max.y, groups }.svg()
 }

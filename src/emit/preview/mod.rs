@@ -16,15 +16,15 @@ mod words;
 
 use crate::design::{FlatPiece, PlacedPart, SheetLayout};
 use crate::emit::picture::{Group, Picture};
-use crate::emit::preview::bench::{Margins, bench_group, clamp_labels, sheet_box, sheet_group};
-use crate::emit::preview::block::{Block, flow};
+use crate::emit::preview::bench::{bench_group, clamp_labels, sheet_box, sheet_group, view};
+use crate::emit::preview::block::flow;
 use crate::emit::preview::labels::{drawn_labels, star_labels, start_labels};
 use crate::emit::preview::piece::{keep_off_piece, piece_group};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::stack::StackView;
-use crate::emit::preview::style::{PAGE, Style, rectangle};
+use crate::emit::preview::style::{PAGE, Style};
 use crate::emit::preview::travel::travel_group;
-use inflatable::geom::{Bounds, Point, Vec2};
+use inflatable::geom::{Bounds, Path, Point};
 
 pub use cells::{GridCell, cells};
 pub use faults::{FaultMark, faults, is_faults};
@@ -48,20 +48,15 @@ impl Preview<'_> {
         let layout = self.design.sheets.iter().find(|layout| layout.index == sheet)?;
         // The stack is drawn beside the first sheet.
         let stack = StackView::new(self).filter(|_| sheet == 1);
-        let (beside, least) =
-            stack.as_ref().map_or((0.0, 0.0), |view| (view.bare_width(), view.bare_height()));
+        let size = |unit: f64| stack.as_ref().map_or((0.0, 0.0), |stack| stack.size(unit));
+        let (beside, least) = size(0.0);
         let style = Style::new((layout.width + beside).max(layout.height).max(least) * 1.15);
-        let margins = Margins::new(layout, style);
-        let around = sheet_box(layout);
-        let view = Bounds {
-            min: around.min - Vec2::new(margins.left, margins.below),
-            max: around.max + Vec2::new(margins.right, margins.above),
-        };
-        let blocks = self.words(sheet, style);
-        let strip = stack.as_ref().map_or(0.0, |stack| stack.width(style));
+        let view = view(layout, style);
+        let blocks = words::blocks(self, sheet, style);
+        let (strip, tall) = size(style.unit);
         let widest = blocks.iter().map(|block| block.width(style)).fold(0.0, f64::max);
         let width = (view.width() + strip).max(widest + 4.0 * style.unit);
-        let low = stack.as_ref().map_or(view.min.y, |stack| view.min.y.min(view.max.y - stack.height(style)));
+        let low = view.min.y.min(view.max.y - tall);
         let mut groups = self.sheet_groups(layout, &view, style);
         groups.extend(stack.map(|stack| stack.group(view.max.x + 0.5 * strip, view.max.y, style)));
         let mut said = Group::new("words");
@@ -73,7 +68,7 @@ impl Preview<'_> {
             max: Point::new(view.min.x + width, view.max.y),
         };
         let mut page = Group::new("page");
-        page.area(vec![rectangle(&window)], PAGE);
+        page.area(vec![Path::rectangle(&window)], PAGE);
         groups.insert(0, page);
         Some(Picture { title: self.spec.name.clone(), window, top: layout.height, groups })
     }
@@ -105,10 +100,5 @@ impl Preview<'_> {
         }
         groups.push(clamp_labels(self.machine, view, style, &mut places));
         groups
-    }
-
-    /// The text below the picture.
-    fn words(&self, sheet: usize, style: Style) -> Vec<Block<'_>> {
-        words::blocks(self, sheet, style)
     }
 }

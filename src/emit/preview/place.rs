@@ -1,7 +1,7 @@
 //! Places of labels: the first one where a label covers nothing.
 
 use crate::emit::picture::Text;
-use inflatable::geom::{Bounds, GrowingIndex, Line, Path, Point, Segment, segment_distance};
+use inflatable::geom::{Bounds, GrowingIndex, Path, Segment, box_distance};
 
 /// The obstacles of labels, and the places that labels have taken.
 pub(super) struct Places {
@@ -99,7 +99,7 @@ impl Places {
             LabelBlock::Box(number) => self.boxes.get(number).overlaps(room),
             LabelBlock::Line(number) => {
                 let (segment, half) = &self.lines[number];
-                self.around_lines.get(number).overlaps(room) && distance(room, segment) <= *half
+                self.around_lines.get(number).overlaps(room) && box_distance(room, segment) <= *half
             }
         }
     }
@@ -107,7 +107,7 @@ impl Places {
     /// Whether a line along `path` crosses no label.
     pub(super) fn is_clear(&self, path: &Path) -> bool {
         let crosses = |segment: &Segment| {
-            self.boxes.any(&segment.bounds(), |number| distance(self.boxes.get(number), segment) == 0.0)
+            self.boxes.any(&segment.bounds(), |number| box_distance(self.boxes.get(number), segment) == 0.0)
         };
         !path.segments.iter().any(crosses)
     }
@@ -131,21 +131,11 @@ impl Places {
     }
 }
 
-/// Smallest distance between a box and a segment; 0 if they share a point.
-fn distance(bounds: &Bounds, segment: &Segment) -> f64 {
-    if bounds.contains(segment.start()) {
-        return 0.0;
-    }
-    let (a, c) = (bounds.min, bounds.max);
-    let (b, d) = (Point::new(c.x, a.y), Point::new(a.x, c.y));
-    let sides = [(a, b), (b, c), (c, d), (d, a)].map(|(from, to)| Segment::from(Line::new(from, to)));
-    sides.iter().map(|side| segment_distance(side, segment)).fold(f64::INFINITY, f64::min)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::emit::picture::Colour;
+    use inflatable::geom::{Line, Point};
 
     fn label(x: f64) -> Text {
         Text::centered(Point::new(x, 0.0), 2.0, Colour(0, 0, 0), "ab")

@@ -2,11 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use crate::design::{Side, Star, StarAssembly, round_tube, tube_height};
+use crate::design::{Side, Star, StarAssembly, StarDesign, round_tube, tube_height};
 use crate::emit::picture::{Anchor, Group, Text};
 use crate::emit::preview::place::Places;
-use crate::emit::preview::style::{GREY, IRON, OBJECT, Style, TEXT, circle, rectangle, star_ink, straight};
+use crate::emit::preview::style::{GREY, IRON, OBJECT, Style, TEXT, circle, star_ink, straight};
 use crate::emit::preview::subject::Preview;
+use crate::units::Length;
 use inflatable::geom::{Bounds, Isometry, Path, Point, Vec2};
 
 /// The two views, and how much room they need to the right of the sheet.
@@ -18,8 +19,9 @@ pub(super) struct StackView<'a> {
 }
 
 /// Stars that lie alike, seen from above.
-struct Alike {
+struct Alike<'a> {
     stars: Vec<usize>,
+    part: &'a StarDesign,
     motion: Isometry,
 }
 
@@ -31,24 +33,10 @@ impl<'a> StackView<'a> {
         Some(Self { preview, assembly, reach: mouths.fold(assembly.frame.radius, f64::max) })
     }
 
-    /// Width of the strip that the views take, without type.
-    pub(super) fn bare_width(&self) -> f64 {
-        2.0 * self.reach
-    }
-
-    /// Height of the views, without type.
-    pub(super) fn bare_height(&self) -> f64 {
-        2.0 * self.reach + self.assembly.stack.height
-    }
-
-    /// Width of the strip that the views take, labels at both sides.
-    pub(super) fn width(&self, style: Style) -> f64 {
-        self.bare_width() + 20.0 * style.unit
-    }
-
-    /// Height that the views need, one above the other.
-    pub(super) fn height(&self, style: Style) -> f64 {
-        self.bare_height() + 12.0 * style.unit
+    /// Width and height that the views need, one above the other, with labels at both sides, where type is of the size `unit`.
+    pub(super) fn size(&self, unit: f64) -> (f64, f64) {
+        let wide = 2.0 * self.reach;
+        (wide + 20.0 * unit, wide + self.assembly.stack.height + 12.0 * unit)
     }
 
     /// The views, in the middle of a strip whose top is at ordinate `top`.
@@ -66,7 +54,7 @@ impl<'a> StackView<'a> {
         let frame = &design.frame;
         let half = self.reach + 9.5 * style.unit;
         let mut places = Places::new(Bounds::of_points([axis]).grown(half), 0.25 * style.unit);
-        if let Some(radius) = self.object() {
+        if let Some(Length(radius)) = self.preview.spec.load.as_ref().and_then(|load| load.object_radius) {
             group.area(vec![circle(axis, radius)], OBJECT);
             group.line(circle(axis, radius), style.pen(GREY, 0.7));
         }
@@ -84,9 +72,8 @@ impl<'a> StackView<'a> {
             group.area(vec![post], IRON);
         }
         let alike = self.alike(axis);
-        for Alike { stars, motion } in &alike {
-            let Some(index) = stars.first().copied() else { continue };
-            let part = design.part(&design.stars[index - 1]);
+        for Alike { stars, part, motion } in &alike {
+            let index = stars[0];
             for edge in part.edges.iter().map(|edge| motion.path(edge)) {
                 places.keep_off(&edge, 0.0);
                 group.line(edge, style.pen(star_ink(index), if shut.is_empty() { 2.0 } else { 1.2 }));
@@ -103,16 +90,14 @@ impl<'a> StackView<'a> {
     }
 
     /// The numbers of the stars that have these edges: in a tube, else outside of the frame, with a line to the tip.
-    fn name(&self, group: &mut Group, alike: &Alike, places: &mut Places, style: Style) {
-        let design = self.assembly;
-        let Some(index) = alike.stars.first().copied() else { return };
-        let star = &design.part(&design.stars[index - 1]).star;
-        let (ink, words) = (star_ink(index), listed(&alike.stars));
+    fn name(&self, group: &mut Group, alike: &Alike<'_>, places: &mut Places, style: Style) {
+        let star = &alike.part.star;
+        let (ink, words) = (star_ink(alike.stars[0]), listed(&alike.stars));
         let at = |radius: f64, ray: f64, size: f64| {
             Text::centered(alike.motion.point(Point::polar(radius, ray)), size, ink, words.clone())
         };
         // The tip of the hose has a line already.
-        let hose = design.part(&design.stars[index - 1]).channel.map_or(0, |channel| channel.tip);
+        let hose = alike.part.channel.map_or(0, |channel| channel.tip);
         let rays = (1..=star.n).filter(move |k| *k != hose).map(|k| star.tip_ray(k));
         let inside = [1.0, 0.8, 0.6].into_iter().flat_map(|share| {
             let size = (share * style.unit).min(0.4 * star.w);
@@ -145,18 +130,19 @@ impl<'a> StackView<'a> {
         }
     }
 
-    fn alike(&self, axis: Point) -> Vec<Alike> {
+    fn alike(&self, axis: Point) -> Vec<Alike<'a>> {
         let design = self.assembly;
-        let mut out: Vec<Alike> = Vec::new();
+        let mut out: Vec<Alike<'a>> = Vec::new();
         for (star, turn) in design.stars.iter().zip(&design.stack.turns) {
-            let same = |other: &&mut Alike| {
-                other.stars.first().is_some_and(|first| design.stars[first - 1].distinct == star.distinct)
-                    && ((other.motion.rotation - turn) / TAU).fract().abs() < 1e-9
+            let part = design.part(star);
+            let same = |other: &&mut Alike<'_>| {
+                std::ptr::eq(other.part, part) && ((other.motion.rotation - turn) / TAU).fract().abs() < 1e-9
             };
             match out.iter_mut().find(same) {
                 Some(alike) => alike.stars.push(star.index),
                 None => out.push(Alike {
                     stars: vec![star.index],
+                    part,
                     motion: Isometry { shift: axis - Point::ORIGIN, ..Isometry::rotation(*turn) },
                 }),
             }
@@ -164,15 +150,12 @@ impl<'a> StackView<'a> {
         out
     }
 
-    fn object(&self) -> Option<f64> {
-        self.preview.spec.load.as_ref().and_then(|load| load.object_radius).map(|radius| radius.0)
-    }
-
     fn seen_from_the_side(&self, group: &mut Group, foot: Point, style: Style) {
         let (design, frame) = (self.assembly, &self.assembly.frame);
         let at = |x: f64, z: f64| foot + Vec2::new(x, z);
-        let block =
-            |half: f64, from: f64, to: f64| rectangle(&Bounds { min: at(-half, from), max: at(half, to) });
+        let block = |half: f64, from: f64, to: f64| {
+            Path::rectangle(&Bounds { min: at(-half, from), max: at(half, to) })
+        };
         let plates: Vec<(usize, f64, f64)> = frame
             .plates
             .iter()
@@ -182,7 +165,7 @@ impl<'a> StackView<'a> {
         for post in &frame.posts {
             let half = frame.post_diameter / 2.0;
             let area = Bounds { min: at(post.x - half, 0.0), max: at(post.x + half, design.stack.height) };
-            group.line(rectangle(&area), style.pen(IRON, 0.8));
+            group.line(Path::rectangle(&area), style.pen(IRON, 0.8));
         }
         for (_, opening, z) in &plates {
             let (low, high) = (z - frame.thickness / 2.0, z + frame.thickness / 2.0);

@@ -1,7 +1,7 @@
 //! The style of pictures: colours, and sizes that grow with the picture, so that it reads alike at any size.
 
 use crate::emit::picture::{Colour, Pen};
-use inflatable::geom::{Arc, Bounds, Line, Path, Point, Vec2};
+use inflatable::geom::{Arc, Line, Path, Point, Vec2};
 
 pub(super) const PAGE: Colour = Colour(0xff, 0xff, 0xff);
 pub(super) const SHEET: Colour = Colour(0xf7, 0xf7, 0xf4);
@@ -72,19 +72,6 @@ pub(super) fn straight(from: Point, to: Point) -> Path {
     Path::open(vec![Line::new(from, to).into()])
 }
 
-/// The border of a box.
-pub(super) fn rectangle(bounds: &Bounds) -> Path {
-    let (a, c) = (bounds.min, bounds.max);
-    let (b, d) = (Point::new(c.x, a.y), Point::new(a.x, c.y));
-    polygon(&[a, b, c, d])
-}
-
-/// The closed path through `corners`.
-pub(super) fn polygon(corners: &[Point]) -> Path {
-    let next = corners.iter().cycle().skip(1);
-    Path::closed(corners.iter().zip(next).map(|(from, to)| Line::new(*from, *to).into()).collect())
-}
-
 /// A circle.
 pub(super) fn circle(center: Point, radius: f64) -> Path {
     Path::closed(vec![Arc::new(center, radius, 0.0, std::f64::consts::TAU).into()])
@@ -93,5 +80,5 @@ pub(super) fn circle(center: Point, radius: f64) -> Path {
 /// An arrow head of length `size` with its tip at `tip`, pointing along the unit vector `along`.
 pub(super) fn arrow_head(tip: Point, along: Vec2, size: f64) -> Path {
     let (back, side) = (tip - along * size, along.perp() * (0.35 * size));
-    polygon(&[tip, back + side, back - side])
+    Path::polygon(&[tip, back + side, back - side])
 }

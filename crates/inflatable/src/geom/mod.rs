@@ -24,7 +24,7 @@ pub use grid::Grid;
 pub use index::{BoxIndex, GrowingIndex, SegmentIndex};
 pub use intersect::{intersections, path_intersections};
 pub use line::Line;
-pub use nearest::{Nearest, path_distance, segment_distance};
+pub use nearest::{Nearest, box_distance, path_distance, segment_distance};
 pub use path::Path;
 pub use point::{Point, Vec2};
 pub use segment::Segment;

@@ -71,6 +71,15 @@ fn may_be_within(segment: &Segment, p: Point, far: f64) -> bool {
     }
 }
 
+/// Smallest distance between a box and a segment, 0 if they share a point.
+pub fn box_distance(bounds: &Bounds, segment: &Segment) -> f64 {
+    if bounds.contains(segment.start()) {
+        return 0.0;
+    }
+    let sides = Path::rectangle(bounds).segments;
+    sides.iter().map(|side| segment_distance(side, segment)).fold(f64::INFINITY, f64::min)
+}
+
 /// Smallest distance between two segments, 0 if they touch or cross.
 pub fn segment_distance(a: &Segment, b: &Segment) -> f64 {
     if !intersections(a, b).is_empty() {

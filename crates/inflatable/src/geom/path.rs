@@ -29,10 +29,16 @@ impl Path {
         Self::open(points.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
     }
 
+    /// The closed path through `corners`.
+    pub fn polygon(corners: &[Point]) -> Self {
+        let next = corners.iter().cycle().skip(1);
+        Self::closed(corners.iter().zip(next).map(|(from, to)| Line::new(*from, *to).into()).collect())
+    }
+
     /// The edge of a box, counterclockwise.
-    pub fn around(Bounds { min, max }: Bounds) -> Self {
-        let corners = [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y), min];
-        Self { closed: true, ..Self::through(&corners) }
+    pub fn rectangle(bounds: &Bounds) -> Self {
+        let Bounds { min, max } = *bounds;
+        Self::polygon(&[min, Point::new(max.x, min.y), max, Point::new(min.x, max.y)])
     }
 
     /// First point; `None` for the empty path.
