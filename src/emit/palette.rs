@@ -34,34 +34,40 @@ pub(super) fn ink(layer: Layer, colours: Colours) -> LayerColour {
 }
 
 /// A surface of a scene.
-pub(super) struct SurfaceColour {
-    /// Its name in the file.
-    pub(super) name: &'static str,
-    /// Its colour as screens have it, red, green, blue.
-    pub(super) color: [u8; 3],
-    /// Its opacity: below 1, surfaces behind it shine through.
-    pub(super) cover: f64,
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum SceneSurface {
+    Fabric,
+    Tube,
+    InnerBand,
+    OuterBand,
+    Cut,
+    Mask,
+    Plate,
+    Post,
+    Object,
 }
 
-/// The surfaces of a scene: fabric and tube as in the preview, bands in colours that can be distinguished.
-pub(super) const SURFACES: [SurfaceColour; 9] = [
-    SurfaceColour { name: "fabric", color: [0xdf, 0xe6, 0xee], cover: 1.0 },
-    SurfaceColour { name: "tube", color: [0x9c, 0xc3, 0xe6], cover: 1.0 },
-    SurfaceColour { name: "inner band", color: [0xe8, 0xa3, 0x3d], cover: 1.0 },
-    SurfaceColour { name: "outer band", color: [0xd1, 0x49, 0x5b], cover: 1.0 },
-    SurfaceColour { name: "cut", color: [0xc0, 0x00, 0x00], cover: 1.0 },
-    SurfaceColour { name: "mask", color: [0x7f, 0xb0, 0x69], cover: 1.0 },
-    SurfaceColour { name: "plate", color: [0xb0, 0xb0, 0xb0], cover: 0.35 },
-    SurfaceColour { name: "post", color: [0x60, 0x60, 0x60], cover: 1.0 },
-    SurfaceColour { name: "object", color: [0xf3, 0xdd, 0xb4], cover: 1.0 },
-];
+/// Name, colour (as screens have it, red, green, blue) and opacity of a surface: below 1, surfaces behind it shine through. Fabric and
+/// tube are as in the preview, bands in colours that can be distinguished.
+pub(super) fn look(surface: SceneSurface) -> (&'static str, [u8; 3], f64) {
+    match surface {
+        SceneSurface::Fabric => ("fabric", [0xdf, 0xe6, 0xee], 1.0),
+        SceneSurface::Tube => ("tube", [0x9c, 0xc3, 0xe6], 1.0),
+        SceneSurface::InnerBand => ("inner band", [0xe8, 0xa3, 0x3d], 1.0),
+        SceneSurface::OuterBand => ("outer band", [0xd1, 0x49, 0x5b], 1.0),
+        SceneSurface::Cut => ("cut", [0xc0, 0x00, 0x00], 1.0),
+        SceneSurface::Mask => ("mask", [0x7f, 0xb0, 0x69], 1.0),
+        SceneSurface::Plate => ("plate", [0xb0, 0xb0, 0xb0], 0.35),
+        SceneSurface::Post => ("post", [0x60, 0x60, 0x60], 1.0),
+        SceneSurface::Object => ("object", [0xf3, 0xdd, 0xb4], 1.0),
+    }
+}
 
-/// A surface's colour as lights add up: red, green, blue by IEC 61966-2-1, to four decimals, and how much of it is seen.
-pub(super) fn linear(surface: &SurfaceColour) -> [f64; 4] {
-    let [r, g, b] = surface.color.map(|byte| {
+/// A colour as lights add up: red, green, blue by IEC 61966-2-1, to four decimals.
+pub(super) fn linear(color: [u8; 3]) -> [f64; 3] {
+    color.map(|byte| {
         let share = f64::from(byte) / 255.0;
         let light = if share <= 0.04045 { share / 12.92 } else { libm::pow((share + 0.055) / 1.055, 2.4) };
         (light * 1e4).round() / 1e4
-    });
-    [r, g, b, surface.cover]
+    })
 }

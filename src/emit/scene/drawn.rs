@@ -1,22 +1,18 @@
 //! The scene of a drawn piece: one piece, flat or as the shell inflates it, and the sheets beside it.
 
 use crate::design::{Design, DrawnPiece, Layer};
-use crate::emit::palette::SURFACES;
+use crate::emit::palette::SceneSurface;
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, index};
-use crate::emit::scene::{ABOVE, SceneSurface, SheetSurfaces, material, sheets};
+use crate::emit::scene::sheets;
 use crate::forecast::drawn::Surface;
 use crate::spec::Spec;
 use crate::units::Length;
 use inflatable::geom::Path;
 
-/// The surfaces of such a scene: materials are numbered by this.
+/// The surfaces of such a scene.
 const DRAWN: [SceneSurface; 4] =
     [SceneSurface::Fabric, SceneSurface::Tube, SceneSurface::OuterBand, SceneSurface::Cut];
-const FABRIC: usize = 0;
-const TUBE: usize = 1;
-const BAND: usize = 2;
-const CUT: usize = 3;
 
 /// `piece` of `design`, its chambers `inflated` to these surfaces, or flat if there are none, and the sheets; `None` where lyon has no
 /// triangles for it. An inflated piece is shown without its flaps and bands, which the shell does not model.
@@ -26,34 +22,33 @@ pub fn drawn_scene(
     piece: &DrawnPiece,
     inflated: &[Surface],
 ) -> Option<Vec<u8>> {
-    let mut glb = Glb::default();
+    let mut glb = Glb::new(&DRAWN);
     let bounds = piece.part.outside.bounds();
     let middle = bounds.center();
     let rise =
         inflated.iter().flat_map(|surface| &surface.points).map(|[_, _, z]| mm(*z)).fold(0.0, f64::max);
-    let parts = if inflated.is_empty() { flat(piece)? } else { vec![(TUBE, surface(inflated))] };
+    let parts =
+        if inflated.is_empty() { flat(piece)? } else { vec![(SceneSurface::Tube, surface(inflated))] };
     let mesh = glb.mesh("fabric of a piece", &parts);
     let node = Node { name: "piece".to_owned(), mesh, at: [-middle.x, -middle.y, rise], turn: 0.0 };
-    let surfaces = SheetSurfaces { fabric: FABRIC, cut: CUT, bands: &[(BAND, Layer::Seal)] };
     let reach = 0.5 * bounds.width().max(bounds.height());
-    let sheets = sheets(&mut glb, design, (reach, piece.shape.band), &surfaces)?;
-    let groups = [("pieces", 1), ("sheets", sheets.len())];
-    let used = DRAWN.map(|surface| material(&SURFACES[surface as usize]));
-    let nodes: Vec<Node> = std::iter::once(node).chain(sheets).collect();
+    let bands = [(SceneSurface::OuterBand, Layer::Seal)];
+    let sheets = sheets(&mut glb, design, (reach, piece.shape.band), &bands)?;
     // Validators remark on a material without use.
-    let materials = if inflated.is_empty() || !design.sheets.is_empty() { &used[..] } else { &used[..=TUBE] };
-    Some(glb.finish(&spec.name, &nodes, &groups, materials))
+    let used = if inflated.is_empty() || !sheets.is_empty() { DRAWN.len() } else { 2 };
+    Some(glb.finish(&spec.name, &[("pieces", vec![node]), ("sheets", sheets)], used))
 }
 
 /// The piece as it is cut: fabric around the air, the air, and bands.
-fn flat(piece: &DrawnPiece) -> Option<Vec<(usize, Mesh)>> {
+fn flat(piece: &DrawnPiece) -> Option<Vec<(SceneSurface, Mesh)>> {
     let around: Vec<Path> =
         [&piece.part.outside].into_iter().chain(&piece.part.inside).chain(&piece.air).cloned().collect();
-    let bands = piece.shape.seams.iter().try_fold(Mesh::default(), |mut all, seam| {
-        all.append(Mesh::ribbon(&seam.center_line, piece.shape.band, ABOVE)?);
-        Some(all)
-    })?;
-    Some(vec![(FABRIC, Mesh::fill(&around, 0.0)?), (TUBE, Mesh::fill(&piece.air, 0.0)?), (BAND, bands)])
+    let seams: Vec<Path> = piece.shape.seams.iter().map(|seam| seam.center_line.clone()).collect();
+    Some(vec![
+        (SceneSurface::Fabric, Mesh::fill(&around, 0.0)?),
+        (SceneSurface::Tube, Mesh::fill(&piece.air, 0.0)?),
+        (SceneSurface::OuterBand, Mesh::ribbons(&seams, piece.shape.band)?),
+    ])
 }
 
 fn mm(metres: f64) -> f64 {

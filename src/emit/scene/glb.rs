@@ -5,7 +5,8 @@
 
 use serde_json::{Value, json};
 
-use crate::emit::number::Decimals;
+use crate::emit::number::{Decimals, single};
+use crate::emit::palette::{SceneSurface, linear, look};
 use crate::emit::scene::mesh::Mesh;
 
 /// Decimals of a coordinate in mm, and of a node's rotation.
@@ -22,7 +23,6 @@ const VERTICES: u32 = 34962;
 const INDICES: u32 = 34963;
 
 /// A node that shows a mesh.
-#[derive(Clone, Debug)]
 pub(super) struct Node {
     pub(super) name: String,
     /// Index of the mesh.
@@ -34,28 +34,32 @@ pub(super) struct Node {
 }
 
 /// The content of one file.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Glb {
+    /// The surfaces that its meshes may have.
+    surfaces: &'static [SceneSurface],
     numbers: Vec<u8>,
     views: Vec<Value>,
     accessors: Vec<Value>,
     meshes: Vec<Value>,
-    moving: Vec<bool>,
 }
 
 impl Glb {
-    /// Adds a mesh of parts, each with the number of its material; all of them move, or none. Its number.
-    pub(super) fn mesh(&mut self, name: &str, parts: &[(usize, Mesh)]) -> usize {
-        let moving = parts.iter().any(|(_, mesh)| !mesh.inflated.is_empty());
+    /// The content of a file whose meshes have these surfaces; empty.
+    pub(super) fn new(surfaces: &'static [SceneSurface]) -> Self {
+        Self { surfaces, ..Self::default() }
+    }
+
+    /// Adds a mesh of parts, each with its surface; all of them move, or none. Its number.
+    pub(super) fn mesh(&mut self, name: &str, parts: &[(SceneSurface, Mesh)]) -> usize {
         let primitives: Vec<Value> =
-            parts.iter().map(|(material, mesh)| self.primitive(*material, mesh)).collect();
+            parts.iter().map(|(surface, mesh)| self.primitive(*surface, mesh)).collect();
         let mut value = json!({ "name": name, "primitives": primitives });
-        if moving {
+        if parts.iter().any(|(_, mesh)| !mesh.inflated.is_empty()) {
             value["weights"] = json!([0.0]);
             value["extras"] = json!({ "targetNames": ["inflated"] });
         }
         self.meshes.push(value);
-        self.moving.push(moving);
         self.meshes.len() - 1
     }
 
@@ -65,25 +69,20 @@ impl Glb {
         let mut same = self.meshes[mesh].clone();
         same["name"] = name.into();
         self.meshes.push(same);
-        self.moving.push(self.moving[mesh]);
         self.meshes.len() - 1
     }
 
-    /// The file of `nodes` in `groups`, each a name and how many of the nodes; `materials` as glTF has them.
-    pub(super) fn finish(
-        mut self,
-        name: &str,
-        nodes: &[Node],
-        groups: &[(&str, usize)],
-        materials: &[Value],
-    ) -> Vec<u8> {
-        let moving: Vec<usize> = (0..nodes.len()).filter(|i| self.moving[nodes[*i].mesh]).collect();
-        let mut all: Vec<Value> = nodes.iter().map(node).collect();
+    /// The file of the nodes in these groups, each with its name, and of the first `used` surfaces.
+    pub(super) fn finish(mut self, name: &str, groups: &[(&str, Vec<Node>)], used: usize) -> Vec<u8> {
+        let nodes: Vec<&Node> = groups.iter().flat_map(|(_, nodes)| nodes).collect();
+        let moves = |node: &Node| self.meshes[node.mesh].get("weights").is_some();
+        let moving: Vec<usize> = (0..nodes.len()).filter(|i| moves(nodes[*i])).collect();
+        let mut all: Vec<Value> = nodes.into_iter().map(node).collect();
         let mut first = 0;
         let mut roots = Vec::new();
-        for (group, count) in groups {
-            let children: Vec<usize> = (first..first + count).collect();
-            first += count;
+        for (group, nodes) in groups {
+            let children: Vec<usize> = (first..first + nodes.len()).collect();
+            first += nodes.len();
             if !children.is_empty() {
                 roots.push(all.len());
                 all.push(json!({ "name": group, "children": children }));
@@ -95,7 +94,7 @@ impl Glb {
             "scenes": [{ "name": name, "nodes": roots }],
             "nodes": all,
             "meshes": self.meshes,
-            "materials": materials,
+            "materials": self.surfaces[..used].iter().map(material).collect::<Vec<_>>(),
         });
         if !moving.is_empty() {
             document["animations"] = json!([self.animation(&moving)]);
@@ -106,7 +105,8 @@ impl Glb {
         container(document.to_string().into_bytes(), self.numbers)
     }
 
-    fn primitive(&mut self, material: usize, mesh: &Mesh) -> Value {
+    fn primitive(&mut self, surface: SceneSurface, mesh: &Mesh) -> Value {
+        let material = self.surfaces.iter().position(|own| *own == surface);
         let at: Vec<[f64; 3]> = mesh.points.iter().map(|p| rounded(*p)).collect();
         let indices: Vec<u8> = mesh.triangles.iter().flatten().flat_map(|i| i.to_le_bytes()).collect();
         let indices = self.accessor(
@@ -173,6 +173,19 @@ impl Glb {
     }
 }
 
+fn material(surface: &SceneSurface) -> Value {
+    let (name, color, cover) = look(*surface);
+    let [red, green, blue] = linear(color);
+    json!({
+        "name": name,
+        "alphaMode": if cover < 1.0 { "BLEND" } else { "OPAQUE" },
+        "doubleSided": true,
+        "pbrMetallicRoughness": {
+            "baseColorFactor": [red, green, blue, cover], "metallicFactor": 0.0, "roughnessFactor": 0.9,
+        },
+    })
+}
+
 fn node(node: &Node) -> Value {
     let mut value = json!({ "name": node.name, "mesh": node.mesh });
     let at = y_up(rounded(node.at));
@@ -194,12 +207,6 @@ fn rounded(point: [f64; 3]) -> [f64; 3] {
 /// From mm with +Z up to metres with +Y up; no -0.
 fn y_up([x, y, z]: [f64; 3]) -> [f64; 3] {
     [x, z, -y].map(|x| x / 1000.0 + 0.0)
-}
-
-fn single(x: f64) -> f32 {
-    #[expect(clippy::cast_possible_truncation, reason = "glTF is single precision: 1e-4 mm at 1 m")]
-    let single = x as f32;
-    single
 }
 
 /// Header and chunks, each filled up to whole fours: JSON with blanks, numbers with zeros.

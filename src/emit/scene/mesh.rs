@@ -11,11 +11,14 @@ use lyon_tessellation::{
 };
 
 use crate::emit::chords::chords;
+use crate::emit::number::single;
 use inflatable::geom::{Path, Point};
 
 /// Largest distance of a chord from its arc, mm: a tenth of a pixel where a star fills a screen. A region with an arc on either
 /// side is too narrow by twice that, which with single precision must stay below the tenth that the verifier allows.
 const CHORD: f64 = 0.045;
+/// Height of ribbons over the fabric that they lie on, mm, so that they are seen.
+const ABOVE: f64 = 0.3;
 
 /// Triangles in mm, +Z up, counterclockwise seen from outside, or from above where there is only one side.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,27 +37,29 @@ impl Mesh {
     /// The region inside an odd number of `paths`, at height `z`; `None` where the tessellator fails.
     pub(super) fn fill(paths: &[Path], z: f64) -> Option<Self> {
         let mut buffers = Buffers::new();
-        let options = FillOptions::even_odd();
         FillTessellator::new()
-            .tessellate_path(&outline(paths), &options, &mut BuffersBuilder::new(&mut buffers, Positions))
+            .tessellate_path(
+                &outline(paths),
+                &FillOptions::even_odd(),
+                &mut BuffersBuilder::new(&mut buffers, Positions),
+            )
             .ok()?;
         Some(Self::flat(&buffers, z))
     }
 
-    /// A ribbon of `width` along `path`, round at corners, at height `z`; `None` where the tessellator has no answer.
-    pub(super) fn ribbon(path: &Path, width: f64, z: f64) -> Option<Self> {
+    /// Ribbons of `width` along `paths`, round at corners, above the fabric; `None` where the tessellator has no answer.
+    pub(super) fn ribbons(paths: &[Path], width: f64) -> Option<Self> {
         let mut buffers = Buffers::new();
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "lyon is single precision, and a display needs no more"
-        )]
-        let (width, within) = (width as f32, CHORD as f32);
-        let options = StrokeOptions::tolerance(within).with_line_width(width).with_line_join(LineJoin::Round);
-        let paths = std::slice::from_ref(path);
+        // lyon is single precision, and a display needs no more.
+        let options = StrokeOptions::tolerance(single(CHORD)).with_line_width(single(width));
         StrokeTessellator::new()
-            .tessellate_path(&outline(paths), &options, &mut BuffersBuilder::new(&mut buffers, Positions))
+            .tessellate_path(
+                &outline(paths),
+                &options.with_line_join(LineJoin::Round),
+                &mut BuffersBuilder::new(&mut buffers, Positions),
+            )
             .ok()?;
-        Some(Self::flat(&buffers, z))
+        Some(Self::flat(&buffers, ABOVE))
     }
 
     /// The solid between two heights inside the first of `paths` and outside the others, which lie in it.
@@ -66,7 +71,7 @@ impl Mesh {
             ..below
         });
         for (path, is_hole) in paths.iter().zip(std::iter::once(false).chain(std::iter::repeat(true))) {
-            out.append(wall(&chords(path, CHORD), is_hole, [low, high]));
+            out.wall(&chords(path, CHORD), is_hole, [low, high]);
         }
         Some(out)
     }
@@ -82,16 +87,29 @@ impl Mesh {
         let mut out = Self::default();
         for pair in curve.windows(2) {
             for k in 0..around {
-                let quad =
-                    [corner(pair[0], k), corner(pair[0], k + 1), corner(pair[1], k + 1), corner(pair[1], k)];
-                out.append(Self {
-                    points: quad.into(),
-                    inflated: Vec::new(),
-                    triangles: vec![[0, 1, 2], [0, 2, 3]],
-                });
+                let [low, high] = [pair[0], pair[1]];
+                out.quad([corner(low, k), corner(low, k + 1), corner(high, k + 1), corner(high, k)]);
             }
         }
         out
+    }
+
+    /// Takes the wall on a closed polygon, too, its outside where the solid is not.
+    fn wall(&mut self, corners: &[Point], is_hole: bool, [low, high]: [f64; 2]) {
+        let next = |i: usize| corners[(i + 1) % corners.len()];
+        let doubled: f64 = corners.iter().enumerate().map(|(i, p)| p.x * next(i).y - p.y * next(i).x).sum();
+        // The solid has to lie on the left: counterclockwise around it, clockwise around a hole.
+        let turned = (doubled < 0.0) != is_hole;
+        for (i, p) in corners.iter().enumerate() {
+            let (from, to) = if turned { (next(i), *p) } else { (*p, next(i)) };
+            self.quad([[from.x, from.y, low], [to.x, to.y, low], [to.x, to.y, high], [from.x, from.y, high]]);
+        }
+    }
+
+    /// Takes two triangles between these corners, too.
+    fn quad(&mut self, corners: [[f64; 3]; 4]) {
+        let triangles = vec![[0, 1, 2], [0, 2, 3]];
+        self.append(Self { points: corners.into(), inflated: Vec::new(), triangles });
     }
 
     /// Takes the triangles of `other`, too.
@@ -140,34 +158,15 @@ pub(super) fn index(n: usize) -> u32 {
 /// The paths for lyon. Their arcs are chords already, cut in double precision.
 fn outline(paths: &[Path]) -> Outline {
     let mut builder = Outline::builder();
+    let at = |p: Point| point(single(p.x), single(p.y));
     for path in paths {
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "lyon is single precision, and a display needs no more"
-        )]
-        let single = |p: Point| point(p.x as f32, p.y as f32);
         let mut corners = chords(path, CHORD).into_iter();
         let Some(first) = corners.next() else { continue };
-        let _ = builder.begin(single(first));
+        let _ = builder.begin(at(first));
         for corner in corners {
-            let _ = builder.line_to(single(corner));
+            let _ = builder.line_to(at(corner));
         }
         builder.end(path.closed);
     }
     builder.build()
-}
-
-/// The wall on a closed polygon, its outside where the solid is not.
-fn wall(corners: &[Point], is_hole: bool, [low, high]: [f64; 2]) -> Mesh {
-    let next = |i: usize| corners[(i + 1) % corners.len()];
-    let doubled: f64 = corners.iter().enumerate().map(|(i, p)| p.x * next(i).y - p.y * next(i).x).sum();
-    // The solid has to lie on the left: counterclockwise around it, clockwise around a hole.
-    let turned = (doubled < 0.0) != is_hole;
-    let mut out = Mesh::default();
-    for (i, p) in corners.iter().enumerate() {
-        let (from, to) = if turned { (next(i), *p) } else { (*p, next(i)) };
-        let quad = [[from.x, from.y, low], [to.x, to.y, low], [to.x, to.y, high], [from.x, from.y, high]];
-        out.append(Mesh { points: quad.into(), inflated: Vec::new(), triangles: vec![[0, 1, 2], [0, 2, 3]] });
-    }
-    out
 }

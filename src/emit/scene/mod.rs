@@ -12,73 +12,47 @@ mod pose;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::design::{CutEdge, Design, Drawing, Layer, Side, Star, StarAssembly, StarDesign};
-use crate::emit::palette;
+use crate::emit::palette::SceneSurface;
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, quarters};
 use crate::emit::scene::pose::{PoseMotion, ScenePose, tube};
 use crate::spec::{Load, ObjectShape, Spec};
-use inflatable::geom::{Arc, Bounds, Line, Path, Point};
-use serde_json::{Value, json};
+use inflatable::geom::{Arc, Bounds, Path, Point};
 
 pub use drawn::drawn_scene;
 
-/// Height of ribbons over the fabric that they lie on, mm, so that they are seen.
-const ABOVE: f64 = 0.3;
 /// Width of a cut's line, mm.
 const CUT: f64 = 1.0;
 /// Between the stack, sheets and masks, mm.
 const GAP: f64 = 60.0;
 
-/// The surfaces of a scene, in the order of [`palette::SURFACES`].
-#[derive(Clone, Copy)]
-enum SceneSurface {
-    Fabric,
-    Tube,
-    InnerBand,
-    OuterBand,
-    Cut,
-    Mask,
-    Plate,
-    Post,
-    Object,
-}
+/// The surfaces of a scene of stars. The object comes last: validators remark on a material without use.
+const STARS: [SceneSurface; 9] = [
+    SceneSurface::Fabric,
+    SceneSurface::Tube,
+    SceneSurface::InnerBand,
+    SceneSurface::OuterBand,
+    SceneSurface::Cut,
+    SceneSurface::Mask,
+    SceneSurface::Plate,
+    SceneSurface::Post,
+    SceneSurface::Object,
+];
 
 /// Everything of the gripper `design`, its stars `inflated` to these, bottom to top, or not if there are none, and the spec's object; `None` where lyon
 /// has no triangles for it.
 pub fn scene(spec: &Spec, design: &Design, inflated: &[Star]) -> Option<Vec<u8>> {
-    let mut glb = Glb::default();
+    let mut glb = Glb::new(&STARS);
     let assembly = design.assembly()?;
     let stack = stack(&mut glb, assembly, inflated)?;
     let object: Vec<Node> =
         spec.load.as_ref().and_then(|load| object(&mut glb, assembly, load)).into_iter().collect();
-    let bands = [
-        (SceneSurface::InnerBand as usize, Layer::SealInner),
-        (SceneSurface::OuterBand as usize, Layer::SealOuter),
-    ];
-    let surfaces = SheetSurfaces {
-        fabric: SceneSurface::Fabric as usize,
-        cut: SceneSurface::Cut as usize,
-        bands: &bands,
-    };
-    let sheets = sheets(&mut glb, design, (reach(assembly), band_of(assembly)), &surfaces)?;
+    let bands = [(SceneSurface::InnerBand, Layer::SealInner), (SceneSurface::OuterBand, Layer::SealOuter)];
+    let sheets = sheets(&mut glb, design, (reach(assembly), band_of(assembly)), &bands)?;
     let masks = masks(&mut glb, spec, assembly)?;
-    let groups =
-        [("stack", stack.len()), ("object", object.len()), ("sheets", sheets.len()), ("masks", masks.len())];
-    // The object's material comes last: validators remark on a material without use.
-    let used = if object.is_empty() { SceneSurface::Object as usize } else { palette::SURFACES.len() };
-    let materials: Vec<Value> = palette::SURFACES[..used].iter().map(material).collect();
-    let nodes: Vec<Node> = [stack, object, sheets, masks].concat();
-    Some(glb.finish(&spec.name, &nodes, &groups, &materials))
-}
-
-fn material(surface: &palette::SurfaceColour) -> Value {
-    let color = palette::linear(surface);
-    json!({
-        "name": surface.name,
-        "alphaMode": if surface.cover < 1.0 { "BLEND" } else { "OPAQUE" },
-        "doubleSided": true,
-        "pbrMetallicRoughness": { "baseColorFactor": color, "metallicFactor": 0.0, "roughnessFactor": 0.9 },
-    })
+    let used = if object.is_empty() { STARS.len() - 1 } else { STARS.len() };
+    let groups = [("stack", stack), ("object", object), ("sheets", sheets), ("masks", masks)];
+    Some(glb.finish(&spec.name, &groups, used))
 }
 
 /// Plates, posts and stars, in their places.
@@ -93,7 +67,7 @@ fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[Star]) -> Option<Vec<
         let mut paths = vec![circle(Point::ORIGIN, frame.radius), circle(Point::ORIGIN, plate.opening)];
         paths.extend(frame.posts.iter().map(|post| circle(*post, frame.post_diameter / 2.0)));
         let solid = Mesh::extruded(&paths, [-half, half])?;
-        let mesh = glb.mesh("plate", &[(SceneSurface::Plate as usize, solid)]);
+        let mesh = glb.mesh("plate", &[(SceneSurface::Plate, solid)]);
         for number in &plate.numbers {
             stand(format!("plate {number}"), mesh, [0.0, 0.0, *stack.plates.get(number - 1)?], 0.0);
         }
@@ -101,7 +75,7 @@ fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[Star]) -> Option<Vec<
     if !frame.posts.is_empty() {
         let solid =
             Mesh::extruded(&[circle(Point::ORIGIN, frame.post_diameter / 2.0)], [0.0, frame.post_length])?;
-        let mesh = glb.mesh("post", &[(SceneSurface::Post as usize, solid)]);
+        let mesh = glb.mesh("post", &[(SceneSurface::Post, solid)]);
         for (post, number) in frame.posts.iter().zip(1..) {
             stand(format!("post {number}"), mesh, [post.x, post.y, 0.0], 0.0);
         }
@@ -142,7 +116,7 @@ fn object(glb: &mut Glb, design: &StarAssembly, load: &Load) -> Option<Node> {
             (0..=steps).map(point).collect()
         }
     };
-    let mesh = glb.mesh("surface of the object", &[(SceneSurface::Object as usize, Mesh::turned(&curve))]);
+    let mesh = glb.mesh("surface of the object", &[(SceneSurface::Object, Mesh::turned(&curve))]);
     let stars = &design.stack.stars;
     let middle = f64::midpoint(*stars.first()?, *stars.last()?);
     Some(Node { name: "object".to_owned(), mesh, at: [0.0, 0.0, middle], turn: 0.0 })
@@ -160,31 +134,26 @@ fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<&Star>, name: &str) -
     let mut paths = vec![part.outline.outside.clone(), part.outline.hole.clone()];
     paths.extend([edge(Side::Outside)?, edge(Side::Hole)?]);
     paths.extend(part.outline.registration.iter().map(|hole| circle(hole.center, hole.diameter / 2.0)));
-    let (inner, outer) = (part.shape.seam("inner")?, part.shape.seam("outer")?);
-    let band =
-        |seam: &crate::shape::Seam| Mesh::ribbon(&seam.center_line, part.shape.band, ABOVE).map(carried);
+    let band = |name: &str| {
+        let path = &part.shape.seam(name)?.center_line;
+        Mesh::ribbons(std::slice::from_ref(path), part.shape.band).map(carried)
+    };
     let parts = [
-        (SceneSurface::Tube as usize, tube(flat, full)),
-        (SceneSurface::Fabric as usize, carried(Mesh::fill(&paths, 0.0)?)),
-        (SceneSurface::InnerBand as usize, band(inner)?),
-        (SceneSurface::OuterBand as usize, band(outer)?),
+        (SceneSurface::Tube, tube(flat, full)),
+        (SceneSurface::Fabric, carried(Mesh::fill(&paths, 0.0)?)),
+        (SceneSurface::InnerBand, band("inner")?),
+        (SceneSurface::OuterBand, band("outer")?),
     ];
     Some(glb.mesh(name, &parts))
 }
 
-/// The materials of sheets, and of bands by their layers.
-struct SheetSurfaces<'a> {
-    fabric: usize,
-    cut: usize,
-    bands: &'a [(usize, Layer)],
-}
-
-/// The sheets as they lie on the machine, beside everything within `reach` mm of the origin: holes, cut lines, and bands `band` mm wide.
+/// The sheets as they lie on the machine, beside everything within `reach` mm of the origin: holes, cut lines, and bands `band` mm wide,
+/// each with its surface and its layer.
 fn sheets(
     glb: &mut Glb,
     design: &Design,
     (reach, band): (f64, f64),
-    surfaces: &SheetSurfaces<'_>,
+    bands: &[(SceneSurface, Layer)],
 ) -> Option<Vec<Node>> {
     let mut left = reach + GAP;
     let mut nodes = Vec::new();
@@ -195,19 +164,14 @@ fn sheets(
             let shapes = drawing.layers.iter().filter(|(l, _)| *l == layer).flat_map(|(_, shapes)| shapes);
             shapes.flat_map(|shape| shape.paths().into_owned()).collect()
         };
-        let mut paths = vec![rectangle(layout.width, layout.height)];
+        let bounds = Bounds { min: Point::ORIGIN, max: Point::new(layout.width, layout.height) };
+        let mut paths = vec![Path::rectangle(&bounds)];
         paths.extend([Layer::Registration, Layer::CutHole].into_iter().flat_map(|layer| on(&cuts, layer)));
-        let ribbons = |paths: &[Path], width: f64| {
-            paths.iter().try_fold(Mesh::default(), |mut all, path| {
-                all.append(Mesh::ribbon(path, width, ABOVE)?);
-                Some(all)
-            })
-        };
-        let mut parts = vec![(surfaces.fabric, Mesh::fill(&paths, 0.0)?)];
-        for (material, layer) in surfaces.bands {
-            parts.push((*material, ribbons(&on(&seals, *layer), band)?));
+        let mut parts = vec![(SceneSurface::Fabric, Mesh::fill(&paths, 0.0)?)];
+        for (surface, layer) in bands {
+            parts.push((*surface, Mesh::ribbons(&on(&seals, *layer), band)?));
         }
-        parts.push((surfaces.cut, ribbons(&on(&cuts, Layer::CutOutside), CUT)?));
+        parts.push((SceneSurface::Cut, Mesh::ribbons(&on(&cuts, Layer::CutOutside), CUT)?));
         let mesh = glb.mesh("sheet", &parts);
         let at = [left, -layout.height / 2.0, 0.0];
         nodes.push(Node { name: format!("sheet {}", layout.index), mesh, at, turn: 0.0 });
@@ -229,7 +193,7 @@ fn masks(glb: &mut Glb, spec: &Spec, design: &StarAssembly) -> Option<Vec<Node>>
             let paths: Vec<Path> = shapes.flat_map(|shape| shape.paths().into_owned()).collect();
             let Bounds { min, max } = paths.first()?.bounds();
             let solid = Mesh::extruded(&paths, [0.0, spec.mask.thickness.0])?;
-            let mesh = glb.mesh("mask", &[(SceneSurface::Mask as usize, solid)]);
+            let mesh = glb.mesh("mask", &[(SceneSurface::Mask, solid)]);
             let name = format!("mask {}{}", first.index, if mirrored { " mirrored" } else { "" });
             nodes.push(Node { name, mesh, at: [right - max.x, 0.0, 0.0], turn: 0.0 });
             right -= max.x - min.x + GAP;
@@ -253,10 +217,4 @@ fn band_of(design: &StarAssembly) -> f64 {
 fn circle(center: Point, radius: f64) -> Path {
     let quarter = |i: f64| Arc::new(center, radius, i * FRAC_PI_2, FRAC_PI_2).into();
     Path::closed([0.0, 1.0, 2.0, 3.0].map(quarter).into())
-}
-
-fn rectangle(width: f64, height: f64) -> Path {
-    let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]].map(|[x, y]| Point::new(x, y));
-    let side = |i: usize| Line::new(corners[i], corners[(i + 1) % 4]).into();
-    Path::closed((0..4).map(side).collect())
 }

@@ -38,13 +38,6 @@ pub(super) struct ScenePose {
     halves: [f64; 2],
 }
 
-/// One of a hinge's two kinds.
-#[derive(Clone, Copy)]
-enum PosedHinge {
-    Corner,
-    Tip,
-}
-
 impl ScenePose {
     /// The star as it is cut.
     pub(super) fn flat(star: &Star) -> Self {
@@ -126,33 +119,24 @@ impl ScenePose {
 
     /// The hole-side edge of the tube and the direction across it to the outer edge, column by column around the star.
     fn columns(&self) -> Vec<(Point, Vec2)> {
+        let turns =
+            |half: f64| (0..=ALONG).map(move |i| half * (2.0 * f64::from(i) / f64::from(ALONG) - 1.0));
         let mut out = Vec::new();
         for k in 0..self.points {
-            for (hinge, half) in [(PosedHinge::Corner, self.halves[0]), (PosedHinge::Tip, self.halves[1])] {
-                for i in 0..=ALONG {
-                    let turn = half * (2.0 * f64::from(i) / f64::from(ALONG) - 1.0);
-                    out.push(self.column(hinge, k, turn));
-                }
-            }
+            let ray = 2.0 * f64::from(k) * self.ray();
+            let corner = Point::polar(self.corner.x, ray);
+            out.extend(turns(self.halves[0]).map(|turn| {
+                let towards_hole = Vec2::unit(ray + PI - turn);
+                (corner + towards_hole * (self.radii[0] + self.width), -towards_hole)
+            }));
+            let ray = ray + self.ray();
+            let tip = Point::polar(self.tip.distance(Point::ORIGIN), ray);
+            out.extend(turns(self.halves[1]).map(|turn| {
+                let outwards = Vec2::unit(ray + turn);
+                (tip + outwards * self.radii[1], outwards)
+            }));
         }
         out
-    }
-
-    fn column(&self, hinge: PosedHinge, k: u32, turn: f64) -> (Point, Vec2) {
-        let corner_ray = 2.0 * f64::from(k) * self.ray();
-        match hinge {
-            PosedHinge::Corner => {
-                let centre = Point::polar(self.corner.x, corner_ray);
-                let towards_hole = Vec2::unit(corner_ray + PI - turn);
-                (centre + towards_hole * (self.radii[0] + self.width), -towards_hole)
-            }
-            PosedHinge::Tip => {
-                let ray = corner_ray + self.ray();
-                let centre = Point::polar(self.tip.distance(Point::ORIGIN), ray);
-                let outwards = Vec2::unit(ray + turn);
-                (centre + outwards * self.radii[1], outwards)
-            }
-        }
     }
 
     /// Corners of the tube's two sheets, around every column.
