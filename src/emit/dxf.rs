@@ -5,6 +5,7 @@
 use crate::design::{Drawing, Layer, Shape};
 use crate::emit::number::Decimals;
 use crate::emit::palette::ink;
+use crate::emit::text::filled;
 use crate::spec::Colours;
 use crate::units::Length;
 use inflatable::geom::{Path, Point, Segment};
@@ -37,31 +38,23 @@ pub fn dxf(drawing: &Drawing, path: Length, colours: Colours) -> String {
     }
     let corner = drawing.corner();
     let number = |x: f64| writer.decimals.text(x);
-    fill(&[
-        ("HANDSEED", &format!("{:X}", writer.handle)),
-        ("MIN_X", &number(corner.x)),
-        ("MIN_Y", &number(corner.y)),
-        ("MAX_X", &number(corner.x + drawing.width)),
-        ("MAX_Y", &number(corner.y + drawing.height)),
-        ("HEIGHT", &number(drawing.height)),
-        ("CENTER_X", &number(corner.x + drawing.width / 2.0)),
-        ("CENTER_Y", &number(corner.y + drawing.height / 2.0)),
-        ("LAYER_COUNT", &(drawing.layers.len() + 1).to_string()),
-        ("LAYERS", &layers),
-        ("ENTITIES", &writer.out),
-    ])
-}
-
-/// The skeleton with every `@NAME@` replaced by its value.
-fn fill(values: &[(&str, &str)]) -> String {
-    let mut out = String::with_capacity(SKELETON.len() + values.iter().map(|(_, v)| v.len()).sum::<usize>());
-    let mut pieces = SKELETON.split('@');
-    while let Some(text) = pieces.next() {
-        out.push_str(text);
-        let Some(name) = pieces.next() else { break };
-        out.extend(values.iter().find(|(known, _)| *known == name).map(|(_, value)| *value));
-    }
-    out
+    filled(
+        SKELETON,
+        ["@", "@"],
+        &[
+            ("HANDSEED", &format!("{:X}", writer.handle)),
+            ("MIN_X", &number(corner.x)),
+            ("MIN_Y", &number(corner.y)),
+            ("MAX_X", &number(corner.x + drawing.width)),
+            ("MAX_Y", &number(corner.y + drawing.height)),
+            ("HEIGHT", &number(drawing.height)),
+            ("CENTER_X", &number(corner.x + drawing.width / 2.0)),
+            ("CENTER_Y", &number(corner.y + drawing.height / 2.0)),
+            ("LAYER_COUNT", &(drawing.layers.len() + 1).to_string()),
+            ("LAYERS", &layers),
+            ("ENTITIES", &writer.out),
+        ],
+    )
 }
 
 struct DxfWriter {
@@ -115,8 +108,7 @@ impl DxfWriter {
 
     fn circle(&mut self, layer: Layer, center: Point, radius: f64) {
         self.entity("CIRCLE", layer, "AcDbCircle");
-        self.number(" 10", center.x);
-        self.number(" 20", center.y);
+        self.vertex(center);
         self.tag(" 30", "0");
         self.number(" 40", radius);
     }

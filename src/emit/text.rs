@@ -19,6 +19,22 @@ pub(crate) fn inert(text: &str, most: usize) -> String {
     out
 }
 
+/// `template` with every mark, the name of one of `parts` between `open` and `close`, replaced by that part.
+///
+/// In one pass: the content of one part is not searched for the marks of another.
+pub(super) fn filled(template: &str, [open, close]: [&str; 2], parts: &[(&str, &str)]) -> String {
+    let mut out =
+        String::with_capacity(template.len() + parts.iter().map(|(_, part)| part.len()).sum::<usize>());
+    let mut rest = template;
+    while let Some((before, from)) = rest.split_once(open) {
+        let Some((mark, after)) = from.split_once(close) else { break };
+        out.push_str(before);
+        out.extend(parts.iter().find(|(own, _)| *own == mark).map(|(_, part)| *part));
+        rest = after;
+    }
+    out + rest
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

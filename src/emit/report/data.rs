@@ -6,7 +6,6 @@ use crate::design::{Design, StarDesign};
 use crate::emit::report::job::{parts, programs, sheets, thousandths};
 use crate::emit::report::subject::Report;
 use crate::forecast::case::Case;
-use crate::forecast::charts::Charts;
 use crate::forecast::drawn::HOW;
 use crate::forecast::pose::Pose;
 use crate::forecast::seal_load::{SealLoad, seal_loads};
@@ -60,7 +59,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         "flat": stars(design).iter().map(|part| short(&json!(Pose::of(&part.star)))).collect::<Vec<_>>(),
         "sheets": sheets(report),
         "programs": programs(report),
-        "charts": report.charts.iter().map(chart).collect::<Vec<_>>(),
+        "charts": report.charts.iter().map(|charts| short(&json!(charts))).collect::<Vec<_>>(),
     });
     // Only a drawing's page has these.
     if design.drawn().is_some() {
@@ -106,10 +105,6 @@ fn loads(report: &Report<'_>) -> Vec<Value> {
         Some(short(&json!(seal_loads(report.spec, &case, part).iter().map(load).collect::<Vec<_>>())))
     };
     stars(report.design).iter().filter_map(of_star).collect()
-}
-
-fn chart(charts: &Charts) -> Value {
-    short(&json!(charts))
 }
 
 /// The value with its numbers cut to [`DIGITS`] significant digits.

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::design::{Circle, DrawnPiece, PlacedPart, Product, SheetLayout, StarDesign};
+use crate::design::{Circle, CutEdge, FlatPiece, PlacedPart, SheetLayout};
 use crate::emit::report::polyline::{hundredths, polyline};
 use crate::emit::report::subject::Report;
 use crate::plan::{Program, Ramp, Step, height_of};
@@ -10,43 +10,31 @@ use inflatable::geom::{Path, Point, Segment};
 
 /// The distinct pieces, each in a frame of its own.
 pub(super) fn parts(report: &Report<'_>) -> Vec<Value> {
-    match &report.design.product {
-        Product::Stars(assembly) => {
-            assembly.firsts().map(|placed| part(placed, assembly.part(placed))).collect()
-        }
-        Product::Drawing(piece) => {
-            piece.copies.iter().take(1).map(|placed| drawn_part(placed, piece)).collect()
-        }
-    }
+    report.design.firsts().map(|placed| part(placed, report.design.part(placed))).collect()
 }
 
-fn drawn_part(placed: &PlacedPart, piece: &DrawnPiece) -> Value {
-    json!({
+fn part(placed: &PlacedPart, part: FlatPiece<'_>) -> Value {
+    let (shape, cut) = (part.shape(), part.cut(CutEdge::Part));
+    let mut value = json!({
         "star": placed.index,
-        "band_mm": piece.shape.band,
-        "outside": polyline(&piece.part.outside),
-        "insides": piece.part.inside.iter().map(polyline).collect::<Vec<_>>(),
-        "tube": piece.edges.iter().map(polyline).collect::<Vec<_>>(),
-        "bands": piece.shape.seams.iter().map(|seam| polyline(&seam.center_line)).collect::<Vec<_>>(),
-        "closed": piece.shape.seams.iter().map(|seam| seam.center_line.closed).collect::<Vec<_>>(),
+        "band_mm": shape.band,
+        "outside": polyline(cut.outside),
+        "tube": part.tube().iter().map(polyline).collect::<Vec<_>>(),
+        "bands": shape.seams.iter().map(|seam| polyline(&seam.center_line)).collect::<Vec<_>>(),
+        "closed": shape.seams.iter().map(|seam| seam.center_line.closed).collect::<Vec<_>>(),
         "holes": [],
-    })
-}
-
-fn part(placed: &PlacedPart, part: &StarDesign) -> Value {
-    let hole = |hole: &Circle| [hole.center.x, hole.center.y, hole.diameter].map(hundredths);
-    json!({
-        "star": placed.index,
-        "points": part.star.n,
-        "arm_length_mm": thousandths(part.star.l),
-        "band_mm": part.shape.band,
-        "outside": polyline(&part.outline.outside),
-        "hole": polyline(&part.outline.hole),
-        "tube": part.realised_edges.each_ref().map(polyline),
-        "bands": part.shape.seams.iter().map(|seam| polyline(&seam.center_line)).collect::<Vec<_>>(),
-        "closed": part.shape.seams.iter().map(|seam| seam.center_line.closed).collect::<Vec<_>>(),
-        "holes": part.outline.registration.iter().map(hole).collect::<Vec<_>>(),
-    })
+    });
+    match part {
+        FlatPiece::Star(part) => {
+            let hole = |hole: &Circle| json!([hole.center.x, hole.center.y, hole.diameter].map(hundredths));
+            value["points"] = part.star.n.into();
+            value["arm_length_mm"] = thousandths(part.star.l).into();
+            value["hole"] = json!(polyline(&part.outline.hole));
+            value["holes"] = cut.holes.iter().map(hole).collect();
+        }
+        FlatPiece::Drawn(_) => value["insides"] = json!(cut.inside.iter().map(polyline).collect::<Vec<_>>()),
+    }
+    value
 }
 
 /// The sheets, and where each star lies on them.

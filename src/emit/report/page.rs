@@ -4,14 +4,13 @@
 //! can end the place they are in, and no address of a network can be read out of them. A policy in the head lets the browser run
 //! the page's own scripts and styles, which it names by their hashes, and fetch nothing at all.
 
-use std::fmt::Write;
-
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
+use crate::emit::text::filled;
 use crate::link::LinkCode;
 
 const FRAME: &str = include_str!("../../../templates/report/page.html");
@@ -61,18 +60,7 @@ pub(super) fn page(name: &str, data: &Value, scene: &[u8], code: Option<&LinkCod
         ("SCRIPT", script.as_str()),
         ("CODE", code.as_str()),
     ];
-    // In one pass: the content of one part is not searched for the marks of another.
-    let mut out =
-        String::with_capacity(FRAME.len() + parts.iter().map(|(_, part)| part.len()).sum::<usize>());
-    let mut rest = FRAME;
-    while let Some((before, from)) = rest.split_once("{{") {
-        let Some((mark, after)) = from.split_once("}}") else { break };
-        out.push_str(before);
-        out.push_str(parts.iter().find(|(own, _)| *own == mark).map_or("", |(_, part)| part));
-        rest = after;
-    }
-    out.push_str(rest);
-    out
+    filled(FRAME, ["{{", "}}"], &parts)
 }
 
 /// Width of a printed page, in modules of 0.5 mm, which phones read from paper.
@@ -101,29 +89,24 @@ fn hash(text: &str) -> String {
 
 /// Text for an element or an attribute: every character with a meaning there, or at the start of an address, by its number.
 fn text(words: &str) -> String {
-    let mut out = String::with_capacity(words.len());
-    for c in words.chars() {
-        match c {
-            '&' | '<' | '>' | '"' | '\'' | '/' | '`' => {
-                let _ = write!(out, "&#{};", u32::from(c));
-            }
-            c => out.push(c),
-        }
-    }
-    out
+    escaped(words, &['&', '<', '>', '"', '\'', '/', '`'], |number| format!("&#{number};"))
 }
 
 /// JSON for a script element: no `<` that could end it, no `/` of an address, and no line end that only old readers of scripts
 /// treat as one.
 fn block(data: &Value) -> String {
-    let plain = data.to_string();
-    let mut out = String::with_capacity(plain.len());
-    for c in plain.chars() {
-        match c {
-            '<' | '>' | '&' | '/' | '\u{2028}' | '\u{2029}' => {
-                let _ = write!(out, "\\u{:04x}", u32::from(c));
-            }
-            c => out.push(c),
+    let marks = ['<', '>', '&', '/', '\u{2028}', '\u{2029}'];
+    escaped(&data.to_string(), &marks, |number| format!("\\u{number:04x}"))
+}
+
+/// The text with each of `marks` written by its number.
+fn escaped(text: &str, marks: &[char], written: impl Fn(u32) -> String) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if marks.contains(&c) {
+            out.push_str(&written(u32::from(c)));
+        } else {
+            out.push(c);
         }
     }
     out
