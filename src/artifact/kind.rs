@@ -6,99 +6,84 @@ use serde::{Deserialize, Serialize};
 
 use crate::spec::{Extra, Spec};
 
-/// The subject of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Subject {
-    /// The spec, unchanged.
-    Spec,
-    /// The resolved machine profile.
-    Machine,
-    /// The drawing that the spec names.
-    Drawing,
-    /// The seams.
-    Seal,
-    /// The trace of the iron's path without heat.
-    Trace,
-    /// The cut.
-    Outline,
-    /// A coating mask.
-    Mask,
-    /// Assembly of the pieces of a printed mask.
-    Pieces,
-    /// A plate of the frame.
-    Frame,
-    /// A picture of the design.
-    Preview,
-    /// The prediction; only for a spec with a load.
-    Prediction,
-    /// The gripper in three dimensions, for viewing.
-    Scene,
-    /// All results on one page.
-    Report,
+/// Declares an enum from one table, one line a variant with its name, which `$method` gives.
+macro_rules! named {
+    ($(#[$about:meta])* $type:ident, $(#[$says:meta])* $method:ident; $($(#[$doc:meta])* $variant:ident: $name:literal,)+) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $type {
+            $($(#[$doc])* $variant,)+
+        }
+
+        impl $type {
+            $(#[$says])*
+            pub fn $method(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)+
+                }
+            }
+        }
+    };
 }
 
-/// The format of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// A spec or a profile.
-    Toml,
-    /// A program.
-    Gcode,
-    /// A drawing whose page is in mm.
-    Svg,
-    /// A drawing in mm.
-    Dxf,
-    /// A drawing on paper, at 1:1.
-    Pdf,
-    /// A solid.
-    Stl,
-    /// Figures.
-    Json,
-    /// A picture of pixels.
-    Png,
-    /// Triangles for viewing.
-    Glb,
-    /// A page for browsers.
-    Html,
-}
-
-impl Subject {
+named! {
+    /// The subject of a file.
+    Subject,
     /// The subject's name in file names.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Spec => "spec",
-            Self::Machine => "machine",
-            Self::Drawing => "drawing",
-            Self::Seal => "seal",
-            Self::Trace => "trace",
-            Self::Outline => "outline",
-            Self::Mask => "mask",
-            Self::Pieces => "pieces",
-            Self::Frame => "frame",
-            Self::Preview => "preview",
-            Self::Prediction => "prediction",
-            Self::Scene => "scene",
-            Self::Report => "report",
-        }
-    }
+    name;
+    /// The spec, unchanged.
+    Spec: "spec",
+    /// The resolved machine profile.
+    Machine: "machine",
+    /// The drawing that the spec names.
+    Drawing: "drawing",
+    /// The seams.
+    Seal: "seal",
+    /// The trace of the iron's path without heat.
+    Trace: "trace",
+    /// The cut.
+    Outline: "outline",
+    /// A coating mask.
+    Mask: "mask",
+    /// Assembly of the pieces of a printed mask.
+    Pieces: "pieces",
+    /// A plate of the frame.
+    Frame: "frame",
+    /// A picture of the design.
+    Preview: "preview",
+    /// The prediction; only for a spec with a load.
+    Prediction: "prediction",
+    /// The gripper in three dimensions, for viewing.
+    Scene: "scene",
+    /// All results on one page.
+    Report: "report",
 }
 
-impl Format {
+named! {
+    /// The format of a file.
+    Format,
     /// The ending of its files.
-    pub fn ending(self) -> &'static str {
-        match self {
-            Self::Toml => "toml",
-            Self::Gcode => "gcode",
-            Self::Svg => "svg",
-            Self::Dxf => "dxf",
-            Self::Pdf => "pdf",
-            Self::Stl => "stl",
-            Self::Json => "json",
-            Self::Png => "png",
-            Self::Glb => "glb",
-            Self::Html => "html",
-        }
-    }
+    ending;
+    /// A spec or a profile.
+    Toml: "toml",
+    /// A program.
+    Gcode: "gcode",
+    /// A drawing whose page is in mm.
+    Svg: "svg",
+    /// A drawing in mm.
+    Dxf: "dxf",
+    /// A drawing on paper, at 1:1.
+    Pdf: "pdf",
+    /// A solid.
+    Stl: "stl",
+    /// Figures.
+    Json: "json",
+    /// A picture of pixels.
+    Png: "png",
+    /// Triangles for viewing.
+    Glb: "glb",
+    /// A page for browsers.
+    Html: "html",
 }
 
 /// Declares [`Kind`] from one table, one line a kind.

@@ -1,8 +1,8 @@
 //! Outputs: the list of a design's files, which both the builder and the verifier use.
 
 use crate::artifact::kind::{Format, Kind, KindRequest, Subject};
-use crate::design::{CutEdge, Design, Drawing, MaskPlate, Paper, PlacedPart, StarAssembly};
-use crate::spec::{Dialect, DrawingSpec, ProgramScope, Spec};
+use crate::design::{CutEdge, Design, Drawing, MaskPlate, Paper, StarAssembly};
+use crate::spec::{Dialect, ProgramScope, Spec};
 
 /// The ending of programs for LinuxCNC.
 pub const NGC: &str = "ngc";
@@ -165,35 +165,24 @@ pub fn program_ending(dialect: Dialect) -> &'static str {
 
 /// All files of `design`, described by `spec` for a machine of `dialect`, of the kinds in `request`, in the order of the manifest.
 pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest) -> Vec<Output> {
-    all(spec, dialect, design, &FileChoice { request, fits: true })
+    all(spec, dialect, design, request, true)
 }
 
 /// The files of the kinds in `request` that are left out because their drawing is too large for their paper.
 pub fn too_large(spec: &Spec, design: &Design, request: &KindRequest) -> Vec<Output> {
-    let mut out = all(spec, Dialect::Generic, design, &FileChoice { request, fits: false });
+    let mut out = all(spec, Dialect::Generic, design, request, false);
     out.retain(|output| output.paper.is_some());
     out
 }
 
-/// The kinds of files to list, and of those on paper whether the ones that fit it or the others.
-struct FileChoice<'a> {
-    request: &'a KindRequest,
-    fits: bool,
-}
-
 /// All files of `design`: with `fits` as they are written, else with those on paper that are not.
-fn all(spec: &Spec, dialect: Dialect, design: &Design, wanted: &FileChoice<'_>) -> Vec<Output> {
+fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fits: bool) -> Vec<Output> {
     let mut out = vec![Output::of(Kind::Spec), Output::of(Kind::Machine)];
-    out.extend(spec.drawing.as_ref().map(|drawing| Output::of(drawing_kind(drawing))));
+    if let Some(drawing) = &spec.drawing {
+        out.push(Output::of(if drawing.is_dxf() { Kind::DrawingDxf } else { Kind::DrawingSvg }));
+    }
     for kind in [Kind::SealGcode, Kind::TraceGcode] {
-        let is_star = design.assembly().is_some();
-        out.extend(programs(spec, design).map(|(sheet, placed)| Output {
-            sheet: Some(sheet),
-            star: placed.filter(|_| is_star).map(|placed| placed.index),
-            copy: placed.filter(|_| !is_star).map(|placed| placed.index),
-            ngc: dialect == Dialect::LinuxCnc,
-            ..Output::of(kind)
-        }));
+        programs(spec, dialect, design, kind, &mut out);
     }
     let of_sheet = [
         Kind::SealSvg,
@@ -202,94 +191,68 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, wanted: &FileChoice<'_>) 
         Kind::OutlineDxf,
         Kind::PreviewSvg,
         Kind::PreviewPng,
+        Kind::OutlinePdf,
     ];
     for sheet in &design.sheets {
-        let of_sheet = of_sheet.map(|kind| Output { sheet: Some(sheet.index), ..Output::of(kind) });
-        out.extend(of_sheet);
-        out.extend(papers(
-            Output { sheet: Some(sheet.index), ..Output::of(Kind::OutlinePdf) },
-            design,
-            wanted,
-        ));
+        out.extend(of_sheet.map(|kind| Output { sheet: Some(sheet.index), ..Output::of(kind) }));
     }
     if let Some(assembly) = design.assembly() {
-        of_assembly(spec, (design, assembly), wanted, &mut out);
+        of_assembly(spec, assembly, &mut out);
     }
-    separators(design, wanted, &mut out);
+    // The separator of a drawn piece is one file, because all copies are equal.
+    if design.drawn().is_some_and(|piece| piece.separator.is_some()) {
+        let copy = design.firsts().next().map(|first| first.index);
+        let of_mask = |kind| Output { copy, ..Output::of(kind) };
+        out.extend([Kind::MaskSvg, Kind::MaskDxf, Kind::MaskPdf].map(of_mask));
+    }
     if spec.load.is_some() {
         out.push(Output::of(Kind::Prediction));
     }
     out.extend([Kind::SceneGlb, Kind::Report].map(Output::of));
-    out.retain(|output| wanted.request.takes(output.kind));
-    out
+    out.retain(|output| request.takes(output.kind));
+    let on_paper = |output: Output| match output.kind.format() {
+        Format::Pdf => output.on_paper(design, fits).collect(),
+        _ => vec![output],
+    };
+    out.into_iter().flat_map(on_paper).collect()
 }
 
-/// The separator of a drawn piece: one file, because all copies are equal.
-fn separators(design: &Design, wanted: &FileChoice<'_>, out: &mut Vec<Output>) {
-    let Some(first) = design.firsts().next() else { return };
-    if design.drawn().is_some_and(|piece| piece.separator.is_some()) {
-        let of_mask = |kind| Output { copy: Some(first.index), ..Output::of(kind) };
-        out.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
-        out.extend(papers(of_mask(Kind::MaskPdf), design, wanted));
+/// The programs of one kind; a program of a whole sheet has no piece.
+fn programs(spec: &Spec, dialect: Dialect, design: &Design, kind: Kind, out: &mut Vec<Output>) {
+    let of_sheet =
+        |sheet| Output { sheet: Some(sheet), ngc: dialect == Dialect::LinuxCnc, ..Output::of(kind) };
+    match (spec.machine.program, design.assembly()) {
+        (ProgramScope::Sheet, _) => out.extend(design.sheets.iter().map(|sheet| of_sheet(sheet.index))),
+        (ProgramScope::Piece, Some(assembly)) => out.extend(
+            assembly.stars.iter().map(|star| Output { star: Some(star.index), ..of_sheet(star.sheet) }),
+        ),
+        (ProgramScope::Piece, None) => out.extend(
+            design.placed().iter().map(|copy| Output { copy: Some(copy.index), ..of_sheet(copy.sheet) }),
+        ),
     }
 }
 
-/// The kind of the drawing's copy.
-fn drawing_kind(drawing: &DrawingSpec) -> Kind {
-    if drawing.is_dxf() { Kind::DrawingDxf } else { Kind::DrawingSvg }
-}
-
 /// The masks and plates of a gripper.
-fn of_assembly(
-    spec: &Spec,
-    (design, assembly): (&Design, &StarAssembly),
-    wanted: &FileChoice<'_>,
-    out: &mut Vec<Output>,
-) {
+fn of_assembly(spec: &Spec, assembly: &StarAssembly, out: &mut Vec<Output>) {
     for placed in assembly.firsts() {
-        masks(spec, (design, assembly), placed, wanted, out);
+        let pieces = &assembly.part(placed).pieces;
+        // Also for the other face, if the spec requests it.
+        for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
+            let of_mask = |kind| Output { star: Some(placed.index), mirrored, ..Output::of(kind) };
+            out.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
+            if pieces.are_several() {
+                let piece = |number| Output { piece: Some(number), ..of_mask(Kind::MaskStl) };
+                out.extend((1..=pieces.list.len()).map(piece));
+                out.push(of_mask(Kind::PiecesSvg));
+            } else {
+                out.push(of_mask(Kind::MaskStl));
+            }
+            out.push(of_mask(Kind::MaskPdf));
+        }
     }
     for plate in &assembly.frame.plates {
         let plate = plate.numbers.first().copied();
         let of_plate = |kind| Output { plate, ..Output::of(kind) };
-        out.extend([Kind::FrameSvg, Kind::FrameDxf, Kind::FrameStl].map(of_plate));
-        out.extend(papers(of_plate(Kind::FramePdf), design, wanted));
-    }
-}
-
-/// Sheet and piece of every program; a program of a whole sheet has no piece.
-fn programs<'a>(spec: &Spec, design: &'a Design) -> impl Iterator<Item = (usize, Option<&'a PlacedPart>)> {
-    let by_piece = spec.machine.program == ProgramScope::Piece;
-    let pieces = design.placed().iter().filter(move |_| by_piece).map(|placed| (placed.sheet, Some(placed)));
-    pieces.chain(design.sheets.iter().filter(move |_| !by_piece).map(|sheet| (sheet.index, None)))
-}
-
-/// One file for each paper of `wanted`; empty if the kind is not requested.
-fn papers(output: Output, design: &Design, wanted: &FileChoice<'_>) -> impl Iterator<Item = Output> {
-    let requested = Some(output).filter(|output| wanted.request.takes(output.kind));
-    let fits = wanted.fits;
-    requested.into_iter().flat_map(move |output| output.on_paper(design, fits))
-}
-
-/// The masks of a distinct star; also for its other face, if the spec requests it.
-fn masks(
-    spec: &Spec,
-    (design, assembly): (&Design, &StarAssembly),
-    placed: &PlacedPart,
-    wanted: &FileChoice<'_>,
-    out: &mut Vec<Output>,
-) {
-    let pieces = &assembly.part(placed).pieces;
-    for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
-        let of_mask = |kind| Output { star: Some(placed.index), mirrored, ..Output::of(kind) };
-        out.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
-        if pieces.are_several() {
-            let piece = |number| Output { piece: Some(number), ..of_mask(Kind::MaskStl) };
-            out.extend((1..=pieces.list.len()).map(piece));
-            out.push(of_mask(Kind::PiecesSvg));
-        } else {
-            out.push(of_mask(Kind::MaskStl));
-        }
-        out.extend(papers(of_mask(Kind::MaskPdf), design, wanted));
+        out.extend([Kind::FrameSvg, Kind::FrameDxf, Kind::FrameStl, Kind::FramePdf].map(of_plate));
     }
 }

@@ -8,10 +8,9 @@ use crate::spec::{KeepOut, Machine, Spec, key};
 use inflatable::geom::{Bounds, Line, Point, Segment, box_distance};
 
 /// A way of the iron, and how near to it no clamp may be.
-struct Way {
+struct Way<'a> {
     what: &'static str,
-    /// Number of its program.
-    program: usize,
+    program: &'a Program,
     piece: Segment,
     /// The piece's box, grown by the reach.
     near: Bounds,
@@ -19,15 +18,6 @@ struct Way {
     /// Whether the iron is down, so that it cannot pass above a clamp.
     low: bool,
 }
-
-/// Ways that follow each other, which mostly lie together, and the box around them.
-struct WayGroup {
-    near: Bounds,
-    ways: Vec<Way>,
-}
-
-/// Ways in a block: as many as make boxes and their contents about equally long to look through.
-const BLOCK: usize = 32;
 
 /// The reasons why the seals, or else the traces, cannot be run between the clamps of `machine`: one reason a clamp, that of the
 /// first way that it meets.
@@ -41,28 +31,17 @@ pub(super) fn clamps_in_the_way(
         return Vec::new();
     }
     let reach = spec.seal.band.0 / 2.0;
-    let programs: Vec<&Program> = seals.iter().chain(traces).collect();
-    let mut blocks: Vec<WayGroup> = Vec::new();
-    for (number, program) in programs.iter().enumerate() {
-        let mut ways = ways(number, program, reach).into_iter().peekable();
-        while ways.peek().is_some() {
-            let ways: Vec<Way> = ways.by_ref().take(BLOCK).collect();
-            let near = ways.iter().map(|way| way.near).fold(Bounds::EMPTY, Bounds::union);
-            blocks.push(WayGroup { near, ways });
-        }
-    }
+    let ways: Vec<Way<'_>> = seals.iter().chain(traces).flat_map(|program| ways(program, reach)).collect();
     let refusal = |zone: &KeepOut| {
         let passes = zone.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
         let place = zone.bounds();
-        let blocks = blocks.iter().filter(|block| block.near.overlaps(&place));
-        let ways = blocks.flat_map(|block| &block.ways).filter(|way| way.low || !passes);
-        let mut met =
-            ways.filter(|way| way.near.overlaps(&place) && box_distance(&place, &way.piece) <= way.reach);
+        let mut met = ways.iter().filter(|way| {
+            (way.low || !passes) && way.near.overlaps(&place) && box_distance(&place, &way.piece) <= way.reach
+        });
         let first = met.next()?;
         // A way with the iron down meets the clamp whatever its height.
         let met = if first.low { first } else { met.find(|way| way.low).unwrap_or(first) };
-        let program = programs.get(met.program)?;
-        let piece = listed(&program.pieces);
+        let piece = listed(&met.program.pieces);
         let travel = machine.process.heights.travel;
         let lower = match zone.height {
             _ if met.low => String::new(),
@@ -72,7 +51,7 @@ pub(super) fn clamps_in_the_way(
             }
             Some(height) => format!("; or raise the travel height above {height}"),
         };
-        let other = if program.pieces.is_empty() { "" } else { "; or change [sheet]" };
+        let other = if met.program.pieces.is_empty() { "" } else { "; or change [sheet]" };
         let at = met.piece.point(met.piece.nearest_fraction(place.center()));
         Some(Refusal::new(
             key::machine::PROFILE,
@@ -99,20 +78,16 @@ fn listed(pieces: &[PieceName]) -> String {
 }
 
 /// The ways of a program, from X0 Y0 on: contacts first, as a clamp in a seal's way is best reported as such.
-fn ways(number: usize, program: &Program, reach: f64) -> Vec<Way> {
-    let way = |what, piece: Segment, reach: f64, low| Way {
-        what,
-        program: number,
-        piece,
-        near: piece.bounds().grown(reach),
-        reach,
-        low,
+fn ways(program: &Program, reach: f64) -> Vec<Way<'_>> {
+    let way = |what, piece: Segment, reach: f64, low| {
+        let near = piece.bounds().grown(reach);
+        Way { what, program, piece, near, reach, low }
     };
     let followed = |piece: &Segment| match program.purpose {
         Purpose::Seal => way("the seal", *piece, reach, true),
         Purpose::Trace => way("the trace", *piece, 0.0, false),
     };
-    let mut ways: Vec<Way> = contact(&program.steps).map(|(piece, _)| followed(piece)).collect();
+    let mut ways: Vec<Way<'_>> = contact(&program.steps).map(|(piece, _)| followed(piece)).collect();
     let mut at = Point::ORIGIN;
     for step in &program.steps {
         match step {

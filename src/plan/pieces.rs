@@ -92,23 +92,22 @@ impl Cuts {
 }
 
 /// The number of pieces for a ratio: its ceiling, where an excess of rounding does not count.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "path lengths are far below 2^32 moves"
-)]
 fn whole(ratio: f64) -> u32 {
-    (ratio - 1e-9).ceil().max(1.0) as u32
+    number((ratio - 1e-9).ceil())
 }
 
 /// The whole number below a ratio, at least 1.
+fn below(ratio: f64) -> u32 {
+    number((ratio + 1e-9).floor())
+}
+
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "path lengths are far below 2^32 moves"
 )]
-fn below(ratio: f64) -> u32 {
-    (ratio + 1e-9).floor().max(1.0) as u32
+fn number(whole: f64) -> u32 {
+    whole.max(1.0) as u32
 }
 
 #[cfg(test)]
