@@ -22,7 +22,7 @@ pub fn chords(path: &Path, within: f64) -> Vec<Point> {
 }
 
 /// Number of chords that stay within `within` of an arc: r (1 - cos(sweep / 2)) each.
-pub(super) fn pieces(segment: &Segment, within: f64) -> f64 {
+fn pieces(segment: &Segment, within: f64) -> f64 {
     let Segment::Arc(arc) = segment else { return 1.0 };
     let widest = 2.0 * libm::acos(1.0 - (within / arc.radius).min(1.0));
     (arc.sweep.abs() / widest).ceil().max(1.0)

@@ -57,26 +57,24 @@ pub fn pdf(title: &str, pages: &[PaperPage]) -> Vec<u8> {
 
 fn stream(page: &PaperPage, scale: f64) -> Vec<u8> {
     let mut content = Content::new();
-    let _ = content.save_state();
-    let _ = content.transform([single(scale), 0.0, 0.0, single(scale), 0.0, 0.0]);
+    let _ = content.save_state().transform([single(scale), 0.0, 0.0, single(scale), 0.0, 0.0]);
     for (layer, shapes) in page.drawing.layers.iter().filter(|(_, shapes)| !shapes.is_empty()) {
         let _ = content.save_state();
         if *layer != Layer::PaperMark {
             let w = &page.window;
-            let _ = content.rect(number(w.min.x), number(w.min.y), number(w.width()), number(w.height()));
-            let _ = content.clip_nonzero();
-            let _ = content.end_path();
+            let _ = content
+                .rect(number(w.min.x), number(w.min.y), number(w.width()), number(w.height()))
+                .clip_nonzero()
+                .end_path();
         }
-        let _ = content.begin_marked_content(Name(layer.name().as_bytes()));
         let (width, gray) = pen(*layer);
-        let _ = content.set_line_width(width);
-        let _ = content.set_stroke_gray(gray);
+        let name = Name(layer.name().as_bytes());
+        let _ = content.begin_marked_content(name).set_line_width(width).set_stroke_gray(gray);
         for shape in shapes {
             shape.paths().iter().for_each(|path| draw(&mut content, path));
             let _ = content.stroke();
         }
-        let _ = content.end_marked_content();
-        let _ = content.restore_state();
+        let _ = content.end_marked_content().restore_state();
     }
     let _ = content.restore_state();
     content.finish().to_vec()
@@ -113,18 +111,13 @@ fn draw(content: &mut Content, path: &Path) {
 /// An arc as curves; the last one ends at `end` if that is given.
 fn curves(content: &mut Content, arc: &Arc, end: Option<Point>) {
     let count = (arc.sweep.abs() / FRAC_PI_6 - 1e-9).ceil().max(1.0);
-    let handle = 4.0 / 3.0 * libm::tan(arc.sweep / count / 4.0) * arc.radius;
+    let handle = 4.0 / 3.0 * libm::tan(arc.sweep.abs() / count / 4.0) * arc.radius;
     let mut done = 0.0;
     while done < count {
         let (from, to) = (done / count, (done + 1.0) / count);
-        let ends = [
-            arc.at_angle(arc.start_angle + from * arc.sweep),
-            arc.at_angle(arc.start_angle + to * arc.sweep),
-        ];
-        let sign = arc.sweep.signum();
-        let a = ends[0] + arc.tangent(from) * (handle * sign);
-        let b = ends[1] - arc.tangent(to) * (handle * sign);
-        let stop = end.filter(|_| to >= 1.0).unwrap_or(ends[1]);
+        let [start, stop] = [from, to].map(|part| arc.at_angle(arc.start_angle + part * arc.sweep));
+        let (a, b) = (start + arc.tangent(from) * handle, stop - arc.tangent(to) * handle);
+        let stop = end.filter(|_| to >= 1.0).unwrap_or(stop);
         let [ax, ay, bx, by, x, y] = [a.x, a.y, b.x, b.y, stop.x, stop.y].map(number);
         let _ = content.cubic_to(ax, ay, bx, by, x, y);
         done += 1.0;

@@ -10,7 +10,7 @@ use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 use crate::design::{Drawing, Layer};
-use crate::emit::chords::pieces;
+use crate::emit::chords::chords;
 use crate::emit::number::{Decimals, single};
 use crate::emit::text::inert;
 use inflatable::geom::{Path, Point};
@@ -108,20 +108,11 @@ fn tops(triangles: &StlTriangles, changes: &Changes, thickness: f64, depth: f64)
     states.into_iter().map(top).collect()
 }
 
-/// The corners of a path as a polygon, rounded; no two neighbours are the same.
+/// The corners of a closed path as a polygon, rounded; no two neighbours are the same.
 fn corners(path: &Path) -> Vec<[f64; 2]> {
-    let mut out: Vec<[f64; 2]> = Vec::new();
-    for segment in &path.segments {
-        let count = pieces(segment, CHORD);
-        let mut i = 0.0;
-        while i < count {
-            let Point { x, y } = Decimals::exactly(DECIMALS).round_point(segment.point(i / count));
-            if out.last() != Some(&[x, y]) {
-                out.push([x, y]);
-            }
-            i += 1.0;
-        }
-    }
+    let rounded = |p: Point| [p.x, p.y].map(|x| Decimals::exactly(DECIMALS).round(x));
+    let mut out: Vec<[f64; 2]> = chords(path, CHORD).into_iter().map(rounded).collect();
+    out.dedup();
     if out.len() > 1 && out.first() == out.last() {
         let _ = out.pop();
     }

@@ -36,7 +36,7 @@ pub fn svg(title: &str, drawing: &Drawing, path: Length, colours: Colours) -> St
     };
     document = document.set("xmlns:inkscape", INKSCAPE);
     for (layer, shapes) in &drawing.layers {
-        let mut group = element("g");
+        let mut group = Element::new("g");
         group.assign("id", layer.name());
         group.assign("inkscape:groupmode", "layer");
         group.assign("inkscape:label", layer.name());
@@ -54,11 +54,6 @@ pub fn svg(title: &str, drawing: &Drawing, path: Length, colours: Colours) -> St
     format!("{document}\n")
 }
 
-/// An element without attributes.
-pub(super) fn element(name: &str) -> Element {
-    Element::new(name)
-}
-
 /// The sheet seen as an SVG page: same millimetres, Y pointing down from the top edge.
 #[derive(Clone, Copy)]
 pub(super) struct SvgPage {
@@ -70,7 +65,7 @@ impl SvgPage {
     /// An empty document with a title.
     pub(super) fn document(&self, title: &str, width: f64) -> Document {
         let (w, h) = (self.decimals.text(width), self.decimals.text(self.height));
-        let mut caption = element("title");
+        let mut caption = Element::new("title");
         caption.append(svg::node::Text::new(inert(title, 120)));
         Document::new()
             .set("width", format!("{w}mm"))
@@ -92,7 +87,7 @@ impl SvgPage {
             Shape::Path(path) => self.path(std::slice::from_ref(path)),
             Shape::Figure(paths) => self.path(paths),
             Shape::Circle { center, radius } => {
-                let mut out = element("circle");
+                let mut out = Element::new("circle");
                 out.assign("cx", self.x(*center));
                 out.assign("cy", self.y(*center));
                 out.assign("r", self.decimals.text(*radius));
@@ -103,23 +98,20 @@ impl SvgPage {
 
     /// One element, however many times the pen is lifted.
     fn path(&self, paths: &[Path]) -> Element {
-        let mut data =
-            String::with_capacity(40 * paths.iter().map(|path| path.segments.len()).sum::<usize>());
-        for path in paths {
-            if !data.is_empty() {
-                data.push(' ');
-            }
-            self.write(&mut data, path);
-        }
-        let mut out = element("path");
-        out.assign("d", data);
+        let mut out = Element::new("path");
+        out.assign("d", self.data(paths));
         out
     }
 
-    /// The path as SVG path data.
-    pub(super) fn data(&self, path: &Path) -> String {
-        let mut out = String::with_capacity(40 * path.segments.len());
-        self.write(&mut out, path);
+    /// The paths as SVG path data.
+    pub(super) fn data(&self, paths: &[Path]) -> String {
+        let mut out = String::with_capacity(40 * paths.iter().map(|path| path.segments.len()).sum::<usize>());
+        for path in paths {
+            if !out.is_empty() {
+                out.push(' ');
+            }
+            self.write(&mut out, path);
+        }
         out
     }
 

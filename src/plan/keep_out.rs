@@ -5,7 +5,13 @@ use crate::plan::lowest_feed::contact;
 use crate::plan::{Program, Purpose, Ramp, Step};
 use crate::shape::PieceName;
 use crate::spec::{KeepOut, Machine, Spec, key};
-use inflatable::geom::{Bounds, Line, Point, Segment, box_distance};
+use inflatable::geom::{Bounds, Line, Point, Segment, Vec2, box_distance};
+
+/// The rectangle of a clamp.
+pub fn clamp_bounds(clamp: &KeepOut) -> Bounds {
+    let min = Point::new(clamp.x.0, clamp.y.0);
+    Bounds { min, max: min + Vec2::new(clamp.width.0, clamp.depth.0) }
+}
 
 /// A way of the iron, and how near to it no clamp may be.
 struct Way<'a> {
@@ -34,7 +40,7 @@ pub(super) fn clamps_in_the_way(
     let ways: Vec<Way<'_>> = seals.iter().chain(traces).flat_map(|program| ways(program, reach)).collect();
     let refusal = |zone: &KeepOut| {
         let passes = zone.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
-        let place = zone.bounds();
+        let place = clamp_bounds(zone);
         let mut met = ways.iter().filter(|way| {
             (way.low || !passes) && way.near.overlaps(&place) && box_distance(&place, &way.piece) <= way.reach
         });

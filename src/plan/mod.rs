@@ -27,6 +27,7 @@ mod written;
 pub use chop::{Chop, move_time, stepper};
 pub use feedcheck::{CHECK_LENGTH, feed_check_refusals, feed_checks};
 pub use job_size::too_many_moves;
+pub use keep_out::clamp_bounds;
 pub use lowest_feed::{actual_speed, lowest_speed};
 pub use pace::{Pace, Pacer, Stroke};
 pub use pieces::{LONGEST_MOVE, pieces};

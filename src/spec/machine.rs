@@ -2,7 +2,6 @@
 
 use crate::spec::motion::Motion;
 use crate::units::{Acceleration, Duration, Length, Speed};
-use inflatable::geom::{Bounds, Point, Vec2};
 
 /// A complete and valid machine profile.
 #[derive(Clone, Debug, PartialEq)]
@@ -246,12 +245,4 @@ pub struct KeepOut {
     pub depth: Length,
     /// Its height above the release layer; `None`: the iron must not pass above it at any height.
     pub height: Option<Length>,
-}
-
-impl KeepOut {
-    /// Its rectangle.
-    pub fn bounds(&self) -> Bounds {
-        let min = Point::new(self.x.0, self.y.0);
-        Bounds { min, max: min + Vec2::new(self.width.0, self.depth.0) }
-    }
 }

@@ -5,7 +5,7 @@ use svg::node::element::Element;
 
 use crate::emit::number::Decimals;
 use crate::emit::picture::{Anchor, Colour, Mark, Pen, Picture, Text};
-use crate::emit::svg::{SvgPage, element};
+use crate::emit::svg::SvgPage;
 use inflatable::geom::Path;
 
 /// A hundredth of a millimetre is enough for the eye.
@@ -29,7 +29,7 @@ impl Picture {
             .set("viewBox", format!("{x} {y} {w} {h}"))
             .set("style", FITTED);
         for group in &self.groups {
-            let mut out = element("g");
+            let mut out = Element::new("g");
             out.assign("id", group.name.as_str());
             for mark in &group.marks {
                 out.append(shown(&page, mark));
@@ -43,9 +43,8 @@ impl Picture {
 fn shown(page: &SvgPage, mark: &Mark) -> Element {
     match mark {
         Mark::Area { paths, ink } => {
-            let data: Vec<String> = paths.iter().map(|path| page.data(path)).collect();
-            let mut out = element("path");
-            out.assign("d", data.join(" "));
+            let mut out = Element::new("path");
+            out.assign("d", page.data(paths));
             out.assign("fill", color(*ink));
             if paths.len() > 1 {
                 out.assign("fill-rule", "evenodd");
@@ -59,8 +58,8 @@ fn shown(page: &SvgPage, mark: &Mark) -> Element {
 
 fn line(page: &SvgPage, path: &Path, pen: Pen) -> Element {
     let number = |x: f64| Decimals::exactly(3).text(x);
-    let mut out = element("path");
-    out.assign("d", page.data(path));
+    let mut out = Element::new("path");
+    out.assign("d", page.data(std::slice::from_ref(path)));
     out.assign("fill", "none");
     out.assign("stroke", color(pen.ink));
     out.assign("stroke-width", number(pen.width));
@@ -73,7 +72,7 @@ fn line(page: &SvgPage, path: &Path, pen: Pen) -> Element {
 }
 
 fn words(page: &SvgPage, text: &Text) -> Element {
-    let mut out = element("text");
+    let mut out = Element::new("text");
     out.assign("x", page.x(text.at));
     out.assign("y", page.y(text.at));
     out.assign("font-size", page.decimals.text(text.size));

@@ -7,6 +7,7 @@ use crate::emit::preview::style::{
     CLAMP, CLAMP_AREA, GREY, PAGE, SHEET, Style, TEXT, WORK_AREA, arrow_head, circle, straight,
 };
 use crate::emit::text::{inert, shortened};
+use crate::plan::clamp_bounds;
 use crate::spec::{KeepOut, Machine, NAME_LENGTH};
 use crate::units::Readable;
 use inflatable::geom::{Bounds, Path, Point, Vec2};
@@ -140,7 +141,7 @@ fn within(x: f64, y: f64, window: &Bounds) -> Vec<Path> {
 /// The clamps that are seen, each with its visible part.
 fn clamps<'a>(machine: &'a Machine, window: &Bounds) -> impl Iterator<Item = (&'a KeepOut, Bounds)> {
     let keep_out = machine.bench.keep_out.iter();
-    keep_out.filter_map(|clamp| Some((clamp, common(&clamp.bounds(), window)?)))
+    keep_out.filter_map(|clamp| Some((clamp, common(&clamp_bounds(clamp), window)?)))
 }
 
 /// The intersection of two boxes; `None` if it has no area.

@@ -83,7 +83,7 @@ fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[Star]) -> Option<Vec<
     // Stars of one kind have one mesh where they close alike: on a ball each meets it at its own height.
     let mut meshes: Vec<(usize, Option<&Star>, usize)> = Vec::new();
     for ((placed, z), turn) in design.stars.iter().zip(&stack.stars).zip(&stack.turns) {
-        let (to, name) = (inflated.get(placed.index - 1), fabric_of(placed.index));
+        let (to, name) = (inflated.get(placed.index - 1), format!("fabric of star {}", placed.index));
         let alike = meshes.iter().find(|(kind, closed, _)| *kind == placed.distinct && *closed == to);
         let mesh = match alike {
             Some((.., mesh)) => glb.again(*mesh, &name),
@@ -93,11 +93,6 @@ fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[Star]) -> Option<Vec<
         stand(format!("star {}", placed.index), mesh, [0.0, 0.0, *z], *turn);
     }
     Some(nodes)
-}
-
-/// The name of a star's mesh, which no node has.
-fn fabric_of(star: usize) -> String {
-    format!("fabric of star {star}")
 }
 
 /// The spec's object half way between the lowest and the highest star, its axis that of the stars; `None` without one.
