@@ -1,6 +1,7 @@
 //! `build` and `verify`.
 
 use serde_json::{Map, Value, json};
+use stargrip_cam::answer::refused::finding_json;
 use stargrip_cam::answer::{overview_json, proof, verdict};
 use stargrip_cam::artifact::{Kind, KindRequest};
 use stargrip_cam::design::Refusals;
@@ -11,17 +12,17 @@ use stargrip_cam::spec::{ModelChoice, form_settings};
 use stargrip_cam::verify::OutputFiles;
 
 use crate::boundary::tell;
-use crate::commands::faults::{listed, of_design, of_findings, of_warnings};
+use crate::commands::faults::{listed, of_design, of_warnings};
 use crate::commands::spec::Given;
 use crate::message::Message;
 
 /// Makes the requested files. They are proven unless `prove` is false, for a quick preview: then there is no manifest. A gripper that fails
 /// its own load is shown, but its files are not returned, except with `anyway`.
-pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Message {
-    let given = match Given::of(question, files) {
-        Ok(given) => given,
-        Err(faults) => return Message::of(json!({ "faults": faults })),
-    };
+///
+/// # Errors
+/// The answer without files, if the spec is refused.
+pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Message, Value> {
+    let given = Given::of(question, files)?;
     let mut answer = json!({ "name": given.reading.spec.name, "settings": form_settings(&given.source) });
     let mut faults = listed(&given.reading.warnings);
     let forecast = match forecast(&given, question["quick"] == true) {
@@ -29,7 +30,7 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Message {
         Err(refusals) => {
             faults.extend(of_design(&given, refusals));
             answer["faults"] = faults.into();
-            return Message::of(answer);
+            return Err(answer);
         }
     };
     let sources = Sources { spec: &given.source.text, machine: &given.machine_text };
@@ -48,7 +49,7 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Message {
         proven(built, &mut faults, &mut answer)
     };
     answer["faults"] = faults.into();
-    Message { json: answer, files }
+    Ok(Message { json: answer, files })
 }
 
 /// The forecast of the gripper; if `is_quick`, without a shell model, which the spec may request.
@@ -72,7 +73,7 @@ fn proven(built: Built, faults: &mut Vec<Value>, answer: &mut Value) -> Vec<(Str
             proven.built().files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
         }
         Err(findings) => {
-            faults.extend(of_findings(&findings));
+            faults.extend(findings.iter().map(finding_json));
             Vec::new()
         }
     }

@@ -4,6 +4,8 @@ use serde_json::{Value, json};
 use stargrip_cam::design::{LayerProposal, propose_layers};
 use stargrip_cam::spec::{drawing_starter, quoted};
 
+use crate::commands::wrong;
+
 /// The name of a drawing whose file has a name that a spec may not contain.
 const NAMELESS: &str = "drawing";
 
@@ -11,20 +13,16 @@ const NAMELESS: &str = "drawing";
 /// read.
 ///
 /// # Errors
-/// If the question has no drawing.
-pub(super) fn drawing(files: &[(String, Vec<u8>)]) -> Result<Value, String> {
-    let [(file, bytes)] = files else { return Err("a drawing is one file".to_owned()) };
-    let LayerProposal { layers, unit, .. } = match propose_layers(file, bytes, None) {
-        Ok(proposal) => proposal,
-        Err(refusals) => {
-            let reasons =
-                refusals.into_iter().map(|refusal| format!("{}: {}", refusal.found, refusal.remedy));
-            return Ok(json!({ "reasons": reasons.collect::<Vec<_>>() }));
-        }
-    };
+/// If the question has no drawing, or one that cannot be read.
+pub(super) fn drawing(files: &[(String, Vec<u8>)]) -> Result<Value, Value> {
+    let [(file, bytes)] = files else { return Err(wrong("a drawing is one file")) };
+    let LayerProposal { layers, unit, .. } = propose_layers(file, bytes, None).map_err(|refusals| {
+        let reasons = refusals.into_iter().map(|refusal| format!("{}: {}", refusal.found, refusal.remedy));
+        json!({ "reasons": reasons.collect::<Vec<_>>() })
+    })?;
     let stem = file.rsplit_once('.').map_or(file.as_str(), |(stem, _)| stem);
     let name = if quoted(stem).is_ok() { stem } else { NAMELESS };
-    let spec = drawing_starter(name, file, &layers, unit)?;
+    let spec = drawing_starter(name, file, &layers, unit).map_err(wrong)?;
     let roles = layers.iter().map(|(layer, role, reason)| json!([layer, role.word(), reason]));
     Ok(json!({ "spec": spec, "layers": roles.collect::<Vec<_>>() }))
 }

@@ -1,10 +1,9 @@
 //! Faults for the page: as with `--json`, but with warnings, and with the place for an editor.
 
 use serde_json::{Value, json};
-use stargrip_cam::answer::refused::{at_keys, fault_json, finding_json};
+use stargrip_cam::answer::refused::{at_keys, fault_json};
 use stargrip_cam::design::{Refusals, Warning};
 use stargrip_cam::spec::{Fault, Faults, Severity};
-use stargrip_cam::verify::Finding;
 
 use crate::commands::spec::Given;
 
@@ -25,6 +24,11 @@ pub(super) fn listed(faults: &Faults) -> Vec<Value> {
     faults.list().iter().map(one).collect()
 }
 
+/// The answer to a question whose texts have `faults`.
+pub(super) fn refused(faults: &Faults) -> Value {
+    json!({ "faults": listed(faults) })
+}
+
 /// The refusals of a design.
 pub(super) fn of_design(given: &Given, refusals: Refusals) -> Vec<Value> {
     listed(&at_keys(&given.source, &given.reading.raw, refusals))
@@ -37,9 +41,4 @@ pub(super) fn of_warnings(given: &Given, warnings: &[Warning]) -> Vec<Value> {
             .label(warning.remedy.clone())
     };
     listed(&Faults::new(&given.source, warnings.iter().map(fault).collect()))
-}
-
-/// The findings in files that were just made: faults of this program.
-pub(super) fn of_findings(findings: &[Finding]) -> Vec<Value> {
-    findings.iter().map(finding_json).collect()
 }

@@ -31,27 +31,30 @@ use crate::message::Message;
 
 /// Answers a question, or reports why it could not be read.
 pub fn answer(question: Result<Message, String>) -> Message {
-    match question.and_then(answered) {
-        Ok(answer) => answer,
-        Err(wrong) => Message::of(json!({ "wrong": wrong })),
-    }
+    question.map_err(wrong).and_then(answered).unwrap_or_else(Message::of)
 }
 
-fn answered(question: Message) -> Result<Message, String> {
+/// The answer to a question with a fault of its own.
+fn wrong(text: impl Into<Value>) -> Value {
+    json!({ "wrong": text.into() })
+}
+
+/// The answer, or another one without files, that names the faults.
+fn answered(question: Message) -> Result<Message, Value> {
     let Message { json: question, files } = question;
-    let asked = text(&question, "ask").ok_or("the question has no `ask`")?;
+    let asked = text(&question, "ask").ok_or_else(|| wrong("the question has no `ask`"))?;
     let answer = match asked {
         "start" => start::start(),
         "explain" => start::explain(&question),
         "link" => link::link(&question, &files),
         "qr" => link::qr(&question, &files),
-        "build" => return Ok(build::build(&question, &files)),
+        "build" => return build::build(&question, &files),
         "verify" => build::verify(files),
-        "predict" => predict::predict(&question, &files),
+        "predict" => predict::predict(&question, &files)?,
         "drawing" => drawing::drawing(&files)?,
         "new" => object::new(&question)?,
         "edit" => edit::edit(&question)?,
-        _ => return Err(format!("unknown question {asked:?}")),
+        _ => return Err(wrong(format!("unknown question {asked:?}"))),
     };
     Ok(Message::of(answer))
 }

@@ -5,29 +5,26 @@ use stargrip_cam::answer::object::{FORCES, FRICTIONS, MASSES, NoGripper, PRESSUR
 use stargrip_cam::answer::quantity::{SIZE, number, quantity};
 use stargrip_cam::forecast::sizing::{FRICTION, NearestRequirements};
 use stargrip_cam::spec;
-use stargrip_cam::spec::{Allowed, Machine, ObjectShape};
-use stargrip_cam::units::{Length, Quantity};
+use stargrip_cam::spec::{Machine, ObjectShape};
+use stargrip_cam::units::Length;
 
-use crate::commands::text;
+use crate::commands::{text, wrong};
 
 /// A spec with its verdict; or the faults of the fields; or the reason why there is no gripper, with the nearest possible request.
 ///
 /// # Errors
-/// If the program's own texts are refused.
-pub(super) fn new(question: &Value) -> Result<Value, String> {
+/// The faults of the fields, or the program's own texts, if they are refused.
+pub(super) fn new(question: &Value) -> Result<Value, Value> {
     let name = text(question, "name").filter(|name| !name.trim().is_empty()).unwrap_or("gripper");
-    let request = match request(question) {
-        Ok(request) => request,
-        Err(wrong) => return Ok(json!({ "fields": wrong })),
-    };
-    let size = field(question, "sheet").map(sheet).transpose();
-    let size = match size {
-        Ok(size) => size,
-        Err(why) => return Ok(json!({ "fields": [{ "field": "sheet", "found": why }] })),
-    };
-    let starter = spec::starter("base")?;
-    let base = base(starter, field(question, "machine"), size).map_err(|faults| faults.to_string())?;
-    let machine = Machine::builtin(&base.machine.profile)?;
+    let request = request(question).map_err(|wrong| json!({ "fields": wrong }))?;
+    let mut faults = Vec::new();
+    let size = taken(question, "sheet", sheet, &mut faults);
+    if !faults.is_empty() {
+        return Err(json!({ "fields": faults }));
+    }
+    let starter = spec::starter("base").map_err(wrong)?;
+    let base = base(starter, field(question, "machine"), size).map_err(|faults| wrong(faults.to_string()))?;
+    let machine = Machine::builtin(&base.machine.profile).map_err(wrong)?;
     Ok(match request.gripper(name, &base, &machine) {
         Ok(made) => json!({ "spec": made.text, "in_words": made.in_words(), "chosen": made.json() }),
         Err(NoGripper::Fault(why)) => json!({ "reasons": [why] }),
@@ -46,16 +43,12 @@ fn field<'q>(question: &'q Value, name: &str) -> Option<&'q str> {
 /// Reads all fields, so that all faults are reported at once.
 fn request(question: &Value) -> Result<Request, Vec<Value>> {
     let mut wrong = Vec::new();
-    let object = taken(question, "object", SIZE, &mut wrong);
-    let height = taken(question, "height", SIZE, &mut wrong);
-    let mass = taken(question, "mass", MASSES, &mut wrong);
-    let pressure = taken(question, "pressure", PRESSURES, &mut wrong);
-    let fragile = taken(question, "fragile", FORCES, &mut wrong);
-    let friction = field(question, "friction").map(number(FRICTIONS)).transpose();
-    let friction = friction.unwrap_or_else(|why| {
-        wrong.push(json!({ "field": "friction", "found": why }));
-        None
-    });
+    let object = taken(question, "object", quantity(SIZE), &mut wrong);
+    let height = taken(question, "height", quantity(SIZE), &mut wrong);
+    let mass = taken(question, "mass", quantity(MASSES), &mut wrong);
+    let pressure = taken(question, "pressure", quantity(PRESSURES), &mut wrong);
+    let fragile = taken(question, "fragile", quantity(FORCES), &mut wrong);
+    let friction = taken(question, "friction", number(FRICTIONS), &mut wrong);
     let shape = field(question, "shape")
         .and_then(|word| ObjectShape::ALL.iter().find(|(name, _)| *name == word))
         .map(|(_, shape)| *shape);
@@ -76,15 +69,15 @@ fn request(question: &Value) -> Result<Request, Vec<Value>> {
     request.filter(|_| wrong.is_empty()).ok_or(wrong)
 }
 
-/// The quantity in a field; its fault is added to `wrong`.
-fn taken<Q: Quantity>(question: &Value, name: &str, allowed: Allowed, wrong: &mut Vec<Value>) -> Option<Q> {
-    match quantity::<Q>(allowed)(field(question, name)?) {
-        Ok(found) => Some(found),
-        Err(why) => {
-            wrong.push(json!({ "field": name, "found": why }));
-            None
-        }
-    }
+/// The value of a field, if it is not empty; its fault is added to `wrong`.
+fn taken<T>(
+    question: &Value,
+    name: &str,
+    read: impl Fn(&str) -> Result<T, String>,
+    wrong: &mut Vec<Value>,
+) -> Option<T> {
+    let found = read(field(question, name)?);
+    found.map_err(|why| wrong.push(json!({ "field": name, "found": why }))).ok()
 }
 
 /// The fields of a request near `request` that can be met.

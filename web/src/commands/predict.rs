@@ -1,7 +1,7 @@
 //! `predict`: the prediction of a gripper, by any model, the shell included.
 
 use serde_json::{Value, json};
-use stargrip_cam::design::Design;
+use stargrip_cam::design::{Design, Refusals};
 use stargrip_cam::forecast::drawn::Watch;
 use stargrip_cam::forecast::predict::predict as predicted;
 use stargrip_cam::forecast::shell::star::ShellRefusal;
@@ -13,35 +13,29 @@ use stargrip_cam::spec::{ModelChoice, Spec};
 use crate::boundary::tell;
 use crate::commands::faults::{listed, of_design};
 use crate::commands::spec::Given;
-use crate::commands::text;
+use crate::commands::{text, wrong};
 
 /// Meshes of shells in a page: seconds of work.
 const DETAIL: Detail = Detail::Coarse;
 
 /// Predicts with the spec's model, or the one that `model` names. A drawing is predicted by the shell.
-pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)]) -> Value {
-    let given = match Given::of(question, files) {
-        Ok(given) => given,
-        Err(faults) => return json!({ "faults": faults }),
-    };
+///
+/// # Errors
+/// The answer with the faults.
+pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Value, Value> {
+    let given = Given::of(question, files)?;
     let mut spec = given.reading.spec.clone();
     if let Some(model) = text(question, "model").and_then(model) {
         spec.accuracy.model = model;
     }
-    let design = match Design::new(&spec, &given.machine) {
-        Ok(design) => design,
-        Err(refusals) => return json!({ "faults": of_design(&given, refusals) }),
-    };
-    match answer(&spec, &design) {
-        Ok((text, prediction)) => {
-            json!({ "faults": listed(&given.reading.warnings), "text": text, "prediction": prediction })
-        }
-        Err(ShellRefusal::Fault(fault)) => {
-            json!({ "faults": of_design(&given, no_prediction(&fault).into()) })
-        }
+    let refused = |refusals: Refusals| json!({ "faults": of_design(&given, refusals) });
+    let design = Design::new(&spec, &given.machine).map_err(refused)?;
+    let (text, prediction) = answer(&spec, &design).map_err(|refusal| match refusal {
+        ShellRefusal::Fault(fault) => refused(no_prediction(&fault).into()),
         // The page stops a shell by ending its worker.
-        Err(ShellRefusal::Cancelled) => json!({ "wrong": "the shell was stopped" }),
-    }
+        ShellRefusal::Cancelled => wrong("the shell was stopped"),
+    })?;
+    Ok(json!({ "faults": listed(&given.reading.warnings), "text": text, "prediction": prediction }))
 }
 
 /// The prediction as text and as JSON.

@@ -5,7 +5,7 @@ use stargrip_cam::design::RefusalCode;
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Fault, FaultCode, Faults, Machine, Reading, Source, key};
 
-use crate::commands::faults::listed;
+use crate::commands::faults::refused;
 use crate::commands::text;
 
 /// The name of the spec in faults, equal to that in the ZIP.
@@ -24,9 +24,9 @@ pub(super) struct Given {
 }
 
 /// The text `spec` of a question.
-pub(super) fn source(question: &Value) -> Result<Source, Vec<Value>> {
+pub(super) fn source(question: &Value) -> Result<Source, Value> {
     let text = text(question, "spec").unwrap_or_default();
-    Source::from_bytes(NAME, text.as_bytes()).map_err(|faults| listed(&faults))
+    Source::from_bytes(NAME, text.as_bytes()).map_err(|faults| refused(&faults))
 }
 
 impl Given {
@@ -34,19 +34,19 @@ impl Given {
     /// question: a page opens no files.
     ///
     /// # Errors
-    /// All faults of either.
-    pub(super) fn of(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Self, Vec<Value>> {
+    /// The answer with all faults of either.
+    pub(super) fn of(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Self, Value> {
         let source = source(question)?;
         let reading = spec::read(&source).and_then(|reading| with_drawing(&source, reading, files));
-        let reading = reading.map_err(|faults| listed(&faults))?;
+        let reading = reading.map_err(|faults| refused(&faults))?;
         let name = &reading.spec.machine.profile;
         let own = || text(question, "machine");
         let Some(profile) = spec::builtin_machine(name).or_else(own).map(str::to_owned) else {
-            return Err(listed(&Faults::new(&source, vec![unknown(&reading)])));
+            return Err(refused(&Faults::new(&source, vec![unknown(&reading)])));
         };
         let profile = Source::from_bytes("machine.toml", profile.as_bytes());
         let machine = profile.and_then(|profile| Ok((spec::read_machine(&profile)?, profile)));
-        let (machine, profile) = machine.map_err(|faults| listed(&faults))?;
+        let (machine, profile) = machine.map_err(|faults| refused(&faults))?;
         Ok(Self { source, reading, machine, machine_text: profile.text })
     }
 }
