@@ -108,6 +108,7 @@ pub fn solve<const N: usize>(
 ///
 /// # Errors
 /// See [`CollocationFault`].
+#[cfg(test)]
 pub fn solve_on_mesh<const N: usize>(
     problem: &impl Problem<N>,
     start: Profile<N>,

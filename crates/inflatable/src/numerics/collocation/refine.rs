@@ -11,12 +11,7 @@ pub(super) fn residuals<const N: usize>(problem: &impl Problem<N>, profile: &Pro
     let at = |i: usize, t: f64| {
         let h = mesh[i + 1] - mesh[i];
         let (y0, y1, f0, f1) = (&values[i], &values[i + 1], &slopes[i], &slopes[i + 1]);
-        let y: [f64; N] = std::array::from_fn(|k| {
-            let (c0, c1) = (1.0 - t, t);
-            c0 * c0 * ((1.0 + 2.0 * t) * y0[k] + h * t * f0[k])
-                + c1 * c1 * ((3.0 - 2.0 * t) * y1[k] - h * c0 * f1[k])
-        });
-        let f = problem.slope(mesh[i] + t * h, &y);
+        let f = problem.slope(mesh[i] + t * h, &cubic([y0, y1], [f0, f1], t, h));
         let squares = (0..N).map(|k| {
             let rise = 6.0 * t * (1.0 - t) * (y1[k] - y0[k]) / h;
             let own = rise + (1.0 - t) * (1.0 - 3.0 * t) * f0[k] + t * (3.0 * t - 2.0) * f1[k];
@@ -50,14 +45,8 @@ pub(super) fn remesh<const N: usize>(
                 #[expect(clippy::cast_precision_loss, reason = "two or three parts")]
                 let t = part as f64 / parts as f64;
                 let h = b - a;
-                let y = std::array::from_fn(|k| {
-                    let (y0, y1) = (values[i][k], values[i + 1][k]);
-                    let c = 1.0 - t;
-                    c * c * ((1.0 + 2.0 * t) * y0 + h * t * f0[k])
-                        + t * t * ((3.0 - 2.0 * t) * y1 - h * c * f1[k])
-                });
                 next.mesh.push(a + t * h);
-                next.values.push(y);
+                next.values.push(cubic([&values[i], &values[i + 1]], [&f0, &f1], t, h));
             }
         }
         let last = i + 1 == residuals.len();
@@ -73,4 +62,12 @@ pub(super) fn remesh<const N: usize>(
         }
     }
     next
+}
+
+/// The cubic with the values and slopes at the ends of an interval of length `h`, at its fraction `t`.
+fn cubic<const N: usize>(values: [&[f64; N]; 2], slopes: [&[f64; N]; 2], t: f64, h: f64) -> [f64; N] {
+    let ([y0, y1], [f0, f1], c) = (values, slopes, 1.0 - t);
+    std::array::from_fn(|k| {
+        c * c * ((1.0 + 2.0 * t) * y0[k] + h * t * f0[k]) + t * t * ((3.0 - 2.0 * t) * y1[k] - h * c * f1[k])
+    })
 }
