@@ -36,25 +36,24 @@ impl Weave {
         self.is_isotropic() || (eighths - eighths.round()).abs() < 1e-9
     }
 
-    /// gamma by E11, E22, 2 E12: the slope of the angle of shear between warp and weft by the strain in the flat sheet's axes.
-    fn shear_row(self) -> [f64; 3] {
+    /// What the weave adds, by the change of the stiffness against shear that s - 1 makes.
+    fn adds(self, stiffness: impl Fn(f64) -> f64) -> Option<[[f64; 3]; 3]> {
+        if self.is_isotropic() {
+            return None;
+        }
+        // gamma by E11, E22, 2 E12: the slope of the angle of shear between warp and weft by the strain in the flat sheet's axes.
         let (sine, cosine) = libm::sincos(2.0 * self.warp);
-        [-sine, sine, cosine]
+        let (row, added) = ([-sine, sine, cosine], stiffness(self.shear - 1.0));
+        Some(row.map(|a| row.map(|b| added * a * b)))
     }
 }
 
 /// The contribution of the weave to the stress of an isotropic sheet, by E11, E22, 2 E12: `None` if there is none.
 pub(super) fn membrane(fabric: Fabric) -> Option<[[f64; 3]; 3]> {
-    let weave = fabric.weave;
-    let row = (!weave.is_isotropic()).then(|| weave.shear_row())?;
-    let added = (weave.shear - 1.0) * fabric.stretch / (2.0 * (1.0 + fabric.poisson));
-    Some(row.map(|a| row.map(|b| added * a * b)))
+    fabric.weave.adds(|shear| shear * fabric.stretch / (2.0 * (1.0 + fabric.poisson)))
 }
 
 /// The contribution of the weave to the moments of an isotropic sheet, by kappa_11, kappa_22, 2 kappa_12: `None` if there is none.
 pub(super) fn bending(fabric: Fabric) -> Option<[[f64; 3]; 3]> {
-    let weave = fabric.weave;
-    let row = (!weave.is_isotropic()).then(|| weave.shear_row())?;
-    let added = (weave.shear - 1.0) * fabric.bending * (1.0 - fabric.poisson) / 2.0;
-    Some(row.map(|a| row.map(|b| added * a * b)))
+    fabric.weave.adds(|shear| shear * fabric.bending * (1.0 - fabric.poisson) / 2.0)
 }

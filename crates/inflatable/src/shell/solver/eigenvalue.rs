@@ -1,6 +1,7 @@
 //! The lowest eigenvalue of a shape's Hessian: whether it is stable, and how far it is from not being so.
 
 use crate::shell::assembly::{Sheet, State};
+use crate::shell::element::vector::dot;
 use crate::shell::solver::factor::EXACT;
 use crate::shell::solver::newton::Solver;
 
@@ -11,7 +12,7 @@ pub(crate) type NodeField = Vec<[f64; 3]>;
 const LEAST_SHIFT: f64 = 1e-4;
 /// Factor from shift to shift, and how many there are.
 const GROWTH: f64 = 4.0;
-const MOST_SHIFTS: u32 = 30;
+const MOST_SHIFTS: i32 = 30;
 /// Inverse iterations at most, and the relative change of the eigenvalue at which they end.
 const MOST_ITERATIONS: u32 = 60;
 const CHANGE: f64 = 1e-5;
@@ -29,11 +30,7 @@ impl Solver {
     ) -> Option<f64> {
         let _ = self.linearise(state, pressure);
         let masses = self.assembly.masses();
-        let mut shifts = (0..MOST_SHIFTS).scan(LEAST_SHIFT * pressure, |next, _| {
-            let shift = *next;
-            *next *= GROWTH;
-            Some(shift)
-        });
+        let mut shifts = (0..MOST_SHIFTS).map(|k| LEAST_SHIFT * pressure * GROWTH.powi(k));
         let shift = shifts.find(|shift| self.factor.compute(self.assembly.hessian().2, *shift, &masses))?;
         let points = self.assembly.sheet.points.len();
         let mut field: NodeField = (0_u32..)
@@ -43,9 +40,7 @@ impl Solver {
         let mut value = f64::INFINITY;
         for _ in 0..MOST_ITERATIONS {
             let sheet = &self.assembly.sheet;
-            take_off(sheet, motions, &mut field);
-            let size = product(sheet, &field, &field).sqrt();
-            field.iter_mut().flatten().for_each(|x| *x /= size);
+            normalise(sheet, motions, &mut field);
             let loads: Vec<(usize, [f64; 3])> = (0..)
                 .zip(field.iter().zip(&sheet.areas))
                 .map(|(k, (x, area))| (k, x.map(|x| area * x)))
@@ -71,7 +66,7 @@ impl Solver {
 /// Sum of products, each point weighted by its area.
 fn product(sheet: &Sheet, a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     let terms = sheet.areas.iter().zip(a.iter().zip(b));
-    terms.map(|(area, (a, b))| area * (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])).sum()
+    terms.map(|(area, (a, b))| area * dot(*a, *b)).sum()
 }
 
 /// The motions `which` of a shape as a whole, orthonormal: 0 to 2 along the axes, 3 to 5 around them.
@@ -87,12 +82,17 @@ pub(crate) fn rigid_motions(sheet: &Sheet, points: &[[f64; 3]], which: &[usize])
     let mut motions: Vec<NodeField> = Vec::new();
     for k in which {
         let mut field: NodeField = points.iter().map(|x| raw(*k, *x)).collect();
-        take_off(sheet, &motions, &mut field);
-        let size = product(sheet, &field, &field).sqrt();
-        field.iter_mut().flatten().for_each(|x| *x /= size);
+        normalise(sheet, &motions, &mut field);
         motions.push(field);
     }
     motions
+}
+
+/// Makes `field` of unit size, without `motions`.
+fn normalise(sheet: &Sheet, motions: &[NodeField], field: &mut NodeField) {
+    take_off(sheet, motions, field);
+    let size = product(sheet, field, field).sqrt();
+    field.iter_mut().flatten().for_each(|x| *x /= size);
 }
 
 fn take_off(sheet: &Sheet, motions: &[NodeField], field: &mut NodeField) {

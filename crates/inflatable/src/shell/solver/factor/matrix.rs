@@ -9,12 +9,6 @@ pub(super) struct Matrix {
 }
 
 impl Matrix {
-    pub(super) fn shift_diagonal(&mut self, factor: f64, shift: &[f64]) {
-        for (place, shift) in self.lower.starts.iter().zip(shift) {
-            self.values[*place] += factor * shift;
-        }
-    }
-
     /// Writes its product with `x` to `result`.
     pub(super) fn times(&self, x: &[f64], result: &mut [f64]) {
         result.fill(0.0);

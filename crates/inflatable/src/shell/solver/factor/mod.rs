@@ -74,11 +74,11 @@ impl Factor {
     /// Factors the matrix with `shift[k]` times `factor` added to its diagonal, in single precision; false if there is no such factor.
     pub(crate) fn compute(&mut self, values: &[f64], factor: f64, shift: &[f64]) -> bool {
         self.matrix.values.copy_from_slice(values);
-        if factor != 0.0 {
-            self.matrix.shift_diagonal(factor, shift);
-        }
         self.is_double = false;
         let Self { matrix: Matrix { lower, values }, scale, .. } = self;
+        if factor != 0.0 {
+            lower.starts.iter().zip(shift).for_each(|(place, shift)| values[*place] += factor * shift);
+        }
         for (scale, &place) in scale.iter_mut().zip(&lower.starts) {
             *scale = 1.0 / values[place].sqrt();
         }

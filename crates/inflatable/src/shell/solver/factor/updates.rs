@@ -7,19 +7,9 @@ use crate::shell::solver::factor::supernode::Supernode;
 use crate::shell::solver::factor::symbolic::Symbolic;
 use nalgebra::RealField;
 
-/// Buffers for updates.
-pub(super) struct Scratch<R> {
-    /// The update of one supernode by another, by columns.
-    update: Vec<R>,
-    /// Rows that follow each other in both: where they begin in the update and in the panel, and how many they are.
-    runs: Vec<[usize; 3]>,
-}
-
-impl<R> Default for Scratch<R> {
-    fn default() -> Self {
-        Self { update: Vec::new(), runs: Vec::new() }
-    }
-}
+/// Buffers for updates: the update of one supernode by another, by columns; and rows that follow each other in both, where they begin in the
+/// update and in the panel, and how many they are.
+pub(super) type Scratch<R> = (Vec<R>, Vec<[usize; 3]>);
 
 /// What a supernode takes from those before it.
 pub(super) struct Updates<'a, R> {
@@ -48,7 +38,7 @@ impl<R: RealField + Copy> Updates<'_, R> {
     }
 
     /// Subtracts all updates from the columns from `first` on that `block` has.
-    fn subtract_columns(&self, first: usize, block: &mut [R], Scratch { update, runs }: &mut Scratch<R>) {
+    fn subtract_columns(&self, first: usize, block: &mut [R], (update, runs): &mut Scratch<R>) {
         let Self { symbolic, part, done, node, local, .. } = *self;
         let end = first + block.len() / node.height;
         for &(other, from) in self.givers {
