@@ -215,6 +215,6 @@ impl Measurements {
 
     /// The fabric's largest tension at the rim, N/mm.
     pub(in crate::forecast) fn seal_tension(&self) -> [f64; 2] {
-        [1e-3 * self.extremes.seal_tension, 1e-3 * self.extremes.seal_tension_error]
+        [1e-3 * self.extremes.seal_tension.value, 1e-3 * self.extremes.seal_tension.error]
     }
 }

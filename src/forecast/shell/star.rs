@@ -134,7 +134,7 @@ impl ShellRun {
             force_curve: (!radii.is_empty()).then(|| {
                 curve.iter().map(|(radius, force)| ForceAt(*radius, Some(force.value), None, None)).collect()
             }),
-            seal_pull_N_per_mm: Some(1e-3 * extremes.seal_pull),
+            seal_pull_N_per_mm: Some(1e-3 * extremes.seal_pull.value),
             seal_pull_at_mm: Some(extremes.pull_at.map(mm)),
             seal_tension: Some(MeshedPlace {
                 value: pull,
@@ -143,8 +143,8 @@ impl ShellRun {
             }),
             payload_kg: case.friction.zip(force).map(|(mu, force)| payload(mu, [force])),
             stretch: FabricStretch::Largest(MeshedPlace {
-                value: extremes.stretch,
-                mesh_error: extremes.stretch_error,
+                value: extremes.stretch.value,
+                mesh_error: extremes.stretch.error,
                 at_mm: extremes.stretch_at.map(mm),
             }),
             evidence: ModelEvidence {
@@ -161,7 +161,7 @@ impl ShellRun {
                     arm_contact_N: measured.contact.error,
                     arm_contact_mm2: measured.contact_area.error,
                     volume_mm3: measured.volume.error,
-                    seal_pull_N_per_mm: 1e-3 * extremes.seal_pull_error,
+                    seal_pull_N_per_mm: 1e-3 * extremes.seal_pull.error,
                     object_force_N: on_object.map(|force| force.error),
                     force_curve: (!radii.is_empty()).then(|| curve_of(|force| force.error)),
                 }),
@@ -176,7 +176,7 @@ impl ShellRun {
 fn warnings(case: &Case, (flat, found): (&FlatStar, &InflatedStar), measured: &Measurements) -> Vec<String> {
     let (radius, object) = (measured.radius, measured.object);
     let too_wide = case.object.is_some_and(|radius| radius > 0.0) && object.is_none();
-    let pull = measured.extremes.seal_pull;
+    let pull = measured.extremes.seal_pull.value;
     let ([least, most], off_center) = (found.corner_radii.map(finest_mm), finest_mm(found.off_center));
     let sharp = flat.tip_radius == 0.0 || flat.corner_radius == 0.0;
     let candidates = [

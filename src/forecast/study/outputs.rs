@@ -147,7 +147,7 @@ pub(super) const SHELL_OUTPUTS: [OutputColumn; 19] = [
         Some(row.shell?.seal_tension()[0])
     }),
     measured("largest_stretch", "largest principal stretch of the sheet", |row| {
-        Some(row.shell?.extremes.stretch)
+        Some(row.shell?.extremes.stretch.value)
     }),
     open("final_radius_mesh_error_mm", |row| Some(row.shell?.radius.error)),
     open("contraction_mesh_error", |row| Some(row.shell?.contraction.error)),
@@ -159,9 +159,9 @@ pub(super) const SHELL_OUTPUTS: [OutputColumn; 19] = [
     open("arm_contact_mesh_error_N", |row| Some(row.shell?.contact.error)),
     open("arm_contact_mesh_error_mm2", |row| Some(row.shell?.contact_area.error)),
     open("seal_tension_mesh_error_N_per_mm", |row| Some(row.shell?.seal_tension()[1])),
-    open("largest_stretch_mesh_error", |row| Some(row.shell?.extremes.stretch_error)),
+    open("largest_stretch_mesh_error", |row| Some(row.shell?.extremes.stretch.error)),
     measured("seal_pull_N_per_mm", "largest pull on the seal", |row| {
-        Some(1e-3 * row.shell?.extremes.seal_pull)
+        Some(1e-3 * row.shell?.extremes.seal_pull.value)
     }),
-    open("seal_pull_mesh_error_N_per_mm", |row| Some(1e-3 * row.shell?.extremes.seal_pull_error)),
+    open("seal_pull_mesh_error_N_per_mm", |row| Some(1e-3 * row.shell?.extremes.seal_pull.error)),
 ];

@@ -102,11 +102,6 @@ impl Assembly {
         }
     }
 
-    /// Turns a plane of symmetry; where its points are is the caller's to change.
-    pub fn turn_plane(&mut self, number: usize, plane: Plane) {
-        self.supports.turn_plane(number, plane);
-    }
-
     /// The number of unknowns.
     pub fn unknowns(&self) -> usize {
         self.numbering.count

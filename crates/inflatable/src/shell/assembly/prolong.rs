@@ -1,6 +1,6 @@
 //! Curvature of a shape's triangles, and its prolongation to the mesh whose every triangle is cut into four: a start for Newton's method there.
 
-use crate::shell::assembly::sheet::{Beyond, Piece, Sheet, State};
+use crate::shell::assembly::sheet::{Beyond, Piece, State};
 use crate::shell::assembly::{Assembly, part_of_fold};
 use crate::shell::element::bending;
 use crate::shell::element::vector::{along, minus, times};
@@ -26,9 +26,9 @@ impl Assembly {
     /// `state` on the sheet `finer`, whose points are this sheet's and then the middle of each of its edges, in their order.
     ///
     /// Middles lie off the edge by its bending, l^2 kappa/8; directors start at zero.
-    pub fn prolong(&mut self, state: &State, finer: &Sheet) -> State {
+    pub fn prolong(&mut self, state: &State, finer: &Self) -> State {
         let _ = self.energy(state);
-        let mut fine = finer.flat();
+        let mut fine = finer.sheet.flat();
         let first = state.points.len();
         fine.points[..first].copy_from_slice(&state.points);
         let mut sides = vec![0.0; self.sheet.edge_count];
@@ -51,7 +51,8 @@ impl Assembly {
                     + 2.0 * kappa[2] * run[0] * run[1])
                     / 8.0;
                 let middle = first + piece.edges[i];
-                let aside = [0, 1].map(|c| finer.points[middle][c] - f64::midpoint(flat_a[c], flat_b[c]));
+                let aside =
+                    [0, 1].map(|c| finer.sheet.points[middle][c] - f64::midpoint(flat_a[c], flat_b[c]));
                 let chord = times(0.5, minus(state.points[b], state.points[a]));
                 let mut at = along(along(state.points[a], 1.0, chord), -bow, facet.normal);
                 at = along(at, 1.0, [aside[0], aside[1], 0.0]);
@@ -59,6 +60,7 @@ impl Assembly {
                 fine.points[middle] = along(fine.points[middle], part, at);
             }
         }
+        finer.hold(&mut fine);
         fine
     }
 }

@@ -83,17 +83,11 @@ impl Sheet {
     /// Takes a mesh and its fabric.
     pub fn new(mesh: &Mesh, fabric: Fabric) -> Self {
         let pieces: Vec<Piece> = (0..mesh.triangles.len()).map(|t| piece(mesh, fabric, t)).collect();
-        let mut areas = vec![0.0; mesh.points.len()];
-        for piece in &pieces {
-            for corner in piece.corners {
-                areas[corner] += piece.flat.area / 3.0;
-            }
-        }
         Self {
             fabric,
+            areas: areas(mesh.points.len(), &pieces),
             pieces,
             points: mesh.points.clone(),
-            areas,
             edge_count: mesh.edges.len(),
             order: mesh.elimination_order(),
             compression: Compression::Elastic,
@@ -191,20 +185,9 @@ impl Sheet {
         }
     }
 
-    /// The flat area that each point stands for where the margin does not touch what the tube touches.
-    pub(crate) fn areas_of_tube(&self) -> Vec<f64> {
-        let mut areas = vec![0.0; self.points.len()];
-        for piece in self.pieces.iter().filter(|piece| piece.margin.is_none()) {
-            for corner in piece.corners {
-                areas[corner] += piece.flat.area / 3.0;
-            }
-        }
-        areas
-    }
-
-    /// Its fabric.
-    pub fn fabric(&self) -> Fabric {
-        self.fabric
+    /// Whether it bears no compression.
+    pub(crate) fn is_wrinkled(&self) -> bool {
+        matches!(self.compression, Compression::Wrinkled(_))
     }
 
     /// One of its triangles.
@@ -217,6 +200,17 @@ impl Sheet {
         let points = self.points.iter().map(|p| [p[0], p[1], 0.0]).collect();
         State { points, leans: vec![0.0; self.edge_count] }
     }
+}
+
+/// The flat area that each point stands for.
+pub(crate) fn areas<'a>(points: usize, pieces: impl IntoIterator<Item = &'a Piece>) -> Vec<f64> {
+    let mut areas = vec![0.0; points];
+    for piece in pieces {
+        for corner in piece.corners {
+            areas[corner] += piece.flat.area / 3.0;
+        }
+    }
+    areas
 }
 
 /// A shape of the sheet.

@@ -91,6 +91,7 @@ impl Supports {
     }
 
     /// Turns a plane and the axes of the points in it; where they are is the caller's to change.
+    #[cfg(test)]
     pub(crate) fn turn_plane(&mut self, number: usize, plane: Plane) {
         let across = plane.upright();
         self.planes[number] = plane;

@@ -1,8 +1,8 @@
 //! Between unknowns and points: steps, forces, contributions of single points.
 
 use crate::shell::assembly::numbering::{KINK, NONE};
-use crate::shell::assembly::sheet::Piece;
-use crate::shell::assembly::{Assembly, Compression, Plane, State};
+use crate::shell::assembly::sheet::{self, Piece};
+use crate::shell::assembly::{Assembly, Compression, Plane, Sheet, State};
 use crate::shell::element::vector::{Vector, along, dot};
 
 impl Assembly {
@@ -50,43 +50,43 @@ impl Assembly {
     /// For each unknown a spring: the geometric mean of the flat area of its point and of a mean point's; 0 for a
     /// director. By area alone the smallest triangles, which bending makes the stiffest, would have hardly any spring.
     pub fn springs(&self) -> Vec<f64> {
-        let mut springs = vec![0.0; self.numbering.count];
         let areas = &self.sheet.areas;
         #[expect(clippy::cast_precision_loss, reason = "a mesh has far fewer than 2^53 points")]
         let mean = areas.iter().sum::<f64>() / areas.len() as f64;
-        for (numbers, area) in self.numbering.points.iter().zip(areas) {
-            for number in numbers.iter().filter(|number| **number != NONE) {
-                springs[*number as usize] = (area * mean).sqrt();
-            }
-        }
-        springs
+        self.by_area(|area| (area * mean).sqrt())
     }
 
     /// For each unknown the flat area around its point; 0 for a director.
     pub(crate) fn masses(&self) -> Vec<f64> {
-        let mut masses = vec![0.0; self.numbering.count];
-        for (numbers, area) in self.numbering.points.iter().zip(&self.sheet.areas) {
-            for number in numbers.iter().filter(|number| **number != NONE) {
-                masses[*number as usize] = *area;
-            }
-        }
-        masses
+        self.by_area(|area| area)
     }
 
-    /// Flat area of each point, 0 for those that are held in the plane `wall`; a margin that bears no compression gives way and does not count.
-    pub(crate) fn contact_areas(&self, wall: Option<Plane>) -> Vec<f64> {
-        let is_held = |point: usize| {
-            let plane = self.supports.holds[point].plane.map(|plane| self.supports.planes[plane]);
-            plane.is_some() && plane == wall
-        };
+    fn by_area(&self, of: impl Fn(f64) -> f64) -> Vec<f64> {
+        let mut found = vec![0.0; self.numbering.count];
+        for (numbers, area) in self.numbering.points.iter().zip(&self.sheet.areas) {
+            for number in numbers.iter().filter(|number| **number != NONE) {
+                found[*number as usize] = of(*area);
+            }
+        }
+        found
+    }
+
+    /// Flat area of each point, 0 for those that are held in the plane of which `is_wall` is true; a margin that bears no compression gives
+    /// way and does not count.
+    pub(crate) fn contact_areas(&self, is_wall: impl Fn(Plane) -> bool) -> Vec<f64> {
+        let Sheet { pieces, points, areas, .. } = &self.sheet;
         let gives_way = |piece: &Piece| matches!(piece.margin, Some(Compression::Wrinkled(_)));
-        let areas = if self.sheet.pieces.iter().any(gives_way) {
-            self.sheet.areas_of_tube()
+        let mut found = if pieces.iter().any(gives_way) {
+            sheet::areas(points.len(), pieces.iter().filter(|piece| piece.margin.is_none()))
         } else {
-            self.sheet.areas.clone()
+            areas.clone()
         };
-        let areas = areas.into_iter().enumerate();
-        areas.map(|(point, area)| if is_held(point) { 0.0 } else { area }).collect()
+        for (area, hold) in found.iter_mut().zip(&self.supports.holds) {
+            if hold.plane.is_some_and(|plane| is_wall(self.supports.planes[plane])) {
+                *area = 0.0;
+            }
+        }
+        found
     }
 
     /// Adds the kinks' part to the Hessian.

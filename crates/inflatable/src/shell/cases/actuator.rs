@@ -75,12 +75,6 @@ const SHORTEST_ARM: f64 = 2.5;
 const LONGEST_ARM: f64 = 50.0;
 
 impl VActuator {
-    /// Its flat half in the scales of the shell.
-    fn half(&self) -> Result<HalfActuator, ShellFault> {
-        self.tube.check()?;
-        self.flat()
-    }
-
     /// The same of any tube.
     pub(super) fn flat(&self) -> Result<HalfActuator, ShellFault> {
         let w = self.tube.width;
@@ -103,7 +97,8 @@ pub fn actuator(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<Actuator, ShellFault> {
-    let half = case.half()?;
+    case.tube.check()?;
+    let half = case.flat()?;
     if angles.len() > MOST_ANGLES {
         return Err(ShellFault::TooMany { name: "angles", found: angles.len(), most: MOST_ANGLES });
     }
@@ -114,14 +109,7 @@ pub fn actuator(
         case.margin.apply(meshed, sheet, &mut supports);
         supports
     };
-    let family = Family {
-        tube: case.tube,
-        coarsest,
-        cuts: fineness.cuts,
-        hold: &hold,
-        obstacles: &[],
-        from_above: false,
-    };
+    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
     let mut shape = InflatedShape::default();
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
         let line = arm_line(&half, &meshed.mesh);

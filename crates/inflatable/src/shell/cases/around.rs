@@ -44,8 +44,7 @@ pub fn around(
     let coarsest = modelled.meshed(&Sizes::across(1.0, fineness.cells))?;
     let mut meshed = coarsest.clone();
     let (cuts, hold) = (fineness.cuts, case.hold(&modelled));
-    let family =
-        Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles, from_above: false };
+    let family = Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles };
     let on_mesh = |meshed: &Meshed| {
         let mut solver = family.solver(meshed, watch)?;
         if let Some(contact) = solver.contact.as_mut().filter(|_| touch == Touch::Sticks) {

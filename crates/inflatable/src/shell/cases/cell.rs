@@ -52,14 +52,7 @@ pub(super) fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<Inf
     let hold = |meshed: &Meshed, _: &mut Sheet| {
         Supports::new(&meshed.mesh, vec![Plane::first(), Plane::second(case.arc)])
     };
-    let family = Family {
-        tube: case.tube,
-        coarsest,
-        cuts: fineness.cuts,
-        hold: &hold,
-        obstacles: &[],
-        from_above: false,
-    };
+    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
     let ([lambda, stiffness], _) = family.run(watch, |solver, meshed, equilibrium, _| {
         let turning = Turning {
             arc: case.arc,
@@ -123,7 +116,7 @@ impl Turning<'_> {
             let further = libm::atan2(x[1], x[0]) * (to / from - 1.0);
             *x = turned(*x, further);
         }
-        solver.assembly.turn_plane(1, Plane::second(to * self.arc));
+        solver.assembly.supports.turn_plane(1, Plane::second(to * self.arc));
         let _ = solver.rest(state, self.aim)?;
         Ok(self.moment(solver, state, to * self.arc))
     }
@@ -139,12 +132,12 @@ impl Turning<'_> {
             for (x, _) in aside.points.iter_mut().zip(&is_turned).filter(|(_, is_turned)| **is_turned) {
                 *x = turned(*x, by);
             }
-            solver.assembly.turn_plane(1, Plane::second(angle + by));
+            solver.assembly.supports.turn_plane(1, Plane::second(angle + by));
             solver.assembly.energy(&aside).total(self.aim.pressure)
         };
         let step = 1e-3;
         let slope = (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step);
-        solver.assembly.turn_plane(1, Plane::second(angle));
+        solver.assembly.supports.turn_plane(1, Plane::second(angle));
         slope
     }
 }

@@ -2,79 +2,59 @@
 
 use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::value::Value;
-use crate::shell::mesh::{Border, Mesh, Meshed};
+use crate::shell::mesh::{Border, Mesh, Meshed, distance};
 use std::collections::BTreeMap;
 
 /// The hardest loaded places of a sheet.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extremes {
-    /// The fabric's largest tension at a rim, both across the seam's plane and within it, N a metre of flat rim.
-    pub seal_tension: f64,
-    /// Its mesh error; a rim that turns on a point has no largest tension, and then the mesh error is as large as the
-    /// value.
-    pub seal_tension_error: f64,
+    /// The fabric's largest tension at a rim, both across the seam's plane and within it, N a metre of flat rim. A rim that turns on a
+    /// point has no largest tension, and then the mesh error is as large as the value.
+    pub seal_tension: Value,
     /// Its position on the flat sheet, m.
     pub seal_at: [f64; 2],
     /// Largest force across the seam's plane, of stretching, bending and pressure, N a metre of flat rim: the
     /// mean over a piece of rim as long as the seal's band is wide.
-    pub seal_pull: f64,
-    /// Its mesh error.
-    pub seal_pull_error: f64,
+    pub seal_pull: Value,
     /// The middle of that piece on the flat sheet, m.
     pub pull_at: [f64; 2],
     /// Largest principal stretch.
-    pub stretch: f64,
-    /// Its mesh error.
-    pub stretch_error: f64,
+    pub stretch: Value,
     /// Its position on the flat sheet, m.
     pub stretch_at: [f64; 2],
 }
 
-impl Extremes {
-    /// In SI units, with the extrapolated values of tension and stretch.
-    pub(crate) fn scaled(self, tension: f64, length: f64, [seal, stretch, pull]: [Value; 3]) -> Self {
-        Self {
-            seal_tension: tension * seal.value,
-            seal_tension_error: tension * seal.error,
-            seal_at: self.seal_at.map(|x| x * length),
-            seal_pull: tension * pull.value,
-            seal_pull_error: tension * pull.error,
-            pull_at: self.pull_at.map(|x| x * length),
-            stretch: stretch.value,
-            stretch_error: stretch.error,
-            stretch_at: self.stretch_at.map(|x| x * length),
-        }
-    }
-}
+/// A number and its position on the flat sheet.
+pub(crate) type Place = (f64, [f64; 2]);
 
-/// The extremes of `state`, each taken in the middle of a triangle of the tube.
-pub(crate) fn extremes(sheet: &Sheet, Meshed { mesh, tube, .. }: &Meshed, state: &State) -> Extremes {
-    let mut worst = Extremes::default();
+/// The largest tension at a rim and the largest stretch of `state`, each taken in the middle of a triangle of the tube.
+pub(crate) fn extremes(sheet: &Sheet, Meshed { mesh, tube, .. }: &Meshed, state: &State) -> [Place; 2] {
+    let [mut tension, mut longest] = [Place::default(); 2];
     for (triangle, corners) in mesh.triangles[..*tube].iter().enumerate() {
         let flat = sheet.flat_triangle(triangle);
         let membrane = sheet.stretched(triangle, corners.map(|corner| state.points[corner]));
-        let middle = [0, 1].map(|c| corners.iter().map(|corner| mesh.points[*corner][c]).sum::<f64>() / 3.0);
+        let middle = mesh.middle(triangle);
         let stretch = membrane.principal()[1][0];
-        if stretch > worst.stretch {
-            (worst.stretch, worst.stretch_at) = (stretch, middle);
+        if stretch > longest.0 {
+            longest = (stretch, middle);
         }
         for (i, edge) in mesh.triangle_edges[triangle].iter().enumerate() {
             if matches!(mesh.edges[*edge].border, Some(Border::Rim(_))) {
                 let [x, y] = flat.slopes[i];
                 let length = libm::hypot(x, y);
                 let pull = membrane.traction([-x / length, -y / length]);
-                if pull > worst.seal_tension {
-                    (worst.seal_tension, worst.seal_at) = (pull, middle);
+                if pull > tension.0 {
+                    tension = (pull, middle);
                 }
             }
         }
     }
-    worst
+    [tension, longest]
 }
 
 /// The largest mean of `forces` (N) down across the plane of the seam over a piece of rim as long as `band`,
 /// and the piece's middle; `forces` are the energy's slopes by each point.
-pub(crate) fn pull(mesh: &Mesh, forces: &[[f64; 3]], band: f64) -> (f64, [f64; 2]) {
+pub(crate) fn pull(mesh: &Mesh, forces: &[[f64; 3]], band: f64) -> Place {
     let mut rim: BTreeMap<usize, f64> = BTreeMap::new();
     let rims = (0..mesh.edges.len()).filter(|edge| matches!(mesh.edges[*edge].border, Some(Border::Rim(_))));
     for edge in rims {
@@ -82,10 +62,7 @@ pub(crate) fn pull(mesh: &Mesh, forces: &[[f64; 3]], band: f64) -> (f64, [f64; 2
             *rim.entry(end).or_default() += mesh.length(edge) / 2.0;
         }
     }
-    let away = |a: usize, b: usize| {
-        let ([x, y], [u, v]) = (mesh.points[a], mesh.points[b]);
-        libm::hypot(x - u, y - v)
-    };
+    let away = |a: usize, b: usize| distance(mesh.points[a], mesh.points[b]);
     let mean = |middle: usize| {
         let near = rim.iter().filter(|(point, _)| away(middle, **point) <= band / 2.0);
         let [force, length] =

@@ -7,12 +7,10 @@ use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::actuator::{Fineness, VActuator, arm_line, stiffness, supports};
 use crate::shell::cases::bend::angle_of;
 use crate::shell::cases::fault::ShellFault;
-use crate::shell::cases::refinement::{self, Watch};
-use crate::shell::cases::tube::Tube;
+use crate::shell::cases::refinement::{self, Family, Watch};
 use crate::shell::cases::value::Value;
 use crate::shell::mesh::{HalfActuator, Meshed, Sizes};
 use crate::shell::solver::{Continuation, Equilibrium, NewtonResult, Solver, Stop};
-use std::sync::Arc;
 
 /// A V-actuator at one pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +44,10 @@ pub fn inflations(
     watch: &Watch,
 ) -> Result<Vec<Option<Inflation>>, ShellFault> {
     let half = case.flat()?;
-    let mut meshed = half.mesh(&Sizes::across(1.0, fineness.cells))?;
+    let coarsest = half.mesh(&Sizes::across(1.0, fineness.cells))?;
+    let mut meshed = coarsest.clone();
+    let hold = |meshed: &Meshed, _: &mut Sheet| supports(&meshed.mesh);
+    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
     let mut found: Vec<Vec<[f64; 3]>> = Vec::new();
     let mut below: Option<(Solver, Vec<State>)> = None;
     let units = case.tube.fabric.stretch / case.tube.width;
@@ -55,13 +56,14 @@ pub fn inflations(
         if cut > 0 {
             meshed = meshed.refined()?;
         }
-        let mut run = Pressurised::new(case.tube, &meshed, watch)?;
+        let solver = family.solver(&meshed, watch)?;
+        let mut run = Pressurised { solver, continuation: case.tube.continuation(), last: None };
         let mut states = Vec::new();
         let mut numbers = Vec::new();
         for (k, pressure) in pressures.iter().enumerate() {
             let start = match &mut below {
                 Some((solver, states)) => match states.get(k) {
-                    Some(state) => Some(solver.assembly.prolong(state, &run.solver.assembly.sheet)),
+                    Some(state) => Some(solver.assembly.prolong(state, &run.solver.assembly)),
                     None => break,
                 },
                 None => None,
@@ -104,18 +106,9 @@ struct Pressurised {
 }
 
 impl Pressurised {
-    fn new(tube: Tube, meshed: &Meshed, watch: &Watch) -> Result<Self, ShellFault> {
-        let mesh = &meshed.mesh;
-        let mut solver = Solver::new(Sheet::new(mesh, tube.scaled()), supports(mesh))
-            .ok_or(ShellFault::TooLarge { triangles: mesh.triangles.len() })?;
-        solver.cancel = Arc::clone(&watch.cancel);
-        Ok(Self { solver, continuation: tube.continuation(), last: None })
-    }
-
     /// Goes to `pressure`: from `start`, else from the last pressure, or the first time from flat.
     fn to(&mut self, pressure: f64, start: Option<State>) -> Result<Equilibrium, Stop> {
         if let Some(mut state) = start {
-            self.solver.assembly.hold(&mut state);
             match self.settle(&mut state, pressure) {
                 Ok(rest) => return Ok(self.keep(pressure, state, rest)),
                 Err(Stop::Cancelled) => return Err(Stop::Cancelled),
@@ -149,14 +142,7 @@ impl Pressurised {
     }
 
     fn settle(&mut self, state: &mut State, pressure: f64) -> Result<NewtonResult, Stop> {
-        let mut found = Err(Stop::Iterations);
-        for _ in 0..MOST_ROUNDS {
-            found = self.solver.rest(state, self.continuation.aim(pressure));
-            if found != Err(Stop::Iterations) {
-                break;
-            }
-        }
-        found
+        self.solver.rest_in_rounds(state, self.continuation.aim(pressure), MOST_ROUNDS)
     }
 
     fn keep(&mut self, pressure: f64, state: State, rest: NewtonResult) -> Equilibrium {

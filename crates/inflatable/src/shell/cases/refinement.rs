@@ -6,7 +6,7 @@ use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::contact::{Contact, Obstacle};
 use crate::shell::mesh::{Mesh, Meshed};
-use crate::shell::solver::{Aim, Broken, Effort, Equilibrium, NewtonResult, Solver, Stop};
+use crate::shell::solver::{Broken, Effort, Equilibrium, Solver, Stop};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -50,9 +50,6 @@ pub(crate) struct Family<'a> {
     /// The supports of a mesh; it may change the sheet's response to compression.
     pub(crate) hold: &'a dyn Fn(&Meshed, &mut Sheet) -> Supports,
     pub(crate) obstacles: &'a [Obstacle],
-    /// Whether each mesh starts at a pressure that stretches it, which is then lowered, instead of being pressurised from flat: suits
-    /// sheets that bear no compression.
-    pub(crate) from_above: bool,
 }
 
 /// An equilibrium beside that at the pressure alone: with something pressed into it.
@@ -65,8 +62,7 @@ pub(crate) struct Indented {
 impl Indented {
     /// A start for the same on the finer mesh.
     fn carried(&self, coarse: &mut Assembly, mesh: &Mesh, finer: &Assembly) -> Self {
-        let mut state = coarse.prolong(&self.state, &finer.sheet);
-        finer.hold(&mut state);
+        let state = coarse.prolong(&self.state, finer);
         let ends = mesh.edges.iter().map(|edge| edge.ends);
         Self { state, contact: self.contact.as_ref().map(|contact| contact.carried(finer, ends)) }
     }
@@ -133,7 +129,7 @@ impl Family<'_> {
 
     /// From flat to the pressure of the case.
     pub(super) fn pressurise(&self, solver: &mut Solver, watch: &Watch) -> Result<Equilibrium, ShellFault> {
-        if self.from_above {
+        if solver.assembly.sheet.is_wrinkled() {
             let flat = solver.assembly.sheet.flat();
             return self.let_down(solver, flat);
         }
@@ -154,7 +150,7 @@ impl Family<'_> {
         let mut pressure = continuation.last.max(WELL_STRETCHED);
         let (mut below, mut ratio) = (None::<Equilibrium>, DOWN);
         loop {
-            match rest_in_rounds(solver, &mut state, continuation.aim(pressure)) {
+            match solver.rest_in_rounds(&mut state, continuation.aim(pressure), MOST_ROUNDS) {
                 Ok(rest) => {
                     if pressure <= continuation.last {
                         return Ok(Equilibrium { pressure, state, rest });
@@ -196,9 +192,8 @@ impl Family<'_> {
         watch: &Watch,
     ) -> Result<Equilibrium, ShellFault> {
         let continuation = self.tube.continuation();
-        if self.from_above {
-            let mut state = coarse.assembly.prolong(&equilibrium.state, &fine.assembly.sheet);
-            fine.assembly.hold(&mut state);
+        if fine.assembly.sheet.is_wrinkled() {
+            let state = coarse.assembly.prolong(&equilibrium.state, &fine.assembly);
             return match self.let_down(fine, state) {
                 Err(ShellFault::Stopped { .. }) => self.pressurise(fine, watch),
                 found => found,
@@ -206,9 +201,7 @@ impl Family<'_> {
         }
         let (mut lower, mut pressure) = (equilibrium.state.clone(), continuation.last);
         for _ in 0..MOST_LET_DOWN {
-            let finer: &Assembly = &fine.assembly;
-            let mut state = coarse.assembly.prolong(&lower, &finer.sheet);
-            finer.hold(&mut state);
+            let state = coarse.assembly.prolong(&lower, &fine.assembly);
             fine.is_rough = true;
             match continuation.run_from(fine, state, pressure, |_| {}) {
                 Ok(equilibrium) => return Ok(equilibrium),
@@ -223,18 +216,6 @@ impl Family<'_> {
         }
         self.pressurise(fine, watch)
     }
-}
-
-/// Newton's method for as many rounds as wrinkles need that come and go.
-fn rest_in_rounds(solver: &mut Solver, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
-    let mut found = Err(Stop::Iterations);
-    for _ in 0..MOST_ROUNDS {
-        found = solver.rest(state, aim);
-        if found != Err(Stop::Iterations) {
-            break;
-        }
-    }
-    found
 }
 
 /// p W/Y from which a sheet that bears no compression is let down: from flat and from a coarser mesh it comes to rest there within some ten

@@ -159,18 +159,18 @@ pub fn star_by_sizes(
     let obstacles = modelled.obstacles();
     let post = obstacles.len() - 1;
     let hold = case.hold(&modelled);
-    let family =
-        Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles, from_above: false };
-    let (mut worst, mut shape) = (Extremes::default(), InflatedShape::default());
+    let family = Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles };
+    let (mut places, mut shape) = ([[0.0; 2]; 3], InflatedShape::default());
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, beside| {
         let mut numbers = [0.0; NUMBERS + 2 * MOST_OBJECTS];
-        worst = extremes::extremes(&solver.assembly.sheet, meshed, &equilibrium.state);
+        let [tension, stretch] = extremes::extremes(&solver.assembly.sheet, meshed, &equilibrium.state);
         let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
-        (worst.seal_pull, worst.pull_at) =
-            extremes::pull(&meshed.mesh, solver.assembly.forces(), case.band / case.tube.width);
+        let pull = extremes::pull(&meshed.mesh, solver.assembly.forces(), case.band / case.tube.width);
         let (whole, middle) = measure(&modelled, solver, &meshed.mesh, equilibrium);
         numbers[..WHOLE].copy_from_slice(&whole);
-        numbers[WHOLE..NUMBERS].copy_from_slice(&[worst.seal_tension, worst.stretch, worst.seal_pull]);
+        let worst = [tension, stretch, pull];
+        numbers[WHOLE..NUMBERS].copy_from_slice(&worst.map(|(number, _)| number));
+        places = worst.map(|(_, at)| at);
         shape = InflatedShape::new(&case.tube, solver, &meshed.mesh, &equilibrium.state);
         // The next mesh begins without the objects.
         let alone = solver.contact.clone();
@@ -185,6 +185,7 @@ pub fn star_by_sizes(
     let w = case.tube.width;
     let force = case.tube.fabric.stretch * w;
     let sheets = modelled.count();
+    let [seal_at, stretch_at, pull_at] = places.map(|at| at.map(|x| x * w));
     Ok(InflatedStar {
         final_radius: values[0].scaled(w),
         edge_radius: values[10].scaled(w),
@@ -203,11 +204,14 @@ pub fn star_by_sizes(
             .map(|(r, f)| (*r, f.scaled(sheets * force)))
             .collect(),
         slips: values[NUMBERS + MOST_OBJECTS..][..count].to_vec(),
-        extremes: worst.scaled(
-            case.tube.fabric.stretch,
-            w,
-            [values[WHOLE], values[WHOLE + 1], values[WHOLE + 2]],
-        ),
+        extremes: Extremes {
+            seal_tension: values[WHOLE].scaled(case.tube.fabric.stretch),
+            seal_at,
+            stretch: values[WHOLE + 1],
+            stretch_at,
+            seal_pull: values[WHOLE + 2].scaled(case.tube.fabric.stretch),
+            pull_at,
+        },
         shape,
         evidence,
     })

@@ -6,7 +6,7 @@
 use crate::shell::assembly::{Plane, State, Supports};
 use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::contact::Obstacle;
-use crate::shell::mesh::{Border, HalfSector, MarginWidths, Mesh, MeshFault, Meshed, Sizes, rim};
+use crate::shell::mesh::{Border, HalfSector, MarginWidths, Mesh, MeshFault, Meshed, Sizes, distance, rim};
 
 /// The modelled part of a star.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,7 +117,9 @@ impl ModelledPart {
         let half_angle = self.sector.half_angle();
         let tips: Vec<[f64; 2]> =
             self.corners().map(|angle| of(angle + half_angle, self.tip_radius(), rim::OUTER)).collect();
-        let (middle, of_tips) = (mean(&apexes), mean(&tips));
+        let mean = |numbers: &mut dyn Iterator<Item = f64>| numbers.sum::<f64>() / f64::from(self.sector.n);
+        let [middle, of_tips] =
+            [&apexes, &tips].map(|all| [0, 1].map(|c| mean(&mut all.iter().map(|at| at[c]))));
         let from_middle = |[x, y]: [f64; 2]| libm::hypot(x - middle[0], y - middle[1]);
         let edges: Vec<f64> = self
             .corners()
@@ -126,14 +128,12 @@ impl ModelledPart {
             .collect();
         let radii: Vec<f64> = apexes.iter().copied().map(from_middle).collect();
         let end = |pick: fn(f64, f64) -> f64| radii.iter().copied().reduce(pick).unwrap_or_default();
-        let mean = radii.iter().sum::<f64>() / f64::from(self.sector.n);
-        let edge = if edges.is_empty() { mean } else { edges.iter().sum::<f64>() / f64::from(self.sector.n) };
         CornerPlaces {
-            mean,
-            edge,
+            mean: mean(&mut radii.iter().copied()),
+            edge: mean(&mut if edges.is_empty() { &radii } else { &edges }.iter().copied()),
             range: [end(f64::min), end(f64::max)],
             middle,
-            aside: libm::hypot(middle[0] - of_tips[0], middle[1] - of_tips[1]),
+            aside: distance(middle, of_tips),
         }
     }
 
@@ -166,17 +166,14 @@ impl ModelledPart {
         let l = sector.l();
         let left_out = (l / 3.0).min(1.0);
         let reach = [start + left_out, start + l - left_out];
-        let angle = |line: &ArmLine| {
-            let [x, y] = line.direction(state);
-            libm::atan2(y, x)
-        };
+        let angle = |[x, y]: [f64; 2]| libm::atan2(y, x);
         let direction = |angle: f64| {
             let (sine, cosine) = libm::sincos(angle);
             [cosine, sine]
         };
         if self.part == StarPart::HalfSector {
-            let own = 2.0 * (angle(&ArmLine::new(mesh, direction(half_corner), reach)) - half_angle);
-            return [own; 2];
+            let own = ArmLine::new(mesh, direction(half_corner), reach).direction(state);
+            return [2.0 * (angle(own) - half_angle); 2];
         }
         // The arm that begins at each corner counterclockwise, and the one that ends at the next corner: the same tip's.
         let tips: Vec<f64> = self
@@ -194,10 +191,7 @@ impl ModelledPart {
                     is_between(place, corner + half_angle)
                 });
                 // Against the tip's ray, so that no angle jumps by a whole turn.
-                let against = |line: &ArmLine| {
-                    let [x, y] = turned(line.direction(state), -(corner + half_angle));
-                    libm::atan2(y, x)
-                };
+                let against = |line: &ArmLine| angle(turned(line.direction(state), -(corner + half_angle)));
                 against(&first) - against(&second)
             })
             .collect();
@@ -229,28 +223,16 @@ impl ModelledPart {
     /// The stiffness of the modelled part by the compliance of its sections, all of which bear the same force: force by displacement of one
     /// corner, times their number.
     pub(super) fn stiffness(&self, compliance: f64) -> f64 {
-        let corners = match self.part {
-            StarPart::HalfSector => 1.0,
-            StarPart::Whole => f64::from(self.sector.n),
-        };
+        let corners: f64 = self.corners().map(|_| 1.0).sum();
         corners * corners / compliance
     }
 }
 
 /// The point of a border that is nearest to `place` on the flat sheet.
 fn nearest(mesh: &Mesh, place: [f64; 2], border: Border) -> usize {
-    let away = |point: &usize| {
-        let [x, y] = mesh.points[*point];
-        libm::hypot(x - place[0], y - place[1])
-    };
+    let away = |point: &usize| distance(mesh.points[*point], place);
     let rim = mesh.along(border).flat_map(|edge| mesh.edges[edge].ends);
     rim.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or_default()
-}
-
-fn mean(points: &[[f64; 2]]) -> [f64; 2] {
-    #[expect(clippy::cast_precision_loss, reason = "a star has few corners")]
-    let count = points.len() as f64;
-    [0, 1].map(|c| points.iter().map(|point| point[c]).sum::<f64>() / count)
 }
 
 fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {

@@ -95,7 +95,7 @@ impl Tube {
 
     /// From 1/eps = 1 to its pressure.
     pub(crate) fn continuation(&self) -> Continuation {
-        Continuation { first: self.scaled().bending, last: self.stretch(), scale: 1.0, floor: FLOOR }
+        Continuation { first: self.scaled().bending, last: self.stretch(), floor: FLOOR }
     }
 
     /// The fault of a tube without an equilibrium at its pressure, where there was one before another input changed.

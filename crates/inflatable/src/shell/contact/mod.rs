@@ -133,7 +133,8 @@ pub struct ContactError {
 impl Contact {
     /// Every point of `assembly`'s sheet against every obstacle; points that are held in a wall's plane do not touch that wall.
     pub fn new(assembly: &Assembly, obstacles: Vec<Obstacle>) -> Self {
-        let areas = obstacles.iter().map(|obstacle| assembly.contact_areas(wall(obstacle))).collect();
+        let own = |obstacle: &Obstacle| assembly.contact_areas(|plane| *obstacle == Obstacle::Wall(plane));
+        let areas = obstacles.iter().map(own).collect();
         let count = assembly.sheet.flat().points.len();
         Self {
             pressures: vec![vec![0.0; count]; obstacles.len()],
@@ -286,12 +287,5 @@ impl Contact {
         let touching =
             self.pressures[index].iter().zip(&self.areas[index]).filter(|(pressure, _)| **pressure > 0.0);
         touching.map(|(_, area)| area).sum()
-    }
-}
-
-fn wall(obstacle: &Obstacle) -> Option<Plane> {
-    match obstacle {
-        Obstacle::Wall(plane) => Some(*plane),
-        Obstacle::Post { .. } => None,
     }
 }

@@ -7,8 +7,9 @@ use crate::shell::mesh::{Border, MarginWidths, MeshFault, Meshed, Sizes, plane, 
 use crate::shell::mesh::{delaunay, sizing};
 
 /// A hinge without arms: the sector of an annulus between two planes of symmetry, its centre at the origin.
+#[cfg(test)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HingeSector {
+pub(crate) struct HingeSector {
     /// Inner radius R, at least 0; at 0 the inner rim is a point.
     pub r: f64,
     /// Width W.
@@ -48,12 +49,13 @@ pub struct HalfSector {
     pub r_e: f64,
 }
 
+#[cfg(test)]
 impl HingeSector {
     /// Its mesh.
     ///
     /// # Errors
     /// If a dimension is out of range.
-    pub fn mesh(&self, sizes: &Sizes) -> Result<Meshed, MeshFault> {
+    pub(crate) fn mesh(&self, sizes: &Sizes) -> Result<Meshed, MeshFault> {
         positive("the width W", self.w)?;
         sizes.check(self.w)?;
         radius("the inner radius R", self.r, self.w)?;
@@ -118,9 +120,7 @@ impl HalfSector {
     /// # Errors
     /// If a dimension is out of range, or there is no such star.
     pub fn mesh_with(&self, sizes: &Sizes, margin: MarginWidths) -> Result<Meshed, MeshFault> {
-        if self.n < 3 {
-            return Err(MeshFault::Dimension { name: "n", found: f64::from(self.n), allowed: "3 or more" });
-        }
+        check(self.n >= 3, "n", f64::from(self.n), "3 or more")?;
         positive("the inner radius rho_0", self.rho_0)?;
         positive("the width W", self.w)?;
         sizes.check(self.w)?;
@@ -143,29 +143,26 @@ fn mesh(strip: Strip, last: Border, sizes: &Sizes, margin: MarginWidths) -> Resu
     delaunay::fill(&region, &sizing)?.with_margin(margin, &sizing)
 }
 
+fn check(good: bool, name: &'static str, found: f64, allowed: &'static str) -> Result<(), MeshFault> {
+    if good { Ok(()) } else { Err(MeshFault::Dimension { name, found, allowed }) }
+}
+
 fn positive(name: &'static str, found: f64) -> Result<(), MeshFault> {
-    let good = found > 0.0 && found.is_finite();
-    if good { Ok(()) } else { Err(MeshFault::Dimension { name, found, allowed: "more than 0" }) }
+    check(found > 0.0 && found.is_finite(), name, found, "more than 0")
 }
 
 /// A hinge's inner radius: a point, or an arc that the triangles around it can get small enough for.
 fn radius(name: &'static str, found: f64, w: f64) -> Result<(), MeshFault> {
     let good = found == 0.0 || (found >= 1e-4 * w && found <= 100.0 * w);
-    if good { Ok(()) } else { Err(MeshFault::Dimension { name, found, allowed: "0, or W/10000 to 100 W" }) }
+    check(good, name, found, "0, or W/10000 to 100 W")
 }
 
 fn arm(found: f64, w: f64) -> Result<(), MeshFault> {
     let good = found >= 1e-4 * w && found <= 1000.0 * w;
-    let name = "the arm's length l";
-    if good { Ok(()) } else { Err(MeshFault::Dimension { name, found, allowed: "W/10000 to 1000 W" }) }
+    check(good, "the arm's length l", found, "W/10000 to 1000 W")
 }
 
 /// An angle between 0 and `most`.
 fn within(name: &'static str, found: f64, most: f64) -> Result<(), MeshFault> {
-    let good = found > 0.0 && found < most;
-    if good {
-        Ok(())
-    } else {
-        Err(MeshFault::Dimension { name, found, allowed: "more than 0, and less than a straight hinge" })
-    }
+    check(found > 0.0 && found < most, name, found, "more than 0, and less than a straight hinge")
 }

@@ -50,11 +50,15 @@ pub(super) fn fill_border(border: &BorderPoints, sizing: &Sizing) -> Result<Poin
     // The last rounds still exchange a triangle here and there: the round with the widest smallest angle is taken.
     let mut best = (0.0, seeds.clone());
     for _ in 0..ROUNDS {
-        let smallest = border.even_out(&mut seeds, sizing, &mut best.1, best.0)?;
-        best.0 = smallest.max(best.0);
+        let before = seeds.clone();
+        let smallest = border.even_out(&mut seeds, sizing)?;
+        if smallest > best.0 {
+            best = (smallest, before);
+        }
     }
     let seeds = best.1;
-    Ok((border.with(&seeds), border.triangles(&seeds)?))
+    let points = border.points.iter().chain(&seeds).map(|p| [p.x, p.y]).collect();
+    Ok((points, border.inner(&border.triangulation(&seeds)?)))
 }
 
 /// The points of a border, counterclockwise, then those of the welds within it, and the edges between them.
@@ -134,11 +138,6 @@ impl BorderPoints {
         self.edges[..self.outer].iter().map(|(ends, _)| ends.map(|end| self.points[end]))
     }
 
-    /// Border points first, then seeds.
-    fn with(&self, seeds: &[Point]) -> Vec<[f64; 2]> {
-        self.points.iter().chain(seeds).map(|p| [p.x, p.y]).collect()
-    }
-
     /// The Delaunay triangulation of border and seeds, vertex `i` at point `i`, with the border's edges in it.
     fn triangulation(&self, seeds: &[Point]) -> Result<Triangles, MeshFault> {
         let mut found = Triangles::new();
@@ -159,12 +158,6 @@ impl BorderPoints {
             }
         }
         Ok(found)
-    }
-
-    /// The triangles within the border, in a fixed order.
-    fn triangles(&self, seeds: &[Point]) -> Result<Vec<[usize; 3]>, MeshFault> {
-        let found = self.triangulation(seeds)?;
-        Ok(self.inner(&found))
     }
 
     /// The triangles to the left of the border and on both sides of welds, and all that are reached from them without crossing it. (A test whether a
@@ -228,8 +221,7 @@ impl BorderPoints {
             for (_, p) in large {
                 let size = sizing.at(p);
                 if clear_of_points(&found, p, LARGE * size) && self.has_room(p, CLEAR * size) {
-                    let vertex = found.insert(Point2::new(p.x, p.y));
-                    if vertex.is_ok() {
+                    if found.insert(Point2::new(p.x, p.y)).is_ok() {
                         seeds.push(p);
                     }
                 }
@@ -244,18 +236,12 @@ impl BorderPoints {
     }
 
     /// Moves each seed to the mean of its triangles' centres, weighted so that small triangles stay at their places,
-    /// and returns the smallest angle before the move; if it was above `known`, `best` gets the seeds as they were.
-    fn even_out(
-        &self,
-        seeds: &mut [Point],
-        sizing: &Sizing,
-        best: &mut Vec<Point>,
-        known: f64,
-    ) -> Result<f64, MeshFault> {
+    /// and returns the smallest angle before the move.
+    fn even_out(&self, seeds: &mut [Point], sizing: &Sizing) -> Result<f64, MeshFault> {
         let border = self.points.len();
         let mut sums = vec![[0.0; 3]; seeds.len()];
         let mut smallest = f64::MAX;
-        for corners in self.triangles(seeds)? {
+        for corners in self.inner(&self.triangulation(seeds)?) {
             let [a, b, c] = corners.map(|at| point_of(at, &self.points, seeds));
             smallest = angles([a, b, c].map(|p| [p.x, p.y])).into_iter().fold(smallest, f64::min);
             let middle = Point::new((a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0);
@@ -264,9 +250,6 @@ impl BorderPoints {
                 let [sum, x, y] = sums[seed];
                 sums[seed] = [sum + weight, x + weight * middle.x, y + weight * middle.y];
             }
-        }
-        if smallest > known {
-            seeds.clone_into(best);
         }
         for (seed, [sum, x, y]) in seeds.iter_mut().zip(sums) {
             if sum > 0.0 {

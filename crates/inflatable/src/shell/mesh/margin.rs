@@ -70,7 +70,7 @@ impl Meshed {
         };
         let edge = edge.filter(|edge| !edge.is_empty()).ok_or(too_wide)?;
         // Counterclockwise: back along the rim, out, along the cut edge, in.
-        let Self { mesh, mut pieces, piece_of, tube } = self;
+        let Self { mesh, mut pieces, piece_of, .. } = self;
         let (mut known, mut loop_pieces) = (Vec::new(), Vec::new());
         for at in rim.pieces.iter().rev() {
             let curve = pieces[*at].curve;
@@ -124,8 +124,7 @@ impl Meshed {
         }));
         let triangles =
             mesh.triangles.iter().copied().chain(triangles.iter().map(|corners| corners.map(number)));
-        let widened = Self::new(all, triangles.collect(), pieces, &on)?;
-        Ok(Self { tube, ..widened })
+        Self::new(all, triangles.collect(), pieces, &on)
     }
 }
 

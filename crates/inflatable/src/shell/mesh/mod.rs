@@ -23,7 +23,9 @@ mod unfold;
 mod vtu;
 mod width;
 
-pub use cases::{HalfActuator, HalfSector, HingeSector};
+#[cfg(test)]
+pub(crate) use cases::HingeSector;
+pub use cases::{HalfActuator, HalfSector};
 pub use chamber::FlatChamber;
 pub use fault::MeshFault;
 #[cfg(test)]
@@ -95,7 +97,14 @@ impl Mesh {
         signed_area(self.triangles[triangle].map(|point| self.points[point]))
     }
 
+    /// The middle of a triangle of the flat sheet.
+    pub(crate) fn middle(&self, triangle: usize) -> [f64; 2] {
+        let [a, b, c] = self.triangles[triangle].map(|corner| self.points[corner]);
+        [0, 1].map(|axis| (a[axis] + b[axis] + c[axis]) / 3.0)
+    }
+
     /// Flat area of the sheet.
+    #[cfg(test)]
     pub fn total_area(&self) -> f64 {
         (0..self.triangles.len()).map(|triangle| self.area(triangle)).sum()
     }
@@ -118,6 +127,7 @@ impl Mesh {
     }
 
     /// Smallest angle of all triangles, rad; pi for a mesh without any.
+    #[cfg(test)]
     pub fn smallest_angle(&self) -> f64 {
         let angles = |corners: &[usize; 3]| angles(corners.map(|point| self.points[point]));
         self.triangles.iter().flat_map(angles).fold(std::f64::consts::PI, f64::min)
@@ -138,6 +148,6 @@ fn angles(corners: [[f64; 2]; 3]) -> [f64; 3] {
     })
 }
 
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     libm::hypot(b[0] - a[0], b[1] - a[1])
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::geom::{Path, Point, Segment};
+use crate::geom::{Point, Segment};
 use crate::shell::mesh::{Border, Edge, Mesh, MeshFault, rim};
 
 /// A piece of a region's border.
@@ -32,8 +32,9 @@ impl Region {
     }
 
     /// The exact area within the outer border.
+    #[cfg(test)]
     pub fn area(&self) -> f64 {
-        Path::closed(self.pieces.iter().map(|piece| piece.curve).collect()).area()
+        crate::geom::Path::closed(self.pieces.iter().map(|piece| piece.curve).collect()).area()
     }
 }
 

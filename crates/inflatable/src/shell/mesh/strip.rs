@@ -54,15 +54,11 @@ impl Strip {
         let far = bow(outer);
         // With a radius of 0 the rim turns on a point.
         let near = (radius > 0.0).then(|| bow(radius));
-        let (near_end, far_end) = (near.map_or(center, |arc| arc.end()), far.end());
         let (left, right) = match side {
             StripSide::Left => (near, Some(far)),
             StripSide::Right => (Some(far), near),
         };
-        (self.left_end, self.right_end) = match side {
-            StripSide::Left => (near_end, far_end),
-            StripSide::Right => (far_end, near_end),
-        };
+        [self.left_end, self.right_end] = [left, right].map(|arc| arc.map_or(center, |arc| arc.end()));
         self.left.extend(left.map(Segment::from));
         self.right.extend(right.map(Segment::from));
         let (sin, cos) = libm::sincos(sweep);

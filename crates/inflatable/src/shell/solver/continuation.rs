@@ -10,8 +10,6 @@ pub struct Continuation {
     pub first: f64,
     /// The last one.
     pub last: f64,
-    /// p W^2 at unit pressure: the scale of residuals.
-    pub scale: f64,
     /// Least norm of a residual that rounding allows.
     pub floor: f64,
 }
@@ -50,13 +48,13 @@ const PASSING: f64 = 1e-6;
 impl Continuation {
     /// The conditions of an equilibrium at `pressure`.
     pub fn aim(&self, pressure: f64) -> Aim {
-        Aim { pressure, tolerance: (RESIDUAL * pressure * self.scale).max(self.floor) }
+        Aim { pressure, tolerance: (RESIDUAL * pressure).max(self.floor) }
     }
 
     /// The aim for an equilibrium on the way.
     fn passing(&self, pressure: f64) -> Aim {
         let Aim { tolerance, .. } = self.aim(pressure);
-        Aim { pressure, tolerance: tolerance.max(PASSING * pressure * self.scale) }
+        Aim { pressure, tolerance: tolerance.max(PASSING * pressure) }
     }
 
     /// Raises the pressure from the flat sheet. `on_equilibrium` receives every equilibrium.
@@ -101,11 +99,8 @@ impl Continuation {
                     touched.clone_from(&solver.contact);
                     step = (2.0 * step).min(STEP);
                 }
-                Err(Stop::Cancelled) => {
-                    return Err(Broken { pressure: next, why: Stop::Cancelled, last: below.map(Box::new) });
-                }
                 Err(why) => {
-                    let may_halve = step > STEP * 0.5_f64.powi(MOST_HALVINGS);
+                    let may_halve = why != Stop::Cancelled && step > STEP * 0.5_f64.powi(MOST_HALVINGS);
                     // However small the equilibrium: it snaps from one shape to another, which takes long.
                     let is_stuck = !may_halve && below.is_some();
                     let snaps = is_stuck && why == Stop::Iterations && !solver.may_snap;

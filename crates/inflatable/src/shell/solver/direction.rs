@@ -28,7 +28,7 @@ impl Solver {
             let accuracy = if self.lever.is_some() { STEP_ACCURACY } else { self.experience.accuracy };
             self.factor.solve(&mut self.step, accuracy);
             if let Some(lever) = &self.lever {
-                let _ = lever.constrain(&self.assembly, &self.held, &mut self.step);
+                lever.constrain(&self.assembly, &self.held, &mut self.step);
             }
         }
         self.experience.linear = self.factor.left();

@@ -57,13 +57,12 @@ impl DisplacementControl {
         (held.gives * left > 0.0).then_some(held)
     }
 
-    /// Turns A^-1 v, in `vector`, into H^-1 v without the component that the constraint forbids; returns the multiplier of that component.
-    pub(crate) fn constrain(&self, assembly: &Assembly, held: &ControlledSolve, vector: &mut [f64]) -> f64 {
+    /// Turns A^-1 v, in `vector`, into H^-1 v without the component that the constraint forbids.
+    pub(crate) fn constrain(&self, assembly: &Assembly, held: &ControlledSolve, vector: &mut [f64]) {
         let brace = assembly.project(&[(self.point, self.direction)]);
         let back = held.taken_back * numerics::dot(&brace, vector);
         vector.iter_mut().zip(&held.braced).for_each(|(x, braced)| *x += back * braced);
         let multiplier = numerics::dot(&self.row, vector) / held.gives;
         vector.iter_mut().zip(&held.answer).for_each(|(x, answer)| *x -= multiplier * answer);
-        multiplier
     }
 }

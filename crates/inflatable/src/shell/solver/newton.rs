@@ -1,7 +1,7 @@
 //! One equilibrium: Newton's method on the energy, with the full Hessian.
 
 use crate::numerics::dot;
-use crate::shell::assembly::{Assembly, Compression, Energy, Sheet, State, Supports, Tangent};
+use crate::shell::assembly::{Assembly, Energy, Sheet, State, Supports, Tangent};
 use crate::shell::contact::Contact;
 use crate::shell::solver::displacement_control::{ControlledSolve, DisplacementControl};
 use crate::shell::solver::experience::{Experience, least_shift};
@@ -248,8 +248,7 @@ impl Solver {
     /// model one step ahead; elsewhere a larger shift does not help.
     fn shorten_step(&mut self, state: &State, aim: Aim) -> Option<Energy> {
         let (least, shift) = (least_shift(aim.pressure), self.experience.shift);
-        let comes_and_goes = matches!(self.assembly.sheet.compression, Compression::Wrinkled(_));
-        if !comes_and_goes || shift > MOST_SHORTENED * least {
+        if !self.assembly.sheet.is_wrinkled() || shift > MOST_SHORTENED * least {
             return None;
         }
         self.experience.shift = (60.0 * shift).max(6.0 * least);

@@ -20,6 +20,17 @@ const CHANGE: f64 = 1e-2;
 const STIFFEST: f64 = 1e6;
 
 impl Solver {
+    /// [`Solver::rest`] again and again, at most `most` times, while Newton's method goes on: wrinkles come and go.
+    pub(crate) fn rest_in_rounds(
+        &mut self,
+        state: &mut State,
+        aim: Aim,
+        most: u32,
+    ) -> Result<NewtonResult, Stop> {
+        let mut rounds = (0..most).map(|_| self.rest(state, aim));
+        rounds.find(|found| *found != Err(Stop::Iterations)).unwrap_or(Err(Stop::Iterations))
+    }
+
     /// As [`Solver::settle`], with contact: rounds until no point penetrates.
     ///
     /// # Errors

@@ -74,7 +74,7 @@ fn an_endless_strip_without_bending_becomes_an_arc() -> Result<(), MeshFault> {
         supports.fix(k, 0); // along x, which is also the way along the mirror planes
     }
     let solved = Solver::new(Sheet::new(&mesh, fabric), supports).map(|mut solver| {
-        let continuation = Continuation { first: fabric.bending, last: pressure, scale: 1.0, floor: 1e-13 };
+        let continuation = Continuation { first: fabric.bending, last: pressure, floor: 1e-13 };
         continuation.run(&mut solver, |_| {}).map(|equilibrium| equilibrium.rest.energy.volume)
     });
     let tension = |angle: f64| {
@@ -108,7 +108,7 @@ fn actuator() -> Result<(Solver, f64), MeshFault> {
 }
 
 fn continuation(bending: f64, bendability: f64) -> Continuation {
-    Continuation { first: bending, last: bendability * bending, scale: 1.0, floor: 1e-14 }
+    Continuation { first: bending, last: bendability * bending, floor: 1e-14 }
 }
 
 #[test]

@@ -142,7 +142,7 @@ fn an_inflated_tube_changes_its_length_and_shifts_its_seams() -> Result<(), Mesh
             supports.fix(point, axis);
         }
         let mut solver = Solver::new(Sheet::new(&mesh, fabric), supports).expect("small");
-        let continuation = Continuation { first: bending, last: pressure, scale: 1.0, floor: 1e-13 };
+        let continuation = Continuation { first: bending, last: pressure, floor: 1e-13 };
         let equilibrium = continuation.run(&mut solver, |_| {}).map_err(|broken| broken.why).expect("a tube");
         let x = places.map(|place| equilibrium.state.points[place]);
         let found = [

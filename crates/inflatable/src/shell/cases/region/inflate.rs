@@ -7,7 +7,7 @@ use crate::shell::cases::refinement::{Family, Watch};
 use crate::shell::cases::region::answer::{InflatedRegion, Wrinkles, answer};
 use crate::shell::cases::region::chambers::FlatRegion;
 use crate::shell::cases::region::measure::{self, Measured, NUMBERS};
-use crate::shell::cases::region::seams::{PullPlaces, Station};
+use crate::shell::cases::region::seams::{self, Station};
 use crate::shell::cases::region::supports::{self, SealedNodes};
 use crate::shell::cases::region::surface::Surface;
 use crate::shell::cases::shape::InflatedShape;
@@ -98,15 +98,7 @@ fn on_meshes(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<Inf
         Wrinkles::of(&tube).prepare(sheet, &tube);
         supports
     };
-    let family = Family {
-        tube,
-        coarsest,
-        cuts: fineness.cuts,
-        hold: &hold,
-        obstacles: &[],
-        from_above: Wrinkles::of(&tube) == Wrinkles::Averaged,
-    };
-    let seams = PullPlaces::new(&chamber, case.band / width);
+    let family = Family { tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
     let mut pulls: Vec<Vec<Station>> = Vec::new();
     let mut last = (Measured::default(), InflatedShape::default(), Surface::default());
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
@@ -114,7 +106,8 @@ fn on_meshes(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<Inf
         let state: State = measure::aligned(&solver.assembly.sheet, &equilibrium.state);
         let measured = measure::measure(solver, meshed, (&state, equilibrium.pressure), &sealed);
         let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
-        let stations = seams.pulls(meshed, &curve_of, solver.assembly.forces());
+        let stations =
+            seams::pulls(&chamber, case.band / width, (meshed, &curve_of), solver.assembly.forces());
         let mut numbers = measured.numbers;
         numbers[NUMBERS - 1] = stations.iter().map(|station| station.pull).fold(0.0, f64::max);
         pulls.push(stations);

@@ -38,7 +38,7 @@ pub(super) fn measure(
     for (triangle, corners) in mesh.triangles.iter().enumerate() {
         let stretched = solver.assembly.sheet.stretched(triangle, corners.map(|corner| state.points[corner]));
         let [[most, _], [longest, _]] = stretched.principal();
-        let middle = [0, 1].map(|c| corners.iter().map(|corner| mesh.points[*corner][c]).sum::<f64>() / 3.0);
+        let middle = mesh.middle(triangle);
         if longest > stretch {
             (stretch, measured.stretch_at) = (longest, middle);
         }

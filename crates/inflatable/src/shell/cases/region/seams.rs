@@ -1,6 +1,6 @@
 //! The pull on each seam: force across the plane of the sheets by length, where they part.
 
-use crate::geom::{Path, Segment};
+use crate::geom::Segment;
 use crate::shell::mesh::{FlatChamber, Meshed};
 
 /// A place on a seam.
@@ -14,48 +14,36 @@ pub(super) struct Station {
     pub(super) pull: f64,
 }
 
-/// The seams of a chamber, and the places at which the pull on them is computed.
-pub(super) struct PullPlaces<'a> {
-    chamber: &'a FlatChamber,
-    band: f64,
-}
-
 /// Stations on one curve at most.
 const MOST_STATIONS: f64 = 400.0;
 /// Least length over which a pull is averaged, by W: shorter ones are not resolved by the meshes.
 const SHORTEST_BAND: f64 = 0.02;
 
-impl<'a> PullPlaces<'a> {
-    pub(super) fn new(chamber: &'a FlatChamber, band: f64) -> Self {
-        Self { chamber, band: if band > SHORTEST_BAND { band.min(1.0) } else { SHORTEST_BAND } }
-    }
-
-    /// The pull at stations half a band apart, the same ones on every mesh, from the energy's derivatives by each point. `curve_of` gives
-    /// the curve of each piece of the mesh.
-    pub(super) fn pulls(&self, meshed: &Meshed, curve_of: &[usize], forces: &[[f64; 3]]) -> Vec<Station> {
-        let curves = self.chamber.curves().enumerate();
-        curves
-            .flat_map(|(curve, path)| {
-                self.along(curve, path, &ForceAlongCurve::new(meshed, curve_of, curve, forces))
-            })
-            .collect()
-    }
-
-    fn along(&self, curve: usize, path: &Path, profile: &ForceAlongCurve) -> Vec<Station> {
+/// The pull at stations half a band apart, the same ones on every mesh, from the energy's derivatives by each point. `curve_of` gives
+/// the curve of each piece of the mesh.
+pub(super) fn pulls(
+    chamber: &FlatChamber,
+    band: f64,
+    (meshed, curve_of): (&Meshed, &[usize]),
+    forces: &[[f64; 3]],
+) -> Vec<Station> {
+    let band = if band > SHORTEST_BAND { band.min(1.0) } else { SHORTEST_BAND };
+    let mut stations = Vec::new();
+    for (curve, path) in chamber.curves().enumerate() {
+        let profile = ForceAlongCurve::new(meshed, curve_of, curve, forces);
         let length = path.length();
-        let count = (2.0 * length / self.band).ceil().clamp(1.0, MOST_STATIONS);
-        let mut stations = Vec::new();
+        let count = (2.0 * length / band).ceil().clamp(1.0, MOST_STATIONS);
         let mut k = 0.5;
         while k < count {
             let s = length * k / count;
             if let Some(at) = path.point_at(s) {
-                let pull = profile.mean(s / length, self.band / length, path.closed);
+                let pull = profile.mean(s / length, band / length, path.closed);
                 stations.push(Station { curve, at: [at.x, at.y], pull });
             }
             k += 1.0;
         }
-        stations
     }
+    stations
 }
 
 /// The force along one curve of a mesh, summed up from its start; lengths and places by the curve's length.

@@ -16,17 +16,14 @@ impl SealedNodes {
     /// The sealed nodes of a mesh of `chamber`.
     pub(super) fn new(chamber: &FlatChamber, meshed: &Meshed) -> Self {
         let mesh = &meshed.mesh;
-        let middle = |corners: &[usize; 3]| {
-            let [a, b, c] = corners.map(|corner| mesh.points[corner]);
-            Point::new((a[0] + b[0] + c[0]) / 3.0, (a[1] + b[1] + c[1]) / 3.0)
-        };
         let mut points = vec![false; mesh.points.len()];
         for (edge, _) in mesh.edges.iter().zip(&meshed.piece_of).filter(|(_, piece)| piece.is_some()) {
             edge.ends.into_iter().for_each(|end| points[end] = true);
         }
-        for corners in mesh.triangles.iter().filter(|corners| chamber.is_welded(middle(corners))) {
-            for corner in corners {
-                points[*corner] = true;
+        for (triangle, corners) in mesh.triangles.iter().enumerate() {
+            let [x, y] = mesh.middle(triangle);
+            if chamber.is_welded(Point::new(x, y)) {
+                corners.iter().for_each(|corner| points[*corner] = true);
             }
         }
         let is_weld = |edge: &usize| meshed.piece_of[*edge].is_some() && mesh.edges[*edge].border.is_none();

@@ -198,7 +198,7 @@ fn at_rest(chamber: &FlatChamber, bendability: f64) -> (Solver, Equilibrium, Sea
     let supports = symmetric(&meshed, &sealed, &mut sheet);
     let mut solver = Solver::new(sheet, supports).expect("small");
     let last = bendability * bending;
-    let continuation = Continuation { first: bending, last, scale: 1.0, floor: 2e-13 };
+    let continuation = Continuation { first: bending, last, floor: 2e-13 };
     let equilibrium = continuation.run(&mut solver, |_| {}).expect("an equilibrium");
     (solver, equilibrium, sealed)
 }
