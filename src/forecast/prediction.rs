@@ -2,7 +2,7 @@
 
 pub use crate::forecast::case::Hinges;
 pub use crate::forecast::evidence::{MeshErrors, ModelEvidence};
-use crate::forecast::keys::{Key, KeyKind, KeyType, keyed, kinds};
+use crate::forecast::keys::{Key, keyed, kinds};
 use crate::forecast::meshed::MeshedPlace;
 use crate::forecast::outcome::Grip;
 use crate::forecast::pressures::PressureRow;
@@ -216,7 +216,7 @@ keyed! {
         /// Mass that friction holds, kg: of the whole stack, in `stars` of each star. Needs a pressure, an object and friction.
         pub payload_kg: Option<f64>,
         /// Stretch p W / Y of the fabric. By the shell the largest principal stretch with mesh error and place. Needs a pressure.
-        pub stretch: FabricStretch,
+        pub stretch: Option<FabricStretch>,
         /// Burst pressure over the pressure. Needs both.
         pub burst_margin: Option<f64>,
         /// Source of the ranges: computed shells. No gripper was measured.
@@ -261,34 +261,24 @@ kinds! {
     Object: Verdict, MeshedPlace, StarRanges, Nonlinear, ModelEvidence;
     List: Vec<PressureRow>, Vec<StarPrediction>;
     Rows: Vec<ForceAt>;
-}
-
-impl KeyType for FabricStretch {
-    const KIND: KeyKind = KeyKind::Variant;
-    const ALWAYS: bool = false;
+    Variant: FabricStretch;
 }
 
 /// Stretch of the fabric.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum FabricStretch {
-    /// p W / Y; `None` without a pressure.
-    Ratio(Option<f64>),
+    /// p W / Y.
+    Ratio(f64),
     /// The largest principal stretch; by the shell.
     Largest(MeshedPlace),
-}
-
-impl Default for FabricStretch {
-    fn default() -> Self {
-        Self::Ratio(None)
-    }
 }
 
 impl FabricStretch {
     /// p W / Y, where it is that.
     pub fn ratio(self) -> Option<f64> {
         match self {
-            Self::Ratio(ratio) => ratio,
+            Self::Ratio(ratio) => Some(ratio),
             Self::Largest(_) => None,
         }
     }

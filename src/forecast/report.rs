@@ -1,7 +1,7 @@
 //! The prediction as a text for people: values, assumptions and warnings.
 
 use crate::forecast::outcome::Grip;
-use crate::forecast::prediction::{ForceAt, Hinges, Prediction, StarPrediction, distinct};
+use crate::forecast::prediction::{FabricStretch, ForceAt, Hinges, Prediction, StarPrediction, distinct};
 use crate::forecast::pressures::PressureRow;
 use crate::forecast::ranges::shown::{self, line, listed};
 use crate::forecast::ranges::{Interval, scaled};
@@ -117,7 +117,7 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     line(out, "burst pressure", burst);
     line(out, "full actuation from", show(star.operating_pressure_kPa, "kPa"));
     line(out, "bendability", star.bendability.map(|bendability| show(bendability, "")));
-    let stretch = star.stretch.ratio().map(|stretch| show(100.0 * stretch, "%"));
+    let stretch = star.stretch.and_then(FabricStretch::ratio).map(|stretch| show(100.0 * stretch, "%"));
     line(out, "stretch of the fabric p W / Y", stretch);
     line(out, "preload of arms", star.preload_N.filter(|f| *f > 0.0).map(|force| show(force, "N")));
     line(out, "burst margin", star.burst_margin.map(|margin| show(margin, "")));

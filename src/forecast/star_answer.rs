@@ -152,7 +152,7 @@ pub(super) fn bare(spec: &Spec, part: &StarDesign, case: &Case) -> StarPredictio
         operating_pressure_kPa: Pressure::from_pascals(case.operating_pressure()).0,
         realised_radius_mm: Hinges { tip: part.realised_tip().radius, corner: part.realised_corner().radius },
         mass_g: FlatPiece::Star(part).mass(&spec.fabric),
-        stretch: FabricStretch::Ratio(case.stretch()),
+        stretch: case.stretch().map(FabricStretch::Ratio),
         ranges_of: "shell",
         evidence: ModelEvidence {
             fabric: measured_stiffnesses(&spec.fabric),

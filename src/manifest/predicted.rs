@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::forecast::prediction::{Prediction, StarPrediction};
+use crate::forecast::prediction::{FabricStretch, Prediction, StarPrediction};
 use crate::forecast::ranges::Interval;
 
 /// The gripper at the pressure of `[load]`. The values equal those in `prediction.json`, without rounding; null if unknown.
@@ -72,7 +72,7 @@ impl ManifestStarPrediction {
             object_force_N: star.object_force_N,
             object_force_range_N: ranges.object_force_N,
             bendability: star.bendability,
-            stretch: star.stretch.ratio(),
+            stretch: star.stretch.and_then(FabricStretch::ratio),
             burst_margin: star.burst_margin,
         }
     }

@@ -95,23 +95,23 @@ pub fn inflate(
     prediction.model = SHELL;
     "only the shell models drawn shapes".clone_into(&mut prediction.evidence.choice);
     prediction.of_all(pressure);
-    if is_weave_left_out {
-        let what =
-            "shear_modulus is left out where wrinkles are averaged: the sheet is computed as isotropic";
-        prediction.evidence.warnings.push(what.to_owned());
-    }
     let parted = piece.shape.topology().chambers.len();
-    if parted > count {
-        let what = format!(
-            "walls divide the air into {parted} chambers, which are computed as {count}: all are at the same pressure"
-        );
-        prediction.evidence.warnings.push(what);
-    }
-    if piece.shares_a_band() {
-        let what = "chambers share a band, or their bands lie within a band's width of each other: each chamber is computed \
-                    alone, without the pull of the other on this band";
-        prediction.evidence.warnings.push(what.to_owned());
-    }
+    let warnings = [
+        is_weave_left_out.then(|| {
+            "shear_modulus is left out where wrinkles are averaged: the sheet is computed as isotropic".to_owned()
+        }),
+        (parted > count).then(|| {
+            format!(
+                "walls divide the air into {parted} chambers, which are computed as {count}: all are at the same pressure"
+            )
+        }),
+        piece.shares_a_band().then(|| {
+            "chambers share a band, or their bands lie within a band's width of each other: each chamber is computed \
+             alone, without the pull of the other on this band"
+                .to_owned()
+        }),
+    ];
+    prediction.evidence.warnings.extend(warnings.into_iter().flatten());
     Ok(InflatedDrawing { prediction, surfaces, shapes })
 }
 

@@ -151,7 +151,7 @@ pub fn actuator(slender: f64) -> Interval {
 }
 
 /// The factors `range` to the power `wider`: mostly 1, and designs come in millions.
-pub(super) fn widened(range: Interval, wider: f64) -> Interval {
+pub(in crate::forecast) fn widened(range: Interval, wider: f64) -> Interval {
     if wider == 1.0 { range } else { range.map(|factor| libm::pow(factor, wider)) }
 }
 

@@ -113,7 +113,7 @@ pub(super) fn edge(case: &Case, radius: f64) -> f64 {
 fn of_hinge(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64, factor: f64) -> Interval {
     static K: LazyLock<Option<f64>> = LazyLock::new(|| self::factor(&Ring, ROUND));
     let (width, last) = (case.mechanism.width, ROUND * case.mechanism.width);
-    let range = wider(factor.max(roundness(case, hinge.1).widens_on()));
+    let range = errors::widened(RANGE, factor.max(roundness(case, hinge.1).widens_on()));
     let Some(least_round) = K.filter(|_| hinge.1 > last) else { return range };
     let tube = FRAC_1_PI * pressure * width;
     let (own, there) = (pull(case, k, hinge, pressure), pull(case, least_round, (hinge.0, last), pressure));
@@ -127,11 +127,6 @@ const ROUND: f64 = R_STAR[1] * errors::NOT_FAR;
 /// R* of a hinge of radius `radius` (m) among those of the shells; of one rounder than [`ROUND`] that.
 fn roundness(case: &Case, radius: f64) -> TriedRatio {
     TriedRatio::new("", (radius / case.mechanism.width).min(ROUND), R_STAR)
-}
-
-/// [`RANGE`], so much wider.
-fn wider(factor: f64) -> Interval {
-    RANGE.map(|part| libm::pow(part, factor))
 }
 
 /// The kind of hinge whose seal has the largest pull, its inner radius, m, and `k` there; the same at all

@@ -47,7 +47,7 @@ pub fn star_text(out: &mut String, star: &StarPrediction) {
     let pull = pull.map(|(value, at_mm)| MeshedPlace { value, mesh_error: mesh.seal_pull_N_per_mm, at_mm });
     line(out, "largest pull on the seal", pull.map(|pull| place(pull, "N/mm")));
     line(out, "largest tension at the rim", star.seal_tension.map(|tension| place(tension, "N/mm")));
-    if let FabricStretch::Largest(largest) = star.stretch {
+    if let Some(FabricStretch::Largest(largest)) = star.stretch {
         line(out, "largest stretch", place(largest, ""));
     }
     line(out, "bendability", star.bendability.map(|bendability| Readable(bendability).to_string()));

@@ -142,11 +142,11 @@ impl ShellRun {
                 at_mm: extremes.seal_at.map(mm),
             }),
             payload_kg: case.friction.zip(force).map(|(mu, force)| payload(mu, [force])),
-            stretch: FabricStretch::Largest(MeshedPlace {
+            stretch: Some(FabricStretch::Largest(MeshedPlace {
                 value: extremes.stretch.value,
                 mesh_error: extremes.stretch.error,
                 at_mm: extremes.stretch_at.map(mm),
-            }),
+            })),
             evidence: ModelEvidence {
                 choice: format!("{SHELL} was requested"),
                 residual: found.evidence.residual,
