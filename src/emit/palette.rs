@@ -33,7 +33,7 @@ pub(super) fn ink(layer: Layer, colours: Colours) -> LayerColour {
     }
 }
 
-/// A surface of a scene.
+/// A surface of a scene, in the order of [`SURFACES`].
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum SceneSurface {
     Fabric,
@@ -47,21 +47,20 @@ pub(super) enum SceneSurface {
     Object,
 }
 
-/// Name, colour (as screens have it, red, green, blue) and opacity of a surface: below 1, surfaces behind it shine through. Fabric and
-/// tube are as in the preview, bands in colours that can be distinguished.
-pub(super) fn look(surface: SceneSurface) -> (&'static str, [u8; 3], f64) {
-    match surface {
-        SceneSurface::Fabric => ("fabric", [0xdf, 0xe6, 0xee], 1.0),
-        SceneSurface::Tube => ("tube", [0x9c, 0xc3, 0xe6], 1.0),
-        SceneSurface::InnerBand => ("inner band", [0xe8, 0xa3, 0x3d], 1.0),
-        SceneSurface::OuterBand => ("outer band", [0xd1, 0x49, 0x5b], 1.0),
-        SceneSurface::Cut => ("cut", [0xc0, 0x00, 0x00], 1.0),
-        SceneSurface::Mask => ("mask", [0x7f, 0xb0, 0x69], 1.0),
-        SceneSurface::Plate => ("plate", [0xb0, 0xb0, 0xb0], 0.35),
-        SceneSurface::Post => ("post", [0x60, 0x60, 0x60], 1.0),
-        SceneSurface::Object => ("object", [0xf3, 0xdd, 0xb4], 1.0),
-    }
-}
+/// The surfaces of a scene of stars, in the order of their materials. For each its name, its colour (as screens have it, red, green,
+/// blue) and its opacity: below 1, surfaces behind it shine through. Fabric and tube are as in the preview, bands in colours that can be
+/// distinguished.
+pub(super) const SURFACES: [(SceneSurface, &str, [u8; 3], f64); 9] = [
+    (SceneSurface::Fabric, "fabric", [0xdf, 0xe6, 0xee], 1.0),
+    (SceneSurface::Tube, "tube", [0x9c, 0xc3, 0xe6], 1.0),
+    (SceneSurface::InnerBand, "inner band", [0xe8, 0xa3, 0x3d], 1.0),
+    (SceneSurface::OuterBand, "outer band", [0xd1, 0x49, 0x5b], 1.0),
+    (SceneSurface::Cut, "cut", [0xc0, 0x00, 0x00], 1.0),
+    (SceneSurface::Mask, "mask", [0x7f, 0xb0, 0x69], 1.0),
+    (SceneSurface::Plate, "plate", [0xb0, 0xb0, 0xb0], 0.35),
+    (SceneSurface::Post, "post", [0x60, 0x60, 0x60], 1.0),
+    (SceneSurface::Object, "object", [0xf3, 0xdd, 0xb4], 1.0),
+];
 
 /// A colour as lights add up: red, green, blue by IEC 61966-2-1, to four decimals.
 pub(super) fn linear(color: [u8; 3]) -> [f64; 3] {

@@ -23,6 +23,8 @@ const DECIMALS: u32 = 3;
 
 /// Length of the head, which names the solid.
 const HEAD: usize = 80;
+/// Length of a facet: a normal and three corners, and two bytes without meaning.
+const FACET: usize = 50;
 
 type StlTriangles = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
@@ -39,31 +41,25 @@ pub fn stl(name: &str, drawing: &Drawing, thickness: f64, depth: f64) -> Vec<u8>
         }
     }
     let tops = tops(&triangles, &changes, thickness, depth);
-    let mut writer = StlWriter { out: head(name), count: 0 };
+    let mut out = inert(name, HEAD).into_bytes();
+    out.resize(HEAD, b' ');
+    // Room for the number of facets.
+    out.extend([0; 4]);
     for face in triangles.inner_faces() {
         let Some(top) = tops[face.fix().index()] else { continue };
         let [a, b, c] = face.positions().map(|p| [p.x, p.y]);
-        writer.facet([(a, top), (b, top), (c, top)], [0.0, 0.0, 1.0]);
-        writer.facet([(a, 0.0), (c, 0.0), (b, 0.0)], [0.0, 0.0, -1.0]);
+        facet(&mut out, [(a, top), (b, top), (c, top)], [0.0, 0.0, 1.0]);
+        facet(&mut out, [(a, 0.0), (c, 0.0), (b, 0.0)], [0.0, 0.0, -1.0]);
     }
     for edge in triangles.directed_edges().filter(|edge| edge.is_constraint_edge()) {
         let [left, right] = [edge.face(), edge.rev().face()].map(|face| tops[face.fix().index()]);
         if let Some(top) = left.filter(|top| right.is_none_or(|right| right < *top)) {
             let [a, b] = edge.positions().map(|p| [p.x, p.y]);
-            writer.wall(a, b, [right.unwrap_or(0.0), top]);
+            wall(&mut out, a, b, [right.unwrap_or(0.0), top]);
         }
     }
-    let count = writer.count.to_le_bytes();
-    let mut out = writer.out;
-    out[HEAD..HEAD + 4].copy_from_slice(&count);
-    out
-}
-
-/// The head, with room for the number of facets.
-fn head(name: &str) -> Vec<u8> {
-    let mut out = inert(name, HEAD).into_bytes();
-    out.resize(HEAD, b' ');
-    out.extend([0; 4]);
+    let count = u32::try_from((out.len() - HEAD - 4) / FACET).unwrap_or(u32::MAX);
+    out[HEAD..HEAD + 4].copy_from_slice(&count.to_le_bytes());
     out
 }
 
@@ -119,28 +115,17 @@ fn corners(path: &Path) -> Vec<[f64; 2]> {
     out
 }
 
-struct StlWriter {
-    out: Vec<u8>,
-    count: u32,
+/// Two triangles below the edge from `a` to `b`, whose left side is solid, between two heights.
+fn wall(out: &mut Vec<u8>, a: [f64; 2], b: [f64; 2], [bottom, top]: [f64; 2]) {
+    let ([ax, ay], [bx, by]) = (a, b);
+    let length = libm::hypot(bx - ax, by - ay);
+    let normal = [(by - ay) / length, (ax - bx) / length, 0.0];
+    facet(out, [(a, top), (a, bottom), (b, bottom)], normal);
+    facet(out, [(a, top), (b, bottom), (b, top)], normal);
 }
 
-impl StlWriter {
-    /// Two triangles below the edge from `a` to `b`, whose left side is solid, between two heights.
-    fn wall(&mut self, a: [f64; 2], b: [f64; 2], [bottom, top]: [f64; 2]) {
-        let ([ax, ay], [bx, by]) = (a, b);
-        let length = libm::hypot(bx - ax, by - ay);
-        let normal = [(by - ay) / length, (ax - bx) / length, 0.0];
-        self.facet([(a, top), (a, bottom), (b, bottom)], normal);
-        self.facet([(a, top), (b, bottom), (b, top)], normal);
-    }
-
-    fn facet(&mut self, corners: [([f64; 2], f64); 3], normal: [f64; 3]) {
-        let mut number = |x: f64| self.out.extend(single(x).to_le_bytes());
-        normal.into_iter().for_each(&mut number);
-        for ([x, y], z) in corners {
-            [x, y, z].into_iter().for_each(&mut number);
-        }
-        self.out.extend([0, 0]);
-        self.count += 1;
-    }
+fn facet(out: &mut Vec<u8>, corners: [([f64; 2], f64); 3], normal: [f64; 3]) {
+    let numbers = normal.into_iter().chain(corners.into_iter().flat_map(|([x, y], z)| [x, y, z]));
+    out.extend(numbers.flat_map(|x| single(x).to_le_bytes()));
+    out.extend([0, 0]);
 }

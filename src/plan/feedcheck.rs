@@ -13,6 +13,8 @@ use inflatable::geom::{Arc, Line, Point, Segment};
 /// Length of each way, mm: at 0.1 mm/s it takes 100 s, long enough for a wristwatch.
 pub const CHECK_LENGTH: f64 = 10.0;
 
+const SCOPE: Scope = Scope { purpose: Purpose::Trace, sheet: 1, pieces: Vec::new() };
+
 /// The programs for X, Y and 45 degrees, in this order, and where the machine draws arcs for a quarter of a circle in either
 /// direction: cold, at travel height, at the seal's pace. A board may take G2 and not move (MKS DLC32, at G2 only).
 pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program)> {
@@ -33,8 +35,7 @@ pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program
     }
     let program = |way: Segment| {
         let steps = vec![Step::Travel(way.start()), Step::Height(Height::Travel), Step::Seal(vec![way])];
-        let scope = Scope { purpose: Purpose::Trace, sheet: 1, pieces: Vec::new() };
-        Program::new(spec, machine, scope, steps, Vec::new())
+        Program::new(spec, machine, SCOPE, steps, Vec::new())
     };
     ways.into_iter().map(|(name, way)| (name, program(way))).collect()
 }
@@ -42,8 +43,7 @@ pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program
 /// Every reason for which `machine` cannot run the feed check of `programs`, one after the other.
 pub fn feed_check_refusals(spec: &Spec, machine: &Machine, programs: &[Program]) -> Refusals {
     let steps = programs.iter().flat_map(|program| program.steps.clone()).collect();
-    let scope = Scope { purpose: Purpose::Trace, sheet: 1, pieces: Vec::new() };
-    let whole = Program::new(spec, machine, scope, steps, Vec::new());
+    let whole = Program::new(spec, machine, SCOPE, steps, Vec::new());
     let mut refusals = contradictions(spec, machine, programs);
     refusals.extend(beyond(machine, "the feed check", &whole.steps, "a machine that reaches as far"));
     refusals.extend(clamps_in_the_way(spec, machine, &[], &[whole]));

@@ -38,54 +38,32 @@ pub(super) fn scope(purpose: Purpose, sheet: usize, pieces: &[PlacedPiece<'_>]) 
     Scope { purpose, sheet, pieces: pieces.iter().map(|piece| piece.name.clone()).collect() }
 }
 
-/// The program that seals `seams`, in their order.
-pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, seams: &[LaidSeam]) -> Program {
-    let mut plan = Planner {
-        spec,
-        machine,
-        steps: vec![Step::Height(Height::Park), Step::Heat(spec.seal.temperature)],
-        seams: Vec::new(),
-        cuts: Cuts::of_seal(spec, machine),
+/// The program that seals `laid`, in their order.
+pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, laid: &[LaidSeam]) -> Program {
+    let cuts = Cuts::of_seal(spec, machine);
+    let (high, low) = (machine.process.heights.travel.0, machine.process.heights.contact.0);
+    // A ramp is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
+    let ramp = |path: &Path, from: f64, to: f64| {
+        let pieces = without_crumbs(cuts.pieces(path), spec);
+        Ramp { pieces, from, to }
     };
-    for seam in seams {
-        plan.seam(seam);
-    }
-    plan.steps.push(Step::Height(Height::Park));
-    plan.steps.push(Step::Travel(Point::ORIGIN));
-    let Planner { steps, seams, .. } = plan;
-    Program::new(spec, machine, scope, steps, seams)
-}
-
-struct Planner<'a> {
-    spec: &'a Spec,
-    machine: &'a Machine,
-    steps: Vec<Step>,
-    seams: Vec<SeamReport>,
-    cuts: Cuts,
-}
-
-impl Planner<'_> {
-    fn seam(&mut self, seam: &LaidSeam) {
-        let heights = &self.machine.process.heights;
+    let mut steps = vec![Step::Height(Height::Park), Step::Heat(spec.seal.temperature)];
+    let mut seams = Vec::new();
+    for seam in laid {
+        let (down, up) = (ramp(&seam.lead_in, high, low), ramp(&seam.lead_out, low, high));
+        let Some(start) = down.pieces.first().map(Segment::start) else { continue };
         let length = seam.run.length();
-        let (high, low) = (heights.travel.0, heights.contact.0);
-        let down = self.ramp(&seam.lead_in, high, low);
-        let up = self.ramp(&seam.lead_out, low, high);
-        let time = (down.length() + length + up.length()) / self.spec.seal.speed.0;
-        let Some(start) = down.pieces.first().map(Segment::start) else { return };
-        self.steps.extend([
+        let time = (down.length() + length + up.length()) / spec.seal.speed.0;
+        steps.extend([
             Step::Travel(start),
             Step::Height(Height::Travel),
-            Step::Seam(self.seams.len()),
+            Step::Seam(seams.len()),
             Step::TouchDown(down),
-            Step::Seal(self.cuts.pieces(&seam.run)),
+            Step::Seal(cuts.pieces(&seam.run)),
             Step::Lift(up),
         ]);
-        self.seams.push(SeamReport { name: seam.name.clone(), length, overlap: seam.overlap, time });
+        seams.push(SeamReport { name: seam.name.clone(), length, overlap: seam.overlap, time });
     }
-
-    /// A ramp along `path`. It is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
-    fn ramp(&self, path: &Path, from: f64, to: f64) -> Ramp {
-        Ramp { pieces: without_crumbs(self.cuts.pieces(path), self.spec), from, to }
-    }
+    steps.extend([Step::Height(Height::Park), Step::Travel(Point::ORIGIN)]);
+    Program::new(spec, machine, scope, steps, seams)
 }

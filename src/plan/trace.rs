@@ -10,8 +10,7 @@ use inflatable::geom::{Path, Point};
 
 /// All trace programs of `design`, one for each sealing program.
 pub fn trace_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
-    let batches = batches(design, spec.machine.program);
-    batches.into_iter().map(|batch| trace_program(spec, machine, &batch)).collect()
+    batches(design, spec.machine.program).iter().map(|batch| trace_program(spec, machine, batch)).collect()
 }
 
 fn trace_program(spec: &Spec, machine: &Machine, (sheet, pieces): &Batch<'_>) -> Program {
@@ -26,7 +25,6 @@ fn trace_program(spec: &Spec, machine: &Machine, (sheet, pieces): &Batch<'_>) ->
     for seam in &seams {
         follow(&seam.run);
     }
-    steps.push(Step::Height(Height::Park));
-    steps.push(Step::Travel(Point::ORIGIN));
+    steps.extend([Step::Height(Height::Park), Step::Travel(Point::ORIGIN)]);
     Program::new(spec, machine, scope(Purpose::Trace, *sheet, pieces), steps, Vec::new())
 }

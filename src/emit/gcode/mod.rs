@@ -13,10 +13,10 @@ mod feed_check;
 mod header;
 mod writer;
 
-use crate::emit::gcode::dialect::{Spelling, heat};
+use crate::emit::gcode::dialect::Spelling;
 use crate::emit::gcode::header::{header, seam_facts};
 use crate::emit::gcode::writer::Writer;
-use crate::emit::number::number;
+use crate::emit::number::{Decimals, number};
 use crate::plan::{Clock, Pace, Pacer, Program, Purpose, Step, height_of};
 use crate::spec::{Dialect, Heating, Machine, Spec};
 use crate::units::Readable;
@@ -140,7 +140,10 @@ impl<'a> Job<'a> {
                     self.writer.line(&whole.machine.script.pause);
                 }
             }
-            Heating::Hotend => self.writer.line(&heat(seal.temperature)),
+            Heating::Hotend => {
+                let t = Decimals::exactly(1).text(seal.temperature.0);
+                self.writer.line(&format!("M109 S{t}"));
+            }
         }
     }
 

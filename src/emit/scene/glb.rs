@@ -6,7 +6,7 @@
 use serde_json::{Value, json};
 
 use crate::emit::number::{Decimals, single};
-use crate::emit::palette::{SceneSurface, linear, look};
+use crate::emit::palette::{SURFACES, SceneSurface, linear};
 use crate::emit::scene::mesh::Mesh;
 
 /// Decimals of a coordinate in mm, and of a node's rotation.
@@ -37,7 +37,7 @@ pub(super) struct Node {
 #[derive(Default)]
 pub(super) struct Glb {
     /// The surfaces that its meshes may have.
-    surfaces: &'static [SceneSurface],
+    surfaces: Vec<SceneSurface>,
     numbers: Vec<u8>,
     views: Vec<Value>,
     accessors: Vec<Value>,
@@ -46,8 +46,8 @@ pub(super) struct Glb {
 
 impl Glb {
     /// The content of a file whose meshes have these surfaces; empty.
-    pub(super) fn new(surfaces: &'static [SceneSurface]) -> Self {
-        Self { surfaces, ..Self::default() }
+    pub(super) fn new(surfaces: &[SceneSurface]) -> Self {
+        Self { surfaces: surfaces.to_vec(), ..Self::default() }
     }
 
     /// Adds a mesh of parts, each with its surface; all of them move, or none. Its number.
@@ -174,7 +174,7 @@ impl Glb {
 }
 
 fn material(surface: &SceneSurface) -> Value {
-    let (name, color, cover) = look(*surface);
+    let (_, name, color, cover) = SURFACES[*surface as usize];
     let [red, green, blue] = linear(color);
     json!({
         "name": name,

@@ -12,7 +12,7 @@ mod pose;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::design::{CutEdge, Design, Drawing, Layer, Side, Star, StarAssembly, StarDesign};
-use crate::emit::palette::SceneSurface;
+use crate::emit::palette::{SURFACES, SceneSurface};
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, quarters};
 use crate::emit::scene::pose::{PoseMotion, ScenePose, tube};
@@ -26,23 +26,10 @@ const CUT: f64 = 1.0;
 /// Between the stack, sheets and masks, mm.
 const GAP: f64 = 60.0;
 
-/// The surfaces of a scene of stars. The object comes last: validators remark on a material without use.
-const STARS: [SceneSurface; 9] = [
-    SceneSurface::Fabric,
-    SceneSurface::Tube,
-    SceneSurface::InnerBand,
-    SceneSurface::OuterBand,
-    SceneSurface::Cut,
-    SceneSurface::Mask,
-    SceneSurface::Plate,
-    SceneSurface::Post,
-    SceneSurface::Object,
-];
-
 /// Everything of the gripper `design`, its stars `inflated` to these, bottom to top, or not if there are none, and the spec's object; `None` where lyon
 /// has no triangles for it.
 pub fn scene(spec: &Spec, design: &Design, inflated: &[Star]) -> Option<Vec<u8>> {
-    let mut glb = Glb::new(&STARS);
+    let mut glb = Glb::new(&SURFACES.map(|(surface, ..)| surface));
     let assembly = design.assembly()?;
     let stack = stack(&mut glb, assembly, inflated)?;
     let object: Vec<Node> =
@@ -50,7 +37,8 @@ pub fn scene(spec: &Spec, design: &Design, inflated: &[Star]) -> Option<Vec<u8>>
     let bands = [(SceneSurface::InnerBand, Layer::SealInner), (SceneSurface::OuterBand, Layer::SealOuter)];
     let sheets = sheets(&mut glb, design, (reach(assembly), band_of(assembly)), &bands)?;
     let masks = masks(&mut glb, spec, assembly)?;
-    let used = if object.is_empty() { STARS.len() - 1 } else { STARS.len() };
+    // The object's material comes last: validators remark on a material without use.
+    let used = SURFACES.len() - usize::from(object.is_empty());
     let groups = [("stack", stack), ("object", object), ("sheets", sheets), ("masks", masks)];
     Some(glb.finish(&spec.name, &groups, used))
 }
@@ -155,18 +143,16 @@ fn sheets(
     for layout in &design.sheets {
         let cuts = Drawing::outlines(design, layout.index, CutEdge::Part)?;
         let seals = Drawing::seals(design, layout.index)?;
-        let on = |drawing: &Drawing, layer: Layer| -> Vec<Path> {
-            let shapes = drawing.layers.iter().filter(|(l, _)| *l == layer).flat_map(|(_, shapes)| shapes);
-            shapes.flat_map(|shape| shape.paths().into_owned()).collect()
-        };
         let bounds = Bounds { min: Point::ORIGIN, max: Point::new(layout.width, layout.height) };
         let mut paths = vec![Path::rectangle(&bounds)];
-        paths.extend([Layer::Registration, Layer::CutHole].into_iter().flat_map(|layer| on(&cuts, layer)));
+        paths.extend(
+            [Layer::Registration, Layer::CutHole].into_iter().flat_map(|layer| paths_on(&cuts, layer)),
+        );
         let mut parts = vec![(SceneSurface::Fabric, Mesh::fill(&paths, 0.0)?)];
         for (surface, layer) in bands {
-            parts.push((*surface, Mesh::ribbons(&on(&seals, *layer), band)?));
+            parts.push((*surface, Mesh::ribbons(&paths_on(&seals, *layer), band)?));
         }
-        parts.push((SceneSurface::Cut, Mesh::ribbons(&on(&cuts, Layer::CutOutside), CUT)?));
+        parts.push((SceneSurface::Cut, Mesh::ribbons(&paths_on(&cuts, Layer::CutOutside), CUT)?));
         let mesh = glb.mesh("sheet", &parts);
         let at = [left, -layout.height / 2.0, 0.0];
         nodes.push(Node { name: format!("sheet {}", layout.index), mesh, at, turn: 0.0 });
@@ -182,10 +168,8 @@ fn masks(glb: &mut Glb, spec: &Spec, design: &StarAssembly) -> Option<Vec<Node>>
     for first in design.firsts() {
         for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
             let drawing = Drawing::mask(design, first.index, mirrored, CutEdge::Part)?;
-            let on =
-                |layer: Layer| drawing.layers.iter().filter(move |(l, _)| *l == layer).flat_map(|(_, s)| s);
-            let shapes = on(Layer::MaskPlate).chain(on(Layer::MaskWindow)).chain(on(Layer::Registration));
-            let paths: Vec<Path> = shapes.flat_map(|shape| shape.paths().into_owned()).collect();
+            let layers = [Layer::MaskPlate, Layer::MaskWindow, Layer::Registration];
+            let paths: Vec<Path> = layers.into_iter().flat_map(|layer| paths_on(&drawing, layer)).collect();
             let Bounds { min, max } = paths.first()?.bounds();
             let solid = Mesh::extruded(&paths, [0.0, spec.mask.thickness.0])?;
             let mesh = glb.mesh("mask", &[(SceneSurface::Mask, solid)]);
@@ -195,6 +179,11 @@ fn masks(glb: &mut Glb, spec: &Spec, design: &StarAssembly) -> Option<Vec<Node>>
         }
     }
     Some(nodes)
+}
+
+fn paths_on(drawing: &Drawing, layer: Layer) -> Vec<Path> {
+    let shapes = drawing.layers.iter().filter(|(own, _)| *own == layer).flat_map(|(_, shapes)| shapes);
+    shapes.flat_map(|shape| shape.paths().into_owned()).collect()
 }
 
 /// Reach of the stack from its axis, mm.
