@@ -94,7 +94,7 @@ impl Glb {
             "scenes": [{ "name": name, "nodes": roots }],
             "nodes": all,
             "meshes": self.meshes,
-            "materials": self.surfaces[..used].iter().map(material).collect::<Vec<_>>(),
+            "materials": self.surfaces[..used].iter().copied().map(material).collect::<Vec<_>>(),
         });
         if !moving.is_empty() {
             document["animations"] = json!([self.animation(&moving)]);
@@ -173,8 +173,8 @@ impl Glb {
     }
 }
 
-fn material(surface: &SceneSurface) -> Value {
-    let (_, name, color, cover) = SURFACES[*surface as usize];
+fn material(surface: SceneSurface) -> Value {
+    let (_, name, color, cover) = SURFACES[surface as usize];
     let [red, green, blue] = linear(color);
     json!({
         "name": name,
