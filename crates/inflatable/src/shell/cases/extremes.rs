@@ -25,11 +25,11 @@ pub struct Extremes {
 }
 
 /// A number and its position on the flat sheet.
-pub(crate) type Place = (f64, [f64; 2]);
+pub(crate) type LoadedPlace = (f64, [f64; 2]);
 
 /// The largest tension at a rim and the largest stretch of `state`, each taken in the middle of a triangle of the tube.
-pub(crate) fn extremes(sheet: &Sheet, Meshed { mesh, tube, .. }: &Meshed, state: &State) -> [Place; 2] {
-    let [mut tension, mut longest] = [Place::default(); 2];
+pub(crate) fn extremes(sheet: &Sheet, Meshed { mesh, tube, .. }: &Meshed, state: &State) -> [LoadedPlace; 2] {
+    let [mut tension, mut longest] = [LoadedPlace::default(); 2];
     for (triangle, corners) in mesh.triangles[..*tube].iter().enumerate() {
         let flat = sheet.flat_triangle(triangle);
         let membrane = sheet.stretched(triangle, corners.map(|corner| state.points[corner]));
@@ -54,7 +54,7 @@ pub(crate) fn extremes(sheet: &Sheet, Meshed { mesh, tube, .. }: &Meshed, state:
 
 /// The largest mean of `forces` (N) down across the plane of the seam over a piece of rim as long as `band`,
 /// and the piece's middle; `forces` are the energy's slopes by each point.
-pub(crate) fn pull(mesh: &Mesh, forces: &[[f64; 3]], band: f64) -> Place {
+pub(crate) fn pull(mesh: &Mesh, forces: &[[f64; 3]], band: f64) -> LoadedPlace {
     let mut rim: BTreeMap<usize, f64> = BTreeMap::new();
     let rims = (0..mesh.edges.len()).filter(|edge| matches!(mesh.edges[*edge].border, Some(Border::Rim(_))));
     for edge in rims {
