@@ -205,6 +205,11 @@ impl<'s, 'a: 's, 'd> Cascade<'s, 'a, 'd> {
     pub(super) fn value(&self, name: &str) -> Option<&'s str> {
         self.styled(name).or_else(|| self.node.attribute(name)).map(str::trim)
     }
+
+    /// The same of a property that refers to another element; `None` if it refers to none.
+    pub(super) fn applied(&self, name: &str) -> Option<&'s str> {
+        self.value(name).filter(|value| !matches!(*value, "none" | "inherit"))
+    }
 }
 
 /// Paint of a stroke or a fill.

@@ -13,6 +13,8 @@ use crate::{Place, Unit, Weight};
 const PIXEL: f64 = 25.4 / 96.0;
 /// Length of a point, mm.
 const POINT: f64 = 25.4 / 72.0;
+/// The reason for which a page has no size, and the remedy.
+type Finding = (String, String);
 
 /// Width and height to which percentages refer, in user units.
 #[derive(Clone, Copy, Debug)]
@@ -36,6 +38,13 @@ impl Viewport {
             (_, Some(mm)) => Ok(mm / PIXEL),
             _ => Err(fault()),
         }
+    }
+
+    /// The translation by the attributes `x` and `y` of an element.
+    pub(super) fn shift(self, node: Node<'_, '_>) -> Result<Affine, String> {
+        let length =
+            |name, axis| node.attribute(name).map_or(Ok(0.0), |value| self.length(name, value, axis));
+        Ok(Affine::translate(length("x", 0)?, length("y", 1)?))
     }
 }
 
@@ -103,30 +112,18 @@ pub(super) fn fitted(node: Node<'_, '_>, from: ViewBox, [w, h]: [f64; 2]) -> Res
 
 /// The map of the root's user units to mm with y up, and the viewport of its children; `None` with a fault recorded.
 pub(super) fn page(root: Node<'_, '_>, head: &str, out: &mut Collector<'_>) -> Option<(Affine, Viewport)> {
-    match measured(root, head, out) {
-        Ok(found) => Some(found),
-        Err((text, remedy)) => {
-            out.fault(Place { line: Some(1), ..Place::default() }, text, remedy);
-            None
-        }
-    }
+    measured(root, head, out).map_err(|(text, remedy)| out.fault(Place::line(1), text, remedy)).ok()
 }
 
 /// The same, or the finding and its remedy.
-fn measured(
-    root: Node<'_, '_>,
-    head: &str,
-    out: &mut Collector<'_>,
-) -> Result<(Affine, Viewport), (String, String)> {
+fn measured(root: Node<'_, '_>, head: &str, out: &mut Collector<'_>) -> Result<(Affine, Viewport), Finding> {
     let from = view_box(root).map_err(|text| (text, "Set it to the size of the drawing.".to_owned()))?;
     let length = |name| root.attribute(name).and_then(parsed);
     let lengths = [length("width"), length("height")];
     for (name, length) in ["width", "height"].into_iter().zip(lengths) {
         if length.is_some_and(|length| length.number < 0.0) {
-            return Err((
-                format!("The {name} of the page is negative."),
-                "Correct width and height.".to_owned(),
-            ));
+            let text = format!("The {name} of the page is negative.");
+            return Err((text, "Correct width and height.".to_owned()));
         }
     }
     let own = sizes(lengths, from);
@@ -170,7 +167,7 @@ fn doubt(
     head: &str,
     lengths: [Option<Length>; 2],
     from: Option<ViewBox>,
-) -> Result<(), (String, String)> {
+) -> Result<(), Finding> {
     let version = |a: &roxmltree::Attribute<'_, '_>| {
         a.name() == "version" && a.namespace().is_some_and(|namespace| namespace.contains("inkscape"))
     };
@@ -219,11 +216,10 @@ fn by_unit(
     }
     let number =
         |length: Option<Length>| length.filter(|l| l.unit != LengthUnit::Percent).map_or(0.0, |l| l.number);
-    let view = from.map_or_else(
-        || own.map_or(lengths.map(number), |mm| mm.map(|mm| mm / PIXEL)),
-        |from| [from.w, from.h],
-    );
-    let origin = from.map_or(Affine::IDENTITY, |from| Affine::translate(-from.x, -from.y));
+    let (view, origin) = match from {
+        Some(from) => ([from.w, from.h], Affine::translate(-from.x, -from.y)),
+        None => (own.map_or(lengths.map(number), |mm| mm.map(|mm| mm / PIXEL)), Affine::IDENTITY),
+    };
     out.drawing.unit_mm = unit;
     (flipped(view[1] * unit).after(&Affine::scale(unit, unit)).after(&origin), Viewport(view))
 }

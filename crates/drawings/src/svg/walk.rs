@@ -101,11 +101,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
 
     /// Notes a clip that hides a part of an element, whose figures are those from number `from` on.
     fn clipped(&mut self, node: Node<'a, 'd>, context: &Context<'a>, from: usize) {
-        let cascade = self.cascade(node);
-        let Some(value) = cascade.value("clip-path").filter(|value| !matches!(*value, "none" | "inherit"))
-        else {
-            return;
-        };
+        let Some(value) = self.cascade(node).applied("clip-path") else { return };
         let find = |id: &str| self.ids.get(id).copied();
         let clip = clip::of(node, value, (&context.map, context.viewport), find);
         if !clip.is_some_and(|clip| clip.holds(&self.out.drawing.elements[from..])) {
@@ -131,8 +127,8 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             unmet.as_deref().unwrap_or_default()
         };
         if !reason.is_empty() {
-            let place = self.place(node, context);
-            self.out.note(Weight::Hidden, place, format!("It is hidden ({reason}), and is left out."));
+            let text = format!("It is hidden ({reason}), and is left out.");
+            self.out.note(Weight::Hidden, self.place(node, context), text);
             return Ok(());
         }
         match tag {
@@ -179,11 +175,8 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             if size.iter().any(|side| *side < 0.0) {
                 return Err("Its width or height is negative.".to_owned());
             }
-            let corner = |name, axis| {
-                let value = node.attribute(name).filter(|_| node.tag_name().name() == "svg");
-                value.map_or(Ok(0.0), |value| context.viewport.length(name, value, axis))
-            };
-            let shift = Affine::translate(corner("x", 0)?, corner("y", 1)?);
+            let is_svg = node.tag_name().name() == "svg";
+            let shift = if is_svg { context.viewport.shift(node)? } else { Affine::translate(0.0, 0.0) };
             Ok(match view_box(node)? {
                 Some(from) => (shift.after(&fitted(node, from, size)?), Viewport([from.w, from.h])),
                 None => (shift, Viewport(size)),
@@ -196,8 +189,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
                 self.group(node, Context { map, viewport, ..context.clone() }, false)
             }
             Err(text) => {
-                let place = self.place(node, context);
-                self.out.fault(place, text, "Correct the attribute.");
+                self.out.fault(self.place(node, context), text, "Correct the attribute.");
                 Ok(())
             }
         }
@@ -222,18 +214,15 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             self.out.fault(place, format!("It refers to itself by \"{href}\"."), "Remove the reference.");
             return Ok(());
         }
-        let corner = ["x", "y"].iter().enumerate().map(|(axis, name)| {
-            node.attribute(*name).map_or(Ok(0.0), |value| context.viewport.length(name, value, axis))
-        });
-        let corner: Vec<f64> = match corner.collect() {
-            Ok(corner) => corner,
+        let shift = match context.viewport.shift(node) {
+            Ok(shift) => shift,
             Err(text) => {
                 self.out.fault(place, text, "Correct the attribute.");
                 return Ok(());
             }
         };
         let Some(mut inner) = self.entered(node, context.clone()) else { return Ok(()) };
-        inner.map = inner.map.after(&Affine::translate(corner[0], corner[1]));
+        inner.map = inner.map.after(&shift);
         inner.names.extend(names(node));
         inner.path = format!("{} > ", place.element.unwrap_or_default());
         inner.targets.push(target.id());
@@ -322,27 +311,19 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         let origin = node.attribute("transform-origin").map(|_| &"transform-origin");
         if let Some(name) = changed.or(origin) {
             let text = format!("Its style sets \"{name}\", which is read as an attribute only.");
-            let place = self.place(node, &context);
-            self.out.fault(
-                place,
-                text,
-                "Apply the transform in the drawing program, or save as plain SVG 1.1.",
-            );
+            let remedy = "Apply the transform in the drawing program, or save as plain SVG 1.1.";
+            self.out.fault(self.place(node, &context), text, remedy);
             return None;
         }
         for name in ["mask", "filter", "marker", "marker-start", "marker-mid", "marker-end"] {
-            let Some(value) = cascade.value(name).filter(|value| !matches!(*value, "none" | "inherit"))
-            else {
-                continue;
-            };
+            let Some(value) = cascade.applied(name) else { continue };
             let short = shortened(value);
             let (weight, text) = match name {
                 "mask" => (Weight::Changed, clip::unapplied(name, &short)),
                 "filter" => (Weight::Information, format!("The filter {short} is not applied.")),
                 _ => (Weight::Changed, format!("The markers {short} are not read.")),
             };
-            let place = self.place(node, &context);
-            self.out.note(weight, place, text);
+            self.out.note(weight, self.place(node, &context), text);
         }
         // A nested frame has its transform applied before its view box, in `nested`.
         let is_nested = is_frame && node.id() != self.root.id();
@@ -354,8 +335,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     fn transform(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Option<Affine> {
         let map = transform::of(node);
         if map.is_none() {
-            let place = self.place(node, context);
-            self.out.fault(place, "Its transform is faulty.", "Correct or remove it.");
+            self.out.fault(self.place(node, context), "Its transform is faulty.", "Correct or remove it.");
         }
         map
     }
