@@ -140,7 +140,7 @@ impl Section {
     /// If no shape is found.
     pub fn disc(&self) -> Result<[f64; 2], HingeFault> {
         let mut search = ShapeSearch::new(self.scales, MeridianMesh::disc(self.elements));
-        search.from_arcs(Some(1.0))?;
+        search.search_from_arcs(Some(1.0))?;
         let shape = &search.shape;
         Ok([shape[shape.len() - 4], shape[2]])
     }

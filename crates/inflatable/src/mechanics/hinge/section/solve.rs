@@ -97,7 +97,7 @@ impl ShapeSearch {
     pub(super) fn rest(&mut self) -> Result<(), HingeFault> {
         let mut coarse = Self::new(self.scales, self.mesh.coarser(COARSER));
         coarse.enough = ENOUGH_TO_REFINE;
-        let found = coarse.from_arcs(None);
+        let found = coarse.search_from_arcs(None);
         self.factorisations += coarse.factorisations;
         if found.is_ok() {
             self.lambda = coarse.lambda;
@@ -106,11 +106,11 @@ impl ShapeSearch {
                 return Ok(());
             }
         }
-        self.from_arcs(None)
+        self.search_from_arcs(None)
     }
 
     /// Goes from the beginning to the hinge at rest, or to the shape at the coiling factor `held`.
-    pub(super) fn from_arcs(&mut self, held: Option<f64>) -> Result<(), HingeFault> {
+    pub(super) fn search_from_arcs(&mut self, held: Option<f64>) -> Result<(), HingeFault> {
         for angle in STARTS {
             self.lambda = held.unwrap_or(START_LAMBDA);
             self.shape = arc(&self.mesh, self.lambda, angle);
