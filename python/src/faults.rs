@@ -13,16 +13,11 @@ use stargrip_cam::pipeline::no_prediction;
 use stargrip_cam::spec::{Fault, Faults, Severity};
 use stargrip_cam::verify::Finding;
 
-/// The class `name` of `stargrip_cam.errors`.
-fn class<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-    static MODULE: PyOnceLock<Py<PyModule>> = PyOnceLock::new();
-    let module = MODULE.get_or_try_init(py, || py.import("stargrip_cam.errors").map(Bound::unbind))?;
-    module.bind(py).getattr(name)
-}
-
-/// The exception `name` with the message `text` and the faults `about`.
+/// The exception `name` of `stargrip_cam.errors` with the message `text` and the faults `about`.
 fn raised(py: Python<'_>, name: &str, text: &str, about: &Bound<'_, PyAny>) -> PyErr {
-    let made = class(py, name).and_then(|class| class.call1((text, about)));
+    static MODULE: PyOnceLock<Py<PyModule>> = PyOnceLock::new();
+    let module = MODULE.get_or_try_init(py, || py.import("stargrip_cam.errors").map(Bound::unbind));
+    let made = module.and_then(|module| module.bind(py).getattr(name)?.call1((text, about)));
     made.map_or_else(|error| error, PyErr::from_value)
 }
 

@@ -93,14 +93,10 @@ fn listen(py: Python<'_>, hook: Option<&Py<PyAny>>, mut receiver: Receiver<(f64,
 
 /// The receiver of progress: for `True` a line on the terminal or in the notebook.
 fn hook(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Py<PyAny>>> {
-    match progress {
-        None => Ok(None),
-        Some(given) => match given.extract::<bool>() {
-            Ok(false) => Ok(None),
-            Ok(true) => {
-                py.import("stargrip_cam._progress")?.getattr("Line")?.call0().map(|l| Some(l.unbind()))
-            }
-            Err(_) => Ok(Some(given.clone().unbind())),
-        },
+    let Some(given) = progress else { return Ok(None) };
+    match given.extract::<bool>() {
+        Ok(false) => Ok(None),
+        Ok(true) => py.import("stargrip_cam._progress")?.getattr("Line")?.call0().map(|l| Some(l.unbind())),
+        Err(_) => Ok(Some(given.clone().unbind())),
     }
 }

@@ -137,7 +137,7 @@ impl BenchArgs {
             };
             stretch = at(0.0).map_err(|fault| Failure::Message(format!("--disc-width: {fault}")))?;
             let shown = |stiffness: f64| LineForce::from_newtons_per_metre(stiffness).0;
-            found.0.push(Measured {
+            found.0.push(MeasuredStiffness {
                 key: "stretch_stiffness",
                 unit: "N/mm",
                 value: shown(stretch),
@@ -152,7 +152,7 @@ impl BenchArgs {
             };
             let value = at(0.0).map_err(|fault| Failure::Message(format!("--inflated-angle: {fault}")))?;
             let shown = |stiffness: f64| BendingStiffness::from_newton_metres(stiffness).0;
-            found.0.push(Measured {
+            found.0.push(MeasuredStiffness {
                 key: "bending_stiffness",
                 unit: "N mm",
                 value: shown(value),
@@ -165,7 +165,12 @@ impl BenchArgs {
     }
 
     /// The shear modulus from the bias strip, for fabric of the stretch stiffness `stretch`, N per m.
-    fn shear(&self, loaded: &Loaded, stretch: f64, poisson: f64) -> Result<Option<Measured>, Failure> {
+    fn shear(
+        &self,
+        loaded: &Loaded,
+        stretch: f64,
+        poisson: f64,
+    ) -> Result<Option<MeasuredStiffness>, Failure> {
         let Some((path, length)) = self.bias_strip.as_ref().zip(self.bias_length) else { return Ok(None) };
         let test = read_test(&Source::new(path.display().to_string(), read_text(path, TABLE)?))?;
         let named = |fault: String| Failure::Message(format!("{}: {fault}", shown(path)));
@@ -176,7 +181,7 @@ impl BenchArgs {
             let stiffness = shear_stiffness(bias, LineForce::from_newtons_per_metre(stretch).0, poisson)?;
             Ok(1e-6 * LineForce(stiffness).newtons_per_metre() / thickness)
         };
-        Ok(Some(Measured {
+        Ok(Some(MeasuredStiffness {
             key: "shear_modulus",
             unit: "MPa",
             value: modulus(bias).map_err(named)?,
@@ -218,7 +223,7 @@ impl Coiling {
 
 /// A measured value of the fabric: its key and unit in a spec, its values at both ends of the measurement's error, where they exist, and
 /// its origin with that error.
-struct Measured {
+struct MeasuredStiffness {
     key: &'static str,
     unit: &'static str,
     value: f64,
@@ -228,7 +233,7 @@ struct Measured {
 
 /// Stiffnesses of a fabric; those without a bench test are absent.
 #[derive(Default)]
-pub(super) struct Stiffnesses(Vec<Measured>);
+pub(super) struct Stiffnesses(Vec<MeasuredStiffness>);
 
 impl Stiffnesses {
     /// The whole `[fabric]` section, for an answer without a seal setting; empty without a measurement.
@@ -239,7 +244,7 @@ impl Stiffnesses {
 
     /// Lines of the `[fabric]` section.
     pub(super) fn toml(&self) -> String {
-        let lines = |Measured { key, unit, value, ends, origin }: &Measured| {
+        let lines = |MeasuredStiffness { key, unit, value, ends, origin }: &MeasuredStiffness| {
             let text = |value: f64| format!("{} {unit}", digits(value));
             let [less, more] = ends.map(|end| end.map_or("unknown".to_owned(), text));
             let value = text(*value);

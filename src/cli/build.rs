@@ -126,7 +126,7 @@ fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
         let target = match &args.output {
             Some(output) => output.clone(),
             None if is_standard_input(spec) => continue,
-            None => default_output(spec),
+            None => Path::new("out").join(spec.file_stem().unwrap_or("design".as_ref())),
         };
         if let Some((other, _)) = targets.iter().find(|(_, taken)| **taken == target) {
             let (one, two, target) = (shown(other), shown(spec), shown(&target));
@@ -215,9 +215,4 @@ fn output_by_name(name: &str) -> Result<PathBuf, Failure> {
         Failure::Message(format!("{why}: name one with -o"))
     })?;
     Ok(Path::new("out").join(stem))
-}
-
-/// The default output directory: `out/` and the spec's file name without its ending.
-fn default_output(spec: &Path) -> PathBuf {
-    Path::new("out").join(spec.file_stem().unwrap_or(std::ffi::OsStr::new("design")))
 }

@@ -5,7 +5,6 @@
 
 use std::env;
 use std::fs;
-use std::io;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
@@ -29,8 +28,8 @@ impl Cache {
 
     /// The key of a question. It changes with the program's version and with its build.
     pub(super) fn key(&self, question: &[&str]) -> String {
-        let known = self.dir.as_ref().and_then(|_| program().and_then(fs::read).ok());
-        let program = known.unwrap_or_default();
+        let program = || ELSEWHERE.get().cloned().map_or_else(env::current_exe, Ok).and_then(fs::read);
+        let program = self.dir.as_ref().and_then(|_| program().ok()).unwrap_or_default();
         let parts = [&program[..], env!("CARGO_PKG_VERSION").as_bytes()];
         of_parts(parts.into_iter().chain(question.iter().map(|part| part.as_bytes())))
     }
@@ -61,10 +60,6 @@ static ELSEWHERE: OnceLock<PathBuf> = OnceLock::new();
 /// the first call has an effect.
 pub fn code_is_in(file: PathBuf) {
     let _ = ELSEWHERE.set(file);
-}
-
-fn program() -> io::Result<PathBuf> {
-    ELSEWHERE.get().map_or_else(env::current_exe, |file| Ok(file.clone()))
 }
 
 #[cfg(test)]

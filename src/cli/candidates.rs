@@ -1,5 +1,6 @@
 //! Results of a search: candidates as a table of text and as JSON.
 
+use std::fmt::Write;
 use std::io::stdout;
 
 use serde_json::{Value, json};
@@ -51,14 +52,14 @@ pub(super) fn text(found: &SearchResult, constraints: &Constraints) -> String {
              section has ranges"
                 .to_owned()
         };
-        out += &format!("# {text}\n");
+        // Writing to a String does not fail.
+        let _ = writeln!(out, "# {text}");
     }
     if !front.is_empty() {
-        out += &format!(
-            "# trade-off between contraction, stiffness and fabric, {} designs, evenly sampled:\n{}",
-            front.len(),
-            rows(&thinned(front, SHOWN), constraints)
-        );
+        let shown = rows(&thinned(front, SHOWN), constraints);
+        let number = front.len();
+        let what = "trade-off between contraction, stiffness and fabric";
+        let _ = write!(out, "# {what}, {number} designs, evenly sampled:\n{shown}");
     }
     out
 }

@@ -46,14 +46,13 @@ pub(super) struct Args {
 
 /// Reduces the data, and prints CSV.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let message = |text: String| Failure::Message(text);
     let no_radius = || Failure::Usage("give --contact-radius, or a --spec that predicts it".to_owned());
     once([&args.data].into_iter().chain(&args.spec))?;
     if args.contact_radius.is_none() && args.spec.is_none() {
         return Err(no_radius());
     }
     let source = Source::new(args.data.display().to_string(), read_text(&args.data, TABLE)?);
-    let cone = Cone::new(args.half_angle.rad(), args.friction, args.balance).map_err(message)?;
+    let cone = Cone::new(args.half_angle.rad(), args.friction, args.balance).map_err(Failure::message)?;
     let contact = args.contact_radius.map(Length::metres);
     let reduced = |first: f64, overlay: Option<Overlay<'_>>| {
         let test = read_cone_test(&source, &cone, first)?;
@@ -64,15 +63,18 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     };
     let spec = Loaded::spoken(path, args.verbosity)?.with_stars("cone")?.reading.spec;
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
-    let pressure = pressure.ok_or_else(|| message("the spec's [load] has no pressure".to_owned()))?;
-    let star = spec.stars.first().ok_or_else(|| message("the spec has no star".to_owned()))?;
-    let star = Star::new(star).map_err(|refusal| message(refusal.to_string()))?;
-    let fault = |fault: StarFault| message(fault.to_string());
+    let pressure = pressure.ok_or_else(|| Failure::message("the spec's [load] has no pressure"))?;
+    let star = spec.stars.first().ok_or_else(|| Failure::message("the spec has no star"))?;
+    let star = Star::new(star).map_err(Failure::message)?;
+    let fault = |fault: StarFault| Failure::message(fault);
     let case = Case { object: None, ..Case::of(&spec, &star).map_err(fault)? };
     let model = of_spec(spec.accuracy.model, &case, pressure.pascals()).map_err(fault)?;
     let (_, own) = Outcome::of(&case, model.as_ref()).map_err(fault)?;
     let first = contact.or(own.known.then_some(own.rest.radius)).ok_or_else(|| {
-        message(format!("{}: give --contact-radius, or another accuracy.model", errors::UNKNOWN_MESSAGE))
+        Failure::Message(format!(
+            "{}: give --contact-radius, or another accuracy.model",
+            errors::UNKNOWN_MESSAGE
+        ))
     })?;
     let overlay = |rho: f64| {
         let opened = Outcome::of(&Case { object: Some(rho), ..case }, model.as_ref()).ok();

@@ -45,6 +45,7 @@ pub enum Failure {
 
 impl Failure {
     /// A failure whose sentence is the text of `fault`.
+    #[expect(clippy::needless_pass_by_value, reason = "so it fits `map_err`")]
     pub(super) fn message(fault: impl ToString) -> Self {
         Self::Message(fault.to_string())
     }

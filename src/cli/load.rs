@@ -11,7 +11,7 @@ use crate::cli::progress;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{first_bytes, given_bytes, is_standard_input};
 use crate::cli::words::beyond;
-use crate::design::{Refusal, RefusalCode, Refusals, Warning, drawing_notes};
+use crate::design::{RefusalCode, Refusals, Warning, drawing_notes};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Proven, Sources};
 use crate::spec;
@@ -122,12 +122,14 @@ impl Loaded {
 
     /// Refuses a gripper that does not meet its own `[load]`, unless `anyway` is set.
     pub(super) fn fit(&self, forecast: &Forecast, anyway: bool) -> Result<(), Failure> {
-        let anyhow = |refusal: Refusal| Refusal {
-            remedy: format!("{}; `--anyway` accepts it", refusal.remedy),
-            ..refusal
-        };
-        let unfit: Refusals = forecast.unfit().into_iter().map(anyhow).collect();
-        if anyway { Ok(()) } else { unfit.or(()).map_err(|refusals| self.refused(refusals)) }
+        if anyway {
+            return Ok(());
+        }
+        let mut unfit = forecast.unfit();
+        for refusal in unfit.iter_mut() {
+            refusal.remedy += "; `--anyway` accepts it";
+        }
+        unfit.or(()).map_err(|refusals| self.refused(refusals))
     }
 
     /// Makes the files of `request` and reads them back, in memory, for `check` and `build`.
@@ -232,7 +234,7 @@ fn with_drawing(
     reading: Reading,
 ) -> Result<(Reading, Option<String>), Failure> {
     let Some(drawing) = &reading.spec.drawing else { return Ok((reading, None)) };
-    let (file, note) = named_file(path, &drawing.file, &drawing.published_name());
+    let (file, note) = named_file(path, &drawing.file, drawing.published_name());
     let wrong = match drawing_bytes(&file) {
         Ok(bytes) => return Ok((reading.with_drawing(&bytes), note)),
         Err(wrong) => wrong,

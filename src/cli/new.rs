@@ -46,16 +46,29 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         Some(made) => format!("#:schema ./{}\n{}", spec::SCHEMA_FILE, made.text),
         None => with_defaults(spec::starter(name).map_err(Failure::message)?)?,
     };
-    write_new(&path, &text)?;
-    let schema = schema::write_beside(&path)?;
     let verdict = found.as_ref().and_then(|made| made.forecast.verdict());
     let chosen = found.as_ref().map(NewGripper::json);
-    let json = json!({ "wrote": path, "schema": schema, "verdict": verdict, "chosen": chosen });
-    let (path, word) = (shown(&path), argument(&path));
-    let verdict_line = found.map_or_else(String::new, |made| format!("{name}: {}", made.in_words()));
-    let wrote = format!("wrote {path}, and beside it {} for editors", spec::SCHEMA_FILE);
-    args.verbosity
-        .report(&format!("{verdict_line}{wrote}\nnext: edit it, then `stargrip-cam build {word}`\n"), &json)
+    let json = json!({ "verdict": verdict, "chosen": chosen });
+    let before = found.map_or_else(String::new, |made| format!("{name}: {}", made.in_words()));
+    write(args.verbosity, (&path, &text), json, (&before, "edit it", "build"))
+}
+
+/// Writes the spec `text` and its schema; prints `json` with their paths, or these after the text `before`, with what is `next`, and the
+/// `command` for it.
+fn write(
+    verbosity: Verbosity,
+    (path, text): (&Path, &str),
+    mut json: Value,
+    (before, next, command): (&str, &str, &str),
+) -> Result<(), Failure> {
+    write_new(path, text)?;
+    json["wrote"] = json!(path);
+    json["schema"] = json!(schema::write_beside(path)?);
+    let (path, word, schema) = (shown(path), argument(path), spec::SCHEMA_FILE);
+    let report = format!(
+        "{before}wrote {path}, and beside it {schema} for editors\nnext: {next}, then `stargrip-cam {command} {word}`\n"
+    );
+    verbosity.report(&report, &json)
 }
 
 /// The name of the design, and its file.
@@ -104,22 +117,14 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let LayerProposal { layers, size: [width, height], unit, no_unit, hidden } =
         propose_layers(&file, &bytes, args.units).map_err(refused)?;
     let text = spec::drawing_starter(name, &file, &layers, unit);
-    let text = with_defaults(text.map_err(Failure::Message)?)?;
-    write_new(&path, &text)?;
-    let schema = schema::write_beside(&path)?;
+    let text = with_defaults(text.map_err(Failure::message)?)?;
     let rows: Vec<Value> = layers
         .iter()
         .map(|(layer, role, reason)| json!({ "layer": layer, "role": role.word(), "reason": reason }))
         .collect();
-    let json = json!({
-        "wrote": path,
-        "schema": schema,
-        "layers": rows,
-        "hidden": hidden,
-        "size_mm": [width, height],
-        "assumed_mm": no_unit,
-    });
-    let mut lines = String::new();
+    let json = json!({ "layers": rows, "hidden": hidden, "size_mm": [width, height], "assumed_mm": no_unit });
+    let (number, each) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });
+    let mut lines = format!("{number} {each} with a proposed role:\n");
     for (layer, role, reason) in &layers {
         let _ = writeln!(lines, "  {layer:?}: {} ({reason})", role.word());
     }
@@ -137,14 +142,7 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
             "mm are assumed: if the size is wrong, correct `units`, or use --units. {finding}"
         );
     }
-    let (path, word) = (shown(&path), argument(&path));
-    let (number, each) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });
-    let report = format!(
-        "{number} {each} with a proposed role:\n{lines}wrote {path}, and beside it {} for editors\n\
-         next: look at the roles in it, then `stargrip-cam check {word}`\n",
-        spec::SCHEMA_FILE
-    );
-    args.verbosity.report(&report, &json)
+    write(args.verbosity, (&path, &text), json, (&lines, "look at the roles in it", "check"))
 }
 
 /// The name as a portable file name: ASCII letters, digits, dashes, and points between them; `None` if it has none of the former two.

@@ -68,8 +68,8 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>
         NoGripper::Infeasible(reasons, nearest) => {
             let requirements = request.requirements(&base, &machine);
             let nearest = nearest.and_then(|nearest| in_words(name, args, &requirements, &nearest));
-            let reasons: String = reasons.iter().map(|reason| format!("\n  {reason}")).collect();
-            Failure::Infeasible(format!("no gripper was found that does all of this:{reasons}"), nearest)
+            let reasons = reasons.join("\n  ");
+            Failure::Infeasible(format!("no gripper was found that does all of this:\n  {reasons}"), nearest)
         }
     })
 }

@@ -113,7 +113,7 @@ pub(super) fn answer(
         let _ = with_star(&loaded.source, &StarEdit::of(star))?;
     }
     let (goal, constraints) = wanted(args, loaded, &base)?;
-    let table = RingTable::new().map_err(|fault| Failure::message(fault))?;
+    let table = RingTable::new().map_err(Failure::message)?;
     let bounds = bounds(args, &base);
     let search = DesignSearch { cancel, ..DesignSearch::new(&base, &bounds, &constraints, goal, &table) };
     Ok((progress::during(args.verbosity, "searching", |_| search.run()), constraints))
@@ -145,8 +145,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     if args.verbosity.quiet {
         return say(&spec);
     }
-    let lines = confirmed.iter().flat_map(Confirmation::lines);
-    let lines: String = lines.map(|line| format!("# {line}\n")).collect();
+    let comment = |line: String| format!("# {line}\n");
+    let lines: String = confirmed.iter().flat_map(Confirmation::lines).map(comment).collect();
     let table = candidates::text(&found, &constraints);
     say(&format!("{table}{lines}# the best that can be built:\n{spec}\n"))
 }

@@ -125,11 +125,13 @@ fn drawn_in_words(piece: &DrawnPiece) -> String {
 /// A star in the vocabulary of the spec.
 fn in_words(star: &StarSpec) -> String {
     let StarSpec { points, inner_radius, tube_width, tip_angle, tip_radius, corner_radius, .. } = star;
-    let radii = [("tip radius", tip_radius), ("corner radius", corner_radius)].into_iter();
-    let curved = radii.filter(|(_, radius)| **radius != Length(0.0));
-    let curved: String = curved.map(|(what, radius)| format!(", {what} {radius}")).collect();
+    let curved = |what: &str, radius: &Length| {
+        if *radius == Length(0.0) { String::new() } else { format!(", {what} {radius}") }
+    };
     format!(
-        "{points} points, inner radius {inner_radius}, tube width {tube_width}, tip angle {tip_angle}{curved}"
+        "{points} points, inner radius {inner_radius}, tube width {tube_width}, tip angle {tip_angle}{}{}",
+        curved("tip radius", tip_radius),
+        curved("corner radius", corner_radius)
     )
 }
 

@@ -10,6 +10,7 @@ use crate::cli::failure::Failure;
 use crate::cli::load::{MACHINE, read_source};
 use crate::cli::text_file::{PROGRAM, read_text, write_new};
 use crate::cli::verbosity::Verbosity;
+use crate::cli::whole_file::directory_of;
 use crate::design::RefusalCode;
 use crate::manifest::{MANIFEST, Manifest, sha256};
 use crate::resume::{ResumeAt, ResumeFault, clamp_in_the_way, resume};
@@ -131,12 +132,8 @@ fn target(job: &Path, published: bool) -> PathBuf {
         return beside;
     }
     // `job.gcode` and `./job.gcode` have a parent without a name.
-    let directory = job.parent().and_then(|parent| {
-        if parent.as_os_str().is_empty() { Path::new(".") } else { parent }.canonicalize().ok()
-    });
-    let parts =
-        directory.as_deref().and_then(|directory| Some((directory.parent()?, directory.file_name()?)));
-    let Some((_, name)) = parts else { return beside };
+    let directory = directory_of(job).canonicalize().ok();
+    let Some(name) = directory.as_deref().and_then(Path::file_name) else { return beside };
     let name = format!("{}-{stem}-resume.{ending}", name.to_string_lossy());
     match job.parent().filter(|parent| parent.file_name().is_some()) {
         Some(parent) => parent.with_file_name(name),

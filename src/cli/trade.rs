@@ -36,12 +36,9 @@ pub(super) struct Args {
 
 /// Measures on this machine, and prints the table.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let base = match &args.spec {
-        Some(path) => {
-            Loaded::spoken(path, args.verbosity)?.with_stars("trade")?.reading.spec.stars.first().cloned()
-        }
-        None => None,
-    };
+    let loaded = args.spec.as_ref().map(|path| Loaded::spoken(path, args.verbosity)?.with_stars("trade"));
+    let star = loaded.transpose()?.and_then(|loaded| loaded.reading.spec.stars.first().cloned());
+    let base = star.unwrap_or_else(|| StarSpec::paper(5));
     let beside = args.svg.as_ref().map(|path| {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         path.with_file_name(format!("{stem}-shells.svg"))
@@ -53,7 +50,6 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         refuse_foreign(path, "a plot of `trade`", picture::is_picture)?;
     }
     let start = Instant::now();
-    let base = base.unwrap_or_else(|| StarSpec::paper(5));
     let clock = || start.elapsed().as_secs_f64();
     let measure = |_: &Progress| Ok((trade::measure(&base, &clock)?, against_shells(&clock)?));
     let (rows, shells) = progress::during(args.verbosity, "measuring every model", measure)

@@ -108,8 +108,8 @@ pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
     }
     builds.sort();
     let number = builds.len();
-    let listed = builds.into_iter().take(MOST_BUILDS);
-    let list: String = listed.map(|build| format!("\n  stargrip-cam verify {build}")).collect();
+    let command = |build| format!("\n  stargrip-cam verify {build}");
+    let list: String = builds.into_iter().take(MOST_BUILDS).map(command).collect();
     let more = beyond(number, MOST_BUILDS).map_or_else(String::new, |more| format!("\n  and {more} more"));
     let what = if number == 1 { "a build is in it".to_owned() } else { format!("{number} builds are in it") };
     Err(Failure::Message(format!("{} is not a build, but {what}:{list}{more}", shown(dir))))
