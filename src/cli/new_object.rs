@@ -68,8 +68,9 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>
         NoGripper::Infeasible(reasons, nearest) => {
             let requirements = request.requirements(&base, &machine);
             let nearest = nearest.and_then(|nearest| in_words(name, args, &requirements, &nearest));
-            let reasons = reasons.join("\n  ");
-            Failure::Infeasible(format!("no gripper was found that does all of this:\n  {reasons}"), nearest)
+            let line = |reason: &String| format!("\n  {reason}");
+            let reasons: String = reasons.iter().map(line).collect();
+            Failure::Infeasible(format!("no gripper was found that does all of this:{reasons}"), nearest)
         }
     })
 }
