@@ -51,7 +51,7 @@ impl FeedCheckTask<'_> {
         };
         let times = lines.iter().map(|line| line.length() / spec.seal.speed.0).collect();
         let judges: Vec<Box<dyn Judge + '_>> = vec![
-            Box::new(ScriptJudge::with_pauses(machine, 2 * lines.len())),
+            Box::new(ScriptJudge::new(machine, 2 * lines.len())),
             Box::new(Body::new(None)),
             Box::new(HeightJudge::new(&machine.process.heights, area)),
             Box::new(Timed::new(&rules, area, times)),

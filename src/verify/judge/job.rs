@@ -22,12 +22,12 @@ impl ProgramTask<'_> {
         let Self { spec, machine, hot, area, .. } = *self;
         let (rules, heights) = (IronRules::new(spec, machine), &machine.process.heights);
         let tolerance = spec.accuracy.path.0;
-        let hotend = hot && machine.controller.heating == Heating::Hotend;
+        let heated_by = |heating| hot && machine.controller.heating == heating;
         let allowed = area.grown(tolerance);
         let reach = if hot { spec.seal.band.0 / 2.0 } else { 0.0 };
         let mut judges: Vec<Box<dyn Judge + '_>> = vec![
-            Box::new(ScriptJudge::new(machine, hot)),
-            Box::new(Body::new(hotend.then_some(spec.seal.temperature))),
+            Box::new(ScriptJudge::new(machine, usize::from(heated_by(Heating::Operator)))),
+            Box::new(Body::new(heated_by(Heating::Hotend).then_some(spec.seal.temperature))),
             Box::new(FirstWords),
             Box::new(HeightJudge::new(heights, allowed)),
             Box::new(Area { reach: area, allowed }),

@@ -1,6 +1,6 @@
 //! The profile's own lines: the head is its start, the tail its end, and between them no mode and no setting changes.
 
-use crate::spec::{Heating, Machine};
+use crate::spec::Machine;
 use crate::units::Temperature;
 use crate::verify::finding::quote;
 use crate::verify::judge::Judge;
@@ -25,13 +25,8 @@ pub(super) struct ScriptJudge<'a> {
 }
 
 impl<'a> ScriptJudge<'a> {
-    /// The judge of a program that seals (`hot`) or traces.
-    pub(super) fn new(machine: &'a Machine, hot: bool) -> Self {
-        Self::with_pauses(machine, usize::from(hot && machine.controller.heating == Heating::Operator))
-    }
-
     /// The judge of a program that waits for the operator so often at most.
-    pub(super) fn with_pauses(machine: &'a Machine, pauses: usize) -> Self {
+    pub(super) fn new(machine: &'a Machine, pauses: usize) -> Self {
         let (head, tail) = (WantedLine::new(&machine.script.start), WantedLine::new(&machine.script.end));
         Self { machine, pauses, moved: false, head, tail }
     }

@@ -182,8 +182,7 @@ impl Judge for Traced {
 struct SeamWalk {
     follower: Follower,
     name: String,
-    /// Length of the path, and of the part of it that closes the loop.
-    length: f64,
+    /// Length of the part of the path that closes the loop.
     once: f64,
     /// Lines of its first and of its last move.
     first: Option<usize>,
@@ -192,7 +191,7 @@ struct SeamWalk {
 
 impl SeamWalk {
     fn new(path: &Path, name: String, once: f64) -> Self {
-        Self { follower: Follower::new(path), name, length: path.length(), once, first: None, last: None }
+        Self { follower: Follower::new(path), name, once, first: None, last: None }
     }
 
     fn step(&mut self, step: &Move) {
@@ -205,9 +204,9 @@ impl SeamWalk {
 
     /// Reports how it left its path; the largest deviation, mm.
     fn end(self, tolerance: f64, findings: &mut Findings) -> f64 {
-        let Self { name, length, once, first, last, .. } = self;
+        let Self { name, once, first, last, .. } = self;
         let walked = self.follower.finish();
-        let deviation = walked.largest();
+        let (length, deviation) = (walked.exact_length, walked.largest());
         if deviation.is_nan() || deviation > tolerance {
             let line = first.map(|first| walked.step.max(first));
             let found = if deviation.is_finite() {

@@ -3,13 +3,11 @@
 use serde::Serialize;
 
 use crate::artifact::{Format, KindRequest, Output, Subject, outputs};
-use crate::design::engraved_depth;
 use crate::forecast::drawn::prediction::DrawnPrediction;
 use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
 use crate::verify::judge::expected::Expected;
 use crate::verify::judge::files::assembly::Assemblies;
 use crate::verify::judge::files::figures::alike;
-use crate::verify::judge::files::solid::Solid;
 use crate::verify::judge::files::{drawings, figures, names, paper, solid};
 use crate::verify::judge::task::ProgramTask;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
@@ -117,23 +115,18 @@ fn file(
     cross: &mut CrossChecks,
     findings: &mut Findings,
 ) -> (Method, Option<f64>) {
-    // All other files are compared with the directory's own drawing.
-    if output.kind.subject() == Subject::Drawing {
-        return (Method::Hash, None);
-    }
-    match output.kind.format() {
-        Format::Pdf => return (Method::Reading, on_paper(expected, output, bytes, findings)),
-        Format::Stl => {
+    match (output.kind.subject(), output.kind.format()) {
+        // All other files are compared with the directory's own drawing. Pictures and scenes are proven by their bytes: see
+        // `pipeline`.
+        (Subject::Drawing, _) | (_, Format::Png | Format::Glb) => return (Method::Hash, None),
+        (_, Format::Pdf) => return (Method::Reading, on_paper(expected, output, bytes, findings)),
+        (_, Format::Stl) => {
             let Some(drawing) = output.drawing(expected.design) else { return (Method::Hash, None) };
-            let thickness = output.thickness(expected.spec);
-            let name = output.solid_name(&expected.spec.name);
-            let solid = Solid { name, drawing: &drawing, thickness, depth: engraved_depth(thickness) };
-            let (facets, deviation) = solid::check(bytes, &solid, findings);
+            let (name, thickness) = (output.solid_name(&expected.spec.name), output.thickness(expected.spec));
+            let (facets, deviation) = solid::check(bytes, &drawing, &name, thickness, findings);
             cross.pieces.add(output, facets);
             return (Method::Reading, Some(deviation));
         }
-        // Pictures and scenes are proven by their bytes: see `pipeline`.
-        Format::Png | Format::Glb => return (Method::Hash, None),
         _ => {}
     }
     let Ok(text) = std::str::from_utf8(bytes) else {

@@ -3,7 +3,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::design::{Drawing, Layer};
+use crate::design::{Drawing, Layer, engraved_depth};
 use crate::verify::finding::quote;
 use crate::verify::judge::files::drawings::paths_of;
 use crate::verify::judge::files::layers::in_file;
@@ -24,18 +24,6 @@ const ROUNDED: f64 = 0.0008;
 /// Largest error of a normal, beside the turn by its corners' rounding: slicers use either.
 const NORMAL: f64 = 0.002;
 
-/// The expected solid.
-pub(super) struct Solid<'a> {
-    /// The text of its head.
-    pub(super) name: String,
-    /// Its edges, holes, and the outlines of sunk regions.
-    pub(super) drawing: &'a Drawing,
-    /// Its height, mm.
-    pub(super) thickness: f64,
-    /// Depth of its sunk labels, mm.
-    pub(super) depth: f64,
-}
-
 /// Paths along which there are walls, from one height to another.
 struct Walls {
     what: &'static str,
@@ -44,50 +32,56 @@ struct Walls {
     bottom: f64,
 }
 
-/// Reads a binary STL and checks that it is `solid`; its facets, and the largest deviation of its edges, mm.
-pub(super) fn check(bytes: &[u8], solid: &Solid<'_>, findings: &mut Findings) -> (Vec<StlFacet>, f64) {
+/// Reads a binary STL and checks that it is the solid `name` of this thickness, mm, with the edges, the holes and the outlines of
+/// sunk labels in `drawing`; its facets, and the largest deviation of its edges, mm.
+pub(super) fn check(
+    bytes: &[u8],
+    drawing: &Drawing,
+    name: &str,
+    thickness: f64,
+    findings: &mut Findings,
+) -> (Vec<StlFacet>, f64) {
     let Some((facets, beside)) = read_solid(bytes) else {
         let found = format!("{} bytes that are not a binary STL", bytes.len());
         let allowed = "a head of 84 bytes and 50 a facet, all numbers finite";
         findings.add(FindingCode::BadStl, found, allowed);
         return (Vec::new(), f64::INFINITY);
     };
-    named(&beside, solid, findings);
-    normals(&facets, &beside.normals, solid.thickness, findings);
+    let depth = engraved_depth(thickness);
+    named(&beside, name, findings);
+    normals(&facets, &beside.normals, thickness, findings);
     let corners = numbered(&facets);
     closed(&corners, findings);
     let paths = |label: bool| -> Vec<Path> {
-        let layers = solid.drawing.layers.iter().filter(|(layer, _)| (*layer == Layer::Label) == label);
+        let layers = drawing.layers.iter().filter(|(layer, _)| (*layer == Layer::Label) == label);
         layers.flat_map(|(_, shapes)| shapes.iter().flat_map(paths_of)).collect()
     };
     let (plate, labels) = (paths(false), paths(true));
-    let layers = solid.drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label);
+    let layers = drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label);
     let areas = layers.flat_map(|(layer, shapes)| {
         let sign = if matches!(layer, Layer::MaskPlate | Layer::FrameEdge) { 1.0 } else { -1.0 };
         shapes.iter().flat_map(paths_of).map(move |path| sign * path.area().abs())
     });
     let sunk: f64 = labels.iter().map(Path::area).sum();
-    let right = areas.sum::<f64>() * solid.thickness - sunk * solid.depth;
+    let right = areas.sum::<f64>() * thickness - sunk * depth;
     let volume: f64 = facets.iter().map(sixfold).sum::<f64>() / 6.0;
-    let walls = [
-        Walls::new("edge", &plate, 0.0),
-        Walls::new("edge of the engraving", &labels, solid.thickness - solid.depth),
-    ];
+    let walls =
+        [Walls::new("edge", &plate, 0.0), Walls::new("edge of the engraving", &labels, thickness - depth)];
     // Chords cut off less than the tolerance along all edges.
-    let slack = walls[0].length * CHORD * solid.thickness + walls[1].length * CORNER * solid.depth;
+    let slack = walls[0].length * CHORD * thickness + walls[1].length * CORNER * depth;
     if (volume - right).abs() > slack {
         findings.add(FindingCode::WrongVolume, format!("{volume:.1} mm3"), format!("{right:.1} mm3"));
     }
-    let deviation = edges(&facets, &corners, &walls, solid.thickness, findings);
+    let deviation = edges(&facets, &corners, &walls, thickness, findings);
     (facets, deviation)
 }
 
 /// Checks that the head names the solid, and that the facets have no other data.
-fn named(beside: &SolidNotes, solid: &Solid<'_>, findings: &mut Findings) {
+fn named(beside: &SolidNotes, name: &str, findings: &mut Findings) {
     if !beside.plain {
         findings.add(FindingCode::BadStl, "a facet with notes", "two zeros a facet");
     }
-    let right = format!("{:80}", in_file(&solid.name, 80));
+    let right = format!("{:80}", in_file(name, 80));
     if beside.head != right.as_bytes() {
         let found = quote(&String::from_utf8_lossy(&beside.head));
         findings.add(FindingCode::WrongTitle, found, quote(&right));
