@@ -31,7 +31,8 @@ impl Figures {
             length += flat;
             if title.is_none() {
                 title = step.title;
-                seam = step.title.and_then(|i| number(new.record, new.line(i)?, "seam")).unwrap_or(0.0);
+                let number = |i| comment(new.record, new.line(i)?)?.number("seam");
+                seam = step.title.and_then(number).unwrap_or(0.0);
             }
             if step.title == title {
                 first = (first.0 + flat, first.1 + step.seconds);
@@ -50,15 +51,9 @@ impl Figures {
     /// The lines that replace a line of the old program; empty if the new program has no such line.
     pub(super) fn line(&self, record: &Record, line: &str) -> Vec<String> {
         let Some(comment) = comment(record, line) else { return vec![line.to_owned()] };
-        let (mm, s) = self.first;
-        let restated = |words: &[(&str, String)]| record.comment(&restated(&comment, words));
         match comment.key() {
             Some("total") => {
-                let words = [
-                    ("length_mm", format!("{:.3}", self.length)),
-                    ("time_s", format!("{:.0}", self.seconds)),
-                ];
-                let mut lines = vec![restated(&words)];
+                let mut lines = vec![record.comment(&restated(&comment, (self.length, self.seconds)))];
                 // A program resumed twice keeps the job of the first one.
                 if !self.is_again {
                     lines.push(record.comment(&comment.text.replacen("total:", "job:", 1)));
@@ -67,9 +62,7 @@ impl Figures {
             }
             Some("length" | "seam") => match comment.number("seam") {
                 Some(seam) if seam < self.seam => Vec::new(),
-                Some(seam) if seam == self.seam => {
-                    vec![restated(&[("length_mm", format!("{mm:.3}")), ("time_s", format!("{s:.0}"))])]
-                }
+                Some(seam) if seam == self.seam => vec![record.comment(&restated(&comment, self.first))],
                 _ => vec![line.to_owned()],
             },
             _ if comment.text.starts_with("estimated printing time") => {
@@ -91,18 +84,12 @@ pub(super) fn comment(record: &Record, line: &str) -> Option<Comment> {
     (record.comment(&text) == line.trim_end()).then_some(Comment { line: 0, text })
 }
 
-fn number(record: &Record, line: &str, word: &str) -> Option<f64> {
-    comment(record, line)?.number(word)
-}
-
-/// The text of a comment with new values for these words.
-fn restated(comment: &Comment, words: &[(&str, String)]) -> String {
+/// The text of a comment with another length, mm, and another time, s.
+fn restated(comment: &Comment, (mm, s): (f64, f64)) -> String {
     let word = |text: &str| match text.split_once('=') {
-        Some((name, _)) => match words.iter().find(|(other, _)| *other == name) {
-            Some((_, value)) => format!("{name}={value}"),
-            None => text.to_owned(),
-        },
-        None => text.to_owned(),
+        Some(("length_mm", _)) => format!("length_mm={mm:.3}"),
+        Some(("time_s", _)) => format!("time_s={s:.0}"),
+        _ => text.to_owned(),
     };
     comment.text.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }

@@ -108,7 +108,7 @@ impl Judge for IronRest<'_> {
     }
 
     fn pause(&mut self, pause: &Pause, findings: &mut Findings) {
-        if pause.at.is_some_and(|at| self.rules.is_low(at.z)) {
+        if pause.at.is_some_and(|at| at.z < self.rules.process.heights.travel.0 - HEIGHT) {
             let (found, allowed) = ("a pause on the fabric", "pauses above travel height only");
             findings.add_at(FindingCode::IronAtRest, pause.line, found, allowed);
         }

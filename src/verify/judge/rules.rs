@@ -74,9 +74,4 @@ impl<'a> IronRules<'a> {
         let way = (self.seal.band.0 / 10.0).max(2.0 * self.motion.least_move());
         way / self.seal.speed.0 + 1e-9
     }
-
-    /// Whether a height is below that of travels.
-    pub(super) fn is_low(&self, z: f64) -> bool {
-        z < self.process.heights.travel.0 - HEIGHT
-    }
 }

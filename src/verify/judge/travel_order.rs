@@ -135,8 +135,8 @@ impl Judge for TravelOrder {
 fn told(waypoint: &Waypoint) -> String {
     match waypoint {
         Waypoint::Rapid(to) => {
-            let axes = "XYZ".chars().zip(to).filter_map(|(name, value)| Some((name, (*value)?)));
-            let axes: Vec<String> = axes.map(|(name, value)| format!("{name}{value:.4}")).collect();
+            let told = |(name, value): (char, &Option<f64>)| value.map(|value| format!("{name}{value:.4}"));
+            let axes: Vec<String> = "XYZ".chars().zip(to).filter_map(told).collect();
             format!("G0 to {}", axes.join(" "))
         }
         Waypoint::Comment(key) => format!("the comment {key:?}"),

@@ -257,23 +257,21 @@ struct DrawnCurves {
 
 /// The seal drawings of all formats, to be held against each other.
 #[derive(Default)]
-pub(super) struct Seals {
-    seen: Vec<DrawnCurves>,
-}
+pub(super) struct Seals(Vec<DrawnCurves>);
 
 impl Seals {
     /// Notes the content of a file.
     pub(super) fn add(&mut self, sheet: usize, file: &str, drawing: &Drawing) {
         let layers = drawing.layers.iter().filter(|(_, paths)| !paths.is_empty());
         let layers = layers.map(|(name, paths)| (name.clone(), paths.len(), total(paths))).collect();
-        self.seen.push(DrawnCurves { sheet, file: file.to_owned(), layers });
+        self.0.push(DrawnCurves { sheet, file: file.to_owned(), layers });
     }
 
     /// Files of the same sheet that hold different things. A file with `proven` faults of its own does not make the others faulty.
     pub(super) fn disagreements(&self, tolerance: f64, proven: &[Finding]) -> Vec<Finding> {
         let mut findings = Vec::new();
-        for (i, DrawnCurves { sheet, file, layers }) in self.seen.iter().enumerate() {
-            let Some(first) = self.seen[..i].iter().find(|seen| seen.sheet == *sheet) else { continue };
+        for (i, DrawnCurves { sheet, file, layers }) in self.0.iter().enumerate() {
+            let Some(first) = self.0[..i].iter().find(|seen| seen.sheet == *sheet) else { continue };
             let DrawnCurves { file: other, layers: theirs, .. } = first;
             let is_faulty = |file: &str| proven.iter().any(|finding| finding.file == file);
             if is_faulty(other) && !is_faulty(file) {
