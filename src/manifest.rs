@@ -158,9 +158,9 @@ impl Manifest {
     pub fn new(spec: &Spec, design: &Design, programs: &[Program]) -> Self {
         let assembly = design.assembly();
         let stars = assembly.map_or_else(Vec::new, |assembly| ManifestStar::all(spec, assembly, programs));
-        let fabric = design.placed().iter().map(|placed| thousandths(design.part(placed).fabric())).sum();
-        let mass =
-            design.placed().iter().map(|placed| design.part(placed).mass(&spec.fabric).map(thousandths));
+        let parts = || design.placed().iter().map(|placed| design.part(placed));
+        let fabric = parts().map(|part| thousandths(part.fabric())).sum();
+        let mass = parts().map(|part| part.mass(&spec.fabric).map(thousandths));
         Self {
             tool: Tool::this(),
             name: spec.name.clone(),
@@ -210,10 +210,8 @@ impl ManifestStar {
         let mut stars: Vec<Self> = Vec::new();
         for program in programs {
             for index in program.numbers() {
-                let seams: Vec<ManifestSeam> = program
-                    .seams
-                    .iter()
-                    .filter(|seam| seam.name.piece.number() == Some(index))
+                let own = program.seams.iter().filter(|seam| seam.name.piece.number() == Some(index));
+                let seams: Vec<ManifestSeam> = own
                     .map(|seam| ManifestSeam {
                         loop_name: seam.name.seam.clone(),
                         length_mm: thousandths(seam.length),

@@ -91,14 +91,10 @@ pub struct Calibration {
 /// # Errors
 /// All faults of the table, see [`read_table`].
 pub fn read_rows(source: &Source) -> Result<Vec<PeelRow>, Faults> {
-    let rows = read_table(source, &COLUMNS)?;
-    let tested = rows.into_iter().filter_map(|row| match row {
-        [Some(temperature), Some(speed), Some(height), Some(peel)] => {
-            Some(PeelRow { temperature, speed, height, peel })
-        }
-        _ => None,
-    });
-    Ok(tested.collect())
+    let tested = |[temperature, speed, height, peel]: [Option<f64>; 4]| {
+        Some(PeelRow { temperature: temperature?, speed: speed?, height: height?, peel: peel? })
+    };
+    Ok(read_table(source, &COLUMNS)?.into_iter().filter_map(tested).collect())
 }
 
 /// Every setting that was tested, in the order of the table. The work is linear in the number of rows.
@@ -178,13 +174,8 @@ fn judge(setting: PeelRow, peels: &[f64]) -> Calibration {
 impl Calibration {
     /// The reason why the setting cannot be chosen, whatever strength is required; `None` if it can.
     fn unfit(&self) -> Option<&'static str> {
-        if self.count < LEAST {
-            Some("too few")
-        } else if self.deviation > SPREAD * self.mean {
-            Some("too uneven")
-        } else {
-            None
-        }
+        let is_uneven = self.deviation > SPREAD * self.mean;
+        if self.count < LEAST { Some("too few") } else { is_uneven.then_some("too uneven") }
     }
 
     /// The strength as it is written into the spec, N/mm: a lower bound is rounded down; 1e-6 of the last digit is rounding error.
@@ -197,15 +188,14 @@ impl Calibration {
         let Self { setting, mean, deviation, count, .. } = self;
         let strength = self.written();
         let speed = setting.speed;
-        let fast = if speed > FAST {
-            format!(
+        let mut fast = String::new();
+        if speed > FAST {
+            fast = format!(
                 "# {speed} mm/s is more than ten times the paper's 0.1 mm/s; if the strips were sealed at {speed} mm/min, \
                  write speed = \"{} mm/s\"\n",
                 Readable(speed / 60.0)
-            )
-        } else {
-            String::new()
-        };
+            );
+        }
         format!(
             "# {count} specimens: {mean:.3} N/mm, standard deviation {deviation:.3}; strength: mean less two \
              standard deviations\n\

@@ -151,13 +151,9 @@ pub fn read_cone_test(source: &Source, cone: &Cone, first: f64) -> Result<Vec<Pr
 
 /// The rows of a test in `source` with `columns`.
 fn read_presses(source: &Source, columns: &[TableColumn; 2]) -> Result<Vec<Press>, Faults> {
-    let presses: Vec<Press> = read_table(source, columns)?
-        .into_iter()
-        .filter_map(|row| match row {
-            [Some(travel), Some(load)] => Some(Press { travel, load }),
-            _ => None,
-        })
-        .collect();
+    // No cell of these columns may be empty.
+    let press = |row: [Option<f64>; 2]| Some(Press { travel: row[0]?, load: row[1]? });
+    let presses: Vec<Press> = read_table(source, columns)?.into_iter().filter_map(press).collect();
     if presses.is_empty() {
         let end = source.text.len();
         let fault = Fault::error(FaultCode::NoRows, end..end, "no rows below the header")

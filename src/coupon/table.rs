@@ -180,13 +180,10 @@ impl<'a> Table<'a> {
                 }
                 [(i, unit)] => {
                     let is = if unit.is_empty() { "has no unit" } else { "is in another unit" };
-                    Fault::error(
-                        FaultCode::Unit,
-                        self.cell(line, *i),
-                        format!("`{}` {is}", shortened(&record[*i])),
-                    )
-                    .label(format!("must be `{name}`"))
-                    .help("convert the numbers if they are in another one")
+                    let message = format!("`{}` {is}", shortened(&record[*i]));
+                    Fault::error(FaultCode::Unit, self.cell(line, *i), message)
+                        .label(format!("must be `{name}`"))
+                        .help("convert the numbers if they are in another one")
                 }
                 [] => Fault::error(FaultCode::NoColumn, line.clone(), format!("no column `{name}`"))
                     .label(format!("must have the columns {}", headers(columns))),
@@ -265,12 +262,8 @@ fn bad_number(column: &TableColumn, cell: &str, place: Range<usize>) -> Fault {
     let name = column.header();
     let pointed = cell.replacen(',', ".", 1);
     if cell.contains(',') && pointed.parse::<f64>().is_ok() {
-        return Fault::error(
-            FaultCode::DecimalComma,
-            place,
-            format!("`{name}` is `{cell}`: a decimal comma"),
-        )
-        .label(format!("write {pointed}"));
+        let message = format!("`{name}` is `{cell}`: a decimal comma");
+        return Fault::error(FaultCode::DecimalComma, place, message).label(format!("write {pointed}"));
     }
     let found = if cell.is_empty() { "empty".to_owned() } else { format!("`{}`", shortened(cell)) };
     let label = format!("a number is needed; it {}", column.allowed.in_words(""));

@@ -57,21 +57,14 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
     let Reading { raw, spec, .. } = read(source)?;
     let entries = star.entries();
     let searched = entries.iter().map(|(key, _)| *key).chain([key::star::INNER_RADIUS, key::stack::PITCH]);
-    let own = searched.flat_map(|key| (1..=spec.stars.len()).map(move |star| (key, star))).filter_map(
-        |(key, star)| {
-            let span = raw.span_of(key.of_star(star));
-            let fault = || {
-                Fault::error(
-                    FaultCode::OwnValue,
-                    span.clone(),
-                    format!("star {star} has its own `{}`", key.key()),
-                )
-                .label(format!("a value in [{}] does not reach it", key.section()))
-                .help(format!("move it into [{}]", key.section()))
-            };
-            (span != raw.span_of(key)).then(fault)
-        },
-    );
+    let has_own = |(key, star): &(KeyPath, usize)| raw.span_of(key.of_star(*star)) != raw.span_of(*key);
+    let own = searched.flat_map(|key| (1..=spec.stars.len()).map(move |star| (key, star))).filter(has_own);
+    let own = own.map(|(key, star)| {
+        let message = format!("star {star} has its own `{}`", key.key());
+        Fault::error(FaultCode::OwnValue, raw.span_of(key.of_star(star)), message)
+            .label(format!("a value in [{}] does not reach it", key.section()))
+            .help(format!("move it into [{}]", key.section()))
+    });
     let own: Vec<Fault> = own.collect();
     if !own.is_empty() {
         return Err(Faults::new(source, own));

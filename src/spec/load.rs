@@ -3,18 +3,18 @@
 use crate::spec::FaultCode;
 use crate::spec::allowed::{Allowed, SIZE};
 use crate::spec::fault::Fault;
-use crate::spec::model::{Load, ObjectShape, ObjectSize};
+use crate::spec::model::{Load, ObjectShape};
 use crate::spec::section::Section;
 use crate::units::Length;
 
 /// `[load]`; `None` where it is not written.
 pub(super) fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
     let pressure = s.quantity("pressure", Allowed::closed(1e-3, 1e6));
-    let (object_radius, object_size) = read_object_size(s);
+    let (object_radius, by_radius) = read_object_size(s);
     let load = Load {
         pressure,
         object_radius,
-        object_size,
+        by_radius,
         object_height: s.quantity("object_height", SIZE),
         object_shape: s.choice("object_shape", &ObjectShape::ALL),
         friction: s.number("friction", Allowed::above(0.0, 10.0)),
@@ -52,8 +52,8 @@ fn check_friction(s: &mut Section<'_, '_>, load: &Load) {
     }
 }
 
-/// The object's radius, and the key that gave it: `object_diameter` or `object_radius`, not both.
-fn read_object_size(s: &mut Section<'_, '_>) -> (Option<Length>, ObjectSize) {
+/// The object's radius, and whether `object_radius` gave it: that or `object_diameter`, not both.
+fn read_object_size(s: &mut Section<'_, '_>) -> (Option<Length>, bool) {
     let diameter: Option<Length> = s.quantity("object_diameter", SIZE);
     let radius = s.quantity("object_radius", SIZE);
     if s.has("object_diameter") && s.has("object_radius") {
@@ -64,7 +64,7 @@ fn read_object_size(s: &mut Section<'_, '_>) -> (Option<Length>, ObjectSize) {
         s.report(fault);
     }
     match diameter {
-        None if s.has("object_radius") => (radius, ObjectSize::Radius),
-        diameter => (diameter.map(|diameter| Length(0.5 * diameter.0)), ObjectSize::Diameter),
+        None if s.has("object_radius") => (radius, true),
+        diameter => (diameter.map(|diameter| Length(0.5 * diameter.0)), false),
     }
 }

@@ -4,13 +4,7 @@ use crate::spec::FaultCode;
 use std::ops::Range;
 
 use crate::spec::fault::{Fault, quoted};
-use crate::spec::value::{RawNumber, RawValue};
 use crate::units::{Percent, Pressure, Quantity, QuantityFault, QuantityKind, Readable, Temperature};
-
-/// A number that its range does not hold; the range is left to be named.
-pub(super) fn out_of_range(key: &str, number: &RawNumber, value: &RawValue) -> Fault {
-    Fault::error(FaultCode::OutOfRange, value.span.clone(), format!("`{key}` is {}", number.shown()))
-}
 
 /// A section's name as its header is written.
 pub(super) fn header(name: &str) -> String {
@@ -93,34 +87,34 @@ pub(super) fn malformed(
     reason: &QuantityFault,
     span: Range<usize>,
 ) -> Fault {
-    let (name, units, base) = (kind.name, kind.unit_list(), usual_unit(kind, key));
-    let message = format!("`{key}` is {}", quoted(text));
-    if let Some((label, help)) = comma(text) {
-        return Fault::error(FaultCode::NotANumber, span, message)
-            .label(label)
-            .help(format!("write {key} = {help}"));
-    }
-    match reason {
-        QuantityFault::NotANumber if text.contains('\u{2212}') => {
-            Fault::error(FaultCode::NotANumber, span, message)
-                .label("its sign is U+2212, a typographic minus sign")
-                .help(format!("write {key} = \"{}\"", text.trim().replace('\u{2212}', "-")))
+    let (name, units, a_quantity) = (kind.name, kind.unit_list(), article(kind.name));
+    let mut message = format!("`{key}` is {}", quoted(text));
+    let (code, label, help) = match (comma(text), reason) {
+        (Some((label, help)), _) => {
+            (FaultCode::NotANumber, label.to_owned(), Some(format!("write {key} = {help}")))
         }
-        QuantityFault::NotANumber => Fault::error(FaultCode::NotANumber, span, message)
-            .label(format!("must be {}: a finite decimal number and a unit", article(name)))
-            .help(format!("write for instance: {key} = \"5 {base}\"; units are {units}")),
-        QuantityFault::NoUnit => Fault::error(FaultCode::NoUnit, span, format!("{message}, without a unit"))
-            .label(format!("{} needs a unit: {units}", article(name)))
-            .help(bare_number(kind, key, text.trim())),
-        QuantityFault::UnknownUnit(unit) => {
-            let fault = Fault::error(FaultCode::UnknownUnit, span, message)
-                .label(format!("{} is not a unit of {name}: must be one of {units}", quoted(unit)));
-            match meant(kind, text, unit) {
-                Some(meant) => fault.help(format!("did you mean \"{meant}\"?")),
-                None => fault,
-            }
+        (_, QuantityFault::NotANumber) if text.contains('\u{2212}') => (
+            FaultCode::NotANumber,
+            "its sign is U+2212, a typographic minus sign".to_owned(),
+            Some(format!("write {key} = \"{}\"", text.trim().replace('\u{2212}', "-"))),
+        ),
+        (_, QuantityFault::NotANumber) => (
+            FaultCode::NotANumber,
+            format!("must be {a_quantity}: a finite decimal number and a unit"),
+            Some(format!("write for instance: {key} = \"5 {}\"; units are {units}", usual_unit(kind, key))),
+        ),
+        (_, QuantityFault::NoUnit) => {
+            message.push_str(", without a unit");
+            let label = format!("{a_quantity} needs a unit: {units}");
+            (FaultCode::NoUnit, label, Some(bare_number(kind, key, text.trim())))
         }
-    }
+        (_, QuantityFault::UnknownUnit(unit)) => (
+            FaultCode::UnknownUnit,
+            format!("{} is not a unit of {name}: must be one of {units}", quoted(unit)),
+            meant(kind, text, unit).map(|meant| format!("did you mean \"{meant}\"?")),
+        ),
+    };
+    Fault { help, ..Fault::error(code, span, message).label(label) }
 }
 
 /// The whole quantity in the unit that `unit` abbreviates; `text` ends with `unit`.

@@ -311,8 +311,8 @@ pub struct Load {
     pub pressure: Option<Pressure>,
     /// Radius of the object where it is widest: half of `object_diameter`, or `object_radius`.
     pub object_radius: Option<Length>,
-    /// The key that gives the object's size.
-    pub object_size: ObjectSize,
+    /// Whether `object_radius` gives the object's size, not `object_diameter`.
+    pub by_radius: bool,
     /// Height of the object; absent: as tall as wide.
     pub object_height: Option<Length>,
     /// Shape of the object; absent: a ball.
@@ -338,21 +338,8 @@ impl Load {
 
     /// The key that gave the object's size, or the documented one.
     pub fn size_key(&self) -> KeyPath {
-        match self.object_size {
-            ObjectSize::Diameter => key::load::OBJECT_DIAMETER,
-            ObjectSize::Radius => key::load::OBJECT_RADIUS,
-        }
+        if self.by_radius { key::load::OBJECT_RADIUS } else { key::load::OBJECT_DIAMETER }
     }
-}
-
-/// The key by which an object's size is given.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ObjectSize {
-    /// `object_diameter`
-    #[default]
-    Diameter,
-    /// `object_radius`
-    Radius,
 }
 
 /// The shape of an object whose axis is the gripper's.
@@ -366,13 +353,10 @@ pub enum ObjectShape {
 
 impl ObjectShape {
     /// Both, with the words that specs and arguments write.
-    pub const ALL: [(&str, Self); 2] = [("cylinder", Self::Cylinder), ("ball", Self::Ball)];
+    pub const ALL: [(&'static str, Self); 2] = [("cylinder", Self::Cylinder), ("ball", Self::Ball)];
 
     /// Its word.
     pub fn word(self) -> &'static str {
-        match self {
-            Self::Cylinder => "cylinder",
-            Self::Ball => "ball",
-        }
+        Self::ALL.iter().find(|(_, own)| *own == self).map_or("", |(word, _)| word)
     }
 }

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
-use crate::spec::message::{article, bare_number, header, malformed, out_of_range};
+use crate::spec::message::{article, bare_number, header, malformed};
 use crate::spec::raw::RawSpec;
 use crate::spec::shape::ValueShape;
 use crate::spec::unknown::{self, Known, Missing};
@@ -320,7 +320,12 @@ impl<'r> Section<'_, 'r> {
         if allowed.holds(number.value) {
             return Some(number.value);
         }
-        self.report(out_of_range(key, number, value).label(allowed.in_words("")));
+        self.refuse(
+            FaultCode::OutOfRange,
+            key,
+            format!("`{key}` is {}", number.shown()),
+            allowed.in_words(""),
+        );
         None
     }
 
@@ -335,7 +340,8 @@ impl<'r> Section<'_, 'r> {
         if let Some(found) = found.filter(|found| (low..=high).contains(found)) {
             return Some(found);
         }
-        self.report(out_of_range(key, number, value).label(format!("must be from {low} to {high}")));
+        let allowed = format!("must be from {low} to {high}");
+        self.refuse(FaultCode::OutOfRange, key, format!("`{key}` is {}", number.shown()), allowed);
         None
     }
 

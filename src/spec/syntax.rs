@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
+use crate::spec::source::boundary;
 use crate::spec::value::{RawKind, RawTable, RawValue};
 
 /// Number of syntax errors from which a text is taken for another kind of file, not for a spec with slips.
@@ -67,10 +68,11 @@ fn fault(error: &toml::de::Error, text: &str, root: &RawTable) -> Fault {
     let span = error.span().unwrap_or(0..0);
     let line = line_of(text, span.start);
     let as_error = |found: &str, span: &Range<usize>| Fault::error(FaultCode::Syntax, span.clone(), found);
-    if let Some((curly, plain)) = QUOTES.into_iter().find(|(curly, _)| is_value_in(line, *curly)) {
-        let right = QUOTES
-            .iter()
-            .fold(line.to_owned(), |line, (curly, plain)| line.replace(*curly, &plain.to_string()));
+    let value = line.split_once('=').map(|(_, value)| value);
+    let begins = |quote: char| value.is_some_and(|value| value.trim_start().starts_with(quote));
+    if let Some((curly, plain)) = QUOTES.into_iter().find(|(curly, _)| begins(*curly)) {
+        let plainly = |c| QUOTES.iter().find(|(curly, _)| *curly == c).map_or(c, |(_, plain)| *plain);
+        let right: String = line.chars().map(plainly).collect();
         let found = format!("the quotes are typographic, {curly} is U+{:04X}", u32::from(curly));
         return as_error(&found, &span)
             .label(format!("plain quotes are needed: {plain}"))
@@ -81,7 +83,7 @@ fn fault(error: &toml::de::Error, text: &str, root: &RawTable) -> Fault {
             .label("a decimal point is needed")
             .help(format!("write {right}"));
     }
-    let value = line.split_once('=').and_then(|(_, value)| value.split('#').next());
+    let value = value.and_then(|value| value.split('#').next());
     match error.message().split_once(", expected ") {
         Some(("string values must be quoted", _)) if value.is_some_and(|value| value.trim().is_empty()) => {
             as_error("no value after `=`", &span).label("write the value here, or delete the line")
@@ -134,15 +136,10 @@ fn within(value: &RawValue, name: &str, end: usize) -> Option<usize> {
 
 /// The line around byte `at`.
 fn line_of(text: &str, at: usize) -> &str {
-    let at = (0..=at.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+    let at = boundary(text, at);
     let start = text[..at].rfind('\n').map_or(0, |end| end + 1);
     let end = text[at..].find('\n').map_or(text.len(), |length| at + length);
     &text[start..end]
-}
-
-/// Whether the value of the line begins with `quote`.
-fn is_value_in(line: &str, quote: char) -> bool {
-    line.split_once('=').is_some_and(|(_, value)| value.trim_start().starts_with(quote))
 }
 
 /// The line with a point, if its value is a bare number with a decimal comma.

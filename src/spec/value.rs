@@ -66,26 +66,20 @@ impl RawTable {
 impl RawValue {
     /// The table, if it is one.
     pub(super) fn as_table(&self) -> Option<&RawTable> {
-        match &self.kind {
-            RawKind::Table(table) => Some(table),
-            _ => None,
-        }
+        let RawKind::Table(table) = &self.kind else { return None };
+        Some(table)
     }
 
     /// The text, if it is one.
     pub(super) fn as_text(&self) -> Option<&str> {
-        match &self.kind {
-            RawKind::Text(text) => Some(text),
-            _ => None,
-        }
+        let RawKind::Text(text) = &self.kind else { return None };
+        Some(text)
     }
 
     /// The elements, if it is a list.
     pub(super) fn as_list(&self) -> Option<&[RawValue]> {
-        match &self.kind {
-            RawKind::List(list) => Some(list),
-            _ => None,
-        }
+        let RawKind::List(list) = &self.kind else { return None };
+        Some(list)
     }
 
     /// The value in plain words.

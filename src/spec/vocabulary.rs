@@ -60,8 +60,8 @@ pub struct Vocabulary {
     codes: &'static [&'static [CodeRow]],
     /// Commands of `codes` that it does not support.
     except: &'static [Command],
-    /// Whether it draws arcs; without, no arc is read.
-    draws_arcs: bool,
+    /// Whether it draws arcs, without options that only some of the family have; without, no arc is read.
+    pub draws_arcs: bool,
     /// Whether it surely reads the decimals of G90.1 and G91.1; other controllers may read these as G90 and G91.
     subcodes: bool,
     /// Commands that are words of more than a letter, alone on their line with parameters of their own.
@@ -137,11 +137,6 @@ impl Vocabulary {
     pub const fn for_controller(controller: &Controller) -> Self {
         let family = Self::of(controller.dialect);
         if controller.arcs { family } else { family.without_arcs() }
-    }
-
-    /// Whether it draws arcs, without options that only some of the family have.
-    pub const fn draws_arcs(self) -> bool {
-        self.draws_arcs
     }
 
     /// The same words without those for arcs.

@@ -2,7 +2,7 @@
 
 use crate::{gripper, predict};
 use stargrip_cam::forecast::verdict::{Holds, Verdict, refusals, verdict};
-use stargrip_cam::spec::{Code, ObjectSize, Spec};
+use stargrip_cam::spec::{Code, Spec};
 use stargrip_cam::units::{Angle, Force, Length, LineForce, Mass, Pressure};
 
 fn judged(change: impl Fn(&mut Spec)) -> Verdict {
@@ -260,7 +260,7 @@ fn alone(radius: f64, change: impl Fn(&mut Spec)) -> Spec {
     spec.stars.truncate(1);
     let load = spec.load.as_mut().expect("given");
     (load.mass, load.object_radius) = (None, Some(Length(radius)));
-    (load.object_height, load.object_size) = (None, ObjectSize::Diameter);
+    (load.object_height, load.by_radius) = (None, false);
     spec.fabric.seal_strength = Some(LineForce(6e3));
     change(&mut spec);
     spec

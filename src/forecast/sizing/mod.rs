@@ -17,7 +17,7 @@ use crate::forecast::optimize::{
     Constraints, DesignSearch, Evaluation, Goal, SearchBounds, SearchEffort, SearchResult, Short, shortfalls,
 };
 use crate::forecast::ranges::{Interval, errors};
-use crate::spec::{Fabric, Load, ObjectShape, ObjectSize, StarSpec};
+use crate::spec::{Fabric, Load, ObjectShape, StarSpec};
 use crate::units::{Angle, Force, Least, Length, Mass, Most, Pressure};
 use inflatable::mechanics::hinge::ring::RingTable;
 use inflatable::mechanics::hinge::section::arms;
@@ -171,7 +171,7 @@ impl Requirements {
         Load {
             pressure: self.pressure,
             object_radius: Some(self.object),
-            object_size: ObjectSize::Diameter,
+            by_radius: false,
             object_height: self.height,
             object_shape: self.shape,
             // What it may be less by is part of the margins that are searched with.

@@ -7,7 +7,7 @@
 use crate::forecast::candidate::{Candidate, RefusedDesign};
 use crate::spec::edit::with_values;
 use crate::spec::study::{Axis, Block, KeyValue};
-use crate::spec::{KeyPath, ModelChoice, ObjectSize, Reading, Severity, Source, Spec, key, read};
+use crate::spec::{KeyPath, ModelChoice, Reading, Severity, Source, Spec, key, read};
 use crate::units::{Angle, Length, LineForce, Pressure};
 use std::sync::OnceLock;
 
@@ -30,14 +30,14 @@ const QUICK: [(KeyPath, Quick); 14] = [
     (key::fabric::POISSON_RATIO, |point, value| point.fabric.poisson_ratio = value),
     (key::fabric::SEAL_STRENGTH, |point, value| point.fabric.seal_strength = Some(LineForce(value))),
     (key::load::PRESSURE, |point, value| point.load.pressure = Some(Pressure(value))),
-    (key::load::OBJECT_DIAMETER, |point, value| set_size(point, 0.5 * value, ObjectSize::Diameter)),
-    (key::load::OBJECT_RADIUS, |point, value| set_size(point, value, ObjectSize::Radius)),
+    (key::load::OBJECT_DIAMETER, |point, value| set_size(point, 0.5 * value, false)),
+    (key::load::OBJECT_RADIUS, |point, value| set_size(point, value, true)),
     (key::load::FRICTION, |point, value| point.load.friction = Some(value)),
 ];
 
 /// Sets the object's radius, mm, and which key gave it.
-fn set_size(point: &mut Candidate, radius: f64, by: ObjectSize) {
-    (point.load.object_radius, point.load.object_size) = (Some(Length(radius)), by);
+fn set_size(point: &mut Candidate, radius: f64, by_radius: bool) {
+    (point.load.object_radius, point.load.by_radius) = (Some(Length(radius)), by_radius);
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the reader lets 3 to 64 pass")]

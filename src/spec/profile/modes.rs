@@ -16,7 +16,7 @@ const MODES: [(Command, &str, &str, bool); 5] = [
 /// Whether programs may hold arcs: `arcs` as written, and false where the dialect draws none. A profile that requests arcs there
 /// is refused.
 pub(super) fn check_arcs(root: &mut Section<'_, '_>, dialect: Dialect, arcs: Option<bool>) -> bool {
-    let draws = Vocabulary::of(dialect).draws_arcs();
+    let draws = Vocabulary::of(dialect).draws_arcs;
     if draws || arcs != Some(true) {
         return arcs.unwrap_or(draws);
     }

@@ -23,10 +23,7 @@ enum Values {
 
 /// Axes of equal length that go on together.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Block {
-    axes: Vec<Axis>,
-    len: usize,
-}
+pub struct Block(Vec<Axis>);
 
 impl Axis {
     /// A field with values in its range, at least one.
@@ -135,22 +132,22 @@ impl Block {
     /// Lanes that go on together; `None` if there are none, or their lengths differ, or are 0.
     pub fn new(axes: Vec<Axis>) -> Option<Self> {
         let len = axes.first()?.len();
-        (len > 0 && axes.iter().all(|axis| axis.len() == len)).then_some(Self { axes, len })
+        (len > 0 && axes.iter().all(|axis| axis.len() == len)).then_some(Self(axes))
     }
 
     /// The axes.
     pub fn axes(&self) -> &[Axis] {
-        &self.axes
+        &self.0
     }
 
     /// Number of values of each axis; at least 1.
     pub fn len(&self) -> usize {
-        self.len
+        self.0.first().map_or(0, Axis::len)
     }
 
     /// Never.
     pub fn is_empty(&self) -> bool {
-        self.len == 0
+        self.0.is_empty()
     }
 }
 
