@@ -18,7 +18,7 @@ use crate::spec::Spec;
 pub use crate::digest::sha256;
 use crate::shape::PieceName;
 pub use bill::{ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts};
-pub use coupons::{CouponChoice, CouponManifest, FEED_CHECK_MANIFEST, FeedCheckManifest, StripGrid};
+pub use coupons::{CouponChoice, CouponManifest, FEED_CHECK_MANIFEST, FeedCheckManifest};
 pub use predicted::{ManifestPrediction, ManifestStarPrediction};
 
 /// The manifest's file name in an output directory.

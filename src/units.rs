@@ -5,7 +5,6 @@
 //! `0.3mm`, `1.5e-1 mm`. The first unit in a table is the one it is printed in.
 
 use inflatable::readable::decimals;
-use serde::{Deserialize, Serialize};
 use std::fmt;
 
 pub use inflatable::readable::Readable;
@@ -112,7 +111,7 @@ fn split_number(text: &str) -> Option<(f64, &str)> {
 macro_rules! quantities {
     ($($(#[$doc:meta])* $name:ident($kind:literal): $($unit:literal = $factor:expr),+;)+) => {$(
         $(#[$doc])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd, Serialize, Deserialize)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
         pub struct $name(pub f64);
 
         impl Quantity for $name {

@@ -5,7 +5,6 @@ use std::fmt::Write;
 
 use crate::emit;
 use crate::emit::GridCell;
-pub use crate::manifest::StripGrid;
 use crate::spec::{Allowed, CONTACT, Machine, SEAL_SPEEDS, Spec, TOXIC};
 use crate::units::{Length, Quantity, Speed, Temperature};
 use inflatable::geom::{Bounds, Line, Path, Point, Vec2};
@@ -22,6 +21,19 @@ const WASTE: f64 = 5.0;
 const ROW: f64 = 6.0;
 /// Distance between the edge of the sheet and a ramp, mm.
 const EDGE: f64 = 10.0;
+
+/// The settings to vary.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StripGrid {
+    /// Temperatures of the iron.
+    pub temperatures: Vec<Temperature>,
+    /// Speeds of the iron.
+    pub speeds: Vec<Speed>,
+    /// Heights of the tip in contact.
+    pub heights: Vec<Length>,
+    /// Number of seals with each setting; at least three for a spread.
+    pub repeats: usize,
+}
 
 /// One strip.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use crate::manifest::{ManifestFile, SealedPiece, Tool, json};
-use crate::units::{Length, Speed, Temperature};
 
 /// Content of `manifest.json` in a directory of coupons: the settings, and the files written.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -23,27 +22,19 @@ pub struct CouponManifest {
 /// The settings of the strips, and the groups of coupons.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CouponChoice {
-    /// The settings to vary.
-    #[serde(flatten)]
-    pub grid: StripGrid,
-    /// Kinds of coupons: "strips", "disc", "v-actuator", "burst".
-    pub only: Vec<String>,
-}
-
-/// The settings of the strips to vary.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct StripGrid {
     /// Temperatures of the iron.
     #[serde(rename = "temperatures_C")]
-    pub temperatures: Vec<Temperature>,
+    pub temperatures: Vec<f64>,
     /// Speeds of the iron.
     #[serde(rename = "speeds_mm_s")]
-    pub speeds: Vec<Speed>,
+    pub speeds: Vec<f64>,
     /// Heights of the tip in contact.
     #[serde(rename = "heights_mm")]
-    pub heights: Vec<Length>,
-    /// Number of seals with each setting; at least three for a spread.
+    pub heights: Vec<f64>,
+    /// Number of seals with each setting.
     pub repeats: usize,
+    /// Kinds of coupons: "strips", "disc", "v-actuator", "burst".
+    pub only: Vec<String>,
 }
 
 impl CouponManifest {

@@ -8,6 +8,7 @@ use crate::manifest::{CouponChoice, CouponManifest, MANIFEST, ManifestFile, Seal
 use crate::pipeline::Sources;
 use crate::pipeline::directory::{refused, sources_of};
 use crate::spec::{Machine, Spec};
+use crate::units::{Length, Speed, Temperature};
 use crate::verify;
 use crate::verify::{FileProof, Finding, FindingCode, Findings, Method, OutputFiles, ProgramTask, Proof};
 use inflatable::geom::Path;
@@ -186,27 +187,33 @@ pub(super) fn prove_coupons(written: &CouponManifest, files: &OutputFiles<'_>) -
     };
     let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok()).unwrap_or_default();
     let sources = Sources { spec: text("spec.toml"), machine: text("machine.toml") };
-    let Some(groups) = wanted(&written.coupons, &machine) else {
+    let Some((grid, groups)) = wanted(&written.coupons, &machine) else {
         let finding = Finding::new(FindingCode::Manifest, "other settings", "settings that `coupon` takes");
         return failed(vec![finding.in_file(MANIFEST)]);
     };
-    match MadeCoupons::new(&reading.spec, &machine, sources, &written.coupons.grid, &groups) {
+    match MadeCoupons::new(&reading.spec, &machine, sources, &grid, &groups) {
         Ok(made) => made.proof(written, files),
         Err(refusals) => failed(refused(refusals)),
     }
 }
 
-/// The groups of a manifest; `None` if `coupon` would refuse its settings.
-fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<Vec<CouponGroup>> {
-    let grid = &choice.grid;
-    let lengths = [grid.temperatures.len(), grid.speeds.len(), grid.heights.len()];
-    let strips = lengths.iter().try_fold(grid.repeats, |strips, length| strips.checked_mul(*length))?;
-    // Without a setting there is no strip.
-    let right = (1..=MOST_STRIPS).contains(&strips) && grid.repeats <= 20 && grid.refusal(machine).is_none();
+/// The settings and groups of a manifest; `None` if `coupon` would refuse them.
+fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<(StripGrid, Vec<CouponGroup>)> {
+    let CouponChoice { temperatures, speeds, heights, repeats, only } = choice;
+    let lengths = [temperatures, speeds, heights].map(Vec::len);
+    let strips = lengths.iter().try_fold(*repeats, |strips, length| strips.checked_mul(*length))?;
     let group =
         |name: &String| CouponGroup::NAMES.iter().find(|(known, _)| known == name).map(|(_, group)| *group);
-    let groups = choice.only.iter().map(group).collect();
-    if right { groups } else { None }
+    let groups = only.iter().map(group).collect::<Option<_>>()?;
+    let grid = StripGrid {
+        temperatures: temperatures.iter().copied().map(Temperature).collect(),
+        speeds: speeds.iter().copied().map(Speed).collect(),
+        heights: heights.iter().copied().map(Length).collect(),
+        repeats: *repeats,
+    };
+    // Without a setting there is no strip.
+    let right = (1..=MOST_STRIPS).contains(&strips) && *repeats <= 20 && grid.refusal(machine).is_none();
+    right.then_some((grid, groups))
 }
 
 /// The task that the program of a coupon must perform.
@@ -235,7 +242,10 @@ fn manifest(
         tool: Tool::this(),
         name: spec.name.clone(),
         coupons: CouponChoice {
-            grid: grid.clone(),
+            temperatures: grid.temperatures.iter().map(|t| t.0).collect(),
+            speeds: grid.speeds.iter().map(|v| v.0).collect(),
+            heights: grid.heights.iter().map(|h| h.0).collect(),
+            repeats: grid.repeats,
             only: only.map(|(name, _)| (*name).to_owned()).collect(),
         },
         files: files.iter().map(ManifestFile::of).collect(),
