@@ -224,6 +224,11 @@ pub fn tenths_up(x: f64) -> f64 {
     (10.0 * x).ceil() / 10.0
 }
 
+/// `x`, rounded down to a hundredth: a largest value that is printed so holds.
+pub fn hundredths_down(x: f64) -> f64 {
+    (x * 100.0).floor() / 100.0
+}
+
 /// Prints a lower limit: as [`Readable`], but rounded up, so that the printed value satisfies it.
 pub struct Least(pub f64);
 

@@ -11,14 +11,13 @@ pub fn shape_leaks(shape: &SealedShape) -> Vec<Refusal> {
 }
 
 fn refusal(shape: &SealedShape, leak: &Leak) -> Refusal {
-    let seam = |number: &usize| match shape.seams.get(*number).map(|seam| seam.name.as_str()) {
-        None | Some("") => "seam".to_owned(),
-        Some(name) => format!("{name} seam"),
+    let seam = |number: &usize| match shape.seams[*number].name.as_str() {
+        "" => "seam".to_owned(),
+        name => format!("{name} seam"),
     };
-    let first = |places: &[Point]| {
-        places
-            .first()
-            .map_or(String::new(), |place| format!(", first at X {:.1} Y {:.1} mm", place.x, place.y))
+    // Seams meet in one place at least.
+    let met = |places: &[Point]| {
+        format!("{} places, first at X {:.1} Y {:.1} mm", places.len(), places[0].x, places[0].y)
     };
     let (key, code, found, remedy) = match leak {
         Leak::Gap(at, gap) => (
@@ -30,19 +29,13 @@ fn refusal(shape: &SealedShape, leak: &Leak) -> Refusal {
         Leak::CrossesItself(at, places) => (
             key::seal::BAND,
             RefusalCode::SeamCrossesItself,
-            format!("the {} crosses itself in {} places{}", seam(at), places.len(), first(places)),
+            format!("the {} crosses itself in {}", seam(at), met(places)),
             "make band narrower, or the arms longer".to_owned(),
         ),
         Leak::Cross([a, b], places) => (
             key::star::TUBE_WIDTH,
             RefusalCode::SeamsCross,
-            format!(
-                "the {} and the {} cross or touch in {} places{}",
-                seam(a),
-                seam(b),
-                places.len(),
-                first(places)
-            ),
+            format!("the {} and the {} cross or touch in {}", seam(a), seam(b), met(places)),
             "make tube_width larger, or the band narrower".to_owned(),
         ),
         Leak::Open(at, [end, _]) => (
@@ -58,7 +51,7 @@ fn refusal(shape: &SealedShape, leak: &Leak) -> Refusal {
             "change [inlet]".to_owned(),
         ),
         Leak::NarrowPort(port, width) => {
-            let needed = shape.ports.get(*port).map_or(0.0, |port| port.width);
+            let needed = shape.ports[*port].width;
             (
                 key::inlet::TUBE_DIAMETER,
                 RefusalCode::NarrowMouth,

@@ -5,7 +5,7 @@ use std::fmt;
 use crate::airtight::shape_leaks;
 use crate::design::{Design, FlatPiece, Refusal, RefusalCode, Refusals};
 use crate::shape::{Role, Seam};
-use crate::spec::{KeyPath, Machine, Spec, key};
+use crate::spec::{Machine, Spec, key};
 use crate::units::Readable;
 use inflatable::geom::{Bounds, Segment, path_distance, segment_distance};
 
@@ -49,69 +49,50 @@ pub struct Loop {
     pub between_passes: f64,
 }
 
-/// Leaks and weaknesses of one piece.
-#[derive(Default)]
-struct Found {
-    leaks: Refusals,
-    weaknesses: Vec<String>,
-}
-
-impl Found {
-    fn leak(&mut self, key: KeyPath, code: RefusalCode, found: String, remedy: &str) {
-        self.leaks.push(Refusal::new(key, code, found, remedy.to_owned()));
-    }
-}
-
 /// The passages that the seams of `part` leave open.
 pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
     let (shape, band) = (part.shape(), part.shape().band);
-    let mut found = Found { leaks: shape_leaks(shape).into_iter().collect(), weaknesses: Vec::new() };
+    let (mut leaks, mut weaknesses): (Refusals, _) = (shape_leaks(shape).into_iter().collect(), Vec::new());
     let is_star = matches!(part, FlatPiece::Star(_));
-    let loops = shape.seams.iter().map(|seam| closure(spec, machine, (seam, is_star), &mut found)).collect();
+    let closure = |seam| closure(spec, machine, (seam, is_star), &mut leaks, &mut weaknesses);
+    let loops = shape.seams.iter().map(closure).collect();
     let pairs =
         || shape.seams.iter().enumerate().flat_map(|(i, a)| shape.seams[i + 1..].iter().map(move |b| (a, b)));
     let apart = |(a, b): (&Seam, &Seam)| path_distance(&a.center_line, &b.center_line);
-    let channel = match part {
-        FlatPiece::Star(_) => Some(pairs().map(apart).fold(f64::INFINITY, f64::min) - band),
+    let (channel, least_passage, eaten) = match part {
+        FlatPiece::Star(star) => {
+            let [tip, corner] = [star.realised_tip(), star.realised_corner()].map(|made| made.radius);
+            let channel = pairs().map(apart).fold(f64::INFINITY, f64::min) - band;
+            (Some(channel), None, Some([(star.star.r_i, tip), (star.star.r_e, corner)]))
+        }
         // Bands of a drawing may join; its passages were measured when it was read.
-        FlatPiece::Drawn(piece) => piece.passage,
+        FlatPiece::Drawn(piece) => (piece.passage, Some(piece.least_passage), None),
     };
+    let width = part.tube_width();
     if let Some(channel) = channel.filter(|channel| *channel <= 0.0) {
         let what = format!("the bands meet: {channel:.3} mm are left between them");
-        found.leak(
-            key::star::TUBE_WIDTH,
-            RefusalCode::BandsMeet,
-            what,
-            "make tube_width larger, or the band narrower",
-        );
-    } else if let Some(channel) = channel.filter(|channel| is_star && *channel < 0.99 * part.tube_width()) {
-        found
-            .weaknesses
-            .push(format!("the tube is {channel:.3} mm wide at its narrowest, of {} mm", part.tube_width()));
+        let remedy = "make tube_width larger, or the band narrower";
+        leaks.push(Refusal::new(key::star::TUBE_WIDTH, RefusalCode::BandsMeet, what, remedy));
+    } else if let Some(channel) = channel.filter(|channel| is_star && *channel < 0.99 * width) {
+        weaknesses.push(format!("the tube is {channel:.3} mm wide at its narrowest, of {width} mm"));
     }
     let inlet = shape.ports.first().map(|_| shape.port_width(0).unwrap_or(0.0));
     let starts = |(a, b): (&Seam, &Seam)| Some(a.center_line.start()?.distance(b.center_line.start()?));
     let starts_apart = is_star.then(|| pairs().filter_map(starts).fold(f64::INFINITY, f64::min));
     if let Some(apart) = starts_apart.filter(|apart| *apart < 2.0 * band + spec.seal.overlap.0) {
-        found.weaknesses.push(format!("the two loops start only {apart:.1} mm from each other"));
+        weaknesses.push(format!("the two loops start only {apart:.1} mm from each other"));
     }
-    let eaten = match part {
-        FlatPiece::Star(star) => Some([
-            (star.star.r_i, star.realised_tip().radius),
-            (star.star.r_e, star.realised_corner().radius),
-        ]),
-        FlatPiece::Drawn(_) => None,
-    };
-    let least_passage = match part {
-        FlatPiece::Star(_) => None,
-        FlatPiece::Drawn(piece) => Some(piece.least_passage),
-    };
-    let Found { leaks, weaknesses } = found;
     let inlets = shape.ports.len();
     Passage { loops, starts_apart, channel, least_passage, inlet, inlets, eaten, leaks, weaknesses }
 }
 
-fn closure(spec: &Spec, machine: &Machine, (seam, is_star): (&Seam, bool), found: &mut Found) -> Loop {
+fn closure(
+    spec: &Spec,
+    machine: &Machine,
+    (seam, is_star): (&Seam, bool),
+    leaks: &mut Refusals,
+    weaknesses: &mut Vec<String>,
+) -> Loop {
     let (path, name) = (&seam.center_line, seam.name.clone());
     let run = seam.run();
     let twice = run.length() - path.length();
@@ -119,9 +100,9 @@ fn closure(spec: &Spec, machine: &Machine, (seam, is_star): (&Seam, bool), found
         if (twice - seam.overlap).abs() > 1e-6 || seam.overlap <= 0.0 {
             let what = format!("the {name} loop closes with an overlap of {twice:.3} mm");
             let remedy = format!("overlap must be above 0 mm: at least the band of {}", spec.seal.band);
-            found.leak(key::seal::OVERLAP, RefusalCode::NoOverlap, what, &remedy);
+            leaks.push(Refusal::new(key::seal::OVERLAP, RefusalCode::NoOverlap, what, remedy));
         } else if seam.overlap < spec.seal.band.0 {
-            found.weaknesses.push(format!(
+            weaknesses.push(format!(
                 "the {name} loop closes with an overlap of {} mm, less than the band of {}",
                 seam.overlap, spec.seal.band
             ));
@@ -140,7 +121,7 @@ fn closure(spec: &Spec, machine: &Machine, (seam, is_star): (&Seam, bool), found
     };
     // The seal's load is largest at a star's hinge; a drawing has no hinge.
     if is_star && path.closed && ahead.min(behind) <= 0.0 {
-        found.weaknesses.push(format!("the {name} loop starts on a hinge"));
+        weaknesses.push(format!("the {name} loop starts on a hinge"));
     }
     let between_passes = if path.closed { path.length() / spec.seal.speed.0 } else { 0.0 };
     Loop { name, role: seam.role, closed: path.closed, overlap: twice, to_hinge, between_passes }

@@ -13,7 +13,7 @@ use crate::forecast::verdict::Verdict;
 use crate::pipeline::Forecast;
 use crate::spec;
 use crate::spec::{Allowed, FeedFloor, Machine, ObjectShape, Source, Spec};
-use crate::units::{Force, Length, Mass, Most, Pressure, counted};
+use crate::units::{Force, Length, Mass, Most, Pressure, counted, hundredths_down};
 use inflatable::mechanics::hinge::ring::RingTable;
 
 /// Masses of objects, kg.
@@ -262,7 +262,7 @@ fn buildable(
     let stars = forecast.design.assembly().into_iter().flat_map(|assembly| &assembly.distinct);
     let reaches = stars.map(|part| part.mask.extent);
     let Some(shortest) = reaches.reduce(f64::min).filter(|_| is_short) else { return Ok((text, forecast)) };
-    base.mask.extent = Some(Length((shortest * 100.0).floor() / 100.0));
+    base.mask.extent = Some(Length(hundredths_down(shortest)));
     attempt(&base)
 }
 

@@ -88,11 +88,16 @@ impl Star {
     ///
     /// `None` if nothing is left: the hole is closed.
     pub fn contour(&self, side: Side, delta: f64, least_radius: f64) -> Option<Contour> {
-        Some(match self.trimmed(side, delta, least_radius)? {
-            Trimmed::Arms { corner, tip, arm } => self.with_arms(corner, tip, arm),
-            Trimmed::Corners(hinge) => self.arcs_only(hinge, Part::Corner, -1.0),
-            Trimmed::Tips(hinge) => self.arcs_only(hinge, Part::Tip, 1.0),
-        })
+        let arcs = |arc: &dyn Fn(u32) -> (Part, Segment)| (1..=self.n).map(arc).collect();
+        let parts = match self.trimmed(side, delta, least_radius)? {
+            Trimmed::Arms { corner, tip, arm } => return Some(self.with_arms(corner, tip, arm)),
+            Trimmed::Corners(hinge) => arcs(&|k| {
+                let next = k % self.n + 1;
+                (Part::Corner(next), self.corner_arc(next, hinge).into())
+            }),
+            Trimmed::Tips(hinge) => arcs(&|k| (Part::Tip(k), self.tip_arc(k, hinge).into())),
+        };
+        Some(Contour { parts, arm: 0.0 })
     }
 
     /// The same contour, trimmed but not yet drawn.
@@ -132,7 +137,7 @@ impl Star {
         let tip_arc = |k| self.tip_arc(k, tip);
         let mut parts = Vec::with_capacity(4 * self.n as usize);
         for k in 1..=self.n {
-            let next = if k == self.n { 1 } else { k + 1 };
+            let next = k % self.n + 1;
             parts.push((Part::Arm(2 * k - 1), Line::new(corner_arc(k).end(), tip_arc(k).start()).into()));
             if tip.radius > 0.0 {
                 parts.push((Part::Tip(k), tip_arc(k).into()));
@@ -165,17 +170,6 @@ impl Star {
             Side::Hole => PI - seen.angle(),
             Side::Outside => seen.angle(),
         })
-    }
-
-    fn arcs_only(&self, hinge: ContourHinge, part: fn(u32) -> Part, turn: f64) -> Contour {
-        let parts = (1..=self.n)
-            .map(|k| {
-                let k = if turn < 0.0 { k % self.n + 1 } else { k };
-                let arc = if turn < 0.0 { self.corner_arc(k, hinge) } else { self.tip_arc(k, hinge) };
-                (part(k), arc.into())
-            })
-            .collect();
-        Contour { parts, arm: 0.0 }
     }
 
     /// The arc of corner `k`, which turns clockwise; of radius 0 for a vertex.

@@ -3,11 +3,10 @@
 //! A cut takes half of its width from either side. Cut-outs (holes, windows) would come out larger, and cut edges (outlines,
 //! plates) smaller; so the tool travels half a kerf inside the former and outside the latter.
 
-use crate::design::mask::hundredths_down;
 use crate::design::offset::offset;
 use crate::design::{Circle, MaskPlate, Outline, Refusal, RefusalCode, Star};
 use crate::spec::{SMALLEST_HOLE, key};
-use crate::units::{Most, Readable};
+use crate::units::{Most, Readable, hundredths_down};
 use inflatable::geom::{Isometry, Path};
 
 /// The cut lines of one star and its mask, in the star's frame. All are closed and counterclockwise.
@@ -89,7 +88,7 @@ pub(super) fn tool_around(path: &Path, kerf: f64, what: &str) -> Result<Path, Re
 
 /// The refusal of a kerf that leaves nothing of `path`, which `share` of it moves outwards, with the widest that does.
 fn too_wide(kerf: f64, path: &Path, share: f64, what: &str) -> Refusal {
-    let most = hundredths_down(largest(kerf, |kerf| offset(path, share * kerf).is_some()));
+    let most = Readable(hundredths_down(largest(kerf, |kerf| offset(path, share * kerf).is_some())));
     refusal(
         format!("a cut of {} mm leaves nothing of {what}", Readable(kerf)),
         format!("kerf must be at most {most} mm"),

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use crate::design::{
     Circle, CutEdge, Design, DrawnPiece, FlatPiece, Plate, Product, Side, StarAssembly, label, lettering,
 };
-use inflatable::geom::{Arc, Bounds, Isometry, Line, Path, Point};
+use inflatable::geom::{Arc, Bounds, Isometry, Path, Point};
 
 /// Exact geometry on a page.
 #[derive(Clone, Debug, PartialEq)]
@@ -281,8 +281,7 @@ fn plate_label(radius: f64, plate: &Plate) -> Vec<Path> {
     let height = (1.5 * radius / lettering::width(&text, 1.0)).min(0.1 * strip).min(5.0);
     let middle = plate.opening + 0.2 * strip;
     let mut out = lettering::around(&text, Point::ORIGIN, middle, std::f64::consts::FRAC_PI_2, height);
-    let tick = Line::new(Point::new(middle - height, 0.0), Point::new(middle + height, 0.0));
-    out.push(Path::open(vec![tick.into()]));
+    out.push(Path::through(&[Point::new(middle - height, 0.0), Point::new(middle + height, 0.0)]));
     out
 }
 
@@ -292,8 +291,7 @@ mod tests {
 
     #[test]
     fn of_a_figure_only_what_is_in_the_window_is_shown() {
-        let stroke =
-            |x: f64| Path::open(vec![Line::new(Point::new(x, 0.0), Point::new(x + 1.0, 0.0)).into()]);
+        let stroke = |x: f64| Path::through(&[Point::new(x, 0.0), Point::new(x + 1.0, 0.0)]);
         let window = Bounds { min: Point::new(-0.5, -0.5), max: Point::new(4.0, 4.0) };
         let figure = |places: &[f64]| Shape::Figure(places.iter().map(|x| stroke(*x)).collect());
         assert_eq!(figure(&[0.0, 3.0, 6.0]).shown(&window), Some(figure(&[0.0, 3.0])));

@@ -50,12 +50,10 @@ impl Frame {
         let (post, clearance) = (frame.post_diameter.0, frame.clearance.0);
         let mut refusals = Refusals::new();
         if leaves_no_hole(frame.kerf.0, post) {
-            refusals.push(Refusal::new(
-                key::frame::KERF,
-                RefusalCode::WideKerf,
-                format!("a cut of {} leaves no hole for a post of {}", frame.kerf, frame.post_diameter),
-                format!("kerf must be at most {} mm", Most((post - SMALLEST_HOLE).max(0.0))),
-            ));
+            let found =
+                format!("a cut of {} leaves no hole for a post of {}", frame.kerf, frame.post_diameter);
+            let remedy = format!("kerf must be at most {} mm", Most((post - SMALLEST_HOLE).max(0.0)));
+            refusals.push(Refusal::new(key::frame::KERF, RefusalCode::WideKerf, found, remedy));
         }
         let reach = stars.iter().map(|part| part.outline.reach).fold(0.0, f64::max);
         let circle = reach + clearance + post / 2.0;
@@ -64,10 +62,9 @@ impl Frame {
             let beside = &stars[i.saturating_sub(1)..(i + 1).min(stars.len())];
             let rho = beside.iter().map(|part| part.star.rho_0).fold(0.0, f64::max);
             let opening = rho + clearance;
-            for part in beside {
-                if !part.star.lies_on(opening) && refusals.is_empty() {
-                    refusals.push(falls_through(i + 1, part.star.d_t, opening));
-                }
+            let falling = beside.iter().find(|part| !part.star.lies_on(opening));
+            if let (Some(part), true) = (falling, refusals.is_empty()) {
+                refusals.push(falls_through(i + 1, part.star.d_t, opening));
             }
             match plates.iter_mut().find(|plate| plate.opening == opening) {
                 Some(plate) => plate.numbers.push(i + 1),
@@ -171,16 +168,12 @@ fn first_post(count: u32, hoses: &[Hose]) -> f64 {
 }
 
 fn falls_through(plate: usize, tips: f64, opening: f64) -> Refusal {
-    Refusal::new(
-        key::frame::CLEARANCE,
-        RefusalCode::ArmsFallThrough,
-        format!(
-            "the tips of a star bend {} mm from the axis, the opening of plate {plate} has a radius of {} mm",
-            Readable(tips),
-            Readable(opening)
-        ),
-        "make clearance smaller, or neighbouring stars less different".to_owned(),
-    )
+    let (tips, opening) = (Readable(tips), Readable(opening));
+    let found = format!(
+        "the tips of a star bend {tips} mm from the axis, the opening of plate {plate} has a radius of {opening} mm"
+    );
+    let remedy = "make clearance smaller, or neighbouring stars less different";
+    Refusal::new(key::frame::CLEARANCE, RefusalCode::ArmsFallThrough, found, remedy)
 }
 
 /// `helps` returns whether a number of posts leaves free hoses in these directions.
@@ -204,14 +197,8 @@ fn meets_hose(
         Some(count) => format!("make posts {count}, and {lined}"),
         None => "make post_diameter or clearance smaller, or take a thinner hose".to_owned(),
     };
-    Refusal::new(
-        key::frame::POSTS,
-        RefusalCode::PostMeetsHose,
-        format!(
-            "with {posts} posts one would be {} mm from the middle of a hose that needs {} mm",
-            Readable(free),
-            Readable(needed)
-        ),
-        remedy,
-    )
+    let (free, needed) = (Readable(free), Readable(needed));
+    let found =
+        format!("with {posts} posts one would be {free} mm from the middle of a hose that needs {needed} mm");
+    Refusal::new(key::frame::POSTS, RefusalCode::PostMeetsHose, found, remedy)
 }

@@ -115,12 +115,9 @@ impl Channel {
         }
         let end = self.mouth - star.d_t;
         if junction.x >= end {
-            return Err(Refusal::new(
-                key::inlet::LENGTH,
-                RefusalCode::ShortInlet,
-                format!("the mouth would lie {} mm inside the flap", Readable(junction.x - end)),
-                format!("length must be above {} mm", Least(junction.x - star.r_i - star.w)),
-            ));
+            let found = format!("the mouth would lie {} mm inside the flap", Readable(junction.x - end));
+            let remedy = format!("length must be above {} mm", Least(junction.x - star.r_i - star.w));
+            return Err(Refusal::new(key::inlet::LENGTH, RefusalCode::ShortInlet, found, remedy));
         }
         Ok(junction)
     }
@@ -158,17 +155,13 @@ impl Channel {
         // A hose too thick, or a tube too narrow: compared with the defaults.
         let hose = 4.0 * self.half_width / PI;
         let key = blamed([(key::inlet::TUBE_DIAMETER, hose / 4.0), (key::star::TUBE_WIDTH, 30.0 / width)]);
-        Refusal::new(
-            key,
-            RefusalCode::InletMeetsArm,
-            format!(
-                "the channel{strips} would be {} mm wide and meet an arm, where tip {} leaves {} mm",
-                Readable(2.0 * (self.half_width + delta)),
-                self.tip,
-                Readable(2.0 * room.max(0.0)),
-            ),
-            "make tube_diameter, band or allowance smaller, or the tube wider".to_owned(),
-        )
+        let (tip, [wide, room]) =
+            (self.tip, [self.half_width + delta, room.max(0.0)].map(|half| Readable(2.0 * half)));
+        let found = format!(
+            "the channel{strips} would be {wide} mm wide and meet an arm, where tip {tip} leaves {room} mm"
+        );
+        let remedy = "make tube_diameter, band or allowance smaller, or the tube wider";
+        Refusal::new(key, RefusalCode::InletMeetsArm, found, remedy)
     }
 
     /// The cut across the mouth: from one end of an open outline to its other.

@@ -5,7 +5,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::design::{DrawnPiece, MaskPlate, PlacedPart, StarDesign, lettering};
-use inflatable::geom::{Isometry, Line, Path, Point, Vec2};
+use inflatable::geom::{Isometry, Path, Point, Vec2};
 
 /// Height of a capital, mm: large enough for a laser or a pen, and as high as a label needs to be.
 const HEIGHTS: (f64, f64) = (1.0, 3.5);
@@ -122,13 +122,6 @@ fn free(part: &StarDesign, tip: u32, edge: f64) -> Option<Stretch> {
 /// A double arrow along X.
 pub(super) fn arrow(middle: Point, half: f64) -> Vec<Path> {
     let at = |x: f64, y: f64| middle + Vec2::new(x, y) * half;
-    let head = |x: f64| {
-        let (tip, back) = (at(x, 0.0), 0.6 * x);
-        vec![Line::new(at(back, 0.4), tip).into(), Line::new(tip, at(back, -0.4)).into()]
-    };
-    vec![
-        Path::open(vec![Line::new(at(-1.0, 0.0), at(1.0, 0.0)).into()]),
-        Path::open(head(-1.0)),
-        Path::open(head(1.0)),
-    ]
+    let head = |x: f64| Path::through(&[at(0.6 * x, 0.4), at(x, 0.0), at(0.6 * x, -0.4)]);
+    vec![Path::through(&[at(-1.0, 0.0), at(1.0, 0.0)]), head(-1.0), head(1.0)]
 }

@@ -2,7 +2,7 @@
 //!
 //! Every glyph is on a grid 4 wide and 6 high; a stroke is a chain of grid points, two digits each.
 
-use inflatable::geom::{Line, Path, Point, Vec2};
+use inflatable::geom::{Path, Point, Vec2};
 
 /// Height of a capital on the grid.
 pub(super) const CAPITAL: f64 = 6.0;
@@ -55,17 +55,6 @@ const GLYPHS: [(char, &str); 41] = [
     (':', "2122 2425"),
 ];
 
-/// A place to write: where the text begins, which way it runs, how high its capitals are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct GlyphPlace {
-    /// Lower left corner of the first glyph.
-    pub(super) origin: Point,
-    /// Unit vector in which the text runs.
-    pub(super) along: Vec2,
-    /// Height of a capital, mm.
-    pub(super) height: f64,
-}
-
 /// The strokes of `c` as points of the grid; empty for characters drawn as a blank.
 pub(super) fn strokes(c: char) -> Vec<Vec<[u8; 2]>> {
     let Some((_, strokes)) = GLYPHS.iter().find(|(known, _)| *known == c) else { return Vec::new() };
@@ -90,8 +79,7 @@ pub fn lettered(text: &str, origin: Point, height: f64) -> Vec<Path> {
     let mut out = Vec::new();
     for (i, c) in (0_u32..).zip(text.chars()) {
         let shift = Vec2::new(f64::from(i) * ADVANCE * height / CAPITAL, 0.0);
-        let place = GlyphPlace { origin: origin + shift, along: Vec2::new(1.0, 0.0), height };
-        glyph(c, place, &mut out);
+        out.extend(glyph(c, origin + shift, Vec2::new(1.0, 0.0), height));
     }
     out
 }
@@ -108,21 +96,16 @@ pub(super) fn around(text: &str, center: Point, radius: f64, middle: f64, height
         let up = Vec2::unit(middle - right / radius);
         let along = -up.perp();
         let origin = center + up * (radius - height / 2.0) - along * (2.0 * scale);
-        glyph(c, GlyphPlace { origin, along, height }, &mut out);
+        out.extend(glyph(c, origin, along, height));
     }
     out
 }
 
-/// Appends the strokes of `c`.
-pub(super) fn glyph(c: char, place: GlyphPlace, out: &mut Vec<Path>) {
-    let (right, up) = (place.along * (place.height / CAPITAL), place.along.perp() * (place.height / CAPITAL));
-    let at = |[x, y]: [u8; 2]| place.origin + right * f64::from(x) + up * f64::from(y);
-    for stroke in strokes(c) {
-        let mut points = stroke.into_iter().map(at);
-        let Some(mut from) = points.next() else { continue };
-        let mut line = |to: Point| Line::new(std::mem::replace(&mut from, to), to).into();
-        out.push(Path::open(points.map(&mut line).collect()));
-    }
+/// The strokes of `c` from its lower left corner `origin` on, written towards the unit vector `along`, its capitals `height` mm high.
+pub(super) fn glyph(c: char, origin: Point, along: Vec2, height: f64) -> impl Iterator<Item = Path> {
+    let (right, up) = (along * (height / CAPITAL), along.perp() * (height / CAPITAL));
+    let at = move |[x, y]: [u8; 2]| origin + right * f64::from(x) + up * f64::from(y);
+    strokes(c).into_iter().map(move |stroke| Path::through(&stroke.into_iter().map(at).collect::<Vec<_>>()))
 }
 
 #[cfg(test)]
@@ -133,8 +116,7 @@ mod tests {
     fn every_glyph_stands_on_its_grid() {
         for (c, strokes) in GLYPHS {
             assert!(strokes.split(' ').all(|s| s.len() >= 4 && s.len() % 2 == 0), "{c}: {strokes}");
-            let mut out = Vec::new();
-            glyph(c, GlyphPlace { origin: Point::ORIGIN, along: Vec2::new(1.0, 0.0), height: 6.0 }, &mut out);
+            let out: Vec<Path> = glyph(c, Point::ORIGIN, Vec2::new(1.0, 0.0), 6.0).collect();
             let bounds =
                 out.iter().map(Path::bounds).reduce(inflatable::geom::Bounds::union).expect("strokes");
             assert!(bounds.min.x >= 0.0 && bounds.min.y >= 0.0, "{c}");

@@ -4,7 +4,7 @@ use crate::design::offset::offset;
 use crate::design::window::{Reach, Zone};
 use crate::design::{Outline, Refusal, RefusalCode, Star, Warning};
 use crate::spec::{Spec, StarSpec, key};
-use crate::units::{Least, Readable};
+use crate::units::{Least, Readable, hundredths_down};
 use inflatable::geom::{Isometry, Path};
 
 /// Least width of the plate's **rim**, the strip between its edge and the windows, mm: no tool leaves a narrower one, and the
@@ -71,7 +71,8 @@ impl MaskPlate {
             return None;
         }
         let hinge = Zone::hinge(star);
-        let [extent, hinged, wanted] = [self.extent, hinge, self.wanted].map(hundredths_down);
+        let [extent, hinged, wanted] =
+            [self.extent, hinge, self.wanted].map(|length| Readable(hundredths_down(length)));
         let part = if self.extent < hinge {
             format!("less than the hinge of {hinged} mm")
         } else {
@@ -109,27 +110,19 @@ fn too_far(wanted: f64, most: f64) -> Refusal {
         key::mask::EXTENT,
         RefusalCode::LongExtent,
         format!("at {} mm neighbouring windows would leave no bridge or run past the arms", Readable(wanted)),
-        format!("extent must be at most {} mm", hundredths_down(most)),
+        format!("extent must be at most {} mm", Readable(hundredths_down(most))),
     )
-}
-
-/// A length, mm, rounded down to a hundredth.
-pub(super) fn hundredths_down(length: f64) -> Readable {
-    Readable((length * 100.0).floor() / 100.0)
 }
 
 /// The refusal of a mask of `spec` whose rim is too narrow, with the border and the allowance that would be just enough if the other stayed.
 fn thin_rim(rim: f64, spec: &Spec) -> Refusal {
-    Refusal::new(
-        key::mask::BORDER,
-        RefusalCode::ThinRim,
-        format!("{} mm of the mask's plate stay between its edge and the coating windows", Readable(rim)),
-        format!(
-            "border must be at least {} mm; or alone: an allowance of at least {} mm",
-            Least(spec.mask.border.0 + LEAST_RIM - rim),
-            Least(spec.seal.allowance.0 + LEAST_RIM - rim)
-        ),
-    )
+    let [border, allowance] =
+        [spec.mask.border, spec.seal.allowance].map(|width| Least(width.0 + LEAST_RIM - rim));
+    let found =
+        format!("{} mm of the mask's plate stay between its edge and the coating windows", Readable(rim));
+    let remedy =
+        format!("border must be at least {border} mm; or alone: an allowance of at least {allowance} mm");
+    Refusal::new(key::mask::BORDER, RefusalCode::ThinRim, found, remedy)
 }
 
 /// Density of VPS-32 (Elite Double 32), kg/m^3, by its maker.

@@ -8,7 +8,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::design::{Drawing, Layer, Origin, Shape, lettering};
-use inflatable::geom::{Bounds, Isometry, Line, Path, Point, Vec2, path_intersections};
+use inflatable::geom::{Bounds, Isometry, Path, Point, Vec2, path_intersections};
 
 /// Strip along the border that printers leave white, mm: 3 to 6 mm are common, some inkjets need half an inch at the bottom,
 /// and a page may go in either way up.
@@ -88,12 +88,8 @@ impl Paper {
         let grid = TileGrid { caption, ..self.cut(drawing) };
         let tiles = grid.tiles(drawing);
         let grid = TileGrid { alone: tiles.len() == 1, ..grid };
-        let mut pages = Vec::new();
-        if tiles.len() > 1 {
-            pages.push(grid.overview(drawing, &tiles));
-        }
-        pages.extend(tiles.iter().map(|tile| grid.page(drawing, tile)));
-        pages
+        let overview = (tiles.len() > 1).then(|| grid.overview(drawing, &tiles));
+        overview.into_iter().chain(tiles.iter().map(|tile| grid.page(drawing, tile))).collect()
     }
 
     /// The pages of `drawing` without a caption.
@@ -210,12 +206,12 @@ impl TileGrid<'_> {
         for (corner, inwards) in corners {
             // A millimetre clear of the window.
             let (x, y) = (Vec2::new(inwards.x, 0.0), Vec2::new(0.0, inwards.y));
-            out.push(stroke(&[corner - x * 1.0, corner - x * MARKS]));
-            out.push(stroke(&[corner - y * 1.0, corner - y * MARKS]));
+            out.push(Path::through(&[corner - x * 1.0, corner - x * MARKS]));
+            out.push(Path::through(&[corner - y * 1.0, corner - y * MARKS]));
             if self.columns * self.rows > 1.0 && !self.alone {
                 let middle = corner + inwards * (OVERLAP / 2.0);
                 for arm in [Vec2::new(3.0, 0.0), Vec2::new(0.0, 3.0)] {
-                    out.push(stroke(&[middle - arm, middle + arm]));
+                    out.push(Path::through(&[middle - arm, middle + arm]));
                 }
             }
         }
@@ -225,11 +221,11 @@ impl TileGrid<'_> {
 
     /// Ruler, check square and name.
     fn foot(&self, name: &str, out: &mut Vec<Path>) {
-        out.push(stroke(&[at(0.0, 2.0), at(100.0, 2.0)]));
+        out.push(Path::through(&[at(0.0, 2.0), at(100.0, 2.0)]));
         for centimetre in 0_u32..=10 {
             let x = 10.0 * f64::from(centimetre);
             let tall = if centimetre.is_multiple_of(5) { 5.0 } else { 3.0 };
-            out.push(stroke(&[at(x, 2.0), at(x, 2.0 + tall)]));
+            out.push(Path::through(&[at(x, 2.0), at(x, 2.0 + tall)]));
         }
         out.extend(lettering::lettered("100 MM", at(76.0, 6.0), 2.5));
         out.push(Path::rectangle(&Bounds { min: at(110.0, 0.0), max: at(130.0, 20.0) }));
@@ -265,10 +261,6 @@ fn holds(drawing: &Drawing, cell: &Bounds) -> bool {
         }
     }
     !around.is_multiple_of(2)
-}
-
-fn stroke(points: &[Point]) -> Path {
-    Path::open(points.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
 }
 
 #[cfg(test)]

@@ -56,7 +56,7 @@ impl Pieces {
             let bounds = mask.plate.bounds();
             return Ok(whole(Lie { turn: 0.0, size: [bounds.width(), bounds.height()], spare: 0.0 }));
         };
-        let lie = lie(&[&mask.plate], bed);
+        let lie = lie(&mask.plate, bed);
         if lie.spare >= 0.0 {
             return Ok(whole(lie));
         }
@@ -68,7 +68,7 @@ impl Pieces {
     /// The pieces with the largest knobs with which all fit on `bed`, of the cuts with each largest radius.
     fn fitted(cuts: &[Vec<JointCut>], mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
         // Knobs take room, too: with smaller ones the middle may fit.
-        let mut large = TooLarge { what: "the plate", size: lie(&[&mask.plate], bed).size };
+        let mut large = TooLarge { what: "the plate", size: lie(&mask.plate, bed).size };
         for cuts in cuts {
             match Self::cut_up(cuts, mask, bed) {
                 Ok(pieces) => return Ok(pieces),
@@ -81,7 +81,7 @@ impl Pieces {
     fn cut_up(cuts: &[JointCut], mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
         let mut core = mask.plate.clone();
         let mut tips = Vec::new();
-        let too_large = |what, edge: &Path| TooLarge { what, size: lie(&[edge], bed).size };
+        let too_large = |what, edge: &Path| TooLarge { what, size: lie(edge, bed).size };
         for cut in cuts {
             let Some((tip, rest)) = cut.split(&core) else {
                 return Err(too_large("a tip", &core));
@@ -94,7 +94,7 @@ impl Pieces {
         let mut pieces = Self { list: Vec::new(), joints: Vec::new() };
         let mut middle = mask.plate.clone();
         for ((cut, edge), _) in cuts.iter().zip(tips).zip(&kept).filter(|(_, kept)| !**kept) {
-            let lie = lie(&[&edge], bed);
+            let lie = lie(&edge, bed);
             if lie.spare < 0.0 {
                 return Err(TooLarge { what: "a tip", size: lie.size });
             }
@@ -156,12 +156,11 @@ fn spare(bounds: &Bounds, bed: Bed) -> f64 {
     (bed.width.0 - bounds.width()).min(bed.depth.0 - bounds.height())
 }
 
-/// The turn at which `paths` together leave most of the bed free; of equal ones the first.
-fn lie(paths: &[&Path], bed: Bed) -> Lie {
+/// The turn at which `path` leaves most of the bed free; of equal ones the first.
+fn lie(path: &Path, bed: Bed) -> Lie {
     let mut best: Option<Lie> = None;
     for turn in turns() {
-        let motion = Isometry::rotation(turn);
-        let bounds = paths.iter().map(|path| motion.path(path).bounds()).fold(Bounds::EMPTY, Bounds::union);
+        let bounds = Isometry::rotation(turn).path(path).bounds();
         let spare = spare(&bounds, bed);
         if best.as_ref().is_none_or(|lie| spare > lie.spare + 1e-6) {
             best = Some(Lie { turn, size: [bounds.width(), bounds.height()], spare });
@@ -191,10 +190,10 @@ fn most_kept(core: &Path, tips: &[Path], bed: Bed) -> Option<(f64, Vec<bool>)> {
             })
             .collect();
         let (count, free) = (kept.iter().filter(|kept| **kept).count(), spare(&bounds, bed));
-        if best
-            .as_ref()
-            .is_none_or(|(most, widest, ..)| count > *most || count == *most && free > *widest + 1e-6)
-        {
+        let is_better = |(most, widest, ..): &(usize, f64, f64, Vec<bool>)| {
+            count > *most || count == *most && free > *widest + 1e-6
+        };
+        if best.as_ref().is_none_or(is_better) {
             best = Some((count, free, turn, kept));
         }
     }
@@ -212,17 +211,13 @@ impl TooLarge {
     /// The refusal of the bed, on which `enough` would have room for all pieces.
     fn refusal(&self, enough: Bed) -> Refusal {
         let [w, h] = self.size.map(|side| Readable(tenths_up(side)));
-        Refusal::new(
-            key::mask::BED,
-            RefusalCode::SmallBed,
-            format!("{} of a mask takes {w} x {h} mm, in any orientation", self.what),
-            format!(
-                "bed must be at least \"{} mm x {} mm\" for all pieces; without bed the mask is written whole, \
-                 to be cut from its drawings",
-                Readable(enough.width.0),
-                Readable(enough.depth.0)
-            ),
-        )
+        let [width, depth] = [enough.width, enough.depth].map(|side| Readable(side.0));
+        let found = format!("{} of a mask takes {w} x {h} mm, in any orientation", self.what);
+        let remedy = format!(
+            "bed must be at least \"{width} mm x {depth} mm\" for all pieces; without bed the mask is written whole, \
+             to be cut from its drawings"
+        );
+        Refusal::new(key::mask::BED, RefusalCode::SmallBed, found, remedy)
     }
 }
 
@@ -230,7 +225,7 @@ impl TooLarge {
 fn bed_for_all(cuts: &[Vec<JointCut>], mask: &MaskPlate, bed: Bed) -> Bed {
     let mut bed = bed;
     loop {
-        let whole = lie(&[&mask.plate], bed);
+        let whole = lie(&mask.plate, bed);
         if whole.spare >= 0.0 {
             return bed;
         }

@@ -99,31 +99,19 @@ impl FreeArea {
         fits(part, sheet)?;
         let Some((x, y)) = machine.bench.work_area else { return Ok(()) };
         let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
-        let (needed, missing) = (
-            size(tenths_up(part.width()), tenths_up(part.height())),
-            (part.width() - self.width).max(part.height() - self.height),
+        let needed = size(tenths_up(part.width()), tenths_up(part.height()));
+        let missing = Readable(tenths_up((part.width() - self.width).max(part.height() - self.height)));
+        let reached = if self.width.min(self.height) > 0.0 {
+            format!("within the margins {} reaches {}", machine.name, size(self.width, self.height))
+        } else {
+            format!("the margins leave nothing of what {} reaches", machine.name)
+        };
+        let found = format!("a part with its ramps needs {needed}; {reached}");
+        let remedy = format!(
+            "{missing} mm are missing: a smaller part, a smaller margin in [sheet], or a machine with more than {}",
+            size(x.0, y.0)
         );
-        Err(Refusal::new(
-            key::machine::PROFILE,
-            RefusalCode::OutOfReach,
-            if self.width.min(self.height) > 0.0 {
-                let reached = size(self.width, self.height);
-                format!(
-                    "a part with its ramps needs {needed}; within the margins {} reaches {reached}",
-                    machine.name
-                )
-            } else {
-                format!(
-                    "a part with its ramps needs {needed}; the margins leave nothing of what {} reaches",
-                    machine.name
-                )
-            },
-            format!(
-                "{} mm are missing: a smaller part, a smaller margin in [sheet], or a machine with more than {}",
-                Readable(tenths_up(missing)),
-                size(x.0, y.0)
-            ),
-        ))
+        Err(Refusal::new(key::machine::PROFILE, RefusalCode::OutOfReach, found, remedy))
     }
 }
 
@@ -215,12 +203,9 @@ fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
         let least = Least(needed + 2.0 * sheet.margin.0);
         format!("`{}` at least {least} mm", key.key())
     });
-    Err(Refusal::new(
-        *key,
-        RefusalCode::SheetTooSmall,
-        format!("a part is {}", found.collect::<Vec<_>>().join(", and one is ")),
-        format!("must be {}", remedy.collect::<Vec<_>>().join(" and ")),
-    ))
+    let found = format!("a part is {}", found.collect::<Vec<_>>().join(", and one is "));
+    let remedy = format!("must be {}", remedy.collect::<Vec<_>>().join(" and "));
+    Err(Refusal::new(*key, RefusalCode::SheetTooSmall, found, remedy))
 }
 
 /// One piece on its sheet.

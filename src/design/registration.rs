@@ -26,12 +26,6 @@ pub(super) struct Site {
     ear: Option<f64>,
 }
 
-impl Site {
-    pub(super) fn center(&self, star: &Star) -> Point {
-        star.tip_center(self.tip) + Vec2::unit(star.tip_ray(self.tip) + self.turn) * self.radius
-    }
-}
-
 /// The point where an ear leaves the tip's arc.
 struct Root {
     /// Half the angle that the ear takes of the arc, seen from T.
@@ -41,6 +35,10 @@ struct Root {
 }
 
 impl Site {
+    pub(super) fn center(&self, star: &Star) -> Point {
+        star.tip_center(self.tip) + Vec2::unit(star.tip_ray(self.tip) + self.turn) * self.radius
+    }
+
     /// The root of an ear of radius `ear` on the arc of radius `rim`: law of cosines.
     fn root(&self, ear: f64, rim: f64) -> Root {
         let c = self.radius;
@@ -81,19 +79,17 @@ pub(super) fn sites(
     };
     let tip = |k: u32| (k - 1) % star.n + 1;
     let (beside, across) = (tip(first + 1), tip(first + 1 + star.n / 2));
-    let reach = libm::asin((ear.unwrap_or(2.0 * r) / radius).min(1.0));
+    let round = ear.unwrap_or(2.0 * r);
+    let reach = libm::asin((round / radius).min(1.0));
     let turn = TURN.min(half - 1.1 * reach);
-    if turn * radius < 2.0 * ear.unwrap_or(2.0 * r) {
+    if turn * radius < 2.0 * round {
+        let (hole, arc) = (Length(diameter), Readable(half * radius));
+        let needed = Readable(radius * 2.2 * reach + 2.0 * round);
         return Err(Refusal::new(
             key::sheet::HOLE_DIAMETER,
             RefusalCode::NoRoomForHoles,
-            format!(
-                "two holes of {} side by side need {} mm of a tip's arc of {} mm",
-                Length(diameter),
-                Readable(radius * 2.2 * reach + 2.0 * ear.unwrap_or(2.0 * r)),
-                Readable(half * radius),
-            ),
-            "make hole_diameter smaller, or \"0 mm\" for no registration holes".to_owned(),
+            format!("two holes of {hole} side by side need {needed} mm of a tip's arc of {arc} mm"),
+            "make hole_diameter smaller, or \"0 mm\" for no registration holes",
         ));
     }
     let site = |tip, turn| Site { tip, turn, radius, ear };

@@ -93,19 +93,14 @@ impl Stack {
 }
 
 fn too_tight(below: usize, pitch: f64, needed: f64, thickness: f64) -> Refusal {
-    Refusal::new(
-        key::stack::PITCH.of_star(below + 1),
-        RefusalCode::TubeBetweenPlates,
-        format!(
-            "between star {below} and star {} a pitch of {} mm leaves {} mm between plates of {} mm, the inflated tube is {} mm high",
-            below + 1,
-            Readable(pitch),
-            Readable(pitch - thickness),
-            Readable(thickness),
-            Readable(needed - thickness),
-        ),
-        format!("pitch must be at least {} mm", Readable((needed * 100.0).ceil() / 100.0)),
-    )
+    let above = below + 1;
+    let [room, tube] = [pitch - thickness, needed - thickness].map(Readable);
+    let [pitch, plates, least] = [pitch, thickness, (needed * 100.0).ceil() / 100.0].map(Readable);
+    let found = format!(
+        "between star {below} and star {above} a pitch of {pitch} mm leaves {room} mm between plates of {plates} mm, the inflated tube is {tube} mm high"
+    );
+    let remedy = format!("pitch must be at least {least} mm");
+    Refusal::new(key::stack::PITCH.of_star(above), RefusalCode::TubeBetweenPlates, found, remedy)
 }
 
 #[cfg(test)]

@@ -67,16 +67,13 @@ impl Star {
         let phi_e = phi_i + 2.0 * PI / f64::from(n);
         // Rounding may leave a corner that is straight to 1e-16; below a microradian no arc is left to seal.
         if phi_e >= PI - 1e-6 {
-            return Err(Refusal::new(
-                key::star::TIP_ANGLE,
-                RefusalCode::StraightCorner,
-                format!(
-                    "with {n} points and a tip angle of {} the reentrant corners would open to {} deg",
-                    spec.tip_angle,
-                    Readable(phi_e.to_degrees())
-                ),
-                format!("tip_angle must be below {} deg for {n} points", Most(180.0 - 360.0 / f64::from(n))),
-            ));
+            let (tips, corners) = (spec.tip_angle, Readable(phi_e.to_degrees()));
+            let found = format!(
+                "with {n} points and a tip angle of {tips} the reentrant corners would open to {corners} deg"
+            );
+            let most = Most(180.0 - 360.0 / f64::from(n));
+            let remedy = format!("tip_angle must be below {most} deg for {n} points");
+            return Err(Refusal::new(key::star::TIP_ANGLE, RefusalCode::StraightCorner, found, remedy));
         }
         let l = arm_length(spec);
         if l <= 0.0 {
@@ -148,14 +145,8 @@ fn too_large(spec: &StarSpec, star: &Star) -> Refusal {
         (key::star::INNER_RADIUS, spec.inner_radius.0 / 50.0),
         (key::star::TUBE_WIDTH, spec.tube_width.0 / 30.0),
     ]);
-    Refusal::new(
-        key,
-        RefusalCode::TooLarge,
-        format!("the tips would lie {:.1} m from the axis", star.tip_reach() / 1000.0),
-        format!(
-            "at most {} m: make tip_angle wider than {}, or the star smaller",
-            Readable(LARGEST / 1000.0),
-            spec.tip_angle
-        ),
-    )
+    let found = format!("the tips would lie {:.1} m from the axis", star.tip_reach() / 1000.0);
+    let (most, angle) = (Readable(LARGEST / 1000.0), spec.tip_angle);
+    let remedy = format!("at most {most} m: make tip_angle wider than {angle}, or the star smaller");
+    Refusal::new(key, RefusalCode::TooLarge, found, remedy)
 }

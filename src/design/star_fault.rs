@@ -40,19 +40,13 @@ fn out_of_line(spec: &StarSpec, key: KeyPath) -> f64 {
 /// The refusal of a star whose arms would be `l` mm long, 0 or less. Its changes leave arms between bands of half width `half`, mm.
 pub(super) fn no_arm(spec: &StarSpec, l: f64, half: f64) -> Refusal {
     let (blamed, remedy) = remedy(spec, half, None);
-    let round: Vec<String> = [("a tip radius", spec.tip_radius), ("a corner radius", spec.corner_radius)]
-        .into_iter()
-        .filter(|(_, radius)| radius.0 > 0.0)
-        .map(|(what, radius)| format!(", {what} of {radius}"))
-        .collect();
-    let round = round.concat();
+    let StarSpec { points, inner_radius, tube_width, tip_angle, .. } = spec;
+    let radii = [("a tip radius", spec.tip_radius), ("a corner radius", spec.corner_radius)].into_iter();
+    let round = radii.filter(|(_, radius)| radius.0 > 0.0);
+    let round: String = round.map(|(what, radius)| format!(", {what} of {radius}")).collect();
+    let l = if l > -0.05 { -0.0 } else { l };
     let found = format!(
-        "with {} points, an inner radius of {}, a tube width of {}{round} and a tip angle of {} the arms would be {:.1} mm long",
-        spec.points,
-        spec.inner_radius,
-        spec.tube_width,
-        spec.tip_angle,
-        if l > -0.05 { -0.0 } else { l }
+        "with {points} points, an inner radius of {inner_radius}, a tube width of {tube_width}{round} and a tip angle of {tip_angle} the arms would be {l:.1} mm long"
     );
     Refusal::new(blamed, RefusalCode::NoArm, found, remedy)
 }
@@ -84,18 +78,18 @@ fn remedy(spec: &StarSpec, half: f64, first: Option<(KeyPath, String)>) -> (KeyP
 
 /// Every single change that would leave arms between bands of half width `half`, mm, each with its limit, at which it does.
 fn single_changes(spec: &StarSpec, half: f64) -> Vec<(KeyPath, String)> {
-    let fits = |changed: StarSpec| has_arms(&changed, half);
-    let points = (3..spec.points).rev().find(|n| fits(StarSpec { points: *n, ..spec.clone() }));
+    let fits = |change: &dyn Fn(&mut StarSpec)| {
+        let mut changed = spec.clone();
+        change(&mut changed);
+        has_arms(&changed, half)
+    };
+    let points = (3..spec.points).rev().find(|n| fits(&|star| star.points = *n));
     let straight = 180.0 - 360.0 / f64::from(spec.points) - 0.005;
-    let radius = least([spec.inner_radius.0, WIDEST], |mm| {
-        fits(StarSpec { inner_radius: Length(mm), ..spec.clone() })
-    });
-    let width = greatest(spec.tube_width.0, |mm| fits(StarSpec { tube_width: Length(mm), ..spec.clone() }));
-    let angle =
-        least([spec.tip_angle.0, straight], |deg| fits(StarSpec { tip_angle: Angle(deg), ..spec.clone() }));
-    let tip = greatest(spec.tip_radius.0, |mm| fits(StarSpec { tip_radius: Length(mm), ..spec.clone() }));
-    let corner =
-        greatest(spec.corner_radius.0, |mm| fits(StarSpec { corner_radius: Length(mm), ..spec.clone() }));
+    let radius = least([spec.inner_radius.0, WIDEST], |mm| fits(&|star| star.inner_radius = Length(mm)));
+    let width = greatest(spec.tube_width.0, |mm| fits(&|star| star.tube_width = Length(mm)));
+    let angle = least([spec.tip_angle.0, straight], |deg| fits(&|star| star.tip_angle = Angle(deg)));
+    let tip = greatest(spec.tip_radius.0, |mm| fits(&|star| star.tip_radius = Length(mm)));
+    let corner = greatest(spec.corner_radius.0, |mm| fits(&|star| star.corner_radius = Length(mm)));
     let below = |limit: f64| format!("below {} mm", Readable(limit));
     let changes = [
         (key::star::POINTS, points.map(|most| format!("at most {most}"))),

@@ -25,9 +25,13 @@ pub(super) fn star_seam(
     if contour.arm <= 0.0 {
         return Err(band_eats_arm(star, side, seal.band));
     }
+    let seam = |center_line: Path, overlap: f64| {
+        let (name, role) = (side.loop_name().to_owned(), Role::Boundary);
+        Seam { name, role, center_line, overlap }
+    };
     if let (Side::Outside, Some(channel)) = (side, channel) {
         let center_line = channel.open(star, &contour, half_band, 0.0, MOUTH_OVERRUN)?;
-        return Ok(seam(side, center_line, 0.0));
+        return Ok(seam(center_line, 0.0));
     }
     // Opposite arms, so that neither start lies near the other's closure.
     let arm = if side == Side::Hole { 1 } else { star.n + 1 };
@@ -36,18 +40,11 @@ pub(super) fn star_seam(
     let overlap = seal.overlap.0;
     let length = center_line.length();
     if overlap > length / 2.0 {
-        return Err(Refusal::new(
-            key::seal::OVERLAP,
-            RefusalCode::LongOverlap,
-            format!("an overlap of {} on a loop of {} mm", seal.overlap, Readable(length)),
-            format!("overlap must be at most half the loop, {} mm", Most(length / 2.0)),
-        ));
+        let found = format!("an overlap of {} on a loop of {} mm", seal.overlap, Readable(length));
+        let remedy = format!("overlap must be at most half the loop, {} mm", Most(length / 2.0));
+        return Err(Refusal::new(key::seal::OVERLAP, RefusalCode::LongOverlap, found, remedy));
     }
-    Ok(seam(side, center_line, overlap))
-}
-
-fn seam(side: Side, center_line: Path, overlap: f64) -> Seam {
-    Seam { name: side.loop_name().to_owned(), role: Role::Boundary, center_line, overlap }
+    Ok(seam(center_line, overlap))
 }
 
 pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {
@@ -57,20 +54,11 @@ pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {
         (key::seal::BAND, seal.band.0 / 2.0),
         (key::seal::HOLE_ALLOWANCE, seal.hole_allowance.0),
     ]);
-    Refusal::new(
-        key,
-        RefusalCode::HoleClosed,
-        format!(
-            "a band of {} and a flap of {} close the hole of radius {} mm",
-            seal.band,
-            seal.hole_allowance,
-            Readable(star.rho_0)
-        ),
-        format!(
-            "inner_radius must be above band and hole_allowance together, {} mm",
-            Least(seal.band.0 + seal.hole_allowance.0)
-        ),
-    )
+    let Seal { band, hole_allowance: flap, .. } = seal;
+    let (radius, least) = (Readable(star.rho_0), Least(band.0 + flap.0));
+    let found = format!("a band of {band} and a flap of {flap} close the hole of radius {radius} mm");
+    let remedy = format!("inner_radius must be above band and hole_allowance together, {least} mm");
+    Refusal::new(key, RefusalCode::HoleClosed, found, remedy)
 }
 
 fn band_eats_arm(star: &Star, side: Side, band: Length) -> Refusal {
@@ -79,10 +67,7 @@ fn band_eats_arm(star: &Star, side: Side, band: Length) -> Refusal {
         Side::Outside => (star.r_e, star.phi_e, "reentrant corners"),
     };
     let (key, remedy) = arms_for_band(&star.spec(), band);
-    let found = format!(
-        "at the {hinge} a band of {band} takes {} mm of arms that are {} mm long",
-        Readable((band.0 / 2.0 - radius) / libm::tan(phi / 2.0)),
-        Readable(star.l)
-    );
+    let [taken, long] = [(band.0 / 2.0 - radius) / libm::tan(phi / 2.0), star.l].map(Readable);
+    let found = format!("at the {hinge} a band of {band} takes {taken} mm of arms that are {long} mm long");
     Refusal::new(key, RefusalCode::BandEatsArm, found, remedy)
 }

@@ -15,10 +15,9 @@
 
 use std::f64::consts::PI;
 
-use crate::design::mask::hundredths_down;
 use crate::design::{Refusal, RefusalCode, Star};
 use crate::spec::{Mask, Seal, key};
-use crate::units::Readable;
+use crate::units::{Readable, hundredths_down};
 use inflatable::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
 
 /// Width of plate left between neighbouring windows, mm, where there is room for it: a strip of a 2 mm
@@ -167,18 +166,14 @@ impl<'a> Zone<'a> {
     }
 
     fn nothing_left(&self, extent: f64) -> Refusal {
+        let most = Readable(hundredths_down(self.most_creep(extent)));
         let room = self.star.w + self.delta_h + self.delta_o + 2.0 * self.creep;
-        Refusal::new(
-            key::mask::CREEP,
-            RefusalCode::NoWindow,
-            format!(
-                "a creep of {} mm leaves nothing of a window {} mm deep and {} mm long on each side",
-                Readable(self.creep),
-                Readable(room),
-                Readable(extent)
-            ),
-            format!("creep must be at most {} mm", hundredths_down(self.most_creep(extent))),
-        )
+        let [creep, deep, long] = [self.creep, room, extent].map(Readable);
+        let found = format!(
+            "a creep of {creep} mm leaves nothing of a window {deep} mm deep and {long} mm long on each side"
+        );
+        let remedy = format!("creep must be at most {most} mm");
+        Refusal::new(key::mask::CREEP, RefusalCode::NoWindow, found, remedy)
     }
 
     /// The largest creep that leaves something of a window with cuts at `extent`, where this one leaves nothing.

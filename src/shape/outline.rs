@@ -159,8 +159,8 @@ fn touching(
         }
         if number >= outlines.len() && air.around(place).len() % 2 == 1 {
             let is_on_edge = lines.closed.iter().any(|edge| edge.distance(place) <= half + rules.join);
-            let place_of = if is_on_edge { "on the edge of the air" } else { "in the air" };
-            let what = format!("{} lies {place_of}", quoted(names));
+            let what = if is_on_edge { "on the edge of the air" } else { "in the air" };
+            let what = format!("{} lies {what}", quoted(names));
             let remedy = format!(
                 "move it, or draw an island around it whose edge keeps {} mm from it, the width of a band",
                 rules.band

@@ -2,7 +2,7 @@
 
 use crate::design::Circle;
 use crate::design::drawn::clearance::Clearance;
-use crate::design::lettering::{self, GlyphPlace};
+use crate::design::lettering;
 use crate::shape::{Role, SealedShape, Seam};
 use inflatable::geom::{Bounds, Path, Point};
 
@@ -83,15 +83,11 @@ impl FlapRoom<'_> {
                     let Some(glyphs) = found.filter(|glyphs| self.is_free(glyphs, MARGIN * height)) else {
                         continue;
                     };
-                    self.taken.extend(
-                        glyphs.iter().map(|(middle, _)| Bounds::of_points([*middle]).grown(0.5 * height)),
-                    );
+                    let around = |(middle, _): &Glyph| Bounds::of_points([*middle]).grown(0.5 * height);
+                    self.taken.extend(glyphs.iter().map(around));
                     let end = glyphs.iter().rev().nth(1).map_or(Point::ORIGIN, |(middle, _)| *middle);
-                    return Some((
-                        glyphs.into_iter().flat_map(|(_, strokes)| strokes).collect(),
-                        end,
-                        height,
-                    ));
+                    let strokes = glyphs.into_iter().flat_map(|(_, strokes)| strokes).collect();
+                    return Some((strokes, end, height));
                 }
             }
         }
@@ -132,9 +128,7 @@ fn along(path: &Path, station: f64, aside: f64, text: &str, height: f64) -> Opti
         before = tangent;
         let (center, along) = (at + tangent.perp() * aside, tangent * forward);
         let origin = center - along * (2.0 * scale) - along.perp() * (0.5 * height);
-        let mut strokes = Vec::new();
-        lettering::glyph(c, GlyphPlace { origin, along, height }, &mut strokes);
-        glyphs.push((center, strokes));
+        glyphs.push((center, lettering::glyph(c, origin, along, height).collect()));
     }
     Some(glyphs)
 }

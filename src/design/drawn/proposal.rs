@@ -51,12 +51,9 @@ pub(super) fn proposed(drawing: &Drawing, is_dxf: bool) -> Vec<(String, LayerRol
         };
         out.push((layer.to_owned(), role, reason));
     }
-    let unread = LeftOut::of(drawing, is_dxf, Weight::Lost);
-    out.extend(
-        unread
-            .into_iter()
-            .map(|LeftOut { layer, .. }| (layer, LayerRole::Ignore, "nothing on it can be read".to_owned())),
-    );
+    let unread =
+        |left_out: LeftOut| (left_out.layer, LayerRole::Ignore, "nothing on it can be read".to_owned());
+    out.extend(LeftOut::of(drawing, is_dxf, Weight::Lost).into_iter().map(unread));
     out
 }
 

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::design::drawn::faults::found_at;
 use crate::design::drawn::layer_name::layer_names;
 use crate::design::{Refusal, RefusalCode, Refusals};
 use crate::shape::{DrawnCurve, DrawnPort, PortPlace, Sketch};
@@ -17,20 +18,20 @@ pub(super) fn sketch(drawing: &Drawing, spec: &DrawingSpec) -> Sketch {
     let mut sketch = Sketch::default();
     for element in &drawing.elements {
         let name = element.id.clone();
-        match (spec.role(&element.layers), &element.figure) {
-            (Some(LayerRole::Port), figure) => sketch.ports.push(DrawnPort { name, place: port(figure) }),
-            // A point is not a curve: `refusals` names it.
-            (None | Some(LayerRole::Ignore), _) | (_, Figure::Point(_)) => {}
-            (Some(role), Figure::Path(path)) => {
-                let drawn = DrawnCurve { name, path: path.clone() };
-                match role {
-                    LayerRole::Air => sketch.air.push(drawn),
-                    LayerRole::Seam => sketch.seams.push(drawn),
-                    LayerRole::Cut => sketch.cuts.push(drawn),
-                    LayerRole::Hole => sketch.holes.push(drawn),
-                    LayerRole::Port | LayerRole::Ignore => {}
-                }
+        let curves = match spec.role(&element.layers) {
+            Some(LayerRole::Port) => {
+                sketch.ports.push(DrawnPort { name, place: port(&element.figure) });
+                continue;
             }
+            Some(LayerRole::Air) => &mut sketch.air,
+            Some(LayerRole::Seam) => &mut sketch.seams,
+            Some(LayerRole::Cut) => &mut sketch.cuts,
+            Some(LayerRole::Hole) => &mut sketch.holes,
+            None | Some(LayerRole::Ignore) => continue,
+        };
+        // A point is not a curve: `refusals` names it.
+        if let Figure::Path(path) = &element.figure {
+            curves.push(DrawnCurve { name, path: path.clone() });
         }
     }
     sketch
@@ -66,7 +67,7 @@ pub(super) fn refusals(drawing: &Drawing, spec: &DrawingSpec) -> Refusals {
     };
     refusals.extend(points.filter(is_curve).map(|element| {
         let found = format!("{} is a point, and its layer is one of curves", element.id);
-        let remedy = "only ports may be points: move it to another layer".to_owned();
+        let remedy = "only ports may be points: move it to another layer";
         Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, found, remedy).drawn_at(place(element))
     }));
     refusals
@@ -83,12 +84,7 @@ fn without_role(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
     let refusal = |(layer, elements): (&str, Vec<&Element>)| {
         let first = elements[0];
         let at = middle(first);
-        let found = format!(
-            "layer {layer:?} has no role: {}, first at X {:.3} Y {:.3} mm",
-            listed(&elements),
-            at.x,
-            at.y
-        );
+        let found = found_at(&format!("layer {layer:?} has no role: {}, first", listed(&elements)), at);
         let words: Vec<&str> = spec.layers.iter().map(|(name, _)| name.as_str()).collect();
         let near = nearest(layer, words).map_or(String::new(), |near| format!("; did you mean {near:?}?"));
         let remedy = format!("name it in one of the lists of [drawing.layers], or in `ignore`{near}");
@@ -118,10 +114,10 @@ fn unknown(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
             None if layers.is_empty() => {
                 "it has no layer with anything on it: draw the edges of the air".to_owned()
             }
-            None => format!(
-                "its layers are {}",
-                layers.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
-            ),
+            None => {
+                let layers: Vec<String> = layers.iter().map(|name| format!("{name:?}")).collect();
+                format!("its layers are {}", layers.join(", "))
+            }
         };
         Refusal::new(key::drawing::LAYERS, RefusalCode::UnknownLayer, found, remedy)
     };
@@ -144,7 +140,6 @@ fn lost(note: &Note, spec: &DrawingSpec) -> Option<Refusal> {
         Some(_) => "convert it to a path, remove it, or name its layer in `ignore`",
         None => "remove it, or save the drawing as plain SVG",
     };
-    let remedy = remedy.to_owned();
     let found = note.to_string().trim_end_matches('.').to_owned();
     Some(Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, found, remedy).drawn_at(place))
 }
