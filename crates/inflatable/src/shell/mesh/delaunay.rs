@@ -220,10 +220,9 @@ impl BorderPoints {
             let before = seeds.len();
             for (_, p) in large {
                 let size = sizing.at(p);
-                if clear_of_points(&found, p, LARGE * size) && self.has_room(p, CLEAR * size) {
-                    if found.insert(Point2::new(p.x, p.y)).is_ok() {
-                        seeds.push(p);
-                    }
+                let is_clear = clear_of_points(&found, p, LARGE * size) && self.has_room(p, CLEAR * size);
+                if is_clear && found.insert(Point2::new(p.x, p.y)).is_ok() {
+                    seeds.push(p);
                 }
             }
             if seeds.len() == before {

@@ -23,7 +23,9 @@ impl SealedNodes {
         for (triangle, corners) in mesh.triangles.iter().enumerate() {
             let [x, y] = mesh.middle(triangle);
             if chamber.is_welded(Point::new(x, y)) {
-                corners.iter().for_each(|corner| points[*corner] = true);
+                for corner in corners {
+                    points[*corner] = true;
+                }
             }
         }
         let is_weld = |edge: &usize| meshed.piece_of[*edge].is_some() && mesh.edges[*edge].border.is_none();
