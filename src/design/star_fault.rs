@@ -43,7 +43,7 @@ pub(super) fn no_arm(spec: &StarSpec, l: f64, half: f64) -> Refusal {
     let StarSpec { points, inner_radius, tube_width, tip_angle, .. } = spec;
     let radii = [("a tip radius", spec.tip_radius), ("a corner radius", spec.corner_radius)].into_iter();
     let round = radii.filter(|(_, radius)| radius.0 > 0.0);
-    let round: String = round.map(|(what, radius)| format!(", {what} of {radius}")).collect();
+    let round = round.map(|(what, radius)| format!(", {what} of {radius}")).collect::<Vec<_>>().concat();
     let l = if l > -0.05 { -0.0 } else { l };
     let found = format!(
         "with {points} points, an inner radius of {inner_radius}, a tube width of {tube_width}{round} and a tip angle of {tip_angle} the arms would be {l:.1} mm long"

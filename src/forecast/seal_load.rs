@@ -118,13 +118,12 @@ fn at_place(
 ) -> SealLoad {
     let k = hinge.and_then(|(_, radius)| factor(&Ring, radius / width));
     // Pull, its range, and the strength that surely holds it: of a straight tube they are one.
-    let pulled = case.pressure.and_then(|p| match hinge {
-        Some(hinge) => {
+    let pulled = case.pressure.and_then(|p| {
+        if let Some(hinge) = hinge {
             let load = pull(case, k?, hinge, p);
             let range = range(case, k?, hinge, p).map(|range| scaled(range, load));
             Some((load, range, sure_strength(case, k?, hinge, p)))
-        }
-        None => {
+        } else {
             let load = FRAC_1_PI * p * width;
             Some((load, Some([load; 2]), load))
         }

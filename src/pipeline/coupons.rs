@@ -159,7 +159,7 @@ impl MadeCoupons {
             (false, Some(_)) => Method::Reading,
             (false, None) => Method::Hash,
         };
-        proof.files.push(FileProof { path: name.clone(), output: output.clone(), by, sha256, deviation });
+        proof.files.push(FileProof { path: name.clone(), output: *output, by, sha256, deviation });
     }
 }
 

@@ -6,6 +6,7 @@ use crate::spec::fault::Fault;
 use crate::spec::model::{Load, ObjectShape};
 use crate::spec::section::Section;
 use crate::units::Length;
+use std::cmp::Ordering;
 
 /// `[load]`; `None` where it is not written.
 pub(super) fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
@@ -29,13 +30,13 @@ pub(super) fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
 
 /// `friction_least` <= `friction` <= `friction_most`, and none of the ends without `friction`.
 fn check_friction(s: &mut Section<'_, '_>, load: &Load) {
-    let ends: [(_, _, _, fn(&f64, &f64) -> bool); 2] = [
-        ("friction_least", load.friction_least, "above", f64::gt),
-        ("friction_most", load.friction_most, "below", f64::lt),
+    let ends = [
+        ("friction_least", load.friction_least, "above", Ordering::Greater),
+        ("friction_most", load.friction_most, "below", Ordering::Less),
     ];
-    for (key, end, word, is_beyond) in ends {
+    for (key, end, word, beyond) in ends {
         let (found, label, help) = match (load.friction, end) {
-            (Some(friction), Some(end)) if is_beyond(&end, &friction) => (
+            (Some(friction), Some(end)) if end.partial_cmp(&friction) == Some(beyond) => (
                 format!("`{key}` is {end}, {word} `friction`, {friction}"),
                 "the friction lies between friction_least and friction_most",
                 format!("write {key} = {friction}, or change friction"),

@@ -44,7 +44,7 @@ fn load(spec: &mut Spec) -> &mut Load {
 const KEYS: &[Key] = &[
     key("fabric", "thickness", LENGTH, SIZE, |s, x| s.fabric.thickness = Length(x)),
     key("fabric", "young_modulus", Pressure::KIND.units, (1e-3, 1e9), |s, x| {
-        s.fabric.young_modulus = Pressure(x)
+        s.fabric.young_modulus = Pressure(x);
     }),
     key("fabric", "poisson_ratio", &[], (-0.999, 0.5), |s, x| s.fabric.poisson_ratio = x),
     key("fabric", "seal_strength", LineForce::KIND.units, (1e-6, 1e4), |s, x| {
@@ -72,7 +72,7 @@ const KEYS: &[Key] = &[
     key("inlet", "length", LENGTH, SIZE, |s, x| s.inlet.as_mut().expect("one").length = Length(x)),
     key("inlet", "fillet", LENGTH, EXTRA, |s, x| s.inlet.as_mut().expect("one").fillet = Length(x)),
     key("seal", "temperature", Temperature::KIND.units, (1e-9, 299.9), |s, x| {
-        s.seal.temperature = Temperature(x)
+        s.seal.temperature = Temperature(x);
     }),
     key("seal", "speed", Speed::KIND.units, (1e-3, 1e3), |s, x| s.seal.speed = Speed(x)),
     key("seal", "band", LENGTH, SIZE, |s, x| s.seal.band = Length(x)),
@@ -101,7 +101,7 @@ const KEYS: &[Key] = &[
     key("load", "friction_most", &[], (1e-9, 10.0), |s, x| load(s).friction_most = Some(x)),
     key("load", "mass", Mass::KIND.units, (1e-9, 1e4), |s, x| load(s).mass = Some(Mass(x))),
     key("load", "largest_force", Force::KIND.units, (1e-9, 1e6), |s, x| {
-        load(s).largest_force = Some(Force(x))
+        load(s).largest_force = Some(Force(x));
     }),
     key("accuracy", "path", LENGTH, (1e-4, 1.0), |s, x| s.accuracy.path = Length(x)),
     key("accuracy", "response", Percent::KIND.units, (1e-9, 100.0), |s, x| s.accuracy.response = Percent(x)),

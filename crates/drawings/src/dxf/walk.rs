@@ -192,7 +192,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         if block.head.flags(70).is_ok_and(|flags| flags & 4 != 0) {
             return Err(Flaw::Lost(format!("The block \"{name}\" is in another file; it is left out.")));
         }
-        let (counts, map) = placement(record, block)?;
+        let (map, counts) = (copies(record, block)?, counts(record)?);
         let id = place.element.clone().unwrap_or_default();
         let mut inner =
             Context { layers: place.layers.clone(), blocks: context.blocks.clone(), ..context.clone() };
@@ -201,7 +201,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
             for column in 0..counts[0] {
                 self.out.visit()?;
                 let index =
-                    if counts != [1, 1] { format!("[{},{}]", column + 1, row + 1) } else { String::new() };
+                    if counts == [1, 1] { String::new() } else { format!("[{},{}]", column + 1, row + 1) };
                 inner.path = format!("{id}{index} > ");
                 inner.map = context.map.after(&map(column, row));
                 self.entities(&block.entities, &inner)?;
@@ -223,26 +223,29 @@ fn colour(record: &Record<'_, '_>) -> Option<String> {
     }
 }
 
-/// The columns and rows of an INSERT, and the map of the block's entities for each of them, from 0.
-fn placement(
-    record: &Record<'_, '_>,
-    block: &Block<'_, '_>,
-) -> Result<([u32; 2], impl Fn(u32, u32) -> Affine + use<>), Flaw> {
-    let mirror = if mirrored(record)? { Affine::scale(-1.0, 1.0) } else { Affine::IDENTITY };
+/// The columns and rows of an INSERT.
+fn counts(record: &Record<'_, '_>) -> Result<[u32; 2], Flaw> {
     let count = |code| -> Result<u32, Flaw> {
         let found = record.flags(code)?.max(1);
         u32::try_from(found).map_err(|_| record.flaw(format!("Code {code} of INSERT is {found}.")))
     };
+    Ok([count(70)?, count(71)?])
+}
+
+/// The map of the entities of an INSERT's block for a column and a row, from 0.
+fn copies(
+    record: &Record<'_, '_>,
+    block: &Block<'_, '_>,
+) -> Result<impl Fn(u32, u32) -> Affine + use<>, Flaw> {
+    let mirror = if mirrored(record)? { Affine::scale(-1.0, 1.0) } else { Affine::IDENTITY };
     let base = [block.head.number_or(10, 0.0)?, block.head.number_or(20, 0.0)?];
     let base = Affine::translate(-base[0], -base[1]);
     let turn = Affine::rotate(record.number_or(50, 0.0)?);
     let scale = Affine::scale(record.number_or(41, 1.0)?, record.number_or(42, 1.0)?);
     let at = Affine::translate(record.number(10)?, record.number(20)?);
-    let counts = [count(70)?, count(71)?];
     let steps = [record.number_or(44, 0.0)?, record.number_or(45, 0.0)?];
-    let map = move |column: u32, row: u32| {
+    Ok(move |column: u32, row: u32| {
         let step = Affine::translate(f64::from(column) * steps[0], f64::from(row) * steps[1]);
         mirror.after(&at).after(&turn).after(&step).after(&scale).after(&base)
-    };
-    Ok((counts, map))
+    })
 }
