@@ -156,7 +156,10 @@ pub(super) fn tight(spec: &Spec, index: usize, star: &Star, meeting: Meeting) ->
             key::star::INNER_RADIUS.of_star(index),
             RefusalCode::TightHole,
             format!("{room} mm of room between the object and the cut hole of {across} mm across"),
-            format!("with {wanted} mm no exact alignment is needed: inner_radius of {inner} mm"),
+            format!(
+                "inner_radius of {inner} mm leaves {wanted} mm and needs no exact alignment; check that the star still \
+                 holds the object"
+            ),
         )
     })
 }

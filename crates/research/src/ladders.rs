@@ -3,7 +3,7 @@
 //! A ladder is one tau, R* and nu at all pressures of the table's grid; its answer is a self-contained text with a
 //! checksum of its own in its last line. All texts together are joined into the table, `section` subtracted.
 
-use crate::sha256;
+use crate::{sealed, sha256, unsealed};
 use inflatable::mechanics::fault::HingeFault;
 use inflatable::mechanics::hinge::HingeModel;
 use inflatable::mechanics::hinge::section::{Section, arms};
@@ -120,9 +120,7 @@ impl Ladder {
             let unit = pressure * WIDTH.powi(3) / self.arc();
             let _ = writeln!(text, "{b:.3} {} {}", value(alpha, 4), value(stiffness.scaled(unit.recip()), 5));
         }
-        let hash = sha256(&text);
-        let _ = writeln!(text, "{hash}");
-        Ok(text)
+        Ok(sealed(&text))
     }
 }
 
@@ -143,11 +141,7 @@ pub struct LadderTable {
 impl LadderTable {
     /// Reads a text; `None` if it is torn, or not one of the ladders.
     pub fn read(text: &str) -> Option<Self> {
-        let (body, last) = text.trim_end().rsplit_once('\n')?;
-        if sha256(format!("{body}\n")) != last {
-            return None;
-        }
-        let mut lines = body.lines().filter(|line| !line.starts_with('#'));
+        let mut lines = unsealed(text)?;
         let words: Vec<&str> = lines.next()?.split(' ').collect();
         let ["ladder", number, "phi_0", angle, "tau", tau, "R*", r_star, "nu", poisson, ..] = words[..]
         else {

@@ -18,3 +18,14 @@ fn sha256(text: impl AsRef<[u8]>) -> String {
     }
     out
 }
+
+/// `text` with its checksum in a last line.
+fn sealed(text: &str) -> String {
+    format!("{text}{}\n", sha256(text))
+}
+
+/// The lines of a sealed text that are no comments; `None` if it is torn.
+fn unsealed(text: &str) -> Option<impl Iterator<Item = &str>> {
+    let (body, last) = text.trim_end().rsplit_once('\n')?;
+    (sha256(format!("{body}\n")) == last).then(|| body.lines().filter(|line| !line.starts_with('#')))
+}

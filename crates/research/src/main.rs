@@ -7,10 +7,11 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use inflatable::mechanics::star::residuals::OPENINGS;
 use inflatable::shell::cases::{Fineness, Watch};
 use research::ladders::{self, Ladder, LadderTable, ladders};
 use research::residuals;
-use research::stars::computed::{self, ComputedStar, FORCE_FINENESS, OPENINGS, in_turn};
+use research::stars::computed::{self, ComputedStar, FORCE_FINENESS, in_turn};
 use research::stars::draw::{DrawnStar, Set};
 use research::stars::{finest, shipped};
 

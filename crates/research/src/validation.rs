@@ -5,7 +5,7 @@ use crate::residuals::fitted;
 use crate::stars::computed::{ComputedStar, Number, ShellNumbers};
 use crate::stars::draw::{DrawnStar, POISSON, Set, YOUNG};
 use crate::stars::shipped::shipped;
-use inflatable::mechanics::star::residuals::{Ratios, Residuals};
+use inflatable::mechanics::star::residuals::Ratios;
 use inflatable::mechanics::star::response::Inflated;
 use inflatable::mechanics::star::{Correction, Mechanism};
 use inflatable::mechanics::strength::ElasticSheet;
@@ -86,15 +86,12 @@ pub fn compare_all() -> Result<Vec<Comparison>, &'static str> {
     let stars = shipped();
     let left_out = fitted(&stars)?.left_out;
     let compared = |one: &ComputedStar| match left_out.iter().find(|(star, _)| *star == one.star) {
-        Some((_, residuals)) => compare_with(one, residuals),
+        Some((_, own)) => {
+            compare_by(one, |moves, width, ratios| Correction::trend(moves, width, ratios).with(own))
+        }
         None => compare(one),
     };
     Ok(stars.iter().filter_map(compared).collect())
-}
-
-/// The same with `residuals` in place of those of the program.
-fn compare_with(star: &ComputedStar, residuals: &Residuals) -> Option<Comparison> {
-    compare_by(star, |moves, width, ratios| Correction::trend(moves, width, ratios).with(residuals))
 }
 
 fn compare_by(

@@ -3,8 +3,9 @@
 
 use std::fmt::Write;
 
-use crate::sha256;
 use crate::stars::draw::{DrawnStar, Set};
+use crate::{sealed, unsealed};
+use inflatable::mechanics::star::residuals::OPENINGS;
 use inflatable::shell::cases::{Fineness, Objects, ShellFault, Value, Watch, star};
 
 /// Meshes of some 2,500, 10,000 and 40,000 unknowns.
@@ -13,8 +14,6 @@ pub const FINENESS: Fineness = Fineness { cells: 12.0, cuts: 2 };
 pub const PAPER_FINENESS: Fineness = Fineness { cells: 12.0, cuts: 3 };
 /// Meshes for forces, which take many more solves: some 6,000, 24,000 and 100,000, begun on one of 1,500.
 pub const FORCE_FINENESS: Fineness = Fineness { cells: 8.0, cuts: 3 };
-/// Opening of a star by objects, by W.
-pub const OPENINGS: [f64; 3] = [0.15, 0.45, 0.9];
 
 /// A number of the shell, with its mesh error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +38,22 @@ pub struct ShellNumbers {
     /// Openings by W, and the **secant** there: the radial force that opens the star so far over the opening times the radial stiffness,
     /// all of the same mesh. Meshes agree on that ratio where they are far apart in either.
     pub secants: Vec<(f64, Number)>,
+}
+
+impl ShellNumbers {
+    /// Those that have the names of the fields, and the secants; `None` if one but a secant is missing.
+    fn of(
+        number: impl Fn(&str) -> Option<Number>,
+        secant: impl Fn(f64) -> Option<(f64, Number)>,
+    ) -> Option<Self> {
+        Some(Self {
+            radius: number("radius")?,
+            angle: number("angle")?,
+            stiffness: number("stiffness")?,
+            arm_contact: number("arm_contact")?,
+            secants: OPENINGS.into_iter().filter_map(secant).collect(),
+        })
+    }
 }
 
 /// A star with the shell's numbers.
@@ -89,9 +104,7 @@ impl DrawnStar {
                 let _ = writeln!(text, "unknowns {:?}", found.evidence.unknowns);
             }
         }
-        let hash = sha256(&text);
-        let _ = writeln!(text, "{hash}");
-        Ok(text)
+        Ok(sealed(&text))
     }
 
     /// Its description, in one line.
@@ -113,11 +126,7 @@ impl DrawnStar {
 
     /// Reads its text; `None` if it is torn, or another star's.
     pub fn read(&self, text: &str) -> Option<ComputedStar> {
-        let (body, last) = text.trim_end().rsplit_once('\n')?;
-        if sha256(format!("{body}\n")) != last {
-            return None;
-        }
-        let mut lines = body.lines().filter(|line| !line.starts_with('#'));
+        let mut lines = unsealed(text)?;
         if !lines.next()?.starts_with(&format!("{} cells ", self.words())) {
             return None;
         }
@@ -139,14 +148,7 @@ impl DrawnStar {
             let Value { value, error, .. } = Value::new([0, 1, 2].map(by_mesh));
             value.is_finite().then_some((part, Number { value, error }))
         };
-        let found = ShellNumbers {
-            radius: number("radius")?,
-            angle: number("angle")?,
-            stiffness: number("stiffness")?,
-            arm_contact: number("arm_contact")?,
-            secants: OPENINGS.into_iter().filter_map(secant).collect(),
-        };
-        Some(ComputedStar { star: *self, found: Some(found) })
+        Some(ComputedStar { star: *self, found: Some(ShellNumbers::of(number, secant)?) })
     }
 }
 
@@ -178,19 +180,12 @@ impl ComputedStar {
             return Some(Self { star, found: None });
         }
         let words: Vec<&str> = rest.split(' ').collect();
-        let number = |name: &[&str]| {
+        let after = |name: &[&str]| {
             let at = words.windows(name.len()).position(|part| part == name)? + name.len();
             Some(Number { value: words.get(at)?.parse().ok()?, error: words.get(at + 1)?.parse().ok()? })
         };
-        let secant = |part: f64| Some((part, number(&["secant", &part.to_string()])?));
-        let found = ShellNumbers {
-            radius: number(&["radius"])?,
-            angle: number(&["angle"])?,
-            stiffness: number(&["stiffness"])?,
-            arm_contact: number(&["arm_contact"])?,
-            secants: OPENINGS.into_iter().filter_map(secant).collect(),
-        };
-        Some(Self { star, found: Some(found) })
+        let secant = |part: f64| Some((part, after(&["secant", &part.to_string()])?));
+        Some(Self { star, found: Some(ShellNumbers::of(|name| after(&[name]), secant)?) })
     }
 }
 

@@ -97,39 +97,26 @@ impl Set {
     /// All of them.
     pub const ALL: [Self; 6] = [Self::Fit, Self::Range, Self::Test, Self::Paper, Self::Wide, Self::Narrow];
 
+    /// Its name, the number of its stars, and the seed of its random numbers; no seed if it is not drawn.
+    const fn row(self) -> (&'static str, u32, Option<u64>) {
+        match self {
+            Self::Fit => ("fit", 36, Some(1)),
+            Self::Range => ("range", 48, Some(2)),
+            Self::Test => ("test", 456, Some(3)),
+            Self::Paper => ("paper", 24, None),
+            Self::Wide => ("wide", 60, Some(4)),
+            Self::Narrow => ("narrow", 60, Some(5)),
+        }
+    }
+
     /// Its name.
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Fit => "fit",
-            Self::Range => "range",
-            Self::Test => "test",
-            Self::Paper => "paper",
-            Self::Wide => "wide",
-            Self::Narrow => "narrow",
-        }
+        self.row().0
     }
 
     /// The number of its stars.
     pub const fn count(self) -> u32 {
-        match self {
-            Self::Fit => 36,
-            Self::Range => 48,
-            Self::Test => 456,
-            Self::Paper => 24,
-            Self::Wide | Self::Narrow => 60,
-        }
-    }
-
-    /// Seed of its random numbers; `None` if it is not drawn.
-    const fn seed(self) -> Option<u64> {
-        match self {
-            Self::Fit => Some(1),
-            Self::Range => Some(2),
-            Self::Test => Some(3),
-            Self::Wide => Some(4),
-            Self::Narrow => Some(5),
-            Self::Paper => None,
-        }
+        self.row().1
     }
 
     /// Its star number `number`, from 1: the points go round, the rest is drawn, or the paper's.
@@ -142,12 +129,9 @@ impl Set {
             Self::Fit | Self::Range | Self::Test | Self::Paper => USUAL,
         };
         let points = bounds.points[place % bounds.points.len()];
-        let Some(seed) = self.seed() else {
-            return paper(
-                number,
-                points,
-                PAPER_PRESSURES[place / bounds.points.len() % PAPER_PRESSURES.len()],
-            );
+        let Some(seed) = self.row().2 else {
+            let pressure = PAPER_PRESSURES[place / bounds.points.len() % PAPER_PRESSURES.len()];
+            return paper(number, points, pressure);
         };
         let mut dice = Dice((seed << 40) + (u64::from(number) << 20));
         loop {
