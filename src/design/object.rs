@@ -129,7 +129,8 @@ pub fn does_not_enter(spec: &Spec, (inner, hole): (f64, f64), entering: f64, wid
     let flap = inner - hole;
     let ([across, rho, less], most) = ([2.0 * entering, inner, flap].map(Readable), Most(2.0 * hole));
     let found = format!(
-        "the object is {across} mm across, the cut hole {most} mm (inner radius {rho} mm less {less} mm of band and flap): it does not enter"
+        "the object is {across} mm across, the cut hole {most} mm (inner radius {rho} mm less {less} mm of \
+         band and flap): it does not enter"
     );
     let wanted = entering + room(Length(entering)).0 + flap;
     let narrower = widest.map_or_else(String::new, |radius| {

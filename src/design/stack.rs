@@ -97,7 +97,8 @@ fn too_tight(below: usize, pitch: f64, needed: f64, thickness: f64) -> Refusal {
     let [room, tube] = [pitch - thickness, needed - thickness].map(Readable);
     let [pitch, plates, least] = [pitch, thickness, (needed * 100.0).ceil() / 100.0].map(Readable);
     let found = format!(
-        "between star {below} and star {above} a pitch of {pitch} mm leaves {room} mm between plates of {plates} mm, the inflated tube is {tube} mm high"
+        "between star {below} and star {above} a pitch of {pitch} mm leaves {room} mm between plates of \
+         {plates} mm, the inflated tube is {tube} mm high"
     );
     let remedy = format!("pitch must be at least {least} mm");
     Refusal::new(key::stack::PITCH.of_star(above), RefusalCode::TubeBetweenPlates, found, remedy)

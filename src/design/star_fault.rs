@@ -46,7 +46,8 @@ pub(super) fn no_arm(spec: &StarSpec, l: f64, half: f64) -> Refusal {
     let round = round.map(|(what, radius)| format!(", {what} of {radius}")).collect::<Vec<_>>().concat();
     let l = if l > -0.05 { -0.0 } else { l };
     let found = format!(
-        "with {points} points, an inner radius of {inner_radius}, a tube width of {tube_width}{round} and a tip angle of {tip_angle} the arms would be {l:.1} mm long"
+        "with {points} points, an inner radius of {inner_radius}, a tube width of {tube_width}{round} and a \
+         tip angle of {tip_angle} the arms would be {l:.1} mm long"
     );
     Refusal::new(blamed, RefusalCode::NoArm, found, remedy)
 }

@@ -188,7 +188,8 @@ fn across_channel(mouth: &Mouth, sketch: &Sketch, rules: &Rules) -> String {
     let port = quoted(std::slice::from_ref(&sketch.ports[mouth.port].name));
     let least = thousandths_up(least.max(rules.band));
     format!(
-        "at port {port} it must lie at least {least:.3} mm outside the edge: only there may it cross the bands beside the hose"
+        "at port {port} it must lie at least {least:.3} mm outside the edge: only there may it cross the \
+         bands beside the hose"
     )
 }
 

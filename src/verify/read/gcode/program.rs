@@ -51,7 +51,8 @@ impl Line<'_> {
     }
 }
 
-/// Passes every one of `lines`, each with its line end, to `see` with its effects. A last empty line, with the number of the last real one, has the faults of the whole program.
+/// Passes every one of `lines`, each with its line end, to `see` with its effects. A last empty line, with the number of the last
+/// real one, has the faults of the whole program.
 pub fn each_line<'a>(
     lines: impl IntoIterator<Item = &'a str>,
     dialect: Dialect,
