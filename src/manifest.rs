@@ -196,10 +196,9 @@ impl Manifest {
     }
 }
 
-/// A manifest as the bytes of its file.
+/// A manifest, whose fields can all be written as JSON, as the bytes of its file.
 fn json(manifest: &impl Serialize) -> Vec<u8> {
-    // Plain data can always be written.
-    let mut json = serde_json::to_vec_pretty(manifest).unwrap_or_default();
+    let mut json = serde_json::to_vec_pretty(manifest).expect("plain data");
     json.push(b'\n');
     json
 }

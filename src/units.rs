@@ -30,7 +30,7 @@ pub enum QuantityFault {
 pub struct QuantityKind {
     /// Its name in messages: "length".
     pub name: &'static str,
-    /// Units in which it can be written, with the factor to the base unit; the first is the base.
+    /// Units in which it can be written, at least one, with the factor to the base unit; the first is the base.
     pub units: &'static [(&'static str, f64)],
 }
 

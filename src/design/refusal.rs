@@ -6,7 +6,7 @@ use std::ops::{Deref, DerefMut};
 use crate::design::RefusalCode;
 use crate::spec::{DrawnPlace, KeyPath};
 
-/// A spec whose every value is in its range, but whose geometry cannot be made.
+/// A spec whose every value is in its range, but whose geometry cannot be made; as a [`Warning`], one that can.
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refusal {
@@ -66,7 +66,7 @@ impl Refusals {
         made.map_err(|refused| self.0.extend(refused.into())).ok()
     }
 
-    /// The same without those of one code at one key that follow the first.
+    /// These refusals without those of one code at one key that follow the first.
     pub(super) fn each_once(self) -> Self {
         let mut kept = Self::new();
         for refusal in self {

@@ -5,7 +5,7 @@ use crate::plan::lowest_feed::contact;
 use crate::plan::{Program, Purpose, Ramp, Step};
 use crate::shape::PieceName;
 use crate::spec::{KeepOut, Machine, Spec, key};
-use inflatable::geom::{Bounds, Line, Point, Segment, Vec2, box_distance};
+use inflatable::geom::{Bounds, BoxIndex, Line, Point, Segment, Vec2, box_distance};
 
 /// The rectangle of a clamp.
 pub fn clamp_bounds(clamp: &KeepOut) -> Bounds {
@@ -38,12 +38,15 @@ pub(super) fn clamps_in_the_way(
     }
     let reach = spec.seal.band.0 / 2.0;
     let ways: Vec<Way<'_>> = seals.iter().chain(traces).flat_map(|program| ways(program, reach)).collect();
+    let index = BoxIndex::new(ways.iter().map(|way| way.near));
     let refusal = |zone: &KeepOut| {
         let passes = zone.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
         let place = clamp_bounds(zone);
-        let mut met = ways.iter().filter(|way| {
-            (way.low || !passes) && way.near.overlaps(&place) && box_distance(&place, &way.piece) <= way.reach
-        });
+        let near = index.overlapping(&place);
+        let mut met = near
+            .into_iter()
+            .map(|number| &ways[number])
+            .filter(|way| (way.low || !passes) && box_distance(&place, &way.piece) <= way.reach);
         let first = met.next()?;
         // A way with the iron down meets the clamp whatever its height.
         let met = if first.low { first } else { met.find(|way| way.low).unwrap_or(first) };

@@ -73,7 +73,8 @@ impl<'a> Toolpath<'a> {
                     _ => {}
                 }
             }
-            if heat && !is_comment && hot == 0 {
+            // The last line of all has no text.
+            if heat && !is_comment && hot == 0 && !line.text.is_empty() {
                 hot = line.number;
             }
         });

@@ -18,10 +18,14 @@ pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
     for stage in [LineUse::Weld, LineUse::Island, LineUse::Outer] {
         // Walls go with the welds: both end in other bands or in the air.
         let kind = |line: &Line| if line.kind == LineUse::Wall { LineUse::Weld } else { line.kind };
-        let (mut own, rest): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|line| kind(line) == stage);
+        let (own, rest): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|line| kind(line) == stage);
         lines = rest;
-        while let Some((next, backwards)) = nearest(&own, at) {
-            let mut line = own.remove(next);
+        // A search reads the ends of all lines that are left: they lie together.
+        let mut ends: Vec<Ends> =
+            own.iter().enumerate().map(|(number, line)| Ends::of(number, &line.path)).collect();
+        let mut own: Vec<Option<Line>> = own.into_iter().map(Some).collect();
+        while let Some((next, backwards)) = nearest(&ends, at) {
+            let Some(mut line) = own[ends.remove(next).number].take() else { break };
             if backwards {
                 line.path = line.path.reversed();
                 line.joined.reverse();
@@ -33,12 +37,25 @@ pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
     ordered
 }
 
-/// The place in `lines` of the one that begins nearest to `at`, or may be sealed from its end, and whether its end is nearest.
-fn nearest(lines: &[Line], at: Point) -> Option<(usize, bool)> {
+/// The ends at which a line can begin.
+struct Ends {
+    number: usize,
+    first: Option<Point>,
+    /// None of a closed one.
+    last: Option<Point>,
+}
+
+impl Ends {
+    fn of(number: usize, path: &Path) -> Self {
+        Self { number, first: path.start(), last: if path.closed { None } else { path.end() } }
+    }
+}
+
+/// The place in `lines` of the one with the end nearest to `at`, and whether that is its last end.
+fn nearest(lines: &[Ends], at: Point) -> Option<(usize, bool)> {
     let far = |end: Option<Point>| end.map_or(f64::INFINITY, |end| end.distance(at));
-    let ends = lines.iter().enumerate().flat_map(|(place, Line { path, .. })| {
-        let end = if path.closed { None } else { path.end() };
-        [(far(path.start()), place, false), (far(end), place, true)]
+    let ends = lines.iter().enumerate().flat_map(|(place, Ends { first, last, .. })| {
+        [(far(*first), place, false), (far(*last), place, true)]
     });
     ends.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place, backwards)| (place, backwards))
 }

@@ -5,11 +5,12 @@ use toml_edit::{DocumentMut, Item, TableLike, TomlError, Value};
 use crate::spec::fault::Fault;
 use crate::spec::faults::Faults;
 use crate::spec::key::KeyPath;
-use crate::spec::model::StarSpec;
+use crate::spec::model::{Spec, StarSpec};
 use crate::spec::reading::{Reading, read};
 use crate::spec::source::Source;
 use crate::spec::{FaultCode, key};
 use crate::units::{Angle, Length};
+use std::ops::Range;
 
 /// The values of `[star]` that a search may change.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,8 +70,12 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
     if !own.is_empty() {
         return Err(Faults::new(source, own));
     }
-    // The reader takes these values or refuses them: no star has its own, and their decimals read back to the same numbers.
-    read_back(source, with_values(source, &entries)?)
+    let (text, found) = read_back(source, with_values(source, &entries)?)?;
+    if found.stars.first().map(StarEdit::of) == Some(*star) {
+        Ok(text)
+    } else {
+        Err(cannot_edit(source, raw.span_of(key::star::POINTS), "the star", "must take new values"))
+    }
 }
 
 /// The text of `source` with `value`, TOML of its own ("3", "\"40 mm\""), set at `key`, which is no key of a single star. Lines
@@ -88,13 +93,18 @@ pub fn with_value(source: &Source, key: KeyPath, value: &str) -> Result<String, 
 /// If `source`, a value or the result is refused.
 pub fn with_changes(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String, Faults> {
     let _ = read(source)?;
-    read_back(source, edited(source, values)?)
+    read_back(source, edited(source, values)?).map(|(text, _)| text)
 }
 
 /// `text`, the edited text of `source`, if it is valid.
-fn read_back(source: &Source, text: String) -> Result<String, Faults> {
+fn read_back(source: &Source, text: String) -> Result<(String, Spec), Faults> {
     let edited = Source::new(format!("{}, edited", source.name), text);
-    read(&edited).map(|_| edited.text)
+    read(&edited).map(|reading| (edited.text, reading.spec))
+}
+
+fn cannot_edit(source: &Source, at: Range<usize>, what: &str, label: &str) -> Faults {
+    let fault = Fault::error(FaultCode::Edit, at, format!("{what} cannot be edited here"));
+    Faults::new(source, vec![fault.label(label).help("write its section with one key a line")])
 }
 
 /// The text of `source`, a valid spec, with every key set to its value, TOML of its own. Lines end with LF. It has not been read
@@ -136,10 +146,7 @@ fn edited(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String,
         let inline = item.is_inline_table();
         let Some(section) = item.as_table_like_mut() else {
             // Not in a valid spec.
-            let fault = Fault::error(FaultCode::Edit, 0..0, format!("`{key}` cannot be edited here"))
-                .label("must take a new value")
-                .help("write its section with one key a line");
-            return Err(Faults::new(source, vec![fault]));
+            return Err(cannot_edit(source, 0..0, &format!("`{key}`"), "must take a new value"));
         };
         set(section, inline, key.key(), value);
     }

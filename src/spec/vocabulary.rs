@@ -60,7 +60,7 @@ pub struct Vocabulary {
     codes: &'static [&'static [CodeRow]],
     /// Commands of `codes` that it does not support.
     except: &'static [Command],
-    /// Whether it draws arcs, without options that only some of the family have; without, no arc is read.
+    /// Whether it draws arcs, options of single controllers aside; if not, no arc is read.
     pub draws_arcs: bool,
     /// Whether it surely reads the decimals of G90.1 and G91.1; other controllers may read these as G90 and G91.
     subcodes: bool,

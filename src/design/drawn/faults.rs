@@ -36,7 +36,7 @@ pub(super) fn refusal(fault: &ShapeFault) -> Refusal {
     Refusal::new(key, code, found_at(&fault.what, fault.place), fault.remedy.clone()).drawn_at(place)
 }
 
-/// The finding `what`, and its place: the note on a repair.
+/// The finding `what`, and its place.
 pub(super) fn found_at(what: &str, place: Point) -> String {
     format!("{what} at X {:.3} Y {:.3} mm", place.x, place.y)
 }

@@ -4,7 +4,7 @@ use crate::spec::machine::{Controller, Dialect, DwellUnit, Heating};
 use crate::spec::section::Section;
 use crate::spec::{Command, FaultCode, Vocabulary};
 
-/// Modes of which programs depend: the command, the word that sets it, its name, and whether only arcs need it.
+/// Modes on which programs depend: the command, the word that sets it, its name, and whether only arcs need it.
 const MODES: [(Command, &str, &str, bool); 5] = [
     (Command::Millimetres, "G21", "millimetres", false),
     (Command::PlaneXy, "G17", "the XY plane", true),
@@ -44,7 +44,9 @@ pub(super) fn check_dwell_unit(
         Dialect::Marlin | Dialect::Klipper | Dialect::RepRapFirmware => {
             (DwellUnit::Milliseconds, "ms", "milliseconds")
         }
-        _ => (DwellUnit::Seconds, "s", "seconds"),
+        Dialect::Generic | Dialect::LinuxCnc | Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => {
+            (DwellUnit::Seconds, "s", "seconds")
+        }
     };
     if written.is_some_and(|written| written != unit) {
         let found =

@@ -29,7 +29,7 @@ impl<'r> Section<'_, 'r> {
         Some(text.to_owned())
     }
 
-    /// The path of a file; a wrong one is a fault of `code` with the words `allowed`.
+    /// A path, or a name that a file may have; a wrong one is a fault of `code` with the words `allowed`.
     pub(in crate::spec) fn path(
         &mut self,
         key: &'static str,
@@ -40,7 +40,7 @@ impl<'r> Section<'_, 'r> {
         self.checked_text(key, code, |path| is_wrong(path).then(|| allowed.to_owned()))
     }
 
-    /// A name by the rules of [`check_name`].
+    /// The key `name`, by the rules of [`check_name`].
     pub(in crate::spec) fn name(&mut self) -> Option<String> {
         self.checked_text("name", FaultCode::Name, |name| check_name(name).err())
     }

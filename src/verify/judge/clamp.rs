@@ -63,7 +63,9 @@ impl<'a> Clamps<'a> {
             let [a, b] = [a.bounds.min, b.bounds.min];
             a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x))
         });
-        let index = BoxIndex::new(zones.iter().map(|zone| zone.bounds));
+        // A clamp that is thinner than its rims has its corners the other way round.
+        let boxes = zones.iter().map(|zone| Bounds::of_points([zone.bounds.min, zone.bounds.max]));
+        let index = BoxIndex::new(boxes);
         Self { reach, zones, index }
     }
 

@@ -5,6 +5,7 @@
 
 use crate::shape::LaidSeam;
 use crate::spec::{DwellUnit, Heating, StepRate};
+use crate::verify::judge::stroke::shortest_move;
 use crate::verify::judge::task::ProgramTask;
 
 /// The beginning of the operator's instruction, who has no other source.
@@ -79,7 +80,7 @@ fn strokes(task: &ProgramTask<'_>, out: &mut Vec<String>) {
     let step = machine.controller.dwell.step.0;
     let delay = motion.start_delay.0;
     let least = (delay + speed / a + step) / (1.0 / seal.speed.0 - 1.0 / speed);
-    let shortest = motion.least_move();
+    let shortest = shortest_move(motion);
     let count = if shortest > 0.0 { 15.0 } else { 13.0 };
     let longest = least.max(seal.band.0 / count).max(shortest);
     out.push(format!("chop: feed_mm_min={} longest_mm={longest}", speed * 60.0));

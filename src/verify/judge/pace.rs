@@ -6,7 +6,7 @@
 
 use crate::verify::judge::Judge;
 use crate::verify::judge::rules::{IronRules, Phase};
-use crate::verify::judge::stroke::StrokeRun;
+use crate::verify::judge::stroke::{StrokeRun, shortest_move};
 use crate::verify::read::gcode::{Dwell, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::Segment;
@@ -120,7 +120,7 @@ impl<'a> Paced<'a> {
         let spared = 1.0 / seal.speed.0 - 1.0 / feed;
         let needed = if spared > 0.0 { least / spared } else { 0.0 };
         // Where two strokes that the controller makes do not fit, one is nearly as long as both.
-        let needed = needed.max(2.0 * self.rules.motion.least_move());
+        let needed = needed.max(2.0 * shortest_move(self.rules.motion));
         needed.clamp(seal.band.0 / 10.0, seal.band.0 / 2.0)
     }
 

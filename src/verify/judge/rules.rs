@@ -2,6 +2,7 @@
 
 use crate::spec::{FeedFloor, Heights, Machine, Motion, Process, Seal, Spec};
 use crate::verify::judge::HEIGHT;
+use crate::verify::judge::stroke::shortest_move;
 use crate::verify::read::gcode::Move;
 
 /// The rules by which the iron is led, whatever its path.
@@ -71,7 +72,7 @@ impl<'a> IronRules<'a> {
     /// The longest time at rest, s: the time for a tenth of the band, as a longer rest leaves a scar; or that of two of the
     /// shortest moves that the controller makes.
     pub(super) fn longest_rest(&self) -> f64 {
-        let way = (self.seal.band.0 / 10.0).max(2.0 * self.motion.least_move());
+        let way = (self.seal.band.0 / 10.0).max(2.0 * shortest_move(self.motion));
         way / self.seal.speed.0 + 1e-9
     }
 }

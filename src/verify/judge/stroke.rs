@@ -72,6 +72,12 @@ pub fn stroke_seconds(motion: &Motion, from: [f64; 3], to: [f64; 3], speed: f64)
     StrokeRun::default().and(motion, from, to, length).seconds(motion, speed)
 }
 
+/// The shortest way in the plane that has the steps of a move in every direction, mm.
+pub(super) fn shortest_move(motion: &Motion) -> f64 {
+    let per_step = |scale: f64| 1.0 / scale;
+    motion.steps_per_mm.map_or(0.0, |[x, y, _]| motion.min_move_steps * libm::hypot(per_step(x), per_step(y)))
+}
+
 /// Time on Marlin (repository MarlinFirmware/Marlin, planner.cpp and stepper.cpp): every step has a rate of its own, in whole
 /// steps a second, which is rounded up and is never below the `least`; versions up to 2.0.x begin and end with the rate `first`.
 fn whole_rates(

@@ -78,7 +78,7 @@ impl SvgReader {
     /// Checks the scale; returns the height in user units (0 if there is none).
     fn page(&mut self, root: Node<'_, '_>) -> f64 {
         let mm = |name: &str| root.attribute(name)?.trim().strip_suffix("mm").and_then(number::value);
-        let view = root.attribute("viewBox").and_then(numbers_in);
+        let view = root.attribute("viewBox").and_then(|view| numbers_in(view, |c| matches!(c, ' ' | ',')));
         let (Some(width), Some(height), Some(&[left, top, w, h])) =
             (mm("width"), mm("height"), view.as_deref())
         else {
@@ -185,7 +185,8 @@ impl SvgReader {
 
     fn points(&mut self, node: Node<'_, '_>, closed: bool) -> Option<Path> {
         let text = node.attribute("points").unwrap_or("");
-        let Some(numbers) = numbers_in(text).filter(|n| n.len() % 2 == 0) else {
+        let numbers = numbers_in(text, |c| c.is_ascii_whitespace() || c == ',');
+        let Some(numbers) = numbers.filter(|n| n.len() % 2 == 0) else {
             self.blame(node, FindingCode::BadNumber, quote(text), "pairs of numbers");
             return None;
         };
@@ -194,9 +195,9 @@ impl SvgReader {
     }
 }
 
-/// The numbers of a list, with blanks or commas between them.
-fn numbers_in(text: &str) -> Option<Vec<f64>> {
-    text.split([' ', ',']).filter(|word| !word.is_empty()).map(number::value).collect()
+/// The numbers of a list, with characters between them that are `between`.
+fn numbers_in(text: &str, between: impl Fn(char) -> bool) -> Option<Vec<f64>> {
+    text.split(between).filter(|word| !word.is_empty()).map(number::value).collect()
 }
 
 /// The lines from point to point.

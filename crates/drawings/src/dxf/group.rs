@@ -65,7 +65,7 @@ pub(super) struct Record<'a, 'g> {
 pub(super) enum Flaw {
     /// It is faulty: the finding and its line.
     At { text: String, line: usize },
-    /// It shows something else than figures in the drawing's plane: the text of the note.
+    /// It is left out, because it is not read, lies in another plane or in another file: the text of the note.
     Lost(String),
     /// A limit is exceeded; the fault is recorded.
     Limit,

@@ -192,7 +192,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         if block.head.flags(70).is_ok_and(|flags| flags & 4 != 0) {
             return Err(Flaw::Lost(format!("The block \"{name}\" is in another file; it is left out.")));
         }
-        let (map, counts) = (copies(record, block)?, counts(record)?);
+        let (counts, map) = copies(record, block)?;
         let id = place.element.clone().unwrap_or_default();
         let mut inner =
             Context { layers: place.layers.clone(), blocks: context.blocks.clone(), ..context.clone() };
@@ -232,20 +232,22 @@ fn counts(record: &Record<'_, '_>) -> Result<[u32; 2], Flaw> {
     Ok([count(70)?, count(71)?])
 }
 
-/// The map of the entities of an INSERT's block for a column and a row, from 0.
-fn copies(
-    record: &Record<'_, '_>,
-    block: &Block<'_, '_>,
-) -> Result<impl Fn(u32, u32) -> Affine + use<>, Flaw> {
+/// A map for each column and row, from 0.
+type Copies = Box<dyn Fn(u32, u32) -> Affine>;
+
+/// The columns and rows of an INSERT, and the maps of its block's entities.
+fn copies(record: &Record<'_, '_>, block: &Block<'_, '_>) -> Result<([u32; 2], Copies), Flaw> {
     let mirror = if mirrored(record)? { Affine::scale(-1.0, 1.0) } else { Affine::IDENTITY };
     let base = [block.head.number_or(10, 0.0)?, block.head.number_or(20, 0.0)?];
     let base = Affine::translate(-base[0], -base[1]);
     let turn = Affine::rotate(record.number_or(50, 0.0)?);
     let scale = Affine::scale(record.number_or(41, 1.0)?, record.number_or(42, 1.0)?);
     let at = Affine::translate(record.number(10)?, record.number(20)?);
+    let counts = counts(record)?;
     let steps = [record.number_or(44, 0.0)?, record.number_or(45, 0.0)?];
-    Ok(move |column: u32, row: u32| {
+    let map = move |column: u32, row: u32| {
         let step = Affine::translate(f64::from(column) * steps[0], f64::from(row) * steps[1]);
         mirror.after(&at).after(&turn).after(&step).after(&scale).after(&base)
-    })
+    };
+    Ok((counts, Box::new(map)))
 }

@@ -13,6 +13,7 @@ use crate::{Place, Unit, Weight};
 const PIXEL: f64 = 25.4 / 96.0;
 /// Length of a point, mm.
 const POINT: f64 = 25.4 / 72.0;
+
 /// The reason for which a page has no size, and the remedy.
 type Finding = (String, String);
 

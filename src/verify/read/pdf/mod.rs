@@ -177,7 +177,7 @@ struct Indirect<'a> {
     stream: Option<&'a [u8]>,
 }
 
-/// All objects, and the trailer's dictionary.
+/// All objects, and the trailer's dictionary; an error is what was found instead.
 fn file<'a>(scan: &mut PdfScan<'a>) -> Result<(PdfObjects<'a>, PdfObject<'a>), &'static str> {
     let mut objects = PdfObjects::new();
     let table = loop {
