@@ -187,6 +187,7 @@ impl VerdictLines {
         }
     }
 
+    /// Adds a doubt; its key and remedy are never read.
     fn doubt(&mut self, stars: &[usize], text: String) {
         let code = RefusalCode::MayNotHold;
         self.add(Weight::Doubted, stars, Refusal::new(key::load::MASS, code, text, String::new()));

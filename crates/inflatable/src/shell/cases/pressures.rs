@@ -33,7 +33,7 @@ const MESHES: usize = 3;
 /// Inflates a V-actuator from flat to each of `pressures` (Pa, rising), whatever the pressure in `case` is. `None` from the
 /// first pressure on at which it has no equilibrium on one of its meshes.
 ///
-/// The caller limits pressures, t/W and p W/Y: tables end a little beyond the limits of [`Tube`].
+/// The caller limits pressures, t/W and p W/Y: tables end a little beyond the limits of [`Tube`](super::tube::Tube).
 ///
 /// # Errors
 /// If it has no mesh, or is cancelled.

@@ -131,6 +131,8 @@ mod tests {
     #[test]
     fn refuses_what_is_no_radius() {
         let table = RingTable::new().expect("solved");
-        assert!([-1.0, f64::NAN, f64::INFINITY].iter().all(|r_star| table.target(*r_star).is_err()));
+        for r_star in [-1.0, f64::NAN, f64::INFINITY] {
+            assert!(table.target(r_star).is_err() && table.onset(r_star).is_err(), "{r_star}");
+        }
     }
 }
