@@ -20,12 +20,11 @@ pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
         let kind = |line: &Line| if line.kind == LineUse::Wall { LineUse::Weld } else { line.kind };
         let (own, rest): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|line| kind(line) == stage);
         lines = rest;
-        // A search reads the ends of all lines that are left: they lie together.
-        let mut ends: Vec<Ends> =
-            own.iter().enumerate().map(|(number, line)| Ends::of(number, &line.path)).collect();
-        let mut own: Vec<Option<Line>> = own.into_iter().map(Some).collect();
+        let mut ends: Vec<Ends> = own.iter().enumerate().map(Ends::of).collect();
+        let mut left: Vec<Option<Line>> = own.into_iter().map(Some).collect();
         while let Some((next, backwards)) = nearest(&ends, at) {
-            let Some(mut line) = own[ends.remove(next).number].take() else { break };
+            let Ends { number, .. } = ends.remove(next);
+            let Some(mut line) = left[number].take() else { break };
             if backwards {
                 line.path = line.path.reversed();
                 line.joined.reverse();
@@ -37,27 +36,31 @@ pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
     ordered
 }
 
-/// The ends at which a line can begin.
+/// The start of a line, and its end if it may be sealed from there.
 struct Ends {
     number: usize,
-    first: Option<Point>,
-    /// None of a closed one.
-    last: Option<Point>,
+    ends: [Option<Point>; 2],
 }
 
 impl Ends {
-    fn of(number: usize, path: &Path) -> Self {
-        Self { number, first: path.start(), last: if path.closed { None } else { path.end() } }
+    fn of((number, line): (usize, &Line)) -> Self {
+        let end = if line.path.closed { None } else { line.path.end() };
+        Self { number, ends: [line.path.start(), end] }
     }
 }
 
-/// The place in `lines` of the one with the end nearest to `at`, and whether that is its last end.
+/// The place in `lines` of the one that begins nearest to `at`, and whether its end does.
 fn nearest(lines: &[Ends], at: Point) -> Option<(usize, bool)> {
-    let far = |end: Option<Point>| end.map_or(f64::INFINITY, |end| end.distance(at));
-    let ends = lines.iter().enumerate().flat_map(|(place, Ends { first, last, .. })| {
-        [(far(*first), place, false), (far(*last), place, true)]
-    });
-    ends.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place, backwards)| (place, backwards))
+    let mut best: Option<(f64, usize, bool)> = None;
+    for (place, line) in lines.iter().enumerate() {
+        for (end, backwards) in line.ends.iter().zip([false, true]) {
+            let far = end.map_or(f64::INFINITY, |end| end.distance(at));
+            if best.is_none_or(|(least, ..)| far < least) {
+                best = Some((far, place, backwards));
+            }
+        }
+    }
+    best.map(|(_, place, backwards)| (place, backwards))
 }
 
 /// Straight segments shorter than this are not looked for as a start, mm: the ways down and up would leave them soon, and some are rounding.
