@@ -53,7 +53,7 @@ pub(super) const MODELS: [&str; 6] = [
     "The cheapest accurate model; never the shell",
 ];
 
-/// What is asked about a gripper, beside its spec.
+/// The options of a prediction of a gripper, beside its spec.
 #[derive(Clone, Debug)]
 pub struct StarQuestion {
     /// The requested model; `None` for the spec's own.

@@ -16,7 +16,7 @@ mod text;
 
 pub use chords::chords;
 pub use dxf::dxf;
-pub use gcode::{FEED_CHECK_TITLE, Facts, estimate, feed_check, gcode, write_steps};
+pub use gcode::{FEED_CHECK_TITLE, Facts, estimate, feed_check, gcode, steps_text};
 pub use number::Decimals;
 pub use pdf::pdf;
 pub use preview::{FaultMark, GridCell, Preview, cells, faults, is_faults};

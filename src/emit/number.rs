@@ -71,7 +71,7 @@ pub(super) fn number(x: f64) -> String {
 
 /// The nearest number of single precision, in which some formats have their coordinates.
 pub(super) fn single(x: f64) -> f32 {
-    #[expect(clippy::cast_possible_truncation, reason = "rounding is what is wanted")]
+    #[expect(clippy::cast_possible_truncation, reason = "rounding is intended")]
     let single = x as f32;
     single
 }

@@ -138,7 +138,7 @@ fn approach(
         out.push_str(title);
         out.push('\n');
     }
-    out.push_str(&emit::write_steps(record.facts(), &steps, record.pace, start));
+    out.push_str(&emit::steps_text(record.facts(), &steps, record.pace, start));
     // The dwells of the old move belong to it, and have been written again with its rest.
     Ok((from, toolpath.after(last)))
 }

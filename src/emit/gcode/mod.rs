@@ -52,7 +52,7 @@ pub fn estimate(dialect: Dialect, seconds: f64) -> Option<String> {
 }
 
 /// `steps` alone at `pace`, with the iron at `from`, as text without header, start, pauses and end.
-pub fn write_steps(facts: Facts<'_>, steps: &[Step], pace: Pace, from: Point) -> String {
+pub fn steps_text(facts: Facts<'_>, steps: &[Step], pace: Pace, from: Point) -> String {
     let mut writer = Writer::new(facts);
     writer.at = writer.round(from);
     let mut job = Job::new(pace, writer);
