@@ -136,11 +136,10 @@ impl Judge for Timed<'_> {
         (self.waited, self.seconds) = (true, 0.0);
     }
 
-    fn end(&mut self, findings: &mut Findings) -> f64 {
+    fn end(&mut self, findings: &mut Findings) {
         if self.drawn != self.wanted.len() {
             let (found, allowed) = (format!("{} lines", self.drawn), format!("{} lines", self.wanted.len()));
             findings.add(FindingCode::MissingSeam, found, allowed);
         }
-        0.0
     }
 }

@@ -42,8 +42,11 @@ pub(super) trait Judge {
     /// A comment.
     fn comment(&mut self, _comment: &Comment, _findings: &mut Findings) {}
 
-    /// After the last line: adds what could not be judged before. Returns the largest deviation from a path, mm.
-    fn end(&mut self, _findings: &mut Findings) -> f64 {
+    /// After the last line: adds what could not be judged before.
+    fn end(&mut self, _findings: &mut Findings) {}
+
+    /// After [`Judge::end`]: the largest deviation from a path, mm; 0 of a judge that follows none.
+    fn deviation(&self) -> f64 {
         0.0
     }
 
@@ -84,7 +87,8 @@ fn judged<'a>(
     });
     let mut deviation = 0.0_f64;
     for (mut judge, mut found) in judges {
-        deviation = deviation.max(judge.end(&mut found));
+        judge.end(&mut found);
+        deviation = deviation.max(judge.deviation());
         findings.absorb(found);
     }
     findings.absorb(own);

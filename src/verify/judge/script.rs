@@ -59,12 +59,11 @@ impl Judge for ScriptJudge<'_> {
         }
     }
 
-    fn end(&mut self, findings: &mut Findings) -> f64 {
+    fn end(&mut self, findings: &mut Findings) {
         let pauses = std::mem::take(findings);
         self.head.end(findings);
         self.tail.end(findings);
         findings.absorb(pauses);
-        0.0
     }
 }
 
@@ -194,9 +193,8 @@ impl Judge for Body {
         }
     }
 
-    fn end(&mut self, findings: &mut Findings) -> f64 {
+    fn end(&mut self, findings: &mut Findings) {
         self.judge_pending(false, findings);
-        0.0
     }
 }
 

@@ -99,12 +99,15 @@ impl Judge for Sealed<'_> {
         }
     }
 
-    fn end(&mut self, findings: &mut Findings) -> f64 {
+    fn end(&mut self, findings: &mut Findings) {
         self.lift(findings);
         for seam in self.expected.by_ref() {
             let found = format!("no {}", seam.name);
             findings.add(FindingCode::MissingSeam, found, "every seam of the design");
         }
+    }
+
+    fn deviation(&self) -> f64 {
         self.deviation
     }
 }
@@ -163,7 +166,7 @@ impl Judge for Traced {
         }
     }
 
-    fn end(&mut self, findings: &mut Findings) -> f64 {
+    fn end(&mut self, findings: &mut Findings) {
         self.leave(findings);
         let found = self.found.saturating_sub(1);
         if self.found == 0 {
@@ -174,6 +177,9 @@ impl Judge for Traced {
             let (found, allowed) = (format!("{found} paths"), format!("{} paths", self.wanted));
             findings.add(FindingCode::MissingSeam, found, allowed);
         }
+    }
+
+    fn deviation(&self) -> f64 {
         self.deviation
     }
 }

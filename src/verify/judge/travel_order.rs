@@ -123,11 +123,10 @@ impl Judge for TravelOrder {
         }
     }
 
-    fn end(&mut self, findings: &mut Findings) -> f64 {
+    fn end(&mut self, findings: &mut Findings) {
         if let Some(wanted) = self.waypoints.get(self.passed) {
             findings.add(FindingCode::StrayTravel, "the end", format!("{} next", told(wanted)));
         }
-        0.0
     }
 }
 
