@@ -50,11 +50,13 @@ python:
 portable:
 	packaging/portable $(TARGETS)
 
+# The crates of the program.
+CRATES = $(addprefix -p stargrip-,geom artwork sealed inflatable spec design forecast program proof)
 # The tested crates. The Python package has its own tests (`make python`).
-TESTED = -p stargrip-cam -p inflatable -p drawings -p research
-# The large crate is compiled again for its unit tests. They are as fast when that copy is not optimised, and it is there sooner. `research`
-# has no unit tests, so the large crate is not compiled that way for it, too.
-UNITS = -p stargrip-cam -p inflatable -p drawings
+TESTED = -p stargrip-cam $(CRATES) -p research
+# A crate is compiled again for its unit tests. They are as fast when that copy is not optimised, and it is there sooner. `research` has no
+# unit tests, so the root is not compiled that way for it, too.
+UNITS = -p stargrip-cam $(CRATES)
 PLAIN = --config 'profile.dev.package.stargrip-cam.opt-level=0'
 # `check` compiles the examples with its lints; a test that needs one includes it as a module.
 test:
@@ -90,8 +92,8 @@ audit:
 	@$(call needs,deny,cargo-deny)
 	$(CARGO) deny --workspace --locked check advisories
 
-# Mutants of FILES that no test detects (docs/testing.md): `make mutants FILES='src/plan/*.rs' SHARD=0/8`.
-FILES ?= src/plan/*.rs
+# Mutants of FILES that no test detects (docs/testing.md): `make mutants FILES='crates/program/src/plan/*.rs' SHARD=0/8`.
+FILES ?= crates/program/src/plan/*.rs
 SHARD ?= 0/1
 mutants:
 	@$(call needs,mutants,cargo-mutants)

@@ -1,7 +1,7 @@
 """Writes the meanings and the keys of answers into the stubs, where editors read them: `python stubs.py`, with the package installed.
 
 Types of arguments and results are written in the stubs by hand. Docstrings are those of the compiled code. The attributes of predictions
-are the keys of the crate's answers (src/forecast/keys.rs). A test holds the stubs to what this writes.
+are the keys of the crate's answers (crates/forecast/src/keys.rs). A test holds the stubs to what this writes.
 """
 
 from __future__ import annotations

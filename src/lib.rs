@@ -33,35 +33,25 @@
 //! ```
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))] // the last digits of std differ between systems (clippy.toml)
 
-pub use inflatable::{geom, mechanics, numerics, shell};
+pub use artwork;
+pub use design;
+pub use forecast;
+pub use geom;
+pub use inflatable::{mechanics, numerics, shell};
+pub use program::plan;
+pub use proof::{artifact, verify};
+pub use sealed;
+pub use spec::{self, digest, units};
 
 // In the order in which data flows; imports go up this list only.
 
-pub mod digest;
-
-pub mod units;
-
-pub mod shape;
-
-pub mod spec;
-
-pub mod design;
-
-pub mod forecast;
-
 pub mod airtight;
-
-pub mod plan;
-
-pub mod artifact;
 
 pub mod manifest;
 
 pub mod link;
 
 pub mod emit;
-
-pub mod verify;
 
 pub mod resume;
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Computes the paper's stars and one V-actuator as shells of every fineness, each as a process of its own: by_shell.txt.
 
-    python3 crates/research/by_shell.py target/release/stargrip-cam src/forecast/trade/by_shell.txt
+    python3 crates/research/by_shell.py target/release/stargrip-cam crates/forecast/src/trade/by_shell.txt
 
 What stands in the file is not computed again. Time is the user's, over all threads; memory is the largest resident set.
 """

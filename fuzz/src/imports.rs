@@ -1,6 +1,6 @@
 //! Drawings of other programs: whatever is read is finite, whole, and within the limits.
 
-use drawings::{Drawing, Fault, Figure, Limits, Options, Unit, read_dxf, read_svg};
+use artwork::{Drawing, Fault, Figure, Limits, Options, Unit, read_dxf, read_svg};
 
 /// Limits that hold for the longest input, so that a case that multiplies work is found soon.
 const LIMITS: Limits = Limits { bytes: 1 << 20, visits: 20_000, segments: 50_000, text: 4 << 20, depth: 64 };

@@ -1,9 +1,9 @@
 //! Leaks of a sealed shape as refusals: each with its place as text, and the key to change.
 
-use crate::design::{Refusal, RefusalCode};
-use crate::shape::{Leak, SealedShape};
-use crate::spec::key;
-use inflatable::geom::Point;
+use design::{Refusal, RefusalCode};
+use geom::Point;
+use sealed::{Leak, SealedShape};
+use spec::key;
 
 /// The leaks of `shape`: ways for air that are not ports.
 pub fn shape_leaks(shape: &SealedShape) -> Vec<Refusal> {

@@ -8,11 +8,11 @@ mod topology;
 
 use std::fmt;
 
-use crate::design::{Design, FlatPiece, PlacedPart, Refusal, RefusalCode, Refusals};
-use crate::forecast::case::Case;
-use crate::forecast::seal_load::{SealLoad, seal_loads};
-use crate::shape::PieceName;
-use crate::spec::{Machine, Spec, key};
+use design::{Design, FlatPiece, PlacedPart, Refusal, RefusalCode, Refusals};
+use forecast::case::Case;
+use forecast::seal_load::{SealLoad, seal_loads};
+use sealed::PieceName;
+use spec::{Machine, Spec, key};
 
 pub use leaks::shape_leaks;
 pub use topology::{Passage, passage};

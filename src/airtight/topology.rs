@@ -3,11 +3,11 @@
 use std::fmt;
 
 use crate::airtight::shape_leaks;
-use crate::design::{Design, FlatPiece, Refusal, RefusalCode, Refusals};
-use crate::shape::{Role, Seam};
-use crate::spec::{Machine, Spec, key};
-use crate::units::Readable;
-use inflatable::geom::{Bounds, Segment, path_distance, segment_distance};
+use design::{Design, FlatPiece, Refusal, RefusalCode, Refusals};
+use geom::{Bounds, Segment, path_distance, segment_distance};
+use sealed::{Role, Seam};
+use spec::units::Readable;
+use spec::{Machine, Spec, key};
 
 /// The passages of one piece. Lengths in mm, times in s.
 #[derive(Clone, Debug, PartialEq)]

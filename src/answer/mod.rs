@@ -10,7 +10,7 @@ pub mod verdict;
 use serde_json::{Value, json};
 
 use crate::pipeline::{Forecast, Precaution};
-use crate::spec::Code;
+use spec::Code;
 
 /// Time of all programs, s, without heating and pauses.
 pub fn sealing_time(forecast: &Forecast) -> f64 {

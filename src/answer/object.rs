@@ -4,17 +4,16 @@ use serde_json::{Value, json};
 
 use crate::answer::quantity::SIZE;
 use crate::answer::{hours, sealing_time};
-use crate::design::{RefusalCode, Refusals};
-use crate::forecast::candidate::Candidate;
-use crate::forecast::sizing::{
+use crate::pipeline::Forecast;
+use design::{RefusalCode, Refusals};
+use forecast::candidate::Candidate;
+use forecast::sizing::{
     Choice, FRICTION, Infeasible, NearestRequirements, Requirements, Workspace, choose, spec_text,
 };
-use crate::forecast::verdict::Verdict;
-use crate::pipeline::Forecast;
-use crate::spec;
-use crate::spec::{Allowed, FeedFloor, Machine, ObjectShape, Source, Spec};
-use crate::units::{Force, Length, Mass, Most, Pressure, counted, hundredths_down};
+use forecast::verdict::Verdict;
 use inflatable::mechanics::hinge::ring::RingTable;
+use spec::units::{Force, Length, Mass, Most, Pressure, counted, hundredths_down};
+use spec::{Allowed, FeedFloor, Machine, ObjectShape, Source, Spec};
 
 /// Masses of objects, kg.
 pub const MASSES: Allowed = Allowed::above(0.0, 1e4);

@@ -2,8 +2,8 @@
 
 use serde_json::json;
 
-use crate::artifact::Format;
-use crate::verify::Proof;
+use proof::artifact::Format;
+use proof::verify::Proof;
 
 /// Findings and measured deviations, as `verify --json` prints them.
 pub fn json(proof: &Proof) -> String {

@@ -1,7 +1,7 @@
 //! Numbers, quantities and ranges as arguments: finite and within their limits, or refused as wrong usage.
 
-use crate::spec::{Allowed, comma};
-use crate::units::{Quantity, Readable};
+use spec::units::{Quantity, Readable};
+use spec::{Allowed, comma};
 
 /// Range of required lengths: 1 um to 100 m, as in a spec.
 pub const SIZE: Allowed = Allowed::closed(1e-3, 1e5);
@@ -107,7 +107,7 @@ pub fn evenly(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{Angle, Length, Mass};
+    use spec::units::{Angle, Length, Mass};
 
     #[test]
     fn numbers_are_finite_and_in_their_range() {

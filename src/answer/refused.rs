@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use crate::design::{Refusals, Warning};
-use crate::spec::{Code, Fault, Faults, RawSpec, Severity, Source, has_default};
-use crate::verify::Finding;
+use design::{Refusals, Warning};
+use proof::verify::Finding;
+use spec::{Code, Fault, Faults, RawSpec, Severity, Source, has_default};
 
 /// Refusals of the design of `raw`, read from `source`, as faults at their keys.
 pub fn at_keys(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {

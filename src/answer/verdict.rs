@@ -2,14 +2,14 @@
 
 use serde_json::{Value, json};
 
-use crate::forecast::meshed::{MeshedPlace, MeshedValue};
-use crate::forecast::prediction::{StarPrediction, distinct};
-use crate::forecast::ranges::scaled;
-use crate::forecast::ranges::shown::{or_unknown, rounded, with_limit};
-use crate::forecast::verdict::of_stars;
 use crate::pipeline::Forecast;
-use crate::spec::key;
-use crate::units::Length;
+use forecast::meshed::{MeshedPlace, MeshedValue};
+use forecast::prediction::{StarPrediction, distinct};
+use forecast::ranges::scaled;
+use forecast::ranges::shown::{or_unknown, rounded, with_limit};
+use forecast::verdict::of_stars;
+use spec::key;
+use spec::units::Length;
 
 /// The verdict in one sentence.
 pub fn in_words(forecast: &Forecast) -> String {

@@ -6,15 +6,15 @@ use crate::cli::predict::MODELS;
 use crate::cli::shell::{ShellArgs, refused};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
-use crate::forecast::actuator::{Actuator, actuate};
-use crate::forecast::model_selection::named;
-use crate::forecast::pressures::outside_section;
-use crate::forecast::shell::Detail;
-use crate::forecast::shell::actuator;
-use crate::spec::{Allowed, ModelChoice};
-use crate::units::{Angle, Length, Pressure};
+use forecast::actuator::{Actuator, actuate};
+use forecast::model_selection::named;
+use forecast::pressures::outside_section;
+use forecast::shell::Detail;
+use forecast::shell::actuator;
 use inflatable::mechanics::hinge::Level;
 use inflatable::mechanics::strength::ElasticSheet;
+use spec::units::{Angle, Length, Pressure};
+use spec::{Allowed, ModelChoice};
 
 /// Angles between arms.
 const BETWEEN: Allowed = Allowed::between(0.0, 180.0);

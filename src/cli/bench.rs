@@ -12,14 +12,14 @@ use crate::cli::text_file::{TABLE, read_text};
 use crate::coupon::DISC;
 use crate::coupon::bias::{BiasStrip, shear_stiffness};
 use crate::coupon::cone::read_test;
-use crate::design::realised_radius;
-use crate::forecast::case::sheet;
-use crate::forecast::stiffness::{BenchFault, DiscBench, VBench, least_angle};
-use crate::spec::{Allowed, Source, Spec};
-use crate::units::{Angle, BendingStiffness, Length, LineForce, Pressure};
+use design::realised_radius;
+use forecast::case::sheet;
+use forecast::stiffness::{BenchFault, DiscBench, VBench, least_angle};
 use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::mechanics::hinge::{Hinge, HingeModel};
 use inflatable::mechanics::strength::ElasticSheet;
+use spec::units::{Angle, BendingStiffness, Length, LineForce, Pressure};
+use spec::{Allowed, Source, Spec};
 
 /// Range of a bench's pressure, kPa; the same as in a spec.
 const PRESSURE: Allowed = Allowed::closed(1e-3, 1e6);

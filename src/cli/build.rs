@@ -7,7 +7,6 @@ use std::time::Instant;
 use jiff::Zoned;
 use serde_json::Value;
 
-use crate::artifact::{Kind, KindRequest};
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
@@ -19,6 +18,7 @@ use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::is_standard_input;
 use crate::cli::{batch, new, overview, publish, watch};
 use crate::pipeline::{Forecast, Precaution, Proven};
+use proof::artifact::{Kind, KindRequest};
 
 /// Arguments of `build`.
 #[derive(clap::Args, Debug)]

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::sync::OnceLock;
 
 use crate::cli::whole_file::write_whole;
-use crate::digest::{of_parts, sha256};
+use spec::digest::{of_parts, sha256};
 
 /// The cache; without a directory it stores nothing.
 pub(super) struct Cache {

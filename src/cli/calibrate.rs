@@ -14,13 +14,13 @@ use crate::cli::shell::{not_computed, watched_by};
 use crate::cli::text_file::{TABLE, read_text};
 use crate::cli::verbosity::Verbosity;
 use crate::coupon::{Calibration, PeelRow, calibrate, listing, read_rows, settings, steady};
-use crate::design::Design;
-use crate::forecast::case::Case;
-use crate::forecast::drawn::inflate;
-use crate::forecast::seal_load::seal_loads;
-use crate::forecast::shell::Detail;
-use crate::spec::{Allowed, Source};
-use crate::units::LineForce;
+use design::Design;
+use forecast::case::Case;
+use forecast::drawn::inflate;
+use forecast::seal_load::seal_loads;
+use forecast::shell::Detail;
+use spec::units::LineForce;
+use spec::{Allowed, Source};
 
 /// Arguments of `calibrate`.
 #[derive(clap::Args, Debug)]

@@ -6,13 +6,13 @@ use std::io::stdout;
 use serde_json::{Value, json};
 
 use crate::cli::terminal::width;
-use crate::forecast::optimize::{
+use forecast::optimize::{
     Confirmation, Constraints, Evaluation, SEARCHED, SearchResult, is_at_pressure, shortfalls, thinned,
 };
-use crate::forecast::outcome::{Grip, Outcome};
-use crate::forecast::ranges::{mm, shown};
-use crate::spec::ModelChoice;
-use crate::units::Length;
+use forecast::outcome::{Grip, Outcome};
+use forecast::ranges::{mm, shown};
+use spec::ModelChoice;
+use spec::units::Length;
 
 /// Number of rows of the front in the printed table.
 const SHOWN: usize = 12;

@@ -11,11 +11,11 @@ use crate::cli::load::{Loaded, once};
 use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::{batch, overview};
-use crate::design::figures;
 use crate::emit;
 use crate::emit::FaultMark;
-use crate::spec::DrawnPlace;
-use inflatable::geom::Point;
+use design::figures;
+use geom::Point;
+use spec::DrawnPlace;
 
 /// Arguments of `check`.
 #[derive(clap::Args, Debug)]

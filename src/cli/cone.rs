@@ -11,14 +11,14 @@ use crate::cli::text_file::{TABLE, read_text};
 use crate::cli::verbosity::{Verbosity, pretty};
 use crate::cli::words::words;
 use crate::coupon::cone::{Balance, Cone, Overlay, Predicted, ReducedPoint, csv, read_cone_test, reduce};
-use crate::design::Star;
-use crate::forecast::case::Case;
-use crate::forecast::model_selection::of_spec;
-use crate::forecast::outcome::Outcome;
-use crate::forecast::ranges::errors;
-use crate::spec::{Allowed, Source};
-use crate::units::{Angle, Length};
+use design::Star;
+use forecast::case::Case;
+use forecast::model_selection::of_spec;
+use forecast::outcome::Outcome;
+use forecast::ranges::errors;
 use inflatable::mechanics::fault::StarFault;
+use spec::units::{Angle, Length};
+use spec::{Allowed, Source};
 
 /// Arguments of `cone`.
 #[derive(clap::Args, Debug)]

@@ -7,7 +7,6 @@ use serde_json::json;
 
 use crate::answer::hours;
 use crate::answer::quantity::quantity;
-use crate::artifact::Kind;
 use crate::cli::escape::{argument, shown};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::load::{Loaded, lasting};
@@ -16,8 +15,9 @@ use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
 use crate::coupon::{CouponGroup, StripGrid, TEMPERATURES};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
-use crate::spec::{CONTACT, SEAL_SPEEDS};
-use crate::units::{Length, Speed, Temperature, counted};
+use proof::artifact::Kind;
+use spec::units::{Length, Speed, Temperature, counted};
+use spec::{CONTACT, SEAL_SPEEDS};
 
 /// How often each setting is sealed by default.
 const REPEATS: u8 = 3;

@@ -4,14 +4,14 @@ use std::fmt::Write;
 
 use crate::airtight;
 use crate::answer::hours;
-use crate::artifact::Output;
 use crate::cli::words::beyond;
-use crate::design::{COATING_ASSUMES, Design, DrawnPiece, FlatPiece, Plate, StarAssembly, StarDesign};
-use crate::forecast::drawn::text::text as drawn_text;
-use crate::forecast::report;
 use crate::pipeline::{Forecast, Proven};
-use crate::spec::Spec;
-use crate::units::Readable;
+use design::{COATING_ASSUMES, Design, DrawnPiece, FlatPiece, Plate, StarAssembly, StarDesign};
+use forecast::drawn::text::text as drawn_text;
+use forecast::report;
+use proof::artifact::Output;
+use spec::Spec;
+use spec::units::Readable;
 
 /// The details of a check.
 pub(super) fn checked(forecast: &Forecast) -> String {
@@ -126,7 +126,7 @@ fn materials(spec: &Spec, design: &StarAssembly) -> String {
         let beside =
             |plate: &&Plate| plate.numbers.iter().any(|n| (placed.index..placed.index + 2).contains(n));
         let opening = frame.plates.iter().filter(beside).map(|plate| plate.opening).fold(0.0, f64::max);
-        let shut = crate::design::shut_reach(&design.part(placed).star);
+        let shut = design::shut_reach(&design.part(placed).star);
         if shut <= opening {
             let _ = writeln!(
                 out,

@@ -11,11 +11,10 @@ use clap::Command;
 
 use crate::cli::words::value_of;
 use crate::cli::{actuator, optimize, predict, verify};
-use crate::forecast::optimize::{Evaluation, SearchResult, shortfalls};
 use crate::pipeline::PublishedBuild;
-use crate::spec;
-use crate::spec::ModelChoice;
-use crate::verify::{OutputFiles, Proof};
+use forecast::optimize::{Evaluation, SearchResult, shortfalls};
+use proof::verify::{OutputFiles, Proof};
+use spec::ModelChoice;
 
 pub use crate::cli::actuator::ActuatorQuestion;
 pub use crate::cli::cache::code_is_in;

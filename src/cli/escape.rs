@@ -3,8 +3,6 @@
 use std::borrow::Cow;
 use std::ffi::OsStr;
 
-use crate::spec;
-
 /// A path, or another text from outside, escaped for a line on a terminal: it cannot end the line.
 pub(super) fn shown(text: impl AsRef<OsStr>) -> String {
     spelt_out(&text.as_ref().to_string_lossy(), spec::misleads).into_owned()

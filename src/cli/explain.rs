@@ -9,7 +9,6 @@ use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::terminal::{width, wrapped};
 use crate::cli::verbosity::Verbosity;
-use crate::spec;
 
 /// Arguments of `explain`.
 #[derive(clap::Args, Debug)]

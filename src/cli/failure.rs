@@ -12,7 +12,7 @@ use crate::cli::findings::Unproven;
 use crate::cli::terminal::{fitted, has_colours, width};
 use crate::cli::{PublishFault, interrupt};
 use crate::pipeline::CommandCode;
-use crate::spec::{Code, Faults};
+use spec::{Code, Faults};
 
 /// The reason why a command failed, or did only a part of its work.
 #[derive(Debug)]

@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
-use crate::artifact::program_ending;
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
@@ -14,8 +13,9 @@ use crate::emit;
 use crate::manifest::FEED_CHECK_MANIFEST;
 use crate::pipeline;
 use crate::pipeline::FeedCheckFault;
-use crate::plan;
-use crate::spec::FeedFloor;
+use program::plan;
+use proof::artifact::program_ending;
+use spec::FeedFloor;
 
 /// Arguments of `feedcheck`.
 #[derive(clap::Args, Debug)]

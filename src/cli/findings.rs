@@ -6,9 +6,8 @@ use std::path::Path;
 
 use crate::cli::escape::shown;
 use crate::cli::words::beyond;
-use crate::spec;
-use crate::units::counted;
-use crate::verify::Finding;
+use proof::verify::Finding;
+use spec::units::counted;
 
 /// Number of findings of one kind in one file that are printed: enough to see whether the fault is local.
 const SHOWN: usize = 3;
@@ -86,7 +85,7 @@ impl Unproven {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verify::FindingCode;
+    use proof::verify::FindingCode;
 
     #[test]
     fn findings_of_one_kind_are_counted_after_the_first_few() {
@@ -104,7 +103,7 @@ mod tests {
 #[cfg(test)]
 mod unproven_tests {
     use super::*;
-    use crate::verify::FindingCode;
+    use proof::verify::FindingCode;
 
     fn unproven(profile: &str, file: &str) -> Unproven {
         let finding = Finding::at(FindingCode::WrongFeed, 7, "F5", "F6").in_file(file);

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use crate::artifact::{Kind, KindRequest, Output, too_large};
 use crate::cli::failure::tell;
 use crate::cli::words::beyond;
-use crate::design::Paper;
 use crate::pipeline::{Built, Forecast};
+use design::Paper;
+use proof::artifact::{Kind, KindRequest, Output, too_large};
 
 /// The kinds of files to make.
 #[derive(clap::Args, Clone, Debug)]

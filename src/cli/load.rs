@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use crate::answer::refused::at_keys;
-use crate::artifact::KindRequest;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, reason, tell, warn};
 use crate::cli::findings::Unproven;
@@ -11,12 +10,12 @@ use crate::cli::progress;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{first_bytes, given_bytes, is_standard_input};
 use crate::cli::words::beyond;
-use crate::design::{RefusalCode, Refusals, Warning, drawing_notes};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Proven, Sources};
-use crate::spec;
-use crate::spec::{Fault, FaultCode, Faults, Machine, Reading, SIZE_LIMIT, Source, key};
-use crate::verify::Finding;
+use design::{RefusalCode, Refusals, Warning, drawing_notes};
+use proof::artifact::KindRequest;
+use proof::verify::Finding;
+use spec::{Fault, FaultCode, Faults, Machine, Reading, SIZE_LIMIT, Source, key};
 
 /// The profile's name in a published directory.
 pub(super) const MACHINE: &str = "machine.toml";

@@ -7,9 +7,8 @@ use serde_json::json;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say};
 use crate::cli::verbosity::{Quiet, Verbosity, pretty};
-use crate::plan::actual_speed;
-use crate::spec;
-use crate::spec::{Machine, Motion};
+use program::plan::actual_speed;
+use spec::{Machine, Motion};
 
 /// Arguments of `machines`.
 #[derive(clap::Args, Debug)]

@@ -12,10 +12,10 @@ use crate::cli::new_object::{NewGripper, OBJECT_OPTIONS, ObjectArgs, chosen, mac
 use crate::cli::text_file::write_new;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::{defaults, progress, schema};
-use crate::design::{LayerProposal, Refusals, propose_layers};
-use crate::spec::{self, LayerRole, Source};
-use crate::units::Readable;
-use drawings::Unit;
+use artwork::Unit;
+use design::{LayerProposal, Refusals, propose_layers};
+use spec::units::Readable;
+use spec::{self, LayerRole, Source};
 
 /// Arguments of `new`.
 #[derive(clap::Args, Debug)]

@@ -10,10 +10,9 @@ use crate::cli::escape::argument;
 use crate::cli::failure::Failure;
 use crate::cli::load::read_source;
 use crate::cli::words::words;
-use crate::forecast::sizing::{NearestRequirements, Requirements};
-use crate::spec;
-use crate::spec::{Machine, ObjectShape, Spec};
-use crate::units::{Force, Length, Mass, Pressure, counted};
+use forecast::sizing::{NearestRequirements, Requirements};
+use spec::units::{Force, Length, Mass, Pressure, counted};
+use spec::{Machine, ObjectShape, Spec};
 
 pub(super) use crate::answer::object::NewGripper;
 

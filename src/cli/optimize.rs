@@ -10,21 +10,20 @@ use crate::cli::load::Loaded;
 use crate::cli::shell::watched_by;
 use crate::cli::verbosity::{Verbosity, pretty};
 use crate::cli::{candidates, progress};
-use crate::design::{Design, room};
-use crate::forecast::candidate::Candidate;
-use crate::forecast::optimize::{
+use design::{Design, room};
+use forecast::candidate::Candidate;
+use forecast::optimize::{
     Confirmation, Constraints, DesignSearch, Evaluation, Goal, ROUNDING, SearchBounds, SearchResult,
     is_at_pressure, thousandths,
 };
-use crate::forecast::shell::Detail;
-use crate::forecast::shell::star;
-use crate::forecast::shell::star::ShellRefusal;
-use crate::forecast::sizing::{BURST_MARGIN, is_result};
-use crate::spec;
-use crate::spec::edit::{StarEdit, with_comments, with_star, with_value};
-use crate::spec::{Allowed, Setting, Source, Spec, key, settings};
-use crate::units::{Angle, Force, Length, Mass, Pressure};
+use forecast::shell::Detail;
+use forecast::shell::star;
+use forecast::shell::star::ShellRefusal;
+use forecast::sizing::{BURST_MARGIN, is_result};
 use inflatable::mechanics::hinge::ring::RingTable;
+use spec::edit::{StarEdit, with_comments, with_star, with_value};
+use spec::units::{Angle, Force, Length, Mass, Pressure};
+use spec::{Allowed, Setting, Source, Spec, key, settings};
 
 /// Arguments of `optimize`.
 #[derive(clap::Args, Debug)]

@@ -9,18 +9,18 @@ use serde_json::{Value, json};
 
 use crate::answer::proof::scope;
 use crate::answer::{hours, overview_json, sealing_time, verdict};
-use crate::artifact::Kind;
 use crate::cli::details;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say, tell_under};
 use crate::cli::terminal::{width, wrapped};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::beyond;
-use crate::design::{DrawnPiece, FlatPiece};
-use crate::forecast::ranges::shown::rounded;
 use crate::pipeline::{Forecast, Precaution, Proven};
-use crate::spec::StarSpec;
-use crate::units::{Length, counted};
+use design::{DrawnPiece, FlatPiece};
+use forecast::ranges::shown::rounded;
+use proof::artifact::Kind;
+use spec::StarSpec;
+use spec::units::{Length, counted};
 
 /// Columns of the labels.
 const LABEL: usize = 11;

@@ -3,10 +3,10 @@
 use crate::answer::{hours, sealing_time};
 use crate::cli::load::Loaded;
 use crate::cli::words::beyond;
-use crate::forecast::ranges::shown::rounded;
-use crate::forecast::verdict::Verdict;
 use crate::pipeline::{Forecast, Precaution};
-use crate::spec::{Setting, settings};
+use forecast::ranges::shown::rounded;
+use forecast::verdict::Verdict;
+use spec::{Setting, settings};
 
 /// The values that two builds of one spec are compared by.
 #[derive(Clone, Debug)]

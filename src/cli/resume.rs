@@ -11,13 +11,12 @@ use crate::cli::load::{MACHINE, read_source};
 use crate::cli::text_file::{PROGRAM, read_text, write_new};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::directory_of;
-use crate::design::RefusalCode;
 use crate::manifest::{MANIFEST, Manifest, sha256};
 use crate::resume::{ResumeAt, ResumeFault, clamp_in_the_way, resume};
-use crate::spec;
-use crate::spec::{Fault, Faults};
-use crate::units::{Length, Percent, Quantity};
-use inflatable::geom::Point;
+use design::RefusalCode;
+use geom::Point;
+use spec::units::{Length, Percent, Quantity};
+use spec::{Fault, Faults};
 
 /// Arguments of `resume`.
 #[derive(clap::Args, Debug)]

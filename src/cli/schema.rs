@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use crate::cli::failure::{Failure, say};
 use crate::cli::text_file::write_new;
 use crate::cli::verbosity::Quiet;
-use crate::spec;
 
 /// Arguments of `schema`.
 #[derive(clap::Args, Debug)]

@@ -10,10 +10,10 @@ use crate::cli::progress;
 use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
-use crate::forecast::pressures::outside;
-use crate::forecast::shell::star::ShellRefusal;
-use crate::forecast::shell::{Detail, SHELL};
 use crate::pipeline::no_prediction;
+use forecast::pressures::outside;
+use forecast::shell::star::ShellRefusal;
+use forecast::shell::{Detail, SHELL};
 use inflatable::shell::cases::{InflatedShape, ShellFault, Watch};
 
 /// Arguments for the shell model only.

@@ -11,13 +11,13 @@ use crate::cli::progress;
 use crate::cli::progress::Progress;
 use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
-use crate::forecast::trade;
-use crate::forecast::trade::TradeRow;
-use crate::forecast::trade::picture;
-use crate::forecast::trade::shells::{ShellRow, StarErrors, against_shells};
-use crate::forecast::trade::shown;
-use crate::spec::StarSpec;
+use forecast::trade;
+use forecast::trade::TradeRow;
+use forecast::trade::picture;
+use forecast::trade::shells::{ShellRow, StarErrors, against_shells};
+use forecast::trade::shown;
 use inflatable::mechanics::fault::StarFault;
+use spec::StarSpec;
 
 /// Arguments of `trade`.
 #[derive(clap::Args, Debug)]

@@ -18,9 +18,9 @@ use crate::cli::words::beyond;
 use crate::cli::{findings, progress};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{PublishedBuild, prove_feed_check};
-use crate::spec::Code;
-use crate::units::counted;
-use crate::verify::{FileProof, FindingCode, Method, OutputFiles, Proof};
+use proof::verify::{FileProof, FindingCode, Method, OutputFiles, Proof};
+use spec::Code;
+use spec::units::counted;
 
 /// Arguments of `verify`.
 #[derive(clap::Args, Debug)]

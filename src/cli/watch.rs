@@ -6,7 +6,6 @@ use std::thread::sleep;
 use std::time::{Duration, SystemTime};
 
 use crate::cli::load::read_source;
-use crate::spec;
 
 /// Interval of checks: fast enough for a user, and no load.
 const PAUSE: Duration = Duration::from_millis(250);

@@ -10,7 +10,7 @@
 //! equation 2.97. E_45 t is the slope of load over travel times length over width. Clamps hold the strip's width, so a short strip is stiffer.
 
 use crate::coupon::cone::Press;
-use crate::units::Readable;
+use spec::units::Readable;
 
 /// Least length over width: the clamps stiffen a shorter strip by more than 6 % where the sheet is soft in shear.
 const SLENDER: f64 = 5.0;

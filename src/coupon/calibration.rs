@@ -10,8 +10,8 @@ use std::fmt::Write;
 
 use crate::coupon::strips::{TEMPERATURES, WIDTH};
 use crate::coupon::table::{TableColumn, read_table};
-use crate::spec::{Allowed, CONTACT, Faults, SEAL_SPEEDS, Source};
-use crate::units::Readable;
+use spec::units::Readable;
+use spec::{Allowed, CONTACT, Faults, SEAL_SPEEDS, Source};
 
 /// Least number of specimens of a setting.
 const LEAST: usize = 3;

@@ -16,8 +16,8 @@
 use std::fmt::Write;
 
 use crate::coupon::table::{TableColumn, read_table};
-use crate::spec::{Allowed, Fault, FaultCode, Faults, Source};
-use crate::units::Readable;
+use spec::units::Readable;
+use spec::{Allowed, Fault, FaultCode, Faults, Source};
 
 /// Range of a travel, mm.
 const TRAVELS: [f64; 2] = [-1e5, 1e5];

@@ -13,12 +13,12 @@ mod strips;
 mod table;
 
 use crate::coupon::strips::program_name;
-use crate::design::{Drawing, Layer, Origin, Refusals, Shape, lettered};
 use crate::emit;
-use crate::plan::{Program, Purpose, Scope, beyond, refusals, seal_program};
-use crate::shape::{LaidSeam, PieceName, PlacedPiece, SealedShape, Seam, laid_seams};
-use crate::spec::{Machine, Spec};
-use inflatable::geom::{Bounds, Isometry, Path, Point};
+use design::{Drawing, Layer, Origin, Refusals, Shape, lettered};
+use geom::{Bounds, Isometry, Path, Point};
+use program::plan::{Program, Purpose, Scope, beyond, refusals, seal_program};
+use sealed::{LaidSeam, PieceName, PlacedPiece, SealedShape, Seam, laid_seams};
+use spec::{Machine, Spec};
 
 pub use calibration::{Calibration, PeelRow, calibrate, listing, read_rows, settings, steady};
 pub use shapes::{disc, hose, vee};

@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use crate::design::{Channel, MOUTH_OVERRUN, Refusal, RefusalCode, round_tube};
-use crate::shape::{Port, Role, SealedShape, Seam};
-use crate::spec::{Inlet, Seal, StarSpec, key};
-use crate::units::{Least, Length, Most, Readable};
-use inflatable::geom::{Arc, Line, Path, Point, Segment, Vec2};
+use design::{Channel, MOUTH_OVERRUN, Refusal, RefusalCode, round_tube};
+use geom::{Arc, Line, Path, Point, Segment, Vec2};
+use sealed::{Port, Role, SealedShape, Seam};
+use spec::units::{Least, Length, Most, Readable};
+use spec::{Inlet, Seal, StarSpec, key};
 
 /// The hose of a spec without an inlet.
 const USUAL_HOSE: Inlet = Inlet { tube_diameter: Length(4.0), length: Length(20.0), fillet: Length(1.0) };
@@ -142,7 +142,7 @@ fn lines(points: &[Point]) -> Vec<Segment> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{Angle, Speed, Temperature};
+    use spec::units::{Angle, Speed, Temperature};
 
     fn seal() -> Seal {
         Seal {

@@ -5,9 +5,9 @@ use std::fmt::Write;
 
 use crate::emit;
 use crate::emit::GridCell;
-use crate::spec::{Allowed, CONTACT, Machine, SEAL_SPEEDS, Spec, TOXIC};
-use crate::units::{Length, Quantity, Speed, Temperature};
-use inflatable::geom::{Bounds, Line, Path, Point, Vec2};
+use geom::{Bounds, Line, Path, Point, Vec2};
+use spec::units::{Length, Quantity, Speed, Temperature};
+use spec::{Allowed, CONTACT, Machine, SEAL_SPEEDS, Spec, TOXIC};
 
 /// Temperatures of strips, C: no coating melts in a hot room, and from the upper end on the release layer is toxic.
 pub const TEMPERATURES: Allowed = Allowed::between(40.0, TOXIC.0);

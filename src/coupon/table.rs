@@ -9,8 +9,8 @@ use std::ops::Range;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use crate::spec::{Allowed, Fault, FaultCode, Faults, Source};
-use crate::units::counted;
+use spec::units::counted;
+use spec::{Allowed, Fault, FaultCode, Faults, Source};
 
 /// Largest number of collected faults: a wrong file has one a line.
 const FAULTS: usize = 100;

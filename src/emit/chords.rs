@@ -1,6 +1,6 @@
 //! Chords: a path of lines and arcs as a polygon, for formats without arcs.
 
-use inflatable::geom::{Path, Point, Segment};
+use geom::{Path, Point, Segment};
 
 /// The corners of `path` as a polygon that leaves it by `within` (mm) at most; no two neighbours are the same. The end of an open
 /// path is its last corner.

@@ -2,13 +2,13 @@
 //!
 //! The constant parts of a drawing are in `templates/drawing.dxf`; this room fills in layers and entities.
 
-use crate::design::{Drawing, Layer, Shape};
-use crate::emit::number::Decimals;
 use crate::emit::palette::ink;
-use crate::emit::text::filled;
-use crate::spec::Colours;
-use crate::units::Length;
-use inflatable::geom::{Path, Point, Segment};
+use design::{Drawing, Layer, Shape};
+use geom::{Path, Point, Segment};
+use program::number::Decimals;
+use program::text::filled;
+use spec::Colours;
+use spec::units::Length;
 
 const SKELETON: &str = include_str!("../../templates/drawing.dxf");
 
@@ -151,7 +151,7 @@ fn halved(segment: &Segment) -> impl Iterator<Item = Segment> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::design::Origin;
+    use design::Origin;
 
     /// A name in the skeleton without a value would leave a line empty, which only strict readers notice.
     #[test]

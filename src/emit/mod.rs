@@ -2,8 +2,6 @@
 
 mod chords;
 mod dxf;
-mod gcode;
-mod number;
 mod palette;
 mod pdf;
 mod picture;
@@ -12,15 +10,16 @@ mod report;
 mod scene;
 mod stl;
 mod svg;
-mod text;
+mod thumbnails;
 
 pub use chords::chords;
 pub use dxf::dxf;
-pub use gcode::{FEED_CHECK_TITLE, Facts, estimate, feed_check, gcode, steps_text};
-pub use number::Decimals;
 pub use pdf::pdf;
 pub use preview::{FaultMark, GridCell, Preview, cells, faults, is_faults};
+pub use program::gcode::{FEED_CHECK_TITLE, Facts, estimate, feed_check, steps_text};
+pub use program::number::Decimals;
 pub use report::{Report, report};
 pub use scene::{drawn_scene, scene};
 pub use stl::stl;
 pub use svg::svg;
+pub use thumbnails::gcode;

@@ -3,8 +3,8 @@
 //! The colours are the six pure ones, which both SVG and DXF have. Red cuts everywhere; black never does, for it is a picture to
 //! be engraved.
 
-use crate::design::Layer;
-use crate::spec::Colours;
+use design::Layer;
+use spec::Colours;
 
 /// A colour in the notations of the file formats.
 pub(super) struct LayerColour {

@@ -7,10 +7,10 @@ use std::f64::consts::FRAC_PI_6;
 
 use pdf_writer::{Content, Finish, Name, Pdf, Rect, Ref, TextStr};
 
-use crate::design::{Layer, PaperPage};
-use crate::emit::number::{Decimals, single};
-use crate::emit::text::inert;
-use inflatable::geom::{Arc, Path, Point, Segment};
+use design::{Layer, PaperPage};
+use geom::{Arc, Path, Point, Segment};
+use program::number::{Decimals, single};
+use program::text::inert;
 
 /// Points in a millimetre.
 const POINTS: f64 = 72.0 / 25.4;

@@ -9,11 +9,11 @@ use std::collections::BTreeMap;
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
-use crate::design::{Drawing, Layer};
 use crate::emit::chords::chords;
-use crate::emit::number::{Decimals, single};
-use crate::emit::text::inert;
-use inflatable::geom::{Path, Point};
+use design::{Drawing, Layer};
+use geom::{Path, Point};
+use program::number::{Decimals, single};
+use program::text::inert;
 
 /// Largest distance of a chord from its arc, mm: a fifth of the resolution of a fine printer.
 const CHORD: f64 = 0.02;

@@ -3,13 +3,13 @@
 use svg::node::element::Element;
 use svg::{Document, Node};
 
-use crate::design::{Drawing, Origin, Shape};
-use crate::emit::number::Decimals;
 use crate::emit::palette::ink;
-use crate::emit::text::inert;
-use crate::spec::Colours;
-use crate::units::Length;
-use inflatable::geom::{Path, Point, Segment};
+use design::{Drawing, Origin, Shape};
+use geom::{Path, Point, Segment};
+use program::number::Decimals;
+use program::text::inert;
+use spec::Colours;
+use spec::units::Length;
 
 /// One pixel wide at any zoom, so that the line is seen. Inkscape treats it as its hairline; printer drivers of lasers get it as
 /// the thinnest line there is, and so as a cut. Readers of outlines pass over it. It must be on every shape: the `vector-effect`

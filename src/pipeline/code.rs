@@ -1,6 +1,6 @@
 //! The codes of precautions before sealing, and of commands that fail without a fault of a spec or a design.
 
-use crate::spec::codes;
+use spec::codes;
 
 codes! {
     /// The subject of a precaution.

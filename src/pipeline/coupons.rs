@@ -1,17 +1,17 @@
 //! Coupons in the pipeline: planned, read back, and only then published.
 
 use crate::airtight;
-use crate::artifact::{Artifact, Kind, Output, program_ending};
 use crate::coupon::{Coupon, CouponGroup, StripGrid, coupons, overview, table};
-use crate::design::{Refusal, Refusals};
-use crate::manifest::{CouponChoice, CouponManifest, MANIFEST, ManifestFile, SealedPiece, Tool, sha256};
+use crate::manifest::{CouponChoice, CouponManifest, MANIFEST, ManifestFile, Tool, coupon_piece, sha256};
 use crate::pipeline::Sources;
 use crate::pipeline::directory::{refused, sources_of};
-use crate::spec::{Machine, Spec};
-use crate::units::{Length, Speed, Temperature};
-use crate::verify;
-use crate::verify::{FileProof, Finding, FindingCode, Findings, Method, OutputFiles, ProgramTask, Proof};
-use inflatable::geom::Path;
+use design::{Refusal, Refusals};
+use geom::Path;
+use proof::artifact::{Artifact, Kind, Output, program_ending};
+use proof::verify;
+use proof::verify::{FileProof, Finding, FindingCode, Findings, Method, OutputFiles, ProgramTask, Proof};
+use spec::units::{Length, Speed, Temperature};
+use spec::{Machine, Spec};
 
 /// Every strip with its setting and its cut.
 pub const OVERVIEW: &str = "strips.svg";
@@ -249,6 +249,6 @@ fn manifest(
             only: only.map(|(name, _)| (*name).to_owned()).collect(),
         },
         files: files.iter().map(ManifestFile::of).collect(),
-        pieces: coupons.iter().map(|coupon| SealedPiece::coupon(&coupon.name, &coupon.program)).collect(),
+        pieces: coupons.iter().map(|coupon| coupon_piece(&coupon.name, &coupon.program)).collect(),
     }
 }

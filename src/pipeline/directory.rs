@@ -1,9 +1,8 @@
 //! Reads the spec and the machine profile of a published directory.
 
-use crate::design::{Refusal, Refusals};
-use crate::spec;
-use crate::spec::{DrawingSpec, Faults, Machine, Reading, Source};
-use crate::verify::{Finding, FindingCode, OutputFiles};
+use design::{Refusal, Refusals};
+use proof::verify::{Finding, FindingCode, OutputFiles};
+use spec::{DrawingSpec, Faults, Machine, Reading, Source};
 
 /// The directory's own spec and machine profile; a finding for each that is missing or refused.
 pub(super) fn sources_of(files: &OutputFiles<'_>) -> Result<(Reading, Machine), Vec<Finding>> {

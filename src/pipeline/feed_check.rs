@@ -1,17 +1,16 @@
 //! The feed check in the pipeline: planned, read back, and only then written.
 
-use crate::artifact::{Artifact, Kind, Output};
-use crate::design::Refusals;
 use crate::emit;
 use crate::manifest::{FeedCheckManifest, ManifestFile, Tool, sha256};
 use crate::pipeline::Sources;
-use crate::plan;
-use crate::plan::{Program, Step};
-use crate::spec;
-use crate::spec::{Machine, Source, Spec};
-use crate::verify;
-use crate::verify::{FeedCheckTask, FileProof, Finding, FindingCode, Findings, Method, Proof};
-use inflatable::geom::Path;
+use design::Refusals;
+use geom::Path;
+use program::plan;
+use program::plan::{Program, Step};
+use proof::artifact::{Artifact, Kind, Output};
+use proof::verify;
+use proof::verify::{FeedCheckTask, FileProof, Finding, FindingCode, Findings, Method, Proof};
+use spec::{Machine, Source, Spec};
 
 /// A feed check that was read back; only it can be written.
 #[derive(Clone, Debug)]

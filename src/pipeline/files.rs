@@ -1,14 +1,14 @@
 //! Makes the files of a forecast gripper: one match arm for every subject and format.
 
-use crate::artifact::{Artifact, Format, KindRequest, Output, Subject, outputs};
-use crate::design::{Star, engraved_depth};
 use crate::emit;
-use crate::forecast::charts::charts;
-use crate::forecast::pose;
-use crate::manifest::{Manifest, ManifestFile};
+use crate::manifest::{Manifest, ManifestFile, manifest_of};
 use crate::pipeline::{Built, Forecast, Sources};
-use crate::plan::Program;
-use crate::spec::Code;
+use design::{Star, engraved_depth};
+use forecast::charts::charts;
+use forecast::pose;
+use program::plan::Program;
+use proof::artifact::{Artifact, Format, KindRequest, Output, Subject, outputs};
+use spec::Code;
 
 /// The spec's name in the commands of a report, which lies beside it.
 const SPEC: &str = "spec.toml";
@@ -37,8 +37,8 @@ impl Forecast {
     /// The manifest of `files`, which `request` selects.
     pub(super) fn manifest(&self, files: Vec<ManifestFile>, request: &KindRequest) -> Manifest {
         let KindRequest { only, with } = request.clone();
-        let bill = Manifest::new(&self.spec, &self.design, &self.programs);
-        Manifest { files, only, with, ..bill.with_prediction(self.prediction.as_ref()) }
+        let bill = manifest_of(&self.spec, &self.design, &self.programs, self.prediction.as_ref());
+        Manifest { files, only, with, ..bill }
     }
 }
 
@@ -103,7 +103,7 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     let Forecast { spec, machine, design, programs, prediction, drawn, .. } = forecast;
     let charts = charts(spec, design);
     let scene = scene(forecast)?;
-    let bill = Manifest::new(spec, design, programs);
+    let bill = manifest_of(spec, design, programs, None);
     let precautions = forecast.precautions(SPEC);
     let watch: Vec<(&str, &str)> =
         precautions.iter().map(|one| (one.code.as_str(), one.text.as_str())).collect();

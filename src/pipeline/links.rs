@@ -1,10 +1,9 @@
 //! The link to a spec that previews and report carry as a QR code, where `link` in `[build]` requests it.
 
-use crate::design::{RefusalCode, Warning};
 use crate::link::{LinkCode, LinkedSpec, MOST_LETTERS};
 use crate::pipeline::{Forecast, Sources};
-use crate::spec;
-use crate::spec::{Spec, key};
+use design::{RefusalCode, Warning};
+use spec::{Spec, key};
 
 impl<'a> Sources<'a> {
     /// The code of the link to `spec`; `None` if it asks for none, or the link is too long.

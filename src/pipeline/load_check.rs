@@ -4,9 +4,9 @@
 //! hard, or no model covers it. Such a gripper exists and can be made, so [`Forecast`] accepts it. `check` and `build` refuse it, except
 //! with `--anyway`.
 
-use crate::design::Refusals;
-use crate::forecast::verdict::{Holds, Verdict, refusals, verdict};
 use crate::pipeline::Forecast;
+use design::Refusals;
+use forecast::verdict::{Holds, Verdict, refusals, verdict};
 
 impl Forecast {
     /// The verdict on the object; `None` without an object in the spec.
@@ -31,9 +31,9 @@ impl Forecast {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::design::RefusalCode;
     use crate::pipeline::Forecast;
-    use crate::spec::{Machine, Source, read, starter};
+    use design::RefusalCode;
+    use spec::{Machine, Source, read, starter};
 
     fn forecast(more: &str) -> Forecast {
         of_text(starter("x").expect("a name") + more)
@@ -245,7 +245,7 @@ mod tests {
         assert_eq!(codes(&weak), ["bursts"]);
         let first = &weak.prediction.as_ref().expect("asked").first;
         let (burst, range) = first.burst_pressure_kPa.zip(first.ranges.burst_pressure_kPa).expect("known");
-        let said = crate::forecast::ranges::shown::with(burst, range, "kPa");
+        let said = forecast::ranges::shown::with(burst, range, "kPa");
         assert!(weak.unfit()[0].found.ends_with(&said), "{:?}: {said}", weak.unfit()[0]);
         let radius = weak.prediction.expect("asked").first.evidence.safe_radius_mm.expect("one helps");
         assert_eq!(codes(&with("3 N/mm", &format!("{radius} mm"))), [""; 0]);

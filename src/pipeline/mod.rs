@@ -21,15 +21,15 @@ mod precautions;
 mod proven;
 
 use crate::airtight;
-use crate::artifact::{Artifact, KindRequest};
-use crate::design::{Design, Refusal, RefusalCode, Refusals};
-use crate::forecast::drawn::{InflatedDrawing, Watch, of_spec};
-use crate::forecast::predict::{PredictFault, predict};
-use crate::forecast::prediction::Prediction;
 use crate::manifest::Manifest;
-use crate::plan;
-use crate::plan::Program;
-use crate::spec::{Machine, Spec};
+use design::{Design, Refusal, RefusalCode, Refusals};
+use forecast::drawn::{InflatedDrawing, Watch, of_spec};
+use forecast::predict::{PredictFault, predict};
+use forecast::prediction::Prediction;
+use program::plan;
+use program::plan::Program;
+use proof::artifact::{Artifact, KindRequest};
+use spec::{Machine, Spec};
 
 pub use code::{CommandCode, PrecautionCode};
 pub use coupons::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};

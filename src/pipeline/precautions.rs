@@ -1,14 +1,14 @@
 //! Precautions before sealing: tasks and warnings for the user before hours of work begin.
 
 use crate::airtight;
-use crate::design::SheetLayout;
-use crate::forecast::ranges::shown::rounded;
-use crate::forecast::seal_load::{Bursting, SealLoad};
 use crate::pipeline::Forecast;
 use crate::pipeline::code::PrecautionCode;
-use crate::plan::Pace;
-use crate::spec::Machine;
-use crate::units::{Readable, Speed};
+use design::SheetLayout;
+use forecast::ranges::shown::rounded;
+use forecast::seal_load::{Bursting, SealLoad};
+use program::plan::Pace;
+use spec::Machine;
+use spec::units::{Readable, Speed};
 
 /// Below this speed the lowest step rate of a controller matters: firmwares step at 30 to 120 steps/s at least, and a belt has 25 steps/mm
 /// or more, which gives about 5 mm/s.

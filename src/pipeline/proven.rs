@@ -2,15 +2,14 @@
 
 use std::borrow::Cow;
 
-use crate::artifact::{Kind, KindRequest, Subject, outputs};
-use crate::manifest::{CouponManifest, MANIFEST, Manifest, ManifestFile, Tool, sha256};
+use crate::manifest::{CouponManifest, MANIFEST, Manifest, ManifestFile, Tool, manifest_of, sha256};
 use crate::pipeline::coupons::prove_coupons;
 use crate::pipeline::directory::{refused, sources_of};
 use crate::pipeline::{Built, Forecast, Sources};
-use crate::spec;
-use crate::spec::{DrawingSpec, Machine};
-use crate::verify;
-use crate::verify::{Expected, Finding, FindingCode, Method, OutputFiles, Proof};
+use proof::artifact::{Kind, KindRequest, Subject, outputs};
+use proof::verify;
+use proof::verify::{Expected, Finding, FindingCode, Method, OutputFiles, Proof};
+use spec::{DrawingSpec, Machine};
 
 /// A gripper whose files have been read back and agree with the design; only it can be published.
 #[derive(Clone, Debug)]
@@ -243,9 +242,10 @@ fn other_profile(forecast: &Forecast, files: &OutputFiles<'_>) -> Option<Finding
 
 fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
     let Forecast { spec, machine, design, programs, prediction, drawn, .. } = forecast;
-    let (prediction, drawn) = (prediction.as_ref(), drawn.as_ref().map(|drawn| &drawn.prediction));
-    let manifest = &Manifest::new(spec, design, programs).with_prediction(prediction);
-    let expected = Expected { design, spec, machine, prediction, drawn, manifest };
+    let manifest = &manifest_of(spec, design, programs, prediction.as_ref());
+    let drawn = drawn.as_ref().map(|drawn| drawn.prediction.to_json());
+    let prediction = drawn.or_else(|| Some(prediction.as_ref()?.to_json()));
+    let expected = Expected { design, spec, machine, prediction: prediction.as_deref(), manifest };
     verify::prove(&expected, files)
 }
 

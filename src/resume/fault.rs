@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use crate::spec::TOXIC;
-use crate::units::Temperature;
-use crate::verify::Finding;
+use proof::verify::Finding;
+use spec::TOXIC;
+use spec::units::Temperature;
 
 /// The reason why a program cannot be resumed.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,8 +3,8 @@
 use crate::emit;
 use crate::resume::record::Record;
 use crate::resume::toolpath::Toolpath;
-use crate::verify::Phase;
-use crate::verify::gcode::Comment;
+use proof::verify::Phase;
+use proof::verify::gcode::Comment;
 
 /// Lengths and times of a new program, whose first seam may be a part of one of the old program.
 pub(super) struct Figures {

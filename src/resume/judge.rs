@@ -1,11 +1,11 @@
 //! The judge: compares the moves of programs with the comments of the old one, by the verifier's own rules, and with the profile's limits.
 
-use crate::plan::Pace;
 use crate::resume::record::Record;
-use crate::spec::{Heating, Limits, limits_set_by};
-use crate::units::Speed;
-use crate::verify::{Finding, FindingCode, judge_iron};
-use inflatable::geom::Bounds;
+use geom::Bounds;
+use program::plan::Pace;
+use proof::verify::{Finding, FindingCode, judge_iron};
+use spec::units::Speed;
+use spec::{Heating, Limits, limits_set_by};
 
 /// The first move of a program that breaks the rules of the old one, or leaves its `reach`.
 pub(super) fn first_fault(record: &Record, text: &str, reach: &Bounds) -> Option<Finding> {

@@ -16,14 +16,14 @@ mod toolpath;
 mod window;
 
 use crate::emit;
-use crate::plan::{Height, Pace, Ramp, Step};
 use crate::resume::figures::Figures;
 use crate::resume::record::Record;
 use crate::resume::resume_at::StopPoint;
 use crate::resume::toolpath::Toolpath;
 use crate::resume::window::{Next, Window, with_feed};
-use crate::spec::{KeepOut, Process};
-use crate::verify::{Finding, judge_clamps};
+use program::plan::{Height, Pace, Ramp, Step};
+use proof::verify::{Finding, judge_clamps};
+use spec::{KeepOut, Process};
 
 pub use fault::ResumeFault;
 pub use resume_at::ResumeAt;

@@ -1,14 +1,14 @@
 //! The record: the machine and the seal as stated in a program's structured comments.
 
 use crate::emit::Facts;
-use crate::plan::{Chop, Pace, Precision, stepper};
 use crate::resume::ResumeFault;
-use crate::spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights};
-use crate::spec::{Motion, Process, Seal, StepRate, TOXIC};
-use crate::units::{Acceleration, Duration, Length, Speed, Temperature};
-use crate::verify::IronRules;
-use crate::verify::gcode;
-use crate::verify::gcode::Comment;
+use program::plan::{Chop, Pace, Precision, stepper};
+use proof::verify::IronRules;
+use proof::verify::gcode;
+use proof::verify::gcode::Comment;
+use spec::units::{Acceleration, Duration, Length, Speed, Temperature};
+use spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights};
+use spec::{Motion, Process, Seal, StepRate, TOXIC};
 
 /// The statements of a file's header.
 #[derive(Clone, Debug)]

@@ -2,8 +2,8 @@
 
 use crate::resume::ResumeFault;
 use crate::resume::toolpath::{TimedMove, Toolpath};
-use crate::verify::Phase;
-use inflatable::geom::Point;
+use geom::Point;
+use proof::verify::Phase;
 
 /// Largest distance of a given point from a seam, mm: the accuracy of a position read from a display or a ruler.
 const REACH: f64 = 10.0;

@@ -2,12 +2,12 @@
 
 use std::collections::HashMap;
 
-use crate::plan::Pace;
 use crate::resume::figures::comment;
 use crate::resume::toolpath::{TimedMove, Toolpath};
-use crate::spec::LEAST_ACCELERATION;
-use crate::verify::gcode::Comment;
-use crate::verify::{Finding, FindingCode, Phase};
+use program::plan::Pace;
+use proof::verify::gcode::Comment;
+use proof::verify::{Finding, FindingCode, Phase};
+use spec::LEAST_ACCELERATION;
 
 /// Rounding of coordinates and of a stated length, for each seam, mm.
 const LENGTH: f64 = 0.02;

@@ -4,9 +4,9 @@
 
 use crate::resume::ResumeFault;
 use crate::resume::record::Record;
-use crate::verify::Phase;
-use crate::verify::gcode::{Event, Interpreter, Move, each_line};
-use inflatable::geom::Bounds;
+use geom::Bounds;
+use proof::verify::Phase;
+use proof::verify::gcode::{Event, Interpreter, Move, each_line};
 
 /// One move.
 #[derive(Clone, Copy, Debug)]

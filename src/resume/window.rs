@@ -5,9 +5,9 @@ use std::collections::VecDeque;
 use crate::emit::Decimals;
 use crate::resume::resume_at::StopPoint;
 use crate::resume::toolpath::{TimedMove, Toolpath};
-use crate::verify::Phase;
-use crate::verify::gcode::MoveKind;
-use inflatable::geom::{Path, Segment};
+use geom::{Path, Segment};
+use proof::verify::Phase;
+use proof::verify::gcode::MoveKind;
 
 /// The continuation of the job.
 pub(super) enum Next {

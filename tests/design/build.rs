@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use stargrip_cam::design::{Drawing, Layer, Origin, Shape};
 use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment};
 use stargrip_cam::plan::{Height, LONGEST_MOVE, Program, Purpose, SeamReport, Step, pieces};
-use stargrip_cam::shape::{PieceName, SeamName};
+use stargrip_cam::sealed::{PieceName, SeamName};
 use stargrip_cam::spec::Colours;
 use stargrip_cam::units::Length;
 use stargrip_cam::verify::gcode::{Dialect, read_program};

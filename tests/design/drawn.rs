@@ -10,7 +10,7 @@ use stargrip_cam::artifact::KindRequest;
 use stargrip_cam::design::{Design, StarDesign, propose_layers};
 use stargrip_cam::geom::{Bounds, Enclosures, Isometry, Path, Point, Segment, Vec2};
 use stargrip_cam::pipeline::{Built, Sources, build, prove_files};
-use stargrip_cam::shape::Seam;
+use stargrip_cam::sealed::Seam;
 use stargrip_cam::spec::{self, LayerRole, Source, Spec};
 use stargrip_cam::verify::OutputFiles;
 

@@ -100,7 +100,7 @@ fn a_unit_may_be_given_and_hides_no_fault() {
         format!("0|SECTION|2|ENTITIES|0|LINE|8|AIR|10|0|20|{y}|11|10|21|0|0|ENDSEC|0|EOF|").replace('|', "\n")
     };
     let of = |unit| propose_layers("a.dxf", dxf("0").as_bytes(), unit).expect("a drawing");
-    let inches = of(drawings::Unit::from_name("in"));
+    let inches = of(artwork::Unit::from_name("in"));
     assert!((inches.size[0] - 254.0).abs() < 1e-9 && inches.no_unit.is_none(), "{inches:?}");
     let guessed = of(None);
     assert!((guessed.size[0] - 10.0).abs() < 1e-9 && guessed.no_unit.is_some(), "{guessed:?}");

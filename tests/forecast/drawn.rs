@@ -50,7 +50,7 @@ fn only(found: &InflatedDrawing) -> &ChamberPrediction {
     one
 }
 
-/// The balloon of two discs, as `cargo run --release -p inflatable --example region` has it, from a file; the same bytes twice.
+/// The balloon of two discs, as `cargo run --release -p stargrip-inflatable --example region` has it, from a file; the same bytes twice.
 #[test]
 fn a_drawn_disc_is_a_balloon_each_time() {
     let asked = spec(DISC, "seal_strength = \"2 N/mm\"\n[load]\npressure = \"3 kPa\"\n");

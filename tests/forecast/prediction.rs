@@ -8,7 +8,7 @@ use stargrip_cam::forecast::predict;
 use stargrip_cam::forecast::predict::PredictFault;
 use stargrip_cam::forecast::prediction::{Prediction, StarPrediction};
 use stargrip_cam::forecast::ranges::StarRanges;
-use stargrip_cam::manifest::Manifest;
+use stargrip_cam::manifest::manifest_of;
 use stargrip_cam::plan;
 use stargrip_cam::spec::{Machine, ModelChoice, Source, Spec, builtin_machine, key, read, read_machine};
 use stargrip_cam::units::{Length, LineForce, Pressure};
@@ -280,7 +280,7 @@ fn masses_of_manifest_and_prediction_are_the_same() {
         spec.stars[2].inner_radius = Length(48.0);
         let design = design(&spec).expect("makeable");
         let programs = plan::seal_programs(&spec, &machine(), &design);
-        let manifest = Manifest::new(&spec, &design, &programs);
+        let manifest = manifest_of(&spec, &design, &programs, None);
         let prediction = predict::predict(&spec, &design).expect("predictable");
         let printed = |mass: Option<f64>| format!("{:.3}", mass.expect("density is given"));
         for (listed, predicted) in manifest.stars.iter().zip(&prediction.stars) {

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use proptest::prelude::*;
 
 use stargrip_cam::geom::{Arc, Enclosures, Line, Path, Point, Segment};
-use stargrip_cam::shape::{DrawnPort, PortPlace, Sealing, Separator, Sketch, sealed_shape};
+use stargrip_cam::sealed::{DrawnPort, PortPlace, Sealing, Separator, Sketch, sealed_shape};
 
 use crate::shapes::blob;
 use crate::sketches::{RULES, circle, drawn, open, p, port, rectangle, samples, scaled, sketch};

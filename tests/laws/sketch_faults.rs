@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use stargrip_cam::geom::Path;
-use stargrip_cam::shape::{DrawnPort, PortPlace, Rules, ShapeCode, ShapeFault, Sketch, sealed_shape};
+use stargrip_cam::sealed::{DrawnPort, PortPlace, Rules, ShapeCode, ShapeFault, Sketch, sealed_shape};
 
 use crate::sketches::{RULES, circle, drawn, open, p, port, rectangle, sketch};
 

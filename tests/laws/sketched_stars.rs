@@ -5,7 +5,7 @@ use std::path::Path as File;
 
 use stargrip_cam::design::{Design, MOUTH_OVERRUN};
 use stargrip_cam::geom::{Path, Point};
-use stargrip_cam::shape::{DrawnCurve, DrawnPort, PortPlace, Rules, ShapeCode, Sketch, sealed_shape};
+use stargrip_cam::sealed::{DrawnCurve, DrawnPort, PortPlace, Rules, ShapeCode, Sketch, sealed_shape};
 
 use crate::support;
 

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use proptest::prelude::*;
 
 use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
-use stargrip_cam::shape::{
+use stargrip_cam::sealed::{
     DrawnCurve, DrawnPort, PortPlace, Role, Rules, Sealing, ShapeCode, ShapeFault, Sketch, sealed_shape,
 };
 

@@ -25,7 +25,7 @@ pub(super) fn imports(src: &Path) -> Imports {
     texts
         .iter()
         .map(|(name, text)| {
-            let imported = uses(text).into_iter().filter_map(|path| home(&path));
+            let imported = uses(name, text).into_iter().filter_map(|path| home(&path));
             (name.clone(), imported.chain(called(name, text)).collect())
         })
         .collect()
@@ -98,9 +98,23 @@ fn production(text: &str) -> String {
     kept
 }
 
-/// Every path that the text imports from the crate, one a name.
-fn uses(text: &str) -> Vec<String> {
-    text.split("use crate::").skip(1).filter_map(|rest| rest.split(';').next()).flat_map(names).collect()
+/// Every path of the crate that the text of the module `module` imports, one a name, whether by `crate::` or by `super::`.
+fn uses(module: &str, text: &str) -> Vec<String> {
+    let statements = text.split("use ").skip(1).filter_map(|rest| rest.split(';').next());
+    statements.filter_map(|path| absolute(module, path)).flat_map(|path| names(&path)).collect()
+}
+
+/// `path` as the module `module` writes it, from the root of the crate on; `None` for a path of another crate.
+fn absolute(module: &str, path: &str) -> Option<String> {
+    if let Some(rest) = path.strip_prefix("crate::") {
+        return Some(rest.to_owned());
+    }
+    let (mut parent, mut rest) = (module, path);
+    while let Some(after) = rest.strip_prefix("super::") {
+        (parent, rest) = (parent.rsplit_once("::").map_or("", |(parent, _)| parent), after);
+    }
+    let is_relative = rest.len() < path.len();
+    is_relative.then(|| if parent.is_empty() { rest.to_owned() } else { format!("{parent}::{rest}") })
 }
 
 /// The children that a face calls by name, as in `child::new()`. Re-exporting their items does not count.
@@ -153,6 +167,12 @@ fn resolve(
         }
     }
     Some(head.to_owned())
+}
+
+#[test]
+fn imports_by_super_are_seen() {
+    let text = "use super::super::b::C;\nuse super::D;\nuse crate::e::F;\nuse geom::Point;\n";
+    assert_eq!(uses("x::y::z", text), ["x::b::C", "x::y::D", "e::F"]);
 }
 
 #[test]

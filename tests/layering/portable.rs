@@ -35,8 +35,8 @@ fn walk(path: &Path, found: &mut Vec<String>) {
 #[test]
 fn what_only_some_systems_have_stands_under_a_condition() {
     let mut found = Vec::new();
-    for source in ["src", "crates/inflatable/src"] {
-        walk(&Path::new(env!("CARGO_MANIFEST_DIR")).join(source), &mut found);
+    for source in super::sources() {
+        walk(&source, &mut found);
     }
     assert!(found.is_empty(), "write #[cfg(...)] above it, and what is done elsewhere: {}", found.join(", "));
 }

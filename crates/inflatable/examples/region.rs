@@ -1,8 +1,8 @@
-//! Regions with published inflated sizes: `cargo run --release -p inflatable --example region [cells]`.
+//! Regions with published inflated sizes: `cargo run --release -p stargrip-inflatable --example region [cells]`.
 //!
 //! E = 128 MPa, nu = 0.39. Prints each number with its mesh error; without `cells`, on the coarse default meshes.
 
-use inflatable::geom::{Arc, Line, Path, Point, Segment, Vec2};
+use geom::{Arc, Line, Path, Point, Segment, Vec2};
 use inflatable::shell::cases::{
     Fineness, FlatRegion, FlatStar, InflatedRegion, Objects, Tube, Value, Watch, chambers, region, star,
 };

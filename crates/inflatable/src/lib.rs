@@ -7,11 +7,7 @@
 
 // In the order in which data flows; imports go up this list only.
 
-pub mod geom;
-
 pub mod numerics;
-
-pub mod readable;
 
 pub mod mechanics;
 

@@ -19,13 +19,13 @@ mod stage;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use crate::artifact::Kind;
 use crate::cli::escape::shown;
 use crate::cli::publish::place::TargetPlace;
 use crate::cli::publish::record::PublishRecord;
 use crate::cli::publish::stage::StagedFile;
 use crate::manifest::MANIFEST;
 use crate::pipeline::Proven;
+use proof::artifact::Kind;
 
 pub use fault::PublishFault;
 

@@ -10,8 +10,8 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use crate::cli::escape::shown;
-use crate::digest::sha256;
-use crate::forecast::study::{RowBatch, Study, checkpoint};
+use forecast::study::{RowBatch, Study, checkpoint};
+use spec::digest::sha256;
 
 /// The stored rows, and their file, which is locked against other processes.
 pub(super) struct Checkpoint {

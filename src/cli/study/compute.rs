@@ -7,9 +7,8 @@ use crate::cli::failure::Failure;
 use crate::cli::load::{Loaded, read_source};
 use crate::cli::study::run::Destination;
 use crate::cli::verbosity::Verbosity;
-use crate::forecast::study::Study;
-use crate::spec;
-use crate::spec::study::{Axis, read_study};
+use forecast::study::Study;
+use spec::study::{Axis, read_study};
 
 /// Arguments of `study run`.
 #[derive(clap::Args, Debug)]

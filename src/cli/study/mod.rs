@@ -13,7 +13,7 @@ use std::path::PathBuf;
 use crate::cli::failure::{Failure, say};
 use crate::cli::study::compute::loaded;
 use crate::cli::verbosity::Quiet;
-use crate::forecast::study::{ColumnKind, Study};
+use forecast::study::{ColumnKind, Study};
 
 /// Arguments of `study`.
 #[derive(clap::Args, Debug)]

@@ -16,8 +16,8 @@ use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::study::rows::{StudyMonitor, StudyRows};
 use crate::cli::whole_file::{WholeFile, sweep_leftovers, write_whole};
-use crate::digest::Running;
-use crate::forecast::study::Study;
+use forecast::study::Study;
+use spec::digest::Running;
 
 /// Description of a part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

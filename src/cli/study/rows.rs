@@ -9,7 +9,7 @@ use std::path::Path;
 use crate::cli::interrupt::Listening;
 use crate::cli::progress::Progress;
 use crate::cli::study::checkpoint::{Checkpoint, beside};
-use crate::forecast::study::{RowBatch, Study, csv};
+use forecast::study::{RowBatch, Study, csv};
 
 /// Some rows of a study, and the form of their file.
 pub(in crate::cli) struct StudyRows<'a> {

@@ -13,7 +13,7 @@ use crate::cli::study::rows::{StudyMonitor, StudyRows};
 use crate::cli::text_file::refuse_foreign;
 use crate::cli::verbosity::{Quiet, Verbosity};
 use crate::cli::whole_file::{WholeFile, sweep_own};
-use crate::forecast::study::Study;
+use forecast::study::Study;
 
 /// The rows to compute, and their destination.
 #[derive(clap::Args, Debug)]

@@ -4,7 +4,7 @@ mod png;
 mod svg;
 mod typeface;
 
-use inflatable::geom::{Bounds, Path, Point, Vec2};
+use geom::{Bounds, Path, Point, Vec2};
 
 /// Marks on a page, group by group, the later above the earlier.
 pub(super) struct Picture {

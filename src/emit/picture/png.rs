@@ -7,10 +7,10 @@ use tiny_skia::{
     FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, PixmapMut, Stroke, StrokeDash, Transform,
 };
 
-use crate::emit::number::single;
 use crate::emit::picture::typeface::trace;
 use crate::emit::picture::{Colour, Mark, Pen, Picture, Text};
-use inflatable::geom::{Arc, Path, Point, Segment};
+use geom::{Arc, Path, Point, Segment};
+use program::number::single;
 
 impl Picture {
     /// The picture as a PNG with this number of pixels along its longer side; `None` if it has no extent.

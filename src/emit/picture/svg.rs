@@ -3,10 +3,10 @@
 use svg::Node;
 use svg::node::element::Element;
 
-use crate::emit::number::Decimals;
 use crate::emit::picture::{Anchor, Colour, Mark, Pen, Picture, Text};
 use crate::emit::svg::SvgPage;
-use inflatable::geom::Path;
+use geom::Path;
+use program::number::Decimals;
 
 /// A hundredth of a millimetre is enough for the eye.
 const DECIMALS: u32 = 2;

@@ -8,8 +8,8 @@ use std::sync::OnceLock;
 use tiny_skia::PathBuilder;
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
-use crate::emit::number::single;
-use inflatable::geom::{Point, Vec2};
+use geom::{Point, Vec2};
+use program::number::single;
 
 const FONT: &[u8] = include_bytes!("../../../templates/font/DejaVuSans-ASCII.ttf");
 

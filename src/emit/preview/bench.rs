@@ -1,16 +1,16 @@
 //! The bench below the star: the sheet with its size, the machine's origin, axes and work area, and the clamps.
 
-use crate::design::SheetLayout;
 use crate::emit::picture::{Anchor, Group, Text};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{
     CLAMP, CLAMP_AREA, GREY, PAGE, SHEET, Style, TEXT, WORK_AREA, arrow_head, circle, straight,
 };
-use crate::emit::text::{inert, shortened};
-use crate::plan::clamp_bounds;
-use crate::spec::{KeepOut, Machine, NAME_LENGTH};
-use crate::units::Readable;
-use inflatable::geom::{Bounds, Path, Point, Vec2};
+use design::SheetLayout;
+use geom::{Bounds, Path, Point, Vec2};
+use program::plan::clamp_bounds;
+use program::text::{inert, shortened};
+use spec::units::Readable;
+use spec::{KeepOut, Machine, NAME_LENGTH};
 
 /// The sheet's own area.
 pub(super) fn sheet_box(layout: &SheetLayout) -> Bounds {

@@ -4,7 +4,7 @@
 use crate::emit::picture::{Anchor, Colour, Group, Pen, Text};
 use crate::emit::preview::style::{CODE, Style, TEXT, circle, straight};
 use crate::link::LinkCode;
-use inflatable::geom::{Bounds, Path, Point, Vec2};
+use geom::{Bounds, Path, Point, Vec2};
 
 /// Lines under a heading, and a QR code under the lines.
 pub(super) struct Block<'a> {

@@ -2,9 +2,9 @@
 
 use crate::emit::picture::{Anchor, Group, Pen, Picture, Text};
 use crate::emit::preview::style::{BAND, CUT, FABRIC, LABEL, PAGE, Style, TEXT};
-use crate::emit::text::{inert, shortened};
-use crate::spec::NAME_LENGTH;
-use inflatable::geom::{Bounds, Path, Point, Vec2};
+use geom::{Bounds, Path, Point, Vec2};
+use program::text::{inert, shortened};
+use spec::NAME_LENGTH;
 
 /// One strip.
 pub struct GridCell {

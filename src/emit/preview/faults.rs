@@ -3,9 +3,9 @@
 use crate::emit::picture::{Group, Picture, Text};
 use crate::emit::preview::block::{Block, flow};
 use crate::emit::preview::style::{CUT, GREY, PAGE, Style, circle, straight};
-use crate::emit::text::shortened;
-use crate::spec::NAME_LENGTH;
-use inflatable::geom::{Bounds, Path, Point, Vec2};
+use geom::{Bounds, Path, Point, Vec2};
+use program::text::shortened;
+use spec::NAME_LENGTH;
 
 /// Characters a line of the legend.
 const LINE: usize = 110;

@@ -2,13 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use crate::design::{DrawnPiece, PlacedPart, StarDesign};
 use crate::emit::picture::{Group, Pen, Text};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{LABEL, START, Style, TEXT, circle, straight};
 use crate::emit::preview::travel::Start;
-use crate::emit::text::shortened;
-use inflatable::geom::{Bounds, Point, Vec2};
+use design::{DrawnPiece, PlacedPart, StarDesign};
+use geom::{Bounds, Point, Vec2};
+use program::text::shortened;
 
 /// Sizes that are tried in turn, relative to the first; smaller text is not readable.
 const SIZES: [f64; 8] = [1.0, 0.85, 0.72, 0.61, 0.52, 0.44, 0.37, 0.3];

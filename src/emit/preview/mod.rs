@@ -14,7 +14,6 @@ mod subject;
 mod travel;
 mod words;
 
-use crate::design::{FlatPiece, PlacedPart, SheetLayout};
 use crate::emit::picture::{Group, Picture};
 use crate::emit::preview::bench::{bench_group, clamp_labels, sheet_box, sheet_group, view};
 use crate::emit::preview::block::flow;
@@ -24,7 +23,8 @@ use crate::emit::preview::place::Places;
 use crate::emit::preview::stack::StackView;
 use crate::emit::preview::style::{PAGE, Style};
 use crate::emit::preview::travel::travel_group;
-use inflatable::geom::{Bounds, Path, Point};
+use design::{FlatPiece, PlacedPart, SheetLayout};
+use geom::{Bounds, Path, Point};
 
 pub use cells::{GridCell, cells};
 pub use faults::{FaultMark, faults, is_faults};

@@ -1,10 +1,10 @@
 //! One piece as it lies on its sheet: fabric, tube, bands, edges, holes.
 
-use crate::design::{CutEdge, FlatPiece, PlacedPart};
 use crate::emit::picture::{Group, Pen};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{BAND, CUT, FABRIC, LABEL, PAGE, Style, TUBE, circle};
-use inflatable::geom::Path;
+use design::{CutEdge, FlatPiece, PlacedPart};
+use geom::Path;
 
 /// Fabric, tube, bands and edges of one piece.
 pub(super) fn piece_group(part: FlatPiece<'_>, placed: &PlacedPart, style: Style) -> Group {

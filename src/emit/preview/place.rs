@@ -1,7 +1,7 @@
 //! Places of labels: the first one where a label covers nothing.
 
 use crate::emit::picture::Text;
-use inflatable::geom::{Bounds, GrowingIndex, Path, Segment, box_distance};
+use geom::{Bounds, GrowingIndex, Path, Segment, box_distance};
 
 /// The obstacles of labels, and the places that labels have taken.
 pub(super) struct Places {
@@ -135,7 +135,7 @@ impl Places {
 mod tests {
     use super::*;
     use crate::emit::picture::Colour;
-    use inflatable::geom::{Line, Point};
+    use geom::{Line, Point};
 
     fn label(x: f64) -> Text {
         Text::centered(Point::new(x, 0.0), 2.0, Colour(0, 0, 0), "ab")

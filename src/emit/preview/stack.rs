@@ -2,13 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use crate::design::{Side, Star, StarAssembly, StarDesign, round_tube, tube_height};
 use crate::emit::picture::{Anchor, Group, Text};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{GREY, IRON, OBJECT, Style, TEXT, circle, star_ink, straight};
 use crate::emit::preview::subject::Preview;
-use crate::units::Length;
-use inflatable::geom::{Bounds, Isometry, Path, Point, Vec2};
+use design::{Side, Star, StarAssembly, StarDesign, round_tube, tube_height};
+use geom::{Bounds, Isometry, Path, Point, Vec2};
+use spec::units::Length;
 
 /// The two views, and how much room they need to the right of the sheet.
 pub(super) struct StackView<'a> {

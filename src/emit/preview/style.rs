@@ -1,7 +1,7 @@
 //! The style of pictures: colours, and sizes that grow with the picture, so that it reads alike at any size.
 
 use crate::emit::picture::{Colour, Pen};
-use inflatable::geom::{Arc, Line, Path, Point, Vec2};
+use geom::{Arc, Line, Path, Point, Vec2};
 
 pub(super) const PAGE: Colour = Colour(0xff, 0xff, 0xff);
 pub(super) const SHEET: Colour = Colour(0xf7, 0xf7, 0xf4);

@@ -1,9 +1,9 @@
 //! The subject of a preview.
 
-use crate::design::{Design, Star};
 use crate::link::LinkCode;
-use crate::plan::Program;
-use crate::spec::{Machine, Spec};
+use design::{Design, Star};
+use program::plan::Program;
+use spec::{Machine, Spec};
 
 /// The data of a preview.
 #[derive(Clone, Copy)]

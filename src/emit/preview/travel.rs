@@ -1,12 +1,12 @@
 //! The path of the iron over one sheet: order, direction, starts, overlaps and ramps.
 
-use crate::design::{Design, PlacedPart};
 use crate::emit::picture::Group;
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{IRON, RAMP, START, Style, TWICE, arrow_head, circle};
-use crate::plan::{Program, Ramp, SeamReport, Step};
-use crate::shape::Seam;
-use inflatable::geom::{Path, Point, Segment, Vec2};
+use design::{Design, PlacedPart};
+use geom::{Path, Point, Segment, Vec2};
+use program::plan::{Program, Ramp, SeamReport, Step};
+use sealed::Seam;
 
 /// Arrow heads along one seam.
 const ARROWS: u32 = 8;

@@ -1,6 +1,5 @@
 //! The text below the picture: the design, its stars, the order of sealing, and the meaning of the colours.
 
-use crate::design::{PlacedPart, StarAssembly};
 use crate::emit::picture::Pen;
 use crate::emit::preview::block::{Block, Swatch};
 use crate::emit::preview::stack::listed;
@@ -9,10 +8,11 @@ use crate::emit::preview::style::{
     star_ink,
 };
 use crate::emit::preview::subject::Preview;
-use crate::emit::text::{inert, shortened};
-use crate::plan::SeamReport;
-use crate::spec::NAME_LENGTH;
-use crate::units::Readable;
+use design::{PlacedPart, StarAssembly};
+use program::plan::SeamReport;
+use program::text::{inert, shortened};
+use spec::NAME_LENGTH;
+use spec::units::Readable;
 
 /// Length of the scale bar, mm.
 const SCALE_BAR: f64 = 50.0;

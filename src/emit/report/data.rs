@@ -2,14 +2,14 @@
 
 use serde_json::{Value, json};
 
-use crate::design::{Design, StarDesign};
 use crate::emit::report::job::{parts, programs, sheets, thousandths};
 use crate::emit::report::subject::Report;
-use crate::forecast::case::Case;
-use crate::forecast::drawn::HOW;
-use crate::forecast::pose::Pose;
-use crate::forecast::seal_load::{SealLoad, seal_loads};
-use crate::spec::{Heating, Machine, Source, settings};
+use design::{Design, StarDesign};
+use forecast::case::Case;
+use forecast::drawn::HOW;
+use forecast::pose::Pose;
+use forecast::seal_load::{SealLoad, seal_loads};
+use spec::{Heating, Machine, Source, settings};
 
 /// Decimals that are kept of curves: for the eye, and few enough to be the same on every machine.
 const DIGITS: i32 = 6;

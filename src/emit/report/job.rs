@@ -2,11 +2,11 @@
 
 use serde_json::{Value, json};
 
-use crate::design::{Circle, CutEdge, FlatPiece, PlacedPart, SheetLayout};
 use crate::emit::report::polyline::{hundredths, polyline};
 use crate::emit::report::subject::Report;
-use crate::plan::{Program, Ramp, Step, height_of};
-use inflatable::geom::{Path, Point, Segment};
+use design::{Circle, CutEdge, FlatPiece, PlacedPart, SheetLayout};
+use geom::{Path, Point, Segment};
+use program::plan::{Program, Ramp, Step, height_of};
 
 /// The distinct pieces, each in a frame of its own.
 pub(super) fn parts(report: &Report<'_>) -> Vec<Value> {

@@ -10,8 +10,8 @@ use miniz_oxide::deflate::compress_to_vec_zlib;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-use crate::emit::text::filled;
 use crate::link::LinkCode;
+use program::text::filled;
 
 const FRAME: &str = include_str!("../../../templates/report/page.html");
 

@@ -1,7 +1,7 @@
 //! Polylines for the eye: paths as few whole numbers, hundredths of a millimetre, each point as its way from the one before.
 
 use crate::emit::chords::chords;
-use inflatable::geom::{Path, Point};
+use geom::{Path, Point};
 
 /// Largest distance of a polyline from its path, mm, beside rounding: a tenth of what is visible where a star fills a screen.
 const WITHIN: f64 = 0.02;
@@ -62,7 +62,7 @@ fn off((a, b): (Point, Point), p: Point) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use inflatable::geom::{Arc, Line, Segment};
+    use geom::{Arc, Line, Segment};
 
     #[test]
     fn few_points_stay_near_the_path() {

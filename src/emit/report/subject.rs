@@ -1,13 +1,13 @@
 //! The data of a report.
 
-use crate::design::Design;
-use crate::forecast::charts::Charts;
-use crate::forecast::drawn::prediction::DrawnPrediction;
-use crate::forecast::prediction::Prediction;
 use crate::link::LinkCode;
 use crate::manifest::Manifest;
-use crate::plan::Program;
-use crate::spec::{Machine, Spec};
+use design::Design;
+use forecast::charts::Charts;
+use forecast::drawn::prediction::DrawnPrediction;
+use forecast::prediction::Prediction;
+use program::plan::Program;
+use spec::{Machine, Spec};
 
 /// The data of a report.
 #[derive(Clone, Copy)]

@@ -1,14 +1,14 @@
 //! The scene of a drawn piece: one piece, flat or as the shell inflates it, and the sheets beside it.
 
-use crate::design::{Design, DrawnPiece, Layer};
 use crate::emit::palette::SceneSurface;
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, index};
 use crate::emit::scene::sheets;
-use crate::forecast::drawn::Surface;
-use crate::spec::Spec;
-use crate::units::Length;
-use inflatable::geom::Path;
+use design::{Design, DrawnPiece, Layer};
+use forecast::drawn::Surface;
+use geom::Path;
+use spec::Spec;
+use spec::units::Length;
 
 /// The surfaces of such a scene.
 const DRAWN: [SceneSurface; 4] =

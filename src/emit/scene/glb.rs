@@ -5,9 +5,9 @@
 
 use serde_json::{Value, json};
 
-use crate::emit::number::{Decimals, single};
 use crate::emit::palette::{SURFACES, SceneSurface, linear};
 use crate::emit::scene::mesh::Mesh;
+use program::number::{Decimals, single};
 
 /// Decimals of a coordinate in mm, and of a node's rotation.
 const DECIMALS: [u32; 2] = [3, 9];

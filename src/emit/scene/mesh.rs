@@ -11,8 +11,8 @@ use lyon_tessellation::{
 };
 
 use crate::emit::chords::chords;
-use crate::emit::number::single;
-use inflatable::geom::{Path, Point};
+use geom::{Path, Point};
+use program::number::single;
 
 /// Largest distance of a chord from its arc, mm: a tenth of a pixel where a star fills a screen. A region with an arc on either
 /// side is too narrow by twice that, which with single precision must stay below the tenth that the verifier allows.

@@ -11,13 +11,13 @@ mod pose;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::design::{CutEdge, Design, Drawing, Layer, Side, Star, StarAssembly, StarDesign};
 use crate::emit::palette::{SURFACES, SceneSurface};
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, quarters};
 use crate::emit::scene::pose::{PoseMotion, ScenePose, tube};
-use crate::spec::{Load, ObjectShape, Spec};
-use inflatable::geom::{Arc, Bounds, Path, Point};
+use design::{CutEdge, Design, Drawing, Layer, Side, Star, StarAssembly, StarDesign};
+use geom::{Arc, Bounds, Path, Point};
+use spec::{Load, ObjectShape, Spec};
 
 pub use drawn::drawn_scene;
 

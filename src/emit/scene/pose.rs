@@ -1,14 +1,14 @@
 //! Poses: where a star's parts lie, flat or inflated, and how the one becomes the other for display.
 //!
-//! An inflated star is the forecast's ([`mod@crate::forecast::pose`]): straight arms of the same length, hinges that turned about their centres,
+//! An inflated star is the forecast's ([`mod@forecast::pose`]): straight arms of the same length, hinges that turned about their centres,
 //! a tube that is as wide as predicted. Its section is an ellipse that keeps the length of the fabric. Flaps and bands go along with the tube's edge beside them, and end where they would run into themselves.
 //! It is a picture of these kinematics and no prediction of a surface: no wrinkle of a hinge is in it.
 
 use std::f64::consts::PI;
 
-use crate::design::{Star, tube_height};
 use crate::emit::scene::mesh::{Mesh, index};
-use inflatable::geom::{Point, Vec2};
+use design::{Star, tube_height};
+use geom::{Point, Vec2};
 
 /// Facets across one of a tube's two sheets.
 const ACROSS: u32 = 8;
@@ -223,10 +223,10 @@ fn rotated(p: Point, by: f64) -> Point {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::design::Side;
-    use crate::forecast::case::mechanism;
-    use crate::forecast::pose::at_angle;
-    use crate::spec::{self, Source};
+    use design::Side;
+    use forecast::case::mechanism;
+    use forecast::pose::at_angle;
+    use spec::{self, Source};
 
     fn stars() -> Vec<Star> {
         let paper = "schema = 1\nname = \"x\"\n[star]\npoints = 5\ninner_radius = \"50 mm\"\ntube_width = \"30 mm\"\ntip_angle = \"30 deg\"\n";

@@ -1,7 +1,7 @@
 //! Reasons for a refused prediction: the found and the allowed value.
 
 use crate::numerics::RootFault;
-use crate::readable::Readable;
+use geom::readable::Readable;
 use std::fmt;
 
 /// Reason for a hinge's state that cannot be computed.

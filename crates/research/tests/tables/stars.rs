@@ -29,5 +29,5 @@ fn a_line_with_another_star_is_not_read() {
 
 #[test]
 fn the_programs_copy_is_that_of_the_table() {
-    assert_eq!(include_str!("../../../../src/forecast/trade/finest.txt"), finest::table(&shipped()));
+    assert_eq!(include_str!("../../../../crates/forecast/src/trade/finest.txt"), finest::table(&shipped()));
 }

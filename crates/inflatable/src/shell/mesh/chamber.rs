@@ -1,9 +1,9 @@
 //! A chamber of any outline, with islands and welds within it, and its mesh.
 
-use crate::geom::{Bounds, Path, Point, Segment, Vec2, intersections};
 use crate::shell::mesh::sizing::Sizing;
 use crate::shell::mesh::width::ChamberWalls;
 use crate::shell::mesh::{Border, MeshFault, Meshed, Piece, Region, delaunay, rim};
+use geom::{Bounds, Path, Point, Segment, Vec2, intersections};
 
 /// One chamber between two sheets; lengths in any unit.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -174,9 +174,9 @@ impl FlatChamber {
 fn scaled(path: &Path, by: f64) -> Path {
     let point = |p: Point| Point::new(by * p.x, by * p.y);
     let segments = path.segments.iter().map(|segment| match *segment {
-        Segment::Line(line) => Segment::Line(crate::geom::Line::new(point(line.start), point(line.end))),
+        Segment::Line(line) => Segment::Line(geom::Line::new(point(line.start), point(line.end))),
         Segment::Arc(arc) => {
-            Segment::Arc(crate::geom::Arc { center: point(arc.center), radius: by * arc.radius, ..arc })
+            Segment::Arc(geom::Arc { center: point(arc.center), radius: by * arc.radius, ..arc })
         }
     });
     Path { segments: segments.collect(), closed: path.closed }

@@ -8,9 +8,9 @@ use std::collections::BTreeMap;
 use spade::handles::VertexHandle;
 use spade::{CdtEdge, ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation};
 
-use crate::geom::{Point, Segment};
 use crate::shell::mesh::sizing::Sizing;
 use crate::shell::mesh::{MeshFault, Meshed, Piece, Region, angles, signed_area};
+use geom::{Point, Segment};
 
 type Triangles = ConstrainedDelaunayTriangulation<Point2<f64>>;
 

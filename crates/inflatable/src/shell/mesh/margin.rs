@@ -2,10 +2,10 @@
 //!
 //! The tube's own triangles stay as they are, so that numbers with and without a margin belong to the same mesh of the tube.
 
-use crate::geom::{Arc, Line, Point, Segment, Vec2};
 use crate::shell::mesh::delaunay::{BorderPoints, fill_border};
 use crate::shell::mesh::sizing::Sizing;
 use crate::shell::mesh::{Border, MeshFault, Meshed, Piece, rim};
+use geom::{Arc, Line, Point, Segment, Vec2};
 use std::collections::BTreeMap;
 
 /// How far the margin stands out from each rim, band and flap together, in the mesh's unit of length; 0 where there is none.

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::geom::{Point, Segment};
 use crate::shell::mesh::{Border, Edge, Mesh, MeshFault, rim};
+use geom::{Point, Segment};
 
 /// A piece of a region's border.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ impl Region {
     /// The exact area within the outer border.
     #[cfg(test)]
     pub fn area(&self) -> f64 {
-        crate::geom::Path::closed(self.pieces.iter().map(|piece| piece.curve).collect()).area()
+        geom::Path::closed(self.pieces.iter().map(|piece| piece.curve).collect()).area()
     }
 }
 

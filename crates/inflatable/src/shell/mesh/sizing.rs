@@ -1,7 +1,7 @@
 //! Required size of triangles as a function of the place.
 
-use crate::geom::{Point, Segment};
 use crate::shell::mesh::{MeshFault, Region};
+use geom::{Point, Segment};
 
 /// Edge lengths that a mesh aims at, in the mesh's unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! A tube of constant width that turns and runs straight: the region of every case.
 
-use crate::geom::{Arc, Line, Point, Segment, Vec2};
 use crate::shell::mesh::sizing::HingePlace;
 use crate::shell::mesh::{Border, Piece, Region, plane, rim};
+use geom::{Arc, Line, Point, Segment, Vec2};
 
 /// A tube under construction: it begins on the x axis, which is a plane of symmetry, and first runs along +y.
 pub(super) struct Strip {

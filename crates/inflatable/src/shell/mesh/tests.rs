@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use crate::geom::{Isometry, Point};
 use crate::shell::mesh::{
     Border, Edge, HalfActuator, HalfSector, HingeSector, Mesh, MeshFault, Meshed, Piece, Region, Sizes,
     plane, rim,
 };
+use geom::{Isometry, Point};
 
 const PAPER: HalfSector = HalfSector { n: 5, rho_0: 50.0, w: 30.0, phi_i: PI / 6.0, r_i: 0.0, r_e: 0.0 };
 

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use crate::geom::{Isometry, Point};
 use crate::shell::mesh::{Border, Edge, MeshFault, Meshed, Piece, plane};
+use geom::{Isometry, Point};
 
 impl Meshed {
     /// `count` half sectors of a star of `n` points around the origin, each glued to the mirror image before it: 2 are a

@@ -1,6 +1,6 @@
 //! Width of a chamber: at its widest place, and along each of its walls.
 
-use crate::geom::{Bounds, Line, Point, Segment, Vec2, intersections};
+use geom::{Bounds, Line, Point, Segment, Vec2, intersections};
 
 /// The walls of a chamber: its outline, islands and welds.
 pub(super) struct ChamberWalls {

@@ -1,8 +1,8 @@
 //! From loops and welds to chambers.
 
-use crate::geom::{Path, Point};
 use crate::shell::element::Fabric;
 use crate::shell::mesh::{FlatChamber, MeshFault};
+use geom::{Path, Point};
 
 /// One flat chamber and its load, SI units.
 #[derive(Clone, Debug, PartialEq)]

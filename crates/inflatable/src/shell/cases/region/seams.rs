@@ -1,7 +1,7 @@
 //! The pull on each seam: force across the plane of the sheets by length, where they part.
 
-use crate::geom::Segment;
 use crate::shell::mesh::{FlatChamber, Meshed};
+use geom::Segment;
 
 /// A place on a seam.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,7 +64,7 @@ impl ForceAlongCurve {
         let place = |segment: &Segment, edge: usize| {
             let ends = mesh.edges[edge].ends.map(|end| mesh.points[end]);
             let [x, y] = [0, 1].map(|c| f64::midpoint(ends[0][c], ends[1][c]));
-            segment.nearest_fraction(crate::geom::Point::new(x, y)) * segment.length()
+            segment.nearest_fraction(geom::Point::new(x, y)) * segment.length()
         };
         let mut edges: Vec<(f64, usize)> = (0..mesh.edges.len())
             .filter_map(|edge| {

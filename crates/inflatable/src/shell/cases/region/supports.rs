@@ -1,8 +1,8 @@
 //! Supports of a chamber: with z = 0 as its plane of symmetry, and where it leaves that plane.
 
-use crate::geom::Point;
 use crate::shell::assembly::{Sheet, Supports};
 use crate::shell::mesh::{Border, FlatChamber, Meshed};
+use geom::Point;
 
 /// The nodes at which both sheets are joined.
 pub(super) struct SealedNodes {

@@ -3,12 +3,12 @@
 use super::stability;
 use super::supports::{SealedNodes, antisymmetric, symmetric};
 use super::*;
-use crate::geom::{Arc, Line, Path, Point};
 use crate::shell::assembly::Sheet;
 use crate::shell::cases::{Fineness, Margin, ShellFault, VActuator, Value, Watch, actuator};
 use crate::shell::element::Fabric;
 use crate::shell::mesh::{FlatChamber, MeshFault};
 use crate::shell::solver::{Continuation, Equilibrium, Solver, rigid_motions};
+use geom::{Arc, Line, Path, Point};
 use std::f64::consts::{PI, TAU};
 
 /// E = 128 MPa, nu = 0.39, of thickness `t`, m.

@@ -1,0 +1,258 @@
+//! A piece by a person's own drawing, in the drawing's frame.
+//!
+//! The file's **elements** get **roles** by their layers; what has a role becomes a **sketch**, and that a sealed shape. Every
+//! element without a role, every role without an element, and every fault of the shape is a refusal with names and a place.
+
+mod clearance;
+mod cut;
+mod faults;
+mod inner;
+mod label;
+mod layer_name;
+mod marks;
+mod proposal;
+mod roles;
+mod words;
+
+use std::fmt::Write;
+use std::sync::Arc;
+
+pub use cut::{DrawnCut, DrawnSeparator};
+pub use label::DrawnLabels;
+
+use crate::drawn::clearance::Clearance;
+use crate::drawn::inner::within_air;
+use crate::drawn::proposal::LeftOut;
+use crate::placement::{SheetLayout, footprint, place};
+use crate::star_seam::MOUTH_OVERRUN;
+use crate::{Circle, PlacedPart, Refusal, RefusalCode, Refusals, Warning};
+use artwork::{Drawing, Figure, Format, Options, Unit, Weight};
+use geom::{Bounds, Path};
+use sealed::{Rules, SealedShape, Sealing, ShapeCode, Sketch, sealed_shape};
+use spec::{DrawingSpec, LayerRole, Machine, MaskKind, Spec, key};
+
+/// Width of the tube by which labels are sized where no passage is narrow, mm.
+const LABEL_WIDTH: f64 = 15.0;
+
+/// A drawn piece, and its copies on sheets.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnPiece {
+    /// Seams, cut and ports.
+    pub shape: SealedShape,
+    /// The edges of the air as drawn, with the channels of ports as far as the cut, for pictures.
+    pub edges: Vec<Path>,
+    /// The boundary of the air, closed, without the channels of ports: the region that inflates.
+    pub air: Vec<Path>,
+    /// Walls and welds by their centre lines, as far as they lie in the air.
+    pub inner: Vec<Path>,
+    /// The piece's own edges.
+    pub part: DrawnCut,
+    /// The lines that a tool follows to cut it.
+    pub tool: DrawnCut,
+    /// The registration holes: three, so placed that the piece fits in one position only; or none.
+    pub registration: Vec<Circle>,
+    /// The texts on it, which are written and not cut.
+    pub labels: DrawnLabels,
+    /// The paper that keeps the air from welding, if the spec has it.
+    pub separator: Option<DrawnSeparator>,
+    /// Width of the narrowest passage, mm; `None` where none is narrower than `least_passage`.
+    pub passage: Option<f64>,
+    /// A narrower passage is warned of, mm.
+    pub least_passage: f64,
+    /// The repairs and choices made as the drawing was read, a sentence each.
+    pub notes: Vec<String>,
+    /// Its copies where they lie.
+    pub copies: Vec<PlacedPart>,
+}
+
+impl DrawnPiece {
+    /// Whether two regions of its air are so near to each other that their seams share a band, or lie within a band's width of each other.
+    pub fn shares_a_band(&self) -> bool {
+        inner::share_a_band(&self.air, self.shape.band)
+    }
+
+    /// The kind of its copies.
+    const KIND: &'static str = "piece";
+
+    /// The piece that `drawing` of `spec` shows, laid on sheets for `machine`, and the warnings about it.
+    ///
+    /// # Errors
+    /// Every reason for which it cannot be read, made, or laid on a sheet.
+    pub(super) fn new(
+        spec: &Spec,
+        drawing: &DrawingSpec,
+        machine: &Machine,
+    ) -> Result<(Self, Vec<SheetLayout>, Vec<Warning>), Refusals> {
+        let (sketch, mut notes) = sketch(spec, drawing)?;
+        let rules = rules(spec, drawing);
+        let sealing = sealed_shape(&sketch, &rules);
+        let Sealing { shape, air, inner, holes, repairs, warnings: warned } =
+            sealing.map_err(|faults| faults.iter().map(faults::refusal).collect::<Refusals>())?;
+        let inner = inner.iter().flat_map(|path| within_air(path, air.closed(), drawing.join.0)).collect();
+        notes.extend(repairs.iter().map(|repair| faults::found_at(&repair.what, repair.place)));
+        let narrow = warned.iter().filter(|warning| warning.code == ShapeCode::NarrowPassage);
+        let passage = narrow.map(|warning| warning.found).reduce(f64::min);
+        let mut warnings: Vec<Warning> = warned.iter().map(faults::refusal).collect();
+        let part = DrawnCut::new(&shape, &holes)?;
+        let (allowance, diameter) = (rules.allowance, spec.sheet.hole_diameter.0);
+        let room = Clearance::new(&shape, &air, &part);
+        let registration = marks::registration(&shape, &part, &room, allowance, diameter);
+        if registration.is_empty() && diameter > 0.0 {
+            warnings.push(marks::no_room(diameter));
+        }
+        let tool = part.for_tool(spec.cut.kerf.0, &registration)?;
+        let labels = label::labels(&shape, &room, &registration, allowance);
+        let is_separated = spec.mask.kind == MaskKind::Separator;
+        let separator = is_separated.then(|| DrawnSeparator::new(spec, &shape, &air)).transpose()?;
+        let edges = air.edges_to_mouths(shape.band);
+        let bounds = footprint(&shape, &tool.outside, machine.process.ramp.0);
+        let number = usize::try_from(spec.sheet.copies).unwrap_or(1);
+        let (places, sheets) = place(&vec![bounds; number], &spec.sheet, machine)?;
+        let copies = PlacedPart::all(Self::KIND, &vec![0; number], places);
+        let air = air.closed().to_vec();
+        let piece = Self {
+            shape,
+            edges,
+            air,
+            inner,
+            part,
+            tool,
+            registration,
+            labels,
+            separator,
+            passage,
+            least_passage: rules.least_passage,
+            notes,
+            copies,
+        };
+        Ok((piece, sheets, warnings))
+    }
+
+    /// Width of the tube by which labels are sized, mm.
+    pub fn label_width(&self) -> f64 {
+        self.passage.unwrap_or(LABEL_WIDTH)
+    }
+}
+
+/// The rules by which a sketch becomes a shape.
+fn rules(spec: &Spec, drawing: &DrawingSpec) -> Rules {
+    let hose = spec.inlet.as_ref().map_or(0.0, |inlet| inlet.tube_diameter.0);
+    Rules {
+        band: spec.seal.band.0,
+        allowance: spec.seal.allowance.0,
+        join: drawing.join.0,
+        overlap: spec.seal.overlap.0,
+        // A hose of diameter d lies flat in a channel half as wide as its circumference.
+        port_width: std::f64::consts::FRAC_PI_2 * hose,
+        overrun: MOUTH_OVERRUN,
+        least_passage: drawing.passage.0,
+    }
+}
+
+/// The drawing of `spec` as it was read.
+fn read(spec: &Spec, drawing: &DrawingSpec) -> Result<Arc<Drawing>, Refusals> {
+    let Some(content) = &drawing.content else {
+        let found = format!("the drawing {:?} was not read", drawing.file);
+        let remedy = "it must lie beside the spec";
+        return Err(Refusal::new(key::drawing::FILE, RefusalCode::DrawingUnread, found, remedy).into());
+    };
+    let options = Options { unit: drawing.units, ..Options::new(0.5 * spec.accuracy.path.0) };
+    content.read(&drawing.file, &options).map_err(|faults| faults.iter().map(faults::unreadable).collect())
+}
+
+/// Layers of a file with roles that suit them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LayerProposal {
+    /// Every layer with a role and the reason for it, in the order of the file.
+    pub layers: Vec<(String, LayerRole, String)>,
+    /// Width and height of all figures, mm.
+    pub size: [f64; 2],
+    /// The unit of its numbers that the spec must give; `None` if the file states it.
+    pub unit: Option<Unit>,
+    /// The reason for which mm were taken as that unit; `None` if the file or the caller states it.
+    pub no_unit: Option<String>,
+    /// Layers that the drawing hides, of which nothing is read.
+    pub hidden: Vec<String>,
+}
+
+/// The layers of the drawing `bytes`, a file called `name`, with roles that suit them. A `unit` overrides that of the file.
+///
+/// # Errors
+/// Every reason for which it cannot be read.
+pub fn propose_layers(name: &str, bytes: &[u8], unit: Option<Unit>) -> Result<LayerProposal, Refusals> {
+    let options = |unit| Options { unit, ..Options::new(0.001) };
+    let (mut no_unit, mut given) = (None, unit);
+    let read = artwork::read(name, bytes, &options(unit)).or_else(|faults| {
+        if unit.is_some() {
+            return Err(faults);
+        }
+        no_unit = faults.first().map(|fault| fault.text.clone());
+        given = Some(Unit::Millimetre);
+        // The other faults are found only once there is a unit.
+        artwork::read(name, bytes, &options(given)).map_err(|others| {
+            let own = faults.into_iter().filter(|fault| !others.contains(fault)).collect::<Vec<_>>();
+            own.into_iter().chain(others.iter().cloned()).collect()
+        })
+    });
+    let read = read.map_err(|faults| faults.iter().map(faults::unreadable).collect::<Refusals>())?;
+    let is_dxf = Format::of_name(name) == Some(Format::Dxf);
+    if read.elements.is_empty() {
+        return Err(nothing_drawn(&read, is_dxf).into());
+    }
+    let bounds = paths(&read).map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
+    let size = [bounds.width(), bounds.height()].map(|length| length.max(0.0));
+    let hidden =
+        LeftOut::of(&read, is_dxf, Weight::Hidden).into_iter().map(|left_out| left_out.layer).collect();
+    Ok(LayerProposal { layers: proposal::proposed(&read, is_dxf), size, unit: given, no_unit, hidden })
+}
+
+/// The figures of the drawing of `spec`, as far as the file can be read; none of a spec without one.
+pub fn figures(spec: &Spec) -> Vec<Path> {
+    let read = spec.drawing.as_ref().and_then(|drawing| read(spec, drawing).ok());
+    read.iter().flat_map(|read| paths(read)).cloned().collect()
+}
+
+/// The figures of a drawing without its points.
+fn paths(read: &Drawing) -> impl Iterator<Item = &Path> {
+    read.elements.iter().filter_map(|element| match &element.figure {
+        Figure::Path(path) => Some(path),
+        Figure::Point(_) => None,
+    })
+}
+
+/// The notes on a drawing that could be read, in the order of the file; none of a spec without one.
+pub fn drawing_notes(spec: &Spec) -> Vec<String> {
+    let read = spec.drawing.as_ref().and_then(|drawing| read(spec, drawing).ok());
+    read.iter().flat_map(|read| &read.notes).map(ToString::to_string).collect()
+}
+
+/// The refusal of a drawing without air and seams, which names the layers that are hidden or cannot be read.
+fn nothing_drawn(read: &Drawing, is_dxf: bool) -> Refusal {
+    let mut found = "no edge of air and no seam is drawn".to_owned();
+    let mut remedy = if read.elements.is_empty() {
+        "draw the edges of the air, and export the drawing again"
+    } else {
+        "give a layer the role air or seam"
+    };
+    for LeftOut { layer, text } in LeftOut::of(read, is_dxf, Weight::Lost) {
+        let _ = write!(found, "; nothing on layer {layer:?} can be read ({})", text.trim_end_matches('.'));
+        remedy =
+            "draw the edges on that layer as lines and arcs in the plane, and give it the role air or seam";
+    }
+    for LeftOut { layer, .. } in LeftOut::of(read, is_dxf, Weight::Hidden) {
+        let _ = write!(found, "; layer {layer:?} is hidden");
+        remedy = "show the layer in the drawing program and save again, then give it the role air or seam";
+    }
+    Refusal::new(key::drawing::LAYERS, RefusalCode::NothingDrawn, found, remedy)
+}
+
+/// The sketch of `drawing` by its roles, and the notes on its repairs.
+fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<String>), Refusals> {
+    let read = read(spec, drawing)?;
+    roles::refusals(&read, drawing).or(())?;
+    let sketch = roles::sketch(&read, drawing);
+    if sketch.air.is_empty() && sketch.seams.is_empty() {
+        return Err(nothing_drawn(&read, drawing.is_dxf()).into());
+    }
+    Ok((sketch, read.notes.iter().map(ToString::to_string).collect()))
+}

@@ -1,0 +1,108 @@
+//! The flat piece of every product: seams, tube, cut and fabric.
+
+use crate::{Circle, CutEdge, DrawnCut, DrawnPiece, SHEETS, StarDesign};
+use geom::{Path, Point};
+use sealed::SealedShape;
+use spec::Fabric;
+
+/// One piece in its own frame, whatever it belongs to.
+#[derive(Clone, Copy, Debug)]
+pub enum FlatPiece<'a> {
+    /// A star.
+    Star(&'a StarDesign),
+    /// A piece by a drawing.
+    Drawn(&'a DrawnPiece),
+}
+
+/// The lines along which a piece is cut, closed and counterclockwise.
+#[derive(Clone, Debug)]
+pub struct PieceCut<'a> {
+    /// Around the piece.
+    pub outside: &'a Path,
+    /// Out of the piece.
+    pub inside: &'a [Path],
+    /// Round holes, as drawn.
+    pub holes: &'a [Circle],
+    /// Width of the cut for which the lines are; 0 for the piece's own edges, mm.
+    pub kerf: f64,
+}
+
+impl<'a> FlatPiece<'a> {
+    /// Its seams, cut and ports.
+    pub fn shape(self) -> &'a SealedShape {
+        match self {
+            Self::Star(star) => &star.shape,
+            Self::Drawn(piece) => &piece.shape,
+        }
+    }
+
+    /// The edges of the air as the iron makes them, those inside others first.
+    pub fn tube(self) -> &'a [Path] {
+        match self {
+            Self::Star(star) => &star.realised_edges,
+            Self::Drawn(piece) => &piece.edges,
+        }
+    }
+
+    /// The same edges as drawn.
+    pub fn edges(self) -> &'a [Path] {
+        match self {
+            Self::Star(star) => &star.edges,
+            Self::Drawn(piece) => &piece.edges,
+        }
+    }
+
+    /// The cut lines.
+    pub fn cut(self, edge: CutEdge) -> PieceCut<'a> {
+        match self {
+            Self::Star(star) => {
+                let (outside, hole, kerf) = match edge {
+                    CutEdge::Part => (&star.outline.outside, &star.outline.hole, 0.0),
+                    CutEdge::Tool => (&star.cut.outside, &star.cut.hole, star.cut.kerf),
+                };
+                let holes = &star.outline.registration;
+                PieceCut { outside, inside: std::slice::from_ref(hole), holes, kerf }
+            }
+            Self::Drawn(piece) => {
+                let DrawnCut { outside, inside, kerf } = match edge {
+                    CutEdge::Part => &piece.part,
+                    CutEdge::Tool => &piece.tool,
+                };
+                PieceCut { outside, inside, holes: &piece.registration, kerf: *kerf }
+            }
+        }
+    }
+
+    /// Fabric of the piece, both sheets, mm^2.
+    pub fn fabric(self) -> f64 {
+        match self {
+            Self::Star(star) => star.fabric(),
+            Self::Drawn(piece) => {
+                let holes: f64 = piece.part.inside.iter().map(|hole| hole.area().abs()).sum();
+                SHEETS * (piece.part.outside.area().abs() - holes)
+            }
+        }
+    }
+
+    /// Mass of the fabric, both sheets, g; `None` where its areal density is unknown.
+    pub fn mass(self, fabric: &Fabric) -> Option<f64> {
+        // 1 kg/m^2 is 1e-3 g/mm^2.
+        fabric.areal_density.map(|density| density.0 * 1e-3 * self.fabric())
+    }
+
+    /// The point by which pieces are sorted.
+    pub fn middle(self) -> Point {
+        match self {
+            Self::Star(_) => Point::ORIGIN,
+            Self::Drawn(piece) => piece.part.outside.bounds().center(),
+        }
+    }
+
+    /// Width of the tube, mm: the measure for sizes of marks and labels.
+    pub fn tube_width(self) -> f64 {
+        match self {
+            Self::Star(star) => star.star.w,
+            Self::Drawn(piece) => piece.label_width(),
+        }
+    }
+}

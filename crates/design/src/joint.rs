@@ -1,0 +1,180 @@
+//! Joints: the cuts between a mask and its tips, and the knobs that position a tip.
+//!
+//! In the frame of the tip's ray, along +X, the joint is the line x = `at` from one edge of the plate to the other. A
+//! **knob** of the middle is a circle whose centre lies half its radius beyond that line: its neck is 0.87 of its diameter, so it
+//! locks. The socket around it is wider by the [`PLAY`]; the straight parts have none.
+
+use std::f64::consts::PI;
+
+use crate::{MaskPlate, Outline, Star};
+use geom::{Arc, Bounds, Isometry, Line, Path, Point, Segment, Vec2, intersections};
+
+/// Least plate between a joint and a window, mm: the same as between windows.
+const BRIDGE: f64 = 4.0;
+
+/// Least plate around knobs, holes and texts, mm.
+pub(super) const WALL: f64 = 2.5;
+
+/// From the end of a joint to the notch between two tips, mm: at the notch a corner would be left.
+const NOTCH: f64 = 1.5;
+
+/// Gap between a knob and its socket, mm: enough for parts from a 0.4 mm nozzle to go together without tools.
+const PLAY: f64 = 0.1;
+
+/// Radii of knobs that are tried, mm: smaller ones break.
+pub(super) const RADII: [f64; 5] = [6.0, 5.0, 4.0, 3.0, 2.5];
+
+/// From one place that is tried to the next, mm.
+const STEP: f64 = 0.5;
+
+/// Places that are tried at most, so that the search of a large star ends as soon as that of a small one.
+const PLACES: f64 = 250.0;
+
+/// The cut of one tip.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct JointCut {
+    /// The tip.
+    pub(super) tip: u32,
+    /// Direction of its ray.
+    ray: f64,
+    /// Distance of the joint from the axis.
+    at: f64,
+    /// Radius of the knobs.
+    radius: f64,
+    /// Their places along the joint.
+    knobs: Vec<f64>,
+}
+
+/// The surroundings of a joint, in the frame of the tip's ray.
+struct Around {
+    plate: Path,
+    /// Largest radius of a knob.
+    most: f64,
+    /// Centres and radii.
+    holes: Vec<(Point, f64)>,
+}
+
+/// The two points in which a line x = const meets the plate's edge, on either side of the ray.
+struct Chord {
+    /// Ends, with where they are along the edge.
+    low: (f64, f64),
+    high: (f64, f64),
+}
+
+impl JointCut {
+    /// The cut of tip `tip` that is nearest to the axis, with knobs of radius `most` or less; `None` if there is no room for one.
+    pub(super) fn new(star: &Star, outline: &Outline, mask: &MaskPlate, tip: u32, most: f64) -> Option<Self> {
+        let ray = star.tip_ray(tip);
+        let motion = Isometry::rotation(-ray);
+        let windows = mask.windows.iter().map(|window| motion.path(window).bounds());
+        let behind = windows.fold(Bounds::EMPTY, Bounds::union).max.x + BRIDGE;
+        let holes = outline.registration.iter();
+        let around = Around {
+            plate: motion.path(&mask.plate),
+            most,
+            holes: holes.map(|hole| (motion.point(hole.center), hole.diameter / 2.0)).collect(),
+        };
+        let mut at = behind.max(0.0);
+        let step = STEP.max((star.tip_reach() - at) / PLACES);
+        while at < star.tip_reach() {
+            if let Some((radius, knobs)) = around.room(at, star.half_sector()) {
+                return Some(Self { tip, ray, at, radius, knobs });
+            }
+            at += step;
+        }
+        None
+    }
+
+    /// The tip's edge and that of the remainder of `edge`; `None` if they do not meet as they should.
+    pub(super) fn split(&self, edge: &Path) -> Option<(Path, Path)> {
+        let there = Isometry::rotation(-self.ray).path(edge);
+        let chord = chord(&there, self.at)?;
+        let (total, (_, from), (_, to)) = (there.length(), chord.low, chord.high);
+        let beyond = if to > from { to } else { to + total };
+        let tip = there.part(from, beyond).then(self.line(&chord, PLAY).reversed());
+        let rest = there.part(beyond, from + total).then(self.line(&chord, 0.0));
+        let back = Isometry::rotation(self.ray);
+        Some((back.path(&Path { closed: true, ..tip }), back.path(&Path { closed: true, ..rest })))
+    }
+
+    /// The joint across `edge`, as the middle has it.
+    pub(super) fn joint(&self, edge: &Path) -> Option<Path> {
+        let there = Isometry::rotation(-self.ray).path(edge);
+        let chord = chord(&there, self.at)?;
+        Some(Isometry::rotation(self.ray).path(&self.line(&chord, 0.0)))
+    }
+
+    /// From the low end to the high one, around the knobs at a distance of `play`.
+    fn line(&self, chord: &Chord, play: f64) -> Path {
+        let radius = self.radius + play;
+        let neck = (radius.powi(2) - (self.radius / 2.0).powi(2)).sqrt();
+        let half = PI - libm::acos(self.radius / 2.0 / radius);
+        let mut segments: Vec<Segment> = Vec::new();
+        let mut here = Point::new(self.at, chord.low.0);
+        for y in &self.knobs {
+            let foot = Point::new(self.at, y - neck);
+            segments.push(Line::new(here, foot).into());
+            segments.push(Arc::new(self.center(*y), radius, -half, 2.0 * half).into());
+            here = Point::new(self.at, y + neck);
+        }
+        segments.push(Line::new(here, Point::new(self.at, chord.high.0)).into());
+        Path::open(segments)
+    }
+
+    fn center(&self, y: f64) -> Point {
+        Point::new(self.at + self.radius / 2.0, y)
+    }
+}
+
+impl Around {
+    /// Radius and places of the knobs for which a joint at `at` has room; `None` if it has none.
+    fn room(&self, at: f64, half_sector: f64) -> Option<(f64, Vec<f64>)> {
+        let Chord { low: (low, _), high: (high, _) } = chord(&self.plate, at)?;
+        let in_sector = |y: f64| {
+            let end = Point::new(at, y);
+            end.angle().abs() + NOTCH / end.distance(Point::ORIGIN) < half_sector
+        };
+        let hits = |(hole, radius): &(Point, f64)| {
+            (low..high).contains(&hole.y) && (hole.x - at).abs() < radius + WALL
+        };
+        if !in_sector(low) || !in_sector(high) || self.holes.iter().any(hits) {
+            return None;
+        }
+        let (middle, quarter) = (f64::midpoint(low, high), (high - low) / 4.0);
+        let free = |radius: f64, y: f64| {
+            let center = Point::new(at + radius / 2.0, y);
+            let clear = |(hole, r): &(Point, f64)| hole.distance(center) >= radius + r + WALL;
+            self.plate.distance(center) >= radius + WALL && self.holes.iter().all(clear)
+        };
+        let radii = RADII.into_iter().filter(|radius| *radius <= self.most);
+        let two = radii.clone().filter(|radius| quarter >= radius + WALL);
+        let two = two.map(|radius| (radius, vec![middle - quarter, middle + quarter]));
+        let one = radii.map(|radius| (radius, vec![middle]));
+        two.chain(one).find(|(radius, places)| places.iter().all(|y| free(*radius, *y)))
+    }
+}
+
+/// The height of a crossing, and how far along the path it lies.
+type Crossing = (f64, f64);
+
+/// The part of the line x = `at` around the X axis that lies within the closed `path`.
+fn chord(path: &Path, at: f64) -> Option<Chord> {
+    let far = path.furthest(Point::ORIGIN) + 1.0;
+    let line = Line::new(Point::new(at, -far), Point::new(at, far)).into();
+    let (mut low, mut high) = (None::<Crossing>, None::<Crossing>);
+    let mut before = 0.0;
+    for segment in &path.segments {
+        for meet in intersections(segment, &line) {
+            let end = (meet.y, before + segment.nearest_fraction(meet) * segment.length());
+            if meet.y < 0.0 && low.is_none_or(|known| known.0 < meet.y) {
+                low = Some(end);
+            }
+            if meet.y > 0.0 && high.is_none_or(|known| known.0 > meet.y) {
+                high = Some(end);
+            }
+        }
+        before += segment.length();
+    }
+    let inside = path.encloses(Point::ORIGIN + Vec2::new(at, 0.0));
+    low.zip(high).filter(|_| inside).map(|(low, high)| Chord { low, high })
+}

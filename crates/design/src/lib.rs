@@ -1,0 +1,67 @@
+//! From a valid spec to the exact geometry of everything that is sealed and cut.
+//!
+//! A [`Star`] is the flat geometry with its hinges; a [`Contour`] is a curve at a constant distance
+//! from the tube's edge; an [`Outline`] is the cut. A [`StarDesign`] makes a sealed shape of them and holds all of one star in the star's own frame (axis at the origin,
+//! corner 1 on +X); a [`Design`] places stars on sheets, and a [`Drawing`] is what lies on one sheet, layer by layer.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))] // the last digits of std differ between systems (clippy.toml)
+
+mod assembly;
+mod code;
+mod contour;
+mod cut;
+mod drawing;
+mod drawn;
+mod engraving;
+mod flat;
+mod frame;
+mod inlet;
+mod joint;
+mod label;
+mod lettering;
+mod mask;
+mod object;
+mod offset;
+mod outline;
+mod overview;
+mod paper;
+mod part;
+mod pieces;
+mod placement;
+mod refusal;
+mod registration;
+mod sheet;
+mod solid;
+mod stack;
+mod star;
+mod star_fault;
+mod star_seam;
+mod tube;
+mod window;
+
+pub use assembly::StarAssembly;
+pub use code::RefusalCode;
+pub use contour::{Contour, Part, Side};
+pub use cut::{CutEdge, CutLines};
+pub use drawing::{Drawing, Layer, Origin, Shape};
+pub use drawn::{
+    DrawnCut, DrawnLabels, DrawnPiece, DrawnSeparator, LayerProposal, drawing_notes, figures, propose_layers,
+};
+pub use engraving::engraved_depth;
+pub use flat::{FlatPiece, PieceCut};
+pub use frame::{Frame, Plate, shut_reach};
+pub use inlet::Channel;
+pub use lettering::lettered;
+pub use mask::{COATING_ASSUMES, MaskPlate};
+pub use object::{Meeting, Object, does_not_enter, room};
+pub use outline::{Circle, Outline, cut_area};
+pub use paper::{Page as PaperPage, Paper};
+pub use part::{Realised, SHEETS, StarDesign, realised_radius};
+pub use pieces::{Piece, Pieces};
+pub use placement::{PlacedPart, SheetLayout};
+pub use refusal::{Refusal, Refusals, Warning};
+pub use sheet::{Design, Product};
+pub use stack::{Stack, inflated_height, least_pitch, pitch_for};
+pub use star::Star;
+pub use star_fault::arm_length;
+pub use star_seam::MOUTH_OVERRUN;
+pub use tube::{round_tube, tube_height};

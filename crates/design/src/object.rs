@@ -1,0 +1,255 @@
+//! The contact of a stack's stars with the object, and the part of the object that must pass their holes. Lengths in mm.
+//!
+//! The object is on the gripper's axis with its middle at the middle of the stack: half way between the lowest and the highest
+//! star. A **ball** of diameter d and height h is the ellipsoid of revolution, r(z) = d/2 sqrt(1 - (2 z / h)^2).
+
+use crate::{Refusal, RefusalCode, Star, Warning};
+use spec::units::{Least, Length, Most, Readable};
+use spec::{Load, ObjectShape, Seal, Spec, key};
+
+/// Room that is left around an object before it is gripped: this part of its radius, and at least [`LEAST_ROOM`].
+const ROOM: f64 = 0.05;
+/// See [`ROOM`], mm.
+const LEAST_ROOM: f64 = 2.0;
+/// A gap below this part of [`room`] is a warning: hand and gripper must be aligned that exactly.
+const TIGHT: f64 = 0.5;
+
+/// The room around an object of `radius`, mm, with which it enters without exact alignment.
+pub fn room(radius: Length) -> Length {
+    Length((ROOM * radius.0).max(LEAST_ROOM))
+}
+
+/// A round object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Object {
+    radius: f64,
+    height: f64,
+    shape: ObjectShape,
+}
+
+/// The contact of one star with the object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meeting {
+    /// Radius of the object at the star's height; 0 where the star passes above or below it.
+    pub radius: f64,
+    /// Radius of the part that must pass the star's hole until the object is in its place.
+    pub entering: f64,
+}
+
+impl Object {
+    /// The object of `load`: a ball unless another shape is given, as tall as wide unless a height is given. `None` without a size.
+    pub fn of(load: &Load) -> Option<Self> {
+        let radius = load.object_radius?.0;
+        let height = load.object_height.map_or(2.0 * radius, |height| height.0);
+        Some(Self { radius, height, shape: load.object_shape.unwrap_or(ObjectShape::Ball) })
+    }
+
+    /// The largest radius of the object of `load` if it is to have the radius `wanted` where it has `there` now, all in mm: one without a
+    /// height of its own grows in height, too.
+    pub fn widest_for(load: &Load, there: f64, wanted: f64) -> f64 {
+        let radius = load.object_radius.map_or(there, |radius| radius.0);
+        match load.object_height {
+            // r(z)^2 = R^2 - z^2, with the same z.
+            None => (radius * radius - there * there + wanted * wanted).max(0.0).sqrt(),
+            Some(_) if there > 0.0 => radius * wanted / there,
+            Some(_) => wanted,
+        }
+    }
+
+    /// Its height along the axis.
+    pub fn height(&self) -> Length {
+        Length(self.height)
+    }
+
+    /// Its radius `z` above its middle; 0 above and below it.
+    fn radius_at(&self, z: f64) -> f64 {
+        let part = 2.0 * z / self.height;
+        match self.shape {
+            _ if part.abs() > 1.0 => 0.0,
+            ObjectShape::Cylinder => self.radius,
+            ObjectShape::Ball => self.radius * (1.0 - part * part).sqrt(),
+        }
+    }
+
+    /// The contacts of stars at `heights`, rising, with holes of radii `holes`. The object enters from the end where more holes
+    /// let it pass; from below if both ends are equal.
+    pub fn meetings(&self, heights: &[f64], holes: &[f64]) -> Vec<Meeting> {
+        let middle = match (heights.first(), heights.last()) {
+            (Some(low), Some(high)) => 0.5 * (low + high),
+            _ => 0.0,
+        };
+        let from = |below: f64| -> Vec<Meeting> {
+            let meeting = |height: &f64| {
+                let z = height - middle;
+                let radius = self.radius_at(z);
+                // A star that it has to go through with its widest part, or only with its end.
+                Meeting { radius, entering: if below * z <= 0.0 { self.radius } else { radius } }
+            };
+            heights.iter().map(meeting).collect()
+        };
+        let passed =
+            |all: &[Meeting]| all.iter().zip(holes).filter(|(one, hole)| one.entering <= **hole).count();
+        let (below, above) = (from(1.0), from(-1.0));
+        if passed(&above) > passed(&below) { above } else { below }
+    }
+
+    /// The contacts of `count` equal stars `pitch` apart with a hole of radius `hole`, bottom first.
+    pub fn equal_meetings(&self, count: u32, pitch: f64, hole: f64) -> Vec<Meeting> {
+        let heights: Vec<f64> = (0..count).map(|i| f64::from(i) * pitch).collect();
+        self.meetings(&heights, &vec![hole; heights.len()])
+    }
+
+    /// The assumption about its shape between `stars` stars; `None` if there is none, or one star alone grips its middle.
+    pub fn assumed(load: &Load, stars: usize) -> Option<String> {
+        let own = Self::of(load).filter(|_| stars > 1)?;
+        let shape = own.shape.word();
+        match (load.object_height, load.object_shape) {
+            (Some(_), Some(_)) => None,
+            (Some(_), None) => Some(format!("assumed to be a {shape}: set object_shape")),
+            (None, Some(_)) => Some(format!("assumed to be {} tall: set object_height", own.height())),
+            (None, None) => Some(format!(
+                "assumed to be a {shape} {} tall: set object_height and object_shape",
+                own.height()
+            )),
+        }
+    }
+}
+
+impl Star {
+    /// Radius of the hole's cut edge, mm: band and flap lie between it and the tube. 0 if they close the hole.
+    pub fn hole(&self, seal: &Seal) -> f64 {
+        (self.rho_0 - seal.band.0 - seal.hole_allowance.0).max(0.0)
+    }
+}
+
+/// An object of radius `entering` that does not pass the hole of radius `hole` of a star of inner radius `inner`, which surely holds
+/// objects up to the radius `widest`; `None` if it holds none. All in mm.
+pub fn does_not_enter(spec: &Spec, (inner, hole): (f64, f64), entering: f64, widest: Option<f64>) -> Refusal {
+    let key = spec.load.as_ref().map_or(key::load::OBJECT_DIAMETER, Load::size_key);
+    let flap = inner - hole;
+    let ([across, rho, less], most) = ([2.0 * entering, inner, flap].map(Readable), Most(2.0 * hole));
+    let found = format!(
+        "the object is {across} mm across, the cut hole {most} mm (inner radius {rho} mm less {less} mm of \
+         band and flap): it does not enter"
+    );
+    let wanted = entering + room(Length(entering)).0 + flap;
+    let narrower = widest.map_or_else(String::new, |radius| {
+        format!("an object of at most {} mm across, or ", Most(2.0 * radius))
+    });
+    // An inner radius that lets it in is not enough where the inflated star opens less than its hole.
+    let larger = if widest.is_some_and(|radius| radius > hole - 1e-6) {
+        format!("an inner_radius of at least {} mm", Least(wanted))
+    } else {
+        "a larger inner_radius, with which the star also opens wider than the object".to_owned()
+    };
+    let remedy = format!("{narrower}{larger}");
+    Refusal::new(key, RefusalCode::ObjectTooWide, found, remedy)
+}
+
+/// The warning that an object which passes the hole of `star`, number `index`, has little room.
+pub(super) fn tight(spec: &Spec, index: usize, star: &Star, meeting: Meeting) -> Option<Warning> {
+    let (hole, entering) = (star.hole(&spec.seal), meeting.entering);
+    let (gap, wanted) = (hole - entering, room(Length(entering)).0);
+    (gap >= 0.0 && gap < TIGHT * wanted).then(|| {
+        let (room, across) = (Most(gap), Most(2.0 * hole));
+        let (wanted, inner) = (Readable(wanted), Least(star.rho_0 + wanted - gap));
+        Warning::new(
+            key::star::INNER_RADIUS.of_star(index),
+            RefusalCode::TightHole,
+            format!("{room} mm of room between the object and the cut hole of {across} mm across"),
+            format!(
+                "inner_radius of {inner} mm leaves {wanted} mm and needs no exact alignment; check that the star still \
+                 holds the object"
+            ),
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn object(radius: f64, height: Option<f64>, shape: Option<ObjectShape>) -> Object {
+        let load = Load {
+            object_radius: Some(Length(radius)),
+            object_height: height.map(Length),
+            object_shape: shape,
+            ..Load::default()
+        };
+        Object::of(&load).expect("a size")
+    }
+
+    fn radii(object: Object, heights: &[f64]) -> Vec<f64> {
+        object.meetings(heights, &vec![1e3; heights.len()]).iter().map(|one| one.radius).collect()
+    }
+
+    /// The stars of a stack meet the object that is proposed where they should.
+    #[test]
+    fn the_proposed_object_has_the_wanted_radius_at_the_star() {
+        let shapes = [None, Some(ObjectShape::Ball), Some(ObjectShape::Cylinder)];
+        for (height, shape) in [None, Some(150.0)].into_iter().flat_map(|h| shapes.map(|shape| (h, shape))) {
+            let load = |radius: f64| Load {
+                object_radius: Some(Length(radius)),
+                object_height: height.map(Length),
+                object_shape: shape,
+                ..Load::default()
+            };
+            let at = |load: &Load| Object::of(load).expect("a size").radius_at(20.0);
+            let now = load(60.0);
+            for wanted in [30.0, 55.0, 70.0] {
+                let found = at(&load(Object::widest_for(&now, at(&now), wanted)));
+                assert!((found - wanted).abs() < 1e-9, "{height:?} {shape:?} {wanted}: {found}");
+            }
+        }
+    }
+
+    /// A ball of 180 mm has a radius of 80.6 mm at 40 mm off its middle.
+    #[test]
+    fn a_ball_is_met_at_each_star_s_height() {
+        let found = radii(object(90.0, None, None), &[25.0, 65.0, 105.0]);
+        let off = 8100.0_f64 - 1600.0;
+        assert!((found[0] - off.sqrt()).abs() < 1e-12 && (found[0] - 80.62).abs() < 0.01, "{found:?}");
+        assert_eq!([found[1], found[2]], [90.0, found[0]]);
+        assert_eq!(radii(object(15.0, None, None), &[0.0, 40.0]), [0.0, 0.0]);
+        assert_eq!(radii(object(15.0, Some(100.0), Some(ObjectShape::Cylinder)), &[0.0, 40.0]), [15.0, 15.0]);
+        assert_eq!(
+            radii(object(15.0, None, Some(ObjectShape::Cylinder)), &[0.0, 40.0, 80.0]),
+            [0.0, 15.0, 0.0]
+        );
+    }
+
+    #[test]
+    fn one_star_alone_grips_the_middle_whatever_the_shape() {
+        for shape in [None, Some(ObjectShape::Ball), Some(ObjectShape::Cylinder)] {
+            let of = object(30.0, Some(1.0), shape).equal_meetings(1, 40.0, 50.0);
+            assert_eq!(of, [Meeting { radius: 30.0, entering: 30.0 }]);
+        }
+    }
+
+    #[test]
+    fn a_ball_enters_a_cone_of_stars_from_its_wide_end() {
+        let ball = object(50.0, None, None);
+        let entering = |holes: &[f64]| -> Vec<f64> {
+            ball.meetings(&[0.0, 40.0], holes).iter().map(|one| one.entering).collect()
+        };
+        let end = 2100.0_f64.sqrt();
+        assert_eq!(entering(&[55.0, 47.0]), [50.0, end]);
+        assert_eq!(entering(&[47.0, 55.0]), [end, 50.0]);
+    }
+
+    #[test]
+    fn what_is_assumed_is_named_where_it_matters() {
+        let load = |height: Option<f64>, shape| Load {
+            object_radius: Some(Length(90.0)),
+            object_height: height.map(Length),
+            object_shape: shape,
+            ..Load::default()
+        };
+        assert_eq!(Object::assumed(&load(None, None), 1), None);
+        let both = Object::assumed(&load(None, None), 2).expect("two stars");
+        assert!(both.contains("ball 180 mm tall"), "{both}");
+        assert!(Object::assumed(&load(Some(57.0), None), 2).is_some());
+        assert_eq!(Object::assumed(&load(Some(57.0), Some(ObjectShape::Ball)), 2), None);
+        assert_eq!(Object::assumed(&Load::default(), 2), None);
+    }
+}

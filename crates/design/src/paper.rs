@@ -1,0 +1,337 @@
+//! Paper: a drawing at 1:1 on one large page, or on pages of a printer's size to be taped together.
+//!
+//! On tiles neighbouring pages show a strip of the same drawing, the **overlap**; in its middle both carry the same
+//! **registration crosses**. Cut one page along its crop marks, lay cross on cross, tape. Every page has its name
+//! (row, column; the top row is A), its paper, a ruler of 100 mm and a check square of 20 mm to be measured before anything is
+//! cut. The first page is an overview of all others; tiles on which nothing of the part lies are left out.
+
+use serde::{Deserialize, Serialize};
+
+use crate::{Drawing, Layer, Origin, Shape, lettering};
+use geom::{Bounds, Isometry, Path, Point, Vec2, path_intersections};
+
+/// Strip along the border that printers leave white, mm: 3 to 6 mm are common, some inkjets need half an inch at the bottom,
+/// and a page may go in either way up.
+const WHITE: f64 = 12.7;
+/// From the white strip to the window, mm: room for crop marks.
+const MARKS: f64 = 4.0;
+/// Height of the strip with ruler, square and name, mm.
+const FOOT: f64 = 28.0;
+/// Overlap of neighbouring tiles, mm: room for tape and for the crosses.
+const OVERLAP: f64 = 10.0;
+/// Least width of a large page: ruler, square and name side by side.
+const LEAST_WIDTH: f64 = 215.0;
+/// Most tiles that are written: more than a hundred pages are not taped together.
+const MOST_TILES: f64 = 100.0;
+
+/// Largest page, mm: beyond it a PDF's single precision cannot express 0.001 mm, and no plotter has such paper.
+const LARGEST: f64 = 10_000.0;
+
+/// A size of paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Paper {
+    /// One page as large as the drawing needs.
+    Large,
+    /// Tiles on A4, 210 x 297 mm.
+    A4,
+    /// Tiles on US Letter, 215.9 x 279.4 mm.
+    Letter,
+}
+
+/// One page at 1:1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Page {
+    /// "A1" for row A, column 1; rows count from the top. "OVERVIEW" for the first of several.
+    pub name: String,
+    /// The part of the page on which the drawing shows; marks may be outside.
+    pub window: Bounds,
+    /// The shapes on it, in mm from its lower left corner. Shapes run on outside the window, where they are clipped.
+    pub drawing: Drawing,
+}
+
+impl Paper {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Large, Self::A4, Self::Letter];
+
+    /// Its name in file names and in the manifest; the large page has none.
+    pub fn name(self) -> Option<&'static str> {
+        match self {
+            Self::Large => None,
+            Self::A4 => Some("a4"),
+            Self::Letter => Some("letter"),
+        }
+    }
+
+    /// What a drawing would need on it that is not written.
+    pub fn excess(self) -> String {
+        match self {
+            Self::Large => format!("a page of more than {} m", LARGEST / 1000.0),
+            Self::A4 | Self::Letter => format!("more than {MOST_TILES} pages"),
+        }
+    }
+
+    /// Whether `drawing` can be printed on it: on at most 100 tiles, and on no page larger than 10 m.
+    pub fn takes(self, drawing: &Drawing) -> bool {
+        let cut = self.cut(drawing);
+        cut.columns * cut.rows <= MOST_TILES && cut.width.max(cut.height) <= LARGEST
+    }
+
+    /// The pages on which `drawing` is printed, row by row from the upper left; `caption` names it on every page. Where they are
+    /// several, an overview comes first.
+    ///
+    /// Empty if it cannot be printed, see [`Paper::takes`].
+    pub fn pages(self, drawing: &Drawing, caption: &str) -> Vec<Page> {
+        if !self.takes(drawing) {
+            return Vec::new();
+        }
+        let grid = TileGrid { caption, ..self.cut(drawing) };
+        let tiles = grid.tiles(drawing);
+        let grid = TileGrid { alone: tiles.len() == 1, ..grid };
+        let overview = (tiles.len() > 1).then(|| grid.overview(drawing, &tiles));
+        overview.into_iter().chain(tiles.iter().map(|tile| grid.page(drawing, tile))).collect()
+    }
+
+    /// The pages of `drawing` without a caption.
+    fn cut(self, drawing: &Drawing) -> TileGrid<'static> {
+        let (width, height) = match self {
+            Self::Large => {
+                let beside = 2.0 * (WHITE + MARKS);
+                ((drawing.width + beside).max(LEAST_WIDTH), drawing.height + beside - MARKS + FOOT)
+            }
+            Self::A4 => (210.0, 297.0),
+            Self::Letter => (215.9, 279.4),
+        };
+        let beside = WHITE + MARKS;
+        let corner = Point::new(beside, WHITE + FOOT);
+        let window = Bounds { min: corner, max: Point::new(width - beside, height - beside) };
+        let steps = Vec2::new(window.width() - OVERLAP, window.height() - OVERLAP);
+        let count = |extent: f64, step: f64| ((extent - OVERLAP) / step - 1e-9).ceil().max(1.0);
+        let (columns, rows) = match self {
+            Self::Large => (1.0, 1.0),
+            _ => (count(drawing.width, steps.x), count(drawing.height, steps.y)),
+        };
+        TileGrid { paper: self, width, height, window, steps, columns, rows, alone: false, caption: "" }
+    }
+}
+
+/// The division of a drawing into pages.
+pub(super) struct TileGrid<'a> {
+    paper: Paper,
+    pub(super) width: f64,
+    pub(super) height: f64,
+    pub(super) window: Bounds,
+    steps: Vec2,
+    columns: f64,
+    rows: f64,
+    /// Whether only one of its tiles is a page: the others are empty.
+    alone: bool,
+    pub(super) caption: &'a str,
+}
+
+/// One page of a grid.
+pub(super) struct Tile {
+    /// "A1"
+    pub(super) name: String,
+    /// The part of the drawing that it shows.
+    pub(super) shown: Bounds,
+    /// The part that only it shows, to the middle of every overlap.
+    pub(super) own: Bounds,
+}
+
+impl TileGrid<'_> {
+    /// The tiles on which something of the part lies, top row first.
+    fn tiles(&self, drawing: &Drawing) -> Vec<Tile> {
+        let mut tiles = Vec::new();
+        let (mut row, mut letter) = (self.rows - 1.0, 'A');
+        while row >= 0.0 {
+            let mut column = 0.0;
+            while column < self.columns {
+                let shift = Vec2::new(column * self.steps.x, row * self.steps.y);
+                let min = drawing.corner() + shift;
+                let shown = Bounds { min, max: min + (self.window.max - self.window.min) };
+                let inner = |is: bool| if is { OVERLAP / 2.0 } else { 0.0 };
+                let low = Vec2::new(inner(column > 0.0), inner(row > 0.0));
+                let high = Vec2::new(inner(column + 1.0 < self.columns), inner(row + 1.0 < self.rows));
+                let own = Bounds { min: shown.min + low, max: shown.max - high };
+                if holds(drawing, &own) {
+                    tiles.push(Tile { name: format!("{letter}{}", column + 1.0), shown, own });
+                }
+                column += 1.0;
+            }
+            row -= 1.0;
+            letter = char::from_u32(u32::from(letter) + 1).unwrap_or('Z');
+        }
+        tiles
+    }
+
+    fn page(&self, drawing: &Drawing, tile: &Tile) -> Page {
+        let motion = Isometry::translation(self.window.min - tile.shown.min);
+        let mut layers: Vec<(Layer, Vec<Shape>)> = drawing
+            .layers
+            .iter()
+            .map(|(layer, shapes)| {
+                let moved = shapes.iter().map(|shape| shape.moved(&motion));
+                (*layer, moved.filter_map(|shape| shape.shown(&self.window)).collect())
+            })
+            .collect();
+        layers.push((Layer::PaperMark, vec![Shape::Figure(self.marks(&tile.name))]));
+        self.with(&tile.name, layers)
+    }
+
+    /// A page of this paper.
+    pub(super) fn with(&self, name: &str, layers: Vec<(Layer, Vec<Shape>)>) -> Page {
+        let (width, height) = (self.width, self.height);
+        Page {
+            name: name.to_owned(),
+            window: self.window,
+            drawing: Drawing { origin: Origin::LowerLeft, width, height, layers },
+        }
+    }
+
+    /// The name of the paper on its pages.
+    pub(super) fn paper_name(&self) -> String {
+        self.paper.name().map_or("ONE LARGE PAGE".to_owned(), str::to_uppercase)
+    }
+
+    fn marks(&self, name: &str) -> Vec<Path> {
+        let mut out = Vec::new();
+        let w = &self.window;
+        let corners = [
+            (w.min, Vec2::new(1.0, 1.0)),
+            (Point::new(w.max.x, w.min.y), Vec2::new(-1.0, 1.0)),
+            (w.max, Vec2::new(-1.0, -1.0)),
+            (Point::new(w.min.x, w.max.y), Vec2::new(1.0, -1.0)),
+        ];
+        for (corner, inwards) in corners {
+            // A millimetre clear of the window.
+            let (x, y) = (Vec2::new(inwards.x, 0.0), Vec2::new(0.0, inwards.y));
+            out.push(Path::through(&[corner - x * 1.0, corner - x * MARKS]));
+            out.push(Path::through(&[corner - y * 1.0, corner - y * MARKS]));
+            if self.columns * self.rows > 1.0 && !self.alone {
+                let middle = corner + inwards * (OVERLAP / 2.0);
+                for arm in [Vec2::new(3.0, 0.0), Vec2::new(0.0, 3.0)] {
+                    out.push(Path::through(&[middle - arm, middle + arm]));
+                }
+            }
+        }
+        self.foot(name, &mut out);
+        out
+    }
+
+    /// Ruler, check square and name.
+    fn foot(&self, name: &str, out: &mut Vec<Path>) {
+        out.push(Path::through(&[at(0.0, 2.0), at(100.0, 2.0)]));
+        for centimetre in 0_u32..=10 {
+            let x = 10.0 * f64::from(centimetre);
+            let tall = if centimetre.is_multiple_of(5) { 5.0 } else { 3.0 };
+            out.push(Path::through(&[at(x, 2.0), at(x, 2.0 + tall)]));
+        }
+        out.extend(lettering::lettered("100 MM", at(76.0, 6.0), 2.5));
+        out.push(Path::rectangle(&Bounds { min: at(110.0, 0.0), max: at(130.0, 20.0) }));
+        out.extend(lettering::lettered("20 MM", at(112.5, 9.0), 2.5));
+        let (columns, rows, paper) = (self.columns, self.rows, self.paper_name());
+        let page = match self.paper {
+            Paper::Large => paper,
+            _ if self.alone => format!("ONE PAGE ON {paper}"),
+            _ => format!("PAGE {name} OF {rows} X {columns} ON {paper}"),
+        };
+        out.extend(lettering::lettered(&page, at(0.0, 14.0), 3.0));
+        out.extend(lettering::lettered(self.caption, at(0.0, 20.0), 3.0));
+        out.extend(lettering::lettered("PRINT AT 100 PER CENT", at(134.0, 9.0), 2.0));
+    }
+}
+
+/// A point of the foot, from the lower left corner of the area that every printer prints.
+pub(super) fn at(x: f64, y: f64) -> Point {
+    Point::new(WHITE + x, WHITE + y)
+}
+
+/// Whether a line of the part crosses `cell`, or the part fills it. Every closed path except labels is an edge of it.
+fn holds(drawing: &Drawing, cell: &Bounds) -> bool {
+    let frame = Path::rectangle(cell);
+    let mut around = 0;
+    for (_, shapes) in drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label) {
+        for path in shapes.iter().flat_map(|shape| shape.paths().into_owned()) {
+            let starts_inside = path.start().is_some_and(|start| cell.contains(start));
+            if starts_inside || !path_intersections(&path, &frame).is_empty() {
+                return true;
+            }
+            around += usize::from(path.closed && path.encloses(cell.center()));
+        }
+    }
+    !around.is_multiple_of(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    /// A ring on paper much smaller than it.
+    fn ring() -> Drawing {
+        let circle = |radius: f64| Shape::Circle { center: Point::ORIGIN, radius };
+        let layers =
+            vec![(Layer::FrameOpening, vec![circle(300.0)]), (Layer::FrameEdge, vec![circle(420.0)])];
+        Drawing { origin: Origin::Axis(Point::new(-421.0, -421.0)), width: 842.0, height: 842.0, layers }
+    }
+
+    #[test]
+    fn no_line_is_lost_with_the_pages_that_are_left_out() {
+        let drawing = ring();
+        for paper in [Paper::A4, Paper::Letter] {
+            let grid = paper.cut(&drawing);
+            let tiles = grid.tiles(&drawing);
+            let all = grid.columns * grid.rows;
+            let count = f64::from(u32::try_from(tiles.len()).expect("few"));
+            assert!(count < all, "{paper:?}: {count} of {all}");
+            for i in 0..3600 {
+                let direction = TAU * f64::from(i) / 3600.0;
+                for radius in [300.0, 420.0] {
+                    let p = Point::polar(radius, direction);
+                    let shown = tiles.iter().filter(|tile| tile.own.contains(p)).count();
+                    assert!(shown >= 1 && tiles.iter().any(|tile| tile.shown.contains(p)), "{paper:?} {p:?}");
+                }
+            }
+            // The axis lies in the opening, where there is nothing to print, unless its page shows some of the ring.
+            let around_axis = |tile: &&Tile| tile.own.contains(Point::ORIGIN);
+            assert!(tiles.iter().filter(around_axis).all(|tile| holds(&drawing, &tile.own)));
+        }
+    }
+
+    #[test]
+    fn several_pages_come_top_row_first_behind_their_overview() {
+        let pages = Paper::A4.pages(&ring(), "RING");
+        let names: Vec<&str> = pages.iter().map(|page| page.name.as_str()).collect();
+        assert_eq!(names[0], "OVERVIEW");
+        let mut sorted = names[1..].to_vec();
+        sorted.sort_unstable();
+        assert_eq!(names[1..], sorted);
+        // The axis is below the window of the first row, above that of the last.
+        let opening = |page: &Page| page.drawing.layers[0].1[0].bounds().center();
+        let with_opening = |page: &&Page| !page.drawing.layers[0].1.is_empty();
+        let first = pages[1..].iter().find(with_opening).expect("a page");
+        let last = pages[1..].iter().rev().find(with_opening).expect("a page");
+        assert!(opening(first).y < first.window.min.y && opening(last).y > last.window.max.y);
+        assert_eq!(Paper::Large.pages(&ring(), "RING").len(), 1);
+    }
+
+    #[test]
+    fn nothing_stands_where_printers_leave_white() {
+        for paper in Paper::ALL {
+            for page in paper.pages(&ring(), "FRAME PLATE 1") {
+                let (w, h) = (page.drawing.width, page.drawing.height);
+                let paper = Bounds { min: Point::ORIGIN, max: Point::new(w, h) };
+                let marks = page.drawing.layers.iter().filter(|(layer, _)| *layer == Layer::PaperMark);
+                for shape in marks.flat_map(|(_, shapes)| shapes) {
+                    let bounds = shape.bounds().union(page.window);
+                    let inside = paper.grown(-WHITE + 1e-9);
+                    assert!(
+                        inside.contains(bounds.min) && inside.contains(bounds.max),
+                        "{bounds:?} of {w} x {h}"
+                    );
+                }
+            }
+        }
+    }
+}

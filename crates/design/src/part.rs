@@ -1,0 +1,162 @@
+//! One distinct star with everything that is drawn of it, in the star's own frame.
+
+use crate::placement::footprint;
+use crate::star_seam::star_seam;
+use crate::{Channel, CutLines, MaskPlate, Outline, Pieces, Refusal, Refusals, Side, Star};
+use geom::{Bounds, Path};
+use sealed::{Port, SealedShape};
+use spec::units::Length;
+use spec::{Spec, StarSpec};
+
+/// A star with its seams and its cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StarDesign {
+    /// The flat geometry.
+    pub star: Star,
+    /// The inlet; `None` if the tube is closed all around.
+    pub channel: Option<Channel>,
+    /// The tube's edges as drawn, towards the hole and outside (that one open where the inlet is).
+    pub edges: [Path; 2],
+    /// The tube's edges as a round iron makes them: no concave hinge sharper than half a band.
+    pub realised_edges: [Path; 2],
+    /// The sealed shape: the inner loop, then the outer loop.
+    pub shape: SealedShape,
+    /// The cut.
+    pub outline: Outline,
+    /// The coating mask.
+    pub mask: MaskPlate,
+    /// The paths of the tool that cuts both.
+    pub cut: CutLines,
+    /// The pieces in which the mask is printed.
+    pub pieces: Pieces,
+}
+
+/// The radius that the band makes of a hinge, and the cusp that it leaves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Realised {
+    /// max(R, w/2).
+    pub radius: f64,
+    /// From the hinge's edge as drawn to the band's edge, along the hinge's ray: the part that stays unsealed.
+    pub cusp: f64,
+}
+
+impl StarDesign {
+    /// `star` of `spec` with the inner radius of curvature `radius` at tips and corners; `None` if it cannot be made, or its arms would fall
+    /// through the plates that it needs.
+    pub fn with_radii(spec: &Spec, star: &Star, radius: Length) -> Option<Star> {
+        let round = StarSpec { tip_radius: radius, corner_radius: radius, ..star.spec() };
+        let Self { star, .. } = Self::new(spec, &round).ok()?;
+        star.lies_on(star.rho_0 + spec.frame.clearance.0).then_some(star)
+    }
+
+    /// The design of one star of `spec`.
+    ///
+    /// # Errors
+    /// Every reason for which it cannot be made, each once.
+    pub fn new(spec: &Spec, star_spec: &StarSpec) -> Result<Self, Refusals> {
+        let seal = &spec.seal;
+        let star = Star::for_band(star_spec, seal.band)?;
+        let half_band = seal.band.0 / 2.0;
+        let channel = spec.inlet.as_ref().map(|inlet| Channel::new(&star, inlet, star_spec.inlet_tip));
+        let mut refusals = Refusals::new();
+        let inner = refusals.keep(star_seam(&star, Side::Hole, None, seal));
+        // Before the outer seam: the cut lies farther out, so its limits for the inlet are the stricter ones.
+        let hole_diameter = spec.sheet.hole_diameter.0;
+        let outline =
+            refusals.keep(Outline::new(&star, channel.as_ref(), star_spec.inlet_tip, seal, hole_diameter));
+        let outer = refusals.keep(star_seam(&star, Side::Outside, channel.as_ref(), seal));
+        let drawn = refusals.keep(edges(&star, channel.as_ref(), 0.0));
+        let realised = refusals.keep(edges(&star, channel.as_ref(), half_band));
+        let mask = outline
+            .as_ref()
+            .and_then(|outline| refusals.keep(MaskPlate::new(spec, star_spec, &star, outline)));
+        let (cut, pieces) = outline.as_ref().zip(mask.as_ref()).map_or((None, None), |(outline, mask)| {
+            let cut = refusals.keep(CutLines::new(spec.cut.kerf.0, &star, outline, mask));
+            (cut, refusals.keep(Pieces::new(&star, outline, mask, spec.mask.bed)))
+        });
+        match (inner.zip(outer), outline, drawn.zip(realised), mask, cut.zip(pieces)) {
+            (
+                Some((inner, outer)),
+                Some(outline),
+                Some((edges, realised_edges)),
+                Some(mask),
+                Some((cut, pieces)),
+            ) if refusals.is_empty() => {
+                let port = |channel: &Channel| Port {
+                    at: channel.mouth_center(&star),
+                    width: 2.0 * channel.half_width,
+                };
+                let shape = SealedShape {
+                    seams: vec![inner, outer],
+                    band: seal.band.0,
+                    cut: Some(outline.outside.clone()),
+                    ports: channel.iter().map(port).collect(),
+                };
+                Ok(Self { star, channel, edges, realised_edges, shape, outline, mask, cut, pieces })
+            }
+            _ => Err(refusals.each_once()),
+        }
+    }
+
+    /// The tips as the band realises them.
+    pub fn realised_tip(&self) -> Realised {
+        self.star.realised_tip(self.shape.band)
+    }
+
+    /// The reentrant corners as the band realises them.
+    pub fn realised_corner(&self) -> Realised {
+        self.star.realised_corner(self.shape.band)
+    }
+
+    /// Fabric of the star, both sheets, mm^2: the area inside the cut, registration holes included.
+    pub fn fabric(&self) -> f64 {
+        SHEETS * self.outline.area()
+    }
+
+    /// The box that the part needs on the sheet: its cut, and the bands with ramps of length `ramp`.
+    pub fn footprint(&self, ramp: f64) -> Bounds {
+        footprint(&self.shape, &self.cut.outside, ramp)
+    }
+
+    /// Radius of the largest circle around the axis that the hole-side flap leaves free.
+    pub fn clear_radius(&self) -> f64 {
+        self.outline.hole.distance(geom::Point::ORIGIN)
+    }
+}
+
+/// Sheets of fabric that one star is made of.
+pub const SHEETS: f64 = 2.0;
+
+impl Star {
+    /// The tips as a band of width `band` (mm) realises them.
+    pub fn realised_tip(&self, band: f64) -> Realised {
+        realised(self.r_i, self.phi_i, band)
+    }
+
+    /// The reentrant corners as a band of width `band` (mm) realises them.
+    pub fn realised_corner(&self, band: f64) -> Realised {
+        realised(self.r_e, self.phi_e, band)
+    }
+}
+
+/// Inner radius of curvature, mm, that a round iron makes of the drawn one `r`: at least half the band's width.
+pub fn realised_radius(r: f64, band: f64) -> f64 {
+    r.max(band / 2.0)
+}
+
+/// A round iron of radius w/2 leaves `(w/2 - R) (1/sin(phi/2) - 1)` of a sharper hinge unsealed.
+fn realised(r: f64, phi: f64, band: f64) -> Realised {
+    let lost = (band / 2.0 - r).max(0.0);
+    Realised { radius: realised_radius(r, band), cusp: lost * (1.0 / libm::sin(phi / 2.0) - 1.0) }
+}
+
+/// The tube's two edges, concave hinges and fillets at least `least_radius` round.
+fn edges(star: &Star, channel: Option<&Channel>, least_radius: f64) -> Result<[Path; 2], Refusal> {
+    let contour = |side| star.contour(side, 0.0, least_radius).unwrap_or_default();
+    let outside = contour(Side::Outside);
+    let outer = match channel {
+        Some(channel) => channel.open(star, &outside, 0.0, least_radius, 0.0)?,
+        None => outside.path(),
+    };
+    Ok([contour(Side::Hole).path(), outer])
+}

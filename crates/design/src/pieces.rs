@@ -1,0 +1,243 @@
+//! Pieces: a printed mask that is larger than the printer's bed, cut up.
+//!
+//! All windows stay together in the **middle**, so no joint is near one and none can be out of place. As few **tips** as possible
+//! are cut off, each by a **joint** straight across its ray, behind the windows. The middle has **knobs** on the joint, which
+//! lock into sockets of the tip like a jigsaw puzzle's; the straight parts lie against each other and position the tip. The
+//! registration holes come with the tips and the middle that they lie in.
+
+use crate::engraving::Spot;
+use crate::joint::{JointCut, RADII, WALL};
+use crate::{MaskPlate, Outline, Refusal, RefusalCode, Star};
+use geom::{Bounds, Isometry, Path, Point, Vec2};
+use spec::units::{Length, Readable, tenths_up};
+use spec::{Bed, key};
+
+/// The pieces in which the mask of one star is printed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pieces {
+    /// The whole plate if there is one, else the middle and then tips, counterclockwise.
+    pub list: Vec<Piece>,
+    /// The joints, open, in the star's frame.
+    pub joints: Vec<Path>,
+}
+
+/// One piece of a printed mask.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// Its edge in the star's frame, closed and counterclockwise.
+    pub edge: Path,
+    /// The tip that was cut off; `None` for the middle and the whole.
+    pub tip: Option<u32>,
+    /// Its rotation about the axis to lie on the bed, rad.
+    pub turn: f64,
+    /// Its extent on the bed, mm.
+    pub size: [f64; 2],
+}
+
+/// The best pose of a path on a bed.
+struct Lie {
+    turn: f64,
+    size: [f64; 2],
+    /// Width of the free strip, mm; negative if it does not fit.
+    spare: f64,
+}
+
+impl Pieces {
+    /// The pieces of `mask`, whose star is `star`, for a printer with this `bed`; the whole without a `bed`.
+    ///
+    /// # Errors
+    /// If the middle with all windows is too large for the bed, or a tip is.
+    pub fn new(star: &Star, outline: &Outline, mask: &MaskPlate, bed: Option<Bed>) -> Result<Self, Refusal> {
+        let whole = |lie: Lie| Self {
+            list: vec![Piece { edge: mask.plate.clone(), tip: None, turn: lie.turn, size: lie.size }],
+            joints: Vec::new(),
+        };
+        let Some(bed) = bed else {
+            let bounds = mask.plate.bounds();
+            return Ok(whole(Lie { turn: 0.0, size: [bounds.width(), bounds.height()], spare: 0.0 }));
+        };
+        let lie = lie(&mask.plate, bed);
+        if lie.spare >= 0.0 {
+            return Ok(whole(lie));
+        }
+        let tips = |most| (1..=star.n).filter_map(move |tip| JointCut::new(star, outline, mask, tip, most));
+        let cuts: Vec<Vec<JointCut>> = RADII.into_iter().map(|most| tips(most).collect()).collect();
+        Self::fitted(&cuts, mask, bed).map_err(|large| large.refusal(bed_for_all(&cuts, mask, bed)))
+    }
+
+    /// The pieces with the largest knobs with which all fit on `bed`, of the cuts with each largest radius.
+    fn fitted(cuts: &[Vec<JointCut>], mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
+        // Knobs take room, too: with smaller ones the middle may fit.
+        let mut large = TooLarge { what: "the plate", size: lie(&mask.plate, bed).size };
+        for cuts in cuts {
+            match Self::cut_up(cuts, mask, bed) {
+                Ok(pieces) => return Ok(pieces),
+                Err(found) => large = found,
+            }
+        }
+        Err(large)
+    }
+
+    fn cut_up(cuts: &[JointCut], mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
+        let mut core = mask.plate.clone();
+        let mut tips = Vec::new();
+        let too_large = |what, edge: &Path| TooLarge { what, size: lie(edge, bed).size };
+        for cut in cuts {
+            let Some((tip, rest)) = cut.split(&core) else {
+                return Err(too_large("a tip", &core));
+            };
+            core = rest;
+            tips.push(tip);
+        }
+        let (turn, kept) =
+            most_kept(&core, &tips, bed).ok_or_else(|| too_large("the middle with all windows", &core))?;
+        let mut pieces = Self { list: Vec::new(), joints: Vec::new() };
+        let mut middle = mask.plate.clone();
+        for ((cut, edge), _) in cuts.iter().zip(tips).zip(&kept).filter(|(_, kept)| !**kept) {
+            let lie = lie(&edge, bed);
+            if lie.spare < 0.0 {
+                return Err(TooLarge { what: "a tip", size: lie.size });
+            }
+            if let Some((_, rest)) = cut.split(&middle) {
+                middle = rest;
+            }
+            pieces.joints.extend(cut.joint(&mask.plate));
+            pieces.list.push(Piece { edge, tip: Some(cut.tip), turn: lie.turn, size: lie.size });
+        }
+        let bounds = Isometry::rotation(turn).path(&middle).bounds();
+        let size = [bounds.width(), bounds.height()];
+        pieces.list.insert(0, Piece { edge: middle, tip: None, turn, size });
+        Ok(pieces)
+    }
+
+    /// Whether the mask is more than one piece.
+    pub fn are_several(&self) -> bool {
+        self.list.len() > 1
+    }
+}
+
+impl Piece {
+    /// Its pose on the bed; mirrored, for the mask of the other face, all of it is a mirror image.
+    pub fn motion(&self, mirrored: bool) -> Isometry {
+        let sign = if mirrored { -1.0 } else { 1.0 };
+        Isometry { mirrored, ..Isometry::rotation(sign * self.turn) }
+    }
+
+    /// The largest disc for a text that keeps clear of the piece's edge and everything cut out of it: around the axis, or on
+    /// the ray of its tip.
+    pub(super) fn spot(&self, star: &Star, outline: &Outline, mask: &MaskPlate) -> Spot {
+        let free = |p: Point| {
+            let holes = outline.registration.iter().map(|hole| hole.center.distance(p) - hole.diameter / 2.0);
+            let windows = mask.windows.iter().map(|window| window.distance(p));
+            let inside = if self.edge.encloses(p) { self.edge.distance(p) } else { 0.0 };
+            holes.chain(windows).fold(inside, f64::min) - WALL
+        };
+        let Some(tip) = self.tip else {
+            return Spot { middle: Point::ORIGIN, up: Vec2::new(0.0, 1.0), radius: free(Point::ORIGIN) };
+        };
+        let ray = Vec2::unit(star.tip_ray(tip));
+        let on_ray = (0_u32..200).map(|i| Point::ORIGIN + ray * (star.tip_reach() * f64::from(i) / 200.0));
+        let spots = on_ray.map(|middle| Spot { middle, up: ray, radius: free(middle) });
+        spots.reduce(|a, b| if b.radius > a.radius + 1e-6 { b } else { a }).unwrap_or(Spot {
+            middle: Point::ORIGIN,
+            up: ray,
+            radius: 0.0,
+        })
+    }
+}
+
+/// Turns that are tried, rad: whole degrees up to half a turn, where a bed's rectangle begins again.
+fn turns() -> impl Iterator<Item = f64> {
+    (0_u32..180).map(|degrees| f64::from(degrees).to_radians())
+}
+
+/// Free room on the bed beside something of this extent, mm.
+fn spare(bounds: &Bounds, bed: Bed) -> f64 {
+    (bed.width.0 - bounds.width()).min(bed.depth.0 - bounds.height())
+}
+
+/// The turn at which `path` leaves most of the bed free; of equal ones the first.
+fn lie(path: &Path, bed: Bed) -> Lie {
+    let mut best: Option<Lie> = None;
+    for turn in turns() {
+        let bounds = Isometry::rotation(turn).path(path).bounds();
+        let spare = spare(&bounds, bed);
+        if best.as_ref().is_none_or(|lie| spare > lie.spare + 1e-6) {
+            best = Some(Lie { turn, size: [bounds.width(), bounds.height()], spare });
+        }
+    }
+    best.unwrap_or(Lie { turn: 0.0, size: [0.0; 2], spare: f64::NEG_INFINITY })
+}
+
+/// The turn at which most tips can stay on the middle, and which; `None` if it does not even fit without any.
+fn most_kept(core: &Path, tips: &[Path], bed: Bed) -> Option<(f64, Vec<bool>)> {
+    let mut best: Option<(usize, f64, f64, Vec<bool>)> = None;
+    for turn in turns() {
+        let motion = Isometry::rotation(turn);
+        let mut bounds = motion.path(core).bounds();
+        if spare(&bounds, bed) < 0.0 {
+            continue;
+        }
+        let kept: Vec<bool> = tips
+            .iter()
+            .map(|tip| {
+                let both = bounds.union(motion.path(tip).bounds());
+                let fits = spare(&both, bed) >= 0.0;
+                if fits {
+                    bounds = both;
+                }
+                fits
+            })
+            .collect();
+        let (count, free) = (kept.iter().filter(|kept| **kept).count(), spare(&bounds, bed));
+        let is_better = |(most, widest, ..): &(usize, f64, f64, Vec<bool>)| {
+            count > *most || count == *most && free > *widest + 1e-6
+        };
+        if best.as_ref().is_none_or(is_better) {
+            best = Some((count, free, turn, kept));
+        }
+    }
+    best.map(|(_, _, turn, kept)| (turn, kept))
+}
+
+/// A piece that is larger than the bed.
+struct TooLarge {
+    what: &'static str,
+    /// Its extent where it is least too large, mm.
+    size: [f64; 2],
+}
+
+impl TooLarge {
+    /// The refusal of the bed, on which `enough` would have room for all pieces.
+    fn refusal(&self, enough: Bed) -> Refusal {
+        let [w, h] = self.size.map(|side| Readable(tenths_up(side)));
+        let [width, depth] = [enough.width, enough.depth].map(|side| Readable(side.0));
+        let found = format!("{} of a mask takes {w} x {h} mm, in any orientation", self.what);
+        let remedy = format!(
+            "bed must be at least \"{width} mm x {depth} mm\" for all pieces; without bed the mask is written whole, \
+             to be cut from its drawings"
+        );
+        Refusal::new(key::mask::BED, RefusalCode::SmallBed, found, remedy)
+    }
+}
+
+/// A bed on which all pieces fit: `bed`, grown by each piece that is too large for it until none is, or the whole plate fits.
+fn bed_for_all(cuts: &[Vec<JointCut>], mask: &MaskPlate, bed: Bed) -> Bed {
+    let mut bed = bed;
+    loop {
+        let whole = lie(&mask.plate, bed);
+        if whole.spare >= 0.0 {
+            return bed;
+        }
+        let Err(TooLarge { size, .. }) = Pieces::fitted(cuts, mask, bed) else { return bed };
+        let larger = grown(bed, size);
+        // A plate that no joint cuts must fit as a whole, whatever rounding takes.
+        bed = if larger == bed { grown(bed, whole.size.map(|side| side + 0.1)) } else { larger };
+    }
+}
+
+/// `bed`, where its sides are shorter as long as `size`, in tenths of a millimetre.
+fn grown(bed: Bed, size: [f64; 2]) -> Bed {
+    let [width, depth] = size.map(tenths_up);
+    Bed { width: Length(bed.width.0.max(width)), depth: Length(bed.depth.0.max(depth)) }
+}

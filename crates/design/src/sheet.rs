@@ -1,0 +1,115 @@
+//! Sheets: the whole design, its pieces placed side by side on fabric.
+
+use crate::placement::SheetLayout;
+use crate::{DrawnPiece, FlatPiece, PlacedPart, Refusals, StarAssembly, Warning};
+use geom::Point;
+use sealed::PlacedPiece;
+use spec::{Machine, Spec};
+
+/// Everything that is made, exactly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Design {
+    /// The pieces, and the data that only their product has.
+    pub product: Product,
+    /// The sheets.
+    pub sheets: Vec<SheetLayout>,
+    /// The warnings before it is made.
+    pub warnings: Vec<Warning>,
+}
+
+/// The product of a spec.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Product {
+    /// A gripper of stars.
+    Stars(Box<StarAssembly>),
+    /// Pieces that are all alike, by a person's own drawing.
+    Drawing(Box<DrawnPiece>),
+}
+
+impl Design {
+    /// The design of `spec` for `machine`.
+    ///
+    /// # Errors
+    /// Every reason for which a piece cannot be made or does not fit on a sheet.
+    pub fn new(spec: &Spec, machine: &Machine) -> Result<Self, Refusals> {
+        if let Some(drawing) = &spec.drawing {
+            let (piece, sheets, warnings) = DrawnPiece::new(spec, drawing, machine)?;
+            return Ok(Self { product: Product::Drawing(Box::new(piece)), sheets, warnings });
+        }
+        let (assembly, sheets, warnings) = StarAssembly::new(spec, machine)?;
+        Ok(Self { product: Product::Stars(Box::new(assembly)), sheets, warnings })
+    }
+
+    /// The stars with stack and frame; `None` for another product.
+    pub fn assembly(&self) -> Option<&StarAssembly> {
+        match &self.product {
+            Product::Stars(assembly) => Some(assembly),
+            Product::Drawing(_) => None,
+        }
+    }
+
+    /// The piece by a drawing; `None` for another product.
+    pub fn drawn(&self) -> Option<&DrawnPiece> {
+        match &self.product {
+            Product::Stars(_) => None,
+            Product::Drawing(piece) => Some(piece),
+        }
+    }
+
+    /// Every piece where it lies, by its number.
+    pub fn placed(&self) -> &[PlacedPart] {
+        match &self.product {
+            Product::Stars(assembly) => &assembly.stars,
+            Product::Drawing(piece) => &piece.copies,
+        }
+    }
+
+    /// The design of a placed piece.
+    pub fn part(&self, placed: &PlacedPart) -> FlatPiece<'_> {
+        match &self.product {
+            Product::Stars(assembly) => FlatPiece::Star(assembly.part(placed)),
+            Product::Drawing(piece) => FlatPiece::Drawn(piece),
+        }
+    }
+
+    /// `placed` as pieces, in their order.
+    pub fn pieces(&self, placed: &[&PlacedPart]) -> Vec<PlacedPiece<'_>> {
+        let piece = |placed: &&PlacedPart| PlacedPiece {
+            name: placed.name(),
+            shape: self.part(placed).shape(),
+            placement: placed.placement,
+        };
+        placed.iter().map(piece).collect()
+    }
+
+    /// The first piece of each distinct kind, in order.
+    pub fn firsts(&self) -> impl Iterator<Item = &PlacedPart> {
+        let placed = self.placed();
+        let is_first = |i: &usize| placed[..*i].iter().all(|other| other.distinct != placed[*i].distinct);
+        (0..placed.len()).filter(is_first).map(|i| &placed[i])
+    }
+
+    /// The pieces on sheet number `sheet`, beginning with the one nearest to the sheet's origin, then always the one
+    /// nearest to the one before; of equals the lowest.
+    pub fn nearest_first(&self, sheet: usize) -> Vec<&PlacedPart> {
+        let middle = |placed: &PlacedPart| placed.placement.point(self.part(placed).middle());
+        let mut left: Vec<(&PlacedPart, Point)> =
+            self.on_sheet(sheet).map(|placed| (placed, middle(placed))).collect();
+        let mut out = Vec::with_capacity(left.len());
+        let mut here = Point::ORIGIN;
+        while let Some(next) = (0..left.len())
+            // Rounding must not decide between pieces that are equally far away.
+            .reduce(|a, b| if left[b].1.distance(here) < left[a].1.distance(here) - 1e-6 { b } else { a })
+        {
+            let (placed, middle) = left.remove(next);
+            here = middle;
+            out.push(placed);
+        }
+        out
+    }
+
+    /// The pieces on sheet number `sheet`, in order.
+    pub fn on_sheet(&self, sheet: usize) -> impl Iterator<Item = &PlacedPart> {
+        self.placed().iter().filter(move |placed| placed.sheet == sheet)
+    }
+}

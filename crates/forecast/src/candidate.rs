@@ -1,0 +1,390 @@
+//! One design among many: the same closed forms as a prediction's, by the section's table, in a few microseconds.
+
+use crate::case::Case;
+use crate::model_selection::tabled;
+use crate::outcome::Outcome;
+use crate::prediction::distinct;
+use crate::ranges::{Interval, scaled, sum};
+use crate::seal_load::burst;
+use design::{Meeting, Object, Refusal, RefusalCode, SHEETS, Star, cut_area};
+use inflatable::mechanics::fault::{HingeFault, StarFault};
+use inflatable::mechanics::hinge::fit::Fit;
+use inflatable::mechanics::hinge::ring::RingTable;
+use spec::units::{Length, Pressure};
+use spec::{Code, Fabric, Inlet, Load, ModelChoice, Seal, Spec, StarSpec};
+use std::fmt;
+
+/// One gripper, in the spec's units: the values of a spec that determine its prediction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// The lowest star.
+    pub star: StarSpec,
+    /// All stars, bottom first, if they differ; empty if all are as the lowest. A search has equal stars only.
+    pub unequal: Vec<StarSpec>,
+    /// The fabric.
+    pub fabric: Fabric,
+    /// The seal.
+    pub seal: Seal,
+    /// The inlet.
+    pub inlet: Option<Inlet>,
+    /// Diameter of the registration holes.
+    pub hole_diameter: Length,
+    /// The load; values that the spec leaves out are `None`.
+    pub load: Load,
+    /// Number of stars.
+    pub stars: u32,
+    /// Thickness of the frame's plates, between which they lie.
+    pub plate: Length,
+    /// The model: `ring` and `fit` as limits, for all others `section`.
+    pub model: ModelChoice,
+}
+
+/// The predicted values of one design; `None` where an input is missing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Answer {
+    /// The flat star.
+    pub star: Star,
+    /// The inputs as the model uses them.
+    pub case: Case,
+    /// The outcome of the lowest star, with linear hinges; `None` without a pressure, or where `section` does not cover it.
+    pub outcome: Option<Outcome>,
+    /// The outcome of the star that meets the widest part of the object: the same where all stars meet the same radius.
+    pub grip: Option<Outcome>,
+    /// Pressure of full actuation.
+    pub operating_pressure: Pressure,
+    /// Burst pressure.
+    pub burst: Option<Pressure>,
+    /// Payload of the stack, kg.
+    pub payload: Option<f64>,
+    /// Range of the payload.
+    pub payload_range: Option<Interval>,
+    /// Fabric of one star, both sheets, mm^2; `None` if the star cannot be cut out as the spec requires.
+    pub fabric: Option<f64>,
+}
+
+/// Reason for a design without an answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RefusedDesign {
+    /// A code for scripts, such as "no-arm": one of docs/codes.md.
+    pub code: &'static str,
+    /// The found value, the allowed values, and the remedy.
+    pub text: String,
+}
+
+impl fmt::Display for RefusedDesign {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl std::error::Error for RefusedDesign {}
+
+impl From<Refusal> for RefusedDesign {
+    fn from(refusal: Refusal) -> Self {
+        Self { code: refusal.code.as_str(), text: refusal.to_string() }
+    }
+}
+
+impl From<StarFault> for RefusedDesign {
+    fn from(fault: StarFault) -> Self {
+        Self::unpredicted(fault.to_string())
+    }
+}
+
+impl RefusedDesign {
+    /// A design without a prediction.
+    pub(super) fn unpredicted(text: String) -> Self {
+        Self { code: RefusalCode::NoPrediction.as_str(), text }
+    }
+}
+
+impl Candidate {
+    /// The gripper of `spec`; `None` if it has no stars.
+    pub fn of(spec: &Spec) -> Option<Self> {
+        let first = spec.stars.first()?;
+        // Predictions do not depend on where an inlet is, or how a star is turned.
+        let place = |star: &StarSpec| StarSpec {
+            rotation: first.rotation,
+            inlet_tip: first.inlet_tip,
+            ..star.clone()
+        };
+        let differ = spec.stars.iter().any(|star| place(star) != *first);
+        Some(Self {
+            star: first.clone(),
+            unequal: if differ { spec.stars.clone() } else { Vec::new() },
+            fabric: spec.fabric.clone(),
+            seal: spec.seal.clone(),
+            inlet: spec.inlet.clone(),
+            hole_diameter: spec.sheet.hole_diameter,
+            load: spec.load.clone().unwrap_or_default(),
+            stars: u32::try_from(spec.stars.len()).unwrap_or(u32::MAX),
+            plate: spec.frame.plate_thickness,
+            model: spec.accuracy.model,
+        })
+    }
+
+    /// The predicted values, with linear hinges; `ring` gives the load on the seal.
+    ///
+    /// # Errors
+    /// If there is no such star, or a model has no answer for it.
+    pub fn answer(&self, ring: &RingTable) -> Result<Answer, RefusedDesign> {
+        self.answer_by(ring, |case| match self.model {
+            ModelChoice::Ring => Outcome::correcting(case, ring).map(Some),
+            ModelChoice::Fit => Outcome::correcting(case, &Fit).map(Some),
+            ModelChoice::Auto | ModelChoice::Section | ModelChoice::Shell | ModelChoice::Bvp => {
+                by_section(case)
+            }
+        })
+    }
+
+    /// The same, with the outcome from `known`, which gives the case its model's corrections; `None` where the model does not cover it.
+    ///
+    /// # Errors
+    /// As for [`Candidate::answer`].
+    pub(super) fn answer_by(
+        &self,
+        ring: &RingTable,
+        known: impl Fn(&mut Case) -> Result<Option<Outcome>, StarFault>,
+    ) -> Result<Answer, RefusedDesign> {
+        let star = Star::for_band(&self.star, self.seal.band)?;
+        let asked = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?;
+        let met = self.different_cases(&star, &asked)?;
+        let mut case = met.first().map_or(asked, |(case, _)| *case);
+        let outcome = known(&mut case)?;
+        let mut grip = outcome;
+        let mut held = held(outcome.as_ref(), self.stars);
+        if !met.is_empty() {
+            let met = met.into_iter().map(|(mut case, count)| {
+                Ok((case.object.unwrap_or(0.0), f64::from(count), known(&mut case)?))
+            });
+            let all = met.collect::<Result<Vec<_>, StarFault>>()?;
+            grip = all.iter().max_by(|a, b| a.0.total_cmp(&b.0)).and_then(|widest| widest.2);
+            held = (
+                all.iter().map(|(_, count, own)| Some(count * own.as_ref()?.payload?)).sum(),
+                sum(all.iter().map(|(_, count, own)| Some(scaled(own.as_ref()?.payload_range?, *count)))),
+            );
+        }
+        let area =
+            cut_area(&star, &self.seal, self.inlet.as_ref(), self.star.inlet_tip, self.hole_diameter.0);
+        Ok(Answer {
+            operating_pressure: Pressure::from_pascals(case.operating_pressure()),
+            burst: burst(&case, ring).map(Pressure::from_pascals),
+            star,
+            case,
+            outcome,
+            grip,
+            payload: held.0,
+            payload_range: held.1,
+            fabric: area.map(|area| SHEETS * area),
+        })
+    }
+
+    /// The cases of its stars, each with the number of such stars, the lowest star's first; empty where all are as `asked`, the case of
+    /// `star`.
+    fn different_cases(&self, star: &Star, asked: &Case) -> Result<Vec<(Case, u32)>, RefusedDesign> {
+        let object = Object::of(&self.load).filter(|_| self.stars > 1);
+        if self.unequal.is_empty() {
+            let met = object.map_or_else(Vec::new, |object| self.different_meetings(&object, star));
+            return Ok(met
+                .into_iter()
+                .map(|(meeting, count)| (asked.meeting(Some(meeting)), count))
+                .collect());
+        }
+        let made = |(i, one): (usize, &StarSpec)| {
+            Star::for_band(one, self.seal.band).map_err(|refusal| refusal.of_star(i + 1))
+        };
+        let stars = self.unequal.iter().enumerate().map(made).collect::<Result<Vec<Star>, _>>()?;
+        let mut heights = vec![0.0];
+        for star in self.unequal.iter().skip(1) {
+            heights.push(heights[heights.len() - 1] + star.pitch.0);
+        }
+        let holes: Vec<f64> = stars.iter().map(|star| star.hole(&self.seal)).collect();
+        let met = object.map(|object| object.meetings(&heights, &holes));
+        let case = |(i, star): (usize, &Star)| {
+            let own = Case::new(star, &self.fabric, &self.seal, Some(&self.load))?;
+            Ok((own.meeting(met.as_ref().and_then(|met| met.get(i)).copied()), 1))
+        };
+        stars.iter().enumerate().map(case).collect()
+    }
+
+    /// The contacts of its equal stars with `object`, each with the number of such stars, the lowest star's first; empty where all meet its
+    /// middle.
+    fn different_meetings(&self, object: &Object, star: &Star) -> Vec<(Meeting, u32)> {
+        let all = object.equal_meetings(self.stars, self.star.pitch.0, star.hole(&self.seal));
+        let count = |numbers: Vec<usize>| u32::try_from(numbers.len()).unwrap_or(u32::MAX);
+        let met: Vec<_> = distinct(all).into_iter().map(|(met, numbers)| (met, count(numbers))).collect();
+        if met.len() > 1 || met.iter().any(|(meeting, _)| meeting.radius < meeting.entering) {
+            met
+        } else {
+            Vec::new()
+        }
+    }
+
+    /// Whether all of its stars are as `star`, whose case is `asked`, and meet the object at its middle radius.
+    pub fn are_alike(&self, star: &Star, asked: &Case) -> bool {
+        self.different_cases(star, asked).is_ok_and(|cases| cases.is_empty())
+    }
+
+    /// The most stars of a stack that is not taller than its object, at least 1.
+    pub fn most_stars(&self) -> u32 {
+        let Some(object) = Object::of(&self.load) else { return u32::MAX };
+        let stars =
+            ((object.height().0 - self.plate.0) / self.star.pitch.0.max(1e-3)).floor().clamp(1.0, 1e3);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1000")]
+        let stars = stars as u32;
+        stars
+    }
+}
+
+impl Answer {
+    /// The same of a stack of `count` stars that all meet the object as this one does.
+    #[must_use]
+    pub fn of_stars(mut self, count: u32) -> Self {
+        (self.payload, self.payload_range) = held(self.grip.as_ref(), count);
+        self
+    }
+}
+
+/// The payload (kg) of `stars` stars that all meet the object as the star of the outcome `own` does, with its range.
+fn held(own: Option<&Outcome>, stars: u32) -> (Option<f64>, Option<Interval>) {
+    let count = f64::from(stars);
+    let payload = own.and_then(|own| own.payload).map(|of_one| count * of_one);
+    (payload, own.and_then(|own| own.payload_range).map(|of_one| scaled(of_one, count)))
+}
+
+/// The outcome of the star of `case` by `section`, with whose corrections it is left; `None` where `section` does not cover the star.
+fn by_section(case: &mut Case) -> Result<Option<Outcome>, StarFault> {
+    let Some(pressure) = case.pressure else { return Ok(None) };
+    match tabled(case, pressure) {
+        Ok(model) => Outcome::correcting(case, &model).map(Some),
+        Err(StarFault::Hinge(HingeFault::Scale { .. } | HingeFault::RStar { .. })) => Ok(None),
+        Err(fault) => Err(fault),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::predict::predict;
+    use design::Design;
+    use spec::units::LineForce;
+    use spec::{Source, read, starter};
+
+    /// Rounded hinges that differ, a stack, and all optional inputs.
+    fn spec(radii: [f64; 2]) -> Spec {
+        let text = starter("x").expect("a name")
+            + "\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nobject_height = \"150 mm\"\nobject_shape = \"cylinder\"\nfriction = 0.5\n";
+        let mut spec = read(&Source::new("x", text)).expect("valid").spec;
+        spec.accuracy.model = spec::ModelChoice::Ring;
+        spec.fabric.seal_strength = Some(LineForce(3.0));
+        spec.fabric.areal_density = Some(spec::units::ArealDensity(0.27));
+        spec.stars = vec![spec.stars[0].clone(); 3];
+        for star in &mut spec.stars {
+            (star.tip_radius, star.corner_radius) = (Length(radii[0]), Length(radii[1]));
+        }
+        spec
+    }
+
+    #[test]
+    fn a_candidate_says_what_the_prediction_says() {
+        let profile = Source::new("generic", spec::builtin_machine("generic").expect("built in"));
+        let machine = spec::read_machine(&profile).expect("valid");
+        let table = RingTable::new().expect("solved");
+        let radii = [[0.0, 0.0], [2.0, 0.0], [0.0, 3.0], [1.5, 2.5]];
+        let models = [spec::ModelChoice::Ring, spec::ModelChoice::Auto];
+        for (radii, model) in radii.into_iter().flat_map(|radii| models.map(|model| (radii, model))) {
+            let mut spec = spec(radii);
+            spec.accuracy.model = model;
+            let design = Design::new(&spec, &machine).expect("makeable");
+            let full = predict(&spec, &design).expect("predictable");
+            let fast = Candidate::of(&spec).expect("a star").answer(&table).expect("feasible");
+            let mass = fast.fabric.map(|area| area * 0.27e-3);
+            let stated = |value: Option<f64>| value.expect("asked for");
+            let outcome = fast.outcome.expect("a limit");
+            let [least, most] = outcome.graspable.map(|metres| Length::from_metres(metres).0);
+            let first = &full.first;
+            let pairs = [
+                (fast.star.l, first.arm_length_mm),
+                (outcome.contraction, stated(first.contraction)),
+                (least, stated(first.final_radius_mm)),
+                (most, first.graspable_radius_mm.expect("a limit")[1]),
+                (fast.operating_pressure.0, first.operating_pressure_kPa),
+                (stated(outcome.stiffness), stated(first.radial_stiffness_N_per_m)),
+                (stated(outcome.object_force()), stated(first.object_force_N)),
+                (stated(fast.payload), stated(first.payload_kg)),
+                (stated(fast.burst.map(|p| p.0)), stated(first.burst_pressure_kPa)),
+                (stated(mass), stated(first.mass_g)),
+                (3.0 * stated(mass), stated(full.stack_mass_g)),
+            ];
+            for (a, b) in pairs {
+                assert!((a / b - 1.0).abs() < 1e-9, "{radii:?}: {a} {b}");
+            }
+        }
+    }
+
+    /// A ball that the lowest star would not let in enters from above, past two wider ones.
+    #[test]
+    fn unequal_stars_are_counted_one_by_one() {
+        let profile = Source::new("generic", spec::builtin_machine("generic").expect("built in"));
+        let machine = spec::read_machine(&profile).expect("valid");
+        let table = RingTable::new().expect("solved");
+        for (radius, shape) in [(45.0, None), (49.0, None), (40.0, Some(spec::ObjectShape::Cylinder))] {
+            let mut spec = spec([0.0, 0.0]);
+            spec.accuracy.model = spec::ModelChoice::Auto;
+            spec.stars[1].inner_radius = Length(55.0);
+            spec.stars[2] =
+                StarSpec { inner_radius: Length(60.0), pitch: Length(34.0), ..spec.stars[2].clone() };
+            let load = spec.load.as_mut().expect("given");
+            (load.object_radius, load.object_height, load.object_shape) =
+                (Some(Length(radius)), Some(Length(150.0)), shape);
+            let design = Design::new(&spec, &machine).expect("makeable");
+            let full = predict(&spec, &design).expect("predictable").first;
+            let fast = Candidate::of(&spec).expect("a star").answer(&table).expect("feasible");
+            let force = fast.outcome.expect("known").object_force();
+            assert_eq!(force.is_some(), full.object_force_N.is_some(), "{radius}");
+            let [range, of_full] =
+                [fast.payload_range, full.ranges.payload_kg].map(|range| range.expect("known"));
+            let pairs = [
+                (force, full.object_force_N),
+                (fast.payload, full.payload_kg),
+                (Some(range[0]), Some(of_full[0])),
+                (Some(range[1]), Some(of_full[1])),
+            ];
+            for (a, b) in pairs.into_iter().filter_map(|(a, b)| Some((a?, b?))) {
+                assert!((a / b - 1.0).abs() < 1e-9, "{radius}: {a} {b}");
+            }
+        }
+    }
+
+    /// The two outer stars pass above and below a ball of 60 mm, and meet one of 120 mm where it is 89 mm across.
+    #[test]
+    fn stars_of_a_stack_meet_a_ball_at_their_own_heights() {
+        let profile = Source::new("generic", spec::builtin_machine("generic").expect("built in"));
+        let machine = spec::read_machine(&profile).expect("valid");
+        let table = RingTable::new().expect("solved");
+        for (radius, pitch) in [(30.0, 40.0), (40.0, 25.0), (44.0, 25.0)] {
+            let mut spec = spec([0.0, 0.0]);
+            spec.accuracy.model = spec::ModelChoice::Auto;
+            spec.stars.iter_mut().for_each(|star| star.pitch = Length(pitch));
+            let load = spec.load.as_mut().expect("given");
+            (load.object_radius, load.object_height, load.object_shape) = (Some(Length(radius)), None, None);
+            let design = Design::new(&spec, &machine).expect("makeable");
+            let full = predict(&spec, &design).expect("predictable");
+            let fast = Candidate::of(&spec).expect("a star").answer(&table).expect("feasible");
+            let met: Vec<f64> = full.stars.iter().filter_map(|star| star.object_radius_mm).collect();
+            let end = f64::max(radius * radius - pitch * pitch, 0.0).sqrt();
+            assert!(
+                (met[0] - end).abs() < 1e-9 && (met[1] - radius).abs() < 1e-9 && met[2] == met[0],
+                "{met:?}"
+            );
+            let forces: Vec<f64> = full.stars.iter().filter_map(|star| star.object_force_N).collect();
+            assert!(forces[0] < forces[1] && forces[2] == forces[0], "{forces:?}");
+            let sum: f64 = full.stars.iter().filter_map(|star| star.payload_kg).sum();
+            for payload in [fast.payload, full.first.payload_kg] {
+                assert!((payload.expect("asked for") - sum).abs() < 1e-9, "{payload:?} {sum}");
+            }
+            let grip = fast.grip.and_then(|own| own.object_force()).expect("held");
+            assert!((grip - forces[1]).abs() < 1e-9, "{grip} {forces:?}");
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! Chambers of a drawn piece for the shell.
+
+use crate::case::{sheet, weave};
+use crate::predict::PredictFault;
+use crate::shell::{Detail, fabric};
+use design::DrawnPiece;
+use inflatable::shell::cases::{Fineness, FlatRegion, chambers};
+use inflatable::shell::mesh::FlatChamber;
+use spec::{Spec, key};
+
+/// A chamber of a drawn piece.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnChamber {
+    /// In mm, in the piece's own frame.
+    pub flat: FlatChamber,
+    /// In SI units, without a pressure.
+    pub region: FlatRegion,
+}
+
+impl DrawnChamber {
+    /// The meshes that `detail` means: those of a first look, and with two and four times as many edges across.
+    pub fn fineness(&self, detail: Detail) -> Fineness {
+        let quick = self.region.quick();
+        let times = match detail {
+            Detail::Coarse => 1.0,
+            Detail::Medium => 2.0,
+            Detail::Fine => 4.0,
+        };
+        Fineness { cells: times * quick.cells, ..quick }
+    }
+}
+
+/// The chambers of `piece` in the order of their outlines; each wall and weld belongs to the chamber that contains it.
+///
+/// # Errors
+/// If the edges enclose no chamber, or the fabric is invalid.
+pub fn drawn_chambers(spec: &Spec, piece: &DrawnPiece) -> Result<Vec<DrawnChamber>, PredictFault> {
+    let refused = |why: String| PredictFault::new(key::drawing::FILE, why);
+    let sheet = sheet(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
+    let weave = weave(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
+    let found =
+        chambers(&piece.air, &piece.inner, &piece.part.inside).map_err(|fault| refused(fault.to_string()))?;
+    if found.is_empty() {
+        return Err(refused("the drawing's edges enclose no air".to_owned()));
+    }
+    let chamber = |flat: FlatChamber| DrawnChamber {
+        region: FlatRegion {
+            chamber: flat.by(MM_IN_M),
+            fabric: fabric(&sheet, weave),
+            pressure: 0.0,
+            band: spec.seal.band.metres(),
+        },
+        flat,
+    };
+    Ok(found.into_iter().map(chamber).collect())
+}
+
+/// mm in a metre.
+const MM_IN_M: f64 = 1e3;

@@ -1,0 +1,158 @@
+//! Drawn chambers under pressure: the shell on the flat regions themselves.
+//!
+//! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, [`text`] formats it for people. No hinge model covers a
+//! drawn shape, so without the shell only flat quantities are predicted.
+
+pub mod chambers;
+pub mod prediction;
+pub mod text;
+
+use crate::drawn::chambers::{DrawnChamber, drawn_chambers};
+use crate::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction};
+use crate::predict::PredictFault;
+use crate::shell::request::{ShellRefusal, no_pressure, refused};
+use crate::shell::{Detail, SHELL};
+use design::DrawnPiece;
+use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Wrinkles, region};
+use spec::units::Pressure;
+use spec::{ModelChoice, Spec, key};
+
+pub use inflatable::shell::cases::{Surface, Watch};
+
+/// Name of the absent model: only flat quantities are predicted.
+pub const NONE: &str = "none";
+
+/// How to select the shell, in terms of commands and specs.
+pub const HOW: &str = "run `predict`, or set `model = \"shell\"` in [accuracy] for `check` and `build`";
+
+/// A drawn piece under pressure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InflatedDrawing {
+    /// In figures.
+    pub prediction: DrawnPrediction,
+    /// Both sheets of each chamber on its finest mesh, in m and in the frame of the drawing, in the order of the chambers; empty without the
+    /// shell.
+    pub surfaces: Vec<Surface>,
+    /// The same upper sheets, with stretch and tension.
+    pub shapes: Vec<InflatedShape>,
+}
+
+/// The prediction of `piece`, made from `spec`, for `check` and `build`: the shell's on coarse meshes if the spec selects the shell by
+/// name, else the flat quantities only. `watch` receives the shell's progress.
+///
+/// # Errors
+/// If the spec selects a model of stars, or the shell refuses or is cancelled.
+pub fn of_spec(spec: &Spec, piece: &DrawnPiece, watch: &Watch<'_>) -> Result<InflatedDrawing, PredictFault> {
+    let asked = spec.accuracy.model == ModelChoice::Shell;
+    if asked && spec.load.as_ref().is_some_and(|load| load.pressure.is_some()) {
+        return inflate(spec, piece, Detail::Coarse, watch).map_err(|refusal| match refusal {
+            ShellRefusal::Fault(fault) => fault,
+            ShellRefusal::Cancelled => {
+                PredictFault::new(key::accuracy::MODEL, "the computation of the shell was stopped".to_owned())
+            }
+        });
+    }
+    let found = drawn_chambers(spec, piece)?;
+    flat(spec, piece, &found).map(|prediction| InflatedDrawing {
+        prediction,
+        surfaces: Vec::new(),
+        shapes: Vec::new(),
+    })
+}
+
+/// `piece`, made from `spec`, by the shell at the spec's pressure.
+///
+/// # Errors
+/// If no pressure is given, the spec selects a model of stars, or the shell refuses a chamber or is cancelled.
+pub fn inflate(
+    spec: &Spec,
+    piece: &DrawnPiece,
+    detail: Detail,
+    watch: &Watch<'_>,
+) -> Result<InflatedDrawing, ShellRefusal> {
+    let found = drawn_chambers(spec, piece)?;
+    let mut prediction = flat(spec, piece, &found)?;
+    let pressure = spec.load.as_ref().and_then(|load| load.pressure).ok_or_else(no_pressure)?;
+    let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
+    let mut is_weave_left_out = false;
+    let count = found.len();
+    for (number, (chamber, answer)) in found.iter().zip(&mut prediction.chambers).enumerate() {
+        let case = FlatRegion { pressure: pressure.pascals(), ..chamber.region.clone() };
+        let within = |part: f64, what: &str| {
+            if let Some(progress) = watch.progress {
+                #[expect(clippy::cast_precision_loss, reason = "few chambers")]
+                progress((number as f64 + part) / count as f64, what);
+            }
+        };
+        let own = Watch { progress: Some(&within), cancel: watch.cancel.clone() };
+        let inflated =
+            region(&case, chamber.fineness(detail), &own).map_err(|why| not_inflated(&why, answer, count))?;
+        is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles == Wrinkles::Averaged;
+        answer.fill(&inflated, pressure, spec.fabric.seal_strength);
+        surfaces.push(inflated.surface);
+        shapes.push(inflated.shape);
+    }
+    prediction.model = SHELL;
+    "only the shell models drawn shapes".clone_into(&mut prediction.evidence.choice);
+    prediction.of_all(pressure);
+    let parted = piece.shape.topology().chambers.len();
+    let warnings = [
+        is_weave_left_out.then(|| {
+            "shear_modulus is left out where wrinkles are averaged: the sheet is computed as isotropic".to_owned()
+        }),
+        (parted > count).then(|| {
+            format!(
+                "walls divide the air into {parted} chambers, which are computed as {count}: all are at the same pressure"
+            )
+        }),
+        piece.shares_a_band().then(|| {
+            "chambers share a band, or their bands lie within a band's width of each other: each chamber is computed \
+             alone, without the pull of the other on this band"
+                .to_owned()
+        }),
+    ];
+    prediction.evidence.warnings.extend(warnings.into_iter().flatten());
+    Ok(InflatedDrawing { prediction, surfaces, shapes })
+}
+
+/// The prediction without a model: flat sizes only.
+fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<DrawnPrediction, PredictFault> {
+    let model = spec.accuracy.model;
+    if !matches!(model, ModelChoice::Shell | ModelChoice::Auto) {
+        let word = ModelChoice::ALL.iter().find(|(_, own)| *own == model).map_or("this", |(word, _)| word);
+        let what = format!("{word} is a model of a star's hinges; only the shell models drawn shapes");
+        return Err(PredictFault {
+            remedy: Some(HOW.to_owned()),
+            ..PredictFault::new(key::accuracy::MODEL, what)
+        });
+    }
+    let pressure = spec.load.as_ref().and_then(|load| load.pressure);
+    let choice = match pressure {
+        None => "the inflated shape depends on the pressure: set `pressure` in [load]".to_owned(),
+        Some(_) => format!("not computed here (takes seconds to minutes); {HOW}"),
+    };
+    let chambers =
+        (1..).zip(found).map(|(number, chamber)| ChamberPrediction::flat(number, chamber, pressure));
+    Ok(DrawnPrediction {
+        model: NONE,
+        pressure_kPa: pressure.map(|pressure: Pressure| pressure.0),
+        mass_g: design::FlatPiece::Drawn(piece).mass(&spec.fabric),
+        chambers: chambers.collect(),
+        evidence: DrawnEvidence { choice, warnings: Vec::new() },
+        ..DrawnPrediction::default()
+    })
+}
+
+/// The reason why the shell refuses a chamber, one of `count`, with the spec key to change.
+fn not_inflated(why: &ShellFault, chamber: &ChamberPrediction, count: usize) -> ShellRefusal {
+    let [x, y] = chamber.at_mm;
+    let of = if count == 1 {
+        String::new()
+    } else {
+        format!("chamber {}, around X {x:.1} Y {y:.1} mm: ", chamber.chamber)
+    };
+    refused(why, &of, |why| match why {
+        ShellFault::Range { name: Input::Slenderness, .. } => key::fabric::THICKNESS,
+        _ => key::drawing::FILE,
+    })
+}

@@ -1,0 +1,330 @@
+//! The answer about a drawn piece: lengths in mm, in the frame of the drawing.
+
+use crate::drawn::chambers::DrawnChamber;
+use crate::keys::{keyed, kinds};
+use crate::meshed::{MeshedPlace, MeshedValue};
+use crate::prediction::distinct;
+use crate::ranges::Interval;
+use crate::seal_load::{Bursting, burst_of_drawn, bursts_at};
+use design::{Refusal, RefusalCode};
+use inflatable::shell::cases::{InflatedRegion, RegionSeam, SeamPull, Value, Wrinkles};
+use serde::Serialize;
+use spec::key;
+use spec::units::{Length, LineForce, Most, Pressure};
+
+keyed! {
+    /// The prediction of each copy of a drawn piece. `None` where a required input is missing: a pressure, or the shell.
+    #[derive(Clone, Debug, Default, PartialEq, Serialize)]
+    #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+    pub struct DrawnPrediction {
+        /// Model used: shell, or none: flat sizes only.
+        pub model: &'static str,
+        /// Gauge pressure, kPa.
+        pub pressure_kPa: Option<f64>,
+        /// Mass of the fabric of one piece, both sheets, g. Needs `areal_density`.
+        pub mass_g: Option<f64>,
+        /// Volume of all chambers of a piece, mm^3: `value` and `mesh_error`. By the shell only.
+        pub volume_mm3: Option<MeshedValue>,
+        /// Least pressure at which a chamber's seal peels, kPa. Needs `seal_strength` and the shell.
+        pub burst_pressure_kPa: Option<f64>,
+        /// Its range: mesh errors, and how the pull may grow with the pressure.
+        pub burst_range_kPa: Option<Interval>,
+        /// Burst pressure over the pressure. Needs both.
+        pub burst_margin: Option<f64>,
+        /// Whether a chamber may leave the plane of the drawing. By the shell only.
+        pub leaves_plane: Option<bool>,
+        /// Chambers, each with flat size and area, `bendability` and `stretch`; by the shell `extents_mm`, `height_mm`, `volume_mm3`,
+        /// `seal_pull_N_per_mm`, `largest_stretch`, `largest_tension_N_per_mm` and `plane_eigenvalue`, each with its mesh error, and
+        /// `seams`: the largest pull on each, with rows of x, y, pull and mesh error along it.
+        pub chambers: Vec<ChamberPrediction>,
+        /// Why this model was used, and `warnings`.
+        pub evidence: DrawnEvidence,
+    }
+}
+
+kinds! {
+    Object: MeshedValue, DrawnEvidence;
+    List: Vec<ChamberPrediction>;
+}
+
+/// Model, choice and warnings behind a prediction.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct DrawnEvidence {
+    /// Reason for the choice of this model.
+    pub choice: String,
+    /// Warnings for the user.
+    pub warnings: Vec<String>,
+}
+
+/// The pull on one seam of a chamber.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+pub struct SeamPrediction {
+    /// Which: outline, hole 1, island 1, weld 1.
+    pub seam: String,
+    /// The largest pull.
+    pub pull_N_per_mm: MeshedPlace,
+    /// Rows of a place (x, y, mm), the pull there (N/mm) and its mesh error, along the seam.
+    pub along: Vec<[f64; 4]>,
+}
+
+/// One chamber.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+pub struct ChamberPrediction {
+    /// Its number, from 1.
+    pub chamber: usize,
+    /// The middle of its box.
+    pub at_mm: [f64; 2],
+    /// Diameter W of the largest circle in the flat chamber.
+    pub width_mm: f64,
+    /// Flat area of one sheet.
+    pub flat_area_mm2: f64,
+    /// Extents of the flat chamber along x and y.
+    pub flat_extents_mm: [f64; 2],
+    /// Bendability p W^3 / B.
+    pub bendability: Option<f64>,
+    /// Stretch p W / Y of the fabric.
+    pub stretch: Option<f64>,
+    /// Whether wrinkles are on the mesh (resolved), or the shape is their mean (averaged).
+    pub wrinkles: Option<&'static str>,
+    /// Largest distance between the sheets.
+    pub height_mm: Option<MeshedPlace>,
+    /// Extents of the inflated chamber where it lies best on the flat one.
+    pub extents_mm: Option<[MeshedValue; 2]>,
+    /// Volume.
+    pub volume_mm3: Option<MeshedValue>,
+    /// Largest pull of one sheet on a seam.
+    pub seal_pull_N_per_mm: Option<MeshedPlace>,
+    /// Pressure at which the seal peels.
+    pub burst_pressure_kPa: Option<f64>,
+    /// Its range.
+    pub burst_range_kPa: Option<Interval>,
+    /// Largest principal stretch.
+    pub largest_stretch: Option<MeshedPlace>,
+    /// Largest principal tension, N/mm.
+    pub largest_tension_N_per_mm: Option<MeshedPlace>,
+    /// Lowest eigenvalue by p / W for leaving the plane of the drawing.
+    pub plane_eigenvalue: Option<MeshedValue>,
+    /// Whether it leaves that plane, within the mesh errors.
+    pub leaves_plane: Option<bool>,
+    /// Its seams.
+    pub seams: Option<Vec<SeamPrediction>>,
+    /// Unknowns of each mesh, coarse to fine.
+    pub unknowns: Option<Vec<usize>>,
+    /// Newton steps of all meshes.
+    pub iterations: Option<u32>,
+}
+
+/// Rows of one seam at most.
+const MOST_ROWS: usize = 48;
+
+impl ChamberPrediction {
+    /// The prediction of a chamber without a model: flat sizes only.
+    pub(super) fn flat(number: usize, chamber: &DrawnChamber, pressure: Option<Pressure>) -> Self {
+        let (flat, fabric) = (&chamber.flat, &chamber.region.fabric);
+        let bounds = flat.outline.bounds();
+        let width = chamber.region.chamber.widest();
+        let by = |of: &dyn Fn(f64) -> f64| pressure.map(|pressure| six(of(pressure.pascals())));
+        Self {
+            chamber: number,
+            at_mm: [bounds.center().x, bounds.center().y].map(six),
+            width_mm: six(Length::from_metres(width).0),
+            flat_area_mm2: six(
+                flat.area() - flat.islands.iter().map(|island| island.area().abs()).sum::<f64>()
+            ),
+            flat_extents_mm: [bounds.width(), bounds.height()].map(six),
+            bendability: by(&|p| p * width.powi(3) / fabric.bending),
+            stretch: by(&|p| p * width / fabric.stretch),
+            ..Self::default()
+        }
+    }
+
+    /// Adds the shell's values.
+    pub(super) fn fill(&mut self, found: &InflatedRegion, pressure: Pressure, peel: Option<LineForce>) {
+        let seams = seams(found);
+        let largest = seams.iter().map(|seam| seam.pull_N_per_mm).max_by(|a, b| a.value.total_cmp(&b.value));
+        let burst = peel.zip(largest).and_then(|(peel, pull)| {
+            let pull = [pull.value, pull.mesh_error].map(|pull| LineForce(pull).newtons_per_metre());
+            burst_of_drawn(peel.newtons_per_metre(), pressure.pascals(), pull)
+        });
+        let kpa = |pascals: f64| six(Pressure::from_pascals(pascals).0);
+        self.wrinkles = Some(match found.wrinkles {
+            Wrinkles::Resolved => "resolved",
+            Wrinkles::Averaged => "averaged",
+        });
+        self.height_mm = Some(at(found.height.scaled(1e3), found.height_at));
+        self.extents_mm = Some(found.extents.map(|extent| open(extent.scaled(1e3))));
+        self.volume_mm3 = Some(open(found.volume.scaled(1e9)));
+        self.seal_pull_N_per_mm = largest;
+        self.burst_pressure_kPa = burst.map(|(burst, _)| kpa(burst));
+        self.burst_range_kPa = burst.map(|(_, range)| range.map(kpa));
+        self.largest_stretch = Some(at(found.stretch, found.stretch_at));
+        self.largest_tension_N_per_mm = Some(at(found.tension.scaled(1e-3), found.tension_at));
+        self.plane_eigenvalue = Some(open(found.antisymmetric_eigenvalue));
+        self.leaves_plane = Some(found.may_leave_its_plane());
+        self.seams = Some(seams);
+        self.unknowns = Some(found.evidence.unknowns.clone());
+        self.iterations = Some(found.evidence.efforts.iter().map(|effort| effort.iterations).sum());
+    }
+
+    /// Its name among `count` chambers, as text.
+    pub(super) fn name(&self, count: usize) -> String {
+        let [x, y] = self.at_mm;
+        if count == 1 {
+            "the chamber".to_owned()
+        } else {
+            format!("chamber {} around X {x:.1} Y {y:.1} mm", self.chamber)
+        }
+    }
+}
+
+impl DrawnPrediction {
+    /// Adds the values that depend on all chambers at `pressure`.
+    pub(super) fn of_all(&mut self, pressure: Pressure) {
+        let chambers = &self.chambers;
+        let volumes = || chambers.iter().filter_map(|chamber| chamber.volume_mm3);
+        self.volume_mm3 = Some(MeshedValue {
+            value: six(volumes().map(|volume| volume.value).sum()),
+            mesh_error: six(volumes().map(|volume| volume.mesh_error).sum()),
+        });
+        let bursting =
+            chambers.iter().filter_map(|one| Some((one.burst_pressure_kPa?, one.burst_range_kPa?)));
+        let weakest = bursting.min_by(|a, b| a.0.total_cmp(&b.0));
+        self.burst_pressure_kPa = weakest.map(|(burst, _)| burst);
+        self.burst_range_kPa = weakest.map(|(_, range)| range);
+        self.burst_margin = weakest.map(|(burst, _)| six(burst / pressure.0));
+        self.leaves_plane = Some(chambers.iter().any(|chamber| chamber.leaves_plane == Some(true)));
+        self.evidence.warnings = self.warnings();
+    }
+
+    /// The largest pull on each seam of every chamber, with its place; `None` without the shell.
+    pub fn seam_loads(&self) -> Vec<(Option<LineForce>, String)> {
+        let count = self.chambers.len();
+        let of_chamber = |one: &ChamberPrediction| {
+            let of = if count == 1 { String::new() } else { format!(" of {}", one.name(count)) };
+            let seams = one.seams.iter().flatten();
+            let known =
+                seams.map(|seam| (Some(LineForce(seam.pull_N_per_mm.value)), format!("{}{of}", seam.seam)));
+            let mut loads: Vec<_> = known.collect();
+            if loads.is_empty() {
+                loads.push((None, format!("seams{of}")));
+            }
+            loads
+        };
+        self.chambers.iter().flat_map(of_chamber).collect()
+    }
+
+    /// Whether the seal bursts at the pressure; `None` if unknown.
+    pub fn bursting(&self) -> Option<Bursting> {
+        Some(Bursting::at(self.pressure_kPa?, self.burst_pressure_kPa?, self.burst_range_kPa))
+    }
+
+    /// The refusal of a seal that certainly bursts.
+    pub fn bursts(&self) -> Option<Refusal> {
+        let _ = self.bursting().filter(|one| *one == Bursting::Yes)?;
+        let [sure, _] = self.burst_range_kPa?;
+        let found = bursts_at(Pressure(self.pressure_kPa?), self.burst_pressure_kPa?, self.burst_range_kPa);
+        let remedy = format!("at most {} kPa, or a stronger seal or narrower chambers", Most(sure));
+        Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, found, remedy))
+    }
+
+    /// Which chambers leave their plane, in words; `None` if none does.
+    pub fn leaving(&self) -> Option<String> {
+        let count = self.chambers.len();
+        let names: Vec<String> = self
+            .chambers
+            .iter()
+            .filter(|one| one.leaves_plane == Some(true))
+            .map(|one| one.name(count))
+            .collect();
+        (!names.is_empty()).then(|| {
+            format!(
+                "leaves-plane: {} may bend or twist out of the plane of the drawing at this pressure; size, \
+                 height and pull are computed for the shape that stays in it",
+                names.join(", ")
+            )
+        })
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        let count = self.chambers.len();
+        let mut list: Vec<String> = self.leaving().into_iter().collect();
+        for one in &self.chambers {
+            let coarse = [
+                one.volume_mm3.map(|v| (v.value, v.mesh_error)),
+                one.height_mm.map(|h| (h.value, h.mesh_error)),
+            ];
+            if coarse.into_iter().flatten().any(|(value, error)| error > 0.05 * value) {
+                list.push(format!(
+                    "the mesh error of the height or volume of {} is above 5 %: use finer meshes",
+                    one.name(count)
+                ));
+            }
+        }
+        match self.bursting() {
+            Some(Bursting::Yes) => list.push("the pressure is above the seal's burst pressure".to_owned()),
+            Some(Bursting::Perhaps) => {
+                list.push(
+                    "the seal may burst: the pressure is within the range of its burst pressure".to_owned(),
+                );
+            }
+            _ => {}
+        }
+        list
+    }
+
+    /// The answer as one JSON object with a trailing newline.
+    ///
+    /// # Panics
+    /// Never: every field can be written as JSON.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(self).expect("plain data") + "\n"
+    }
+}
+
+/// The seams in their order, each with its largest pull.
+fn seams(found: &InflatedRegion) -> Vec<SeamPrediction> {
+    let of_seam = |(seam, numbers): (RegionSeam, Vec<usize>)| {
+        let pulls: Vec<&SeamPull> = numbers.iter().map(|number| &found.seams[number - 1]).collect();
+        of_seam(seam, &pulls)
+    };
+    distinct(found.seams.iter().map(|pull| pull.seam)).into_iter().filter_map(of_seam).collect()
+}
+
+fn of_seam(seam: RegionSeam, pulls: &[&SeamPull]) -> Option<SeamPrediction> {
+    // Each edge of a weld's band bears the pull of its own side.
+    let share = if matches!(seam, RegionSeam::Weld(_)) { 0.5 } else { 1.0 };
+    let here = |pull: &SeamPull| at(pull.pull.scaled(share * 1e-3), pull.at);
+    // Compared on the finest mesh, as in the shell.
+    let largest = pulls.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]))?;
+    let row = |pull: &&SeamPull| {
+        let MeshedPlace { value, mesh_error, at_mm: [x, y] } = here(pull);
+        [x, y, value, mesh_error]
+    };
+    Some(SeamPrediction {
+        seam: match seam {
+            RegionSeam::Outline => "outline".to_owned(),
+            RegionSeam::Hole(i) => format!("hole {}", i + 1),
+            RegionSeam::Island(i) => format!("island {}", i + 1),
+            RegionSeam::Weld(i) => format!("weld {}", i + 1),
+        },
+        pull_N_per_mm: here(largest),
+        along: pulls.iter().step_by(pulls.len().div_ceil(MOST_ROWS).max(1)).map(row).collect(),
+    })
+}
+
+fn open(value: Value) -> MeshedValue {
+    MeshedValue { value: six(value.value), mesh_error: six(value.error) }
+}
+
+/// A value at a place of the flat sheet, m.
+fn at(value: Value, place: [f64; 2]) -> MeshedPlace {
+    let MeshedValue { value, mesh_error } = open(value);
+    MeshedPlace { value, mesh_error, at_mm: place.map(|x| six(Length::from_metres(x).0)) }
+}
+
+/// Six digits: more than any mesh is good for, and few enough that the last bits of a sine do not show.
+fn six(x: f64) -> f64 {
+    format!("{:.5e}", x + 0.0).parse().unwrap_or(x)
+}

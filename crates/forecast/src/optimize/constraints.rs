@@ -1,0 +1,124 @@
+//! Constraints of a design and its violation of them: at the bad end of its ranges, and for a force beyond it, because a search finds
+//! the places where a model is most optimistic.
+
+use crate::candidate::{Answer, Candidate};
+use crate::outcome::{Grip, Outcome, SHORTEST_ARM};
+use crate::ranges::{Domain, outside_by};
+use spec::ModelChoice;
+use spec::units::Length;
+
+/// Least shortfall of a star just outside of the validated domain.
+const LEAST_UNTRIED: f64 = 0.01;
+/// By how much constraints are tightened for the search, so that they still hold once the values are rounded.
+pub const ROUNDING: f64 = 5e-4;
+/// Factor on the lower end of a force's range in a search, and divisor of the upper end: a search finds the places where a model is most
+/// optimistic. Of twenty winners chosen by ranges alone, three had payloads 10, 13 and 21 % below the lower end.
+pub const SEARCHED: f64 = 0.8;
+
+/// Constraints on a design; absent constraints always hold.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Constraints {
+    /// The star must close to the first radius; the second must pass the cut hole, and the inflated star must open to it.
+    pub grasp: Option<[Length; 2]>,
+    /// A radius that must pass the cut hole.
+    pub hole: Option<Length>,
+    /// Payload of the stack, kg, at the load's pressure, object and friction.
+    pub payload: Option<f64>,
+    /// Largest radial force of one star on the object, N.
+    pub largest_force: Option<f64>,
+    /// Smaller side of the sheet's free area: the cut star must fit.
+    pub sheet: Option<Length>,
+    /// Burst pressure over pressure.
+    pub burst_margin: Option<f64>,
+    /// Whether arms must not touch. Required with a force: forces of stars whose arms touch were compared with coarse shells only.
+    pub apart: bool,
+}
+
+/// A constraint that a design misses, and its relative shortfall.
+pub type Short = (&'static str, f64);
+
+/// All constraints that `point`, with the values `answer`, violates.
+pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints) -> Vec<Short> {
+    // Shortfall relative to `least`; a missing value counts as zero.
+    let short = |value: Option<f64>, least: f64| ((least - value.unwrap_or(0.0)) / least).max(0.0);
+    let over = |value: f64, most: f64| ((value - most) / most).max(0.0);
+    let star = &answer.star;
+    let mut all = vec![("arms", short(Some(star.l), SHORTEST_ARM * star.w))];
+    if answer.outcome.is_none() {
+        all.push(("no model", 10.0));
+    }
+    if let Some(own) = &answer.grip {
+        if is_at_pressure(point.model) && own.ranges.domain != Domain::Validated {
+            // The more the further out: so that a search finds its way in.
+            all.push(("untried", LEAST_UNTRIED + outside_by(&answer.case)));
+        }
+        let forceful =
+            constraints.apart || constraints.payload.is_some() || constraints.largest_force.is_some();
+        if is_at_pressure(point.model) && forceful {
+            // The overlap of the arms, as the tips' angle by which they pass contact, rad.
+            let depth = answer.case.mechanism.correction.contact_angle - own.rest.equilibrium;
+            all.push(("touching", if depth >= 0.0 { LEAST_UNTRIED + depth } else { 0.0 }));
+        }
+        if let Some([close, open]) = constraints.grasp {
+            let mm = |metres: f64| Length::from_metres(metres).0;
+            let widest = mm(own.rest.widest.radius);
+            let least_sure = own.ranges.radius.map_or(own.rest.radius, |[_, high]| high);
+            all.push(("closing", over(mm(least_sure), close.0)));
+            all.push(("opening", short(Some(widest), open.0 * (1.0 + ROUNDING))));
+        }
+        let entering =
+            constraints.grasp.map(|[_, open]| open.0).into_iter().chain(constraints.hole.map(|hole| hole.0));
+        if let Some(entering) = entering.reduce(f64::max) {
+            all.push(("inner_radius", short(Some(star.hole(&point.seal)), entering)));
+        }
+        if let Some(most) = constraints.largest_force {
+            // An unknown force may be too large.
+            let unknown = if own.hold == Some(Grip::Untried) { 1.0 } else { 0.0 };
+            all.push(("pressing", most_force(point, own).map_or(unknown, |force| over(force, most))));
+        }
+        match own.hold {
+            Some(Grip::TooWideToEnter | Grip::TooWideToOpen) => all.push(("object", 0.1)),
+            Some(Grip::TooThin) => {
+                let object = point.load.object_radius.map_or(own.rest.radius, Length::metres);
+                all.push(("object", over(own.rest.radius, object)));
+            }
+            Some(Grip::Beside) => all.push(("object", 1.0)),
+            Some(Grip::Held(_) | Grip::Unknown(_) | Grip::Untried) | None => {}
+        }
+    }
+    if let Some(payload) = constraints.payload {
+        all.push(("payload", short(sure_payload(point, answer), payload)));
+    }
+    if let Some(side) = constraints.sheet {
+        let reach = star.tip_reach() + point.seal.band.0 + point.seal.allowance.0;
+        all.push(("sheet", over(2.0 * reach, side.0)));
+    }
+    if let Some(least) = constraints.burst_margin {
+        let margin = answer.burst.zip(point.load.pressure).map(|(burst, pressure)| burst.0 / pressure.0);
+        all.push(("burst", short(margin, least)));
+    }
+    all.retain(|(_, shortfall)| *shortfall > 0.0);
+    all
+}
+
+/// Whether a model applies at the star's pressure, unlike a limit selected by name.
+pub fn is_at_pressure(model: ModelChoice) -> bool {
+    !matches!(model, ModelChoice::Ring | ModelChoice::Fit)
+}
+
+/// The largest force with which it may press, N, beyond the upper end of its range; `None` if unknown.
+fn most_force(point: &Candidate, own: &Outcome) -> Option<f64> {
+    match own.force_range {
+        Some([_, high]) => Some(high / SEARCHED),
+        None => own.object_force().filter(|_| !is_at_pressure(point.model)),
+    }
+}
+
+/// The design payload of the stack, kg, below the lower end of its range; `None` if unknown. A limit selected by name
+/// gives its own value.
+pub fn sure_payload(point: &Candidate, answer: &Answer) -> Option<f64> {
+    match answer.payload_range {
+        Some([low, _]) => Some(SEARCHED * low),
+        None => answer.payload.filter(|_| !is_at_pressure(point.model)),
+    }
+}

@@ -1,0 +1,35 @@
+//! The trade-off between contraction, stiffness and fabric.
+
+use crate::optimize::Evaluation;
+
+/// The candidates that no other beats in all three goals at once.
+pub(super) fn front(mut candidates: Vec<Evaluation>) -> Vec<Evaluation> {
+    let goals = |c: &Evaluation| {
+        let own = c.answer.outcome.as_ref();
+        let stiffness = own.and_then(|own| own.stiffness).unwrap_or(0.0);
+        [-own.map_or(0.0, |own| own.contraction), -stiffness, c.fabric()]
+    };
+    candidates.sort_by(|a, b| {
+        let (a, b) = (goals(a), goals(b));
+        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
+    });
+    let mut front: Vec<Evaluation> = Vec::new();
+    for candidate in candidates {
+        let own = goals(&candidate);
+        // Sorted by contraction: only candidates already kept can beat or equal this one.
+        let beaten = front.iter().map(goals).any(|other| (0..3).all(|k| other[k] <= own[k]));
+        if !beaten {
+            front.push(candidate);
+        }
+    }
+    front
+}
+
+/// Every `of`-th of `candidates`, ends included: a front has hundreds, a table a dozen.
+pub fn thinned(candidates: &[Evaluation], most: usize) -> Vec<Evaluation> {
+    let count = candidates.len();
+    if count <= most || most < 2 {
+        return candidates.iter().take(most.max(1)).cloned().collect();
+    }
+    (0..most).map(|i| candidates[i * (count - 1) / (most - 1)].clone()).collect()
+}

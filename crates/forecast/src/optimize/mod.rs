@@ -1,0 +1,362 @@
+//! The best star for a purpose: number of points exhaustively, all else within bounds.
+//!
+//! For each n a scan finds the regions, and a pattern search (`poll`) starts from the most promising places: a step that helps is
+//! doubled, one that does not is halved. Designs are compared by their violation of the constraints, and feasible ones
+//! by the goal. Constraints hold at the bad end of the ranges, and a design without a prediction never wins.
+
+mod confirmation;
+mod constraints;
+mod front;
+mod poll;
+
+pub use self::confirmation::{Confirmation, Judgement, ShellComparison};
+pub use self::constraints::{
+    Constraints, ROUNDING, SEARCHED, Short, is_at_pressure, shortfalls, sure_payload,
+};
+pub use self::front::thinned;
+
+use self::front::front;
+use self::poll::{AXES, UnitPoint, polled, scanned};
+use crate::candidate::{Answer, Candidate};
+use design::{least_pitch, pitch_for};
+use inflatable::mechanics::hinge::ring::RingTable;
+use rayon::prelude::*;
+use spec::units::{Angle, Length, Pressure};
+use std::cmp::Ordering;
+use std::ops::RangeInclusive;
+use std::sync::atomic::AtomicBool;
+use std::sync::atomic::Ordering::Relaxed;
+
+/// The objective of the search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Goal {
+    /// Most contraction.
+    Contraction,
+    /// Most radial stiffness.
+    Stiffness,
+    /// Least fabric, of all stars.
+    Fabric,
+    /// Largest design payload.
+    Payload,
+}
+
+/// The box that is searched, the lower end of each range first. Equal ends fix a value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SearchBounds {
+    /// Number of points.
+    pub points: RangeInclusive<u32>,
+    /// Tip angle.
+    pub tip_angle: [Angle; 2],
+    /// Tube width.
+    pub width: [Length; 2],
+    /// Tip radius.
+    pub tip_radius: [Length; 2],
+    /// Corner radius.
+    pub corner_radius: [Length; 2],
+    /// Inner radius.
+    pub inner_radius: [Length; 2],
+    /// Pressure; `None`: the load's, or none.
+    pub pressure: Option<[Pressure; 2]>,
+    /// Number of equal stars; as few as hold the payload are taken.
+    pub stars: RangeInclusive<u32>,
+}
+
+impl SearchBounds {
+    /// The box that holds `base` alone.
+    pub fn just(base: &Candidate) -> Self {
+        let star = &base.star;
+        Self {
+            points: star.points..=star.points,
+            tip_angle: [star.tip_angle; 2],
+            width: [star.tube_width; 2],
+            tip_radius: [star.tip_radius; 2],
+            corner_radius: [star.corner_radius; 2],
+            inner_radius: [star.inner_radius; 2],
+            pressure: None,
+            stars: base.stars..=base.stars,
+        }
+    }
+}
+
+/// A design with its predicted values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Evaluation {
+    /// The design.
+    pub point: Candidate,
+    /// Its predicted values.
+    pub answer: Answer,
+    /// Sum of its violations of the constraints: 0 if it meets all.
+    pub violation: f64,
+}
+
+/// The result of a search.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SearchResult {
+    /// The best design for each n that has one, the best first.
+    pub best: Vec<Evaluation>,
+    /// Designs that meet the constraints and that no other beats in contraction, stiffness and fabric at once,
+    /// by falling contraction.
+    pub front: Vec<Evaluation>,
+    /// Designs that were computed.
+    pub computed: usize,
+}
+
+/// Number of evaluations for each n.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SearchEffort {
+    /// Places of the scan: 1024 leave no gap larger than an eighth of the box in four dimensions.
+    pub scanned: u32,
+    /// Places that are followed down.
+    pub followed: usize,
+    /// Polls of one place, most.
+    pub polls: u32,
+    /// Polls, each in other directions, that must fail before a step is halved: where two constraints meet at a sharp angle only some
+    /// directions help.
+    pub failures: u32,
+}
+
+impl SearchEffort {
+    /// For several searches of which none may take long: of the problems of `crates/research/examples/optimum.rs` a grid beats one in a hundred, by 1 %.
+    pub const QUICK: Self = Self { scanned: 1024, followed: 4, polls: 80, failures: 1 };
+}
+
+impl Default for SearchEffort {
+    fn default() -> Self {
+        Self { scanned: 1024, followed: 6, polls: 600, failures: 12 }
+    }
+}
+
+/// Smallest step of a search, of the box's side.
+const SMALLEST_STEP: f64 = 1e-4;
+
+/// A search: base design, bounds, constraints and goal.
+#[derive(Clone, Copy, Debug)]
+pub struct DesignSearch<'a> {
+    /// The design that gives all values that are not searched.
+    pub base: &'a Candidate,
+    /// The box.
+    pub bounds: &'a SearchBounds,
+    /// The constraints.
+    pub constraints: &'a Constraints,
+    /// The objective.
+    pub goal: Goal,
+    /// The ring's table.
+    pub table: &'a RingTable,
+    /// Number of evaluations.
+    pub effort: SearchEffort,
+    /// Set by another thread to stop at the next design; the result is then not the best.
+    pub cancel: Option<&'a AtomicBool>,
+}
+
+impl<'a> DesignSearch<'a> {
+    /// A thorough search around `base` without a stop; values that are not searched stay as in `base`.
+    pub fn new(
+        base: &'a Candidate,
+        bounds: &'a SearchBounds,
+        constraints: &'a Constraints,
+        goal: Goal,
+        table: &'a RingTable,
+    ) -> Self {
+        Self { base, bounds, constraints, goal, table, effort: SearchEffort::default(), cancel: None }
+    }
+
+    /// Searches.
+    pub fn run(&self) -> SearchResult {
+        let all: Vec<u32> = self.bounds.points.clone().collect();
+        let found: Vec<Vec<Evaluation>> =
+            all.into_par_iter().map(|points| self.with_points(points)).collect();
+        let computed = found.iter().map(Vec::len).sum();
+        let better = |a: &&Evaluation, b: &&Evaluation| compare(a, b, self.goal);
+        let mut best: Vec<Evaluation> =
+            found.iter().filter_map(|of| of.iter().min_by(better)).cloned().collect();
+        best.sort_by(|a, b| compare(a, b, self.goal));
+        let met = found.into_iter().flatten().filter(|candidate| candidate.violation == 0.0);
+        SearchResult { best, front: front(met.collect()), computed }
+    }
+
+    /// The ends of the box along each axis, deg, mm and kPa.
+    fn sides(&self) -> [[f64; 2]; AXES] {
+        let SearchBounds { tip_angle, width, tip_radius, corner_radius, inner_radius, pressure, .. } =
+            self.bounds;
+        let own = self.base.load.pressure.unwrap_or_default();
+        let lengths =
+            [width, tip_radius, corner_radius, inner_radius].map(|ends| ends.map(|length| length.0));
+        let [width, tip_radius, corner_radius, inner_radius] = lengths;
+        let pressure = pressure.unwrap_or([own; 2]).map(|pressure| pressure.0);
+        [tip_angle.map(|end| end.0), width, tip_radius, corner_radius, inner_radius, pressure]
+    }
+
+    /// The design with `points` points at `place`; `None` if it does not exist, cannot be cut out, or the search is cancelled.
+    fn at(&self, points: u32, place: &UnitPoint) -> Option<Evaluation> {
+        if self.cancel.is_some_and(|cancel| cancel.load(Relaxed)) {
+            return None;
+        }
+        let sides = self.sides();
+        // The design that is written is the one that is judged; the ends of the box are exact.
+        let [tip_angle, width, tip_radius, corner_radius, inner_radius, pressure] =
+            std::array::from_fn(|k| {
+                let [least, most] = sides[k];
+                thousandths(least + place[k] * (most - least)).clamp(least, most)
+            });
+        let mut point = self.base.clone();
+        let star = &mut point.star;
+        star.points = points;
+        (star.tip_angle, star.tube_width) = (Angle(tip_angle), Length(width));
+        (star.tip_radius, star.corner_radius) = (Length(tip_radius), Length(corner_radius));
+        star.inner_radius = Length(inner_radius);
+        if pressure > 0.0 {
+            point.load.pressure = Some(Pressure(pressure));
+        }
+        point.stars = *self.bounds.stars.start();
+        let pitch = point.star.pitch;
+        let answer = self.stacked(&mut point)?;
+        if point.stars == 1 && pitch.0 > 0.0 {
+            point.star.pitch = pitch;
+        }
+        answer.fabric.is_some().then(|| self.judged(point, &answer))
+    }
+
+    /// `point` with the fewest stars that hold the payload, within the bounds and the object's height, at the pitch that
+    /// they need; returns its predicted values.
+    fn stacked(&self, point: &mut Candidate) -> Option<Answer> {
+        let (from, to) = (*self.bounds.stars.start(), *self.bounds.stars.end());
+        point.stars = from;
+        let (width, plate) = (point.star.tube_width, point.plate);
+        point.star.pitch = match point.star.pitch {
+            Length(0.0) => pitch_for(width, plate),
+            own => Length(own.0.max(least_pitch(width, plate).0)),
+        };
+        if to == from {
+            return point.answer(self.table).ok();
+        }
+        let to = to.min(point.most_stars()).max(from);
+        let Some(needed) = self.constraints.payload else {
+            point.stars = if self.goal == Goal::Payload { to } else { from };
+            return point.answer(self.table).ok();
+        };
+        let answer = point.answer(self.table).ok()?;
+        let Some(sure) = sure_payload(point, &answer) else { return Some(answer) };
+        if sure >= needed || to == from {
+            return Some(answer);
+        }
+        // No star presses harder than one at the object's middle: fewer than these do not hold it.
+        let one = sure_payload(point, &answer.of_stars(1)).unwrap_or(0.0);
+        let least = (from + 1..=to).find(|count| f64::from(*count) * one >= needed).unwrap_or(to);
+        for count in least..=to {
+            point.stars = count;
+            let answer = point.answer(self.table).ok()?;
+            if count == to || sure_payload(point, &answer).is_none_or(|sure| sure >= needed) {
+                return Some(answer);
+            }
+        }
+        None
+    }
+
+    /// `point`, whose values are `answer`, with its violation of the constraints.
+    fn judged(&self, point: Candidate, answer: &Answer) -> Evaluation {
+        let all = shortfalls(&point, answer, self.constraints);
+        let violation = all.iter().map(|(_, shortfall)| shortfall).sum();
+        Evaluation { point, answer: *answer, violation }
+    }
+
+    /// All designs with `points` points that were computed.
+    fn with_points(&self, points: u32) -> Vec<Evaluation> {
+        let sides = self.sides();
+        let varied: Vec<usize> = (0..AXES).filter(|&k| sides[k][1] > sides[k][0]).collect();
+        let scanned = (1..=if varied.is_empty() { 1 } else { self.effort.scanned })
+            .map(|index| scanned(index, &varied))
+            .filter_map(|place| Some((place, self.at(points, &place)?)));
+        let mut scanned: Vec<(UnitPoint, Evaluation)> = scanned.collect();
+        scanned.sort_by(|a, b| compare(&a.1, &b.1, self.goal));
+        let starts: Vec<_> = scanned.iter().take(self.effort.followed).cloned().collect();
+        let mut all: Vec<Evaluation> = scanned.iter().map(|(_, candidate)| candidate.clone()).collect();
+        if varied.is_empty() {
+            return all;
+        }
+        for start in starts {
+            self.descend(points, start, &varied, &mut all);
+        }
+        // A design with fewer stars is a step away that no descent takes: each lower number is searched by itself, from its least
+        // violation.
+        let best = all.iter().min_by(|a, b| compare(a, b, self.goal)).map_or(0, |best| best.point.stars);
+        let from = *self.bounds.stars.start();
+        for count in (from..best).filter(|_| self.constraints.payload.is_some()) {
+            let bounds = SearchBounds { stars: count..=count, ..self.bounds.clone() };
+            let fewer = DesignSearch { bounds: &bounds, ..*self };
+            // All stars are assumed to meet the object's middle; this only selects starting points.
+            let missed = |(place, one): &(UnitPoint, Evaluation)| {
+                let point = Candidate { stars: count, ..one.point.clone() };
+                (*place, fewer.judged(point, &one.answer.of_stars(count)))
+            };
+            let places = scanned.iter().map(missed);
+            let Some((place, _)) = places.min_by(|a, b| compare(&a.1, &b.1, self.goal)) else { continue };
+            let Some(start) = fewer.at(points, &place).map(|one| (place, one)) else { continue };
+            fewer.descend(points, start, &varied, &mut all);
+        }
+        all
+    }
+
+    /// The search downwards from `start`; all designs on the way go to `all`.
+    fn descend(
+        &self,
+        points: u32,
+        start: (UnitPoint, Evaluation),
+        varied: &[usize],
+        all: &mut Vec<Evaluation>,
+    ) {
+        let (mut place, mut here) = start;
+        let (mut step, mut failed) = (0.1, 0);
+        for round in 0..self.effort.polls {
+            let mut moved = false;
+            for trial in polled(place, step, varied, round) {
+                let Some(next) = self.at(points, &trial) else { continue };
+                all.push(next.clone());
+                if compare(&next, &here, self.goal).is_lt() {
+                    (place, here, moved) = (trial, next, true);
+                    break;
+                }
+            }
+            failed = if moved { 0 } else { failed + 1 };
+            if moved {
+                step = (2.0 * step).min(0.2);
+            } else if failed % self.effort.failures == 0 {
+                step *= 0.5;
+            }
+            if step < SMALLEST_STEP {
+                break;
+            }
+        }
+    }
+}
+
+/// A length, angle or pressure as a search writes it into a spec: a micrometre, a thousandth of a degree, a Pascal.
+pub fn thousandths(value: f64) -> f64 {
+    (value * 1e3).round() / 1e3
+}
+
+/// Less is better: first the violation, then the goal, then the smaller fabric so that ties are decided.
+fn compare(a: &Evaluation, b: &Evaluation, goal: Goal) -> Ordering {
+    let cost = |candidate: &Evaluation| {
+        let own = candidate.answer.outcome.as_ref();
+        match goal {
+            Goal::Contraction => -own.map_or(0.0, |own| own.contraction),
+            Goal::Stiffness => -own.and_then(|own| own.stiffness).unwrap_or(0.0),
+            Goal::Payload => -sure_payload(&candidate.point, &candidate.answer).unwrap_or(0.0),
+            Goal::Fabric => candidate.fabric(),
+        }
+    };
+    a.violation
+        .total_cmp(&b.violation)
+        .then(cost(a).total_cmp(&cost(b)))
+        .then(a.fabric().total_cmp(&b.fabric()))
+}
+
+impl Evaluation {
+    /// Fabric of all stars, mm^2.
+    pub fn fabric(&self) -> f64 {
+        self.answer.fabric.map_or(f64::INFINITY, |area| f64::from(self.point.stars) * area)
+    }
+}
+
+#[cfg(test)]
+mod tests;

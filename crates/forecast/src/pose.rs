@@ -1,0 +1,99 @@
+//! The shape of an inflated star: for all pictures, flat or in three dimensions, and for their checks.
+//!
+//! It is the mechanism of the prediction: arms stay straight and as long as they are, the tube is everywhere as wide as the prediction has
+//! it between the centres of a tip's and a corner's arc, and a coiled hinge keeps the length of its inner arc.
+
+use std::f64::consts::PI;
+
+use crate::case::mechanism;
+use crate::prediction::{Prediction, StarPrediction};
+use design::{Design, Star};
+use inflatable::mechanics::fault::StarFault;
+use inflatable::mechanics::star::{Correction, Mechanism};
+use inflatable::numerics::bracketed_root;
+use serde::Serialize;
+use spec::Spec;
+use spec::units::Length;
+
+/// The dimensions needed to draw a star: its tube lies between r and r + w around the centres of tips and corners.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+pub struct Pose {
+    /// Inner radius.
+    pub inner_radius_mm: f64,
+    /// Width of the tube in plan view.
+    pub width_mm: f64,
+    /// Angle between the arms of a tip.
+    pub tip_angle_deg: f64,
+    /// Inner radius of curvature of the tips.
+    pub tip_radius_mm: f64,
+    /// Inner radius of curvature of the corners.
+    pub corner_radius_mm: f64,
+    /// Distance of a tip's centre from the axis.
+    pub tip_centre_mm: f64,
+    /// Distance of a corner's centre from the axis.
+    pub corner_centre_mm: f64,
+}
+
+impl Pose {
+    /// The star as it is drawn.
+    pub fn of(star: &Star) -> Self {
+        Self {
+            inner_radius_mm: star.rho_0,
+            width_mm: star.w,
+            tip_angle_deg: star.phi_i.to_degrees(),
+            tip_radius_mm: star.r_i,
+            corner_radius_mm: star.r_e,
+            tip_centre_mm: star.d_t,
+            corner_centre_mm: star.d_p,
+        }
+    }
+}
+
+/// Every star of `design`, made from `spec`, bottom first, as wide as `prediction` closes it: on the spec's object where that is wider
+/// and within reach, else closed fully. Lengths in mm. Empty if the closing of any star is unknown.
+pub fn inflated(spec: &Spec, design: &Design, prediction: Option<&Prediction>) -> Vec<Star> {
+    let object = spec.load.as_ref().and_then(|load| load.object_radius);
+    let predicted = prediction.map_or(&[][..], |prediction| &prediction.stars);
+    let Some(design) = design.assembly() else { return Vec::new() };
+    let stars = design.stars.iter().zip(predicted);
+    let inflated = stars.map(|(placed, predicted)| closed(&design.part(placed).star, predicted, object));
+    inflated.collect::<Option<_>>().unwrap_or_default()
+}
+
+fn closed(star: &Star, predicted: &StarPrediction, object: Option<Length>) -> Option<Star> {
+    let moves = Mechanism { correction: predicted.correction, ..mechanism(star) };
+    // A ball is thinner beside its middle.
+    let object = object.map(|object| predicted.object_radius_mm.map_or(object, Length));
+    let rest = predicted.tip_equilibrium_angle_deg?.to_radians().max(predicted.correction.contact_angle);
+    Some(at_angle(star, &moves, held(&moves, rest, object).unwrap_or(rest)))
+}
+
+/// The tips' angle, rad, at which the star touches the object; `None` if at rest it does not.
+pub(super) fn held(moves: &Mechanism, rest: f64, object: Option<Length>) -> Option<f64> {
+    let rho = object?.metres();
+    let widest = moves.widest(rest);
+    if rho <= moves.radius(rest).value || rho >= widest.radius {
+        return None;
+    }
+    let beyond = |phi: f64| Ok::<f64, StarFault>(moves.radius(phi).value - rho);
+    bracketed_root(rest, widest.angle, 1e-9, beyond).ok()
+}
+
+/// The star `flat`, inflated with the mechanism `moves`, at the tips' angle `phi`, rad; lengths in mm.
+pub fn at_angle(flat: &Star, moves: &Mechanism, phi: f64) -> Star {
+    let turn = flat.phi_e - flat.phi_i;
+    let coiled = |radius: f64, from: f64, to: f64| radius * (PI - from) / (PI - to);
+    let Correction { width, .. } = moves.correction;
+    let (w, phi_e) = (width * flat.w, phi + turn);
+    let (r_i, r_e) = (coiled(flat.r_i, flat.phi_i, phi), coiled(flat.r_e, flat.phi_e, phi_e));
+    let rho_0 = moves.radius(phi).value * 1e3;
+    let d_p = rho_0 + w + r_e;
+    let (sin, cos) = libm::sincos(0.5 * phi);
+    // From the tip's ray to the start of the arm. A corner's rim lies further out than its coiling gives; the arm keeps its length.
+    let (across, out) = libm::sincos(flat.half_sector());
+    let away = d_p * across - (w + r_i + r_e) * cos;
+    let along = (flat.l.powi(2) - away.powi(2)).max(0.0).sqrt();
+    let d_t = d_p * out - (w + r_i + r_e) * sin + along;
+    Star { rho_0, w, phi_i: phi, phi_e, r_i, r_e, d_t, d_p, ..*flat }
+}

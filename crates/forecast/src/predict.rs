@@ -1,0 +1,346 @@
+//! From a spec to the prediction: selects the model, evaluates every star, and adds the evidence.
+
+use crate::case::{Case, weave};
+use crate::model_selection::{corrected, hinge_model, limits_of_validity, named, tabled};
+use crate::outcome::{Grip, Outcome};
+use crate::prediction::{ForceAt, ModelEvidence, Prediction, StarPrediction};
+use crate::pressures::{LEAST, MOST, modelled, outside_section, pressures, rows};
+use crate::ranges::{Domain, Interval, Ranges, errors, mm, outside, sum};
+use crate::seal_forecast::{SealForecast, per_mm};
+use crate::seal_load::Bursting;
+use crate::star_answer::{bare, fill, nonlinear, of_the_shape};
+use crate::verdict::{Verdict, refusals, verdict};
+use design::{Design, Meeting, StarAssembly, StarDesign};
+use inflatable::mechanics::fault::{HingeFault, StarFault};
+use inflatable::mechanics::hinge::{HingeModel, Level};
+use inflatable::mechanics::star::response::Inflated;
+use spec::units::{Length, Pressure};
+use spec::{Fabric, KeyPath, ModelChoice, ObjectShape, Spec, key};
+use std::fmt;
+
+/// Reason for a missing prediction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PredictFault {
+    /// Number of the star, 1 = bottom; `None` if it is not about one star.
+    pub star: Option<usize>,
+    /// The key of the spec that is best changed.
+    pub key: KeyPath,
+    /// The found value, and the allowed one if `remedy` does not name it.
+    pub what: String,
+    /// The way to a prediction; `None` if `what` names it, or none is known.
+    pub remedy: Option<String>,
+}
+
+impl fmt::Display for PredictFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(star) = self.star {
+            write!(f, "star {star}: ")?;
+        }
+        write!(f, "{}: {}", self.key, self.what)?;
+        self.remedy.iter().try_for_each(|remedy| write!(f, ": {remedy}"))
+    }
+}
+
+impl std::error::Error for PredictFault {}
+
+impl PredictFault {
+    /// That of no star in particular, at `key`, where `what` says all.
+    pub(super) fn new(key: KeyPath, what: String) -> Self {
+        Self { star: None, key, what, remedy: None }
+    }
+}
+
+/// Predicts the stars of `design`, made from `spec`, by `accuracy.model`.
+///
+/// # Errors
+/// If a model refuses one of the hinges, is not available, or covers no such product.
+pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault> {
+    let design = stars_of(design)?;
+    let mut stars = predict_stars(spec, design)?;
+    let safe = safe_pressure(spec, design, &stars);
+    for star in &mut stars {
+        star.evidence.safe_pressure_kPa = safe;
+    }
+    let verdict = verdict(spec, &stars);
+    whole(stars, verdict)
+}
+
+/// The prediction of a gripper with these stars, bottom first.
+pub(super) fn whole(
+    stars: Vec<StarPrediction>,
+    verdict: Option<Verdict>,
+) -> Result<Prediction, PredictFault> {
+    let Some(mut first) = stars.first().cloned() else {
+        return Err(PredictFault::new(key::stack::COUNT, "there is no star".to_owned()));
+    };
+    first.payload_kg = stars.iter().map(|star| star.payload_kg).sum();
+    first.ranges.payload_kg = sum(stars.iter().map(|star| star.ranges.payload_kg));
+    let stack_mass_g = stars.iter().map(|star| star.mass_g).sum();
+    Ok(Prediction { first, verdict, stack_mass_g, stars })
+}
+
+/// The largest pressure, kPa, at which none of the seals that burst may do so; `None` if none bursts, or the gripper does not meet its load
+/// there either.
+fn safe_pressure(spec: &Spec, design: &StarAssembly, stars: &[StarPrediction]) -> Option<f64> {
+    let bursting = stars.iter().map(|star| &star.evidence).filter(|own| own.bursting == Some(Bursting::Yes));
+    let safe = bursting.filter_map(|own| own.safe_pressure_kPa).reduce(f64::min)?;
+    let mut at = spec.clone();
+    at.load.get_or_insert_default().pressure = Some(Pressure(safe));
+    let found = predict_stars(&at, design).ok()?;
+    refusals(&at, &found).is_empty().then_some(safe)
+}
+
+/// All stars of `design`, bottom first.
+fn predict_stars(spec: &Spec, design: &StarAssembly) -> Result<Vec<StarPrediction>, PredictFault> {
+    let meetings = design.meetings(spec);
+    let meeting = |i: usize| meetings.as_ref().and_then(|all| all.get(i));
+    let mut stars: Vec<StarPrediction> = Vec::with_capacity(design.stars.len());
+    for (i, placed) in design.stars.iter().enumerate() {
+        // Stars of a stack are often equal; a slow model then answers once.
+        let mut before = design.stars.iter().take(i).enumerate();
+        let twin = before.find(|(j, other)| other.distinct == placed.distinct && meeting(*j) == meeting(i));
+        let part = design.part(placed);
+        stars.push(match twin {
+            Some((twin, _)) => stars[twin].clone(),
+            None => predict_star(spec, part, meeting(i).copied())
+                .map_err(|fault| located(placed.index, (spec, part), &fault))?,
+        });
+    }
+    Ok(stars)
+}
+
+/// The stars of `design`: no model covers another product.
+pub(super) fn stars_of(design: &Design) -> Result<&StarAssembly, PredictFault> {
+    let what = "a drawn shape is not a star; only the shell models it".to_owned();
+    let remedy = Some("use `stargrip-cam predict`".to_owned());
+    design.assembly().ok_or(PredictFault { star: None, key: key::drawing::FILE, what, remedy })
+}
+
+/// Adds to `prediction`, which is that of `spec` and `design`, the forces on round objects of `radii`.
+///
+/// # Errors
+/// As for [`predict`].
+pub fn add_curve(
+    (spec, design): (&Spec, &Design),
+    radii: &[Length],
+    prediction: &mut Prediction,
+) -> Result<(), PredictFault> {
+    let mut at = spec.clone();
+    let mut curves = vec![Vec::new(); prediction.stars.len()];
+    for radius in radii {
+        let load = at.load.get_or_insert_default();
+        load.object_radius = Some(*radius);
+        // Each star around a cylinder that no star ends above or below.
+        (load.object_height, load.object_shape) = (Some(ENDLESS), Some(ObjectShape::Cylinder));
+        let stars = predict(&at, design)?.stars;
+        for (curve, star) in curves.iter_mut().zip(&stars) {
+            let [low, high] = star.ranges.object_force_N.map_or([None; 2], |range| range.map(Some));
+            curve.push(ForceAt(radius.0, star.object_force_N, low, high));
+        }
+    }
+    for (star, curve) in prediction.stars.iter_mut().zip(curves) {
+        star.force_curve = Some(curve);
+    }
+    prediction.first.force_curve = prediction.stars.first().and_then(|star| star.force_curve.clone());
+    Ok(())
+}
+
+/// Height of a cylinder that no stack is as high as: the largest length of a spec.
+const ENDLESS: Length = Length(1e5);
+
+/// One star with its case and inputs.
+struct PlacedCase<'a> {
+    spec: &'a Spec,
+    part: &'a StarDesign,
+    case: Case,
+    seal: SealForecast,
+}
+
+fn predict_star(
+    spec: &Spec,
+    part: &StarDesign,
+    meeting: Option<Meeting>,
+) -> Result<StarPrediction, StarFault> {
+    let case = Case::of(spec, &part.star)?.meeting(meeting);
+    let asked = PlacedCase { spec, part, case, seal: SealForecast::new(spec, &case, &part.star) };
+    let width = case.mechanism.width;
+    let Some(level) = named(spec.accuracy.model) else { return asked.automatic() };
+    let model = hinge_model(level, &case.sheet, case.pressure, width)?;
+    asked.by(model.as_ref(), format!("{} was requested", level.name()))
+}
+
+impl PlacedCase<'_> {
+    /// The cheapest model that covers a star at its pressure: `section`, from its table.
+    fn automatic(&self) -> Result<StarPrediction, StarFault> {
+        let Some(pressure) = self.case.pressure else {
+            let why = "the prediction depends on the pressure, and none is given";
+            let rows = rows(&self.case, self.seal.burst, self.seal.sure());
+            let mut star = self.unknown(why.to_owned());
+            if rows.is_empty() {
+                star.evidence.warnings.push(format!(
+                    "no pressure from {LEAST} to {MOST} kPa has a prediction for this star: {}",
+                    errors::UNKNOWN_MESSAGE
+                ));
+            }
+            return Ok(StarPrediction { pressures: Some(rows), ..star });
+        };
+        match tabled(&self.case, pressure) {
+            Ok(model) => {
+                self.by(&model, "section covers this star at its pressure, from its table".to_owned())
+            }
+            Err(fault @ StarFault::Hinge(HingeFault::Scale { .. } | HingeFault::RStar { .. })) => {
+                let why = format!("no model covers this star at this pressure: {fault}");
+                let mut unknown = self.unknown(why.clone());
+                unknown.evidence.warnings.insert(0, why);
+                unknown.modelled_kPa = modelled(&self.case);
+                Ok(unknown)
+            }
+            Err(fault) => Err(fault),
+        }
+    }
+
+    /// The prediction by `model`.
+    fn by(&self, model: &dyn HingeModel, choice: String) -> Result<StarPrediction, StarFault> {
+        let case = &corrected(&self.case, model)?;
+        // Angles and radii of a limit do not depend on the pressure: without one, any will do.
+        let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
+        let outcome = Outcome::linear(case, &inflated);
+        // Needed for a remedy only.
+        let presses = outcome.force_range.is_some_and(|[low, _]| low > 0.0);
+        let held =
+            if presses || outcome.hold.is_none() { None } else { outcome.surely_held(case, &inflated) };
+        let mut star = self.unknown(if outcome.known { choice } else { unlike(case) });
+        let warnings = &mut star.evidence.warnings;
+        warnings.extend(limits_of_validity(model, case));
+        warnings.extend(self.of_the_ranges(&outcome));
+        if outcome.known {
+            warnings.extend(of_the_shape(case, &outcome));
+            star.evidence.of_object = outcome.object_warning(case);
+            warnings.extend(star.evidence.of_object.clone());
+            star.evidence.surely_held_mm = held.map(mm);
+        }
+        star.nonlinear = nonlinear(case, (&inflated, &outcome), self.spec.accuracy.response, warnings);
+        fill(&mut star, case, &inflated, &outcome)?;
+        if !outcome.known {
+            star.modelled_kPa = modelled(&self.case);
+        }
+        Ok(star)
+    }
+
+    /// The values that need no model, with the reason why no model applies.
+    fn unknown(&self, choice: String) -> StarPrediction {
+        let Self { case, part, spec, seal } = self;
+        let of_burst = seal.warning();
+        let mut warnings: Vec<String> = of_burst.iter().cloned().collect();
+        if spec.accuracy.model == ModelChoice::Shell {
+            warnings.push(
+                "section is used here instead of shell: files must be the same on every machine, but a \
+                 shell's last digits are not; use `predict --model shell`"
+                    .to_owned(),
+            );
+        }
+        warnings.extend(weave_left_out(&spec.fabric));
+        let bare = bare(spec, part, case);
+        StarPrediction {
+            model: Level::Section.name(),
+            seal_load: seal.load,
+            seal_pull_N_per_mm: seal.pull.map(|(pull, ..)| per_mm(pull)),
+            seal_pull_at: seal.pull.map(|(.., place)| place),
+            burst_pressure_kPa: seal.burst.map(|p| Pressure::from_pascals(p).0),
+            burst_margin: seal.burst.zip(case.pressure).map(|(burst, p)| burst / p),
+            ranges: seal.ranges(),
+            evidence: ModelEvidence {
+                choice,
+                numerical_error: Some(0.0),
+                safe_radius_mm: seal.safe.map(|radius| radius.0),
+                safe_pressure_kPa: seal.sure().map(|sure| Pressure::from_pascals(sure).0),
+                warnings,
+                bursting: seal.bursting,
+                of_burst,
+                ..bare.evidence.clone()
+            },
+            hold: case.pressure.and(case.object).map(|_| Grip::Untried),
+            ..bare
+        }
+    }
+
+    /// A warning about ranges that are wide, or based on no computed star.
+    fn of_the_ranges(&self, outcome: &Outcome) -> Option<String> {
+        let Ranges { domain, radius, .. } = outcome.ranges;
+        let (accepted, found) = (self.spec.accuracy.response, outcome.rest.radius);
+        match domain {
+            // What is printed as 1.0 is no reason to warn.
+            Domain::Extrapolated if outcome.ranges.wider >= 1.05 => {
+                let outside = outside(&self.case);
+                Some(format!(
+                    "{}, {outside}: ranges are {:.1} times as wide",
+                    errors::EXTRAPOLATED_MESSAGE,
+                    outcome.ranges.wider
+                ))
+            }
+            _ if !outcome.known => Some(unlike(&self.case)),
+            _ => {
+                let part = |range: Interval, value: f64| (range[1] - value).max(value - range[0]) / value;
+                // The requested quantity: the force where there is an object, else the final radius.
+                let force = outcome.object_force().filter(|force| *force > 0.0).zip(outcome.force_range);
+                let asked = [
+                    ("the final radius", radius.map(|range| part(range, found))),
+                    ("the force on the object", force.map(|(force, range)| part(range, force))),
+                ];
+                let wide = asked.into_iter().filter_map(|(what, part)| Some((what, part?)));
+                let wide: Vec<String> = wide
+                    .filter(|(_, part)| *part > accepted.ratio())
+                    .map(|(what, part)| format!("{what} may be off by {:.0} %", (100.0 * part).ceil()))
+                    .collect();
+                (!wide.is_empty()).then(|| {
+                    format!(
+                        "{}, more than the accepted {accepted}: `predict --model shell` may narrow it",
+                        wide.join(", ")
+                    )
+                })
+            }
+        }
+    }
+}
+
+/// A message that the star of `case` is outside the validated domain, with the reason.
+fn unlike(case: &Case) -> String {
+    format!("{}: {}", errors::UNKNOWN_MESSAGE, outside(case))
+}
+
+/// A message that no hinge model uses the weave of `fabric`, if there is one.
+fn weave_left_out(fabric: &Fabric) -> Option<String> {
+    let weave = weave(fabric).ok()?;
+    let part = weave.shear;
+    (!weave.is_isotropic()).then(|| {
+        format!(
+            "shear_modulus is not used: numbers and ranges are for isotropic fabric; the given fabric has {part:.2} of \
+             its shear modulus; `predict --model shell` takes it into account"
+        )
+    })
+}
+
+/// A fault of star `star`, made of `part` by `spec`, with the key that is best changed. The star itself exists: a design was made of it.
+fn located(star: usize, (spec, part): (&Spec, &StarDesign), fault: &StarFault) -> PredictFault {
+    let case = Case::of(spec, &part.star).ok();
+    let outside = case.and_then(|case| {
+        let (what, _) = outside_section(fault, &case.sheet, case.mechanism.width, case.pressure?)?;
+        // Not every pressure that `section` covers has a prediction.
+        Some((what, modelled(&case).map(pressures)))
+    });
+    if let Some((what, remedy)) = outside {
+        return PredictFault { star: Some(star), key: key::load::PRESSURE, what, remedy };
+    }
+    let key = match fault {
+        StarFault::Dimension { symbol, .. } => match *symbol {
+            "p" => key::load::PRESSURE,
+            "E" => key::fabric::YOUNG_MODULUS,
+            "nu" => key::fabric::POISSON_RATIO,
+            _ => key::fabric::THICKNESS,
+        },
+        StarFault::NoPressure => key::load::PRESSURE,
+        StarFault::Radius { .. } => key::load::OBJECT_RADIUS,
+        StarFault::Hinge(_) | StarFault::Root(_) => key::star::TIP_RADIUS,
+    };
+    PredictFault { star: Some(star), key, what: fault.to_string(), remedy: None }
+}

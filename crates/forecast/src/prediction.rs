@@ -1,0 +1,336 @@
+//! The prediction of one spec's stars, with its evidence. Lengths in mm, angles in deg.
+
+pub use crate::case::Hinges;
+pub use crate::evidence::{MeshErrors, ModelEvidence};
+use crate::keys::{Key, keyed, kinds};
+use crate::meshed::MeshedPlace;
+use crate::outcome::Grip;
+use crate::pressures::PressureRow;
+use crate::ranges::{Interval, StarRanges, shown};
+use inflatable::mechanics::star::Correction;
+use serde::Serialize;
+
+/// The prediction of a gripper. The keys at the top describe star 1, `stars` each star.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+pub struct Prediction {
+    /// Star 1, and so is its `mass_g`; only `payload_kg` is the whole stack's.
+    #[serde(flatten)]
+    pub first: StarPrediction,
+    /// Whether the object is held; needs object_diameter and a pressure.
+    pub verdict: Option<Verdict>,
+    /// Mass of all stars' fabric, the top-level `mass_g` of a manifest; needs areal_density.
+    pub stack_mass_g: Option<f64>,
+    /// All stars, bottom first; `payload_kg` is the star's own share.
+    pub stars: Vec<StarPrediction>,
+}
+
+/// Whether the object is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Holds {
+    /// Yes, over all of its ranges.
+    Yes,
+    /// Nowhere in its ranges, or it is impossible.
+    No,
+    /// It depends on the position within the ranges, or no range is available.
+    Unknown,
+}
+
+impl Holds {
+    /// As a truth value; `None` for [`Holds::Unknown`].
+    pub fn known(self) -> Option<bool> {
+        match self {
+            Self::Yes => Some(true),
+            Self::No => Some(false),
+            Self::Unknown => None,
+        }
+    }
+}
+
+/// Whether the gripper holds the object, with reasons.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+pub struct Verdict {
+    /// The verdict.
+    pub holds: Holds,
+    /// The first reason as a code of docs/codes.md; `None` if it holds.
+    pub code: Option<&'static str>,
+    /// Radial force of all stars.
+    pub force_N: Option<f64>,
+    /// Its range.
+    pub force_range_N: Option<Interval>,
+    /// Radial force that friction needs to hold the mass.
+    pub needed_N: Option<f64>,
+    /// Radial force of the star that presses hardest.
+    pub star_force_N: Option<f64>,
+    /// Its range.
+    pub star_force_range_N: Option<Interval>,
+    /// Radial force of one star that the object bears.
+    pub largest_force_N: Option<f64>,
+    /// Number of stars.
+    pub stars: usize,
+    /// Assumptions about the object that the stars of a stack depend on and the spec leaves open.
+    pub assumed: Option<String>,
+    /// The reasons and remedies, one sentence each; empty if it holds.
+    pub reasons: Vec<String>,
+}
+
+impl Verdict {
+    /// As a phrase: "holds the object".
+    pub fn word(&self) -> &'static str {
+        match self.holds {
+            Holds::Yes => "holds the object",
+            Holds::No => "does not hold the object",
+            Holds::Unknown => "may hold the object",
+        }
+    }
+
+    /// As one line, without the reasons.
+    pub fn line(&self) -> String {
+        let word = self.word();
+        let force = match (self.force_N, self.force_range_N) {
+            (Some(force), Some(range)) if range[1] > 0.0 => {
+                let limit = Some(self.needed_N.unwrap_or(0.0));
+                format!(" with {}", shown::with_limit(force, range, "N", limit))
+            }
+            _ => String::new(),
+        };
+        let needed = self.needed_N.map_or(String::new(), |needed| {
+            let needed = shown::apart_from(needed, self.force_range_N.unwrap_or([0.0; 2]));
+            format!(" ({needed} N are needed)")
+        });
+        format!("{word}{force}{needed}")
+    }
+
+    /// The force of one star, if it differs from the force of all and a limit is set.
+    pub fn one_star(&self) -> Option<String> {
+        let bears = self.largest_force_N.filter(|_| self.stars > 1)?;
+        let force = shown::with_limit(self.star_force_N?, self.star_force_range_N?, "N", Some(bears));
+        Some(format!(
+            "of these {} stars the hardest presses with {force}; the object bears {bears} N of one star",
+            self.stars
+        ))
+    }
+
+    /// The assumption about the object, as a sentence.
+    pub fn assumed_in_words(&self) -> Option<String> {
+        self.assumed.as_ref().map(|what| format!("the object is {what}"))
+    }
+}
+
+keyed! {
+    /// The prediction of one star. `None` where a required input is missing.
+    #[derive(Clone, Debug, Default, PartialEq, Serialize)]
+    #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+    pub struct StarPrediction {
+        /// Model used: fit, ring, bvp, section or shell.
+        pub model: &'static str,
+        /// Target coiling factor of the hinges. By hinges' models only.
+        pub lambda_t: Hinges<Option<f64>>,
+        /// Coiling factor at the onset of hoop tension away from the rim. Some models have none.
+        pub lambda_c: Hinges<Option<f64>>,
+        /// Second derivative of the dimensionless volume by the coiling factor, at the target. By hinges' models only.
+        pub d2v_dlambda2: Hinges<Option<f64>>,
+        /// Length of the straight arms, mm.
+        pub arm_length_mm: f64,
+        /// Target angle of a free tip, degrees. Below 0 its arms would cross.
+        pub tip_target_angle_deg: Option<f64>,
+        /// Target angle of a free corner, degrees.
+        pub corner_target_angle_deg: Option<f64>,
+        /// Angle of the star's tips at equilibrium, degrees, not clamped where arms touch.
+        pub tip_equilibrium_angle_deg: Option<f64>,
+        /// Angle between the arms of a tip, degrees, with or without contact. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub tip_angle_deg: Option<f64>,
+        /// Inner radius of the inflated, empty star, mm: from the axis to the apex of a corner's inner rim.
+        pub final_radius_mm: Option<f64>,
+        /// 1 - final radius / inner radius of the flat star.
+        pub contraction: Option<f64>,
+        /// Stiffness of the hinges at the target, N m per rad. Needs a pressure.
+        pub hinge_stiffness_Nm: Option<Hinges<f64>>,
+        /// Radial stiffness at rest, all corners together, N/m. Needs a pressure.
+        pub radial_stiffness_N_per_m: Option<f64>,
+        /// Radial force stored in a star whose arms press on each other, N; 0 if they are free. Needs a pressure.
+        pub preload_N: Option<f64>,
+        /// Force with which the two arms of a tip press on each other, N; 0 if they do not touch. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub arm_contact_N: Option<f64>,
+        /// Flat area of an arm's sheet that touches the next arm, mm^2. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub arm_contact_mm2: Option<f64>,
+        /// Volume of the inflated star, mm^3. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub volume_mm3: Option<f64>,
+        /// Smallest and largest radius of a round object that the star can hold, mm; at most `hole_radius_mm`, since wider ones do not
+        /// enter.
+        pub graspable_radius_mm: Option<[f64; 2]>,
+        /// Radius of the hole's cut edge, mm. A wider object does not enter the flat star.
+        pub hole_radius_mm: f64,
+        /// Radius of the hole's cut edge in front of the corners of the closed star, mm: the final radius less band and flap. It touches
+        /// first.
+        pub flap_edge_radius_mm: Option<f64>,
+        /// Radial force of one star on the object while the flap in front of its corners stays straight, N: the largest that it can be.
+        /// `object_force_N` is that of a flap which gives way.
+        pub flap_force_N: Option<f64>,
+        /// Load under which the flap in front of the corners buckles, N per mm of contact, if both of its sheets are fused.
+        pub flap_load_N_per_mm: Option<f64>,
+        /// Radius of the object at the star's height, mm; 0 if the star passes above or below it.
+        pub object_radius_mm: Option<f64>,
+        /// Room between the cut hole and the object before inflation, mm. Below 0 the object does not enter.
+        pub object_gap_mm: Option<f64>,
+        /// Radial force of one star on the object, N. Needs a pressure and an object.
+        pub object_force_N: Option<f64>,
+        /// The least and the largest `object_force_N` where the corners rub on the object with the spec's largest friction, N.
+        /// By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub object_force_friction_N: Option<[f64; 2]>,
+        /// Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were
+        /// requested; null where the star does not hold such an object.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub force_curve: Option<Vec<ForceAt>>,
+        /// Pressure over the fabric's resistance to bending, 1/eps = p W^3 / B. Needs a pressure.
+        pub bendability: Option<f64>,
+        /// Pressure from which the hinges are fully coiled, kPa.
+        pub operating_pressure_kPa: f64,
+        /// Inner radius of curvature of the hinges as the sealed band makes them, mm.
+        pub realised_radius_mm: Hinges<f64>,
+        /// Tension of the ring over p W at the realised radius, at an inner rim that cannot stretch. `seal_pull_N_per_mm` is the seal's
+        /// own load.
+        pub seal_load: Hinges<Option<f64>>,
+        /// Largest force that pulls one sheet off the seam's plane, N per mm of seam, as a T-peel test measures it: averaged over the
+        /// width of the band. Needs a pressure.
+        pub seal_pull_N_per_mm: Option<f64>,
+        /// The hinges at which the seal's pull is largest: tips or corners.
+        pub seal_pull_at: Option<&'static str>,
+        /// Where on the flat star the seal's pull is largest, mm. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub seal_pull_at_mm: Option<[f64; 2]>,
+        /// Pressure at which the pull on the seal is `seal_strength`, kPa. Needs `seal_strength`.
+        pub burst_pressure_kPa: Option<f64>,
+        /// Largest pull across the rim: `value` in N/mm, its mesh error and its place on the flat star. By the shell only.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub seal_tension: Option<MeshedPlace>,
+        /// Mass of the fabric of one star, both sheets, g. Needs `areal_density`.
+        pub mass_g: Option<f64>,
+        /// Mass that friction holds, kg: of the whole stack, in `stars` of each star. Needs a pressure, an object and friction.
+        pub payload_kg: Option<f64>,
+        /// Stretch p W / Y of the fabric. By the shell the largest principal stretch with mesh error and place. Needs a pressure.
+        pub stretch: Option<FabricStretch>,
+        /// Burst pressure over the pressure. Needs both.
+        pub burst_margin: Option<f64>,
+        /// Source of the ranges: computed shells. No gripper was measured.
+        pub ranges_of: &'static str,
+        /// For each number that depends on a model the interval that holds a computed shell's value in at least 95 % of cases. Some may
+        /// be unknown.
+        pub ranges: StarRanges,
+        /// Predictions at several pressures. Only if the spec has no pressure.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub pressures: Option<Vec<PressureRow>>,
+        /// The same star with the model's own, asymmetric hinges instead of linear ones. By ring and bvp only.
+        pub nonlinear: Option<Nonlinear>,
+        /// Why this model was used, residuals, iterations, error estimates and `warnings`.
+        pub evidence: ModelEvidence,
+    } and {
+        /// The object's state; needs pressure and object_diameter.
+        #[serde(skip)]
+        pub hold: Option<Grip>,
+        /// The pressures, kPa, at which a model covers the star, if none does at its own pressure.
+        #[serde(skip)]
+        pub modelled_kPa: Option<Interval>,
+        /// Corrections of the inflated star beyond hinges and rigid arms.
+        #[serde(skip)]
+        pub correction: Correction,
+    }
+}
+
+/// Those of `all` that differ, each with the numbers of those that are equal to it, from 1: of stars the bottom one.
+pub fn distinct<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<(T, Vec<usize>)> {
+    let mut distinct: Vec<(T, Vec<usize>)> = Vec::new();
+    for (number, one) in (1..).zip(all) {
+        match distinct.iter_mut().find(|(other, _)| *other == one) {
+            Some((_, numbers)) => numbers.push(number),
+            None => distinct.push((one, vec![number])),
+        }
+    }
+    distinct
+}
+
+kinds! {
+    Hinges: Hinges<f64>, Hinges<Option<f64>>;
+    Object: Verdict, MeshedPlace, StarRanges, Nonlinear, ModelEvidence;
+    List: Vec<PressureRow>, Vec<StarPrediction>;
+    Rows: Vec<ForceAt>;
+    Variant: FabricStretch;
+}
+
+/// Stretch of the fabric.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum FabricStretch {
+    /// p W / Y.
+    Ratio(f64),
+    /// The largest principal stretch; by the shell.
+    Largest(MeshedPlace),
+}
+
+impl FabricStretch {
+    /// p W / Y, where it is that.
+    pub fn ratio(self) -> Option<f64> {
+        match self {
+            Self::Ratio(ratio) => Some(ratio),
+            Self::Largest(_) => None,
+        }
+    }
+}
+
+/// A radius, mm, the radial force there, N, and the ends of its range; `None` if unknown.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ForceAt(pub f64, pub Option<f64>, pub Option<f64>, pub Option<f64>);
+
+/// The same star with the model's own V_bar.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+pub struct Nonlinear {
+    /// Equilibrium angle of the tips, not clamped.
+    pub tip_equilibrium_angle_deg: f64,
+    /// Final inner radius.
+    pub final_radius_mm: f64,
+    /// 1 - rho_f / rho_0.
+    pub contraction: f64,
+    /// Radial stiffness at rest.
+    pub radial_stiffness_N_per_m: Option<f64>,
+    /// Radial force that is stored in a star whose arms touch and press on each other.
+    pub preload_N: Option<f64>,
+    /// Radial force on the object.
+    pub object_force_N: Option<f64>,
+}
+
+impl Prediction {
+    /// The keys of its JSON: those of star 1, then the others.
+    pub const KEYS: &'static [&'static [Key]] = &[
+        StarPrediction::KEYS,
+        &[
+            Key::new::<Option<Verdict>>(
+                "verdict",
+                "Whether the gripper holds the object: `holds` (yes, no or unknown), the force with its range, the needed force and reasons.",
+            ),
+            Key::new::<Option<f64>>(
+                "stack_mass_g",
+                "Mass of the fabric of all stars, g. Needs `areal_density`.",
+            ),
+            Key::new::<Vec<StarPrediction>>(
+                "stars",
+                "The same keys for each star, bottom first. Those at the top are star 1's, except `payload_kg`.",
+            ),
+        ],
+    ];
+
+    /// The answer as one JSON object with a trailing newline.
+    ///
+    /// # Panics
+    /// Never: every field can be written as JSON.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(self).expect("plain data") + "\n"
+    }
+}

@@ -1,0 +1,152 @@
+//! Predictions of a star at several pressures: the answer to a spec without a pressure.
+
+use crate::case::Case;
+use crate::model_selection::tabled;
+use crate::outcome::Outcome;
+use crate::ranges::{Domain, Interval, mm};
+use inflatable::mechanics::fault::{HingeFault, StarFault};
+use inflatable::mechanics::hinge::section::{BENDABILITY, MOST_STRETCH};
+use inflatable::mechanics::strength::ElasticSheet;
+use inflatable::numerics::last_holding;
+use serde::Serialize;
+use spec::units::{Least, Length, Most, Pressure};
+
+/// One pressure, with the star's values there.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+pub struct PressureRow {
+    /// Gauge pressure.
+    pub pressure_kPa: f64,
+    /// Final inner radius.
+    pub final_radius_mm: f64,
+    /// Its range; `None` if unknown.
+    pub radius_range_mm: Option<Interval>,
+    /// Radial force on the object; needs object_radius.
+    pub object_force_N: Option<f64>,
+    /// Its range; `None` if unknown.
+    pub force_range_N: Option<Interval>,
+    /// Stretch p W / Y of the fabric.
+    pub stretch: f64,
+    /// Burst pressure over this one; needs seal_strength.
+    pub burst_margin: Option<f64>,
+    /// Whether stars around it were computed as shells; otherwise ranges are four times as wide.
+    pub tried: bool,
+    /// Whether it is the best of those at which no seal may burst: the largest lower end of the object's force, or without an object the least
+    /// radius.
+    pub best: bool,
+}
+
+/// Steps within a decade.
+const STEPS: [f64; 8] = [1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.0];
+/// Least pressure that is shown, kPa.
+pub const LEAST: f64 = 1.0;
+/// Largest, kPa.
+pub const MOST: f64 = 100.0;
+
+/// The pressures at which `section` and its arms cover the star of `case`, which bursts at `burst` and surely holds `sure` (Pa), if
+/// these are known.
+pub fn rows(case: &Case, burst: Option<f64>, sure: Option<f64>) -> Vec<PressureRow> {
+    let decades = [LEAST, 10.0 * LEAST, MOST];
+    let all = decades.iter().flat_map(|decade| STEPS.iter().map(move |step| decade * step));
+    let mut rows: Vec<PressureRow> =
+        all.filter(|kpa| *kpa <= MOST).filter_map(|kpa| row(case, burst, kpa).ok().flatten()).collect();
+    // The first of equals: less pressure does the same.
+    let merit = |row: &PressureRow| merit(row, case.object.is_some());
+    let any_tried = rows.iter().any(|row| row.tried);
+    let holds = |row: &PressureRow| sure.is_none_or(|sure| Pressure(row.pressure_kPa).pascals() <= sure);
+    let fit = |row: &PressureRow| holds(row) && (row.tried || !any_tried);
+    // Of equals `max_by` takes the last, which is the first of the reversed.
+    let best = (0..rows.len())
+        .rev()
+        .filter(|i| fit(&rows[*i]))
+        .max_by(|a, b| merit(&rows[*a]).total_cmp(&merit(&rows[*b])));
+    if let Some(best) = best.filter(|best| case.object.is_none() || merit(&rows[*best]) > 0.0) {
+        rows[best].best = true;
+    }
+    rows
+}
+
+/// The finding that nothing of this width and fabric is computed by `model` at `pressure`, Pa, and the remedy: the pressures, Pa, at which
+/// it is.
+pub fn outside(model: &str, pressure: f64, [least, most]: Interval) -> (String, String) {
+    let found =
+        format!("{model} covers no tube of this width and fabric at {}", Pressure::from_pascals(pressure));
+    (found, pressures([least, most].map(|pascals| Pressure::from_pascals(pascals).0)))
+}
+
+/// The remedy that names pressures, kPa.
+pub(super) fn pressures([least, most]: Interval) -> String {
+    format!("a pressure from {} to {} kPa", Least(least), Most(most))
+}
+
+/// [`outside`], if the `fault` of `section` with hinges of `sheet` in a tube `width` m wide is due to the `pressure`, Pa.
+pub fn outside_section(
+    fault: &StarFault,
+    sheet: &ElasticSheet,
+    width: f64,
+    pressure: f64,
+) -> Option<(String, String)> {
+    let StarFault::Hinge(HingeFault::Scale { .. }) = fault else { return None };
+    // Both are in proportion to the pressure.
+    let [bendability, stretch] = [sheet.bendability(1.0, width), sheet.stretch(1.0, width)];
+    let most = (BENDABILITY.end() / bendability).min(MOST_STRETCH / stretch);
+    let least = BENDABILITY.start() / bendability;
+    let is_due = least < most && !(least..=most).contains(&pressure);
+    is_due.then(|| outside("section", pressure, [least, most]))
+}
+
+/// Pressures that a spec may have, kPa: 1 Pa to 1 GPa.
+const ALL: [f64; 2] = [1e-3, 1e6];
+/// Number of pressures of [`ALL`] to evaluate, evenly spaced in their logarithm: twenty a decade.
+const TRIED: u32 = 181;
+
+/// Whether the star of `case` has a prediction at `pressure`, Pa.
+pub(super) fn is_modelled(case: &Case, pressure: f64) -> bool {
+    let outcome = tabled(case, pressure)
+        .and_then(|model| Outcome::of(&Case { pressure: Some(pressure), ..*case }, &model));
+    outcome.is_ok_and(|(_, outcome)| outcome.known)
+}
+
+/// The lowest and the highest pressure, kPa, at which the star of `case` has a prediction, rounded inwards to three digits; `None`
+/// if there is none.
+pub fn modelled(case: &Case) -> Option<Interval> {
+    let is_known = |kpa: f64| is_modelled(case, Pressure(kpa).pascals());
+    let tried = |k: u32| ALL[0] * libm::pow(ALL[1] / ALL[0], f64::from(k) / f64::from(TRIED - 1));
+    let known: Vec<u32> = (0..TRIED).filter(|k| is_known(tried(*k))).collect();
+    let (first, last) = (*known.first()?, *known.last()?);
+    // From a pressure with a prediction towards its neighbour without one.
+    let end = |inside: u32, outside: Option<u32>| {
+        outside.map_or(tried(inside), |outside| last_holding(tried(inside), tried(outside), 20, is_known))
+    };
+    let low = end(first, first.checked_sub(1));
+    let high = end(last, Some(last + 1).filter(|k| *k < TRIED));
+    let three = |x: f64, round: fn(f64) -> f64| {
+        let digit = libm::pow(10_f64, libm::log10(x).floor() - 2.0);
+        round(x / digit) * digit
+    };
+    Some([three(low, f64::ceil), three(high, f64::floor)])
+}
+
+/// The value to maximise: with an object the lower end of the force's range, 0 if unknown; else the negative final radius.
+fn merit(row: &PressureRow, object: bool) -> f64 {
+    if object { row.force_range_N.map_or(0.0, |range| range[0]) } else { -row.final_radius_mm }
+}
+
+/// `None` if the star has no prediction at this pressure.
+fn row(case: &Case, burst: Option<f64>, kpa: f64) -> Result<Option<PressureRow>, StarFault> {
+    let pressure = Pressure(kpa).pascals();
+    let model = tabled(case, pressure)?;
+    let (case, outcome) = Outcome::of(&Case { pressure: Some(pressure), ..*case }, &model)?;
+    let Some(radius) = outcome.ranges.radius else { return Ok(None) };
+    Ok(Some(PressureRow {
+        pressure_kPa: kpa,
+        final_radius_mm: Length::from_metres(outcome.rest.radius).0,
+        radius_range_mm: Some(mm(radius)),
+        object_force_N: outcome.object_force(),
+        force_range_N: outcome.force_range,
+        stretch: case.sheet.stretch(pressure, case.mechanism.width),
+        burst_margin: burst.map(|burst| burst / pressure),
+        tried: outcome.ranges.domain == Domain::Validated,
+        best: false,
+    }))
+}

@@ -1,0 +1,206 @@
+//! The prediction as a text for people: values, assumptions and warnings.
+
+use crate::outcome::Grip;
+use crate::prediction::{FabricStretch, ForceAt, Hinges, Prediction, StarPrediction, distinct};
+use crate::pressures::PressureRow;
+use crate::ranges::shown::{self, line, listed};
+use crate::ranges::{Interval, scaled};
+use crate::shell::SHELL;
+use crate::shell::result::{self, payload_mesh_error};
+use inflatable::mechanics::hinge::Level;
+use spec::Spec;
+use spec::units::Readable;
+use std::fmt::Write;
+
+/// The fabric assumed for all numbers where a spec gives no shear modulus.
+pub const ISOTROPIC: &str =
+    "all numbers are for isotropic fabric; a weave that is soft in shear closes less (docs/weave.md)";
+
+/// A page about `prediction`.
+pub fn text(spec: &Spec, prediction: &Prediction) -> String {
+    let mut out = format!("{}\n", spec.name);
+    let pressure = spec.load.as_ref().and_then(|load| load.pressure).map(|pressure| pressure.0);
+    let distinct = distinct(&prediction.stars);
+    for (star, numbers) in &distinct {
+        let _ = match (distinct.len(), &numbers[..]) {
+            (1, [_]) => Ok(()),
+            (1, all) => writeln!(out, "\n{} equal stars, each:", all.len()),
+            (_, [number]) => writeln!(out, "\nstar {number}:"),
+            _ => writeln!(out, "\nstars {}:", listed(numbers)),
+        };
+        star_text(&mut out, star, pressure);
+    }
+    if let Some(mass) = prediction.stack_mass_g.filter(|_| prediction.stars.len() > 1) {
+        let _ = writeln!(out, "\nmass of the whole stack         {} g", Readable(mass));
+    }
+    if let Some(payload) = prediction.first.payload_kg {
+        let text = match prediction.first.ranges.payload_kg {
+            Some(range) => {
+                let mass = spec.load.as_ref().and_then(|load| load.mass).map(|mass| mass.0);
+                shown::with_limit(payload, range, "kg", mass)
+            }
+            None if prediction.first.model == SHELL => {
+                let open =
+                    prediction.stars.iter().filter_map(payload_mesh_error).reduce(|sum, one| sum + one);
+                open.map_or(format!("{} kg", Readable(payload)), |open| shown::meshed(payload, open, "kg"))
+            }
+            None if prediction.first.model == Level::Section.name() => "unknown".to_owned(),
+            None => shown::or_unknown(payload, None, "kg"),
+        };
+        let _ = writeln!(out, "\npayload of the whole stack      {text}");
+    }
+    if spec.fabric.shear_modulus.is_none() {
+        let _ = writeln!(out, "\n{ISOTROPIC}");
+    }
+    if let Some(verdict) = &prediction.verdict {
+        let _ = writeln!(out, "\nverdict: {}", verdict.line());
+        for reason in verdict.reasons.iter().chain(&verdict.one_star()).chain(&verdict.assumed_in_words()) {
+            let _ = writeln!(out, "  {reason}");
+        }
+    }
+    out
+}
+
+/// What is predicted of `star` at `pressure`, kPa.
+fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
+    if star.evidence.mesh_errors.is_some() {
+        return result::star_text(out, star);
+    }
+    let pair = |of: Hinges<Option<f64>>| of.tip.zip(of.corner);
+    // The reason why no model applies is printed with the warnings.
+    let why = Some(&star.evidence.choice).filter(|choice| !star.evidence.warnings.contains(choice));
+    line(out, "model", why.map_or(star.model.to_owned(), |why| format!("{} ({why})", star.model)));
+    line(out, "arm length", show(star.arm_length_mm, "mm"));
+    // A limit is selected by name: its number is printed, and its error is unknown.
+    let is_limit = star.model != Level::Section.name();
+    if let Some((tip, corner)) = pair(star.lambda_t) {
+        let digits =
+            |lambda: f64| if is_limit { Readable(lambda).to_string() } else { format!("{lambda:.3}") };
+        line(out, "target coiling tip, corner", format!("{}, {}", digits(tip), digits(corner)));
+    }
+    let unknown = |value: f64, unit: &str| {
+        if is_limit { shown::or_unknown(value, None, unit) } else { "unknown".to_owned() }
+    };
+    // What the spec requires is listed also when unknown.
+    let mut quantity =
+        |what: &str, value: Option<f64>, range: Option<Interval>, unit: &str, is_asked: bool| {
+            let text = match value.zip(range) {
+                Some((value, range)) => Some(shown::with(value, range, unit)),
+                None if is_asked && !is_limit => Some("unknown".to_owned()),
+                None => value.map(|value| unknown(value, unit)),
+            };
+            line(out, what, text);
+        };
+    let (ranges, is_asked) = (&star.ranges, star.bendability.is_some());
+    let percent = |range: Interval| scaled(range, 100.0);
+    let stiffness = star.hinge_stiffness_Nm.map(|c| (c.tip, c.corner)).unzip();
+    let shut =
+        star.tip_equilibrium_angle_deg.map(|angle| angle.max(star.correction.contact_angle.to_degrees()));
+    let contraction = star.contraction.map(|c| 100.0 * c);
+    let (radial, of_hinges) = (star.radial_stiffness_N_per_m, &ranges.hinge_stiffness_Nm);
+    quantity("final radius", star.final_radius_mm, ranges.final_radius_mm, "mm", is_asked);
+    quantity("contraction", contraction, ranges.contraction.map(percent), "%", is_asked);
+    quantity("tip angle at rest", shut, ranges.tip_equilibrium_angle_deg, "deg", is_asked);
+    quantity("hinge stiffness tip", stiffness.0, of_hinges.tip, "N m/rad", is_asked);
+    quantity("hinge stiffness corner", stiffness.1, of_hinges.corner, "N m/rad", is_asked);
+    quantity("radial stiffness", radial, ranges.radial_stiffness_N_per_m, "N/m", is_asked);
+    let is_untried = star.hold == Some(Grip::Untried);
+    quantity("force on the object", star.object_force_N, ranges.object_force_N, "N", is_untried);
+    quantity("payload of this star", star.payload_kg, ranges.payload_kg, "kg", false);
+    grip_lines(out, star);
+    let pull = star.seal_pull_N_per_mm.map(|pull| shown::or_unknown(pull, ranges.seal_pull_N_per_mm, "N/mm"));
+    line(out, "largest pull on the seal", pull);
+    let burst = star.burst_pressure_kPa.map(|burst| match ranges.burst_pressure_kPa {
+        Some(range) => shown::with_limit(burst, range, "kPa", pressure),
+        None => shown::or_unknown(burst, None, "kPa"),
+    });
+    line(out, "burst pressure", burst);
+    line(out, "full actuation from", show(star.operating_pressure_kPa, "kPa"));
+    line(out, "bendability", star.bendability.map(|bendability| show(bendability, "")));
+    let stretch = star.stretch.and_then(FabricStretch::ratio).map(|stretch| show(100.0 * stretch, "%"));
+    line(out, "stretch of the fabric p W / Y", stretch);
+    line(out, "preload of arms", star.preload_N.filter(|f| *f > 0.0).map(|force| show(force, "N")));
+    line(out, "burst margin", star.burst_margin.map(|margin| show(margin, "")));
+    line(out, "mass", star.mass_g.map(|mass| show(mass, "g")));
+    for ForceAt(radius, force, low, high) in star.force_curve.iter().flatten() {
+        let range = low.zip(*high).map(|(low, high)| [low, high]);
+        let is_held = star.graspable_radius_mm.is_none_or(|[least, most]| (least..=most).contains(radius));
+        let text = match (*force, range) {
+            (None, _) if !is_held => "not held".to_owned(),
+            (Some(force), Some(range)) => shown::with(force, range, "N"),
+            (Some(force), None) => unknown(force, "N"),
+            (None, _) => "unknown".to_owned(),
+        };
+        line(out, &format!("force at {} mm", Readable(*radius)), text);
+    }
+    for warning in &star.evidence.warnings {
+        line(out, "warning", warning.clone());
+    }
+    pressure_table(out, star.pressures.as_deref().unwrap_or_default());
+}
+
+fn show(value: f64, unit: &str) -> String {
+    format!("{} {unit}", Readable(value)).trim_end().to_owned()
+}
+
+/// The objects that fit the star, and what its flap adds.
+fn grip_lines(out: &mut String, star: &StarPrediction) {
+    let Some([least, most]) = star.graspable_radius_mm else { return };
+    // The second value has no better range than the first.
+    let end = |radius: f64| match star.ranges.final_radius_mm {
+        Some(range) => shown::as_exact_as(2.0 * radius, scaled(range, 2.0), "mm"),
+        None => format!("{} mm", shown::rounded(2.0 * radius)),
+    };
+    line(out, "holds objects", format!("{} to {} across", end(least).trim_end_matches(" mm"), end(most)));
+    line(out, "cut hole, across", show(2.0 * star.hole_radius_mm, "mm"));
+    let edge = star.flap_edge_radius_mm.map(|radius| format!("from {} across", end(radius)));
+    line(out, "flap's edge touches objects", edge);
+    let force = star.flap_force_N.filter(|force| *force > 0.0).map(|force| {
+        let unknown = || format!("{} N", shown::rounded(force));
+        let force =
+            star.ranges.object_force_N.map_or_else(unknown, |range| shown::as_exact_as(force, range, "N"));
+        let load = star.flap_load_N_per_mm.map(|load| format!("; it folds at {load:.2} N per mm of contact"));
+        format!("up to {force}{}", load.unwrap_or_default())
+    });
+    line(out, "force if the flap holds", force);
+    line(out, "room around the object", star.object_gap_mm.map(|gap| show(gap, "mm")));
+}
+
+/// The table of pressures, if there are any.
+fn pressure_table(out: &mut String, rows: &[PressureRow]) {
+    let held = rows.iter().any(|row| row.object_force_N.is_some());
+    if !rows.is_empty() {
+        let force = if held { "force on the object       " } else { "" };
+        let _ = writeln!(
+            out,
+            "\n  at the pressure        final radius              {force}stretch   burst margin"
+        );
+    }
+    for row in rows {
+        pressure_text(out, row, held);
+    }
+    if let Some(best) = rows.iter().position(|row| row.best) {
+        let most = if held { "the largest lower end of the force's range" } else { "the least final radius" };
+        let end = if best + 1 == rows.len() { "; higher pressures have no prediction" } else { "" };
+        let _ = writeln!(out, "  best: {most}, without bursting{end}");
+    }
+}
+
+/// `row`, with a force where some row has one: `held`.
+fn pressure_text(out: &mut String, row: &PressureRow, held: bool) {
+    let known = || format!("{:26}", shown::known(row.object_force_N, row.force_range_N, "N"));
+    let force = if held { known() } else { String::new() };
+    let note = match (row.best, row.tried) {
+        (true, _) => "   <- best",
+        (_, false) => "   outside the validated range",
+        _ => "",
+    };
+    let _ = writeln!(
+        out,
+        "  {:8} kPa           {:26}{force}{:5.1} %   {}{note}",
+        Readable(row.pressure_kPa).to_string(),
+        shown::known(Some(row.final_radius_mm), row.radius_range_mm, "mm"),
+        100.0 * row.stretch,
+        row.burst_margin.map_or("unknown".to_owned(), |margin| format!("{margin:.2}")),
+    );
+}

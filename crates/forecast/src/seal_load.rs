@@ -1,0 +1,220 @@
+//! The load of the pressure on the seal at each kind of place of a star, and the radius from which a hinge's seal holds.
+//!
+//! | room | subject |
+//! |---|---|
+//! | `pull` | the pull at the inner rims of hinges |
+//! | `burst` | the pressure at which the seal peels |
+
+mod burst;
+mod pull;
+
+pub(super) use self::burst::hardest_bounds;
+pub use self::burst::{Bursting, burst, burst_of_drawn, burst_range, bursts_at};
+pub use self::pull::{LoadedHinge, RANGE, factor, largest_pull, pull};
+
+use self::burst::{burst_bounds, bursting, sure_strength};
+use self::pull::{R_STAR, is_tried, range};
+use crate::case::{Case, mechanism};
+use crate::pressures::is_modelled;
+use crate::ranges::scaled;
+use design::{Star, StarDesign};
+use inflatable::mechanics::hinge::ring::Ring;
+use inflatable::numerics::last_holding;
+use spec::Spec;
+use spec::units::{Length, LineForce, Pressure, Readable, tenths_up};
+use std::f64::consts::{FRAC_1_PI, PI};
+use std::fmt;
+
+/// Roundest hinge that is advised, R*: rounder than ten widths no hinge is a hinge, and its pull is within a tenth of the straight tube's.
+const ROUNDEST: f64 = 10.0;
+/// Sharpest hinge that is looked at, R*: there k is 1e5, more than any seal holds.
+const SHARPEST: f64 = 1e-6;
+
+/// The least inner radius of `hinge` at which its seal surely withstands the pressure, rounded up to a hundredth of a mm, so the printed
+/// radius is safe; `None` if no radius is known to be large enough, or pressure or peel strength are unknown.
+pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
+    let width = case.mechanism.width;
+    let pressure = case.pressure?;
+    let holds = |r_star: f64| {
+        let range = factor(&Ring, r_star).and_then(|k| burst_bounds(case, k, (hinge, r_star * width)));
+        range.is_some_and(|[sure, _]| pressure <= sure)
+    };
+    // The pull falls with R*; its range is least where the shells were.
+    let ends = [(R_STAR[1], SHARPEST), (ROUNDEST, R_STAR[1])];
+    let (safe, sharp) = ends.into_iter().find(|(round, _)| holds(*round))?;
+    // After 60 rounds the ends differ by rounding.
+    let r_star = last_holding(safe, sharp, 60, holds);
+    let hundredths = (Length::from_metres(r_star * width).0 * 100.0).ceil();
+    Some(Length(hundredths / 100.0))
+}
+
+/// [`safe_radius`], if `star` of `spec`, whose case is `case`, can have it at both tips and corners: it can be made then, and has a
+/// prediction if it has one now.
+pub(super) fn possible_radius(spec: &Spec, case: &Case, star: &Star, hinge: LoadedHinge) -> Option<Length> {
+    // What is advised is computed for the pressures of the shells. Beyond them the pull is less certain, and no rounder hinge may be needed.
+    let radius = safe_radius(case, hinge).filter(|radius| radius.metres() > hinge.radius(case))?;
+    let round = Case { mechanism: mechanism(&StarDesign::with_radii(spec, star, radius)?), ..*case };
+    let pressure = case.pressure?;
+    (is_modelled(&round, pressure) || !is_modelled(case, pressure)).then_some(radius)
+}
+
+/// The remedy for a hinge whose seal bursts.
+pub fn remedy(safe: Option<Length>) -> String {
+    match safe {
+        Some(radius) => format!("a radius of {radius} would hold"),
+        None => {
+            "less pressure, a narrower tube or a stronger seal: no radius of such a star is known to be enough"
+                .to_owned()
+        }
+    }
+}
+
+/// The load at one kind of place of a star's seal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SealLoad {
+    /// The loaded place.
+    pub place: &'static str,
+    /// The radius that the band makes; `None` on straight parts.
+    pub radius: Option<Length>,
+    /// Pull over p W; `None` if the ring has no solution there, or no pressure is given.
+    pub factor: Option<f64>,
+    /// Pull at the pressure of `[load]`; `None` without one.
+    pub load: Option<LineForce>,
+    /// Its range; a straight tube's is exact.
+    pub range: Option<[LineForce; 2]>,
+    /// Peel strength with which the seal surely holds that pressure, also where the range is too uncertain to be printed.
+    pub sure_strength: Option<LineForce>,
+    /// Pressure at which the peel strength is reached; `None` without a `seal_strength`.
+    pub burst: Option<Pressure>,
+    /// Its range; a straight tube's is exact.
+    pub burst_range: Option<[Pressure; 2]>,
+    /// Whether it bursts at the pressure of `[load]`.
+    pub bursting: Option<Bursting>,
+    /// Burst pressure over the pressure of `[load]`.
+    pub margin: Option<f64>,
+    /// The radius from which it certainly holds, where it does not and a radius helps.
+    pub safe_radius: Option<Length>,
+}
+
+/// The loads at tips, corners, arms and inlet of `part` of `spec`, whose case is `case`.
+pub fn seal_loads(spec: &Spec, case: &Case, part: &StarDesign) -> Vec<SealLoad> {
+    let width = case.mechanism.width;
+    let channel = part.channel.map(|channel| Length(2.0 * channel.half_width).metres());
+    let places = [
+        ("tips", Some((LoadedHinge::Tip, case.realised.tip)), Some(width)),
+        ("corners", Some((LoadedHinge::Corner, case.realised.corner)), Some(width)),
+        ("arms", None, Some(width)),
+        ("inlet", None, channel),
+    ];
+    let with_width = places.into_iter().filter_map(|(place, hinge, width)| Some((place, hinge, width?)));
+    with_width.map(|(place, hinge, width)| at_place((spec, case, &part.star), place, hinge, width)).collect()
+}
+
+fn at_place(
+    (spec, case, star): (&Spec, &Case, &Star),
+    place: &'static str,
+    hinge: Option<(LoadedHinge, f64)>,
+    width: f64,
+) -> SealLoad {
+    let k = hinge.and_then(|(_, radius)| factor(&Ring, radius / width));
+    // Pull, its range, and the strength that surely holds it: of a straight tube they are one.
+    let pulled = case.pressure.and_then(|p| {
+        if let Some(hinge) = hinge {
+            let load = pull(case, k?, hinge, p);
+            let range = range(case, k?, hinge, p).map(|range| scaled(range, load));
+            Some((load, range, sure_strength(case, k?, hinge, p)))
+        } else {
+            let load = FRAC_1_PI * p * width;
+            Some((load, Some([load; 2]), load))
+        }
+    });
+    let burst = case.peel.and_then(|peel| match hinge {
+        Some(hinge) => Some((bursting(case, k?, hinge, peel), burst_bounds(case, k?, hinge))),
+        None => Some((PI * peel / width, Some([PI * peel / width; 2]))),
+    });
+    let (burst, bounds) = burst.map_or((None, None), |(burst, bounds)| (Some(burst), bounds));
+    let burst_range = bounds.filter(|_| hinge.is_none_or(|(_, radius)| is_tried(case, radius)));
+    let margin = burst.zip(case.pressure).map(|(burst, p)| burst / p);
+    let bursting = burst.zip(case.pressure).map(|(burst, p)| Bursting::at(p, burst, bounds));
+    let weak = hinge.filter(|_| bursting.is_some_and(|one| one != Bursting::No));
+    SealLoad {
+        place,
+        radius: hinge.map(|(_, radius)| Length::from_metres(radius)),
+        factor: pulled.zip(case.pressure).map(|((load, ..), p)| load / (p * width)),
+        load: pulled.map(|(load, ..)| LineForce::from_newtons_per_metre(load)),
+        range: pulled
+            .and_then(|(_, range, _)| range)
+            .map(|range| range.map(LineForce::from_newtons_per_metre)),
+        sure_strength: pulled.map(|(.., sure)| LineForce::from_newtons_per_metre(sure)),
+        burst: burst.map(Pressure::from_pascals),
+        burst_range: burst_range.map(|range| range.map(Pressure::from_pascals)),
+        bursting,
+        margin,
+        safe_radius: weak.and_then(|(hinge, _)| possible_radius(spec, case, star, hinge)),
+    }
+}
+
+impl SealLoad {
+    /// A warning about a weak seal, if there is one.
+    pub fn weakness(&self) -> Option<String> {
+        let (margin, bursting) = self.margin.zip(self.bursting)?;
+        let remedy = match self.radius {
+            Some(_) => remedy(self.safe_radius),
+            None => "less pressure, a narrower tube or a stronger seal".to_owned(),
+        };
+        let margin = rounded_down(margin);
+        match bursting {
+            Bursting::No => None,
+            Bursting::Perhaps => {
+                let holds = match self.burst_range {
+                    // Rounded outwards: the pressure lies between them.
+                    Some([low, high]) => {
+                        format!("it holds {:.1} to {:.1} kPa", -tenths_up(-low.0), tenths_up(high.0))
+                    }
+                    None => "how far it holds is unknown".to_owned(),
+                };
+                Some(format!(
+                    "the seal may burst at the {}: {holds}, burst margin {margin:.2}; {remedy}",
+                    self.place
+                ))
+            }
+            Bursting::Yes => Some(format!("burst margin {margin:.2} at the {}; {remedy}", self.place)),
+        }
+    }
+}
+
+/// A margin in hundredths, never shown as larger than it is.
+fn rounded_down(margin: f64) -> f64 {
+    (margin * 100.0).floor() / 100.0
+}
+
+impl fmt::Display for SealLoad {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "pull on the seal at the {}", self.place)?;
+        if let Some(radius) = self.radius {
+            write!(f, " (radius {} mm)", Readable((radius.0 * 1000.0).round() / 1000.0))?;
+        }
+        match self.factor {
+            Some(factor) => write!(f, ": {factor:.2} p W")?,
+            None => write!(f, ": needs a pressure")?,
+        }
+        if let Some(load) = self.load {
+            write!(f, ", {:.2} N/mm", load.0)?;
+        }
+        match self.range {
+            Some([low, high]) if self.radius.is_some() => write!(f, ", {:.2} to {:.2}", low.0, high.0)?,
+            None if self.load.is_some() => write!(f, ", range unknown")?,
+            _ => (),
+        }
+        if let Some(burst) = self.burst {
+            write!(f, ", bursts at {:.1} kPa", burst.0)?;
+        }
+        if let Some(margin) = self.margin {
+            write!(f, ", margin {:.2}", rounded_down(margin))?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests;

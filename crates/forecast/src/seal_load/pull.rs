@@ -1,0 +1,149 @@
+//! The pull on the seal at the inner rims of hinges, with its range.
+//!
+//! The **pull on the seal** is the force with which one sheet pulls away from the seam's plane, per length of
+//! seam: that of one leg of a T-peel test. The pull within the plane is the same in both sheets; the
+//! fused band carries it as fabric, without peeling. A straight tube pulls with p W / pi. The inner rim
+//! of a hinge is short and bears the pressure on a whole sector, so it pulls harder, most at the ends of its
+//! arc. There is no closed form: [`pull`] takes the tension k p W of the membrane [`Ring`], less the straight
+//! tube's, and four numbers from shells (docs/models.md). It is the mean over a piece of seam as long as the
+//! band is wide, because a leak has to cross the band. R* = R / W is that of the radius that the band really
+//! makes.
+
+use crate::case::Case;
+use crate::ranges::{Interval, TriedRatio, errors, scaled, widening};
+use inflatable::mechanics::hinge::ring::Ring;
+use inflatable::mechanics::hinge::{HingeModel, seal_load};
+use std::f64::consts::FRAC_1_PI;
+use std::sync::LazyLock;
+
+/// A kind of hinge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoadedHinge {
+    /// The tips' inner rims.
+    Tip,
+    /// The reentrant corners'.
+    Corner,
+}
+
+impl LoadedHinge {
+    /// Its name in messages.
+    pub(super) fn place(self) -> &'static str {
+        match self {
+            Self::Tip => "tips",
+            Self::Corner => "corners",
+        }
+    }
+
+    /// The radius, m, that the band makes of its inner rim.
+    pub(super) fn radius(self, case: &Case) -> f64 {
+        match self {
+            Self::Tip => case.realised.tip,
+            Self::Corner => case.realised.corner,
+        }
+    }
+
+    /// The part of the hinge's pull beyond the straight tube's, over the ring's, with R = w and 1/eps = 1000:
+    /// a corner turns less.
+    fn excess(self) -> f64 {
+        match self {
+            Self::Tip => 1.87,
+            Self::Corner => 1.4,
+        }
+    }
+}
+
+/// Exponent of its decrease with w / R: a wide band evens out the pull at the ends of a hinge's arc.
+const BAND: f64 = 0.29;
+/// Exponent of its decrease with 1/eps / 1000: bending keeps the load at the ends of the arc.
+pub(super) const BENDABILITY: f64 = 0.28;
+/// Least w / R of the shells: a narrower band meets the same load at the ends of an arc.
+const NARROWEST: f64 = 0.2;
+/// A shell's pull over the predicted one: the 58 stars that gave the numbers and 22 of 24 others lie inside
+/// (docs/models.md).
+pub const RANGE: Interval = [0.75, 1.35];
+/// R* of those shells.
+pub(super) const R_STAR: Interval = [0.03, 0.3];
+
+/// k, the tension over p W at a hinge's inner rim that cannot stretch, at R* = `r_star`, by the exact `ring` or its table; `None` outside
+/// their range.
+pub fn factor(ring: &dyn HingeModel, r_star: f64) -> Option<f64> {
+    ring.target(r_star).ok().and_then(|state| seal_load(r_star, &state))
+}
+
+/// The largest pull (N per m) at the seal of a hinge whose inner rim has the radius `radius` (m), at `pressure` (Pa): the mean over a piece
+/// of seam as long as the band is wide. `k` is [`factor`] there.
+pub fn pull(case: &Case, k: f64, (hinge, radius): (LoadedHinge, f64), pressure: f64) -> f64 {
+    let width = case.mechanism.width;
+    let band = libm::pow((case.band / radius).max(NARROWEST), -BAND);
+    let bending = libm::pow(case.sheet.bendability(pressure, width) / 1e3, -BENDABILITY);
+    pressure * width * (FRAC_1_PI + (k - FRAC_1_PI).max(0.0) * hinge.excess() * band * bending)
+}
+
+/// [`RANGE`] of [`pull`] with the same arguments, wider with the distance from the shells; `None` where they are far.
+pub(super) fn range(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> Option<Interval> {
+    bounds(case, k, hinge, pressure).filter(|_| is_tried(case, hinge.1))
+}
+
+/// Whether shells had hinges nearly as sharp as one of radius `radius` (m).
+pub(super) fn is_tried(case: &Case, radius: f64) -> bool {
+    widening(&[roundness(case, radius)]).is_some()
+}
+
+/// The same for hinges of any radius, to judge seals by; `None` at pressures that are far from the shells'.
+pub(super) fn bounds(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> Option<Interval> {
+    let bendability = case.sheet.bendability(pressure, case.mechanism.width);
+    let wider = widening(&[TriedRatio::new("", bendability, errors::BENDABILITY)])?;
+    Some(of_hinge(case, k, hinge, pressure, wider))
+}
+
+/// The same at pressures too far from the shells: as wide as where ranges end.
+pub(super) fn widest(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64) -> Interval {
+    of_hinge(case, k, hinge, pressure, errors::BEYOND)
+}
+
+/// The largest pressure, Pa, at which the range at a hinge of radius `radius` (m) is not wider for the pressure.
+pub(super) fn edge(case: &Case, radius: f64) -> f64 {
+    let far = (roundness(case, radius).widens_on() - 1.0) / (errors::BEYOND - 1.0);
+    let bendability = errors::BENDABILITY[1] * libm::pow(errors::NOT_FAR, far.min(1.0));
+    bendability / case.sheet.bendability(1.0, case.mechanism.width)
+}
+
+/// [`RANGE`] where it is `factor` times as wide for the pressure. A hinge rounder than [`ROUND`] is nearer to a straight tube, whose pull is
+/// exact: what its pull is beyond that is as uncertain as there.
+fn of_hinge(case: &Case, k: f64, hinge: (LoadedHinge, f64), pressure: f64, factor: f64) -> Interval {
+    static K: LazyLock<Option<f64>> = LazyLock::new(|| self::factor(&Ring, ROUND));
+    let (width, last) = (case.mechanism.width, ROUND * case.mechanism.width);
+    let range = errors::widened(RANGE, factor.max(roundness(case, hinge.1).widens_on()));
+    let Some(least_round) = K.filter(|_| hinge.1 > last) else { return range };
+    let tube = FRAC_1_PI * pressure * width;
+    let (own, there) = (pull(case, k, hinge, pressure), pull(case, least_round, (hinge.0, last), pressure));
+    let part = (own - tube) / (there - tube);
+    range.map(|end| (tube + (end * there - tube) * part) / own)
+}
+
+/// R* of the roundest hinge to which ranges widen.
+const ROUND: f64 = R_STAR[1] * errors::NOT_FAR;
+
+/// R* of a hinge of radius `radius` (m) among those of the shells; of one rounder than [`ROUND`] that.
+fn roundness(case: &Case, radius: f64) -> TriedRatio {
+    TriedRatio::new("", (radius / case.mechanism.width).min(ROUND), R_STAR)
+}
+
+/// The kind of hinge whose seal has the largest pull, its inner radius, m, and `k` there; the same at all
+/// pressures. `None` outside the range of `ring`.
+pub(super) fn hardest(case: &Case, ring: &dyn HingeModel) -> Option<(f64, (LoadedHinge, f64))> {
+    let [tip, corner] = [LoadedHinge::Tip, LoadedHinge::Corner].map(|hinge| {
+        let hinge = (hinge, hinge.radius(case));
+        let k = factor(ring, hinge.1 / case.mechanism.width)?;
+        Some((pull(case, k, hinge, 1.0), (k, hinge)))
+    });
+    let (tip, corner) = (tip?, corner?);
+    Some(if tip.0 >= corner.0 { tip.1 } else { corner.1 })
+}
+
+/// The largest pull on the seal of `case` at its pressure, N per m, its range, and at which kind of hinge it is; `None` without a pressure.
+pub fn largest_pull(case: &Case) -> Option<(f64, Option<Interval>, &'static str)> {
+    let (pressure, (k, hinge)) = (case.pressure?, hardest(case, &Ring)?);
+    let pull = pull(case, k, hinge, pressure);
+    Some((pull, range(case, k, hinge, pressure).map(|range| scaled(range, pull)), hinge.0.place()))
+}

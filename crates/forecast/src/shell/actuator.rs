@@ -1,0 +1,69 @@
+//! A single hinge between two arms as a shell, in the words of predictions.
+
+use crate::actuator::{
+    Actuator, ActuatorEvidence, ActuatorMeshErrors, ActuatorPrediction, ActuatorRanges, short_arms,
+};
+use crate::shell::{Detail, SHELL, fabric, fineness};
+use inflatable::shell::cases::{InflatedShape, Margin, ShellFault, Tube, VActuator, Value, Watch, actuator};
+use inflatable::shell::element::Weave;
+
+/// The prediction of `asked` as a shell, with the moments at `angles` (rad) if there are any, and its sheet at rest.
+///
+/// # Errors
+/// As for [`actuator`].
+pub fn actuate(
+    asked: &Actuator,
+    angles: &[f64],
+    detail: Detail,
+    watch: &Watch<'_>,
+) -> Result<(ActuatorPrediction, InflatedShape), ShellFault> {
+    let Actuator { width, radius, arm, angle, pressure, sheet } = *asked;
+    let case = VActuator {
+        tube: Tube { width, fabric: fabric(&sheet, Weave::ISOTROPIC), pressure },
+        radius,
+        arm_length: arm,
+        angle,
+        margin: Margin::NONE,
+    };
+    let found = actuator(&case, angles, fineness(detail), watch)?;
+    let degrees = 1.0_f64.to_degrees();
+    let (at_rest, volume) = (found.angle.scaled(degrees), found.volume.scaled(1e9));
+    let touches = found.angle.value < 0.0 || angles.iter().any(|angle| *angle < 0.0);
+    let warnings = [
+        short_arms(asked),
+        touches.then(|| "the arms would touch, and this shell has no contact between them".to_owned()),
+    ];
+    let prediction = ActuatorPrediction {
+        model: SHELL,
+        bendability: case.tube.bendability(),
+        stretch: case.tube.stretch(),
+        angle_deg: at_rest.value,
+        coiling: found.coiling.value,
+        volume_mm3: Some(volume.value),
+        stiffness_Nm: found.stiffness.value,
+        moment: (!angles.is_empty()).then(|| {
+            found.moments.iter().map(|(angle, moment)| [angle.to_degrees(), moment.value]).collect()
+        }),
+        ranges: ActuatorRanges::default(),
+        evidence: ActuatorEvidence {
+            residual: found.evidence.residual,
+            iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
+            numerical_error: largest([found.coiling, found.volume, found.stiffness]),
+            mesh_errors: Some(ActuatorMeshErrors {
+                angle_deg: at_rest.error,
+                coiling: found.coiling.error,
+                volume_mm3: volume.error,
+                stiffness_Nm: found.stiffness.error,
+                moment_Nm: found.moments.iter().map(|(_, moment)| moment.error).collect(),
+            }),
+            unknowns: Some(found.evidence.unknowns),
+            warnings: warnings.into_iter().flatten().collect(),
+        },
+    };
+    Ok((prediction, found.shape))
+}
+
+/// The largest relative mesh error.
+fn largest(values: [Value; 3]) -> f64 {
+    values.iter().map(|value| (value.error / value.value).abs()).fold(0.0, f64::max)
+}

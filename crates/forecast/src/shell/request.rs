@@ -1,0 +1,216 @@
+//! One star as a shell: the question that its case puts, and the numbers of the answer in the units of predictions.
+
+use crate::case::Case;
+use crate::predict::PredictFault;
+use crate::pressures::outside;
+use crate::ranges::Interval;
+use crate::shell::{Detail, SHELL, fabric, fineness_of};
+use inflatable::shell::cases::{
+    Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Margin, Objects, ShellFault, Tube, Value, Watch,
+    star,
+};
+use inflatable::shell::element::Weave;
+use spec::{KeyPath, key};
+
+/// Points with which shells of stars are computed.
+const MOST_POINTS: u32 = 16;
+
+/// Reason why a shell gives no answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ShellRefusal {
+    /// The computation was cancelled.
+    Cancelled,
+    /// The shell refuses the input.
+    Fault(PredictFault),
+}
+
+impl From<PredictFault> for ShellRefusal {
+    fn from(fault: PredictFault) -> Self {
+        Self::Fault(fault)
+    }
+}
+
+/// A fault that is best mended at `key`.
+pub(crate) fn fault(key: KeyPath, what: String) -> ShellRefusal {
+    ShellRefusal::Fault(PredictFault::new(key, what))
+}
+
+/// The fault of a shell without a pressure.
+pub(crate) fn no_pressure() -> ShellRefusal {
+    let remedy = Some("set `pressure` in [load]".to_owned());
+    let what = "model shell needs a pressure".to_owned();
+    ShellRefusal::Fault(PredictFault { remedy, ..PredictFault::new(key::load::PRESSURE, what) })
+}
+
+/// The fault of a pressure, Pa, at which there is no shell.
+fn out_of_range(found: f64, range: Interval) -> PredictFault {
+    let (what, remedy) = outside(SHELL, found, range);
+    PredictFault { remedy: Some(remedy), ..PredictFault::new(key::load::PRESSURE, what) }
+}
+
+/// The shell's values of a star: each number with its mesh error.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Measurements {
+    /// From the axis to the apex of a corner's inner rim, mm.
+    pub(crate) radius: Value,
+    /// 1 - rho_f / rho_0.
+    pub(crate) contraction: Value,
+    /// Angle of the tips between the lines of their arms, contact or not, deg.
+    pub(crate) tip_angle: Value,
+    /// Radial stiffness at rest, all corners together, N/m.
+    pub(crate) stiffness: Value,
+    /// Force with which the two arms of a tip press on each other, N.
+    pub(crate) contact: Value,
+    /// Flat area of an arm's sheet that touches the next arm, mm^2.
+    pub(crate) contact_area: Value,
+    /// Volume of the star, mm^3.
+    pub(crate) volume: Value,
+    /// Radius of each requested object, m, and the radial force on it, N.
+    pub(crate) forces: Vec<(f64, Value)>,
+    /// For each of them how far the corners slide along the object, by the growth of its radius.
+    pub(crate) slips: Vec<Value>,
+    /// Radius of the object of the load, m; `None` if there is none, it does not enter, or the star does not meet it.
+    pub(crate) object: Option<f64>,
+    /// The hardest loaded places, SI.
+    pub(crate) extremes: Extremes,
+}
+
+/// The star of `case`, of fabric with the weave `weave`, as the shell's input.
+///
+/// # Errors
+/// If no pressure is given, or it has too many points.
+pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
+    let pressure = case.pressure.ok_or_else(no_pressure)?;
+    let points = case.mechanism.points;
+    if points > MOST_POINTS {
+        let what = format!("{points} points, and shells of stars are computed with 3 to {MOST_POINTS}");
+        return Err(fault(key::star::POINTS, what));
+    }
+    Ok(FlatStar {
+        tube: Tube { width: case.mechanism.width, fabric: fabric(&case.sheet, weave), pressure },
+        points,
+        inner_radius: case.inner_radius,
+        tip_angle: case.mechanism.tip_angle,
+        tip_radius: case.mechanism.tip_radius,
+        corner_radius: case.mechanism.corner_radius,
+        band: case.band,
+        margin: Margin::NONE,
+    })
+}
+
+/// Inflates the star of `case`, then presses it against its object and round ones of `radii` (m).
+///
+/// # Errors
+/// If the shell refuses, finds no equilibrium, or is cancelled.
+pub(crate) fn ask(
+    (case, weave): (&Case, Weave),
+    radii: &[f64],
+    detail: Detail,
+    watch: &Watch<'_>,
+) -> Result<(FlatStar, InflatedStar, Measurements), ShellRefusal> {
+    let flat = flat(case, weave)?;
+    let object = entered(case);
+    let mut objects: Vec<f64> = radii.iter().copied().chain(object).collect();
+    objects.sort_by(f64::total_cmp);
+    objects.dedup();
+    if objects.len() > MOST_OBJECTS {
+        let what = format!("{} radii; one call takes at most {MOST_OBJECTS}: give fewer", objects.len());
+        return Err(fault(key::load::OBJECT_DIAMETER, what));
+    }
+    let of_shape = |why: &ShellFault| match why {
+        ShellFault::Range { name: Input::Arms, .. } => key::load::PRESSURE,
+        ShellFault::Range { .. } => key::star::TUBE_WIDTH,
+        ShellFault::TooMany { .. } => key::load::OBJECT_DIAMETER,
+        _ => key::star::TIP_ANGLE,
+    };
+    let found = star(&flat, Objects::Radii(&objects), fineness_of(flat.part(), detail), watch)
+        .map_err(|why| refused(&why, "", of_shape))?;
+    let measured = Measurements::new(case, object, &found);
+    Ok((flat, found, measured))
+}
+
+/// The radius of the object, m, where the star meets it; `None` for an object that does not enter.
+pub(crate) fn entered(case: &Case) -> Option<f64> {
+    case.object.filter(|object| *object > 0.0 && case.entering.unwrap_or(*object) <= case.hole)
+}
+
+/// Why the shell refuses `of`, with the key that is best changed; `of_shape` gives it where that depends on the product.
+pub(crate) fn refused(why: &ShellFault, of: &str, of_shape: impl Fn(&ShellFault) -> KeyPath) -> ShellRefusal {
+    let key = match why {
+        ShellFault::Cancelled => return ShellRefusal::Cancelled,
+        ShellFault::Pressure { found, least, most } => {
+            let fault = out_of_range(*found, [*least, *most]);
+            return ShellRefusal::Fault(PredictFault { what: format!("{of}{}", fault.what), ..fault });
+        }
+        ShellFault::Range { name: Input::Poisson, .. } => key::fabric::POISSON_RATIO,
+        ShellFault::Range { name: Input::Stretching | Input::Bending, .. } => key::fabric::THICKNESS,
+        ShellFault::Range { name: Input::Shear, .. } => key::fabric::SHEAR_MODULUS,
+        ShellFault::Range { name: Input::Bendability | Input::Stretch, .. } | ShellFault::Stopped { .. } => {
+            key::load::PRESSURE
+        }
+        ShellFault::Range { name: Input::Slenderness | Input::Width | Input::Arms, .. }
+        | ShellFault::Mesh(_)
+        | ShellFault::TooLarge { .. }
+        | ShellFault::TooMany { .. } => of_shape(why),
+    };
+    fault(key, format!("{of}{why}"))
+}
+
+impl Measurements {
+    fn new(case: &Case, object: Option<f64>, found: &InflatedStar) -> Self {
+        // Coarse meshes close further, so that an object which only they reach would pull by extrapolation.
+        let pressing =
+            |(radius, force): &(f64, Value)| (*radius, Value { value: force.value.max(0.0), ..*force });
+        Self {
+            radius: found.final_radius.scaled(1e3),
+            contraction: found.final_radius.shifted(-case.inner_radius).scaled(-1.0 / case.inner_radius),
+            tip_angle: found.tip_angle.scaled(1.0_f64.to_degrees()),
+            stiffness: found.radial_stiffness,
+            contact: found.preload,
+            contact_area: found.contact_area.scaled(1e6),
+            volume: found.volume.scaled(1e9),
+            forces: found.forces.iter().map(pressing).collect(),
+            slips: found.slips.clone(),
+            object,
+            extremes: found.extremes,
+        }
+    }
+
+    /// Whether the arms touch.
+    pub(crate) fn touches(&self) -> bool {
+        self.contact.value > 0.0
+    }
+
+    /// Angle of the tips where no arms touch, deg; else `None`, because contact is part of the equilibrium.
+    pub(crate) fn equilibrium(&self) -> Option<f64> {
+        (!self.touches()).then_some(self.tip_angle.value)
+    }
+
+    /// Radial stiffness, N/m; `None` where its mesh error is larger than itself.
+    pub(crate) fn known_stiffness(&self) -> Option<f64> {
+        Some(self.stiffness.value).filter(|number| *number > self.stiffness.error)
+    }
+
+    /// The radial force on the object of this radius, m, if it was requested.
+    pub(crate) fn force_at(&self, radius: f64) -> Option<Value> {
+        self.forces.iter().find(|(at, _)| *at == radius).map(|(_, force)| *force)
+    }
+
+    /// The radial force on the object of the load, N.
+    pub(crate) fn object_force(&self) -> Option<Value> {
+        self.force_at(self.object?)
+    }
+
+    /// The least and the largest radial force on the object of the load, N, where the corners rub on it with `friction`.
+    pub(crate) fn object_force_with(&self, friction: f64) -> Option<[f64; 2]> {
+        let object = self.object?;
+        let ((_, force), slip) = self.forces.iter().zip(&self.slips).find(|((at, _), _)| *at == object)?;
+        let part = friction * slip.value.max(0.0);
+        Some([force.value * (1.0 - part).max(0.0), force.value * (1.0 + part)])
+    }
+
+    /// The fabric's largest tension at the rim, N/mm.
+    pub(crate) fn seal_tension(&self) -> [f64; 2] {
+        [1e-3 * self.extremes.seal_tension.value, 1e-3 * self.extremes.seal_tension.error]
+    }
+}

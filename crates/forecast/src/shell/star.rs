@@ -1,0 +1,266 @@
+//! A spec's stars as shells: the keys of all predictions and those of shells, without those of hinge
+//! models.
+
+use crate::case::{Case, weave};
+use crate::meshed::MeshedPlace;
+use crate::predict::{PredictFault, stars_of, whole};
+use crate::prediction::{FabricStretch, ForceAt, MeshErrors, ModelEvidence, Prediction, StarPrediction};
+use crate::ranges::shown::meshed;
+use crate::shell::request::{Measurements, ask, entered, fault};
+use crate::shell::{Detail, SHELL};
+use crate::star_answer::{bare, mm};
+use design::{Design, Meeting, PlacedPart, StarDesign};
+use inflatable::mechanics::strength::payload;
+use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, StarPart, Value, Watch};
+use spec::units::Readable;
+use spec::{Spec, key};
+
+pub use crate::shell::request::{ShellRefusal, flat};
+
+/// The value on the finest mesh, mm: numbers whose differences matter are not extrapolated one by one.
+fn finest_mm(value: Value) -> f64 {
+    mm(value.meshes[2])
+}
+
+/// Use of a shear modulus by a shell.
+const IN_THE_MESH: &str = "shear_modulus and warp in every triangle";
+
+/// Largest number of points with which shells were tested.
+const TRIED_POINTS: u32 = 8;
+
+/// The shell's predictions of the stars of `design`, made from `spec`: at rest, and around round objects of `radii` (m, rising).
+/// Also returns the inflated sheet of star 1.
+///
+/// # Errors
+/// If a shell refuses a star or finds no equilibrium of it, or is cancelled.
+pub fn predict(
+    (spec, design): (&Spec, &Design),
+    radii: &[f64],
+    detail: Detail,
+    watch: &Watch<'_>,
+) -> Result<(Prediction, InflatedShape), ShellRefusal> {
+    let design = stars_of(design)?;
+    let meetings = design.meetings(spec);
+    let meeting = |placed: &PlacedPart| meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();
+    let mut computed = Vec::new();
+    for placed in design.firsts() {
+        let alike = design.stars.iter().filter(|other| other.distinct == placed.distinct);
+        let meetings: Vec<Option<Meeting>> = alike.map(meeting).collect();
+        let found = compute((spec, design.part(placed)), (radii, &meetings), detail, watch);
+        computed.push(found.map_err(|refusal| refusal.of_star(placed.index))?);
+    }
+    let answer = |placed: &PlacedPart| {
+        let one = computed.get(placed.distinct)?;
+        Some(one.star((spec, design.part(placed)), meeting(placed), radii))
+    };
+    let stars: Vec<StarPrediction> = design.stars.iter().filter_map(answer).collect();
+    let shape = computed.into_iter().next().map(|one| one.found.shape).unwrap_or_default();
+    Ok((whole(stars, None)?, shape))
+}
+
+impl ShellRefusal {
+    fn of_star(self, star: usize) -> Self {
+        match self {
+            Self::Fault(fault) => Self::Fault(PredictFault { star: fault.star.or(Some(star)), ..fault }),
+            Self::Cancelled => Self::Cancelled,
+        }
+    }
+}
+
+/// A shell of one distinct star, computed around every requested object.
+struct ShellRun {
+    case: Case,
+    flat: FlatStar,
+    found: InflatedStar,
+    measured: Measurements,
+}
+
+/// The star as a shell, around round objects of `radii` (m) and the object's radii that stars like it meet.
+fn compute(
+    (spec, part): (&Spec, &StarDesign),
+    (radii, meetings): (&[f64], &[Option<Meeting>]),
+    detail: Detail,
+    watch: &Watch<'_>,
+) -> Result<ShellRun, ShellRefusal> {
+    let case = Case::of(spec, &part.star).map_err(|why| fault(key::fabric::THICKNESS, why.to_string()))?;
+    let met = meetings.iter().filter_map(|meeting| entered(&case.meeting(*meeting)));
+    let all: Vec<f64> = radii.iter().copied().chain(met).collect();
+    let weave = weave(&spec.fabric).map_err(|why| fault(key::fabric::SHEAR_MODULUS, why.to_string()))?;
+    let (flat, found, measured) = ask((&Case { object: None, ..case }, weave), &all, detail, watch)?;
+    Ok(ShellRun { case, flat, found, measured })
+}
+
+impl ShellRun {
+    /// The prediction of a star that meets the object as `meeting` specifies.
+    fn star(
+        &self,
+        (spec, part): (&Spec, &StarDesign),
+        meeting: Option<Meeting>,
+        radii: &[f64],
+    ) -> StarPrediction {
+        let case = self.case.meeting(meeting);
+        let measured = Measurements { object: entered(&case), ..self.measured.clone() };
+        let Self { flat, found, .. } = self;
+        let on_object = measured.object_force();
+        let beside = case.object.is_some_and(|radius| radius <= 0.0);
+        let curve: Vec<(f64, Value)> =
+            radii.iter().filter_map(|radius| Some((mm(*radius), measured.force_at(*radius)?))).collect();
+        let extremes = &measured.extremes;
+        let [pull, pull_error] = measured.seal_tension();
+        let force = on_object.map(|force| force.value).or(beside.then_some(0.0));
+        let curve_of = |of: fn(&Value) -> f64| curve.iter().map(|(_, force)| of(force)).collect::<Vec<f64>>();
+        let bare = bare(spec, part, &case);
+        StarPrediction {
+            model: SHELL,
+            tip_equilibrium_angle_deg: measured.equilibrium(),
+            tip_angle_deg: Some(measured.tip_angle.value),
+            final_radius_mm: Some(measured.radius.value),
+            contraction: Some(measured.contraction.value),
+            radial_stiffness_N_per_m: measured.known_stiffness(),
+            arm_contact_N: Some(measured.contact.value),
+            arm_contact_mm2: Some(measured.contact_area.value),
+            volume_mm3: Some(measured.volume.value),
+            object_force_N: force,
+            object_force_friction_N: case
+                .friction_range
+                .and_then(|[_, most]| measured.object_force_with(most)),
+            flap_edge_radius_mm: Some(measured.radius.value - mm(case.flap())),
+            flap_force_N: measured
+                .object
+                .and_then(|object| measured.force_at(object + case.flap()))
+                .map(|force| force.value),
+            force_curve: (!radii.is_empty()).then(|| {
+                curve.iter().map(|(radius, force)| ForceAt(*radius, Some(force.value), None, None)).collect()
+            }),
+            seal_pull_N_per_mm: Some(1e-3 * extremes.seal_pull.value),
+            seal_pull_at_mm: Some(extremes.pull_at.map(mm)),
+            seal_tension: Some(MeshedPlace {
+                value: pull,
+                mesh_error: pull_error,
+                at_mm: extremes.seal_at.map(mm),
+            }),
+            payload_kg: case.friction.zip(force).map(|(mu, force)| payload(mu, [force])),
+            stretch: Some(FabricStretch::Largest(MeshedPlace {
+                value: extremes.stretch.value,
+                mesh_error: extremes.stretch.error,
+                at_mm: extremes.stretch_at.map(mm),
+            })),
+            evidence: ModelEvidence {
+                choice: format!("{SHELL} was requested"),
+                residual: found.evidence.residual,
+                iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
+                weave: spec.fabric.shear_modulus.map(|_| IN_THE_MESH),
+                unknowns: Some(found.evidence.unknowns.clone()),
+                mesh_errors: Some(MeshErrors {
+                    final_radius_mm: measured.radius.error,
+                    contraction: measured.contraction.error,
+                    tip_angle_deg: measured.tip_angle.error,
+                    radial_stiffness_N_per_m: measured.stiffness.error,
+                    arm_contact_N: measured.contact.error,
+                    arm_contact_mm2: measured.contact_area.error,
+                    volume_mm3: measured.volume.error,
+                    seal_pull_N_per_mm: 1e-3 * extremes.seal_pull.error,
+                    object_force_N: on_object.map(|force| force.error),
+                    force_curve: (!radii.is_empty()).then(|| curve_of(|force| force.error)),
+                }),
+                warnings: warnings(&case, (flat, found), &measured).into_iter().chain(snap(&curve)).collect(),
+                ..bare.evidence.clone()
+            },
+            ..bare
+        }
+    }
+}
+
+fn warnings(case: &Case, (flat, found): (&FlatStar, &InflatedStar), measured: &Measurements) -> Vec<String> {
+    let (radius, object) = (measured.radius, measured.object);
+    let too_wide = case.object.is_some_and(|radius| radius > 0.0) && object.is_none();
+    let pull = measured.extremes.seal_pull.value;
+    let ([least, most], off_center) = (found.corner_radii.map(finest_mm), finest_mm(found.off_center));
+    let sharp = flat.tip_radius == 0.0 || flat.corner_radius == 0.0;
+    let candidates = [
+        (flat.points > TRIED_POINTS, format!("shells of stars were tried with 3 to {TRIED_POINTS} points")),
+        (measured.touches(), "the arms touch, and press on each other".to_owned()),
+        (
+            flat.part() == StarPart::Whole,
+            format!(
+                "the woven star does not close to a circle: on its finest mesh the corners lie {least:.1} to \
+                 {most:.1} mm from the point in their middle, which is {off_center:.1} mm beside that of the tips; the final radius is their mean, extrapolated"
+            ),
+        ),
+        (
+            flat.part() == StarPart::Whole && found.least_tip_angle.meshes[2] < 0.0,
+            "two arms pass through each other: the shell of a whole star has no contact between arms".to_owned(),
+        ),
+        (
+            too_wide,
+            format!("the object is wider than the cut hole, {} mm across: it does not enter", Readable(2.0 * mm(case.hole))),
+        ),
+        (
+            object.is_some() && case.flap() > 0.0,
+            format!(
+                "objects touch the flap first: until it folds, at {:.2} N per mm of contact, the force is that on an object {} mm \
+                 wider across (see --radii)",
+                1e-3 * case.sheet.flap_load(case.flap()),
+                Readable(2.0 * mm(case.flap()))
+            ),
+        ),
+        (
+            object.is_some_and(|object| mm(object) < radius.value),
+            format!(
+                "the object is thinner than the closed star, {:.2} mm across: the star does not reach it",
+                2.0 * radius.value
+            ),
+        ),
+        (
+            case.peel.is_some_and(|peel| pull > peel) && !sharp,
+            format!("the pull on the seal is {:.2} N/mm, which is more than its strength", 1e-3 * pull),
+        ),
+        (
+            sharp,
+            "a hinge of inner radius 0 turns on a point, where pull and stretch have no largest value: those given are of \
+             the finest mesh"
+                .to_owned(),
+        ),
+        (
+            measured.known_stiffness().is_none(),
+            "the radial stiffness differs between the meshes: use finer ones".to_owned(),
+        ),
+        (
+            radius.error > 0.05 * radius.value,
+            format!("the final radius is {}: use finer meshes", meshed(radius.value, radius.error, "mm")),
+        ),
+    ];
+    candidates.into_iter().filter(|(holds, _)| *holds).map(|(_, text)| text).collect()
+}
+
+/// A warning where the force falls while objects (radius in mm, force in N) open the star further: the rim of the corners snaps inwards, their
+/// middle leaves the object, and contact jumps to two flanks.
+fn snap(curve: &[(f64, Value)]) -> Option<String> {
+    let mut sorted: Vec<&(f64, Value)> = curve.iter().collect();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let falls = sorted.windows(2).find(|pair| pair[1].1.value < pair[0].1.value)?;
+    let [(near, more), (far, less)] = [falls[0], falls[1]].map(|(radius, force)| (radius, force.value));
+    Some(format!(
+        "the force falls from {more:.2} to {less:.2} N while the object widens from {:.2} to {:.2} mm across: the corners' rims snap \
+         inwards there, and meshes may differ on where; take the lower force",
+        2.0 * near,
+        2.0 * far
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_force_that_falls_is_reported_with_its_opening() {
+        let force = |value: f64| Value { value, error: 0.1, meshes: [value; 3] };
+        let rising = [(20.0, force(1.0)), (22.0, force(2.0)), (24.0, force(2.5))];
+        assert_eq!(snap(&rising), None);
+        assert_eq!(snap(&[]), None);
+        // Radii in any order.
+        let falling = [(24.0, force(10.9)), (22.0, force(11.1)), (20.0, force(1.0))];
+        let said = snap(&falling).expect("it falls");
+        assert!(said.contains("from 11.10 to 10.90 N") && said.contains("from 44.00 to 48.00 mm"), "{said}");
+    }
+}

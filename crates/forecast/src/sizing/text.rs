@@ -1,0 +1,225 @@
+//! A sized gripper as a spec, each value with its reason.
+
+use crate::case::sheet;
+use crate::optimize::{SEARCHED, sure_payload};
+use crate::outcome::Outcome;
+use crate::ranges::{mm, scaled, shown};
+use crate::sizing::{Choice, FRICTION, FRICTION_RANGE, MARGIN};
+use design::inflated_height;
+use inflatable::mechanics::strength::GRAVITY;
+use spec::units::{Length, Readable};
+use spec::{FeedFloor, ObjectShape, Spec, quoted};
+use std::fmt::{Display, Write};
+
+/// The spec of `choice`, called `name`, on the machine and with the sheet of `base`.
+///
+/// # Errors
+/// If `name` cannot be a spec's name.
+pub fn spec_text(name: &str, choice: &Choice, base: &Spec) -> Result<String, String> {
+    let mut out = Lines { text: String::new() };
+    out.head(choice);
+    let _ = write!(out.text, "schema = 1\nname = {}\n\n", quoted(name)?);
+    out.fabric(base);
+    out.star(choice);
+    out.stack(choice);
+    out.sheet_and_machine(base);
+    out.load(choice);
+    Ok(out.text)
+}
+
+/// The first words of the comments with results of all values together: they become outdated once a value changes.
+const RESULTS: [&str; 13] = [
+    "Holds an object ",
+    "Designed for ",
+    "The program searched ",
+    "the least fabric (",
+    "the object's ",
+    "the object, ",
+    "t/W is ",
+    "the empty star closes to ",
+    "one star presses with ",
+    "each star presses with ",
+    "the inflated tube is ",
+    "the fabric stretches ",
+    "safe payload ",
+];
+
+/// Whether `comment`, without its "# ", is a result that [`spec_text`] writes.
+pub fn is_result(comment: &str) -> bool {
+    RESULTS.iter().any(|begin| comment.starts_with(begin))
+}
+
+/// The text so far. Writing to a String never fails.
+struct Lines {
+    text: String,
+}
+
+impl Lines {
+    fn comment(&mut self, text: &str) {
+        let _ = writeln!(self.text, "# {text}");
+    }
+
+    fn value(&mut self, key: &str, value: impl Display, why: &str) {
+        let line = format!("{key} = {value}");
+        let _ = writeln!(self.text, "{line:34}# {why}");
+    }
+
+    fn quantity(&mut self, key: &str, value: impl Display, why: &str) {
+        self.value(key, format!("\"{value}\""), why);
+    }
+
+    /// A quantity that may be left out.
+    fn optional(&mut self, key: &str, value: Option<impl Display>, why: &str) {
+        if let Some(value) = value {
+            self.quantity(key, value, why);
+        }
+    }
+
+    fn head(&mut self, choice: &Choice) {
+        let requirements = &choice.requirements;
+        self.comment(&format!(
+            "Holds an object {} across and of {}, with friction {}: see `stargrip-cam check`.",
+            Length(2.0 * requirements.object.0),
+            requirements.mass,
+            Readable(requirements.friction)
+        ));
+        self.comment(&format!(
+            "Designed for {MARGIN} times the mass, using {:.0} % of the lowest predicted payload.",
+            100.0 * SEARCHED
+        ));
+        self.comment("The program searched the values below; each comment gives the reason for its value.");
+        self.text.push('\n');
+    }
+
+    fn fabric(&mut self, base: &Spec) {
+        let fabric = &base.fabric;
+        self.text += "[fabric]\n";
+        self.quantity("thickness", fabric.thickness, "of one sheet; the tube width depends on it");
+        let megapascals = format!("{} MPa", Readable(1e-3 * fabric.young_modulus.0));
+        self.quantity("young_modulus", megapascals, "of one sheet");
+        self.value("poisson_ratio", fabric.poisson_ratio, "of one sheet");
+        if let Some(strength) = fabric.seal_strength {
+            self.quantity("seal_strength", strength, "from your peel test; limits the pressure");
+        } else {
+            self.comment("seal_strength = \"3 N/mm\"  your own T-peel result: without it the burst pressure is unknown");
+        }
+        self.optional("areal_density", fabric.areal_density, "of one sheet");
+        self.optional("bending_stiffness", fabric.bending_stiffness, "measured");
+        self.optional("stretch_stiffness", fabric.stretch_stiffness, "measured");
+        if let Some(modulus) = fabric.shear_modulus {
+            self.quantity("shear_modulus", format!("{} MPa", Readable(1e-3 * modulus.0)), "for the shell");
+            self.quantity("warp", fabric.warp, "of the warp on the sheet, from X");
+        }
+        self.text.push('\n');
+    }
+
+    fn star(&mut self, choice: &Choice) {
+        let (star, own) = (&choice.best.point.star, choice.best.answer.outcome.as_ref());
+        let across = own.map(|own| 2.0 * Length::from_metres(own.rest.radius).0);
+        let range = own.and_then(|own| own.ranges.radius).map(|range| scaled(mm(range), 2.0));
+        let closes = shown::known(across, range, "mm across");
+        let opens = own.map_or(0.0, |own| 2e3 * own.graspable[1]);
+        let others: Vec<String> =
+            choice.others.iter().map(|(points, area)| format!("{points}: {:.0} cm2", area / 100.0)).collect();
+        self.text += "[star]\n";
+        self.value("points", star.points, &format!("the least fabric ({})", others.join(", ")));
+        let object = Length(2.0 * choice.requirements.object.0);
+        let room = format!(
+            "the object, {object} across, enters with room; the inflated star opens to {opens:.1} mm across"
+        );
+        self.quantity("inner_radius", star.inner_radius, &room);
+        let fabric = &choice.best.point.fabric;
+        let thickness = sheet(fabric).map_or(fabric.thickness, |sheet| Length::from_metres(sheet.thickness));
+        let slender = thickness.0 / star.tube_width.0;
+        let slender = format!("t/W is {slender:.3}; validated from 0.010 to 0.030");
+        self.quantity("tube_width", star.tube_width, &slender);
+        self.quantity("tip_angle", star.tip_angle, &format!("the empty star closes to {closes}"));
+        self.quantity("tip_radius", star.tip_radius, "round tips load the seal less than sharp ones");
+        self.quantity(
+            "corner_radius",
+            star.corner_radius,
+            "round corners load the seal less than sharp ones",
+        );
+        self.text.push('\n');
+    }
+
+    fn stack(&mut self, choice: &Choice) {
+        let (point, answer) = (&choice.best.point, &choice.best.answer);
+        let own = answer.grip.as_ref();
+        let force = own.and_then(Outcome::object_force);
+        let one = match own.and_then(|own| own.force_range) {
+            Some(range) => shown::known(force, Some(range), "N"),
+            None => force.map_or("unknown".to_owned(), |force| format!("{force:.1} N by the model")),
+        };
+        let needed = choice.requirements.mass.0 * GRAVITY / choice.requirements.friction;
+        self.text += "[stack]\n";
+        let stars = if point.stars == 1 { "one star presses" } else { "each star presses" };
+        self.value("count", point.stars, &format!("{stars} with {one}; {needed:.1} N in all are needed"));
+        let tube = inflated_height(point.star.tube_width).0;
+        let why = format!("the inflated tube is {tube:.1} mm high, a plate {} thick", point.plate);
+        self.quantity("pitch", point.star.pitch, &why);
+        self.text.push('\n');
+    }
+
+    fn sheet_and_machine(&mut self, base: &Spec) {
+        let sheet = &base.sheet;
+        if let Some((width, height)) = sheet.width.zip(sheet.height) {
+            self.text += "[sheet]\n";
+            self.quantity("width", width, "of your sheet");
+            self.quantity("height", height, "of your sheet");
+            self.text.push('\n');
+        }
+        if let Some(extent) = base.mask.extent {
+            self.text += "[mask]\n";
+            self.quantity("extent", extent, "as far as neighbouring coating windows leave room");
+            self.text.push('\n');
+        }
+        self.text += "[machine]\n";
+        let profile = base.machine.profile.replace('\\', "\\\\").replace('"', "\\\"");
+        self.quantity("profile", profile, "`stargrip-cam machines` lists the others");
+        if base.machine.feed_floor == FeedFloor::Chop {
+            let why = "this controller cannot move at the seal's speed: it makes short moves and dwells";
+            self.quantity("feed_floor", "chop", why);
+        }
+        self.text.push('\n');
+    }
+
+    fn load(&mut self, choice: &Choice) {
+        let (requirements, point, answer) = (&choice.requirements, &choice.best.point, &choice.best.answer);
+        self.text += "[load]\n";
+        let own = answer.outcome.as_ref();
+        let stretch = own.and(answer.case.stretch()).unwrap_or(0.0);
+        let least =
+            if requirements.pressure.is_some() { "" } else { "; less fabric than at other pressures" };
+        let burst = answer
+            .burst
+            .zip(point.load.pressure)
+            .map_or(String::new(), |(burst, pressure)| format!(", burst margin {:.2}", burst.0 / pressure.0));
+        let stretches = format!("the fabric stretches {:.1} %{burst}{least}", 100.0 * stretch);
+        self.optional("pressure", point.load.pressure, &stretches);
+        self.quantity("object_diameter", Length(2.0 * requirements.object.0), "of the object");
+        self.optional("object_height", requirements.height, "along the gripper's axis");
+        self.optional("object_shape", requirements.shape.map(ObjectShape::word), "of the object");
+        let is_assumed = requirements.friction_assumed;
+        let friction = if is_assumed {
+            "bare fabric on a smooth object: 0.20 to 0.42 measured; coated corners about 1.1"
+        } else {
+            "between the corners and the object"
+        };
+        self.value("friction", requirements.friction, friction);
+        if is_assumed {
+            let [least, most] = FRICTION_RANGE;
+            self.value("friction_least", least, "lowest expected friction");
+            self.value("friction_most", most, "highest expected friction");
+        }
+        // The range of an assumed friction, which widens that of `predict`, comes on top.
+        let at = if is_assumed { format!(" at friction {FRICTION}") } else { String::new() };
+        let sure =
+            sure_payload(point, answer).map_or_else(|| "unknown".to_owned(), |kg| format!("{kg:.2} kg"));
+        let range = answer.payload_range.map(|[low, high]| format!("; predicted {low:.2} to {high:.2} kg"));
+        let held = format!("safe payload {sure}{at}{}", range.unwrap_or_default());
+        self.quantity("mass", requirements.mass, &held);
+        let bears = "that the object bears from one star, all corners together";
+        self.optional("largest_force", requirements.largest_force, bears);
+    }
+}

@@ -1,0 +1,207 @@
+//! Studies: many designs at once, a row each.
+//!
+//! Rows are numbered; row i is the same on every machine and in any number of threads, so a study can be split into parts
+//! that run anywhere.
+//!
+//! | stage | subject |
+//! |---|---|
+//! | [`spec::study`] | the study file |
+//! | `designs` | the design of row i |
+//! | `answers` | the values of its model |
+//! | `output`, `outputs`, `wanted` | the values of a row, with their units |
+//! | [`batch`] | rows as columns of numbers, computed in parallel; rows that take seconds each |
+//! | [`csv`], [`checkpoint`] | batches as bytes; single rows as lossless texts |
+
+mod answers;
+pub mod batch;
+pub mod checkpoint;
+pub mod csv;
+mod designs;
+mod output;
+mod outputs;
+mod wanted;
+
+pub use batch::{ColumnValues, RowBatch};
+pub use output::{Column, ColumnKind};
+
+use crate::candidate::{Candidate, RefusedDesign};
+use crate::shell::Detail;
+use crate::study::answers::Models;
+use crate::study::designs::Designs;
+use crate::study::output::{ModelKinds, OutputColumn};
+use inflatable::mechanics::hinge::ring::RingTable;
+use spec::digest::of_parts;
+use spec::edit::with_values;
+use spec::study::{Axis, Block, Field, KeyValue, StudyFile};
+use spec::{Fault, FaultCode, Faults, ModelChoice, Source, key, read};
+use std::ops::Range;
+
+/// Most rows of a study: beyond, a row number would not be exact in a spreadsheet, and the file not fit on a disk.
+pub const MOST_ROWS: usize = 1_000_000_000;
+
+/// Many designs around one spec.
+#[derive(Debug)]
+pub struct Study {
+    designs: Designs,
+    outputs: Vec<&'static OutputColumn>,
+    columns: Vec<Column>,
+    codes: bool,
+    models: Models,
+    is_slow: bool,
+}
+
+impl Study {
+    /// The study of `file` around the spec `spec`, which the file names.
+    ///
+    /// # Errors
+    /// The faults of the spec; those of the values that the study sets; a column that does not exist, or that none of its models has;
+    /// a fineness of shell meshes without a shell; too many rows.
+    pub fn new(file: &StudyFile, spec: &Source) -> Result<Self, Faults> {
+        let model = file.model.map(model_setting);
+        let set: Vec<(Field, KeyValue)> = file.set.iter().cloned().chain(model).collect();
+        let told = |place, what: String| {
+            Faults::new(&file.source, vec![Fault::error(FaultCode::OutOfRange, place, what)])
+        };
+        let spec = edited(spec, &set)?;
+        let designs = designs(&spec, file.blocks.clone())?.map_err(|what| told(0..0, what))?;
+        let models = designs.models();
+        let asked = ModelKinds::of(&models);
+        if let Some((_, place)) = file.fineness.as_ref().filter(|_| !asked.shells) {
+            let fault = Fault::error(FaultCode::Conflict, place.clone(), "`fineness` is for shells only")
+                .label("no row of this study computes a shell")
+                .help("write model = \"shell\", or delete it");
+            return Err(Faults::new(&file.source, vec![fault]));
+        }
+        let outputs = match &file.outputs {
+            None => wanted::known(asked),
+            Some(names) => wanted::chosen(names, &file.source, asked)?,
+        };
+        let detail = file.fineness.as_ref().map_or(Detail::Medium, |(detail, _)| *detail);
+        let is_slow = any_slow(&models);
+        Self::of(designs, outputs, Some(detail), is_slow).map_err(|what| told(0..0, what))
+    }
+
+    /// Every combination of the values of `axes` around the spec `spec`, with the fixed columns of `sweep --vary`
+    /// and its models: `section` answers for a spec whose model is `bvp` or `shell`.
+    ///
+    /// # Errors
+    /// The faults of the spec, or one sentence: no key is varied, one is varied twice, a varied model is not one of these, or there are
+    /// too many rows.
+    pub fn vary(spec: &Source, axes: Vec<Axis>) -> Result<Result<Self, String>, Faults> {
+        for (i, key) in axes.iter().map(|axis| axis.field.key()).enumerate() {
+            let others = || axes[..i].iter().map(|other| other.field.key());
+            if others().any(|other| other == key) {
+                return Ok(Err(format!("`{key}` is varied twice")));
+            }
+            if let Some(twin) = others().find(|other| Some(*other) == key.twin()) {
+                return Ok(Err(format!("`{twin}` and `{key}` are the same size: vary one of them")));
+            }
+        }
+        let varies_models = axes.iter().any(|axis| axis.field.key() == key::accuracy::MODEL);
+        let blocks = axes.into_iter().filter_map(|axis| Block::new(vec![axis])).collect();
+        Ok(designs(spec, blocks)?.and_then(|designs| {
+            if varies_models && any_slow(&designs.models()) {
+                let what = "`accuracy.model` is varied with bvp or shell, which only a study file computes: vary fit, ring, \
+                            section and auto, or write the same [vary] into a study file";
+                return Err(what.to_owned());
+            }
+            Self::of(designs, wanted::plain(), None, false)
+        }))
+    }
+
+    /// `detail`: how fine the meshes of shells are; `None` for a sweep without a study file.
+    fn of(
+        designs: Designs,
+        outputs: Vec<&'static OutputColumn>,
+        detail: Option<Detail>,
+        is_slow: bool,
+    ) -> Result<Self, String> {
+        let ring = RingTable::new().map_err(|fault| fault.to_string())?;
+        let codes = detail.is_some();
+        let columns = output::columns(&designs.blocks, &outputs, codes);
+        Ok(Self { designs, outputs, columns, codes, models: Models { ring, detail }, is_slow })
+    }
+
+    /// Number of rows, at least 1.
+    pub fn rows(&self) -> usize {
+        self.designs.rows
+    }
+
+    /// Whether a row takes a second to minutes, so that each should be saved as soon as it is computed.
+    pub fn is_slow(&self) -> bool {
+        self.is_slow
+    }
+
+    /// The columns: `row`, the varied keys, the outputs of each design, and the reason for a refusal.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// The rows of part `part` (from 1) of `parts`: a partition into parts that differ by one row at most.
+    pub fn part(&self, part: usize, parts: usize) -> Range<usize> {
+        let rows = self.rows() as u128;
+        let cut = |k: usize| usize::try_from(rows * k as u128 / parts as u128).unwrap_or(usize::MAX);
+        cut(part.saturating_sub(1))..cut(part)
+    }
+
+    /// The design of row `row`.
+    ///
+    /// # Errors
+    /// If the values of this row make no valid spec.
+    pub fn design(&self, row: usize) -> Result<Candidate, RefusedDesign> {
+        self.designs.design(row)
+    }
+
+    /// Identifies the study: a hash of the version of this program, the spec as read, the varied keys, and
+    /// the columns. Comments and layout do not matter.
+    pub fn fingerprint(&self) -> String {
+        let mut parts = vec![
+            env!("CARGO_PKG_VERSION").to_owned(),
+            self.designs.identity(),
+            format!("{:?}", self.columns),
+        ];
+        parts.extend(self.models.detail.filter(|_| self.is_slow).map(|detail| format!("{detail:?}")));
+        of_parts(parts)
+    }
+}
+
+/// The designs of `blocks` around `spec`; one sentence if no key is varied, or there are too many designs.
+fn designs(spec: &Source, blocks: Vec<Block>) -> Result<Result<Designs, String>, Faults> {
+    let reading = read(spec)?;
+    if blocks.is_empty() {
+        return Ok(Err("nothing is varied".to_owned()));
+    }
+    let rows = blocks.iter().try_fold(1_usize, |product, block| product.checked_mul(block.len()));
+    if rows.is_none_or(|rows| rows > MOST_ROWS) {
+        return Ok(Err(format!("more than {MOST_ROWS} rows")));
+    }
+    let Some(base) = Candidate::of(&reading.spec) else { return Ok(Err("the spec has no star".to_owned())) };
+    Ok(Ok(Designs::new(base, (spec.clone(), reading), blocks)))
+}
+
+/// Whether a row of one of these models takes a second to minutes.
+fn any_slow(models: &[ModelChoice]) -> bool {
+    models.iter().any(|model| matches!(model, ModelChoice::Bvp | ModelChoice::Shell))
+}
+
+/// `accuracy.model` as a setting.
+fn model_setting(model: ModelChoice) -> (Field, KeyValue) {
+    let known = ModelChoice::ALL.iter().find(|(_, own)| *own == model);
+    let word = known.map_or("auto", |(word, _)| word);
+    let field = Field::of(&key::accuracy::MODEL.to_string());
+    #[expect(clippy::expect_used, reason = "a test reads every key")]
+    let field = field.expect("a key");
+    (field, KeyValue::Word(word.to_owned()))
+}
+
+/// `spec` with the fixed values of a study.
+fn edited(spec: &Source, set: &[(Field, KeyValue)]) -> Result<Source, Faults> {
+    // A fault of the spec's own is shown in the spec as it was written.
+    let _ = read(spec)?;
+    if set.is_empty() {
+        return Ok(spec.clone());
+    }
+    let values: Vec<_> = set.iter().map(|(field, value)| (field.key(), field.toml(value))).collect();
+    let text = with_values(spec, &values)?;
+    Ok(Source::new(format!("{}, as the study sets it", spec.name), text))
+}

@@ -1,0 +1,212 @@
+//! The columns of a study: one of answers with its name, its meaning and the models that have it, and all of a table.
+
+use crate::candidate::{Answer, Candidate};
+use crate::case::Case;
+use crate::outcome::Outcome;
+use crate::ranges::Interval;
+use crate::shell::request::Measurements;
+use inflatable::mechanics::strength::payload;
+use spec::ModelChoice;
+use spec::study::{Block, Field};
+
+/// A design with its answer.
+pub(super) struct StudyRow<'a> {
+    pub(super) point: &'a Candidate,
+    pub(super) answer: &'a Answer,
+    /// The shell's values, if it was computed.
+    pub(super) shell: Option<&'a Measurements>,
+    /// Whether values that need no model are written without a model's answer; the columns of `sweep --vary` leave them empty.
+    pub(super) all: bool,
+}
+
+impl StudyRow<'_> {
+    /// Its case, if the values that depend on the pressure but not on a model are written.
+    pub(super) fn at_pressure(&self) -> Option<&Case> {
+        (self.all || self.own().is_some()).then_some(&self.answer.case)
+    }
+
+    /// The values by a hinge model, if it covers the star.
+    pub(super) fn own(&self) -> Option<&Outcome> {
+        self.answer.outcome.as_ref().filter(|own| own.known)
+    }
+
+    /// The value by a hinge model or by the shell.
+    pub(super) fn says(
+        &self,
+        hinges: fn(&Outcome) -> Option<f64>,
+        shell: fn(&Measurements) -> Option<f64>,
+    ) -> Option<f64> {
+        self.shell.map_or_else(|| hinges(self.own()?), shell)
+    }
+
+    /// Mass that friction holds with a radial force of this many N of each star, of the whole stack, kg; `None` where stars of the stack differ, or
+    /// meet different radii of the object, because the shell computes one star and one radius only.
+    pub(super) fn held(&self, force: f64) -> Option<f64> {
+        if !self.point.are_alike(&self.answer.star, &self.answer.case) {
+            return None;
+        }
+        Some(f64::from(self.point.stars) * payload(self.point.load.friction?, [force]))
+    }
+}
+
+/// A column of answers.
+#[derive(Debug)]
+pub(super) struct OutputColumn {
+    /// It ends with the unit, if there is one.
+    pub(super) name: &'static str,
+    pub(super) about: &'static str,
+    pub(super) of: Of,
+}
+
+/// The models that have a column, and its value in a row.
+#[derive(Debug)]
+pub(super) enum Of {
+    /// Every model.
+    Any(ValueOf),
+    /// Models of the hinges.
+    Hinges(ValueOf),
+    /// Models of the hinges: the least end of a range.
+    Low(RangeOf),
+    /// Models of the hinges: the largest end of a range.
+    High(RangeOf),
+    /// Shells.
+    Shell(ValueOf),
+}
+
+/// A value in a row.
+pub(super) type ValueOf = fn(&StudyRow<'_>) -> Option<f64>;
+
+/// A range in a row.
+pub(super) type RangeOf = fn(&StudyRow<'_>) -> Option<Interval>;
+
+/// The kinds of models that the rows of a study use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct ModelKinds {
+    /// One of the hinges.
+    pub(super) hinges: bool,
+    /// The shell.
+    pub(super) shells: bool,
+}
+
+impl ModelKinds {
+    /// By rows of these models.
+    pub(super) fn of(models: &[ModelChoice]) -> Self {
+        let is_shell = |model: &ModelChoice| *model == ModelChoice::Shell;
+        Self { hinges: !models.iter().all(is_shell), shells: models.iter().any(is_shell) }
+    }
+}
+
+impl OutputColumn {
+    /// Its value; `None` if unknown.
+    pub(super) fn value(&self, row: &StudyRow<'_>) -> Option<f64> {
+        match self.of {
+            Of::Any(of) | Of::Shell(of) => of(row),
+            _ if row.shell.is_some() => None,
+            Of::Hinges(of) => of(row),
+            Of::Low(range) => range(row).map(|[low, _]| low),
+            Of::High(range) => range(row).map(|[_, high]| high),
+        }
+    }
+
+    /// Whether one of the models in `asked` has this column.
+    pub(super) fn is_known(&self, asked: ModelKinds) -> bool {
+        match self.of {
+            Of::Any(_) => true,
+            Of::Hinges(_) | Of::Low(_) | Of::High(_) => asked.hinges,
+            Of::Shell(_) => asked.shells,
+        }
+    }
+}
+
+/// The type of a column's values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ColumnKind {
+    /// Numbers; NaN where unknown.
+    Real,
+    /// Whole numbers, never missing.
+    Whole,
+    /// Words; `None` for an empty cell.
+    Text,
+}
+
+/// A column.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// Its name, with its unit where it has one: "`star.tube_width_mm`". It never changes.
+    pub name: String,
+    /// The unit, as people write it: "N/m"; `None` for plain numbers and words.
+    pub unit: Option<&'static str>,
+    /// Type of its values.
+    pub kind: ColumnKind,
+    /// Its meaning.
+    pub about: String,
+}
+
+/// The columns of a study of `blocks`: `row`, a column for each axis, `outputs`, and the refusal, with its code if
+/// `codes` is set.
+pub(super) fn columns(blocks: &[Block], outputs: &[&'static OutputColumn], codes: bool) -> Vec<Column> {
+    let text = |name: &str, unit, kind, about: &str| Column {
+        name: name.to_owned(),
+        unit,
+        kind,
+        about: about.to_owned(),
+    };
+    let mut columns =
+        vec![text("row", None, ColumnKind::Whole, "the row's number in the whole study, from 0")];
+    columns.extend(blocks.iter().flat_map(Block::axes).map(|axis| of_field(&axis.field)));
+    columns.extend(
+        outputs.iter().map(|output| text(output.name, unit_of(output.name), ColumnKind::Real, output.about)),
+    );
+    if codes {
+        let about = "the code of the refusal, a word of docs/codes.md; none for a design with a prediction";
+        columns.push(text("refused_code", None, ColumnKind::Text, about));
+    }
+    columns.push(text("refused", None, ColumnKind::Text, "why this design cannot be made, and the remedy"));
+    columns
+}
+
+/// The column of a key that varies.
+fn of_field(field: &Field) -> Column {
+    let kind = match (field.is_whole(), field.is_number()) {
+        (true, _) => ColumnKind::Whole,
+        (_, true) => ColumnKind::Real,
+        _ => ColumnKind::Text,
+    };
+    let unit = field.unit();
+    let name = format!("{}{}", field.key(), unit.map(suffix).unwrap_or_default());
+    Column { name, unit, kind, about: format!("the value of `{}`", field.key()) }
+}
+
+/// The units of outputs; one that ends as another stands before it.
+const UNITS: [&str; 11] = ["N/mm", "mm", "deg", "kPa", "N/m", "N", "kg", "g", "cm^2", "mm^2", "mm^3"];
+
+/// The unit that ends the name of an output.
+fn unit_of(name: &str) -> Option<&'static str> {
+    UNITS.into_iter().find(|unit| name.ends_with(&suffix(unit)))
+}
+
+/// A unit as the end of a column's name.
+fn suffix(unit: &str) -> String {
+    format!("_{}", unit.replace('/', "_per_").replace(' ', "_").replace('^', "").replace('%', "percent"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_end_the_names_of_columns() {
+        let name = |key: &str| of_field(&Field::of(key).expect("a key")).name;
+        assert_eq!(name("star.tube_width"), "star.tube_width_mm");
+        assert_eq!(name("fabric.seal_strength"), "fabric.seal_strength_N_per_mm");
+        assert_eq!(name("fabric.areal_density"), "fabric.areal_density_kg_per_m2");
+        assert_eq!(name("fabric.bending_stiffness"), "fabric.bending_stiffness_N_mm");
+        assert_eq!(name("accuracy.response"), "accuracy.response_percent");
+        assert_eq!(name("load.friction"), "load.friction");
+        let kind = |key: &str| of_field(&Field::of(key).expect("a key")).kind;
+        assert_eq!(
+            ["star.points", "load.friction", "mask.mirror"].map(kind),
+            [ColumnKind::Whole, ColumnKind::Real, ColumnKind::Text]
+        );
+    }
+}

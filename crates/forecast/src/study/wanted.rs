@@ -1,0 +1,60 @@
+//! The columns of a study.
+
+use crate::study::output::{ModelKinds, OutputColumn};
+use crate::study::outputs::{MORE, PLAIN, SHELL_OUTPUTS};
+use spec::study::Wanted;
+use spec::{Fault, FaultCode, Faults, Source, nearest};
+
+/// Every column, in order.
+fn every() -> impl Iterator<Item = &'static OutputColumn> {
+    PLAIN.iter().chain(&MORE).chain(&SHELL_OUTPUTS)
+}
+
+/// The columns that `sweep --vary` has.
+pub(super) fn plain() -> Vec<&'static OutputColumn> {
+    PLAIN.iter().collect()
+}
+
+/// All columns that one of the models in `asked` has.
+pub(super) fn known(asked: ModelKinds) -> Vec<&'static OutputColumn> {
+    every().filter(|output| output.is_known(asked)).collect()
+}
+
+/// The columns selected by `wanted` in the study `source`, in that order.
+pub(super) fn chosen(
+    wanted: &[Wanted],
+    source: &Source,
+    asked: ModelKinds,
+) -> Result<Vec<&'static OutputColumn>, Faults> {
+    let mut faults = Vec::new();
+    let mut found: Vec<&'static OutputColumn> = Vec::new();
+    for Wanted { name, place } in wanted {
+        let own = every().find(|output| output.name == name);
+        let fault = |code, label: &str| {
+            Fault::error(code, place.clone(), format!("`outputs` names `{name}`")).label(label)
+        };
+        match own {
+            Some(output) if found.iter().any(|other| other.name == output.name) => {
+                faults.push(fault(FaultCode::TwoColumns, "it is named twice").help("delete one of them"));
+            }
+            Some(output) if !output.is_known(asked) => {
+                let (who, help) = if asked.shells {
+                    ("shells have no such column", "use another model, or leave it out")
+                } else {
+                    ("only shells have this column", "write model = \"shell\", or leave it out")
+                };
+                faults.push(fault(FaultCode::NoColumn, who).help(help));
+            }
+            Some(output) => found.push(output),
+            None => {
+                let names = || known(asked).into_iter().map(|output| output.name);
+                let help = match nearest(name, names()) {
+                    Some(near) => format!("did you mean \"{near}\"?"),
+                    None => format!("columns are {}", names().collect::<Vec<_>>().join(", ")),
+                };
+                faults.push(fault(FaultCode::NoColumn, "no column has this name").help(help));
+            }
+        }
+    }
+    if faults.is_empty() { Ok(found) } else { Err(Faults::new(source, faults)) }
+}

@@ -1,0 +1,136 @@
+//! Shells as they were computed once: of every fineness, `by_shell.txt`, and the finest of the paper's stars, `finest.txt`. Both are
+//! made by `crates/research`.
+
+use crate::meshed::MeshedValue;
+
+/// One computation a line.
+const SHIPPED: &str = include_str!("by_shell.txt");
+
+/// One of the paper's stars a line.
+const FINEST: &str = include_str!("finest.txt");
+
+/// E of all of them, MPa.
+pub const YOUNG: f64 = 128.0;
+/// nu of all of them.
+pub const POISSON: f64 = 0.39;
+/// Their thickness, m.
+pub const THICKNESS: f64 = 0.3e-3;
+/// Opening of the finest shell by an object, over W.
+pub const OPENING: f64 = 0.45;
+/// W of the stars, mm.
+const WIDTH: f64 = 30.0;
+
+/// The finenesses, from the coarsest.
+pub const FINENESSES: [&str; 3] = ["coarse", "medium", "fine"];
+
+/// One shell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shell {
+    /// Fineness of its meshes, as in `--fineness`.
+    pub fineness: String,
+    /// n; `None` for the V-actuator.
+    pub points: Option<u32>,
+    /// Gauge pressure, kPa.
+    pub pressure: f64,
+    /// Final radius, mm; the V-actuator's angle at rest, deg.
+    pub rest: MeshedValue,
+    /// Radial stiffness, N/m, NaN where its mesh error is larger than itself; the V-actuator's stiffness, N m.
+    pub stiffness: MeshedValue,
+    /// Force on a round object 0.45 W wider than the finest shell's final radius, N; stars only.
+    pub force: Option<MeshedValue>,
+    /// Unknowns of its finest mesh.
+    pub unknowns: u32,
+    /// User time, s.
+    pub time: f64,
+    /// Largest memory of the process, MB.
+    pub memory: f64,
+}
+
+/// One of the paper's stars by its finest shell: four meshes up to some 160,000 unknowns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finest {
+    /// n.
+    pub points: u32,
+    /// Gauge pressure, kPa.
+    pub pressure: f64,
+    /// Final radius, mm.
+    pub radius: MeshedValue,
+    /// Radial stiffness, N/m.
+    pub stiffness: MeshedValue,
+    /// Force on a round object that opens it by [`OPENING`], N.
+    pub force: MeshedValue,
+}
+
+/// The lines of a table that are no comments.
+fn rows(table: &'static str) -> impl Iterator<Item = &'static str> {
+    table.lines().filter(|line| !line.starts_with('#'))
+}
+
+/// All of the paper's stars.
+pub fn finest() -> Vec<Finest> {
+    rows(FINEST).filter_map(star).collect()
+}
+
+fn star(line: &str) -> Option<Finest> {
+    let (points, rest) = line.split_once(' ')?;
+    let numbers: Vec<f64> = rest.split(' ').filter_map(|word| word.parse().ok()).collect();
+    let [pressure, radius, radius_error, spring, spring_error, secant, secant_error] = numbers[..] else {
+        return None;
+    };
+    // N/mm times mm.
+    let force = spring * secant * OPENING * WIDTH;
+    let open = spring_error / spring + secant_error / secant;
+    Some(Finest {
+        points: points.parse().ok()?,
+        pressure,
+        radius: MeshedValue { value: radius, mesh_error: radius_error },
+        stiffness: MeshedValue { value: 1e3 * spring, mesh_error: 1e3 * spring_error },
+        force: MeshedValue { value: force, mesh_error: open * force },
+    })
+}
+
+/// All shells of every fineness.
+pub fn shells() -> Vec<Shell> {
+    rows(SHIPPED).filter_map(shell).collect()
+}
+
+fn shell(line: &str) -> Option<Shell> {
+    let words: Vec<&str> = line.split(' ').collect();
+    let number = |at: usize| words.get(at)?.parse::<f64>().ok();
+    let meshed = |at: usize| Some(MeshedValue { value: number(at)?, mesh_error: number(at + 1)? });
+    let points: u32 = words.get(1)?.parse().ok()?;
+    Some(Shell {
+        fineness: (*words.first()?).to_owned(),
+        points: (points > 0).then_some(points),
+        pressure: number(2)?,
+        rest: meshed(3)?,
+        stiffness: meshed(5)?,
+        force: number(7).zip(number(9)).map(|(value, mesh_error)| MeshedValue { value, mesh_error }),
+        unknowns: words.get(10)?.parse().ok()?,
+        time: number(11)?,
+        memory: number(12)?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_is_read() {
+        let lines = SHIPPED.lines().filter(|line| !line.starts_with('#')).count();
+        assert_eq!(shells().len(), lines);
+        assert_eq!(finest().len(), 24);
+        for pressure in [14.0, 37.0, 60.0] {
+            let of = |fineness: &str, points: Option<u32>| {
+                let found = shells().into_iter().find(|shell| {
+                    (shell.fineness.as_str(), shell.points) == (fineness, points)
+                        && shell.pressure.total_cmp(&pressure).is_eq()
+                });
+                found.unwrap_or_else(|| panic!("{fineness} {points:?} {pressure}"))
+            };
+            assert!((3..=8).all(|n| of("coarse", Some(n)).force.is_some()));
+            assert!(FINENESSES.iter().all(|fineness| of(fineness, None).force.is_none()));
+        }
+    }
+}

@@ -1,0 +1,286 @@
+//! Every model against the finest shells: the paper's stars of three to eight points and one V-actuator, at the working
+//! pressures of grippers.
+//!
+//! The shells are data ([`computed`](super::computed)); computed here are the models that
+//! include arms by a table only.
+
+use crate::actuator::{Actuator, actuate};
+use crate::case::Case;
+use crate::meshed::MeshedValue;
+use crate::model_selection::{corrected, named, of_spec};
+use crate::trade::computed::{FINENESSES, Finest, OPENING, POISSON, Shell, THICKNESS, YOUNG, finest, shells};
+use design::Star;
+use inflatable::mechanics::fault::StarFault;
+use inflatable::mechanics::star::response::Inflated;
+use inflatable::mechanics::strength::ElasticSheet;
+use spec::units::Pressure;
+use spec::{ModelChoice, StarSpec};
+
+/// Pressures of the comparison, kPa.
+pub const PRESSURES: [f64; 3] = [14.0, 37.0, 60.0];
+/// Points of its stars.
+pub const STARS: [u32; 6] = [3, 4, 5, 6, 7, 8];
+/// The models that are compared.
+const MODELS: [(&str, ModelChoice); 5] = [
+    ("fit", ModelChoice::Fit),
+    ("ring", ModelChoice::Ring),
+    ("bvp", ModelChoice::Bvp),
+    ("section", ModelChoice::Section),
+    ("section, table", ModelChoice::Auto),
+];
+
+/// One star by one model: relative errors against the finest shell; for that shell, its relative mesh errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StarErrors {
+    /// n.
+    pub points: u32,
+    /// Error of the final radius.
+    pub radius: f64,
+    /// Error of the radial stiffness; `None` where a shell's meshes do not agree on it.
+    pub stiffness: Option<f64>,
+    /// Error of the force on one object, 0.45 W wider than the finest shell's final radius.
+    pub force: Option<f64>,
+}
+
+/// One model at one pressure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShellRow {
+    /// The model.
+    pub model: String,
+    /// Gauge pressure, kPa.
+    pub pressure: f64,
+    /// Time for a star, s: at rest, its hinges included; of shells the mean user time, the force included; 0 if none was timed.
+    pub time: f64,
+    /// Error of the V-actuator's angle at rest, deg, and relative error of its stiffness, against the finest shell; `None` for the table,
+    /// which is for stars only.
+    pub actuator: Option<[f64; 2]>,
+    /// Its stars.
+    pub stars: Vec<StarErrors>,
+}
+
+/// Agreement of one number of a fineness with the finest: its distance is compared with the mesh errors of both.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Agreement {
+    /// The fineness.
+    pub fineness: &'static str,
+    /// The number.
+    pub quantity: &'static str,
+    /// Number of values within them.
+    pub held: usize,
+    /// Number of values compared.
+    pub of: usize,
+    /// Number of values left out, because their mesh error is larger than themselves.
+    pub unknown: usize,
+    /// Largest distance, by the mesh errors.
+    pub furthest: f64,
+}
+
+/// Compares every model and the coarser shells with the finest; `clock` returns the time in s.
+///
+/// # Errors
+/// If a model refuses one of the hinges.
+pub fn against_shells(clock: &dyn Fn() -> f64) -> Result<Vec<ShellRow>, StarFault> {
+    let (finest, computed) = (finest(), shells());
+    let mut rows = Vec::new();
+    for (name, chosen) in MODELS {
+        for pressure in PRESSURES {
+            let mut row = ShellRow {
+                model: name.to_owned(),
+                pressure,
+                time: f64::INFINITY,
+                actuator: None,
+                stars: Vec::new(),
+            };
+            if let Some((level, known)) = named(chosen).zip(same(&computed, "fine", None, pressure)) {
+                let own = actuate(&actuator(pressure)?, level, &[])?;
+                row.actuator =
+                    Some([own.angle_deg - known.rest.value, own.stiffness_Nm / known.stiffness.value - 1.0]);
+            }
+            for known in at(&finest, pressure) {
+                row.add(known, chosen, clock)?;
+            }
+            rows.push(row);
+        }
+    }
+    for fineness in FINENESSES {
+        rows.extend(PRESSURES.map(|pressure| by_shell(fineness, pressure, &finest, &computed)));
+    }
+    Ok(rows)
+}
+
+fn at(finest: &[Finest], pressure: f64) -> impl Iterator<Item = &Finest> {
+    finest.iter().filter(move |known| known.pressure.total_cmp(&pressure).is_eq())
+}
+
+/// The shell of this fineness and pressure with so many points; without points the V-actuator.
+fn same<'a>(computed: &'a [Shell], fineness: &str, points: Option<u32>, pressure: f64) -> Option<&'a Shell> {
+    computed.iter().find(|one| {
+        one.fineness == fineness && one.points == points && one.pressure.total_cmp(&pressure).is_eq()
+    })
+}
+
+/// The V-actuator of W 20 mm, R 2 mm, arms of 80 mm, 60 deg, t 0.3 mm.
+fn actuator(kilopascals: f64) -> Result<Actuator, StarFault> {
+    let sheet = ElasticSheet::new(THICKNESS, 1e6 * YOUNG, POISSON)?;
+    let angle = 60_f64.to_radians();
+    Ok(Actuator { width: 0.02, radius: 0.002, arm: 0.08, angle, pressure: 1e3 * kilopascals, sheet })
+}
+
+fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]) -> ShellRow {
+    let own = same(computed, fineness, None, pressure).zip(same(computed, "fine", None, pressure));
+    let mut row = ShellRow {
+        model: format!("shell, {fineness}"),
+        pressure,
+        time: 0.0,
+        actuator: own.map(|(own, known)| {
+            if fineness == "fine" {
+                return [known.rest.mesh_error, known.stiffness.mesh_error / known.stiffness.value];
+            }
+            [own.rest.value - known.rest.value, own.stiffness.value / known.stiffness.value - 1.0]
+        }),
+        stars: Vec::new(),
+    };
+    let mut times = Vec::new();
+    for known in at(finest, pressure) {
+        if fineness == "fine" {
+            // Relative mesh error of the reference that the others are compared with.
+            let open = |known: MeshedValue| known.mesh_error / known.value;
+            row.stars.push(StarErrors {
+                points: known.points,
+                radius: open(known.radius),
+                stiffness: Some(open(known.stiffness)),
+                force: Some(open(known.force)),
+            });
+            continue;
+        }
+        let Some(own) = same(computed, fineness, Some(known.points), pressure) else { continue };
+        times.push(own.time);
+        let part = |own: MeshedValue, known: MeshedValue| {
+            Some(own.value / known.value - 1.0).filter(|part| part.is_finite())
+        };
+        row.stars.push(StarErrors {
+            points: known.points,
+            radius: own.rest.value / known.radius.value - 1.0,
+            stiffness: part(own.stiffness, known.stiffness),
+            force: own.force.and_then(|force| part(force, known.force)),
+        });
+    }
+    if times.is_empty() {
+        let all = computed.iter().filter(|one| one.fineness == fineness && one.points.is_some());
+        times.extend(all.map(|one| one.time));
+    }
+    row.time = mean(&times);
+    row
+}
+
+/// Checks the mesh errors of coarser shells against the finest.
+pub fn mesh_errors() -> Vec<Agreement> {
+    let (finest, computed) = (finest(), shells());
+    let mut rows = Vec::new();
+    for fineness in FINENESSES {
+        for quantity in ["rho_f", "K", "F"] {
+            // Radius and stiffness of `fine` are those of the finest: the same meshes.
+            if fineness == "fine" && quantity != "F" {
+                continue;
+            }
+            let mut row = Agreement { fineness, quantity, held: 0, of: 0, unknown: 0, furthest: 0.0 };
+            for known in &finest {
+                let Some(own) = same(&computed, fineness, Some(known.points), known.pressure) else {
+                    continue;
+                };
+                let (own, known) = match quantity {
+                    "rho_f" => (Some(own.rest), known.radius),
+                    "K" => (Some(own.stiffness), known.stiffness),
+                    _ => (own.force, known.force),
+                };
+                let Some(own) = own.filter(|own| own.value.is_finite()) else {
+                    row.unknown += 1;
+                    continue;
+                };
+                let far = (own.value - known.value).abs() / (own.mesh_error + known.mesh_error);
+                row.of += 1;
+                row.held += usize::from(far <= 1.0);
+                row.furthest = row.furthest.max(far);
+            }
+            rows.push(row);
+        }
+    }
+    rows
+}
+
+/// Cost of each fineness over the stars: how many, mean user time (s), largest memory (MB), unknowns of the finest mesh.
+pub fn costs() -> Vec<(&'static str, usize, f64, f64, u32)> {
+    let computed = shells();
+    FINENESSES
+        .into_iter()
+        .map(|fineness| {
+            let of: Vec<&Shell> =
+                computed.iter().filter(|one| one.fineness == fineness && one.points.is_some()).collect();
+            let times: Vec<f64> = of.iter().map(|one| one.time).collect();
+            let memory = of.iter().fold(0.0, |most: f64, one| most.max(one.memory));
+            (fineness, of.len(), mean(&times), memory, of.iter().map(|one| one.unknowns).max().unwrap_or(0))
+        })
+        .collect()
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a dozen")]
+fn mean(values: &[f64]) -> f64 {
+    if values.is_empty() { 0.0 } else { values.iter().sum::<f64>() / values.len() as f64 }
+}
+
+/// Root of the mean square.
+pub fn rms(errors: impl Iterator<Item = f64>) -> f64 {
+    let squares: Vec<f64> = errors.map(|error| error * error).collect();
+    mean(&squares).sqrt()
+}
+
+impl ShellRow {
+    fn add(&mut self, known: &Finest, chosen: ModelChoice, clock: &dyn Fn() -> f64) -> Result<(), StarFault> {
+        let Ok(star) = Star::new(&StarSpec::paper(known.points)) else { return Ok(()) };
+        let pressure = Pressure(known.pressure).pascals();
+        let case = Case::bare(&star, ElasticSheet::new(THICKNESS, 1e6 * YOUNG, POISSON)?, pressure);
+        let start = clock();
+        let model = of_spec(chosen, &case, pressure)?;
+        let case = corrected(&case, &*model)?;
+        let inflated = Inflated::new(&case.mechanism, &*model, pressure)?;
+        let rest = inflated.linear_rest();
+        self.time = self.time.min(clock() - start);
+        let object = 1e-3 * known.radius.value + OPENING * case.mechanism.width;
+        let force = if object < rest.radius { Some(0.0) } else { inflated.linear_force(object, &rest).ok() };
+        self.stars.push(StarErrors {
+            points: known.points,
+            radius: 1e3 * rest.radius / known.radius.value - 1.0,
+            stiffness: Some(rest.stiffness / known.stiffness.value - 1.0),
+            force: force.map(|force| force / known.force.value - 1.0),
+        });
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn at_work_the_section_is_nearer_to_shells_than_any_limit() {
+        let rows = against_shells(&|| 0.0).expect("all models answer");
+        assert_eq!(rows.len(), (MODELS.len() + 3) * PRESSURES.len());
+        for pressure in PRESSURES {
+            let at = |model: &str| {
+                let found =
+                    rows.iter().find(|row| row.model == model && row.pressure.total_cmp(&pressure).is_eq());
+                found.expect("compared").clone()
+            };
+            let (ring, section, fast) = (at("ring"), at("section"), at("section, table"));
+            assert_eq!((ring.stars.len(), section.stars.len(), at("shell, coarse").stars.len()), (6, 6, 6));
+            let radii = |row: &ShellRow| rms(row.stars.iter().map(|star| star.radius));
+            let forces = |row: &ShellRow| rms(row.stars.iter().filter_map(|star| star.force));
+            assert!(radii(&section) < 0.75 * radii(&ring), "{pressure}");
+            assert!(forces(&section) < 0.75 * forces(&ring), "{pressure}");
+            assert!((radii(&section) - radii(&fast)).abs() < 0.02, "{pressure}");
+            let angle = |row: &ShellRow| row.actuator.expect("asked")[0];
+            assert!(angle(&section).abs() < 1.0 && angle(&ring) < -3.0, "{pressure}");
+        }
+        assert!(mesh_errors().iter().all(|row| row.held <= row.of) && costs()[0].1 == 18);
+    }
+}

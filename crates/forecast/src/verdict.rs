@@ -1,0 +1,310 @@
+//! The verdict on the object of a gripper's `[load]`, with its reasons; and the refusal of a gripper that cannot hold it.
+
+use crate::load_check::{
+    ROUNDING, bursts, held, may_burst, may_not_press, outside_models, too_hard, too_heavy, too_short,
+    too_thin, too_wide_to_enter, too_wide_to_open,
+};
+use crate::outcome::Grip;
+pub use crate::prediction::{Holds, Verdict};
+use crate::prediction::{StarPrediction, distinct};
+use crate::ranges::shown::{apart, listed};
+use crate::ranges::{Interval, sum};
+use design::{Object, Refusal, RefusalCode};
+use inflatable::mechanics::strength::GRAVITY;
+use spec::units::{Force, Mass, tenths_up};
+use spec::{Code, Load, Spec, key};
+
+/// The verdict on the object of `spec` between `stars`; `None` without an object or a pressure.
+pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
+    let load = spec.load.as_ref()?;
+    let _ = load.object_radius.filter(|_| load.pressure.is_some())?;
+    let judged = VerdictLines::of(spec, load, stars);
+    let hardest = stars
+        .iter()
+        .filter(|star| star.object_force_N.is_some())
+        .max_by(|a, b| a.object_force_N.unwrap_or(0.0).total_cmp(&b.object_force_N.unwrap_or(0.0)));
+    Some(Verdict {
+        holds: judged.holds(),
+        code: judged.code(),
+        force_N: force(stars),
+        force_range_N: force_range(stars),
+        needed_N: needed_force(load),
+        star_force_N: hardest.and_then(|star| star.object_force_N),
+        star_force_range_N: hardest.and_then(|star| star.ranges.object_force_N),
+        largest_force_N: load.largest_force.map(|force| force.0),
+        stars: stars.len(),
+        assumed: Object::assumed(load, stars.len()),
+        reasons: judged.findings.iter().map(VerdictLine::reason).collect(),
+    })
+}
+
+/// The reasons of `check` and `build` to refuse the gripper of `spec`: it bursts, no star of it can hold the object, it cannot carry the
+/// mass, breaks the object, or no model covers it. Empty if none of this is certain, or without a load.
+pub fn refusals(spec: &Spec, stars: &[StarPrediction]) -> Vec<Refusal> {
+    let Some(load) = spec.load.as_ref().filter(|load| load.pressure.is_some()) else { return Vec::new() };
+    let judged = VerdictLines::of(spec, load, stars);
+    // One star that holds the object will do.
+    let idle = judged.is_idle();
+    let counts = |finding: &&VerdictLine| match finding.weight {
+        Weight::Idle => idle,
+        weight => weight != Weight::Doubted,
+    };
+    judged.findings.iter().filter(counts).map(VerdictLine::refusal).collect()
+}
+
+fn force(stars: &[StarPrediction]) -> Option<f64> {
+    stars.iter().map(|star| star.object_force_N).sum()
+}
+
+fn force_range(stars: &[StarPrediction]) -> Option<Interval> {
+    sum(stars.iter().map(|star| star.ranges.object_force_N))
+}
+
+/// `text` about the stars with `numbers`; without numbers about all of them.
+pub fn of_stars(numbers: &[usize], text: &str) -> String {
+    match numbers {
+        [] => text.to_owned(),
+        [star] => format!("star {star}: {text}"),
+        _ => format!("stars {}: {text}", listed(numbers)),
+    }
+}
+
+/// m g / mu, N.
+fn needed_force(load: &Load) -> Option<f64> {
+    needed_at(load, load.friction?)
+}
+
+fn needed_at(load: &Load, friction: f64) -> Option<f64> {
+    let Mass(mass) = load.mass?;
+    Some(mass * GRAVITY / friction)
+}
+
+/// The weight of a finding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Weight {
+    /// The star does not hold the object: another one may.
+    Idle,
+    /// The gripper does not meet its purpose.
+    Refuted,
+    /// Whether it does depends on the position within its ranges.
+    Doubted,
+    /// No model covers it.
+    Unknown,
+}
+
+/// One thing that was found.
+#[derive(Debug)]
+struct VerdictLine {
+    weight: Weight,
+    /// Numbers of its stars, 1 = bottom, where there are several.
+    stars: Vec<usize>,
+    /// Of a doubt only the words and the code count.
+    refusal: Refusal,
+}
+
+impl VerdictLine {
+    fn reason(&self) -> String {
+        of_stars(&self.stars, &self.refusal.found)
+    }
+
+    fn refusal(&self) -> Refusal {
+        let key = self.stars.first().map_or(self.refusal.key, |star| self.refusal.key.of_star(*star));
+        Refusal { key, found: self.reason(), ..self.refusal.clone() }
+    }
+}
+
+/// The findings of a verdict.
+#[derive(Debug, Default)]
+struct VerdictLines {
+    findings: Vec<VerdictLine>,
+    /// How many stars they name; 1 if all are equal, and none is named.
+    stars: usize,
+    /// Whether the lowest or the highest star lets the object in.
+    enters: bool,
+}
+
+impl VerdictLines {
+    fn of(spec: &Spec, load: &Load, stars: &[StarPrediction]) -> Self {
+        // Equal stars are judged together.
+        let distinct = distinct(stars);
+        let several = distinct.len() > 1;
+        let lets_in = |star: &StarPrediction| {
+            load.object_radius.is_some_and(|widest| widest.0 <= star.hole_radius_mm + ROUNDING)
+        };
+        let enters = [stars.first(), stars.last()].into_iter().flatten().any(lets_in);
+        let mut judged = Self { stars: if several { stars.len() } else { 1 }, enters, ..Self::default() };
+        for (star, numbers) in distinct {
+            judged.star(spec, load, (numbers[0], star), if several { &numbers } else { &[] });
+        }
+        if load.object_radius.is_some() && !judged.is_refuted() {
+            judged.mass(load, stars);
+        }
+        judged
+    }
+
+    fn has(&self, weight: Weight) -> bool {
+        self.findings.iter().any(|finding| finding.weight == weight)
+    }
+
+    /// Whether no star holds the object.
+    fn is_idle(&self) -> bool {
+        let idle = self.findings.iter().filter(|finding| finding.weight == Weight::Idle);
+        idle.map(|finding| finding.stars.len().max(1)).sum::<usize>() == self.stars
+    }
+
+    fn is_refuted(&self) -> bool {
+        self.has(Weight::Refuted) || self.is_idle()
+    }
+
+    fn holds(&self) -> Holds {
+        match (self.is_refuted(), self.has(Weight::Doubted) || self.has(Weight::Unknown)) {
+            (true, _) => Holds::No,
+            (_, true) => Holds::Unknown,
+            _ => Holds::Yes,
+        }
+    }
+
+    /// The code of the decisive finding.
+    fn code(&self) -> Option<&'static str> {
+        let decides = if self.is_refuted() {
+            [Weight::Refuted, Weight::Idle]
+        } else {
+            [Weight::Unknown, Weight::Doubted]
+        };
+        let of_weight = |weight| self.findings.iter().find(|finding| finding.weight == weight);
+        decides.into_iter().find_map(of_weight).map(|finding| finding.refusal.code.as_str())
+    }
+
+    fn add(&mut self, weight: Weight, stars: &[usize], refusal: Refusal) {
+        let same =
+            self.findings.iter_mut().find(|finding| finding.weight == weight && finding.refusal == refusal);
+        match same {
+            Some(finding) => {
+                finding.stars.extend(stars);
+                finding.stars.sort_unstable();
+            }
+            None => self.findings.push(VerdictLine { weight, stars: stars.to_vec(), refusal }),
+        }
+    }
+
+    /// Adds a doubt; its key and remedy are never read.
+    fn doubt(&mut self, stars: &[usize], text: String) {
+        let code = RefusalCode::MayNotHold;
+        self.add(Weight::Doubted, stars, Refusal::new(key::load::MASS, code, text, String::new()));
+    }
+
+    fn star(&mut self, spec: &Spec, load: &Load, (first, star): (usize, &StarPrediction), numbers: &[usize]) {
+        if let Some(refusal) = bursts(load, star) {
+            self.add(Weight::Refuted, numbers, refusal);
+        }
+        if let Some(reason) = may_burst(star) {
+            self.doubt(numbers, reason);
+        }
+        if let Some(refusal) = outside_models(spec, load, star) {
+            return self.add(Weight::Unknown, numbers, refusal);
+        }
+        let Some(object) = star.object_radius_mm else { return };
+        if let Some(refusal) = spec.stars.get(first - 1).and_then(|part| too_wide_to_enter(spec, part, star))
+        {
+            return self.blocks(numbers, refusal);
+        }
+        if let Some(refusal) = idle(load, star, object) {
+            return self.add(Weight::Idle, numbers, refusal);
+        }
+        for reason in doubts(load, star, object) {
+            self.doubt(numbers, reason);
+        }
+        if let Some((Force(bears), range)) = load.largest_force.zip(star.ranges.object_force_N)
+            && range[0] > bears
+        {
+            self.add(Weight::Refuted, numbers, too_hard(range, bears));
+        }
+    }
+
+    /// Stars whose holes stop the object on the way to its place. Those before them may hold it where it stops.
+    fn blocks(&mut self, numbers: &[usize], refusal: Refusal) {
+        let weight = if self.enters { Weight::Idle } else { Weight::Refuted };
+        self.add(weight, numbers, refusal);
+        if self.enters {
+            let text = "it stops there, so where other stars hold it, and how hard, is unknown";
+            self.doubt(numbers, text.to_owned());
+        }
+    }
+
+    fn mass(&mut self, load: &Load, stars: &[StarPrediction]) {
+        let needed = needed_force(load);
+        // The least friction needs most.
+        let ends = load.friction_range().map(|range| range.map(|friction| needed_at(load, friction)));
+        let ends = ends.and_then(|[most, least]| Some([least?, most?]));
+        let doubt = match (ends, force_range(stars), force(stars)) {
+            (Some([needed, _]), Some(range), _) if range[1] < needed => {
+                return self.add(Weight::Refuted, &[], too_heavy(load, range, needed));
+            }
+            (Some([_, needed]), Some([low, _]), _) if low < needed => {
+                let least = load.friction_range().map_or(0.0, |[least, _]| least);
+                let of = if load.friction == Some(least) { String::new() } else { format!(" of {least}") };
+                let [needed, low] = apart(needed, low);
+                format!("friction{of} needs {needed} N, but there may be only {low} N")
+            }
+            // A mass is carried by friction only.
+            (None, ..) if load.mass.is_some() => {
+                "[load] has a mass, but no friction: whether the gripper carries it is unknown; bare fabric has about 0.3"
+                    .to_owned()
+            }
+            (_, None, None) if self.has(Weight::Idle) && !self.has(Weight::Doubted) => {
+                "the force of all stars together is unknown: not each of them closes around the object".to_owned()
+            }
+            (_, None, Some(force)) => {
+                let needs =
+                    needed.map_or(String::new(), |needed| format!(" and friction needs {needed:.1} N,"));
+                format!("the model's force is {force:.1} N,{needs} but its error is unknown")
+            }
+            _ => return,
+        };
+        self.doubt(&[], doubt);
+    }
+}
+
+/// The reason why `star`, which the object enters, certainly does not hold it where it has the radius `object` (mm).
+fn idle(load: &Load, star: &StarPrediction, object: f64) -> Option<Refusal> {
+    let [least, most] = star.graspable_radius_mm?;
+    if star.hold == Some(Grip::Beside) {
+        return Some(too_short(load));
+    }
+    // Where the range is known, the object may lie within it.
+    let [sure, _] = star.ranges.final_radius_mm.unwrap_or([least; 2]);
+    if object < sure {
+        return Some(too_thin(load, object, sure, held(star)));
+    }
+    (object > most + ROUNDING).then(|| too_wide_to_open(load, object, most, held(star)))
+}
+
+/// The reasons why it is not certain that a star holds the object of radius `object` (mm).
+fn doubts(load: &Load, star: &StarPrediction, object: f64) -> Vec<String> {
+    let mut reasons = Vec::new();
+    if star.graspable_radius_mm.is_none() {
+        reasons.push(star.evidence.choice.clone());
+        return reasons;
+    }
+    if let Some([_, high]) = star.ranges.final_radius_mm.filter(|[_, high]| object < *high) {
+        let across = tenths_up(2.0 * high);
+        reasons.push(format!("it may close only to {across:.1} mm across, and not reach the object"));
+    } else {
+        reasons.extend(may_not_press(load, star, object));
+    }
+    if star.hold == Some(Grip::Untried) {
+        reasons.push("the force on the object is unknown".to_owned());
+    }
+    match (load.largest_force, star.ranges.object_force_N, star.object_force_N) {
+        (Some(Force(bears)), Some([low, high]), _) if low <= bears && high > bears => {
+            let high = tenths_up(high);
+            reasons.push(format!("it may press with {high:.1} N, but the object bears {bears} N"));
+        }
+        (Some(Force(bears)), None, Some(force)) if force > bears => {
+            reasons
+                .push(format!("by the model it presses with {force:.1} N, but the object bears {bears} N"));
+        }
+        _ => {}
+    }
+    reasons
+}

@@ -1,0 +1,104 @@
+//! The header: the data that a person or program needs who has the file alone.
+
+use crate::gcode::writer::{Facts, Writer};
+use crate::number::number;
+use crate::plan::{Pace, Program, Purpose, SeamReport, Stepper};
+use sealed::scope;
+use spec::{DwellUnit, Heating, Machine};
+
+/// Writes the header of `program`.
+pub(super) fn header(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
+    let purpose = match program.purpose {
+        Purpose::Seal => "seal",
+        Purpose::Trace => "trace",
+    };
+    writer.comment(&format!("stargrip-cam {purpose} program"));
+    writer.comment(&format!("name: {}", writer.facts.name));
+    if let Some(maker) = writer.spelling.maker {
+        writer.comment(maker);
+    }
+    writer.comment(&format!("program: purpose={purpose} {}", sheet_and_pieces(program)));
+    writer.comment("frame: origin at lower left of the sheet, Z0 on the release layer");
+    if program.purpose == Purpose::Seal {
+        job_facts(writer);
+        conditions(writer, machine, program);
+    }
+    for (seam, i) in program.seams.iter().zip(1..) {
+        writer.comment(&seam_facts("length", i, seam));
+    }
+    if program.purpose == Purpose::Seal {
+        let length: f64 = program.seams.iter().map(|seam| seam.length).sum();
+        writer.comment(&format!("total: length_mm={length:.3} time_s={:.0}", program.time));
+    } else {
+        // Corners, which a slow machine brakes for, come on top.
+        writer.comment(&format!("total: time_s={:.0}", program.time));
+    }
+}
+
+/// The data that a new program for the rest of the job needs.
+fn job_facts(writer: &mut Writer<'_>) {
+    let Facts { seal, controller, process, path, .. } = writer.facts;
+    let (t, v) = (number(seal.temperature.0), number(seal.speed.0));
+    let (w, o) = (number(seal.band.0), number(seal.overlap.0));
+    writer.facts(&format!("seal: temperature_C={t} speed_mm_s={v} band_mm={w} overlap_mm={o}"));
+    let heating = match controller.heating {
+        Heating::Operator => "operator",
+        Heating::Hotend => "hotend",
+    };
+    let (dialect, line) = (controller.dialect.name(), controller.line_length);
+    let arcs = if controller.arcs { "yes" } else { "no" };
+    writer.facts(&format!("machine: dialect={dialect} heating={heating} arcs={arcs} line={line}"));
+    let heights = &process.heights;
+    let (contact, travel) = (number(heights.contact.0), number(heights.travel.0));
+    let (park, ramp) = (number(heights.park.0), number(process.ramp.0));
+    writer.facts(&format!("heights: contact_mm={contact} travel_mm={travel} park_mm={park} ramp_mm={ramp}"));
+    let (path, rapid) = (number(path.0), number(process.travel_speed.0));
+    let unit = match controller.dwell.unit {
+        DwellUnit::Seconds => "s",
+        DwellUnit::Milliseconds => "ms",
+    };
+    writer.facts(&format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"));
+}
+
+/// The tasks of the operator, and the settings on which a chopped program relies.
+fn conditions(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
+    if let Pace::Chopped(chop) = program.pace {
+        let (feed, a) = (number(chop.speed * 60.0), number(chop.acceleration));
+        let (longest, step) = (number(chop.longest), number(chop.step));
+        writer.facts(&format!("chop: feed_mm_min={feed} longest_mm={longest}"));
+        let delay = number(chop.start_delay);
+        writer.facts(&format!("chop-rest: acceleration_mm_s2={a} step_s={step}"));
+        writer.facts(&format!("chop-start: delay_s={delay}"));
+        if let Some(stepper @ Stepper { steps_per_mm, rate, tick, .. }) = chop.stepper {
+            let ([x, y, z], rate, tick) = (steps_per_mm.map(number), number(rate), number(tick));
+            writer.facts(&format!("chop-steps: x={x} y={y} z={z}"));
+            writer.facts(&format!("chop-ticks: rate_Hz={rate} tick_s={tick}"));
+            if stepper.first_rate.is_some() || stepper.least_steps > 0.0 {
+                let (first, least) = (number(stepper.first_rate.unwrap_or(0.0)), number(stepper.least_steps));
+                writer.facts(&format!("chop-moves: first_Hz={first} least_steps={least}"));
+            }
+        }
+        let axes =
+            if chop.stepper.is_some_and(|stepper| stepper.tick > 0.0) { "X, Y and Z" } else { "X and Y" };
+        writer.requirement(&format!("requires: an acceleration of {a} mm/s2 in {axes}"));
+        if let Some([x, y, _]) = machine.motion.steps_per_mm {
+            writer.requirement(&format!("requires: at least {x} and {y} steps/mm in X and Y"));
+        }
+    }
+    for line in &machine.script.requires {
+        writer.requirement(&format!("requires: {line}"));
+    }
+}
+
+/// The scope of the program: "sheet=1 stars=1-3", "piece=disc".
+fn sheet_and_pieces(program: &Program) -> String {
+    let pieces = scope(&program.pieces);
+    let is_numbered = program.pieces.iter().any(|piece| piece.number().is_some());
+    if is_numbered { format!("sheet={} {pieces}", program.sheet) } else { pieces }
+}
+
+/// The structured comment about one seam.
+pub(super) fn seam_facts(key: &str, index: usize, seam: &SeamReport) -> String {
+    let SeamReport { name, length, time, .. } = seam;
+    format!("{key}: seam={index} {} length_mm={length:.3} time_s={time:.0}", name.facts())
+}

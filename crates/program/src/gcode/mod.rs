@@ -1,0 +1,185 @@
+//! G-code in every dialect.
+//!
+//! End points are rounded first; an arc's centre is then computed from the rounded points and the
+//! exact radius, so that start, end and centre of every line of the file agree with each other.
+//! Comments of the form `; key: word=value ...` carry the data that a reader of the file alone needs;
+//! the last line, after the program's end, counts the lines, so that a file cut short shows.
+//!
+//! The **writer** writes lines, one at a time; the **header** states facts; a **dialect**'s row lists its
+//! differences in spelling; this room goes through a program's steps.
+
+mod dialect;
+mod feed_check;
+mod header;
+mod thumbnail;
+mod writer;
+
+use crate::gcode::dialect::Spelling;
+use crate::gcode::header::{header, seam_facts};
+use crate::gcode::writer::Writer;
+use crate::number::{Decimals, number};
+use crate::plan::{Clock, Pace, Pacer, Program, Purpose, Step, height_of};
+use geom::{Point, Segment};
+use spec::units::Readable;
+use spec::{Dialect, Heating, Machine, Spec};
+
+pub use feed_check::{FEED_CHECK_TITLE, feed_check};
+pub use thumbnail::Thumbnail;
+pub use writer::Facts;
+
+/// The program as text, with `thumbnails` in its header.
+pub fn gcode(spec: &Spec, machine: &Machine, program: &Program, thumbnails: &[Thumbnail]) -> String {
+    let mut job = Job::new(program.pace, Writer::new(Facts::new(spec, machine)));
+    job.whole = Some(Whole { machine, program, clock: Clock::new(machine), percent: 0.0 });
+    header(&mut job.writer, machine, program);
+    for picture in thumbnails {
+        picture.write(&mut job.writer);
+    }
+    for line in &machine.script.start {
+        job.writer.line(line);
+    }
+    for step in &program.steps {
+        job.step(step);
+    }
+    for line in &machine.script.end {
+        job.writer.line(line);
+    }
+    let estimate = job.writer.spelling.estimate(program.time);
+    if let Some(estimate) = estimate.filter(|_| program.purpose == Purpose::Seal) {
+        job.writer.comment(&estimate);
+    }
+    job.writer.finished()
+}
+
+/// The text that hosts of the dialect read of a program that takes `seconds`; `None` where they read none.
+pub fn estimate(dialect: Dialect, seconds: f64) -> Option<String> {
+    Spelling::of(dialect).estimate(seconds)
+}
+
+/// `steps` alone at `pace`, with the iron at `from`, as text without header, start, pauses and end.
+pub fn steps_text(facts: Facts<'_>, steps: &[Step], pace: Pace, from: Point) -> String {
+    let mut writer = Writer::new(facts);
+    writer.at = writer.round(from);
+    let mut job = Job::new(pace, writer);
+    for step in steps {
+        job.step(step);
+    }
+    job.writer.out
+}
+
+/// The way through a program's steps.
+struct Job<'a> {
+    pace: Pace,
+    writer: Writer<'a>,
+    pacer: Pacer,
+    /// The program that the steps are all of; `None` for a few steps alone.
+    whole: Option<Whole<'a>>,
+}
+
+/// The data that only a whole program has: seams with their figures, an operator, progress.
+struct Whole<'a> {
+    machine: &'a Machine,
+    program: &'a Program,
+    clock: Clock<'a>,
+    /// The last per cent that was written.
+    percent: f64,
+}
+
+impl<'a> Job<'a> {
+    /// The beginning of a way through a few steps.
+    fn new(pace: Pace, writer: Writer<'a>) -> Self {
+        Self { pace, pacer: Pacer::new(pace, writer.facts.seal.speed.0), writer, whole: None }
+    }
+
+    fn step(&mut self, step: &Step) {
+        let Facts { process, seal, .. } = self.writer.facts;
+        match step {
+            Step::Height(level) => {
+                if let Some(whole) = &mut self.whole {
+                    whole.clock.height(*level);
+                }
+                self.writer.height(height_of(process, *level));
+            }
+            Step::Heat(_) => self.heat(),
+            Step::Travel(to) => {
+                if let Some(whole) = &mut self.whole {
+                    whole.clock.travel(*to);
+                }
+                self.writer.travel(*to);
+            }
+            Step::Seam(i) => {
+                // Every seam states its feed, so that a job can go on there.
+                self.writer.feed = None;
+                if let Some(seam) = self.whole.as_ref().and_then(|whole| whole.program.seams.get(*i)) {
+                    self.writer.comment(&seam_facts("seam", i + 1, seam));
+                }
+            }
+            Step::TouchDown(ramp) | Step::Lift(ramp) => {
+                if matches!(step, Step::TouchDown(_)) {
+                    self.pacer = Pacer::new(self.pace, seal.speed.0);
+                }
+                for (piece, from, to) in ramp.with_heights() {
+                    self.seal(piece, Some((from, to)));
+                }
+            }
+            Step::Seal(pieces) => pieces.iter().for_each(|piece| self.seal(piece, None)),
+            Step::Trace(pieces) => {
+                for piece in pieces {
+                    self.writer.cut(piece, None, process.trace_speed.0);
+                }
+            }
+        }
+    }
+
+    fn heat(&mut self) {
+        let Facts { seal, controller, .. } = self.writer.facts;
+        let t = number(seal.temperature.0);
+        self.writer.comment(&format!("heat: temperature_C={t}"));
+        match controller.heating {
+            Heating::Operator => {
+                // As many digits as a line has room for.
+                let t = Readable(seal.temperature.0);
+                let told = format!("set the iron to {t} C, standby off, wait until hot, press start");
+                self.writer.comment(&told);
+                if let Some(whole) = &self.whole {
+                    self.writer.line(&whole.machine.script.pause);
+                }
+            }
+            Heating::Hotend => {
+                let t = Decimals::exactly(1).text(seal.temperature.0);
+                self.writer.line(&format!("M109 S{t}"));
+            }
+        }
+    }
+
+    /// One piece in contact, or on the way down or up, in as many strokes as the pace makes of it.
+    fn seal(&mut self, piece: &Segment, heights: Option<(f64, f64)>) {
+        self.progress();
+        let Self { writer, whole, pacer, .. } = self;
+        let unit = writer.facts.controller.dwell.unit;
+        pacer.strokes(piece, heights, |stroke| {
+            if let Some(whole) = whole {
+                whole.clock.add(stroke.piece.end(), stroke.height, stroke.seconds);
+            }
+            writer.cut(&stroke.piece, stroke.height, stroke.speed);
+            if stroke.dwell > 0.0 {
+                writer.line(&writer.spelling.dwell(unit, stroke.dwell));
+            }
+        });
+    }
+
+    /// Writes the progress of the job, at every whole per cent of its time.
+    fn progress(&mut self) {
+        let Some(whole) = &mut self.whole else { return };
+        let (total, done) = (whole.program.time, whole.clock.elapsed);
+        let percent = (100.0 * done / total).floor().clamp(0.0, 100.0);
+        if percent > whole.percent {
+            whole.percent = percent;
+            let left = (total - done).max(0.0);
+            self.writer.comment(&format!("progress: percent={percent} remaining_s={left:.0}"));
+            if let Some(line) = self.writer.spelling.progress(percent, (left / 60.0).ceil()) {
+                self.writer.line(&line);
+            }
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! Chopping: how long strokes are, how fast, and how long the controller takes for them.
+
+use crate::plan::stepper::Stepper;
+use crate::plan::written::Precision;
+use spec::{Machine, Motion, Spec, StepRate};
+
+/// Strokes in a band, at least. Half a band then has six rests, or one more or less, so that the speed within it is right
+/// to 15 %; of twelve strokes it was 15.5 % on one controller, of ten 16 %. The more there are, the larger a part of a stroke is a step of the motors.
+const STROKES: f64 = 13.0;
+
+/// The same where a controller joins short moves: now and then a stroke is longer by a part of another one.
+const SHORT_STROKES: f64 = 15.0;
+
+/// The limits by which a path is chopped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chop {
+    /// Speed of a stroke, mm/s.
+    pub speed: f64,
+    /// Longest stroke, mm: a thirteenth of the band, or as much as it takes to have time left for a dwell.
+    pub longest: f64,
+    /// Shortest stroke that the controller makes in every direction, mm; 0 where it makes any.
+    pub least: f64,
+    /// The precision of moves in the file.
+    pub file: Precision,
+    /// Acceleration, mm/s^2.
+    pub acceleration: f64,
+    /// Dwells are multiples of this, s.
+    pub step: f64,
+    /// Longest dwell, s: the time of the iron for a tenth of the band. A longer one leaves a scar. Where steps are coarse it is
+    /// that of two shortest strokes.
+    pub rest: f64,
+    /// Wait of a move that meets an empty queue, s.
+    pub start_delay: f64,
+    /// The steps of the controller, if it is one of GRBL's family and all their data are known.
+    pub stepper: Option<Stepper>,
+}
+
+/// The steps of the controller, if all their data are known.
+pub fn stepper(motion: &Motion) -> Option<Stepper> {
+    let StepRate::AtLeast(rate) = motion.step_rate else { return None };
+    Some(Stepper {
+        steps_per_mm: motion.steps_per_mm?,
+        rate,
+        tick: motion.tick?.0,
+        wraps: motion.wraps,
+        first_rate: motion.first_step_rate,
+        least_steps: motion.min_move_steps,
+    })
+}
+
+impl Chop {
+    /// The chop of a seal of `spec` on `machine`; `None` where too little is known of the machine.
+    pub(super) fn new(spec: &Spec, machine: &Machine) -> Option<Self> {
+        let (motion, speed, band) = (&machine.motion, spec.seal.speed.0, spec.seal.band.0);
+        let least = motion.least_move();
+        let strokes = if least > 0.0 { SHORT_STROKES } else { STROKES };
+        let chop = Self {
+            speed: motion.chop_speed(speed)?,
+            longest: (band / strokes).max(least),
+            least,
+            file: Precision { path: spec.accuracy.path, arcs: machine.controller.arcs },
+            acceleration: motion.acceleration?.0,
+            step: machine.controller.dwell.step.0,
+            rest: (band / 10.0).max(2.0 * least) / speed,
+            start_delay: motion.start_delay.0,
+            stepper: stepper(motion),
+        };
+        Some(Self { longest: chop.longest.max(chop.least_stroke(speed)), ..chop })
+    }
+
+    /// In how many strokes a way of `length`, mm, is travelled: such as the controller makes, where there is room for them.
+    pub(super) fn strokes(&self, length: f64) -> f64 {
+        let room = (length / self.least + 1e-9).floor();
+        (length / self.longest - 1e-9).ceil().min(room).max(1.0)
+    }
+
+    /// Time of a stroke besides its length: one start, one stop, and the shortest dwell, s.
+    pub(super) fn cost(&self) -> f64 {
+        self.start_delay + self.speed / self.acceleration + self.step
+    }
+
+    /// The shortest stroke, mm, that leaves time for a dwell where the mean speed is to be `speed`, mm/s; infinite if none
+    /// does.
+    pub fn least_stroke(&self, speed: f64) -> f64 {
+        let spared = 1.0 / speed - 1.0 / self.speed;
+        if spared > 0.0 { self.cost() / spared } else { f64::INFINITY }
+    }
+
+    /// Whether the rest after a longest stroke, where the mean speed is to be `speed`, mm/s, is one that leaves no scar.
+    pub(super) fn rests(&self, speed: f64) -> bool {
+        let moving = self.start_delay + move_time(self.longest, self.speed, Some(self.acceleration));
+        self.longest / speed - moving <= self.rest
+    }
+
+    /// Steps of the three axes from one position to another; 0 where the stepper is unknown.
+    pub(super) fn steps(&self, from: [f64; 3], to: [f64; 3]) -> [f64; 3] {
+        let Some(stepper) = self.stepper else { return [0.0; 3] };
+        let (from, to) = (stepper.at(from), stepper.at(to));
+        std::array::from_fn(|i| to[i] - from[i])
+    }
+
+    /// Whether the controller makes a move of these steps; else it joins it to the next.
+    pub(super) fn makes(&self, steps: [f64; 3]) -> bool {
+        let most = steps.into_iter().map(f64::abs).fold(0.0, f64::max);
+        self.stepper.is_none_or(|stepper| most >= stepper.least_steps)
+    }
+
+    /// Time from rest to rest, s, of these steps along a way of `length` mm.
+    pub(super) fn moving(&self, steps: [f64; 3], length: f64) -> f64 {
+        let Self { speed, acceleration, .. } = *self;
+        let moving = match &self.stepper {
+            Some(stepper) => stepper.seconds(steps, speed, acceleration),
+            None => move_time(length, speed, Some(acceleration)),
+        };
+        self.start_delay + moving
+    }
+}
+
+/// Time from rest to rest over `length`, s, at `speed` if it is reached; without an acceleration it always is.
+pub fn move_time(length: f64, speed: f64, acceleration: Option<f64>) -> f64 {
+    match acceleration {
+        Some(a) if speed * speed > a * length => 2.0 * (length / a).sqrt(),
+        Some(a) => length / speed + speed / a,
+        None => length / speed,
+    }
+}

@@ -1,0 +1,119 @@
+//! Clamps: places that the iron must not enter.
+
+use crate::plan::lowest_feed::contact;
+use crate::plan::{Program, Purpose, Ramp, Step};
+use design::{Refusal, RefusalCode};
+use geom::{Bounds, BoxIndex, Line, Point, Segment, Vec2, box_distance};
+use sealed::PieceName;
+use spec::{KeepOut, Machine, Spec, key};
+
+/// The rectangle of a clamp.
+pub fn clamp_bounds(clamp: &KeepOut) -> Bounds {
+    let min = Point::new(clamp.x.0, clamp.y.0);
+    Bounds { min, max: min + Vec2::new(clamp.width.0, clamp.depth.0) }
+}
+
+/// A way of the iron, and how near to it no clamp may be.
+struct Way<'a> {
+    what: &'static str,
+    program: &'a Program,
+    piece: Segment,
+    /// The piece's box, grown by the reach.
+    near: Bounds,
+    reach: f64,
+    /// Whether the iron is down, so that it cannot pass above a clamp.
+    low: bool,
+}
+
+/// The reasons why the seals, or else the traces, cannot be run between the clamps of `machine`: one reason a clamp, that of the
+/// first way that it meets.
+pub(super) fn clamps_in_the_way(
+    spec: &Spec,
+    machine: &Machine,
+    seals: &[Program],
+    traces: &[Program],
+) -> Vec<Refusal> {
+    if machine.bench.keep_out.is_empty() {
+        return Vec::new();
+    }
+    let reach = spec.seal.band.0 / 2.0;
+    let ways: Vec<Way<'_>> = seals.iter().chain(traces).flat_map(|program| ways(program, reach)).collect();
+    let index = BoxIndex::new(ways.iter().map(|way| way.near));
+    let refusal = |zone: &KeepOut| {
+        let passes = zone.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
+        let place = clamp_bounds(zone);
+        let near = index.overlapping(&place);
+        let mut met = near
+            .into_iter()
+            .map(|number| &ways[number])
+            .filter(|way| (way.low || !passes) && box_distance(&place, &way.piece) <= way.reach);
+        let first = met.next()?;
+        // A way with the iron down meets the clamp whatever its height.
+        let met = if first.low { first } else { met.find(|way| way.low).unwrap_or(first) };
+        let piece = listed(&met.program.pieces);
+        let travel = machine.process.heights.travel;
+        let lower = match zone.height {
+            _ if met.low => String::new(),
+            None => format!("; give its height, if it is below the travel height of {travel}"),
+            Some(height) if machine.process.heights.park <= height => {
+                format!("; or raise the travel height above {height}, and the park height above that")
+            }
+            Some(height) => format!("; or raise the travel height above {height}"),
+        };
+        let other = if met.program.pieces.is_empty() { "" } else { "; or change [sheet]" };
+        let at = met.piece.point(met.piece.nearest_fraction(place.center()));
+        Some(Refusal::new(
+            key::machine::PROFILE,
+            RefusalCode::ClampInTheWay,
+            format!(
+                "{} of {piece} meets the clamp {:?} at X {:.1} Y {:.1} mm",
+                met.what, zone.name, at.x, at.y
+            ),
+            format!("move the clamp{lower}{other}"),
+        ))
+    };
+    machine.bench.keep_out.iter().filter_map(refusal).collect()
+}
+
+/// The pieces in words: "stars 1, 2", "disc"; without pieces it is a feed check.
+fn listed(pieces: &[PieceName]) -> String {
+    let numbers: Vec<String> =
+        pieces.iter().filter_map(PieceName::number).map(|number| number.to_string()).collect();
+    match pieces {
+        [first, _, ..] if numbers.len() > 1 => format!("{}s {}", first.kind(), numbers.join(", ")),
+        [first, ..] => first.to_string(),
+        [] => "the feed check".to_owned(),
+    }
+}
+
+/// The ways of a program, from X0 Y0 on: contacts first, as a clamp in a seal's way is best reported as such.
+fn ways(program: &Program, reach: f64) -> Vec<Way<'_>> {
+    let way = |what, piece: Segment, reach: f64, low| {
+        let near = piece.bounds().grown(reach);
+        Way { what, program, piece, near, reach, low }
+    };
+    let followed = |piece: &Segment| match program.purpose {
+        Purpose::Seal => way("the seal", *piece, reach, true),
+        Purpose::Trace => way("the trace", *piece, 0.0, false),
+    };
+    let mut ways: Vec<Way<'_>> = contact(&program.steps).map(|(piece, _)| followed(piece)).collect();
+    let mut at = Point::ORIGIN;
+    for step in &program.steps {
+        match step {
+            Step::Trace(pieces) => ways.extend(pieces.iter().map(followed)),
+            Step::Travel(to) if at != *to => {
+                let line = Line::new(at, *to).into();
+                ways.push(way("the way to or from a seam", line, reach, false));
+            }
+            _ => {}
+        }
+        at = match step {
+            Step::Travel(to) => *to,
+            Step::Lift(Ramp { pieces, .. }) | Step::Trace(pieces) | Step::Seal(pieces) => {
+                pieces.last().map_or(at, Segment::end)
+            }
+            _ => at,
+        };
+    }
+    ways
+}

@@ -1,0 +1,297 @@
+//! The lowest feed that a controller holds, and the refusals where the seal is slower.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::plan::whole_rates::rounded_up;
+use crate::plan::{Chop, Pace, Program, Step};
+use design::{Refusal, RefusalCode};
+use geom::Segment;
+use spec::units::{Least, Most, Speed};
+use spec::{FeedFloor, Machine, Motion, Spec, StepRate, key};
+
+/// The lowest speed that `motion` holds all along `piece`, which climbs by `rise`: that of its worst direction.
+///
+/// `None` if it is unknown. On an arc the worst direction is at an end, or where X and Y step equally often.
+pub fn lowest_speed(motion: &Motion, piece: &Segment, rise: f64) -> Option<f64> {
+    lowest_on(motion, piece, rise, Motion::lowest_speed)
+}
+
+/// The same where `lowest` is that of a straight move with these displacements.
+fn lowest_on(
+    motion: &Motion,
+    piece: &Segment,
+    rise: f64,
+    lowest: impl Fn(&Motion, [f64; 3]) -> Option<f64>,
+) -> Option<f64> {
+    let length = piece.length();
+    let along = |t: f64| {
+        let u = piece.tangent(t);
+        lowest(motion, [u.x * length, u.y * length, rise])
+    };
+    let mut worst = along(0.0)?.max(along(1.0)?);
+    if let Segment::Arc(arc) = piece {
+        let [x, y, _] = motion.steps_per_mm.unwrap_or([1.0; 3]);
+        let even = libm::atan2(x, y);
+        let quarter = FRAC_PI_2 * arc.sweep.signum();
+        for direction in [even, -even, 2.0 * FRAC_PI_2 - even, even - 2.0 * FRAC_PI_2] {
+            if let Some(t) = arc.fraction_of(direction - quarter, 0.0) {
+                worst = worst.max(along(t)?);
+            }
+        }
+    }
+    Some(worst)
+}
+
+pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -> Option<Refusal> {
+    let speed = spec.seal.speed.0;
+    let wanted = spec.machine.feed_floor == FeedFloor::Chop;
+    let (mut most, mut flatness) = (0.0_f64, 0.0_f64);
+    for program in programs {
+        flatness = flatness.max(ramp_flatness(&program.steps));
+        if let Pace::Chopped(chop) = program.pace {
+            let refusal = too_fast_to_chop(spec, machine, &chop).or_else(|| slow_chop_feed(machine, program));
+            let refusal = refusal.or_else(|| long_rest(machine, &chop, program));
+            if refusal.is_some() {
+                return refusal;
+            }
+            continue;
+        }
+        let Some(lowest) = lowest_of(&machine.motion, &program.steps) else {
+            return wanted.then(|| cannot_chop(machine, speed));
+        };
+        most = most.max(lowest);
+    }
+    if most <= speed * (1.0 + 1e-9) {
+        return None;
+    }
+    if wanted {
+        return Some(cannot_chop(machine, speed));
+    }
+    let (least, flat) = machine.motion.speed_range().unwrap_or((most, most));
+    if flat <= speed * (1.0 + 1e-9) {
+        return Some(slow_ramps(speed, machine, most, flatness));
+    }
+    let most = most.max(flat);
+    let at = match machine.motion.steps_per_mm {
+        Some([x, y, _]) if x == y => format!("at {x} steps/mm "),
+        Some([x, y, _]) => format!("at {x} (X) and {y} (Y) steps/mm "),
+        None => String::new(),
+    };
+    Some(Refusal::new(
+        key::seal::SPEED,
+        RefusalCode::FeedFloor,
+        format!(
+            "{at}{} runs this {}",
+            machine.controller.dialect.title(),
+            actual_speed(&machine.motion, speed, (least, most))
+        ),
+        format!(
+            "write `feed_floor = \"chop\"` in [machine]; or a speed of at least {:.2} mm/s{}",
+            (most * (1.0 - 1e-9) * 100.0).ceil() / 100.0,
+            finer_steps(&machine.motion, speed, flatness)
+        ),
+    ))
+}
+
+/// The actual speed of a controller for the programmed `speed`, mm/s, which it does not hold, in words; `range` holds its lowest speeds
+/// over all directions.
+pub fn actual_speed(motion: &Motion, speed: f64, range: (f64, f64)) -> String {
+    if let Some(part) = rounded_up(motion, speed) {
+        let percent = (1000.0 * part - 1e-9).ceil() / 10.0;
+        return format!("up to {percent:.1} % too fast, for it rounds up to whole steps a second");
+    }
+    // No controller runs below the programmed speed.
+    let (least, most) = (range.0.max(speed), range.1);
+    let runs = if most - least < 0.005 { format!("{most:.2}") } else { format!("{least:.2} to {most:.2}") };
+    format!("at {runs} mm/s instead of {speed}")
+}
+
+/// The steps per mm of all axes that hold `speed`, mm/s, on ramps as flat as that, too, as another remedy; empty where they are unknown.
+fn finer_steps(motion: &Motion, speed: f64, flatness: f64) -> String {
+    let Some((_, diagonal)) = motion.steps_needed(speed) else { return String::new() };
+    let [_, _, z] = motion.steps_per_mm.unwrap_or_default();
+    let climbing = z_steps_needed(motion, speed, flatness).filter(|needed| z < *needed);
+    let ramps = climbing.map_or(String::new(), |z| format!(" and `z_steps_per_mm` of at least {z:.0}"));
+    format!(
+        "; or `x_steps_per_mm` and `y_steps_per_mm` of at least {:.0}{ramps} in the profile, if the machine has them",
+        diagonal.ceil()
+    )
+}
+
+/// Steps per mm of Z that hold `speed`, mm/s, on ramps as flat as that, whatever X and Y have.
+fn z_steps_needed(motion: &Motion, speed: f64, flatness: f64) -> Option<f64> {
+    motion.steps_needed(speed).map(|(along, _)| (along * flatness).ceil())
+}
+
+/// The way along the flattest ramp of `steps`, by its rise; 0 without ramps.
+fn ramp_flatness(steps: &[Step]) -> f64 {
+    let climbs = contact(steps).filter(|(_, rise)| *rise != 0.0);
+    climbs.map(|(piece, rise)| libm::hypot(piece.length(), rise) / rise.abs()).fold(0.0, f64::max)
+}
+
+/// Only the ramps are too slow for the controller, which are steeper than Z has steps for.
+fn slow_ramps(speed: f64, machine: &Machine, lowest: f64, flatness: f64) -> Refusal {
+    let motion = &machine.motion;
+    let [_, _, z] = motion.steps_per_mm.unwrap_or_default();
+    Refusal::new(
+        key::seal::SPEED,
+        RefusalCode::FeedFloor,
+        format!(
+            "at {z} steps/mm of Z {} runs the ramps at {lowest:.2} mm/s instead of {speed}",
+            machine.controller.dialect.title()
+        ),
+        format!(
+            "write `feed_floor = \"chop\"` in [machine]; or `z_steps_per_mm` of at least {:.0} in the profile, if the \
+             machine has them; or a speed of at least {:.2} mm/s",
+            z_steps_needed(motion, speed, flatness).unwrap_or(z),
+            (lowest * (1.0 - 1e-9) * 100.0).ceil() / 100.0
+        ),
+    )
+}
+
+/// The refusal where there is no time for dwells: in strokes of half a band at most, each needs one, of a step or two.
+fn too_fast_to_chop(spec: &Spec, machine: &Machine, chop: &Chop) -> Option<Refusal> {
+    let (speed, stroke) = (spec.seal.speed, spec.seal.band.0 / 2.0);
+    if 2.0 * chop.least > stroke {
+        let found = format!("the controller makes no move below {:.3} mm in every direction", chop.least);
+        let remedy =
+            format!("band must be at least {:.2} mm, or the profile have finer steps", 4.0 * chop.least);
+        return Some(Refusal::new(key::seal::BAND, RefusalCode::NoChop, found, remedy));
+    }
+    if chop.longest <= stroke && chop.rest >= 2.0 * chop.step {
+        return None;
+    }
+    let seconds = stroke / chop.speed + chop.cost();
+    let limit = (stroke / seconds).min(spec.seal.band.0 / 10.0 / (2.0 * chop.step));
+    let found = format!(
+        "a stroke of {stroke:.3} mm at {:.3} mm/s takes {seconds:.3} s with the shortest dwell, too long for {speed}",
+        chop.speed
+    );
+    let mut slower = spec.clone();
+    slower.seal.speed = Speed(limit);
+    let (key, remedy) = if Chop::new(&slower, machine).is_some_and(|chop| chop.rests(limit)) {
+        (key::seal::SPEED, format!("speed must be below {} mm/s", Most(limit)))
+    } else {
+        (
+            key::machine::PROFILE,
+            format!("strokes must be slower: {} in the profile", slower_strokes(machine, chop)),
+        )
+    };
+    Some(Refusal::new(key, RefusalCode::NoChop, found, remedy))
+}
+
+/// The change of a profile that lets the controller travel strokes more slowly than those of `chop`.
+fn slower_strokes(machine: &Machine, chop: &Chop) -> &'static str {
+    let motion = &machine.motion;
+    let any = Motion { min_feed: Speed(0.0), ..*motion };
+    if motion.chop_feed.is_some() {
+        "a lower `chop_feed`"
+    } else if any.chop_speed(0.0).is_some_and(|speed| speed < chop.speed / 2.0) {
+        "a lower `min_feed`"
+    } else {
+        "more steps per mm"
+    }
+}
+
+/// The refusal of a rest that is too long in one place: around a corner, where the controller joins moves of few steps, or after
+/// every stroke, where strokes are long because the axes speed up slowly.
+fn long_rest(machine: &Machine, chop: &Chop, program: &Program) -> Option<Refusal> {
+    if program.overdue <= 0.0 {
+        return None;
+    }
+    let (rest, overdue) = (chop.rest, program.overdue);
+    let (key, found, remedy) = if chop.least > 0.0 {
+        (
+            key::star::CORNER_RADIUS,
+            format!(
+                "beside a sharp corner the controller joins moves below {:.3} mm, and the iron would rest \
+                 for {:.2} s in one place; up to {rest:.2} s leave no scar",
+                chop.least,
+                rest + overdue
+            ),
+            "make the arms longer, round tips and corners, or use a machine with more steps per mm"
+                .to_owned(),
+        )
+    } else {
+        (
+            key::seal::SPEED,
+            format!(
+                "after strokes of {:.3} mm the iron would rest for more than {rest:.2} s in one place",
+                chop.longest
+            ),
+            format!(
+                "choose another speed, or a higher acceleration or {} in the profile if the machine has it",
+                slower_strokes(machine, chop)
+            ),
+        )
+    };
+    Some(Refusal::new(key, RefusalCode::NoChop, found, remedy))
+}
+
+/// The profile's own `chop_feed` is one that the controller runs faster, on the ramps or in the plane.
+fn slow_chop_feed(machine: &Machine, program: &Program) -> Option<Refusal> {
+    let (motion, feed) = (&machine.motion, machine.motion.chop_feed?.0);
+    let lowest = contact(&program.steps).try_fold(0.0_f64, |most, (piece, rise)| {
+        Some(most.max(lowest_on(motion, piece, rise, Motion::lowest_stroke)?))
+    })?;
+    if feed >= lowest * (1.0 - 1e-9) {
+        return None;
+    }
+    Some(Refusal::new(
+        key::machine::PROFILE,
+        RefusalCode::NoChop,
+        format!(
+            "`chop_feed` of the profile is {feed:.3} mm/s, and the controller runs it at up to {lowest:.3} mm/s"
+        ),
+        format!(
+            "`chop_feed` must be at least {} mm/s; without the key the program chooses a suitable one",
+            Least(lowest)
+        ),
+    ))
+}
+
+fn cannot_chop(machine: &Machine, speed: f64) -> Refusal {
+    let motion = &machine.motion;
+    let mut missing = Vec::new();
+    if motion.chop_speed(speed).is_none() {
+        if motion.steps_per_mm.is_none() {
+            missing.push("steps per mm");
+        }
+        if motion.step_rate == StepRate::Unknown {
+            missing.push("lowest step rate");
+        }
+    }
+    if motion.acceleration.is_none() {
+        missing.push("acceleration");
+    }
+    Refusal::new(
+        key::machine::FEED_FLOOR,
+        RefusalCode::NoChop,
+        format!("the profile {} has no {}", machine.name, missing.join(" and no ")),
+        "write what is missing, or `chop_feed` and `acceleration`, in [motion] of your own profile"
+            .to_owned(),
+    )
+}
+
+/// The lowest speed, mm/s, that `motion` holds in every contact of `steps`; `None` if it is unknown.
+pub(super) fn lowest_of(motion: &Motion, steps: &[Step]) -> Option<f64> {
+    lowest_along(motion, contact(steps).map(|(piece, rise)| (*piece, rise)))
+}
+
+/// The same for `way`, pieces with the change of height along each.
+pub(super) fn lowest_along(motion: &Motion, mut way: impl Iterator<Item = (Segment, f64)>) -> Option<f64> {
+    way.try_fold(0.0_f64, |most, (piece, rise)| Some(most.max(lowest_speed(motion, &piece, rise)?)))
+}
+
+/// The pieces travelled below travel height, each with the change of height along it.
+pub(super) fn contact(steps: &[Step]) -> impl Iterator<Item = (&Segment, f64)> {
+    steps.iter().flat_map(|step| {
+        let (pieces, rise): (&[Segment], f64) = match step {
+            Step::TouchDown(ramp) | Step::Lift(ramp) => (&ramp.pieces, ramp.to - ramp.from),
+            Step::Seal(pieces) => (pieces, 0.0),
+            _ => (&[], 0.0),
+        };
+        let flat: f64 = pieces.iter().map(Segment::length).sum();
+        pieces.iter().map(move |piece| (piece, rise * piece.length() / flat))
+    })
+}

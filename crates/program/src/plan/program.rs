@@ -1,0 +1,118 @@
+//! Programs and their steps.
+
+use crate::plan::Pace;
+use geom::{Point, Segment};
+use sealed::{PieceName, SeamName};
+use spec::units::Temperature;
+
+/// The purpose of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Sealing, hot.
+    Seal,
+    /// A look at where the iron will go: at travel height, unheated, fast.
+    Trace,
+}
+
+/// One program of one sheet, for one piece or several.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Program {
+    /// Its purpose.
+    pub purpose: Purpose,
+    /// Number of its sheet, from 1.
+    pub sheet: usize,
+    /// The pieces it covers, in the order of sealing.
+    pub pieces: Vec<PieceName>,
+    /// The steps, in order.
+    pub steps: Vec<Step>,
+    /// The seams it seals, in order; empty for a trace.
+    pub seams: Vec<SeamReport>,
+    /// The way in which the seal's speed is reached.
+    pub pace: Pace,
+    /// Time of all steps without heating and pauses, s.
+    pub time: f64,
+    /// Largest time by which the iron is early after the longest rest that leaves no scar, s; 0 where it is on time.
+    pub overdue: f64,
+}
+
+/// One step. Heights and speeds are the machine's; positions are in the sheet's frame.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// Straight up or down to a level, away from the fabric.
+    Height(Height),
+    /// Heating; the operator or the controller confirms it.
+    Heat(Temperature),
+    /// In a straight line, at the height where it is, clear of the fabric.
+    Travel(Point),
+    /// A new seam begins: index into [`Program::seams`].
+    Seam(usize),
+    /// Down to contact along the path.
+    TouchDown(Ramp),
+    /// In contact, at seal speed.
+    Seal(Vec<Segment>),
+    /// Up to travel height along the path.
+    Lift(Ramp),
+    /// At travel height, at trace speed.
+    Trace(Vec<Segment>),
+}
+
+/// A path on which the height changes evenly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ramp {
+    /// The path in pieces.
+    pub pieces: Vec<Segment>,
+    /// Height at its beginning, mm.
+    pub from: f64,
+    /// Height at its end, mm.
+    pub to: f64,
+}
+
+/// A height of the iron away from the fabric.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Height {
+    /// Between seams.
+    Travel,
+    /// Before and after the job.
+    Park,
+}
+
+/// Length and time of one seam.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SeamReport {
+    /// Its name.
+    pub name: SeamName,
+    /// Path in contact, overlap included, mm.
+    pub length: f64,
+    /// Part of it that is covered twice, mm.
+    pub overlap: f64,
+    /// Time in contact, ramps included, s.
+    pub time: f64,
+}
+
+impl Program {
+    /// The numbers of its pieces that are numbered, such as stars.
+    pub fn numbers(&self) -> Vec<usize> {
+        self.pieces.iter().filter_map(PieceName::number).collect()
+    }
+}
+
+impl Ramp {
+    /// Length of the way in space, mm.
+    pub fn length(&self) -> f64 {
+        let flat: f64 = self.pieces.iter().map(Segment::length).sum();
+        libm::hypot(flat, self.to - self.from)
+    }
+
+    /// The pieces, each with the heights at its two ends.
+    pub fn with_heights(&self) -> impl Iterator<Item = (&Segment, f64, f64)> {
+        let total: f64 = self.pieces.iter().map(Segment::length).sum();
+        let mut done = 0.0;
+        let last = self.pieces.len();
+        self.pieces.iter().zip(1..).map(move |(piece, i)| {
+            let before = self.from + (self.to - self.from) * (done / total);
+            done += piece.length();
+            let height = if i == last { self.to } else { self.from + (self.to - self.from) * (done / total) };
+            (piece, before, height)
+        })
+    }
+}

@@ -1,0 +1,39 @@
+//! The reach of the machine: every path of a program, with its ramps down and up, must lie inside the work area.
+
+use crate::plan::Step;
+use design::{Refusal, RefusalCode};
+use geom::{Bounds, Path, Point};
+use spec::{Machine, key};
+
+/// Slack, mm: rounding.
+const SLACK: f64 = 1e-6;
+
+/// The refusal of `steps` that `machine` cannot reach; `None` if it can, or if its work area is unknown. `what` has these
+/// steps, and `remedy` makes them smaller.
+pub fn beyond(machine: &Machine, what: &str, steps: &[Step], remedy: &str) -> Option<Refusal> {
+    let (x, y) = machine.bench.work_area?;
+    let reached = steps
+        .iter()
+        .filter_map(|step| match step {
+            Step::TouchDown(ramp) | Step::Lift(ramp) => Some(&ramp.pieces),
+            Step::Seal(pieces) => Some(pieces),
+            _ => None,
+        })
+        .map(|pieces| Path::open(pieces.clone()).bounds())
+        .fold(Bounds::EMPTY, Bounds::union);
+    let area = Bounds { min: Point::new(-SLACK, -SLACK), max: Point::new(x.0 + SLACK, y.0 + SLACK) };
+    if area.contains(reached.min) && area.contains(reached.max) {
+        return None;
+    }
+    Some(Refusal::new(
+        key::machine::PROFILE,
+        RefusalCode::OutOfReach,
+        format!(
+            "{what} needs X {:.1} to {:.1} mm, Y {:.1} to {:.1} mm; the machine reaches 0 to {:.1} mm, 0 to {:.1} mm",
+            reached.min.x, reached.max.x, reached.min.y, reached.max.y, x.0, y.0
+        ),
+        format!(
+            "must lie inside the profile's [work_area]: {remedy}; or correct [work_area], if it is larger"
+        ),
+    ))
+}

@@ -1,0 +1,155 @@
+//! Exact time: lengths over speed in contact, dwells, travels that speed up and brake.
+//!
+//! Heating and pauses depend on the heater and the operator: they are not counted. At the seal's speed
+//! acceleration does not count (a hundredth of a second at each corner at most); where a path is chopped it does.
+
+use crate::plan::lowest_feed::lowest_of;
+use crate::plan::travel::Travel;
+use crate::plan::written::{Precision, Written};
+use crate::plan::{Height, Pace, Pacer, Program, Purpose, SeamReport, Step};
+use geom::{Point, Segment};
+use sealed::PieceName;
+use spec::{Machine, Process, Spec};
+
+/// Follows a program step by step and adds up its time.
+#[derive(Clone, Debug)]
+pub struct Clock<'a> {
+    machine: &'a Machine,
+    at: Point,
+    height: f64,
+    /// The travel that has just been made, if the iron may not have stopped after it.
+    last: Option<Travel>,
+    /// Time so far, s.
+    pub elapsed: f64,
+}
+
+impl<'a> Clock<'a> {
+    /// A clock at the beginning, with the iron where every program leaves it: parked above the sheet's corner.
+    pub fn new(machine: &'a Machine) -> Self {
+        let height = height_of(&machine.process, Height::Park);
+        Self { machine, at: Point::ORIGIN, height, last: None, elapsed: 0.0 }
+    }
+
+    /// Adds a move or wait that took `seconds` and ended at `to`.
+    pub fn add(&mut self, to: Point, height: Option<f64>, seconds: f64) {
+        self.at = to;
+        self.height = height.unwrap_or(self.height);
+        self.last = None;
+        self.elapsed += seconds;
+    }
+
+    /// Adds a travel in the plane.
+    pub fn travel(&mut self, to: Point) {
+        self.go([to.x - self.at.x, to.y - self.at.y, 0.0]);
+        self.at = to;
+    }
+
+    /// Adds a move straight up or down.
+    pub fn height(&mut self, level: Height) {
+        let to = height_of(&self.machine.process, level);
+        self.go([0.0, 0.0, to - self.height]);
+        self.height = to;
+    }
+
+    fn go(&mut self, way: [f64; 3]) {
+        let Some(mut travel) = Travel::new(self.machine, way) else { return };
+        let spared = self.last.map_or(0.0, |last| travel.follows(&last));
+        self.elapsed += travel.seconds() - spared;
+        self.last = Some(travel);
+    }
+}
+
+/// The height of a level, mm.
+pub fn height_of(process: &Process, level: Height) -> f64 {
+    match level {
+        Height::Travel => process.heights.travel.0,
+        Height::Park => process.heights.park.0,
+    }
+}
+
+/// The scope of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scope {
+    /// Its purpose.
+    pub purpose: Purpose,
+    /// Number of its sheet, from 1.
+    pub sheet: usize,
+    /// Its pieces, in the order of sealing.
+    pub pieces: Vec<PieceName>,
+}
+
+impl Program {
+    /// The program of these steps at the pace of `spec` on `machine`, with its time.
+    pub fn new(
+        spec: &Spec,
+        machine: &Machine,
+        scope: Scope,
+        steps: Vec<Step>,
+        seams: Vec<SeamReport>,
+    ) -> Self {
+        let Scope { purpose, sheet, pieces } = scope;
+        let motion = &machine.motion;
+        let lowest = match purpose {
+            Purpose::Seal => lowest_of(motion, &steps),
+            // The feed check goes at the pace of any other program: that of the worst direction.
+            Purpose::Trace => motion.speed_range().map(|(_, most)| most),
+        };
+        let pace = Pace::new(spec, machine, lowest);
+        let (times, overdue) = times_of(&steps, pace, machine, spec);
+        let time = times.last().copied().unwrap_or(0.0);
+        Self { purpose, sheet, pieces, steps, seams, pace, time, overdue }
+    }
+
+    /// The end of each of its steps, s from the beginning: one time a step, the last one is that of the whole program.
+    pub fn timeline(&self, spec: &Spec, machine: &Machine) -> Vec<f64> {
+        times_of(&self.steps, self.pace, machine, spec).0
+    }
+}
+
+/// The end of each of `steps`, s, without heating and pauses; and the largest time by which the iron is early after a stop.
+fn times_of(steps: &[Step], pace: Pace, machine: &Machine, spec: &Spec) -> (Vec<f64>, f64) {
+    let (speed, level) = (spec.seal.speed.0, machine.process.heights.travel.0);
+    let file = Precision { path: spec.accuracy.path, arcs: machine.controller.arcs };
+    let mut clock = Clock::new(machine);
+    let mut pacer = Pacer::new(pace, speed);
+    let mut overdue = 0.0_f64;
+    let mut times = Vec::with_capacity(steps.len());
+    for step in steps {
+        match step {
+            Step::Height(level) => clock.height(*level),
+            Step::Travel(to) => clock.travel(*to),
+            Step::TouchDown(ramp) | Step::Lift(ramp) => {
+                // Every contact has a schedule of its own.
+                if matches!(step, Step::TouchDown(_)) {
+                    overdue = overdue.max(pacer.overdue());
+                    pacer = Pacer::new(pace, speed);
+                }
+                for (piece, from, to) in ramp.with_heights() {
+                    clock.add(piece.end(), Some(to), seal_time(&mut pacer, piece, Some((from, to))));
+                }
+            }
+            Step::Seal(pieces) => {
+                for piece in pieces {
+                    clock.add(piece.end(), None, seal_time(&mut pacer, piece, None));
+                }
+            }
+            Step::Trace(pieces) => {
+                for piece in pieces {
+                    // Chords are shorter than their arcs: where the path is coarse by 3 % at the tips.
+                    let length = Written::new(piece, [level, level], file).length;
+                    clock.add(piece.end(), None, length / machine.process.trace_speed.0);
+                }
+            }
+            Step::Heat(_) | Step::Seam(_) => {}
+        }
+        times.push(clock.elapsed);
+    }
+    (times, overdue.max(pacer.overdue()))
+}
+
+/// Time for all strokes of `piece`, s.
+fn seal_time(pacer: &mut Pacer, piece: &Segment, heights: Option<(f64, f64)>) -> f64 {
+    let mut seconds = 0.0;
+    pacer.strokes(piece, heights, |stroke| seconds += stroke.seconds);
+    seconds
+}

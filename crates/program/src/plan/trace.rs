@@ -1,0 +1,30 @@
+//! The trace programs: the frame of the pieces and all seams, at travel height, unheated and fast.
+
+use crate::plan::pieces::Cuts;
+use crate::plan::seal::{Batch, batches, scope};
+use crate::plan::{Height, Program, Purpose, Step};
+use design::Design;
+use geom::{Path, Point};
+use sealed::{frame, laid_seams};
+use spec::{Machine, Spec};
+
+/// All trace programs of `design`, one for each sealing program.
+pub fn trace_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
+    batches(design, spec.machine.program).iter().map(|batch| trace_program(spec, machine, batch)).collect()
+}
+
+fn trace_program(spec: &Spec, machine: &Machine, (sheet, pieces): &Batch<'_>) -> Program {
+    let cuts = Cuts::of_trace(spec, machine);
+    let mut steps = vec![Step::Height(Height::Park)];
+    let mut follow = |path: &Path| {
+        let Some(start) = path.start() else { return };
+        steps.extend([Step::Travel(start), Step::Height(Height::Travel), Step::Trace(cuts.pieces(path))]);
+    };
+    let seams = laid_seams(pieces, machine.process.ramp.0);
+    follow(&frame(pieces, &seams));
+    for seam in &seams {
+        follow(&seam.run);
+    }
+    steps.extend([Step::Height(Height::Park), Step::Travel(Point::ORIGIN)]);
+    Program::new(spec, machine, scope(Purpose::Trace, *sheet, pieces), steps, Vec::new())
+}

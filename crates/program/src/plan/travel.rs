@@ -1,0 +1,141 @@
+//! The time of a travel: a way without contact, from rest or from a bend to the next.
+//!
+//! Where G0 has no feed of its own, every axis is limited to the travel speed, so a diagonal is faster. Where it has one (F), the
+//! limit holds along the way. Acceleration is limited along the way for Klipper (`max_accel`) and Marlin (M204), for each axis
+//! elsewhere (GRBL $120 to $122; RepRapFirmware M201; LinuxCNC MAX_ACCELERATION). Two controllers do not stop where a level way
+//! meets one straight up or down.
+
+use spec::{Dialect, Machine};
+
+/// The travel of a dialect: whether its speed holds along the way, whether its acceleration does, and the speed, mm/s, at which
+/// it passes a right angle between a level way and one straight up or down.
+///
+/// Klipper: printer.cfg, `square_corner_velocity`, 5 by default; RepRapFirmware: M566 Z, 10 mm/s by default (Configuration.h,
+/// DefaultZInstantDv). The junction deviations of GRBL and Marlin leave less than 0.6 mm/s at 10 mm/s^2; a faster machine gains
+/// less than 0.03 s: they are not counted.
+fn habits(dialect: Dialect) -> (bool, bool, f64) {
+    match dialect {
+        Dialect::Generic => (true, false, 0.0),
+        Dialect::LinuxCnc | Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => (false, false, 0.0),
+        Dialect::Marlin => (true, true, 0.0),
+        Dialect::Klipper => (true, true, 5.0),
+        Dialect::RepRapFirmware => (true, false, 10.0),
+    }
+}
+
+/// One travel: where it can go how fast.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Travel {
+    length: f64,
+    /// mm/s
+    speed: f64,
+    /// mm/s^2; `None`: at speed at once.
+    acceleration: Option<f64>,
+    /// Speed at its beginning, mm/s.
+    entry: f64,
+    /// Speed at which a bend may be passed, mm/s.
+    bend: f64,
+    upright: bool,
+}
+
+impl Travel {
+    /// The travel along `way`, mm, from rest; `None` if that is nothing.
+    pub(super) fn new(machine: &Machine, way: [f64; 3]) -> Option<Self> {
+        let length = way.iter().map(|d| d * d).sum::<f64>().sqrt();
+        if length <= 0.0 {
+            return None;
+        }
+        let (whole_speed, whole_ramp, bend) = habits(machine.controller.dialect);
+        let share = way.iter().fold(0.0_f64, |most, d| most.max(d.abs())) / length;
+        let along = |limit: f64, whole: bool| if whole { limit } else { limit / share };
+        Some(Self {
+            length,
+            speed: along(machine.process.travel_speed.0, whole_speed),
+            acceleration: machine.motion.acceleration.map(|a| along(a.0, whole_ramp)),
+            entry: 0.0,
+            bend,
+            upright: way[2] != 0.0,
+        })
+    }
+
+    /// Time to rest, s.
+    pub(super) fn seconds(&self) -> f64 {
+        self.until(0.0)
+    }
+
+    /// Begins where `before` ends; the time that `before` no longer needs, s.
+    pub(super) fn follows(&mut self, before: &Self) -> f64 {
+        if before.upright == self.upright {
+            return 0.0;
+        }
+        self.entry = self.bend.min(self.speed).min(before.speed).min(self.reach()).min(before.reach());
+        before.seconds() - before.until(self.entry)
+    }
+
+    /// The highest speed that can be reached from rest, or stopped from.
+    fn reach(&self) -> f64 {
+        self.acceleration.map_or(f64::INFINITY, |a| (2.0 * a * self.length).sqrt())
+    }
+
+    /// Time up to its end, which is passed at the speed `exit`, s.
+    fn until(&self, exit: f64) -> f64 {
+        let Some(a) = self.acceleration else { return self.length / self.speed };
+        let ends = 0.5 * (self.entry * self.entry + exit * exit);
+        let top = self.speed.min((a * self.length + ends).sqrt());
+        let even = self.length - (top * top - ends) / a;
+        (2.0 * top - self.entry - exit) / a + even.max(0.0) / top
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use spec::units::Acceleration;
+
+    fn machine(dialect: &str) -> Machine {
+        let mut machine = Machine::builtin(dialect).expect("built in");
+        machine.motion.acceleration = Some(Acceleration(10.0));
+        machine
+    }
+
+    fn seconds(dialect: &str, way: [f64; 3]) -> f64 {
+        Travel::new(&machine(dialect), way).expect("a way").seconds()
+    }
+
+    /// 20 mm/s and 10 mm/s^2: L / v + v / a, at 45 degrees of each axis or along the way.
+    #[test]
+    fn limits_hold_along_the_way_or_for_each_axis() {
+        let diagonal = [300.0, 300.0, 0.0];
+        let length = 300.0 * 2.0_f64.sqrt();
+        for (dialect, expected) in [
+            ("grbl", 17.0),
+            ("linuxcnc", 17.0),
+            ("generic", length / 20.0 + 2.0 / 2.0_f64.sqrt()),
+            ("klipper", length / 20.0 + 2.0),
+            ("marlin", length / 20.0 + 2.0),
+            ("reprapfirmware", length / 20.0 + 2.0 / 2.0_f64.sqrt()),
+        ] {
+            assert!((seconds(dialect, diagonal) - expected).abs() < 1e-9, "{dialect}");
+            // Along an axis there is one limit; 2 sqrt(L / a) where the speed is not reached.
+            assert!((seconds(dialect, [0.0, -300.0, 0.0]) - 17.0).abs() < 1e-9, "{dialect}");
+            assert!((seconds(dialect, [0.0, 0.0, 25.0]) - 2.0 * 2.5_f64.sqrt()).abs() < 1e-9, "{dialect}");
+        }
+        assert!(Travel::new(&machine("grbl"), [0.0; 3]).is_none());
+    }
+
+    /// A bend passed at c instead of 0 saves c / a - c^2 / (2 a v) before it, and as much after it.
+    #[test]
+    fn a_bend_saves_time_where_it_is_no_stop() {
+        let saved = |dialect: &str, second: [f64; 3]| {
+            let machine = machine(dialect);
+            let first = Travel::new(&machine, [100.0, 0.0, 0.0]).expect("a way");
+            let mut next = Travel::new(&machine, second).expect("a way");
+            let alone = next.seconds();
+            next.follows(&first) + alone - next.seconds()
+        };
+        let each = 5.0 / 10.0 - 25.0 / 400.0;
+        assert!((saved("klipper", [0.0, 0.0, -100.0]) - 2.0 * each).abs() < 1e-9);
+        assert_eq!(saved("klipper", [0.0, 100.0, 0.0]), 0.0);
+        assert_eq!(saved("grbl", [0.0, 0.0, -100.0]), 0.0);
+    }
+}

@@ -1,0 +1,197 @@
+//! Moves through clamps.
+
+use crate::verify::judge::Judge;
+use crate::verify::read::gcode;
+use crate::verify::read::gcode::{BlindMove, Move};
+use crate::verify::{Finding, FindingCode, Findings};
+use geom::{Bounds, BoxIndex, Line, Point, Segment, segment_distance};
+use spec::KeepOut;
+
+/// Depth to which a clamp may be touched, mm: positions in a file are rounded.
+const ROUNDING: f64 = 1e-3;
+
+/// The first move in a program, given line by line, that comes nearer to one of `clamps` than `reach`, mm.
+pub fn judge_clamps<'a>(
+    clamps: &[KeepOut],
+    reach: f64,
+    lines: impl IntoIterator<Item = &'a str>,
+    dialect: gcode::Dialect,
+) -> Option<Finding> {
+    let (mut clamps, mut findings) = (Clamps::new(clamps, reach), Findings::default());
+    gcode::each_line(lines, dialect, |line| clamps.see(line, &mut findings));
+    findings.into_vec().into_iter().next()
+}
+
+/// Reports every move that comes nearer to a clamp than `reach`, below its height. The first one begins where programs end,
+/// at X0 Y0.
+pub(super) struct Clamps<'a> {
+    reach: f64,
+    zones: Vec<ClampZone<'a>>,
+    /// Most moves are near none of them.
+    index: BoxIndex,
+}
+
+/// A clamp without a rim of rounding: so that a way across it is found for a reach of 0 as well.
+struct ClampZone<'a> {
+    clamp: &'a KeepOut,
+    bounds: Bounds,
+    sides: [Segment; 4],
+}
+
+impl<'a> ClampZone<'a> {
+    fn new(clamp: &'a KeepOut) -> Self {
+        let min = Point::new(clamp.x.0 + ROUNDING, clamp.y.0 + ROUNDING);
+        let max = Point::new(clamp.x.0 + clamp.width.0 - ROUNDING, clamp.y.0 + clamp.depth.0 - ROUNDING);
+        let [b, d] = [Point::new(max.x, min.y), Point::new(min.x, max.y)];
+        let sides = [(min, b), (b, max), (max, d), (d, min)].map(|(from, to)| Line::new(from, to).into());
+        Self { clamp, bounds: Bounds { min, max }, sides }
+    }
+
+    /// Whether `path` at height `z` comes nearer than `reach`.
+    fn is_met(&self, path: &Segment, z: f64, reach: f64) -> bool {
+        self.clamp.height.is_none_or(|height| z <= height.0)
+            && (self.bounds.contains(path.start())
+                || self.bounds.contains(path.end())
+                || self.sides.iter().any(|side| segment_distance(side, path) <= reach))
+    }
+}
+
+impl<'a> Clamps<'a> {
+    pub(super) fn new(clamps: &'a [KeepOut], reach: f64) -> Self {
+        let mut zones: Vec<ClampZone<'_>> = clamps.iter().map(ClampZone::new).collect();
+        zones.sort_by(|a, b| {
+            let [a, b] = [a.bounds.min, b.bounds.min];
+            a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x))
+        });
+        // A clamp that is thinner than its rims has its corners the other way round.
+        let boxes = zones.iter().map(|zone| Bounds::of_points([zone.bounds.min, zone.bounds.max]));
+        let index = BoxIndex::new(boxes);
+        Self { reach, zones, index }
+    }
+
+    /// A move along `path`, at height `z` at the least.
+    fn pass(&self, path: &Segment, z: f64, line: usize, findings: &mut Findings) {
+        let near = self.index.overlapping(&path.bounds().grown(self.reach + ROUNDING));
+        let zones = near.into_iter().map(|number| &self.zones[number]);
+        for zone in zones.filter(|zone| zone.is_met(path, z, self.reach)) {
+            let found = format!("a move at Z{z} through the clamp {:?}", zone.clamp.name);
+            let allowed = format!("{} mm off every clamp", self.reach);
+            findings.add_at(FindingCode::ClampInTheWay, line, found, allowed);
+        }
+    }
+}
+
+impl Judge for Clamps<'_> {
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        if let Some(path) = &step.path {
+            self.pass(path, step.from.z.min(step.to.z), step.line, findings);
+        }
+    }
+
+    fn blind(&mut self, step: &BlindMove, findings: &mut Findings) {
+        if let [Some(x), Some(y), Some(z)] = step.to
+            && (x, y) != (0.0, 0.0)
+        {
+            self.pass(&Line::new(Point::ORIGIN, Point::new(x, y)).into(), z, step.line, findings);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verify::read::gcode::{Dialect, each_line};
+    use spec::units::Length;
+
+    fn found(text: &str, zones: &[KeepOut], reach: f64) -> Vec<Finding> {
+        let (mut judge, mut findings) = (Clamps::new(zones, reach), Findings::default());
+        each_line(text.split_inclusive('\n'), Dialect::GENERIC, |line| judge.see(line, &mut findings));
+        findings.into_vec()
+    }
+
+    /// The lines that are found in `body`, with a clamp from (10, 20) to (18, 25).
+    fn lines(body: &str, reach: f64, height: Option<f64>) -> Vec<Option<usize>> {
+        let [x, y, width, depth] = [10.0, 20.0, 8.0, 5.0].map(Length);
+        let zone = KeepOut { name: "vice".to_owned(), x, y, width, depth, height: height.map(Length) };
+        let text = format!("G21\nG90\nG0 X0 Y0 Z9\n{body}\n");
+        let zones = [zone];
+        let findings = found(&text, &zones, reach);
+        assert!(findings.iter().all(|finding| finding.code == "clamp-in-the-way"));
+        findings.iter().map(|finding| finding.line).collect()
+    }
+
+    #[test]
+    fn a_move_beside_a_clamp_keeps_its_reach_on_every_side() {
+        // Half a millimetre inside, and outside, of a reach of 2 mm.
+        for (inside, outside) in [
+            ("G0 X-9 Y18.5\nG0 X40", "G0 X-9 Y17.5\nG0 X40"),
+            ("G0 X-9 Y26.5\nG0 X40", "G0 X-9 Y27.5\nG0 X40"),
+            ("G0 X8.5 Y-9\nG0 Y60", "G0 X7.5 Y-9\nG0 Y60"),
+            ("G0 X19.5 Y-9\nG0 Y60", "G0 X20.5 Y-9\nG0 Y60"),
+        ] {
+            assert_eq!(lines(inside, 2.0, None), [Some(5)], "{inside}");
+            assert_eq!(lines(outside, 2.0, None), [], "{outside}");
+            assert_eq!(lines(inside, 0.0, None), [], "{inside}");
+        }
+    }
+
+    /// Each of many clamps is found by the moves through it alone, wherever it lies among the others.
+    #[test]
+    fn every_clamp_of_many_is_found() {
+        let at = |i: usize| Length(f64::from(u32::try_from(i).expect("few")) * 10.0);
+        let clamp = |i: usize| KeepOut {
+            name: i.to_string(),
+            x: at(i % 30),
+            y: at(i / 30),
+            width: Length(4.0),
+            depth: Length(4.0),
+            height: None,
+        };
+        let zones: Vec<KeepOut> = (0..900).map(clamp).collect();
+        for i in [0, 17, 31, 450, 899] {
+            let (x, y) = (zones[i].x.0, zones[i].y.0);
+            let text = format!("G21\nG90\nG0 X{} Y{} Z9\nG0 X{}\n", x - 3.0, y + 2.0, x + 5.0);
+            // The way there, in line 3, crosses others.
+            let found = found(&text, &zones, 1.0).into_iter().filter(|finding| finding.line == Some(4));
+            let found: Vec<String> = found.map(|finding| finding.to_string()).collect();
+            assert!(found.len() == 1 && found[0].contains(&format!("the clamp \"{i}\"")), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn within_a_clamp_there_is_no_side_to_be_near_to() {
+        assert_eq!(lines("G0 X13.9 Y22.5\nG0 X14.1", 0.1, None), [Some(4), Some(5)]);
+        // Each end, and each of its coordinates, counts.
+        assert_eq!(lines("G0 X14 Y22.5", 0.0, None), [Some(4)]);
+        assert_eq!(lines("G0 X14 Y0\nG0 Y60\nG0 X60\nG0 Y22.5", 0.0, None), [Some(5)]);
+    }
+
+    #[test]
+    fn the_way_from_the_corner_to_the_first_place_counts() {
+        let zone = |z: f64| {
+            let [x, y, width, depth] = [10.0, 20.0, 8.0, 5.0].map(Length);
+            let height = Some(Length(30.0));
+            let zones = [KeepOut { name: "vice".to_owned(), x, y, width, depth, height }];
+            let text = format!("G21\nG90\nG0 Z{z}\nG0 X30 Y50\n");
+            found(&text, &zones, 1.0).iter().map(|finding| finding.line).collect::<Vec<_>>()
+        };
+        assert_eq!((zone(30.0), zone(31.0)), (vec![Some(4)], vec![]));
+    }
+
+    #[test]
+    fn what_passes_above_a_clamp_by_its_lower_end_is_free() {
+        let over = |from: f64, to: f64| format!("G0 X0 Y22.5\nG0 Z{from}\nG1 X60 Z{to} F600");
+        let found = |from, to| !lines(&over(from, to), 1.0, Some(4.0)).is_empty();
+        assert!(!found(4.001, 4.001) && !found(4.001, 9.0) && !found(9.0, 4.001));
+        assert!(found(4.0, 4.0) && found(4.0, 9.0) && found(9.0, 4.0));
+        assert!(!lines(&over(9.0, 9.0), 1.0, None).is_empty());
+    }
+
+    #[test]
+    fn an_arc_is_judged_by_its_bulge() {
+        // Half a circle from (4, 16) to (24, 16): its top is (14, 26), its ends are far off.
+        assert_eq!(lines("G0 X4 Y16\nG2 X24 Y16 I10 J0 F600", 0.5, None), [Some(5)]);
+        // The other half hangs below.
+        assert_eq!(lines("G0 X4 Y16\nG3 X24 Y16 I10 J0 F600", 0.5, None), []);
+    }
+}

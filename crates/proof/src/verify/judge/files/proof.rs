@@ -1,0 +1,200 @@
+//! The proof: every file that the design must have, read back and compared with it.
+
+use serde::Serialize;
+
+use crate::artifact::{Format, KindRequest, Output, Subject, outputs};
+use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
+use crate::verify::judge::expected::Expected;
+use crate::verify::judge::files::assembly::Assemblies;
+use crate::verify::judge::files::figures::alike;
+use crate::verify::judge::files::{drawings, figures, names, paper, solid};
+use crate::verify::judge::task::ProgramTask;
+use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
+
+/// The verifier's result for a directory.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Proof {
+    /// Everything that is wrong.
+    pub findings: Vec<Finding>,
+    /// Every file that the design must have and that is there.
+    pub files: Vec<FileProof>,
+    /// The version that wrote the directory, if it is not this one: its files are read back, not compared.
+    pub written_by: Option<String>,
+    /// Files and figures of another version's directory that nothing proves: no reader judges them as a whole, and they
+    /// differ from those of this version.
+    pub unproven: Vec<String>,
+}
+
+impl Proof {
+    /// Files that are equal to the byte to those that this version makes.
+    pub fn equal(&self) -> usize {
+        self.files.iter().filter(|file| file.by == Method::Bytes).count()
+    }
+}
+
+/// Data of several files that must agree.
+#[derive(Default)]
+struct CrossChecks {
+    seals: drawings::Seals,
+    pieces: Assemblies,
+}
+
+/// The result for one file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileProof {
+    /// Its name in the directory.
+    pub path: String,
+    /// Its kind.
+    pub output: Output,
+    /// The method by which it was checked.
+    pub by: Method,
+    /// SHA-256 of its content, lower-case hexadecimal.
+    pub sha256: String,
+    /// Its largest deviation from the exact geometry either way, mm; `None` for a file without measured geometry.
+    pub deviation: Option<f64>,
+}
+
+/// The method by which a file was checked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Method {
+    /// Equal to the file that this version makes of the spec, and read back.
+    Bytes,
+    /// Read back and compared with the design.
+    Reading,
+    /// By its hash in the manifest only.
+    Hash,
+}
+
+/// Reads every file back and compares it with the expected content.
+pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
+    let mut proof = Proof::default();
+    let manifest = names::read(files).map_err(|finding| proof.findings.push(finding)).ok();
+    let request = manifest.as_ref().map_or(KindRequest::default(), Manifest::request);
+    let wanted = outputs(expected.spec, expected.machine.controller.dialect, expected.design, &request);
+    let entries = names::check(files, manifest.as_ref(), &wanted, &mut proof.findings);
+    let mut cross = CrossChecks::default();
+    for output in wanted {
+        let path = output.name();
+        let Some(bytes) = files.get(&path) else { continue };
+        let mut findings = Findings::default();
+        let sha256 = sha256(bytes);
+        if let Some(entry) = entries.get(path.as_str()) {
+            check_hash(entry, bytes, &sha256, &mut findings);
+        }
+        let (by, deviation) = file(expected, &output, bytes, &mut cross, &mut findings);
+        proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(&path)));
+        proof.files.push(FileProof { path, output, by, sha256, deviation });
+    }
+    let unlike = cross.seals.disagreements(expected.spec.accuracy.path.0, &proof.findings);
+    proof.findings.extend(unlike);
+    proof.findings.extend(cross.pieces.disagreements(expected.design));
+    if let Some(manifest) = &manifest {
+        proof.findings.extend(figures::against_design(expected, manifest));
+        let text = files.get(MANIFEST).unwrap_or_default();
+        proof.findings.extend(figures::check(text, manifest, expected.manifest));
+    }
+    proof
+}
+
+fn check_hash(entry: &ManifestFile, bytes: &[u8], sha256: &str, findings: &mut Findings) {
+    if bytes.len() != entry.bytes {
+        findings.add(FindingCode::Size, format!("{} bytes", bytes.len()), format!("{} bytes", entry.bytes));
+    }
+    if sha256 != entry.sha256 {
+        findings.add(FindingCode::Hash, sha256, entry.sha256.clone());
+    }
+}
+
+/// Reads one file and compares it; returns the method, and its deviation if it has geometry.
+fn file(
+    expected: &Expected<'_>,
+    output: &Output,
+    bytes: &[u8],
+    cross: &mut CrossChecks,
+    findings: &mut Findings,
+) -> (Method, Option<f64>) {
+    match (output.kind.subject(), output.kind.format()) {
+        // All other files are compared with the directory's own drawing. Pictures and scenes are proven by their bytes: see
+        // `pipeline`.
+        (Subject::Drawing, _) | (_, Format::Png | Format::Glb) => return (Method::Hash, None),
+        (_, Format::Pdf) => return (Method::Reading, on_paper(expected, output, bytes, findings)),
+        (_, Format::Stl) => {
+            let Some(drawing) = output.drawing(expected.design) else { return (Method::Hash, None) };
+            let (name, thickness) = (output.solid_name(&expected.spec.name), output.thickness(expected.spec));
+            let (facets, deviation) = solid::check(bytes, &drawing, &name, thickness, findings);
+            cross.pieces.add(output, facets);
+            return (Method::Reading, Some(deviation));
+        }
+        _ => {}
+    }
+    let Ok(text) = std::str::from_utf8(bytes) else {
+        findings.add(FindingCode::NotText, "bytes that are not UTF-8", "text");
+        return (Method::Reading, None);
+    };
+    match (output.kind.subject(), output.kind.format()) {
+        (
+            Subject::Spec
+            | Subject::Machine
+            | Subject::Drawing
+            | Subject::Preview
+            | Subject::Scene
+            | Subject::Report,
+            _,
+        ) => (Method::Hash, None),
+        (Subject::Prediction, _) => {
+            prediction(expected, text, findings);
+            (Method::Reading, None)
+        }
+        (subject @ (Subject::Seal | Subject::Trace), Format::Gcode) => {
+            let parts = (expected.spec, expected.machine, expected.design);
+            let (hot, sheet) = (subject == Subject::Seal, output.sheet.unwrap_or(0));
+            let task = ProgramTask::of_pieces(parts, hot, sheet, output.star.or(output.copy));
+            (Method::Reading, task.map(|task| task.check(text, findings)))
+        }
+        // Every subject is named, so that a new one must be given its method of proof.
+        (
+            subject @ (Subject::Seal
+            | Subject::Trace
+            | Subject::Outline
+            | Subject::Mask
+            | Subject::Pieces
+            | Subject::Frame),
+            format,
+        ) => {
+            let Some(exact) = output.drawing(expected.design) else { return (Method::Hash, None) };
+            let tolerance = expected.spec.accuracy.path.0;
+            let title = output.title(&expected.spec.name);
+            let found = match format {
+                Format::Svg => drawings::read_page(text, &exact, &title, expected.spec, findings),
+                _ => drawings::read_plan(text, &exact, expected.spec, findings),
+            };
+            let deviation = drawings::compare(&found, &exact, tolerance, findings);
+            if let (Subject::Seal, Some(sheet)) = (subject, output.sheet) {
+                cross.seals.add(sheet, &output.name(), &found);
+            }
+            (Method::Reading, Some(deviation))
+        }
+    }
+}
+
+fn on_paper(expected: &Expected<'_>, output: &Output, bytes: &[u8], findings: &mut Findings) -> Option<f64> {
+    let drawing = output.drawing(expected.design)?;
+    let paper = output.paper?;
+    let title = output.title(&expected.spec.name);
+    Some(paper::check(bytes, &paper.pages(&drawing, &output.caption()), &title, findings))
+}
+
+/// The prediction made anew, against the one that was written.
+fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
+    let Some(right) = expected.prediction else {
+        findings.add(FindingCode::Prediction, "a prediction", "none: this spec has no prediction");
+        return;
+    };
+    // The same program gives the same bytes; another build of it may differ in the last digits.
+    let numbers = |text: &str| serde_json::from_str::<serde_json::Value>(text).ok();
+    if !numbers(text).zip(numbers(right)).is_some_and(|(found, allowed)| alike(&found, &allowed)) {
+        let found = "other numbers than this spec gives";
+        findings.add(FindingCode::Prediction, found, "what `predict --json` prints");
+    }
+}

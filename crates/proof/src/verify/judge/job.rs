@@ -1,0 +1,79 @@
+//! A G-code program against the design: place, temperature and speed of the iron.
+
+use crate::verify::finding::quote;
+use crate::verify::judge::clamp::Clamps;
+use crate::verify::judge::comments::CommentJudge;
+use crate::verify::judge::height::HeightJudge;
+use crate::verify::judge::iron::{Cold, TravelFeed, iron};
+use crate::verify::judge::rules::IronRules;
+use crate::verify::judge::script::{Body, ScriptJudge};
+use crate::verify::judge::seams::{Sealed, Traced, starts};
+use crate::verify::judge::task::ProgramTask;
+use crate::verify::judge::travel_order::TravelOrder;
+use crate::verify::judge::{Judge, judged};
+use crate::verify::read::gcode::{Dialect, Line, Move};
+use crate::verify::{FindingCode, Findings};
+use geom::Bounds;
+use spec::Heating;
+
+impl ProgramTask<'_> {
+    /// Reads the program and reports everything in it that is not as it should be; its largest deviation, mm.
+    pub fn check(&self, text: &str, findings: &mut Findings) -> f64 {
+        let Self { spec, machine, hot, area, .. } = *self;
+        let (rules, heights) = (IronRules::new(spec, machine), &machine.process.heights);
+        let tolerance = spec.accuracy.path.0;
+        let heated_by = |heating| hot && machine.controller.heating == heating;
+        let allowed = area.grown(tolerance);
+        let reach = if hot { spec.seal.band.0 / 2.0 } else { 0.0 };
+        let mut judges: Vec<Box<dyn Judge + '_>> = vec![
+            Box::new(ScriptJudge::new(machine, usize::from(heated_by(Heating::Operator)))),
+            Box::new(Body::new(heated_by(Heating::Hotend).then_some(spec.seal.temperature))),
+            Box::new(FirstWords),
+            Box::new(HeightJudge::new(heights, allowed)),
+            Box::new(Area { reach: area, allowed }),
+            Box::new(Clamps::new(&machine.bench.keep_out, reach)),
+        ];
+        if hot {
+            judges.extend(iron(&rules));
+        } else {
+            judges.push(Box::new(TravelFeed(machine.process.travel_speed)));
+            judges.push(Box::new(Cold(&rules)));
+        }
+        judges.push(Box::new(CommentJudge::new(self)));
+        judges.push(Box::new(TravelOrder::new(heights, starts(self), hot, tolerance)));
+        judges.push(if hot { Box::new(Sealed::new(self, &rules)) } else { Box::new(Traced::new(self)) });
+        judged(text.split_inclusive('\n'), Dialect::for_controller(&machine.controller), judges, findings)
+    }
+}
+
+/// No move leaves the sheet or the machine's reach.
+struct Area {
+    reach: Bounds,
+    /// The same with room for rounding.
+    allowed: Bounds,
+}
+
+impl Judge for Area {
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        if let Some(Bounds { min, max }) = step.path.map(|path| path.bounds())
+            && !(self.allowed.contains(min) && self.allowed.contains(max))
+        {
+            let found = format!("a move from ({:.3}, {:.3}) to ({:.3}, {:.3})", min.x, min.y, max.x, max.y);
+            let allowed = format!("(0, 0) to ({:.3}, {:.3})", self.reach.max.x, self.reach.max.y);
+            findings.add_at(FindingCode::OutsideWorkArea, step.line, found, allowed);
+        }
+    }
+}
+
+/// Every line says what it does: Klipper and Marlin do not go on moving by the word of the line before. The first that
+/// does not is reported.
+struct FirstWords;
+
+impl Judge for FirstWords {
+    fn line(&mut self, line: &Line<'_>, findings: &mut Findings) {
+        if findings.is_empty() && line.text.trim_start().starts_with(['X', 'Y', 'Z', 'I', 'J', 'F']) {
+            let found = quote(line.text.trim());
+            findings.add_at(FindingCode::UnusedWord, line.number, found, "G0, G1, G2 or G3 first");
+        }
+    }
+}

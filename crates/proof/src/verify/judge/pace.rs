@@ -1,0 +1,231 @@
+//! The iron's speed in contact: as programmed, at a feed that the controller holds, or made of strokes and dwells.
+//!
+//! A **stroke** is a move that a dwell follows; moves without a dwell between them are one stroke to the controller, which
+//! does not stop there. Its schedule is the seal's speed: however it is chopped, a contact must never be off its schedule
+//! by more than 0.2 % and a dwell's step, nor a stroke on its own. Where the controller joins short moves, no dwell follows one.
+
+use crate::verify::judge::Judge;
+use crate::verify::judge::rules::{IronRules, Phase};
+use crate::verify::judge::stroke::{StrokeRun, shortest_move};
+use crate::verify::read::gcode::{Dwell, Move, MoveKind};
+use crate::verify::{FindingCode, Findings};
+use geom::Segment;
+
+/// Largest relative error of the mean speed.
+const MEAN: f64 = 0.002;
+/// Slack on lengths and feeds, which are rounded in the file.
+const ROUNDING: f64 = 1e-3;
+
+/// Time due and time spent in one contact, s.
+#[derive(Clone, Copy, Default)]
+struct Schedule {
+    due: f64,
+    spent: f64,
+    /// The run since the last stop, and the time counted for it.
+    run: StrokeRun,
+    counted: f64,
+    /// The time due, and the delay of the iron, at the last stop, s.
+    stop: (f64, f64),
+}
+
+/// Reports every move below travel height that is too fast or too slow.
+pub(super) struct Paced<'a> {
+    rules: &'a IronRules<'a>,
+    schedule: Schedule,
+    /// The move that is judged with the waits after it, and those so far, s.
+    pending: Option<(Move, f64)>,
+}
+
+impl<'a> Paced<'a> {
+    pub(super) fn new(rules: &'a IronRules<'a>) -> Self {
+        Self { rules, schedule: Schedule::default(), pending: None }
+    }
+
+    fn judge_pending(&mut self, findings: &mut Findings) {
+        if let Some((step, rest)) = self.pending.take() {
+            self.judge(&step, rest, findings);
+        }
+    }
+
+    /// One move in contact, and the wait after it.
+    fn judge(&mut self, step: &Move, rest: f64, findings: &mut Findings) {
+        let speed = self.rules.seal.speed.0;
+        let Some(feed) = step.feed.map(|feed| feed / 60.0) else {
+            findings.add_at(FindingCode::WrongFeed, step.line, "none", format!("F{}", speed * 60.0));
+            return;
+        };
+        self.schedule.due += step.length() / speed;
+        let stopped = if (feed - speed).abs() <= ROUNDING * speed {
+            self.schedule.spent += step.length() / feed + rest;
+            true
+        } else if self.rules.chops {
+            let told = self.rules.motion.chop_speed(speed).unwrap_or(feed);
+            if (feed - told).abs() > ROUNDING * told {
+                let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", told * 60.0));
+                findings.add_at(FindingCode::WrongFeed, step.line, found, allowed);
+            }
+            self.stroke(step, feed, rest);
+            if rest > 0.0 && self.schedule.run.is_short() {
+                let allowed = format!("at least {} steps", self.rules.motion.min_move_steps);
+                let found = "a dwell after fewer steps than the controller makes at once";
+                findings.add_at(FindingCode::ShortStroke, step.line, found, allowed);
+            }
+            let longest = self.longest(feed);
+            if step.length() > longest + 0.01 {
+                let found = format!("a stroke of {:.3} mm", step.length());
+                let allowed = format!("at most {longest:.3} mm");
+                findings.add_at(FindingCode::LongStroke, step.line, found, allowed);
+            }
+            rest > 0.0
+        } else {
+            let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", speed * 60.0));
+            findings.add_at(FindingCode::WrongFeed, step.line, found, allowed);
+            return;
+        };
+        // A move that the controller has not begun yet would seem late: it is judged together with the moves that it is joined
+        // to.
+        if self.rules.timed && (stopped || !self.schedule.run.is_short()) {
+            self.on_time(step, stopped, findings);
+        }
+        if rest > 0.0 {
+            (self.schedule.run, self.schedule.counted) = (StrokeRun::default(), 0.0);
+        }
+        let motion = self.rules.motion;
+        let is_steady = (feed - speed).abs() <= ROUNDING * speed;
+        let lowest_of = |way| if is_steady { motion.lowest_speed(way) } else { motion.lowest_stroke(way) };
+        let lowest = step.path.and_then(|path| lowest_along(&path, step.to.z - step.from.z, lowest_of));
+        if let Some(lowest) = lowest.filter(|lowest| feed < lowest * (1.0 - ROUNDING)) {
+            let found = format!("F{:.3}, which the controller runs at {:.3}", feed * 60.0, lowest * 60.0);
+            let allowed = format!("at least F{:.3}", lowest * 60.0);
+            findings.add_at(FindingCode::BelowFloor, step.line, found, allowed);
+        }
+    }
+
+    /// Counts the time of a stroke: a run goes on until a wait ends it.
+    fn stroke(&mut self, step: &Move, feed: f64, rest: f64) {
+        let (motion, schedule) = (self.rules.motion, &mut self.schedule);
+        let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
+        schedule.run = schedule.run.and(motion, from, to, step.length());
+        // A move that the controller has not begun takes no time yet.
+        let seconds =
+            if schedule.run.is_short() { schedule.counted } else { schedule.run.seconds(motion, feed) };
+        schedule.spent += seconds - schedule.counted + rest;
+        schedule.counted = seconds;
+    }
+
+    /// The longest stroke, mm: a tenth of the band, or the length that leaves time for the shortest dwell.
+    fn longest(&self, feed: f64) -> f64 {
+        let IronRules { seal, dwell_step, .. } = self.rules;
+        let least = self.start_and_stop(feed) + dwell_step;
+        let spared = 1.0 / seal.speed.0 - 1.0 / feed;
+        let needed = if spared > 0.0 { least / spared } else { 0.0 };
+        // Where two strokes that the controller makes do not fit, one is nearly as long as both.
+        let needed = needed.max(2.0 * shortest_move(self.rules.motion));
+        needed.clamp(seal.band.0 / 10.0, seal.band.0 / 2.0)
+    }
+
+    /// Time that a run takes beside that of its length, s.
+    fn start_and_stop(&self, feed: f64) -> f64 {
+        let motion = self.rules.motion;
+        motion.start_delay.0 + motion.acceleration.map_or(0.0, |a| feed / a.0)
+    }
+
+    /// Reports a step that takes the contact off its schedule, or a run that is itself too early or too late. Until it
+    /// has `stopped`, a run may be late by what it takes to start and to stop.
+    fn on_time(&mut self, step: &Move, stopped: bool, findings: &mut Findings) {
+        let (speed, feed) = (self.rules.seal.speed.0, step.feed.unwrap_or(0.0) / 60.0);
+        let Schedule { due, spent, stop, .. } = self.schedule;
+        let off = spent - due;
+        let quantum = self.rules.dwell_step;
+        let allowed = MEAN * due + 0.6 * quantum + 0.01;
+        // One run alone may be early or late by a dwell's step.
+        let alone = MEAN * (due - stop.0) + quantum + 0.015;
+        let late = if stopped { 0.0 } else { self.start_and_stop(feed) };
+        let within = |off: f64, most: f64| -most <= off && off <= most + late;
+        if !(within(off, allowed) && within(off - stop.1, alone)) {
+            let found = format!("{off:+.3} s off the schedule of {speed} mm/s");
+            findings.add_at(FindingCode::WrongFeed, step.line, found, format!("{allowed:.3} s"));
+            self.schedule = Schedule::default();
+        } else if stopped {
+            self.schedule.stop = (due, off);
+        }
+    }
+}
+
+impl Judge for Paced<'_> {
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        self.judge_pending(findings);
+        if self.rules.phase(step) == Phase::Clear {
+            self.schedule = Schedule::default();
+        } else if step.kind == MoveKind::Feed {
+            self.pending = Some((*step, 0.0));
+        }
+        // A rapid there is reported with the heat: there is no feed to judge.
+    }
+
+    fn dwell(&mut self, dwell: &Dwell, _: &mut Findings) {
+        if let Some((_, rest)) = &mut self.pending {
+            *rest += dwell.seconds;
+        }
+    }
+
+    fn end(&mut self, findings: &mut Findings) {
+        self.judge_pending(findings);
+    }
+}
+
+/// The lowest speed that the controller holds all along `path`, on an arc looked at in seventeen places of it; `lowest_of` is
+/// that of a displacement.
+fn lowest_along(path: &Segment, rise: f64, lowest_of: impl Fn([f64; 3]) -> Option<f64>) -> Option<f64> {
+    let length = path.length();
+    let at = |t: f64| {
+        let u = path.tangent(t);
+        lowest_of([u.x * length, u.y * length, rise])
+    };
+    let places = if matches!(path, Segment::Line(_)) { 0 } else { 16 };
+    (0..=places).map(|i| at(f64::from(i) / 16.0)).try_fold(0.0, |worst: f64, lowest| Some(worst.max(lowest?)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verify::judge::stroke::stroke_seconds;
+    use geom::{Line, Point};
+    use spec::units::Acceleration;
+    use spec::{Motion, StepRate};
+
+    fn close(found: f64, expected: f64) {
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found}, expected {expected}");
+    }
+
+    /// From rest to rest: L / v + v / a where the speed is reached, 2 sqrt(L / a) where it is not.
+    #[test]
+    fn a_stroke_takes_what_speeding_up_leaves_it() {
+        let seconds = |length: f64, acceleration: Option<f64>| {
+            let acceleration = acceleration.map(Acceleration);
+            let motion = Motion { acceleration, ..Motion::UNKNOWN };
+            stroke_seconds(&motion, [0.0; 3], [length, 0.0, 0.0], 4.0)
+        };
+        close(seconds(10.0, None), 2.5);
+        close(seconds(10.0, Some(8.0)), 2.5 + 0.5);
+        close(seconds(0.5, Some(8.0)), 2.0 * (0.5_f64 / 8.0).sqrt());
+        // Just reached: both at once.
+        close(seconds(2.0, Some(8.0)), 1.0);
+    }
+
+    /// 30.52 steps/s at the least: along a way of (4 cos 30, 4 sin 30, 3) mm Z steps most often, 400 x 3 times in 5 mm.
+    #[test]
+    fn a_climb_counts_with_its_length() {
+        let motion = Motion {
+            steps_per_mm: Some([80.0, 100.0, 400.0]),
+            step_rate: StepRate::AtLeast(30.52),
+            ..Motion::UNKNOWN
+        };
+        let line: Segment = Line::new(Point::ORIGIN, Point::polar(4.0, 30_f64.to_radians())).into();
+        let found = |rise: f64| lowest_along(&line, rise, |way| motion.lowest_speed(way)).expect("known");
+        close(found(3.0), 30.52 * 5.0 / 1200.0);
+        close(found(-3.0), found(3.0));
+        // Level, it is X: 80 x 4 cos 30 times in 4 mm, more often than Y.
+        close(found(0.0), 30.52 / (80.0 * 30_f64.to_radians().cos()));
+    }
+}

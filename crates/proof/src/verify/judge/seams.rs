@@ -1,0 +1,248 @@
+//! The seams of a program against those of the design: all there, in order, each from its start to its end.
+
+use crate::verify::judge::Judge;
+use crate::verify::judge::path::follow::Follower;
+use crate::verify::judge::rules::{IronRules, Phase};
+use crate::verify::judge::task::ProgramTask;
+use crate::verify::read::gcode::{Move, MoveKind};
+use crate::verify::{FindingCode, Findings};
+use geom::{Path, Point};
+use sealed::LaidSeam;
+
+/// The starts of the ways of a program, in order; a trace shows the frame first.
+pub(super) fn starts(task: &ProgramTask<'_>) -> Vec<Point> {
+    let seams = task.seams.iter();
+    if task.hot {
+        seams.filter_map(|seam| seam.lead_in.start()).collect()
+    } else {
+        task.frame.start().into_iter().chain(seams.filter_map(|seam| seam.run.start())).collect()
+    }
+}
+
+fn walk(seam: &LaidSeam) -> SeamWalk {
+    SeamWalk::new(&seam.run, seam.name.to_string(), seam.once)
+}
+
+/// The way down, the run, the way up.
+fn walks(seam: &LaidSeam) -> [SeamWalk; 3] {
+    let ramp =
+        |path: &Path, what: &str| SeamWalk::new(path, format!("{what} the {}", seam.name), path.length());
+    [ramp(&seam.lead_in, "way down to"), walk(seam), ramp(&seam.lead_out, "way up from")]
+}
+
+/// Every seam is there, in order, from its start to its end, overlap and ramps included.
+pub(super) struct Sealed<'a> {
+    rules: &'a IronRules<'a>,
+    tolerance: f64,
+    /// The seams that are still to come.
+    expected: std::slice::Iter<'a, LaidSeam>,
+    now: Option<SeamContact>,
+    /// The largest, mm.
+    deviation: f64,
+}
+
+/// One contact with the fabric.
+enum SeamContact {
+    /// A contact along a seam: the way down, the run, the way up.
+    Seam(Box<[SeamWalk; 3]>),
+    /// A contact without a seam; the line in which it begins.
+    Extra(Option<usize>),
+}
+
+impl<'a> Sealed<'a> {
+    pub(super) fn new(task: &'a ProgramTask<'_>, rules: &'a IronRules<'a>) -> Self {
+        let tolerance = task.spec.accuracy.path.0;
+        Self { rules, tolerance, expected: task.seams.iter(), now: None, deviation: 0.0 }
+    }
+
+    /// The end of a contact.
+    fn lift(&mut self, findings: &mut Findings) {
+        match self.now.take() {
+            Some(SeamContact::Seam(walks)) => {
+                let [down, run, up] = *walks;
+                for walk in [run, down, up] {
+                    self.deviation = self.deviation.max(walk.end(self.tolerance, findings));
+                }
+            }
+            Some(SeamContact::Extra(line)) => {
+                let found = "a contact that the design does not have";
+                findings.add_at(FindingCode::ExtraSeam, line, found, "only its seams");
+            }
+            None => {}
+        }
+    }
+}
+
+impl Judge for Sealed<'_> {
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        let phase = self.rules.phase(step);
+        if phase == Phase::Clear {
+            self.lift(findings);
+            return;
+        }
+        let expected = &mut self.expected;
+        let now = self.now.get_or_insert_with(|| match expected.next() {
+            Some(seam) => SeamContact::Seam(Box::new(walks(seam))),
+            None => SeamContact::Extra(None),
+        });
+        match now {
+            SeamContact::Extra(line) if phase == Phase::Contact => *line = line.or(Some(step.line)),
+            SeamContact::Extra(_) => {}
+            SeamContact::Seam(walks) => {
+                let [down, run, up] = &mut **walks;
+                match phase {
+                    Phase::Contact => run.step(step),
+                    _ if run.first.is_none() => down.step(step),
+                    _ => up.step(step),
+                }
+            }
+        }
+    }
+
+    fn end(&mut self, findings: &mut Findings) {
+        self.lift(findings);
+        for seam in self.expected.by_ref() {
+            let found = format!("no {}", seam.name);
+            findings.add(FindingCode::MissingSeam, found, "every seam of the design");
+        }
+    }
+
+    fn deviation(&self) -> f64 {
+        self.deviation
+    }
+}
+
+/// A trace shows the frame, and then every seam.
+pub(super) struct Traced {
+    tolerance: f64,
+    paths: std::vec::IntoIter<SeamWalk>,
+    /// The expected number of seams, and the number of paths found.
+    wanted: usize,
+    found: usize,
+    /// Whether the last move was along a path, and the expected path that it followed.
+    inside: bool,
+    now: Option<SeamWalk>,
+    /// The largest, mm.
+    deviation: f64,
+}
+
+impl Traced {
+    pub(super) fn new(task: &ProgramTask<'_>) -> Self {
+        let frame = SeamWalk::new(&task.frame, "frame".to_owned(), task.frame.length());
+        let paths: Vec<SeamWalk> = std::iter::once(frame).chain(task.seams.iter().map(walk)).collect();
+        let (tolerance, wanted) = (task.spec.accuracy.path.0, task.seams.len());
+        Self {
+            tolerance,
+            paths: paths.into_iter(),
+            wanted,
+            found: 0,
+            inside: false,
+            now: None,
+            deviation: 0.0,
+        }
+    }
+
+    /// The end of a path.
+    fn leave(&mut self, findings: &mut Findings) {
+        self.inside = false;
+        if let Some(walk) = self.now.take() {
+            self.deviation = self.deviation.max(walk.end(self.tolerance, findings));
+        }
+    }
+}
+
+impl Judge for Traced {
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        if step.kind == MoveKind::Rapid {
+            self.leave(findings);
+            return;
+        }
+        if !std::mem::replace(&mut self.inside, true) {
+            self.found += 1;
+            self.now = self.paths.next();
+        }
+        if let Some(walk) = &mut self.now {
+            walk.step(step);
+        }
+    }
+
+    fn end(&mut self, findings: &mut Findings) {
+        self.leave(findings);
+        let found = self.found.saturating_sub(1);
+        if self.found == 0 {
+            self.now = self.paths.next();
+            self.leave(findings);
+        }
+        if found != self.wanted {
+            let (found, allowed) = (format!("{found} paths"), format!("{} paths", self.wanted));
+            findings.add(FindingCode::MissingSeam, found, allowed);
+        }
+    }
+
+    fn deviation(&self) -> f64 {
+        self.deviation
+    }
+}
+
+/// One chain of moves, on its way along the path that it should follow.
+struct SeamWalk {
+    follower: Follower,
+    name: String,
+    /// Length of the part of the path that closes the loop.
+    once: f64,
+    /// Lines of its first and of its last move.
+    first: Option<usize>,
+    last: Option<usize>,
+}
+
+impl SeamWalk {
+    fn new(path: &Path, name: String, once: f64) -> Self {
+        Self { follower: Follower::new(path), name, once, first: None, last: None }
+    }
+
+    fn step(&mut self, step: &Move) {
+        self.first = self.first.or(Some(step.line));
+        self.last = Some(step.line);
+        if let Some(path) = &step.path {
+            self.follower.step(path, step.line);
+        }
+    }
+
+    /// Reports how it left its path; the largest deviation, mm.
+    fn end(self, tolerance: f64, findings: &mut Findings) -> f64 {
+        let Self { name, once, first, last, .. } = self;
+        let walked = self.follower.finish();
+        let (length, deviation) = (walked.exact_length, walked.largest());
+        if deviation.is_nan() || deviation > tolerance {
+            let line = first.map(|first| walked.step.max(first));
+            let found = if deviation.is_finite() {
+                format!("{deviation:.6} mm off the {name}")
+            } else {
+                format!("no move along the {name}")
+            };
+            findings.add_at(FindingCode::Deviation, line, found, format!("{tolerance} mm"));
+        }
+        // Along the path, rounding at both ends may add up.
+        let slack = 2.0 * tolerance;
+        if walked.start > slack {
+            let found = format!("the {name} begins {:.3} mm late", walked.start);
+            findings.add_at(FindingCode::LateStart, first, found, "its start");
+        }
+        if walked.end < once - slack {
+            let found = format!("the {name} ends {:.3} mm before it is closed", once - walked.end);
+            findings.add_at(FindingCode::OpenLoop, last, found, format!("{once:.3} mm"));
+        } else if walked.end < length - slack {
+            let found = format!("{:.3} mm of overlap on the {name}", walked.end - once);
+            findings.add_at(FindingCode::MissingOverlap, last, found, format!("{:.3} mm", length - once));
+        }
+        if let Some((back, line)) = walked.backwards.filter(|(back, _)| *back > slack) {
+            let found = format!("{back:.3} mm back along the {name}");
+            findings.add_at(FindingCode::Backwards, line, found, "forwards only");
+        }
+        if let Some((gap, line)) = walked.jump.filter(|(gap, _)| *gap > tolerance) {
+            let found = format!("a gap of {gap:.3} mm in the {name}");
+            findings.add_at(FindingCode::Jump, line, found, "an unbroken path");
+        }
+        deviation
+    }
+}

@@ -1,0 +1,270 @@
+//! The controller's time for a stroke from rest to rest: the verifier's own calculation.
+//!
+//! Without a tick in the profile a stroke speeds up evenly, goes on at its feed, and brakes. With one it is made as GRBL
+//! makes it (repository gnea/grbl, stepper.c): whole steps, evenly within a stretch of whole ticks in which at least a
+//! step and a quarter is travelled, with no step longer than that of the lowest step rate. The tick in which the speed is
+//! reached counts as if all of its stretch had been travelled in it.
+
+use spec::{Motion, StepRate};
+
+/// The run since the iron last rested.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct StrokeRun {
+    /// Whole steps of each axis; lengths in mm where the steps are unknown.
+    moved: [f64; 3],
+    length: f64,
+    /// Steps of moves that have too few of them, and whether there are such moves: the controller joins them to the next one.
+    joined: [f64; 3],
+    is_short: bool,
+}
+
+impl StrokeRun {
+    /// The run with one more move from `from` to `to`, of this length, mm.
+    pub(super) fn and(self, motion: &Motion, from: [f64; 3], to: [f64; 3], length: f64) -> Self {
+        let scale = motion.steps_per_mm.unwrap_or([1.0; 3]);
+        let whole = |mm: f64, axis: usize| (mm * scale[axis]).round();
+        let joined: [f64; 3] = std::array::from_fn(|i| self.joined[i] + whole(to[i], i) - whole(from[i], i));
+        let most = joined.into_iter().map(f64::abs).fold(0.0, f64::max);
+        let is_short = motion.steps_per_mm.is_some() && most < motion.min_move_steps;
+        let run = Self { joined, is_short, length: self.length + length, ..self };
+        if is_short {
+            return run;
+        }
+        let moved = std::array::from_fn(|i| self.moved[i] + joined[i].abs());
+        Self { moved, joined: [0.0; 3], ..run }
+    }
+
+    /// Whether the last moves have so few steps that the controller has not made them yet.
+    pub(super) fn is_short(&self) -> bool {
+        self.is_short
+    }
+
+    /// Time from rest to rest, s, at `speed` mm/s.
+    pub(super) fn seconds(&self, motion: &Motion, speed: f64) -> f64 {
+        let wait = motion.start_delay.0;
+        let Some(a) = motion.acceleration.map(|a| a.0) else { return wait + self.length / speed };
+        let ramps = |length: f64, a: f64| Ramps::new(length, speed, a);
+        match (motion.tick, motion.step_rate, motion.steps_per_mm) {
+            (Some(tick), StepRate::AtLeast(rate), Some(scale)) => {
+                let mm: [f64; 3] = std::array::from_fn(|i| self.moved[i] / scale[i]);
+                let length = libm::hypot(libm::hypot(mm[0], mm[1]), mm[2]);
+                let steps = self.moved.into_iter().fold(0.0, f64::max);
+                if steps < 1.0 {
+                    return wait;
+                }
+                if tick.0 == 0.0 {
+                    return wait + whole_rates(steps, length, (speed, a), rate, motion.first_step_rate);
+                }
+                // Every axis has this acceleration: along a diagonal they have more.
+                let share = mm.into_iter().fold(0.0, f64::max) / length;
+                let way = ramps(length, a / share);
+                let interval = |told: f64| if motion.wraps { early(told) } else { told }.min(1.0 / rate);
+                wait + if way.time < 20.0 { way.ticked(steps, tick.0, interval) } else { way.time }
+            }
+            _ => wait + ramps(self.length, a).time,
+        }
+    }
+}
+
+/// Time that the controller takes for one straight stroke from rest to rest, s, at `speed` mm/s; positions in mm.
+pub fn stroke_seconds(motion: &Motion, from: [f64; 3], to: [f64; 3], speed: f64) -> f64 {
+    let length = (0..3).map(|i| to[i] - from[i]).fold(0.0, libm::hypot);
+    StrokeRun::default().and(motion, from, to, length).seconds(motion, speed)
+}
+
+/// The shortest way in the plane that has the steps of a move in every direction, mm.
+pub(super) fn shortest_move(motion: &Motion) -> f64 {
+    let per_step = |scale: f64| 1.0 / scale;
+    motion.steps_per_mm.map_or(0.0, |[x, y, _]| motion.min_move_steps * libm::hypot(per_step(x), per_step(y)))
+}
+
+/// Time on Marlin (repository MarlinFirmware/Marlin, planner.cpp and stepper.cpp): every step has a rate of its own, in whole
+/// steps a second, which is rounded up and is never below the `least`; versions up to 2.0.x begin and end with the rate `first`.
+fn whole_rates(
+    steps: f64,
+    length: f64,
+    (speed, acceleration): (f64, f64),
+    least: f64,
+    first: Option<f64>,
+) -> f64 {
+    let scale = steps / length;
+    let even = (speed * scale - 1e-6).ceil().max(least);
+    if let Some(first) = first.filter(|_| steps <= 1e4) {
+        let first = first.max((0.05 * scale).ceil()).max(least);
+        return with_first(steps, even, (acceleration * scale).ceil(), first);
+    }
+    let slow = (speed.min((acceleration / scale / 2.0).sqrt()) * scale).round().max(least);
+    let gain = (acceleration * scale).ceil();
+    let ramp = ((even.powi(2) - slow.powi(2)) / gain / 2.0).ceil().max(0.0);
+    if steps > 1e4 {
+        return steps / even;
+    }
+    let up = if ramp + ramp > steps { (0.5 * steps).round() } else { ramp };
+    let brake = if ramp + ramp > steps { up } else { steps - ramp };
+    let (mut made, mut total, mut since, mut top) = (0.0, 0.0, 0.0, slow);
+    while made < steps {
+        total += if made < up {
+            top = even.min(slow + (gain * total).floor());
+            1.0 / top
+        } else if made < brake {
+            (top, since) = (even, 0.5 / even);
+            1.0 / even
+        } else {
+            let each = 1.0 / slow.max(top - (gain * since).floor());
+            since += each;
+            each
+        };
+        made += 1.0;
+    }
+    total
+}
+
+/// The same where a stroke begins and ends at the rate `first`: the rate after a step is that of the time before it.
+fn with_first(steps: f64, even: f64, gain: f64, first: f64) -> f64 {
+    let part = 0.5 * (even - first).max(0.0) * (even + first) / gain;
+    let meet = (0.5 * steps).ceil();
+    let (gained, lost) =
+        if part.ceil() + part.floor() > steps { (meet, steps - meet) } else { (part.ceil(), part.floor()) };
+    let (mut total, mut rising, mut falling, mut top) = (first.recip(), 0.0, 0.0, first);
+    let mut step = 1.0;
+    while step < steps {
+        let rate = if step <= gained {
+            top = (first + (gain * rising).floor()).min(even);
+            rising += top.recip();
+            top
+        } else if step + lost > steps {
+            let rate = first.max(top - (gain * falling).floor());
+            falling += rate.recip();
+            rate
+        } else {
+            even
+        };
+        total += rate.recip();
+        step += 1.0;
+    }
+    total
+}
+
+/// The time of a step on FluidNC that should take `told`, s (repository bdring/FluidNC, Stepper.cpp): cycles of 20 MHz are
+/// halved, up to three times, until 8,000 of them, in 32 bits, are below 20 million; 16 bits of them are counted.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a step takes a day at most")]
+fn early(told: f64) -> f64 {
+    let mut cycles = (told * 2e7).ceil() as u64;
+    let mut halvings = 0;
+    while halvings < 3 && (cycles * 8000) & 0xffff_ffff >= 20_000_000 {
+        cycles /= 2;
+        halvings += 1;
+    }
+    f64::from(1 << halvings) * f64::from(cycles.min(0xffff) as u32) / 2e7
+}
+
+/// Speeding up, going on, braking.
+struct Ramps {
+    length: f64,
+    acceleration: f64,
+    /// The speed that is reached.
+    reached: f64,
+    time: f64,
+}
+
+impl Ramps {
+    fn new(length: f64, speed: f64, acceleration: f64) -> Self {
+        // Half the way is for speeding up, if the speed is not reached before.
+        let reached = speed.min((acceleration * length).sqrt());
+        let even = length - reached * reached / acceleration;
+        Self { length, acceleration, reached, time: 2.0 * reached / acceleration + even / reached }
+    }
+
+    /// The part of the way that is done at `t`, 0 to 1.
+    fn done(&self, t: f64) -> f64 {
+        // From the nearer end both halves look the same.
+        let (near, turned) = if 2.0 * t > self.time { (self.time - t, true) } else { (t, false) };
+        let whole = self.reached / self.acceleration;
+        let ramp = near.clamp(0.0, whole);
+        let way = 0.5 * self.acceleration * ramp * ramp + self.reached * (near - ramp).max(0.0);
+        if turned { 1.0 - way / self.length } else { way / self.length }
+    }
+
+    /// Time for `steps` whole steps along it, s; `interval` returns the real time of a step from its nominal one.
+    fn ticked(&self, steps: f64, tick: f64, interval: impl Fn(f64) -> f64) -> f64 {
+        let (mut spent, mut made) = (0.0_f64, 0.0_f64);
+        // The end of the last stretch: time, steps and parts of a step, and time that is kept for the step begun there.
+        let (mut cut, mut reached, mut kept) = (0.0_f64, 0.0_f64, 0.0_f64);
+        while made < steps {
+            let (now, counted) = self.stretch(cut, tick, (reached + 1.25).min(steps) / steps);
+            // The last of the way takes long, and is nothing: a stretch that ends in it has done all.
+            let over = now >= self.time || self.done(now) > 1.0 - 1e-9;
+            let here = if over { steps } else { steps * self.done(now) };
+            let told = (counted + kept) / (here - made);
+            let whole = if over { steps } else { (here + 1e-9).floor() };
+            spent += (whole - made) * interval(told);
+            kept = (here - whole) * told;
+            (cut, reached, made) = (now, here, whole);
+        }
+        spent
+    }
+
+    /// The end of the stretch from `cut`, which goes on to the part `enough` of the way at least, and its counted time, s.
+    fn stretch(&self, cut: f64, tick: f64, enough: f64) -> (f64, f64) {
+        let at_speed = self.reached / self.acceleration;
+        let (mut now, mut counted, mut allowed) = (cut, 0.0_f64, 0.0_f64);
+        while now < self.time && (counted + 1e-9 < allowed || self.done(now) < enough - 1e-9) {
+            while counted + 1e-9 >= allowed {
+                allowed += tick;
+            }
+            let next = (now + allowed - counted).min(self.time);
+            if now < at_speed && at_speed < next {
+                let way = self.length * (self.done(at_speed) - self.done(cut));
+                counted += way / (0.5 * (self.acceleration * now + self.reached));
+                now = at_speed;
+            } else {
+                counted += next - now;
+                now = next;
+            }
+        }
+        (now, counted)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use spec::units::{Acceleration, Duration};
+
+    /// A stretch may end where the remainder is within rounding: there is no further one.
+    #[test]
+    fn every_stroke_ends() {
+        for i in 1..20_000_u32 {
+            let length = f64::from(i) * 1e-3;
+            for (speed, a) in [(0.5, 10.0), (20.0, 10.0), (5.0, 500.0)] {
+                let steps = (length * 400.0).round().max(1.0);
+                let found = Ramps::new(length, speed, a).ticked(steps, 0.01, |told| told.min(1.0));
+                assert!(found.is_finite() && found > 0.0, "{length} {speed} {a}: {found}");
+            }
+        }
+    }
+
+    /// Figures calculated with the firmware's rules in 32-bit floats, by `tests/machines/clock`.
+    #[test]
+    fn a_stroke_takes_as_long_as_on_grbl() {
+        for (acceleration, to, seconds) in [
+            (10.0, [0.2, 0.0, 0.0], 0.34893),
+            (10.0, [0.1375, 0.1375, 0.0], 0.32237),
+            (25.0, [0.2, 0.0, 0.0], 0.34224),
+            (50.0, [0.0, -0.2, 0.0], 0.32623),
+            (200.0, [0.15, -0.15, 0.0], 0.32996),
+            (500.0, [0.2, 0.0, 0.0], 0.31022),
+        ] {
+            let motion = Motion {
+                steps_per_mm: Some([80.0, 80.0, 400.0]),
+                step_rate: StepRate::AtLeast(30.52),
+                acceleration: Some(Acceleration(acceleration)),
+                tick: Some(Duration(0.01)),
+                ..Motion::UNKNOWN
+            };
+            let run = StrokeRun::default().and(&motion, [0.0; 3], to, 0.2);
+            let found = run.seconds(&motion, 0.64741);
+            assert!((found - seconds).abs() < 5e-5, "{acceleration} {to:?}: {found}");
+        }
+    }
+}

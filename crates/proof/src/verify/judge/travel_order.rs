@@ -1,0 +1,205 @@
+//! The order of travels: the ways of the iron between seams, and the places of the comments for the operator among them.
+//!
+//! Every rapid goes to a **waypoint**: up to the park height, above the beginning of a seam, down to travel height, and in
+//! the end home. A contact, or a path that is traced, is a waypoint too, and so are the comments that announce the heat and
+//! each seam: `resume` takes up a seam by them.
+
+use crate::verify::judge::{HEIGHT, Judge};
+use crate::verify::read::gcode::{BlindMove, Comment, Move, MoveKind};
+use crate::verify::{FindingCode, Findings};
+use geom::Point;
+use spec::Heights;
+
+/// The next event.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Waypoint {
+    /// A rapid to this place; coordinates that are not known yet are `None`.
+    Rapid([Option<f64>; 3]),
+    /// The comment with this key.
+    Comment(&'static str),
+    /// Moves at the feed, however many.
+    Path,
+}
+
+/// Reports every rapid to another place, and every announcement in another place.
+pub(super) struct TravelOrder {
+    waypoints: Vec<Waypoint>,
+    /// Number of waypoints passed.
+    passed: usize,
+    /// Slack on places, mm.
+    tolerance: f64,
+    /// Whether the last motion was along a path.
+    on_path: bool,
+}
+
+impl TravelOrder {
+    /// The way to paths that begin at `starts`, with a heating before it and an announcement of each if `hot`.
+    pub(super) fn new(
+        heights: &Heights,
+        starts: impl IntoIterator<Item = Point>,
+        hot: bool,
+        tolerance: f64,
+    ) -> Self {
+        let (park, travel) = (heights.park.0, heights.travel.0);
+        let mut at = [None, None, Some(park)];
+        let mut waypoints = vec![Waypoint::Rapid(at)];
+        if hot {
+            waypoints.push(Waypoint::Comment("heat"));
+        }
+        for start in starts {
+            at = [Some(start.x), Some(start.y), at[2]];
+            waypoints.push(Waypoint::Rapid(at));
+            at[2] = Some(travel);
+            waypoints.push(Waypoint::Rapid(at));
+            if hot {
+                waypoints.push(Waypoint::Comment("seam"));
+            }
+            waypoints.push(Waypoint::Path);
+        }
+        let home = |x| Waypoint::Rapid([x, x, Some(park)]);
+        // The end of the last path is checked by the path's judge.
+        waypoints.extend([home(None), home(Some(0.0))]);
+        Self { waypoints, passed: 0, tolerance, on_path: false }
+    }
+
+    /// Whether `found` is the waypoint `wanted`.
+    fn is(&self, found: &Waypoint, wanted: &Waypoint) -> bool {
+        let (Waypoint::Rapid(found), Waypoint::Rapid(wanted)) = (found, wanted) else {
+            return found == wanted;
+        };
+        let near = |slack: f64| {
+            move |(found, wanted): (&Option<f64>, &Option<f64>)| {
+                wanted.is_none_or(|wanted| found.is_some_and(|found| (found - wanted).abs() <= slack))
+            }
+        };
+        found[..2].iter().zip(&wanted[..2]).all(near(self.tolerance)) && near(HEIGHT)((&found[2], &wanted[2]))
+    }
+
+    /// The next waypoint, as it was found.
+    fn pass(&mut self, found: &Waypoint, line: usize, findings: &mut Findings) {
+        if self.waypoints.get(self.passed).is_some_and(|wanted| self.is(found, wanted)) {
+            self.passed += 1;
+            return;
+        }
+        let allowed = self.waypoints.get(self.passed).map_or("the end".to_owned(), told);
+        // If it comes later, what is between is missing; else it is one too many. Of many findings the first do.
+        let later = if findings.is_full() { None } else { self.later(found) };
+        if let Some(later) = later {
+            self.passed = later + 1;
+        }
+        let code = match found {
+            Waypoint::Comment(_) => FindingCode::OtherComment,
+            _ => FindingCode::StrayTravel,
+        };
+        findings.add_at(code, line, told(found), format!("{allowed} next"));
+    }
+
+    /// A later place in the order; the way up from the last path fits too many moves to be identified.
+    fn later(&self, found: &Waypoint) -> Option<usize> {
+        let vague = |waypoint: &Waypoint| matches!(waypoint, Waypoint::Rapid([None, ..]));
+        let fits = |waypoint: &Waypoint| !vague(waypoint) && self.is(found, waypoint);
+        (self.passed..self.waypoints.len()).find(|i| fits(&self.waypoints[*i]))
+    }
+}
+
+impl Judge for TravelOrder {
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
+        let was_on_path = std::mem::replace(&mut self.on_path, step.kind == MoveKind::Feed);
+        if !self.on_path {
+            self.pass(&Waypoint::Rapid([step.to.x, step.to.y, step.to.z].map(Some)), step.line, findings);
+        } else if !was_on_path {
+            self.pass(&Waypoint::Path, step.line, findings);
+        }
+    }
+
+    fn blind(&mut self, step: &BlindMove, findings: &mut Findings) {
+        self.on_path = false;
+        self.pass(&Waypoint::Rapid(step.to), step.line, findings);
+    }
+
+    fn comment(&mut self, comment: &Comment, findings: &mut Findings) {
+        if let Some(key) = ["heat", "seam"].into_iter().find(|key| comment.key() == Some(*key)) {
+            self.pass(&Waypoint::Comment(key), comment.line, findings);
+        }
+    }
+
+    fn end(&mut self, findings: &mut Findings) {
+        if let Some(wanted) = self.waypoints.get(self.passed) {
+            findings.add(FindingCode::StrayTravel, "the end", format!("{} next", told(wanted)));
+        }
+    }
+}
+
+/// A waypoint in words.
+fn told(waypoint: &Waypoint) -> String {
+    match waypoint {
+        Waypoint::Rapid(to) => {
+            let told = |(name, value): (char, &Option<f64>)| value.map(|value| format!("{name}{value:.4}"));
+            let axes: Vec<String> = "XYZ".chars().zip(to).filter_map(told).collect();
+            format!("G0 to {}", axes.join(" "))
+        }
+        Waypoint::Comment(key) => format!("the comment {key:?}"),
+        Waypoint::Path => "moves at the feed".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verify::judge::judged;
+    use crate::verify::read::gcode::Dialect;
+    use spec::units::Length;
+
+    const WAY: [&str; 10] = [
+        "G0 Z30",
+        "; heat: temperature_C=200",
+        "M0",
+        "G0 X10 Y20",
+        "G0 Z5",
+        "; seam: seam=1",
+        "G1 X12 Y20 Z0 F6",
+        "G1 X14 Y20 Z5",
+        "G0 Z30",
+        "G0 X0 Y0",
+    ];
+
+    /// Code and line (of the way, from 0) of each finding in it.
+    fn found(way: &[&str]) -> Vec<(&'static str, Option<usize>)> {
+        let heights = Heights { contact: Length(0.0), travel: Length(5.0), park: Length(30.0) };
+        let judge = TravelOrder::new(&heights, [Point::new(10.0, 20.0)], true, 1e-3);
+        let text = format!("G21\nG90\nG94\n{}\nM2\n", way.join("\n"));
+        let mut findings = Findings::default();
+        let lines = text.split_inclusive('\n');
+        let _ = judged(lines, Dialect::GENERIC, vec![Box::new(judge)], &mut findings);
+        let findings = findings.into_vec();
+        let ours = |code: &str| ["stray-travel", "other-comment"].contains(&code);
+        let ours = findings.iter().filter(|finding| ours(finding.code));
+        ours.map(|finding| (finding.code, finding.line.map(|line| line - 4))).collect()
+    }
+
+    #[test]
+    fn the_way_of_a_job_is_found_right() {
+        assert_eq!(found(&WAY), []);
+    }
+
+    #[test]
+    fn every_travel_and_announcement_has_its_place() {
+        let changed = |at: usize, with: &[&'static str]| {
+            let mut way = WAY.to_vec();
+            let _ = way.splice(at..=at, with.iter().copied()).count();
+            way
+        };
+        let stray = |line: usize| vec![("stray-travel", Some(line))];
+        assert_eq!(found(&changed(3, &["G0 X10 Y20", "G0 X80 Y80", "G0 X10 Y20"])).len(), 2);
+        assert_eq!(found(&changed(8, &["G0 Z30", "G0 X80 Y80"])), stray(9));
+        assert_eq!(found(&changed(9, &["G0 X0 Y1"])), [stray(9), vec![("stray-travel", None)]].concat());
+        assert_eq!(found(&changed(8, &[])), [stray(8), vec![("stray-travel", None)]].concat());
+        assert_eq!(found(&changed(5, &[])), stray(5));
+        let mut late = WAY;
+        late.swap(5, 6);
+        assert_eq!(found(&late), [stray(5), vec![("other-comment", Some(6))]].concat());
+        let mut early = WAY;
+        early.swap(4, 5);
+        assert_eq!(found(&early), [vec![("other-comment", Some(4))], stray(5)].concat());
+    }
+}

@@ -1,0 +1,165 @@
+//! The interpreter: line after line, in constant memory.
+
+use crate::verify::read::gcode::block::Block;
+use crate::verify::read::gcode::lexer::{Alphabet, Word};
+use crate::verify::read::gcode::machine::{Here, Machine};
+use crate::verify::read::gcode::{Comment, Dialect, Event, Pause, lexer};
+use crate::verify::{Finding, FindingCode};
+use spec::{Command, Comments};
+
+/// The beginning of the last line of every program; the number of lines follows.
+const SENTINEL: &str = "end of program, ";
+
+/// A simulated controller that is fed one line at a time.
+///
+/// A line with a fault is reported and not executed, as on the real one. Until the first rapids have set all
+/// three axes, moves set the position and yield no [`Event::Move`].
+#[derive(Clone, Debug)]
+pub struct Interpreter {
+    dialect: Dialect,
+    alphabet: Alphabet,
+    machine: Machine,
+    block: Block,
+    words: Vec<Word>,
+    line: usize,
+    /// The temperature that a comment announced and the next pause puts into force.
+    announced: Option<f64>,
+    ended: Option<usize>,
+    /// Whether the last line was the right sentinel, with its line end.
+    sentinel: bool,
+}
+
+impl Interpreter {
+    /// A controller that was just switched on.
+    pub fn new(dialect: Dialect) -> Self {
+        Self {
+            machine: Machine::new(&dialect),
+            alphabet: Alphabet::new(&dialect),
+            dialect,
+            block: Block::default(),
+            words: Vec::new(),
+            line: 0,
+            announced: None,
+            ended: None,
+            sentinel: false,
+        }
+    }
+
+    /// Number of lines so far.
+    pub fn lines(&self) -> usize {
+        self.line
+    }
+
+    /// Reads the next line, with its line end if it has one, and adds its effects to `events`.
+    pub fn feed(&mut self, text: &str, events: &mut Vec<Event>) {
+        self.line += 1;
+        let line = text.strip_suffix('\n').unwrap_or(text);
+        let line = line.strip_suffix('\r').unwrap_or(line);
+        if line.len() > self.dialect.line_length {
+            let allowed = format!("at most {}", self.dialect.line_length);
+            self.report(events, FindingCode::LineTooLong, format!("{} characters", line.len()), allowed);
+        }
+        let mut comment = None;
+        if let Some(command) = self.whole_word(line) {
+            self.block.set(command);
+            self.execute(events);
+        } else {
+            let (found, fault) = lexer::cut(line, &self.dialect, &self.alphabet, &mut self.words);
+            comment = found;
+            let fault = fault.or_else(|| self.block.read(&self.words, &self.dialect).err());
+            if let Some(fault) = fault {
+                events.push(Event::Finding(Finding { line: Some(self.line), ..fault }));
+            } else if !self.words.is_empty() {
+                self.execute(events);
+            }
+        }
+        let counted = match self.dialect.comments {
+            Comments::Semicolon => line.strip_prefix("; "),
+            Comments::Parentheses => line.strip_prefix('(').and_then(|line| line.strip_suffix(')')),
+        };
+        self.sentinel = counted
+            .and_then(|text| text.strip_prefix(SENTINEL))
+            .is_some_and(|rest| rest == format!("{} lines", self.line) && text.ends_with('\n'));
+        if let Some(comment) = comment {
+            self.remark(comment.trim(), events);
+        }
+    }
+
+    /// After the last line: reports a missing end.
+    pub fn finish(&mut self, events: &mut Vec<Event>) {
+        if self.ended.is_none() {
+            self.report(events, FindingCode::Truncated, "no end of the program", "M2 or M30");
+        }
+        if !self.sentinel {
+            let allowed = format!("last line \"; {SENTINEL}{} lines\" and a line end", self.line);
+            self.report(events, FindingCode::Truncated, "another last line", allowed);
+        }
+        if self.announced.take().is_some() {
+            let found = "a heating without a wait for it";
+            self.report(events, FindingCode::HeatWithoutPause, found, "M0 after it");
+        }
+    }
+
+    /// The command of a line that is one of the dialect's longer words, with words of its own or without.
+    fn whole_word(&self, line: &str) -> Option<Command> {
+        let plain = |c: char| c.is_ascii_alphanumeric() || "_=. -".contains(c);
+        let is = |word: &str| {
+            let rest = line.strip_prefix(word);
+            rest.is_some_and(|rest| (rest.is_empty() || rest.starts_with(' ')) && rest.chars().all(plain))
+        };
+        self.dialect.vocabulary.words.iter().find(|(word, _)| is(word)).map(|(_, command)| *command)
+    }
+
+    fn execute(&mut self, events: &mut Vec<Event>) {
+        if let Some(end) = self.ended {
+            let found = format!("words after the program's end in line {end}");
+            self.report(events, FindingCode::AfterEnd, found, "comments only");
+            return;
+        }
+        let pause = self.block.has(Command::Pause);
+        if self.block.has(Command::HeatAndWait) {
+            // The operator need not wait: the controller waits itself.
+            self.announced = None;
+        }
+        if !pause && self.announced.take().is_some() {
+            let found = "words between heating and pause";
+            self.report(events, FindingCode::HeatWithoutPause, found, "M0 first");
+        }
+        let (block, line, dialect) = (&self.block, self.line, &self.dialect);
+        self.machine.execute(&mut Here { block, line, dialect, out: events });
+        if pause {
+            let heat = self.announced.take();
+            self.machine.heated = heat.or(self.machine.heated);
+            events.push(Event::Pause(Pause { line: self.line, at: self.machine.at(), heat }));
+        }
+        if self.block.has(Command::End) {
+            self.ended = Some(self.line);
+            events.push(Event::End(self.line));
+        }
+    }
+
+    fn report(
+        &self,
+        events: &mut Vec<Event>,
+        code: FindingCode,
+        found: impl Into<String>,
+        allowed: impl Into<String>,
+    ) {
+        events.push(Event::Finding(Finding::at(code, self.line, found, allowed)));
+    }
+
+    fn remark(&mut self, text: &str, events: &mut Vec<Event>) {
+        let comment = Comment { line: self.line, text: text.to_owned() };
+        if comment.key() == Some("heat") {
+            self.announced = comment.number("temperature_C");
+            if self.announced.is_none() {
+                let found = "heat without a temperature";
+                self.report(events, FindingCode::BadComment, found, "temperature_C=number");
+            }
+        }
+        events.push(Event::Comment(comment));
+    }
+}
+
+#[cfg(test)]
+mod tests;

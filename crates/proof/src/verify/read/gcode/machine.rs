@@ -1,0 +1,285 @@
+//! Executes blocks: the modes, the position and the heat of the simulated machine.
+
+use crate::verify::read::gcode::block::Block;
+use crate::verify::read::gcode::modes::Modes;
+use crate::verify::read::gcode::{
+    ArcTolerance, BlindMove, Dialect, Dwell, Event, Heat, Move, MoveKind, Point3,
+};
+use crate::verify::{Finding, FindingCode};
+use geom::{Arc, Line, Point, Segment};
+use spec::Command;
+use std::f64::consts::TAU;
+
+/// A line that is executed, and the list of its events.
+pub(super) struct Here<'a> {
+    pub(super) block: &'a Block,
+    pub(super) line: usize,
+    pub(super) dialect: &'a Dialect,
+    pub(super) out: &'a mut Vec<Event>,
+}
+
+impl Here<'_> {
+    fn report(&mut self, code: FindingCode, found: impl Into<String>, allowed: impl Into<String>) {
+        self.out.push(Event::Finding(Finding::at(code, self.line, found, allowed)));
+    }
+}
+
+/// The simulated machine.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Machine {
+    pub(super) modes: Modes,
+    /// Temperature in force, in degrees Celsius.
+    pub(super) heated: Option<f64>,
+    position: [Option<f64>; 3],
+    /// Names of modes whose absence was reported already.
+    reported: Vec<&'static str>,
+}
+
+impl Machine {
+    /// A machine that was just switched on: only the modes that it is always in are known.
+    pub(super) fn new(dialect: &Dialect) -> Self {
+        let mut machine = Self::default();
+        for command in dialect.vocabulary.fixed {
+            machine.modes.set(*command);
+        }
+        machine
+    }
+
+    /// The place of the tip, once all three axes were set.
+    pub(super) fn at(&self) -> Option<Point3> {
+        match self.position {
+            [Some(x), Some(y), Some(z)] => Some(Point3::new(x, y, z)),
+            _ => None,
+        }
+    }
+
+    /// Executes a block's modes, dwell and motion (pause and end are the interpreter's).
+    pub(super) fn execute(&mut self, here: &mut Here<'_>) {
+        let Here { block, line, .. } = *here;
+        for command in &block.commands {
+            self.modes.set(*command);
+            let waits = *command == Command::HeatAndWait;
+            if waits || *command == Command::HeatOnly {
+                let celsius = block.value(b'S').unwrap_or(0.0);
+                self.heated = Some(celsius).filter(|t| waits && *t > 0.0);
+                here.out.push(Event::Heat(Heat { line, celsius, waits }));
+            }
+        }
+        if block.commands.iter().any(|command| command.is_setting()) {
+            here.out.push(Event::Setting);
+        }
+        if block.commands.iter().any(|command| command.stands_alone()) {
+            return;
+        }
+        if let Some(f) = block.value(b'F') {
+            self.require(self.modes.units.is_some(), "units (G20, G21)", here);
+            self.require(self.modes.feed_mode.is_some(), "feed mode (G93, G94)", here);
+            self.modes.feed = Some(if self.modes.is_inverse_time() { f } else { f * self.modes.scale() });
+        }
+        if let Some(p) = block.value(b'P') {
+            here.out.push(Event::Dwell(Dwell { line, seconds: here.dialect.dwell_seconds(p) }));
+        }
+        if block.has_any(b"XYZIJ") {
+            self.travel(here);
+        } else if block.has(Command::ArcCw) || block.has(Command::ArcCcw) {
+            here.report(FindingCode::BadArc, "an arc without an end point", "X or Y with I, J");
+        }
+    }
+
+    fn travel(&mut self, here: &mut Here<'_>) {
+        let Here { block, line, .. } = *here;
+        let Some(motion) = self.modes.motion else {
+            here.report(FindingCode::ModeUnset, "axis words before any motion", "G0, G1, G2 or G3 first");
+            return;
+        };
+        self.require(self.modes.units.is_some(), "units (G20, G21)", here);
+        self.require(self.modes.distance.is_some(), "distance mode (G90, G91)", here);
+        let before = self.at();
+        let Some(to) = self.target(here) else { return };
+        let kind = if motion == Command::Rapid { MoveKind::Rapid } else { MoveKind::Feed };
+        let arcs = matches!(motion, Command::ArcCw | Command::ArcCcw);
+        if !arcs && block.has_any(b"IJ") {
+            here.report(FindingCode::UnusedWord, "I or J on a straight move", "I, J with G2, G3 only");
+        }
+        let at_feed = kind == MoveKind::Feed || here.dialect.travel_at_feed;
+        if at_feed && kind == MoveKind::Rapid {
+            self.require(self.modes.feed.is_some(), "feed (F)", here);
+        }
+        let height_known = self.position[2].is_some() || block.value(b'Z').is_some();
+        self.position = to;
+        let (Some(from), Some(to)) = (before, self.at()) else {
+            if kind == MoveKind::Feed || !height_known {
+                let found = "a move from a position that the program never set";
+                here.report(FindingCode::UnknownPosition, found, "rapids first: Z, then X and Y");
+            }
+            let named = [b'X', b'Y', b'Z'].map(|letter| block.value(letter).is_some());
+            // Without a length, a feed by time does not define a speed.
+            let feed = self.modes.feed.filter(|_| at_feed && !self.modes.is_inverse_time());
+            here.out.push(Event::Blind(BlindMove { line, kind, named, to: self.position, feed }));
+            return;
+        };
+        let path = if arcs {
+            self.arc(from.xy(), to.xy(), here)
+        } else {
+            (from.xy() != to.xy()).then(|| Line::new(from.xy(), to.xy()).into())
+        };
+        let mut step = Move { line, kind, from, to, path, feed: None, heated: self.heated };
+        if at_feed {
+            step.feed = self.feed_of(&step, here);
+        }
+        here.out.push(Event::Move(step));
+    }
+
+    /// The position after the block; `None` if it is unknown.
+    fn target(&self, here: &mut Here<'_>) -> Option<[Option<f64>; 3]> {
+        let mut to = self.position;
+        for (axis, letter) in to.iter_mut().zip(*b"XYZ") {
+            let Some(value) = here.block.value(letter) else { continue };
+            let value = value * self.modes.scale();
+            if !self.modes.is_relative() {
+                *axis = Some(value);
+            } else if let Some(at) = axis {
+                *at += value;
+            } else {
+                let found = format!("a displacement {} from an unknown position", char::from(letter));
+                here.report(FindingCode::UnknownPosition, found, "a position (G90) first");
+                return None;
+            }
+        }
+        Some(to)
+    }
+
+    /// The path of an arc; after a fault the chord, so that the rest can still be read.
+    fn arc(&mut self, from: Point, to: Point, here: &mut Here<'_>) -> Option<Segment> {
+        self.require(self.modes.plane.is_some(), "plane (G17)", here);
+        self.require(self.modes.centers.is_some(), "arc centre mode (G90.1, G91.1)", here);
+        let chord = (from != to).then(|| Line::new(from, to).into());
+        let absolute = self.modes.centers == Some(Command::CentersAbsolute);
+        let (i, j) = (here.block.value(b'I'), here.block.value(b'J'));
+        if (i.is_none() && j.is_none()) || (absolute && (i.is_none() || j.is_none())) {
+            here.report(FindingCode::BadArc, "an arc without a centre", "I and J");
+            return chord;
+        }
+        let scale = self.modes.scale();
+        let (i, j) = (i.unwrap_or(0.0) * scale, j.unwrap_or(0.0) * scale);
+        let center = if absolute { Point::new(i, j) } else { Point::new(from.x + i, from.y + j) };
+        let ccw = self.modes.motion == Some(Command::ArcCcw);
+        match arc(from, to, center, ccw, &here.dialect.arcs) {
+            Ok(arc) => Some(arc.into()),
+            Err((found, allowed)) => {
+                here.report(FindingCode::BadArc, found, allowed);
+                chord
+            }
+        }
+    }
+
+    /// The feed of a move in mm/min.
+    fn feed_of(&mut self, step: &Move, here: &mut Here<'_>) -> Option<f64> {
+        self.require(self.modes.feed_mode.is_some(), "feed mode (G93, G94)", here);
+        if self.modes.is_inverse_time() {
+            let feed = here.block.value(b'F').map(|f| f * step.length());
+            if feed.is_none() {
+                here.report(FindingCode::BadFeed, "a move without F in inverse time", "F on each line");
+            }
+            return feed.filter(|f| *f > 0.0);
+        }
+        self.require(self.modes.feed.is_some(), "feed (F)", here);
+        self.modes.feed
+    }
+
+    /// Reports, once, that something relied on a mode that the program has not set.
+    fn require(&mut self, set: bool, name: &'static str, here: &mut Here<'_>) {
+        if !set && !self.reported.contains(&name) {
+            self.reported.push(name);
+            let found = format!("{name} not set");
+            here.report(FindingCode::ModeUnset, found, "every mode set before it is needed");
+        }
+    }
+}
+
+/// Turns below this are full circles: GRBL's `ARC_ANGULAR_TRAVEL_EPSILON`, rad.
+const FULL_CIRCLE: f64 = 5e-7;
+
+/// Up to this turn an arc is read as passing through both of its ends, rad.
+const LARGEST_CHORDAL: f64 = 1.5 * std::f64::consts::PI;
+
+/// The arc from `from` to `to` about `center`, or why a controller would refuse it (found, allowed).
+///
+/// Rounded words never give two equal radii. Controllers spread the difference along the arc; here the arc
+/// passes through both ends and turns by the angle that they are apart seen from `center`. Up to 90 degrees
+/// both agree to a fortieth of the difference, however short the chord. Near full circles, where the chord hardly
+/// determines the radius, the mean radius is taken.
+pub(super) fn arc(
+    from: Point,
+    to: Point,
+    center: Point,
+    ccw: bool,
+    tolerance: &ArcTolerance,
+) -> Result<Arc, (String, String)> {
+    let (r1, r2) = (center.distance(from), center.distance(to));
+    let difference = (r1 - r2).abs();
+    let allowed = tolerance.free.max((tolerance.relative * r1.max(r2)).min(tolerance.limit));
+    if difference > allowed || r1 <= 0.0 || r2 <= 0.0 {
+        let found = format!("radius {r1:.4} mm at the start, {r2:.4} mm at the end");
+        return Err((found, format!("radii > 0 that differ by at most {allowed:.4} mm")));
+    }
+    let (u, v) = (from - center, to - center);
+    let sign = if ccw { 1.0 } else { -1.0 };
+    let turn = sign * libm::atan2(u.cross(v), u.dot(v));
+    let sweep = sign * if turn < FULL_CIRCLE { (turn + TAU).min(TAU) } else { turn };
+    let chordal =
+        Arc::from_bulge(from, to, libm::tan(sweep / 4.0)).filter(|_| sweep.abs() <= LARGEST_CHORDAL);
+    Ok(chordal.unwrap_or_else(|| Arc::new(center, 0.5 * (r1 + r2), u.angle(), sweep)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verify::read::gcode::Dialect;
+
+    fn round(p: Point) -> Point {
+        Point::new((p.x * 1e3).round() / 1e3, (p.y * 1e3).round() / 1e3)
+    }
+
+    #[test]
+    fn any_turn_and_size_both_ways() {
+        for radius in [0.01, 0.5, 30.0, 2000.0] {
+            for degrees in [5.0_f64, 90.0, 170.0, 180.0, 190.0, 355.0] {
+                for sign in [1.0, -1.0] {
+                    let exact = Arc::new(Point::new(7.0, -3.0), radius, 0.7, sign * degrees.to_radians());
+                    let found =
+                        arc(exact.start(), exact.end(), exact.center, sign > 0.0, &Dialect::GENERIC.arcs)
+                            .unwrap();
+                    assert!((found.sweep - exact.sweep).abs() < 1e-9, "{radius} {degrees}: {found:?}");
+                    assert!((found.radius - radius).abs() < 1e-9 * radius.max(1.0));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn rounded_ends_stay_ends() {
+        for degrees in [0.02_f64, 0.2, 30.0, 89.0, 180.0, 260.0] {
+            let exact = Arc::new(Point::new(7.1234, -3.4321), 30.0, 0.7, degrees.to_radians());
+            let (from, to) = (round(exact.start()), round(exact.end()));
+            let found = arc(from, to, round(exact.center), true, &Dialect::GENERIC.arcs).unwrap();
+            assert!(found.start().distance(from) < 1e-9 && found.end().distance(to) < 1e-9, "{degrees}");
+            let middle = exact.at_angle(exact.start_angle + 0.5 * exact.sweep);
+            let off = found.at_angle(found.start_angle + 0.5 * found.sweep).distance(middle);
+            assert!(off < 0.0015, "{degrees}: {off}");
+        }
+    }
+
+    #[test]
+    fn full_circle_and_refusals() {
+        let p = Point::new(1.0, 0.0);
+        let circle = arc(p, p, Point::ORIGIN, false, &Dialect::GENERIC.arcs).unwrap();
+        assert_eq!(circle.sweep, -TAU);
+        let off = |dx: f64| arc(p, Point::new(0.0, 1.0 + dx), Point::ORIGIN, true, &Dialect::GENERIC.arcs);
+        assert!(off(0.0049).is_ok() && off(0.0051).is_err());
+        assert!(arc(p, p, p, true, &Dialect::GENERIC.arcs).is_err());
+        let far = Point::new(100.0, 0.0);
+        let big = |d: f64| arc(far, Point::new(0.0, 100.0 + d), Point::ORIGIN, true, &Dialect::GENERIC.arcs);
+        assert!(big(0.027).is_ok() && big(0.029).is_err());
+    }
+}

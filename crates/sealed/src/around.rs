@@ -1,0 +1,315 @@
+//! From a sketch to a sealed shape: the drawing is mended, seams run half a band outside the air's edges, the cut outside of the bands.
+
+use crate::AirSide;
+use crate::air::{Air, Boundary, Wall, air};
+use crate::bottleneck::{GapCurve, bottlenecks};
+use crate::clean::{NOTHING, Piece, without_doubles};
+use crate::fault::{ShapeCode, quoted};
+use crate::join::{Network, network};
+use crate::loose::{crossings, loose_ends};
+use crate::mouth::{Mouth, cap};
+use crate::notes::{SealingNotes, named};
+use crate::offset::offset_right;
+use crate::ports::{Opening, open_ports};
+use crate::sketch::{Rules, Sketch};
+use geom::{Path, Point, Vec2};
+
+/// A band's centre line before it is a seam.
+#[derive(Clone, Debug)]
+pub(super) struct Line {
+    pub path: Path,
+    /// The names of the drawn curves that it comes from.
+    pub names: Vec<String>,
+    pub kind: LineUse,
+    /// Whether its start and end lie on another band.
+    pub joined: [bool; 2],
+}
+
+/// The purpose of a centre line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum LineUse {
+    /// An open weld that ends in the air.
+    Weld,
+    /// A wall between chambers.
+    Wall,
+    /// The edge of an island.
+    Island,
+    /// The outer edge of the air.
+    Outer,
+}
+
+/// Centre lines, the closed ones before ports open them, the closed edges that the cut follows (with their distance from it),
+/// mouths, and the region that the lines enclose.
+#[derive(Default)]
+pub(super) struct Layout {
+    pub lines: Vec<Line>,
+    pub closed: Vec<Path>,
+    pub edges: Vec<(Path, f64)>,
+    pub mouths: Vec<Mouth>,
+    pub air: AirSide,
+}
+
+/// The centre lines of the bands around the drawn air. Empty where the drawing has faults.
+pub(super) fn around_air(
+    sketch: &Sketch,
+    rules: &Rules,
+    taken: &mut Vec<usize>,
+    notes: &mut SealingNotes,
+) -> Layout {
+    let (mut pieces, mut edges, names) = notes.mended(&sketch.air, rules.join);
+    let mut mouths = caps(sketch, rules, &edges, &mut pieces);
+    if !mouths.is_empty() {
+        edges = network(&pieces, rules.join);
+        taken.extend(mouths.iter().map(|mouth| mouth.port));
+    }
+    let before = notes.faults.len();
+    let weld = "close it, or put it on a layer of seams if it is a weld that ends in the air";
+    loose_ends((&pieces, &edges), &names, rules.join, weld, notes);
+    crossings(&edges, &names, rules.join, notes);
+    if notes.faults.len() > before {
+        return Layout::default();
+    }
+    let drawn = sketch.air.iter().enumerate();
+    let rings: Vec<(usize, &Path)> =
+        drawn.filter(|(_, drawn)| drawn.path.closed).map(|(i, drawn)| (i, &drawn.path)).collect();
+    let mut air = air(&edges, &rings, &names, rules.join, &mut notes.faults);
+    let (half, length) = (rules.band / 2.0, rules.band + rules.allowance);
+    let of_air = air.boundaries.iter().map(|boundary| boundary.path.clone()).collect();
+    let outer = air.boundaries.iter_mut().filter(|boundary| boundary.outer);
+    // Perhaps a drawn seam is nearer to a port.
+    let opening = Opening { half: 0.0, length, may_wait: !sketch.seams.is_empty() };
+    let outlines = outer.map(|boundary| &mut boundary.path).collect();
+    open_ports(sketch, rules, &opening, outlines, &mut mouths, taken, notes);
+    necks((&air, &mouths), sketch, rules, &names, notes);
+    if notes.faults.iter().any(|fault| fault.code == ShapeCode::Crowded) {
+        return Layout::default();
+    }
+    let offset = offsets(&air, rules, &names, notes);
+    if notes.faults.len() > before {
+        return Layout::default();
+    }
+    let (boundaries, walls) = one_band_a_wall(offset, &names, rules, notes);
+    // Distances outwards add up: the cut may follow the centre lines where edges were united.
+    let (followed, by) =
+        if walls.is_empty() { (&air.boundaries, length) } else { (&boundaries, length - half) };
+    let outer = followed.iter().filter(|boundary| boundary.outer);
+    let edges = outer.map(|boundary| (boundary.path.clone(), by)).collect();
+    let (mut lines, mut closed) = (Vec::new(), Vec::new());
+    for Boundary { path, sources, outer } in boundaries {
+        closed.push(path.clone());
+        let kind = if outer { LineUse::Outer } else { LineUse::Island };
+        let names = named(&sources, &names);
+        for path in opened(path, &mouths, rules, half) {
+            lines.push(Line { path, names: names.clone(), kind, joined: [false; 2] });
+        }
+    }
+    let drawn: Vec<Wall> = air.walls.into_iter().map(|wall| lengthened(wall, half)).collect();
+    let side = AirSide {
+        edges: air.boundaries.into_iter().map(|boundary| boundary.path).collect(),
+        closed: of_air,
+        seams: drawn.iter().map(|wall| wall.path.clone()).collect(),
+        ..AirSide::default()
+    };
+    for Wall { path, sources, .. } in drawn.into_iter().chain(walls) {
+        lines.push(Line { path, names: named(&sources, &names), kind: LineUse::Wall, joined: [true; 2] });
+    }
+    Layout { lines, closed, edges, mouths, air: side }
+}
+
+/// Closes the edge over each port that lies between two free ends.
+fn caps(sketch: &Sketch, rules: &Rules, edges: &Network, pieces: &mut Vec<Piece>) -> Vec<Mouth> {
+    let mut free: Vec<(Point, Vec2, usize)> = Vec::new();
+    for (node, edge, which) in edges.free_ends() {
+        let edge = &edges.edges[edge];
+        let path = if which == 0 { edge.path.reversed() } else { edge.path.clone() };
+        let tangent = path.tangent_at(path.length()).unwrap_or(Vec2::new(1.0, 0.0));
+        free.push((edges.nodes[node], tangent, edge.sources[0]));
+    }
+    let mut mouths = Vec::new();
+    for (port, drawn) in sketch.ports.iter().enumerate() {
+        let place = drawn.place.middle();
+        let Some([first, second]) = nearest_two(free.iter().map(|end| end.0.distance(place))) else { break };
+        let [a, b] = [&free[first], &free[second]];
+        let gap = a.0.distance(b.0);
+        // Wider than the hose the mouth leaks, narrower it has no room: both are found by the port's width.
+        let near =
+            a.0.midpoint(b.0).distance(place) <= gap / 2.0 && gap <= 2.0 * rules.port_width + rules.band;
+        if near && gap > rules.join {
+            let (path, mouth) = cap(port, [a.0, b.0], [a.1, b.1], rules.overrun + 1.0);
+            pieces.push(Piece { path, source: a.2 });
+            mouths.push(mouth);
+            let _ = free.remove(first.max(second));
+            let _ = free.remove(first.min(second));
+        }
+    }
+    mouths
+}
+
+/// The numbers of the two least distances, the least first; `None` of fewer than two.
+fn nearest_two(distances: impl Iterator<Item = f64>) -> Option<[usize; 2]> {
+    let mut least = [(f64::INFINITY, usize::MAX); 2];
+    for (number, far) in distances.enumerate() {
+        if far < least[0].0 {
+            least = [(far, number), least[0]];
+        } else if far < least[1].0 {
+            least[1] = (far, number);
+        }
+    }
+    (least[1].1 != usize::MAX).then_some(least.map(|(_, number)| number))
+}
+
+/// Faults where fabric between two edges has no room for their bands.
+fn necks(
+    (air, mouths): (&Air, &[Mouth]),
+    sketch: &Sketch,
+    rules: &Rules,
+    names: &[String],
+    notes: &mut SealingNotes,
+) {
+    let curves: Vec<GapCurve<'_>> =
+        air.boundaries.iter().map(|edge| GapCurve { path: &edge.path, joined: [false; 2] }).collect();
+    let closed = geom::Enclosures::new(air.boundaries.iter().map(|edge| &edge.path));
+    let both = 2.0 * rules.band;
+    for neck in notes.unless_crowded(bottlenecks(&curves, both - 1e-6)) {
+        let in_air = closed.around(neck.middle()).len() % 2 == 1;
+        let is_wall = (neck.width - rules.band).abs() <= rules.join;
+        let in_front = mouths.iter().find(|mouth| mouth.is_in_front(neck.middle(), both));
+        if in_air || is_wall && in_front.is_none() {
+            continue;
+        }
+        let mut sources: Vec<usize> =
+            neck.curves.iter().flat_map(|i| air.boundaries[*i].sources.clone()).collect();
+        sources.dedup();
+        let mut own = named(&sources, names);
+        let near = mouths.iter().filter(|mouth| mouth.is_beside(neck.middle(), both));
+        let name = |mouth: &Mouth| sketch.ports[mouth.port].name.clone();
+        let (ports, front): (Vec<String>, _) = (near.map(name).collect(), in_front.map(name));
+        let told = if ports.len() > 1 {
+            let place = format!("between the channels of ports {}", quoted(&ports));
+            Some((place, ports, rules.ports_apart()))
+        } else {
+            let place = |port: &str| format!("in front of the channel of port '{port}'");
+            front.map(|port| (place(&port), vec![port], rules.room_in_front()))
+        };
+        if let Some((place, ports, remedy)) = told {
+            own.extend(ports);
+            let text = (format!("{:.3} mm of fabric {place}", neck.width), remedy);
+            notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), text, [neck.width, both]);
+            continue;
+        }
+        let fabric = format!("{:.3} mm of fabric between edges of {}", neck.width, quoted(&own));
+        let what = format!("{fabric} are too narrow for two bands");
+        let [a, b] = neck.curves;
+        let apart = a != b && air.boundaries[a].outer && air.boundaries[b].outer;
+        let cut = if apart && sketch.cuts.is_empty() { ", with a drawn cut around both" } else { "" };
+        let remedy = format!(
+            "make it {} mm, for a wall that is sealed once, or at least {both} mm, for two bands{cut}",
+            rules.band
+        );
+        notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), (what, remedy), [neck.width, both]);
+    }
+}
+
+/// The centre lines of the boundaries' bands.
+fn offsets(air: &Air, rules: &Rules, names: &[String], notes: &mut SealingNotes) -> Vec<Boundary> {
+    let (half, both) = (rules.band / 2.0, 2.0 * rules.band);
+    let mut lines = Vec::new();
+    for Boundary { path, sources, outer } in &air.boundaries {
+        let own = named(sources, names);
+        let place = path.start().unwrap_or(Point::ORIGIN);
+        let loops = offset_right(path, half);
+        let same_turn = loops.iter().filter(|line| (line.area() > 0.0) == *outer).count();
+        match loops.as_slice() {
+            [one] if same_turn == 1 => {
+                lines.push(Boundary { path: one.clone(), sources: sources.clone(), outer: *outer });
+            }
+            [] => {
+                let bounds = path.bounds();
+                let size = bounds.width().min(bounds.height());
+                let what = format!("island {} of {size:.3} mm has no room for a band around", quoted(&own));
+                let remedy = format!("make it at least {both} mm wide, or draw a seam along its middle");
+                notes.fault(ShapeCode::NoRoom, &own, bounds.center(), (what, remedy), [size, both]);
+            }
+            _ => {
+                let known = notes.faults.iter().any(|fault| {
+                    fault.code == ShapeCode::BandsOverlap && fault.names.iter().any(|name| own.contains(name))
+                });
+                if !known {
+                    let what = format!("the band along {} falls into {} loops", quoted(&own), loops.len());
+                    let text = (what, "make the fabric between its edges wider");
+                    notes.fault(ShapeCode::BandsOverlap, &own, place, text, [f64::NAN, both]);
+                }
+            }
+        }
+    }
+    lines
+}
+
+/// Boundaries and walls where two bands lie on each other: that stretch is one wall.
+fn one_band_a_wall(
+    offset: Vec<Boundary>,
+    names: &[String],
+    rules: &Rules,
+    notes: &mut SealingNotes,
+) -> (Vec<Boundary>, Vec<Wall>) {
+    let closed: Vec<(usize, &Path)> = offset.iter().map(|boundary| &boundary.path).enumerate().collect();
+    let pieces = closed.iter().map(|(source, path)| Piece { path: (*path).clone(), source: *source });
+    let (pieces, doubled) = notes.unless_crowded(without_doubles(pieces.collect(), rules.join));
+    if doubled.is_empty() {
+        return (offset, Vec::new());
+    }
+    let network = network(&pieces, 2.0 * rules.join);
+    let own: Vec<String> = offset.iter().map(|boundary| named(&boundary.sources, names).join("+")).collect();
+    let found = air(&network, &closed, &own, rules.join, &mut notes.faults);
+    let back = |sources: Vec<usize>| {
+        let mut all: Vec<usize> = sources.iter().flat_map(|source| offset[*source].sources.clone()).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    };
+    let Air { boundaries, walls } = found;
+    let boundaries = boundaries.into_iter().map(|edge| Boundary { sources: back(edge.sources), ..edge });
+    let walls = walls.into_iter().map(|wall| Wall { sources: back(wall.sources), ..wall });
+    (boundaries.collect(), walls.collect())
+}
+
+/// A wall that ends on an edge goes on to the centre line of the band along that edge.
+fn lengthened(wall: Wall, by: f64) -> Wall {
+    let mut segments = wall.path.segments.clone();
+    let (Some(start), Some(end)) = (wall.path.start(), wall.path.end()) else { return wall };
+    let length = wall.path.length();
+    let line = |a: Point, b: Point| geom::Line::new(a, b).into();
+    if let (true, Some(tangent)) = (wall.on_boundary[0], wall.path.tangent_at(0.0)) {
+        segments.insert(0, line(start - tangent * by, start));
+    }
+    if let (true, Some(tangent)) = (wall.on_boundary[1], wall.path.tangent_at(length)) {
+        segments.push(line(end, end + tangent * by));
+    }
+    let path = crate::offset::merged(&Path { segments, closed: wall.path.closed });
+    Wall { path, ..wall }
+}
+
+/// The closed centre line `path` without the parts past its mouths, `half` mm outside the air's edges.
+pub(super) fn opened(path: Path, mouths: &[Mouth], rules: &Rules, half: f64) -> Vec<Path> {
+    let around = path.bounds().grown(1e-6);
+    let mut parts = vec![path];
+    for mouth in mouths {
+        let across = mouth.half + half;
+        let sides = [across, -across].map(|side| mouth.point(rules.overrun, side));
+        if !sides.iter().all(|side| around.contains(*side)) {
+            continue;
+        }
+        let on = |path: &Path| sides.iter().all(|side| path.distance(*side) < 1e-6);
+        let Some(at) = parts.iter().position(on) else { continue };
+        let part = parts.swap_remove(at);
+        if part.closed {
+            parts.extend(mouth.open(&part, rules.overrun, across));
+            continue;
+        }
+        let [a, b] = sides.map(|side| part.nearest(side).map_or(0.0, |nearest| nearest.s));
+        parts.push(part.part(0.0, a.min(b)));
+        parts.push(part.part(a.max(b), part.length()));
+    }
+    parts.retain(|path| path.length() > NOTHING);
+    parts
+}

@@ -1,0 +1,293 @@
+//! **Bottlenecks** of curves: places where two stretches come nearest to each other, exactly.
+//!
+//! A pair of points p, q is a bottleneck if no neighbour of p on its curve is nearer to q, and no neighbour of q nearer to p: the line
+//! between them is normal to both curves, or within the cone of normals of a corner or an end.
+
+use std::collections::BTreeMap;
+
+use crate::clean::{Crowd, quarters};
+use geom::{Arc, BoxIndex, Line, Path, Point, Segment, Vec2, intersections};
+
+/// Directions closer to a right angle than this are right, rad.
+const RIGHT: f64 = 1e-7;
+/// Points nearer than this are one, mm.
+const ONE: f64 = 1e-7;
+
+/// Widths that differ by less are alike, mm.
+const ALIKE: f64 = 1e-6;
+/// Distance, mm, within which only one of several bottlenecks of the same curves is reported.
+const APART: f64 = 50.0;
+/// Pairs of stretches that are compared at most: a hundred thousand of them with a thousand others within reach of each.
+const MOST_PAIRS: usize = 100_000_000;
+
+/// The nearest points of two stretches.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bottleneck {
+    /// The numbers of the curves.
+    pub curves: [usize; 2],
+    /// A point on each.
+    pub points: [Point; 2],
+    /// The distance between the points, mm.
+    pub width: f64,
+    /// Whether a point is a corner or an end.
+    at_corner: bool,
+}
+
+impl Bottleneck {
+    /// The middle of it.
+    pub(super) fn middle(&self) -> Point {
+        self.points[0].midpoint(self.points[1])
+    }
+}
+
+/// A curve, and whether its start and end are joined to others, so that they do not count as ends.
+pub(super) struct GapCurve<'a> {
+    pub path: &'a Path,
+    pub joined: [bool; 2],
+}
+
+/// A quarter turn at most, or a line, with its beginning (and the end of an open curve) as corners.
+struct CurvePart {
+    curve: usize,
+    /// Number of the part in its curve.
+    at: usize,
+    segment: Segment,
+    ends: [Point; 2],
+    middle: Point,
+    half: f64,
+    tangent: Vec2,
+    /// Sine of how far tangents in it and at its corners turn from `tangent`.
+    turn: f64,
+    corners: Vec<TurnPoint>,
+}
+
+struct TurnPoint {
+    at: Point,
+    arriving: Option<Vec2>,
+    leaving: Option<Vec2>,
+    bends: [Option<Arc>; 2],
+}
+
+/// The bottlenecks of `curves` narrower than `limit` mm that no other curve passes through, the narrowest first; of those of the same
+/// curves near to each other only the narrowest.
+///
+/// # Errors
+/// If more than [`MOST_PAIRS`] stretches would have to be compared.
+pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bottleneck>, Crowd> {
+    let mut parts = Vec::new();
+    let mut counts = Vec::new();
+    for (number, curve) in curves.iter().enumerate() {
+        let before = parts.len();
+        add_parts(&mut parts, number, curve);
+        counts.push(parts.len() - before);
+    }
+    let index = BoxIndex::new(parts.iter().map(|part| part.segment.bounds_of(part.ends)));
+    let mut found: Vec<Bottleneck> = Vec::new();
+    let mut compared = 0;
+    for (i, a) in parts.iter().enumerate() {
+        if compared > MOST_PAIRS {
+            return Err(Crowd(a.middle));
+        }
+        index.visit(&a.segment.bounds_of(a.ends).grown(limit), |j| {
+            compared += 1;
+            if j <= i || !may_face(a, &parts[j], limit) {
+                return;
+            }
+            let b = &parts[j];
+            let steps = b.at.abs_diff(a.at);
+            let round = curves[a.curve].path.closed && steps + 1 == counts[a.curve];
+            if a.curve == b.curve && (steps <= 1 || round) {
+                return;
+            }
+            pairs(a, b, &mut |p, q, at_corner| {
+                let width = p.distance(q);
+                if width < limit && width > ONE {
+                    found.push(Bottleneck { curves: [a.curve, b.curve], points: [p, q], width, at_corner });
+                }
+            });
+        });
+    }
+    found.sort_by(|a, b| {
+        let (p, q) = (a.points[0], b.points[0]);
+        // At equal widths, those inside segments come first: they are in the middle of the narrow part.
+        let width = (a.width / ALIKE).round().total_cmp(&(b.width / ALIKE).round());
+        let place = || p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
+        width.then(a.at_corner.cmp(&b.at_corner)).then(a.curves.cmp(&b.curves)).then_with(place)
+    });
+    let mut kept: Vec<Bottleneck> = Vec::new();
+    let mut of_curves: BTreeMap<[usize; 2], Vec<Point>> = BTreeMap::new();
+    for bottleneck in found {
+        let middle = bottleneck.middle();
+        let known = of_curves.entry(bottleneck.curves).or_default();
+        let is_far = known.iter().all(|other| other.distance(middle) > APART);
+        if is_far && is_clear(&parts, &index, &bottleneck) {
+            known.push(middle);
+            kept.push(bottleneck);
+        }
+    }
+    Ok(kept)
+}
+
+fn add_parts(parts: &mut Vec<CurvePart>, curve: usize, GapCurve { path, joined }: &GapCurve<'_>) {
+    let pieces: Vec<Segment> = path.segments.iter().flat_map(quarters).map(|(part, ..)| part).collect();
+    let count = pieces.len();
+    let arc = |segment: &Segment| if let Segment::Arc(arc) = segment { Some(*arc) } else { None };
+    for (at, segment) in pieces.iter().enumerate() {
+        let before = if at > 0 { Some(at - 1) } else { path.closed.then_some(count - 1) };
+        let before = before.map(|before| &pieces[before]);
+        let ends = [segment.start(), segment.end()];
+        let mut corners = Vec::new();
+        if before.is_some() || !joined[0] {
+            corners.push(TurnPoint {
+                at: ends[0],
+                arriving: before.map(|before| before.tangent(1.0)),
+                leaving: Some(segment.tangent(0.0)),
+                bends: [before.and_then(arc), arc(segment)],
+            });
+        }
+        if at + 1 == count && !path.closed && !joined[1] {
+            let arriving = Some(segment.tangent(1.0));
+            corners.push(TurnPoint { at: ends[1], arriving, leaving: None, bends: [arc(segment), None] });
+        }
+        let tangent = segment.tangent(0.5);
+        let sides = corners.iter().flat_map(|corner| [corner.arriving, corner.leaving]);
+        let sides = sides.flatten().chain([segment.tangent(0.0), segment.tangent(1.0)]);
+        let cosine = sides.map(|side| side.dot(tangent)).fold(1.0, f64::min);
+        let at_end = corners.iter().any(|corner| corner.arriving.is_none() || corner.leaving.is_none());
+        let turn = if at_end || cosine <= 0.0 { 1.0 } else { (1.0 - cosine * cosine).max(0.0).sqrt() };
+        let (middle, half) = (segment.point(0.5), segment.length() / 2.0);
+        parts.push(CurvePart { curve, at, segment: *segment, ends, middle, half, tangent, turn, corners });
+    }
+}
+
+/// Whether a line shorter than `limit` that is normal to both can exist; may be wrongly true, never wrongly false.
+fn may_face(a: &CurvePart, b: &CurvePart, limit: f64) -> bool {
+    let way = b.middle - a.middle;
+    let (length, reach) = (way.length(), a.half + b.half);
+    let off = |part: &CurvePart| way.dot(part.tangent).abs() <= (length + reach) * part.turn + reach + ONE;
+    length <= limit + reach && off(a) && off(b)
+}
+
+fn pairs(a: &CurvePart, b: &CurvePart, see: &mut impl FnMut(Point, Point, bool)) {
+    inner_pairs(&a.segment, &b.segment, &mut |p, q| see(p, q, false));
+    for corner in &a.corners {
+        if let Some(q) = foot(&b.segment, corner.at).filter(|q| corner.faces(*q)) {
+            see(corner.at, q, true);
+        }
+        for other in &b.corners {
+            if corner.faces(other.at) && other.faces(corner.at) {
+                see(corner.at, other.at, true);
+            }
+        }
+    }
+    for corner in &b.corners {
+        if let Some(p) = foot(&a.segment, corner.at).filter(|p| corner.faces(*p)) {
+            see(p, corner.at, true);
+        }
+    }
+}
+
+impl TurnPoint {
+    /// Whether no neighbour of the corner is nearer to `q`.
+    fn faces(&self, q: Point) -> bool {
+        let way = (q - self.at).normalized();
+        let near = |along: f64, bend: &Option<Arc>| {
+            along < -RIGHT || (along <= RIGHT && bend.is_none_or(|arc| is_least(&arc, self.at, q)))
+        };
+        self.leaving.is_none_or(|tangent| near(way.dot(tangent), &self.bends[1]))
+            && self.arriving.is_none_or(|tangent| near(-way.dot(tangent), &self.bends[0]))
+    }
+}
+
+/// Whether the point `p` of an arc, on a normal to `q`, is nearer to `q` than its neighbours.
+fn is_least(arc: &Arc, p: Point, q: Point) -> bool {
+    let inwards = (arc.center - p).dot(q - p) > 0.0;
+    !inwards || p.distance(q) <= arc.radius * (1.0 + 1e-9)
+}
+
+/// The nearest point to `p` inside a segment.
+fn foot(segment: &Segment, p: Point) -> Option<Point> {
+    match segment {
+        Segment::Line(line) => inside_line(line, p),
+        Segment::Arc(arc) => on_arc(arc, p - arc.center).filter(|q| is_least(arc, *q, p)),
+    }
+}
+
+/// The foot of `p` inside a line.
+fn inside_line(line: &Line, p: Point) -> Option<Point> {
+    let t = line.nearest_fraction(p);
+    (t > 0.0 && t < 1.0).then(|| line.start.lerp(line.end, t))
+}
+
+/// The point of an arc in the direction `way` from its centre.
+fn on_arc(arc: &Arc, way: Vec2) -> Option<Point> {
+    if way.length() <= 1e-12 * arc.radius {
+        return None;
+    }
+    let _ = arc.fraction_of(way.angle(), 0.0)?;
+    Some(arc.center + way.normalized() * arc.radius)
+}
+
+/// The pairs inside both segments.
+fn inner_pairs(a: &Segment, b: &Segment, see: &mut impl FnMut(Point, Point)) {
+    match (a, b) {
+        (Segment::Line(p), Segment::Line(q)) => {
+            if p.direction().cross(q.direction()).abs() > RIGHT {
+                return;
+            }
+            let (t, u) = (p.nearest_fraction(q.start), p.nearest_fraction(q.end));
+            if (t - u).abs() * p.length() > ONE {
+                let at = p.start.lerp(p.end, f64::midpoint(t, u));
+                see(at, q.start.lerp(q.end, q.nearest_fraction(at)));
+            }
+        }
+        (Segment::Line(line), Segment::Arc(arc)) => line_arc(line, arc, see),
+        (Segment::Arc(arc), Segment::Line(line)) => line_arc(line, arc, &mut |p, q| see(q, p)),
+        (Segment::Arc(p), Segment::Arc(q)) => arc_arc(p, q, see),
+    }
+}
+
+fn line_arc(line: &Line, arc: &Arc, see: &mut impl FnMut(Point, Point)) {
+    let Some(foot) = inside_line(line, arc.center) else { return };
+    let mut normal = foot - arc.center;
+    if normal.length() <= ONE {
+        normal = line.direction().perp();
+    }
+    for way in [normal, -normal] {
+        if let Some(q) = on_arc(arc, way).filter(|q| is_least(arc, *q, foot)) {
+            see(foot, q);
+        }
+    }
+}
+
+fn arc_arc(a: &Arc, b: &Arc, see: &mut impl FnMut(Point, Point)) {
+    let way = b.center - a.center;
+    if way.length() <= ONE {
+        // Along circles around one centre all widths are alike: the middle of the facing part.
+        let ends = [b.start(), b.at_angle(b.start_angle + b.sweep / 2.0), b.end()];
+        if let Some(p) = ends.iter().find_map(|end| on_arc(a, *end - a.center))
+            && let Some(q) = on_arc(b, p - b.center)
+        {
+            see(p, q);
+        }
+        return;
+    }
+    for p in [way, -way].into_iter().filter_map(|way| on_arc(a, way)) {
+        for q in [way, -way].into_iter().filter_map(|way| on_arc(b, way)) {
+            if is_least(a, p, q) && is_least(b, q, p) {
+                see(p, q);
+            }
+        }
+    }
+}
+
+/// Whether no curve passes between the points of a bottleneck.
+fn is_clear(parts: &[CurvePart], index: &BoxIndex, bottleneck: &Bottleneck) -> bool {
+    let [p, q] = bottleneck.points;
+    let line = Segment::Line(Line::new(p.lerp(q, 1e-6), q.lerp(p, 1e-6)));
+    let mut clear = true;
+    index.visit(&line.bounds(), |i| {
+        clear = clear && intersections(&parts[i].segment, &line).is_empty();
+    });
+    clear
+}

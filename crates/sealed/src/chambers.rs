@@ -1,0 +1,290 @@
+//! Chambers and leaks, from the curves alone.
+//!
+//! Every boundary is a closed curve, an open one whose ends ports join to a **ring**, or a **wall**: an open one that ends on other bands.
+//! The curves part the plane into faces. Air reaches those that an odd number of rings lies around: each is a chamber, and the rings right
+//! inside it are its islands. All that keeps the curves from doing so is a leak.
+
+use crate::air::beside;
+use crate::clean::Piece;
+use crate::faces::{walk_path, walks};
+use crate::join::{Network, network};
+use crate::joints::{Joints, MouthEnds, meetings};
+use crate::leak::Leak;
+use crate::{Role, SealedShape};
+use geom::{Enclosures, Line, Path, Point};
+
+/// Gaps below this are rounding, mm.
+const GAP: f64 = 1e-9;
+/// Slack of a port's width, mm.
+const SLACK: f64 = 1e-6;
+
+/// A region that air can reach. Seams and ports are counted from 0 in the shape.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Chamber {
+    /// The seam around it: of several the first.
+    pub outside: usize,
+    /// The seams of its islands.
+    pub islands: Vec<usize>,
+    /// The ports into it.
+    pub ports: Vec<usize>,
+}
+
+/// The chambers of a shape, and its leaks. The chambers are right only where there are no leaks.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Topology {
+    /// The chambers.
+    pub chambers: Vec<Chamber>,
+    /// A point in each chamber.
+    pub insides: Vec<Point>,
+    /// The leaks, seam by seam, then port by port.
+    pub leaks: Vec<Leak>,
+}
+
+impl SealedShape {
+    /// Its chambers and its leaks.
+    pub fn topology(&self) -> Topology {
+        let joints = Joints::of(self);
+        let meetings = meetings(self, &joints);
+        let mut leaks = Vec::new();
+        for (i, seam) in self.seams.iter().enumerate() {
+            let path = &seam.center_line;
+            if path.largest_gap() > GAP {
+                leaks.push(Leak::Gap(i, path.largest_gap()));
+            }
+            leaks.extend(meetings.range([i, 0]..[i + 1, 0]).map(|(&[a, b], places)| {
+                let places = places.clone();
+                if a == b { Leak::CrossesItself(a, places) } else { Leak::Cross([a, b], places) }
+            }));
+            let ends = path.start().zip(path.end());
+            if let (Role::Boundary, false, Some((start, end))) = (seam.role, path.closed, ends) {
+                // Ends that only touch each other are sealed nowhere twice.
+                if start.distance(end) <= SLACK || !joints.is_shut(i, 0) {
+                    leaks.push(Leak::Open(i, [start, end]));
+                } else if !joints.is_shut(i, 1) {
+                    leaks.push(Leak::Open(i, [end, start]));
+                }
+            }
+        }
+        for (i, port) in self.ports.iter().enumerate() {
+            match joints.width(self, i) {
+                None => leaks.push(Leak::SealedPort(i)),
+                Some(width) if width < port.width - SLACK => leaks.push(Leak::NarrowPort(i, width)),
+                Some(_) => {}
+            }
+        }
+        let mut found = self.chambers(&joints);
+        found.sort_by_key(|(chamber, _)| chamber.outside);
+        let (chambers, insides) = found.into_iter().unzip();
+        Topology { chambers, insides, leaks }
+    }
+
+    /// The width between the bands at port number `port`, mm; `None` if it is sealed.
+    pub fn port_width(&self, port: usize) -> Option<f64> {
+        Joints::of(self).width(self, port)
+    }
+
+    /// The chambers, and a point in each.
+    fn chambers(&self, joints: &Joints) -> Vec<(Chamber, Point)> {
+        let count = self.seams.len();
+        let mouth =
+            |mouth: &MouthEnds| Piece { path: Path::through(&mouth.ends), source: count + mouth.port };
+        let mut pieces: Vec<Piece> = joints.mouths.iter().map(mouth).collect();
+        let boundaries = self.seams.iter().enumerate().filter(|(_, seam)| seam.role == Role::Boundary);
+        pieces.extend(boundaries.map(|(source, seam)| Piece { path: seam.center_line.clone(), source }));
+        let is_ring = |piece: &&Piece| joints.joined.get(piece.source) != Some(&[true; 2]);
+        let ring_pieces: Vec<Piece> = pieces.iter().filter(is_ring).cloned().collect();
+        // Ends of rings and mouths are the same points.
+        let rings = network(&ring_pieces, SLACK);
+        // An open ring is a leak; its chamber closes where its ends do.
+        let rings: Vec<(Path, Vec<usize>)> = rings
+            .edges
+            .into_iter()
+            .map(|edge| {
+                let mut segments = edge.path.segments;
+                if let (Some(_), Some(first), Some(last)) = (edge.nodes, segments.first(), segments.last()) {
+                    segments.push(Line::new(last.end(), first.start()).into());
+                }
+                (Path::closed(segments), edge.sources)
+            })
+            .collect();
+        let faces = faces(&network(&pieces, self.band / 2.0 + SLACK));
+        chambers(&rings, &faces, count)
+    }
+}
+
+/// A face: its edge, the numbers of the curves along it, and a point in it.
+struct Face {
+    path: Path,
+    sources: Vec<usize>,
+    inside: Point,
+}
+
+/// The bounded faces of a network.
+fn faces(network: &Network) -> Vec<Face> {
+    let mut faces = Vec::new();
+    let mut meeting: Vec<(&Path, [usize; 2])> = Vec::new();
+    let mut sources: Vec<&[usize]> = Vec::new();
+    for edge in &network.edges {
+        if let Some(nodes) = edge.nodes {
+            meeting.push((&edge.path, nodes));
+            sources.push(&edge.sources);
+        } else {
+            let (_, [left, right]) = beside(&edge.path, 1e-6);
+            let inside = if edge.path.area() > 0.0 { left } else { right };
+            faces.push(Face { path: edge.path.clone(), sources: edge.sources.clone(), inside });
+        }
+    }
+    for walk in walks(&meeting) {
+        let path = walk_path(&meeting, &walk);
+        if path.area() <= 1e-9 {
+            continue;
+        }
+        let (_, [inside, _]) = beside(&path, 1e-6);
+        let mut own: Vec<usize> = walk.iter().flat_map(|(number, _)| sources[*number].to_vec()).collect();
+        own.sort_unstable();
+        own.dedup();
+        faces.push(Face { path, sources: own, inside });
+    }
+    faces
+}
+
+/// The faces with air, their rings counted among the first `count` curves, ports after them.
+fn chambers(rings: &[(Path, Vec<usize>)], faces: &[Face], count: usize) -> Vec<(Chamber, Point)> {
+    let ring_around = Enclosures::new(rings.iter().map(|(path, _)| path));
+    let face_around = Enclosures::new(faces.iter().map(|face| &face.path));
+    let areas: Vec<f64> = faces.iter().map(|face| face.path.area().abs()).collect();
+    let innermost =
+        |p: Point| face_around.around(p).into_iter().min_by(|a, b| areas[*a].total_cmp(&areas[*b]));
+    let first = |ring: usize| rings[ring].1.iter().copied().find(|source| *source < count);
+    // The rings around each ring, and the face that it lies in.
+    let mut depth = Vec::with_capacity(rings.len());
+    let mut within: Vec<Vec<usize>> = vec![Vec::new(); faces.len()];
+    for (number, (path, _)) in rings.iter().enumerate() {
+        let (_, [left, right]) = beside(path, 1e-6);
+        let outside = if path.area() > 0.0 { right } else { left };
+        depth.push(ring_around.around(outside).len());
+        if let Some(face) = innermost(outside) {
+            within[face].push(number);
+        }
+    }
+    let chamber = |(number, face): (usize, &Face)| {
+        let around = ring_around.around(face.inside);
+        if around.len().is_multiple_of(2) {
+            return None;
+        }
+        let outside = around.iter().copied().max_by_key(|ring| depth[*ring]).and_then(first)?;
+        let mut islands: Vec<usize> = within[number].iter().filter_map(|ring| first(*ring)).collect();
+        islands.sort_unstable();
+        let ports =
+            face.sources.iter().filter(|source| **source >= count).map(|source| source - count).collect();
+        Some((Chamber { outside, islands, ports }, face.inside))
+    };
+    faces.iter().enumerate().filter_map(chamber).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+    use crate::{Port, Seam};
+    use geom::Arc;
+
+    fn circle(x: f64, radius: f64) -> Path {
+        Path::closed(vec![Arc::new(Point::new(x, 0.0), radius, 0.0, TAU).into()])
+    }
+
+    /// Around (x, 0), open on +X by `mouth` mm between its ends.
+    fn opened(x: f64, radius: f64, mouth: f64) -> Path {
+        let half = (mouth / 2.0 / radius).asin();
+        Path::open(vec![Arc::new(Point::new(x, 0.0), radius, half, TAU - 2.0 * half).into()])
+    }
+
+    fn shape(lines: Vec<Path>, ports: Vec<Port>) -> SealedShape {
+        let seam =
+            |center_line| Seam { name: String::new(), role: Role::Boundary, center_line, overlap: 5.0 };
+        SealedShape { seams: lines.into_iter().map(seam).collect(), band: 2.0, cut: None, ports }
+    }
+
+    fn port(x: f64, width: f64) -> Port {
+        Port { at: Point::new(x, 0.0), width }
+    }
+
+    #[test]
+    fn nested_curves_are_chambers_with_islands() {
+        // A ring with a port and an island; in the island a chamber of its own; beside them one more.
+        let lines = vec![opened(0.0, 50.0, 10.0), circle(0.0, 30.0), circle(0.0, 20.0), circle(200.0, 9.0)];
+        let found = shape(lines, vec![port(50.0, 6.0)]).topology();
+        assert_eq!(found.leaks, []);
+        let chamber = |outside, islands: &[usize], ports: &[usize]| Chamber {
+            outside,
+            islands: islands.to_vec(),
+            ports: ports.to_vec(),
+        };
+        assert_eq!(found.chambers, [chamber(0, &[1], &[0]), chamber(2, &[], &[]), chamber(3, &[], &[])]);
+    }
+
+    #[test]
+    fn every_way_out_is_a_leak_with_its_place() {
+        let leaks = |lines, ports| shape(lines, ports).topology().leaks;
+        assert!(matches!(leaks(vec![opened(0.0, 50.0, 10.0)], vec![])[..], [Leak::Open(0, _)]));
+        let touching = Path::open(circle(0.0, 50.0).segments);
+        assert!(matches!(leaks(vec![touching], vec![])[..], [Leak::Open(0, _)]));
+        assert_eq!(leaks(vec![circle(0.0, 50.0)], vec![port(50.0, 6.0)]), [Leak::SealedPort(0)]);
+        let narrow = leaks(vec![opened(0.0, 50.0, 7.0)], vec![port(50.0, 6.0)]);
+        let [Leak::NarrowPort(0, width)] = narrow[..] else { panic!("{narrow:?}") };
+        assert!((width - 5.0).abs() < 1e-9);
+        let crossed = leaks(vec![circle(0.0, 50.0), circle(60.0, 50.0)], vec![]);
+        let [Leak::Cross([0, 1], places)] = &crossed[..] else { panic!("{crossed:?}") };
+        assert!(places.len() == 2 && places.iter().all(|place| (place.x - 30.0).abs() < 1e-9));
+        let p = |x: f64, y: f64| Point::new(x, y);
+        let eight = [p(0.0, 0.0), p(10.0, 10.0), p(10.0, 0.0), p(0.0, 10.0), p(0.0, 0.0)];
+        let eight = Path::closed(eight.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect());
+        assert_eq!(leaks(vec![eight], vec![]), [Leak::CrossesItself(0, vec![p(5.0, 5.0)])]);
+        let mut gap = circle(0.0, 50.0);
+        gap.segments[0] = Arc::new(Point::ORIGIN, 50.0, 0.0, TAU - 0.01).into();
+        assert!(matches!(leaks(vec![gap], vec![])[..], [Leak::Gap(0, size)] if (size - 0.5).abs() < 1e-3));
+    }
+
+    fn straight(a: (f64, f64), b: (f64, f64)) -> Path {
+        Path::open(vec![Line::new(Point::new(a.0, a.1), Point::new(b.0, b.1)).into()])
+    }
+
+    /// Walls end on other bands, half a band off their centre lines too; welds end in the air.
+    #[test]
+    fn walls_part_chambers_and_welds_do_not() {
+        let rim = || vec![circle(0.0, 50.0), circle(0.0, 10.0)];
+        let with = |walls: &[Path]| shape([rim(), walls.to_vec()].concat(), vec![]).topology();
+        let left = straight((-49.2, 0.0), (-10.0, 0.0));
+        let right = straight((10.5, 0.0), (50.0, 0.0));
+        let one = with(std::slice::from_ref(&left));
+        assert_eq!((one.leaks.len(), one.chambers.len()), (0, 1));
+        assert_eq!(one.chambers[0].islands, [1]);
+        let two = with(&[left, right]);
+        assert_eq!((two.leaks.len(), two.chambers.len()), (0, 2));
+        assert!(two.insides[0].y * two.insides[1].y < 0.0, "{:?}", two.insides);
+        let loose = with(&[straight((-50.0, 0.0), (-20.0, 0.0))]);
+        assert!(
+            matches!(loose.leaks[..], [Leak::Open(2, [end, _])] if end == Point::new(-20.0, 0.0)),
+            "{loose:?}"
+        );
+        let mut weld = shape([rim(), vec![straight((-50.0, 0.0), (-20.0, 0.0))]].concat(), vec![]);
+        weld.seams[2].role = Role::Weld;
+        assert_eq!((weld.topology().leaks.len(), weld.topology().chambers.len()), (0, 1));
+    }
+
+    /// Two ports cut a rim into two seams: one chamber still.
+    #[test]
+    fn two_ports_open_one_ring() {
+        let half = |from: f64| {
+            let gap = (5.0_f64 / 50.0).asin();
+            Path::open(vec![Arc::new(Point::ORIGIN, 50.0, from + gap, TAU / 2.0 - 2.0 * gap).into()])
+        };
+        let both = shape(vec![half(0.0), half(TAU / 2.0)], vec![port(50.0, 6.0), port(-50.0, 6.0)]);
+        let found = both.topology();
+        assert_eq!(found.leaks, []);
+        assert_eq!(found.chambers, [Chamber { outside: 0, islands: vec![], ports: vec![0, 1] }]);
+        let open = shape(vec![half(0.0), half(TAU / 2.0)], vec![port(50.0, 6.0)]).topology();
+        assert!(open.leaks.iter().all(|leak| matches!(leak, Leak::Open(..))) && open.leaks.len() == 2);
+    }
+}

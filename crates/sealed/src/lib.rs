@@ -1,0 +1,47 @@
+//! Sealed shapes: two equal sheets that are sealed along seams, cut around them, and opened by ports.
+//!
+//! A **seam** is the centre line of a band; a **port** is the opening for a hose; a **chamber** is a region that air can reach
+//! through a port, and a **leak** any other way for it. A **piece** is a sealed shape with a name, and may lie on a sheet.
+//! Nothing here depends on the product of a shape: a product makes shapes, and gives its pieces and seams their names.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))] // the last digits of std differ between systems (clippy.toml)
+
+mod air;
+mod around;
+mod bottleneck;
+mod chambers;
+mod checks;
+mod clean;
+mod drawn_seams;
+mod edge_gaps;
+mod faces;
+mod fault;
+mod hairpins;
+mod holes;
+mod join;
+mod joints;
+mod leak;
+mod loose;
+mod mouth;
+mod name;
+mod notes;
+mod offset;
+mod order;
+mod outline;
+mod ports;
+mod reach;
+mod sealing;
+mod seam;
+mod segments;
+mod separator;
+mod sketch;
+mod unsound;
+
+pub use chambers::{Chamber, Topology};
+pub use fault::{Repair, ShapeCode, ShapeFault, ShapeWarning};
+pub use leak::Leak;
+pub use name::{PieceName, SeamName, scope};
+pub use offset::{of_polyline, offset_right, polyline};
+pub use sealing::{Sealing, sealed_shape};
+pub use seam::{LaidSeam, PlacedPiece, Port, Role, SealedShape, Seam, frame, laid_seams};
+pub use separator::{AirSide, Separator};
+pub use sketch::{DrawnCurve, DrawnPort, PortPlace, Rules, Sketch};

@@ -1,0 +1,94 @@
+//! A sketch as a sealed shape, or all its faults.
+
+use crate::around::{Layout, Line, LineUse, around_air};
+use crate::checks::{checked, sharp_corners};
+use crate::drawn_seams::{drawn_seams, join_ends, lost_ports};
+use crate::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning, quoted};
+use crate::notes::SealingNotes;
+use crate::order::{ordered, seam_names};
+use crate::outline::outline;
+use crate::ports::once;
+use crate::sketch::{Rules, Sketch};
+use crate::unsound::unsound_chambers;
+use crate::{AirSide, Port, Role, SealedShape, Seam};
+use geom::{Path, Point};
+
+/// A sketch that can be sealed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sealing {
+    /// The shape.
+    pub shape: SealedShape,
+    /// The air that the seams enclose.
+    pub air: AirSide,
+    /// Bands within the air: walls and welds, by their centre lines as they are sealed.
+    pub inner: Vec<Path>,
+    /// Closed paths that are cut inside the outline: holes, and drawn cuts inside it.
+    pub holes: Vec<Path>,
+    /// The repairs of the drawing.
+    pub repairs: Vec<Repair>,
+    /// Places that may fail or differ from the drawing.
+    pub warnings: Vec<ShapeWarning>,
+}
+
+/// The sealed shape of a sketch.
+///
+/// # Errors
+/// All faults that were found, each with its place. Faults of single curves hide those of bands.
+pub fn sealed_shape(sketch: &Sketch, rules: &Rules) -> Result<Sealing, Vec<ShapeFault>> {
+    let mut notes = SealingNotes::default();
+    let sketch = &Sketch { ports: once(&sketch.ports, rules.join, &mut notes), ..sketch.clone() };
+    let mut taken = Vec::new();
+    let mut lines = around_air(sketch, rules, &mut taken, &mut notes);
+    drawn_seams(sketch, rules, &mut taken, &mut lines, &mut notes);
+    if notes.faults.is_empty() {
+        lost_ports(sketch, rules, &taken, &mut notes);
+    }
+    if lines.lines.is_empty() && notes.faults.is_empty() {
+        let text = ("no edge of air and no seam is drawn", "give a layer the role air or seam");
+        notes.fault(ShapeCode::Empty, &[], Point::ORIGIN, text, [0.0, 1.0]);
+    }
+    if !notes.faults.is_empty() {
+        return Err(notes.faults);
+    }
+    join_ends(&mut lines.lines, rules.band);
+    let (cut, holes) = outline(sketch, rules, &lines, &mut notes);
+    lines.lines = ordered(lines.lines);
+    checked(&lines, sketch, rules, &mut notes);
+    sharp_corners(&lines, rules, &mut notes);
+    let is_inner = |line: &&Line| matches!(line.kind, LineUse::Weld | LineUse::Wall);
+    let inner = lines.lines.iter().filter(is_inner).map(|line| line.path.clone()).collect();
+    let shape =
+        SealedShape { seams: seams(&lines, rules, &mut notes), band: rules.band, cut, ports: ports(&lines) };
+    unsound_chambers(&shape, &lines, sketch, rules, &mut notes);
+    if !notes.faults.is_empty() {
+        return Err(notes.faults);
+    }
+    let air = AirSide { mouths: lines.mouths, ..lines.air };
+    Ok(Sealing { shape, air, inner, holes, repairs: notes.repairs, warnings: notes.warnings })
+}
+
+fn ports(lines: &Layout) -> Vec<Port> {
+    let mut mouths = lines.mouths.clone();
+    mouths.sort_by_key(|mouth| mouth.port);
+    mouths.iter().map(|mouth| Port { at: mouth.at, width: 2.0 * mouth.half }).collect()
+}
+
+fn seams(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) -> Vec<Seam> {
+    let named = lines.lines.iter().zip(seam_names(&lines.lines));
+    let seam = |(line, name): (&Line, String)| {
+        let closed = line.path.closed;
+        let (length, least) = (line.path.length(), 2.0 * rules.overlap);
+        if closed && length < least {
+            let place = line.path.start().unwrap_or(Point::ORIGIN);
+            let own = quoted(&line.names);
+            let what = format!("the seam of {own} is {length:.3} mm long, shorter than twice its overlap");
+            let most = (length * 500.0).floor() / 1000.0;
+            let text = (what, format!("make the overlap at most {most:.3} mm"));
+            notes.fault(ShapeCode::ShortSeam, &line.names, place, text, [length, least]);
+        }
+        let role = if line.kind == LineUse::Weld { Role::Weld } else { Role::Boundary };
+        let overlap = if closed { rules.overlap } else { 0.0 };
+        Seam { name, role, center_line: line.path.clone(), overlap }
+    };
+    named.map(seam).collect()
+}

@@ -1,0 +1,243 @@
+//! The **separator**: paper between the sheets of a heat press, where they must not weld.
+//!
+//! It covers the air, and runs as a tongue through each port to the edge of the cut. It spares islands and the bands of seams that lie in
+//! the air. Everything that it does not cover is welded.
+
+use cavalier_contours::polyline::{
+    BooleanOp, BooleanResultInfo, PlineOffsetOptions, PlineSource, PlineSourceMut, Polyline,
+};
+
+use crate::mouth::Mouth;
+use crate::offset::{SLACKS, merged};
+use crate::{SealedShape, Seam, of_polyline, offset_right, polyline};
+use geom::{Arc, Line, Path, Point, Segment, SegmentIndex, intersections};
+
+/// The air of a sketch: its edges and the seams inside.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AirSide {
+    /// Closed edges, the air on their left.
+    pub(super) edges: Vec<Path>,
+    /// The same without the channels of ports.
+    pub(super) closed: Vec<Path>,
+    /// Centre lines of open seams inside.
+    pub(super) seams: Vec<Path>,
+    pub(super) mouths: Vec<Mouth>,
+}
+
+/// The region that must not weld. All paths are closed and counterclockwise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Separator {
+    /// Around each piece of paper: one a chamber.
+    pub pieces: Vec<Path>,
+    /// Out of the pieces: islands, and the bands of seams that meet no edge.
+    pub windows: Vec<Path>,
+}
+
+impl Separator {
+    /// Area of the paper, mm^2.
+    pub fn area(&self) -> f64 {
+        let sum = |paths: &[Path]| paths.iter().map(Path::area).sum::<f64>();
+        sum(&self.pieces) - sum(&self.windows)
+    }
+
+    /// Whether all edges are closed around some paper: operations on slivers of air leave others.
+    fn is_closed(&self) -> bool {
+        self.pieces.iter().chain(&self.windows).all(|path| path.area() > 0.0 && path.largest_gap() < REACHED)
+    }
+
+    /// Whether its edges keep `least` mm from the centre lines of `seams`, measured at nine points of each segment.
+    fn spares(&self, seams: &[Seam], least: f64) -> bool {
+        let lines =
+            SegmentIndex::new(seams.iter().flat_map(|seam| seam.center_line.segments.clone()).collect());
+        let least = least - 0.5 * REACHED;
+        let edges = self.pieces.iter().chain(&self.windows).flat_map(|path| &path.segments);
+        let mut points = edges.flat_map(|edge| (0..=8).map(|i| edge.point(f64::from(i) / 8.0)));
+        points.all(|p| !lines.has_within(p, least))
+    }
+}
+
+impl AirSide {
+    /// Closed edges of the air, which lies on their left. The channel of a port runs past its mouth.
+    pub fn edges(&self) -> &[Path] {
+        &self.edges
+    }
+
+    /// The same without the channels of ports: the region that inflates.
+    pub fn closed(&self) -> &[Path] {
+        &self.closed
+    }
+
+    /// The edges, where the channel of a port ends at its mouth, on the cut; `band` is the width of the bands, mm.
+    pub fn edges_to_mouths(&self, band: f64) -> Vec<Path> {
+        let back = |mouth: &Mouth, p: Point| (mouth.at - p).dot(mouth.out);
+        self.edges.iter().map(|edge| self.with_ends(edge, band / 2.0, back)).collect()
+    }
+
+    /// Whether `p` lies within `margin` mm of the way of a hose into a port.
+    pub fn is_on_hose(&self, p: Point, margin: f64) -> bool {
+        self.mouths.iter().any(|mouth| {
+            let (along, across) = mouth.local(p);
+            along > -mouth.depth && across.abs() < mouth.half + margin
+        })
+    }
+
+    /// The separator of `shape`, whose seams enclose this air, with every edge but those on the cut `creep` mm inside the air; `None` where
+    /// the paper has another number of pieces than there are chambers, a port has no tongue, or a tongue runs over another band.
+    pub fn separator(&self, shape: &SealedShape, creep: f64) -> Option<Separator> {
+        let (band, chambers) = (shape.band, shape.topology().chambers.len());
+        let outline = counterclockwise(shape.cut.as_ref()?);
+        let cut = polyline(&outline);
+        let mut pieces: Vec<Polyline<f64>> = Vec::new();
+        for edge in self.edges.iter().filter(|edge| edge.area() > 0.0) {
+            // Channels as long as they must be to leave the piece that is cut along the outline.
+            let longer = self.with_ends(edge, band / 2.0, |mouth, _| past(mouth, &outline));
+            for part in offset_right(&longer, -creep) {
+                pieces.extend(combined(&polyline(&part), &cut, BooleanOp::And)?.0);
+            }
+        }
+        let mut windows = Vec::new();
+        for spared in self.spared(band / 2.0 + creep, creep)? {
+            let mut cut_up = Vec::new();
+            for piece in pieces {
+                let (rests, inside) = combined(&piece, &spared, BooleanOp::Not)?;
+                cut_up.extend(rests);
+                windows.extend(inside);
+            }
+            pieces = cut_up;
+        }
+        let paths = |lines: &[Polyline<f64>]| -> Vec<Path> {
+            lines.iter().map(|line| merged(&counterclockwise(&of_polyline(line)))).collect()
+        };
+        let separator = Separator { pieces: paths(&pieces), windows: paths(&windows) };
+        let reached = |mouth: &Mouth| {
+            let end = mouth.point(way_out(mouth, &outline, 0.0), 0.0);
+            separator.pieces.iter().any(|piece| piece.distance(end) < REACHED)
+        };
+        let is_made = separator.pieces.len() == chambers && self.mouths.iter().all(reached);
+        (is_made && separator.is_closed() && separator.spares(&shape.seams, band / 2.0 + creep))
+            .then_some(separator)
+    }
+
+    /// The islands, and strips `half` mm to both sides of seams, of which overlapping ones are united.
+    fn spared(&self, half: f64, creep: f64) -> Option<Vec<Polyline<f64>>> {
+        let mut all: Vec<Polyline<f64>> = Vec::new();
+        for island in self.edges.iter().filter(|edge| edge.area() < 0.0) {
+            let [grown] = <[Path; 1]>::try_from(offset_right(island, -creep)).ok()?;
+            all.push(polyline(&grown.reversed()));
+        }
+        let mut width = half;
+        for seam in &self.seams {
+            all.push(strip(seam, width)?);
+            // Strips that meet end to end must not have sides on one line: neither could then be found to be inside the other.
+            width += 2e-5;
+        }
+        let mut united: Vec<Polyline<f64>> = Vec::new();
+        for mut one in all {
+            let mut apart = Vec::new();
+            for other in united {
+                // Few of many islands are near each other.
+                if !one.extents().zip(other.extents()).is_some_and(|(a, b)| a.overlaps_aabb(&b)) {
+                    apart.push(other);
+                    continue;
+                }
+                let both = one.boolean(&other, BooleanOp::Or);
+                match (both.result_info, both.pos_plines.len(), both.neg_plines.is_empty()) {
+                    (BooleanResultInfo::Disjoint, ..) => apart.push(other),
+                    (BooleanResultInfo::InvalidInput, ..) => return None,
+                    (_, 1, true) => one = both.pos_plines.into_iter().next()?.pline,
+                    _ => return None,
+                }
+            }
+            apart.push(one);
+            united = apart;
+        }
+        Some(united)
+    }
+
+    /// The closed `edge` with each end of a channel `longer` mm farther out. The channel of an edge that was drawn as a centre line ends
+    /// `half` mm earlier.
+    fn with_ends(&self, edge: &Path, half: f64, longer: impl Fn(&Mouth, Point) -> f64) -> Path {
+        let moved = |p: Point| {
+            let is_end = |mouth: &&Mouth| {
+                let ends = [0.0, half].into_iter().flat_map(|less| {
+                    [-mouth.half, mouth.half].map(|across| mouth.point(mouth.beyond - less, across))
+                });
+                ends.into_iter().any(|end| end.distance(p) < ALIKE)
+            };
+            self.mouths.iter().find(is_end).map_or(p, |mouth| p + mouth.out * longer(mouth, p))
+        };
+        let segments = edge.segments.iter().map(|segment| match segment {
+            Segment::Line(line) => Line::new(moved(line.start), moved(line.end)).into(),
+            Segment::Arc(_) => *segment,
+        });
+        Path::closed(segments.collect())
+    }
+}
+
+/// Lengths that differ by less are alike, mm.
+const ALIKE: f64 = 1e-6;
+
+/// A tongue ends nearer than this to the edge of the cut, mm: the operations on closed lines join points within 1e-5.
+const REACHED: f64 = 1e-4;
+
+/// Distance past the mouth at which the way out first meets the cut, `across` mm to its left.
+fn way_out(mouth: &Mouth, cut: &Path, across: f64) -> f64 {
+    let bounds = cut.bounds();
+    let far = bounds.width() + bounds.height();
+    let way = Line::new(mouth.point(-mouth.depth, across), mouth.point(far, across)).into();
+    let places = cut.segments.iter().flat_map(|segment| intersections(segment, &way));
+    places.map(|p| mouth.local(p).0).reduce(f64::min).unwrap_or(0.0)
+}
+
+/// Distance that a tongue must go beyond its channel to leave the piece, mm.
+fn past(mouth: &Mouth, cut: &Path) -> f64 {
+    let ways = [-mouth.half, 0.0, mouth.half].map(|across| way_out(mouth, cut, across));
+    let furthest = ways.into_iter().fold(0.0, f64::max);
+    (furthest + mouth.depth).max(0.0)
+}
+
+/// Lines around the result of an operation, and lines cut out of it.
+type LinesAndHoles = (Vec<Polyline<f64>>, Vec<Polyline<f64>>);
+
+/// The results of an operation on two closed lines.
+fn combined(a: &Polyline<f64>, b: &Polyline<f64>, operation: BooleanOp) -> Option<LinesAndHoles> {
+    let result = a.boolean(b, operation);
+    let lines = |list: Vec<cavalier_contours::polyline::BooleanResultPline<Polyline<f64>>>| {
+        list.into_iter().map(|one| one.pline).collect()
+    };
+    let is_valid = !matches!(result.result_info, BooleanResultInfo::InvalidInput);
+    is_valid.then(|| (lines(result.pos_plines), lines(result.neg_plines)))
+}
+
+/// The region within `half` mm of an open path; `None` where it bends too sharply for that.
+fn strip(path: &Path, half: f64) -> Option<Polyline<f64>> {
+    // The sides of a weld of many arcs may fall apart with one slack and be whole with another.
+    SLACKS.into_iter().rev().find_map(|slack| strip_with(path, half, slack))
+}
+
+/// The same with this slack of the offset.
+fn strip_with(path: &Path, half: f64, (same, slack): (f64, f64)) -> Option<Polyline<f64>> {
+    let mut line = polyline(path);
+    line.set_is_closed(false);
+    let end = path.end()?;
+    line.add(end.x, end.y, 0.0);
+    let options =
+        PlineOffsetOptions { pos_equal_eps: same, offset_dist_eps: slack, ..PlineOffsetOptions::new() };
+    let side = |by: f64| -> Option<Path> {
+        let [one] = <[Polyline<f64>; 1]>::try_from(line.parallel_offset_opt(by, &options)).ok()?;
+        Some(Path { closed: false, ..of_polyline(&one) })
+    };
+    let (right, left) = (side(-half)?, side(half)?.reversed());
+    let cap = |center: Point, from: Option<Point>, to: Option<Point>| -> Option<Segment> {
+        let arc = Arc::new(center, half, (from? - center).angle(), std::f64::consts::PI);
+        (arc.start().distance(from?) < ALIKE && arc.end().distance(to?) < ALIKE).then(|| arc.into())
+    };
+    let head = cap(end, right.end(), left.start())?;
+    let foot = cap(path.start()?, left.end(), right.start())?;
+    let around = right.segments.into_iter().chain([head]).chain(left.segments).chain([foot]);
+    Some(polyline(&Path::closed(around.collect())))
+}
+
+fn counterclockwise(path: &Path) -> Path {
+    if path.area() < 0.0 { path.reversed() } else { path.clone() }
+}

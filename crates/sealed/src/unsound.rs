@@ -1,0 +1,109 @@
+//! Leaks of a sealed shape, and chambers without ports, as faults of the sketch.
+
+use crate::SealedShape;
+use crate::around::Layout;
+use crate::fault::{ShapeCode, ShapeFault, quoted};
+use crate::leak::Leak;
+use crate::mouth::Mouth;
+use crate::notes::SealingNotes;
+use crate::sketch::{Rules, Sketch};
+use geom::{Line as Chord, Point, Segment, intersections};
+
+/// Faults of leaks, and of chambers that no port leads into.
+pub(super) fn unsound_chambers(
+    shape: &SealedShape,
+    lines: &Layout,
+    sketch: &Sketch,
+    rules: &Rules,
+    notes: &mut SealingNotes,
+) {
+    let topology = shape.topology();
+    for leak in &topology.leaks {
+        leaking(leak, shape, lines, sketch, rules, notes);
+    }
+    let chambers = topology.chambers.iter().zip(&topology.insides);
+    for (chamber, inside) in chambers.filter(|(chamber, _)| chamber.ports.is_empty()) {
+        let names = &lines.lines[chamber.outside].names;
+        let what = format!("the chamber inside of {} has no port", quoted(names));
+        let remedy = "draw a port on its outer edge, or open a wall to a chamber with a port";
+        notes.fault(ShapeCode::NoPort, names, amid(shape, *inside), (what, remedy), [0.0, 1.0]);
+    }
+}
+
+/// The fault of a leak, unless a fault of the bands at its place is known.
+fn leaking(
+    leak: &Leak,
+    shape: &SealedShape,
+    lines: &Layout,
+    sketch: &Sketch,
+    rules: &Rules,
+    notes: &mut SealingNotes,
+) {
+    let place = leak.place(shape).unwrap_or(Point::ORIGIN);
+    // A band that crosses another is told with the names of both.
+    let is_band = |code| matches!(code, ShapeCode::Crossing | ShapeCode::BandsOverlap | ShapeCode::CutInBand);
+    let known = notes
+        .faults
+        .iter()
+        .any(|fault| is_band(fault.code) && fault.place.distance(place) <= 4.0 * rules.band);
+    if known && !matches!(leak, Leak::SealedPort(_) | Leak::NarrowPort(..)) {
+        return;
+    }
+    let of = |seam: usize| lines.lines[seam].names.clone();
+    let names = match leak {
+        Leak::Gap(seam, _) | Leak::CrossesItself(seam, _) | Leak::Open(seam, _) => of(*seam),
+        Leak::Cross([a, b], _) => [of(*a), of(*b)].concat(),
+        Leak::SealedPort(_) | Leak::NarrowPort(..) => Vec::new(),
+    };
+    let reach = |mouth: &&Mouth| {
+        place.distance(mouth.at) <= 2.0 * (mouth.half + rules.band) + mouth.depth + mouth.beyond
+    };
+    let near = lines.mouths.iter().filter(reach);
+    let ports: Vec<String> = near.map(|mouth| sketch.ports[mouth.port].name.clone()).collect();
+    let found = match leak {
+        Leak::CrossesItself(..) => format!("the band along {} crosses itself", quoted(&names)),
+        Leak::Cross(..) => format!("the bands of {} cross", quoted(&names)),
+        Leak::Gap(..) | Leak::Open(..) => format!("the band along {} stays open", quoted(&names)),
+        Leak::SealedPort(_) => "a band seals the port".to_owned(),
+        Leak::NarrowPort(_, width) => format!("the bands leave {width:.3} mm of the port"),
+    };
+    let (code, names, found, remedy) = match ports.as_slice() {
+        [] => (
+            ShapeCode::Crossing,
+            names,
+            found,
+            "move the drawn edges apart, or unite their areas; end a weld in the air or on an edge"
+                .to_owned(),
+        ),
+        [port] => (
+            ShapeCode::Leak,
+            vec![port.clone()],
+            format!("{found} at port {}", quoted(std::slice::from_ref(port))),
+            "move the port to where its channel leads straight out".to_owned(),
+        ),
+        ports => (
+            ShapeCode::Leak,
+            ports.to_vec(),
+            format!("the channels of ports {} meet", quoted(ports)),
+            format!("{}, and draw each as one line or point", rules.ports_apart()),
+        ),
+    };
+    let same = |fault: &ShapeFault| fault.code == code && fault.what == found;
+    if !notes.faults.iter().any(same) {
+        notes.fault(code, &names, place, (found, remedy), [f64::NAN; 2]);
+    }
+}
+
+/// From a point in the air beside a seam, the point halfway to the seam across.
+fn amid(shape: &SealedShape, inside: Point) -> Point {
+    let segments = || shape.seams.iter().flat_map(|seam| &seam.center_line.segments);
+    let on_seam = |segment: &Segment| segment.point(segment.nearest_fraction(inside));
+    let nearest = segments().map(on_seam).min_by(|a, b| a.distance(inside).total_cmp(&b.distance(inside)));
+    let Some(nearest) = nearest else { return inside };
+    let reach = segments().map(|segment| segment.start().distance(inside)).fold(0.0, f64::max);
+    let across = inside + (inside - nearest).normalized() * (2.0 * reach);
+    let ray = Chord::new(inside, across).into();
+    let met = segments().flat_map(|segment| intersections(segment, &ray)).map(|p| p.distance(inside));
+    let width = met.fold(f64::INFINITY, f64::min);
+    if width.is_finite() { inside.lerp(across, width / (4.0 * reach)) } else { inside }
+}

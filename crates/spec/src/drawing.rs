@@ -1,0 +1,282 @@
+//! `[drawing]`: a person's own drawing, and the roles of its layers.
+
+use std::fmt;
+use std::sync::{Arc, OnceLock};
+
+use crate::FaultCode;
+use crate::allowed::Allowed;
+use crate::fault::{Fault, quoted};
+use crate::section::{Reader, Section};
+use crate::shape::ValueShape;
+use crate::units::Length;
+use crate::unknown::nearest;
+use crate::value::{RawKind, RawValue};
+use artwork::{Drawing, Format, Options, Unit};
+
+/// The least width of a passage that makers report to inflate well, mm.
+const LEAST_PASSAGE: f64 = 15.0;
+
+/// `[drawing]`
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawingSpec {
+    /// The file, relative to the spec.
+    pub file: String,
+    /// Unit of the file's numbers; `None`: the one that the file states.
+    pub units: Option<Unit>,
+    /// Ends of curves up to this far apart are joined.
+    pub join: Length,
+    /// A narrower passage of the air is warned of.
+    pub passage: Length,
+    /// Names of layers with their roles, in the order of the spec.
+    pub layers: Vec<(String, LayerRole)>,
+    /// The content of the file; `None` until it is read.
+    pub content: Option<DrawingContent>,
+}
+
+/// The bytes of a drawing.
+#[derive(Clone)]
+pub struct DrawingContent {
+    bytes: Arc<[u8]>,
+    /// The figures, once read, and the options with which they were read.
+    read: Arc<OnceLock<(Options, ReadDrawing)>>,
+}
+
+/// A drawing that was read, or every reason for which it cannot be.
+type ReadDrawing = Result<Arc<Drawing>, Vec<artwork::Fault>>;
+
+impl DrawingContent {
+    /// The content of a file.
+    pub fn new(bytes: &[u8]) -> Self {
+        Self { bytes: bytes.into(), read: Arc::default() }
+    }
+
+    /// The bytes of the file.
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// The drawing in these bytes of a file called `name`. It is read once for the first `options`.
+    ///
+    /// # Errors
+    /// Every reason for which it cannot be read.
+    pub fn read(&self, name: &str, options: &Options) -> ReadDrawing {
+        let anew = || artwork::read(name, &self.bytes, options).map(Arc::new);
+        let (known, read) = self.read.get_or_init(|| (*options, anew()));
+        if known == options { read.clone() } else { anew() }
+    }
+}
+
+/// Contents are equal if their bytes are.
+impl PartialEq for DrawingContent {
+    fn eq(&self, other: &Self) -> bool {
+        self.bytes == other.bytes
+    }
+}
+
+/// The role of a layer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LayerRole {
+    /// Edges of the air side.
+    Air,
+    /// Centre lines of bands.
+    Seam,
+    /// The opening for a hose.
+    Port,
+    /// The cut.
+    Cut,
+    /// Holes.
+    Hole,
+    /// No role: the figures are ignored.
+    Ignore,
+}
+
+impl LayerRole {
+    /// All of them with the words that specs write.
+    pub const ALL: [(&'static str, Self); 6] = [
+        ("air", Self::Air),
+        ("seam", Self::Seam),
+        ("port", Self::Port),
+        ("cut", Self::Cut),
+        ("hole", Self::Hole),
+        ("ignore", Self::Ignore),
+    ];
+
+    /// Its word.
+    pub fn word(self) -> &'static str {
+        Self::ALL.iter().find(|(_, own)| *own == self).map_or("", |(word, _)| word)
+    }
+}
+
+/// The number of the bytes: they may be many.
+impl fmt::Debug for DrawingContent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} bytes", self.bytes.len())
+    }
+}
+
+impl DrawingSpec {
+    /// Whether the file is a DXF; else it is an SVG.
+    pub fn is_dxf(&self) -> bool {
+        Format::of_name(&self.file) == Some(Format::Dxf)
+    }
+
+    /// The name of the file, without directories.
+    pub fn file_name(&self) -> &str {
+        self.file.rsplit(['/', '\\']).next().unwrap_or_default()
+    }
+
+    /// The name of the published copy.
+    pub fn published_name(&self) -> &'static str {
+        if self.is_dxf() { "drawing.dxf" } else { "drawing.svg" }
+    }
+
+    /// The role of an element with these layers, innermost first: that of the first layer which has one.
+    pub fn role(&self, layers: &[String]) -> Option<LayerRole> {
+        layers
+            .iter()
+            .find_map(|layer| self.layers.iter().find(|(name, _)| name == layer))
+            .map(|(_, role)| *role)
+    }
+}
+
+/// Sections that describe stars, and their replacements for a drawing.
+const OF_STARS: [(&str, &str); 3] = [
+    ("star", "the drawing is the shape"),
+    ("stack", "drawn pieces are not stacked; `copies` in [sheet] makes several"),
+    ("frame", "only stacked stars have a frame"),
+];
+
+/// The drawing; `None` if the section is not written.
+pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
+    let drawing = read_section(&mut reader.section("drawing"));
+    let _ = drawing.as_ref()?;
+    for (section, remedy) in OF_STARS {
+        if let Some(value) = reader.raw.root().get(section) {
+            let message = format!("[{section}] beside [drawing]");
+            let fault = Fault::error(FaultCode::Conflict, value.span.clone(), message)
+                .label(remedy)
+                .help(format!("delete [{section}], or [drawing]"));
+            reader.faults.push(fault);
+        }
+    }
+    let inlet = ("the drawing shows where its ports are", "delete it; only `tube_diameter` counts here");
+    unlike(reader, "inlet", |key| key == "tube_diameter", inlet);
+    let load = (
+        "no model predicts the force of a drawn shape on an object",
+        "delete it; only `pressure` counts here",
+    );
+    unlike(reader, "load", |key| key == "pressure", load);
+    let hole = (
+        "only stars have a flap on the hole side",
+        "delete it; the holes of a drawing are cut as they are drawn",
+    );
+    unlike(reader, "seal", |key| key != "hole_allowance", hole);
+    separator(reader);
+    drawing
+}
+
+/// A fault for each key of `section` that drawings do not have (`has`), with a label and a remedy.
+fn unlike(reader: &mut Reader<'_>, section: &str, has: impl Fn(&str) -> bool, (label, help): (&str, &str)) {
+    let table = reader.raw.root().get(section).and_then(RawValue::as_table);
+    for entry in table.into_iter().flat_map(|table| &table.0).filter(|own| !has(&own.key)) {
+        let message = format!("{} in [{section}] beside [drawing]", quoted(&entry.key));
+        let fault = Fault::error(FaultCode::Conflict, entry.key_span.clone(), message);
+        reader.faults.push(fault.label(label).help(help));
+    }
+}
+
+/// The mask of a drawn shape is a separator.
+fn separator(reader: &mut Reader<'_>) {
+    let Some(mask) = reader.raw.root().get("mask") else { return };
+    let kind = mask.as_table().and_then(|table| table.get("kind"));
+    if kind.is_none_or(|kind| kind.as_text() == Some("coating")) {
+        let found = "a coating mask beside [drawing]";
+        let fault =
+            Fault::error(FaultCode::Conflict, mask.span.clone(), found).label("only stars are coated").help(
+                "write kind = \"separator\" for paper between the sheets of a heat press, or delete [mask]",
+            );
+        reader.faults.push(fault);
+        return;
+    }
+    let reason = ("a separator is as large as the air", "delete it; only `kind` and `creep` count here");
+    unlike(reader, "mask", |key| ["kind", "creep"].contains(&key), reason);
+}
+
+fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
+    s.require_if(
+        s.is_written(),
+        &[("file", "\"outline.svg\""), ("layers", "{ air = [\"chamber\"], port = [\"inlet\"] }")],
+    );
+    let file = s.text("file").map(|(file, span)| {
+        if Format::of_name(file).is_none() {
+            let fault = Fault::error(FaultCode::OutOfRange, span, format!("`file` is {}", quoted(file)))
+                .label("must end in .svg or .dxf")
+                .help("export the drawing as SVG or as ASCII DXF");
+            s.report(fault);
+        }
+        file.to_owned()
+    });
+    let units = s.choice("units", &Unit::named());
+    let join = s.length("join", Allowed::closed(0.0, 10.0), 0.02);
+    let passage = s.length("passage", Allowed::closed(0.0, 1000.0), LEAST_PASSAGE);
+    let layers = read_layers(s);
+    s.is_written().then(|| DrawingSpec {
+        file: file.unwrap_or_default(),
+        units,
+        join,
+        passage,
+        layers,
+        content: None,
+    })
+}
+
+/// The table of roles.
+fn read_layers(s: &mut Section<'_, '_>) -> Vec<(String, LayerRole)> {
+    let mut layers: Vec<(String, LayerRole)> = Vec::new();
+    let Some(value) = s.take("layers", ValueShape::Lists(LayerRole::ALL.map(|(word, _)| word).to_vec()))
+    else {
+        return layers;
+    };
+    let wrong = |value: &RawValue, message: String, label: String| {
+        Fault::error(FaultCode::WrongType, value.span.clone(), message).label(label)
+    };
+    let Some(table) = value.as_table() else {
+        let label = "must be a section, [drawing.layers], with a list of layers for each role".to_owned();
+        s.report(wrong(value, format!("`layers` is {}", value.in_words()), label));
+        return layers;
+    };
+    for entry in &table.0 {
+        let words = LayerRole::ALL.map(|(word, _)| word);
+        let Some((_, role)) = LayerRole::ALL.iter().find(|(word, _)| *word == entry.key) else {
+            let message = format!("unknown role {} in [drawing.layers]", quoted(&entry.key));
+            let fault = Fault::error(FaultCode::UnknownKey, entry.key_span.clone(), message);
+            let help = match nearest(&entry.key, words) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("roles are {}", words.join(", ")),
+            };
+            s.report(fault.label("no role has this name").help(help));
+            continue;
+        };
+        let Some(list) = entry.value.as_list() else {
+            let label = format!("must be a list of layers: {} = [\"name\"]", entry.key);
+            s.report(wrong(&entry.value, format!("`{}` is {}", entry.key, entry.value.in_words()), label));
+            continue;
+        };
+        for item in list {
+            let RawKind::Text(name) = &item.kind else {
+                let message = format!("a layer of `{}` is {}", entry.key, item.in_words());
+                s.report(wrong(item, message, "must be a name in quotes".to_owned()));
+                continue;
+            };
+            if let Some((_, other)) = layers.iter().find(|(known, _)| known == name) {
+                let message =
+                    format!("layer {} has two roles, {} and {}", quoted(name), other.word(), entry.key);
+                let fault = Fault::error(FaultCode::Conflict, item.span.clone(), message);
+                s.report(fault.label("a layer has one role").help("delete it from one of the lists"));
+                continue;
+            }
+            layers.push((name.clone(), *role));
+        }
+    }
+    layers
+}

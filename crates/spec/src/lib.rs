@@ -1,0 +1,80 @@
+//! The user's input: from TOML text to a complete, valid [`Spec`], or all of its faults at once.
+//!
+//! A **raw spec** is the text as parsed, with the place of each key and value in the source; a **spec** is complete (every
+//! default filled in) and valid (every value in its range). Faults that only the geometry shows, for instance a negative arm
+//! length, are refused later, by the design stage; it points at the key concerned with [`RawSpec::span_of`].
+//!
+//! The way of a text: [`Source`] (bytes that are UTF-8), [`RawSpec`] (TOML), a reader that takes each key with
+//! its kind and range, [`Reading`] (the spec and its warnings) or [`Faults`]. A machine profile goes the same way.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))] // the last digits of std differ between systems (clippy.toml)
+
+pub mod digest;
+pub mod units;
+
+mod accuracy;
+mod allowed;
+mod code;
+mod defaults;
+mod drawing;
+pub mod edit;
+mod fault;
+mod faults;
+mod foreign;
+pub mod key;
+mod load;
+mod machine;
+mod message;
+mod model;
+mod motion;
+mod name;
+mod profile;
+mod raw;
+mod reading;
+mod render;
+mod schema;
+mod section;
+mod shape;
+mod source;
+mod stars;
+mod starter;
+pub mod study;
+mod syntax;
+mod unknown;
+mod value;
+mod values;
+mod vocabulary;
+
+/// The name of the program in its files.
+pub const PROGRAM: &str = "stargrip-cam";
+
+pub use accuracy::{Accuracy, Detail, ModelChoice};
+pub use allowed::{Allowed, SEAL_SPEEDS};
+pub use code::{Code, FaultCode};
+pub use defaults::with_defaults;
+pub use drawing::{DrawingContent, DrawingSpec, LayerRole};
+pub use fault::{DrawnPlace, Fault, Severity};
+pub use faults::Faults;
+pub use key::KeyPath;
+pub use machine::{
+    Bench, Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Limits, Machine,
+    Process, Script,
+};
+pub use message::comma;
+pub use model::{
+    Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
+    MaskKind, ObjectShape, ProgramScope, Seal, Sheet, Spec, StarSpec,
+};
+pub use motion::{Motion, StepRate};
+pub use name::{NAME_LENGTH, check_name, misleads};
+pub use profile::{
+    CONTACT, LEAST_ACCELERATION, builtin_machine, builtin_machines, limits_set_by, read_machine,
+    usual_profile,
+};
+pub use raw::RawSpec;
+pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, TOXIC, read};
+pub use schema::{SCHEMA_FILE, machine_schema, schema};
+pub use source::{SIZE_LIMIT, Source};
+pub use starter::{drawing_starter, quoted, starter};
+pub use unknown::nearest;
+pub use values::{Setting, form_settings, has_default, settings};
+pub use vocabulary::{Command, Vocabulary};

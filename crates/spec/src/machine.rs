@@ -1,0 +1,247 @@
+//! The machine: the settings of one controller, from a profile in `templates/machines/` or the user's own.
+
+use crate::motion::Motion;
+use crate::units::{Acceleration, Duration, Length, Speed};
+
+/// A complete and valid machine profile.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Machine {
+    /// The name that the profile gives.
+    pub name: String,
+    /// One line for `stargrip-cam machines`.
+    pub description: String,
+    /// The language and abilities of the controller.
+    pub controller: Controller,
+    /// The process of sealing: heights, ramp, speeds.
+    pub process: Process,
+    /// The work area and the clamps.
+    pub bench: Bench,
+    /// Properties of the motors.
+    pub motion: Motion,
+    /// The profile's own lines.
+    pub script: Script,
+}
+
+/// The language and abilities of the controller: enough to write a program for it, and to read one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Controller {
+    /// The words that it understands.
+    pub dialect: Dialect,
+    /// Longest line that it reads, in characters without the line end.
+    pub line_length: usize,
+    /// The form of comments.
+    pub comments: Comments,
+    /// Whether it draws arcs (G2, G3) exactly enough. If not, arcs are cut into chords.
+    pub arcs: bool,
+    /// The unit of a dwell's time, and the step to which the controller rounds it up.
+    pub dwell: Dwells,
+    /// The way in which the iron is heated.
+    pub heating: Heating,
+    /// Whether programs carry pictures for hosts that show them.
+    pub thumbnails: bool,
+}
+
+/// The process of sealing: the way in which the iron is led over the fabric.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Process {
+    /// Whether the tip is spring-loaded; a rigid one must stay at height 0 or above.
+    pub spring_loaded: bool,
+    /// Heights of the iron's tip above the release layer.
+    pub heights: Heights,
+    /// Length of the ramp along the path on which the iron goes down before, and up after, a seam.
+    pub ramp: Length,
+    /// Speed of travel (G0): written as a feed where the controller needs one, else for time estimates only.
+    pub travel_speed: Speed,
+    /// Speed of the trace program.
+    pub trace_speed: Speed,
+}
+
+impl Process {
+    /// Lowest height of the tip in contact.
+    pub fn lowest_contact(&self) -> Length {
+        Length(lowest_contact(self.spring_loaded))
+    }
+}
+
+/// Lowest height in contact, mm: a spring is pressed in by at most 20 mm, and a rigid tip would be pressed into the bed.
+pub(crate) const fn lowest_contact(spring_loaded: bool) -> f64 {
+    if spring_loaded { -20.0 } else { 0.0 }
+}
+
+/// The work area and the clamps.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bench {
+    /// Reachable area from the origin, X by Y; `None` if unknown: the sheet is then the only limit.
+    pub work_area: Option<(Length, Length)>,
+    /// Places of the clamps.
+    pub keep_out: Vec<KeepOut>,
+}
+
+/// The profile's own lines, which go into a program as they are.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Script {
+    /// Lines that set the controller's modes: units, plane, distance, arc and feed mode.
+    pub start: Vec<String>,
+    /// The line at which the machine waits for the operator.
+    pub pause: String,
+    /// Lines that end the program.
+    pub end: Vec<String>,
+    /// Tasks of the operator before the program runs, each a short line.
+    pub requires: Vec<String>,
+    /// Limits that lines of `start` set.
+    pub limits: Limits,
+}
+
+/// Limits that lines of a program set for the moves that follow.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Limits {
+    /// No move is slower than this.
+    pub lowest_speed: Option<Speed>,
+    /// No move is faster than this.
+    pub top_speed: Option<Speed>,
+    /// Axes speed up by this.
+    pub acceleration: Option<Acceleration>,
+    /// The heater is switched off after this time without a move.
+    pub idle_timeout: Option<Duration>,
+}
+
+impl Limits {
+    /// These limits, replaced by those that a `later` line sets.
+    pub(crate) fn then(self, later: Self) -> Self {
+        Self {
+            lowest_speed: later.lowest_speed.or(self.lowest_speed),
+            top_speed: later.top_speed.or(self.top_speed),
+            acceleration: later.acceleration.or(self.acceleration),
+            idle_timeout: later.idle_timeout.or(self.idle_timeout),
+        }
+    }
+}
+
+/// A family of controllers that read the same words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dialect {
+    /// The plain subset that every controller reads.
+    Generic,
+    /// LinuxCNC.
+    LinuxCnc,
+    /// GRBL 1.1 on an AVR.
+    Grbl,
+    /// grblHAL.
+    GrblHal,
+    /// FluidNC.
+    FluidNc,
+    /// Marlin.
+    Marlin,
+    /// Klipper.
+    Klipper,
+    /// RepRapFirmware.
+    RepRapFirmware,
+}
+
+impl Dialect {
+    /// Every dialect, by its name in profiles.
+    pub const NAMES: [(&'static str, Self); 8] = [
+        ("generic", Self::Generic),
+        ("linuxcnc", Self::LinuxCnc),
+        ("grbl", Self::Grbl),
+        ("grblhal", Self::GrblHal),
+        ("fluidnc", Self::FluidNc),
+        ("marlin", Self::Marlin),
+        ("klipper", Self::Klipper),
+        ("reprapfirmware", Self::RepRapFirmware),
+    ];
+
+    /// Longest line that any of its controllers reads, in characters without the line end: GRBL's protocol.h, Marlin's
+    /// `MAX_CMD_SIZE`; up to 255 where others read longer ones. Generic programs fit into all of them, with a reserve.
+    pub fn longest_line(self) -> u32 {
+        match self {
+            Self::Generic => 72,
+            Self::Grbl => 80,
+            Self::Marlin => 95,
+            _ => 255,
+        }
+    }
+
+    /// The usual name.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Generic => "the controller",
+            Self::LinuxCnc => "LinuxCNC",
+            Self::Grbl => "GRBL",
+            Self::GrblHal => "grblHAL",
+            Self::FluidNc => "FluidNC",
+            Self::Marlin => "Marlin",
+            Self::Klipper => "Klipper",
+            Self::RepRapFirmware => "RepRapFirmware",
+        }
+    }
+
+    /// Its name in profiles and in programs.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, dialect)| *dialect == self).map_or("", |(name, _)| name)
+    }
+}
+
+/// The form of a comment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Comments {
+    /// From `;` to the end of the line.
+    Semicolon,
+    /// Between `(` and `)`.
+    Parentheses,
+}
+
+/// Unit and resolution of dwells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dwells {
+    /// Unit of the P word.
+    pub unit: DwellUnit,
+    /// The controller rounds every dwell up to a multiple of this.
+    pub step: Duration,
+}
+
+/// Unit of a dwell's P word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DwellUnit {
+    /// Seconds.
+    Seconds,
+    /// Milliseconds.
+    Milliseconds,
+}
+
+/// The way in which the iron reaches its temperature.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Heating {
+    /// The operator sets a soldering station and confirms.
+    Operator,
+    /// The controller heats a hotend and waits (M109).
+    Hotend,
+}
+
+/// Heights of the tip; Z 0 is the top of the release layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Heights {
+    /// While sealing: 0 for a rigid iron, below 0 for a spring-loaded one.
+    pub contact: Length,
+    /// While travelling between seams.
+    pub travel: Length,
+    /// Before and after the job.
+    pub park: Length,
+}
+
+/// A clamp: a rectangle in the sheet's frame that the iron must not enter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeepOut {
+    /// The user's name for it.
+    pub name: String,
+    /// Lower left corner.
+    pub x: Length,
+    /// Lower left corner.
+    pub y: Length,
+    /// Extent along X.
+    pub width: Length,
+    /// Extent along Y.
+    pub depth: Length,
+    /// Its height above the release layer; `None`: the iron must not pass above it at any height.
+    pub height: Option<Length>,
+}

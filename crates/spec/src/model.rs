@@ -1,0 +1,362 @@
+//! The spec itself: one struct a section, every field complete and in range.
+
+use crate::accuracy::Accuracy;
+use crate::units::{
+    Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Pressure, Speed, Temperature,
+};
+use crate::{DrawingSpec, KeyPath, key};
+
+/// A complete and valid specification of a gripper, or of a piece by a drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spec {
+    /// The user's name for it: 1 to 80 characters, none of them a control character.
+    pub name: String,
+    /// `[fabric]`
+    pub fabric: Fabric,
+    /// The stars from bottom to top: `[star]` with the values of `[stack]` and `[[stack.star]]`; empty where there is a drawing.
+    pub stars: Vec<StarSpec>,
+    /// `[drawing]`; `None` where there are stars.
+    pub drawing: Option<DrawingSpec>,
+    /// `[inlet]`; `None` if the tube is closed all around.
+    pub inlet: Option<Inlet>,
+    /// `[seal]`
+    pub seal: Seal,
+    /// `[mask]`
+    pub mask: Mask,
+    /// `[frame]`
+    pub frame: FrameSpec,
+    /// `[cut]`
+    pub cut: CutSpec,
+    /// `[sheet]`
+    pub sheet: Sheet,
+    /// `[machine]`
+    pub machine: MachineChoice,
+    /// `[load]`; `None` if no prediction is requested.
+    pub load: Option<Load>,
+    /// `[accuracy]`
+    pub accuracy: Accuracy,
+    /// `[build]`
+    pub build: BuildSpec,
+}
+
+/// The files that a build makes.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct BuildSpec {
+    /// Files that every build of this spec makes beside the default ones; no duplicates.
+    pub with: Vec<Extra>,
+    /// Address of the page that the QR code of previews and report leads to; `None` for no code.
+    pub link: Option<String>,
+}
+
+/// A kind of file that comes only where it is named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extra {
+    /// A one-page report of the gripper.
+    Report,
+    /// The products in three dimensions.
+    SceneGlb,
+    /// The picture in pixels.
+    PreviewPng,
+    /// The cut on paper.
+    OutlinePdf,
+    /// A plate of the frame on paper.
+    FramePdf,
+    /// A plate of the frame as a solid.
+    FrameStl,
+}
+
+impl Extra {
+    /// All of them by their names, which are those of the kinds of files.
+    pub const ALL: [(&'static str, Self); 6] = [
+        ("report", Self::Report),
+        ("scene-glb", Self::SceneGlb),
+        ("preview-png", Self::PreviewPng),
+        ("outline-pdf", Self::OutlinePdf),
+        ("frame-pdf", Self::FramePdf),
+        ("frame-stl", Self::FrameStl),
+    ];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, own)| *own == self).map_or("", |(name, _)| name)
+    }
+}
+
+/// The fabric of one sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fabric {
+    /// Thickness t.
+    pub thickness: Length,
+    /// Young's modulus E.
+    pub young_modulus: Pressure,
+    /// Poisson ratio nu, in (-1, 0.5].
+    pub poisson_ratio: f64,
+    /// Peel strength T_max of the seal, from the user's own T-peel test.
+    pub seal_strength: Option<LineForce>,
+    /// Mass of one sheet per area.
+    pub areal_density: Option<ArealDensity>,
+    /// Measured bending stiffness B of one sheet, in place of E t^3 / [12 (1 - nu^2)].
+    pub bending_stiffness: Option<BendingStiffness>,
+    /// Measured stretch stiffness Y of one sheet, in place of E t.
+    pub stretch_stiffness: Option<LineForce>,
+    /// Shear modulus G between warp and weft; isotropic, E / [2 (1 + nu)], without one.
+    pub shear_modulus: Option<Pressure>,
+    /// Angle of the warp on the sheet, counterclockwise from X, along which each star has its first corner.
+    pub warp: Angle,
+}
+
+/// One star, flat.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StarSpec {
+    /// Number of points n, 3 to 64.
+    pub points: u32,
+    /// Inner radius rho_0: from the axis to the tube's edge at a reentrant corner.
+    pub inner_radius: Length,
+    /// Tube width W, between the inner edges of the bands.
+    pub tube_width: Length,
+    /// Internal angle phi_i0 between the two arms of a point.
+    pub tip_angle: Angle,
+    /// Inner radius of curvature R_i of the tips.
+    pub tip_radius: Length,
+    /// Inner radius of curvature R_e of the reentrant corners.
+    pub corner_radius: Length,
+    /// Rotation against the star below (of star 1: against the frame).
+    pub rotation: Angle,
+    /// Distance to the star below (of star 1: unused).
+    pub pitch: Length,
+    /// The tip that carries the inlet, 1 to n.
+    pub inlet_tip: u32,
+}
+
+impl Spec {
+    /// Whether it is a gripper of stars; else it is a piece by a drawing.
+    pub fn has_stars(&self) -> bool {
+        self.drawing.is_none()
+    }
+}
+
+impl StarSpec {
+    /// The paper's star with `points` points: rho_0 = 50 mm, W = 30 mm, phi_i0 = 30 deg, sharp hinges.
+    pub fn paper(points: u32) -> Self {
+        Self {
+            points,
+            inner_radius: Length(50.0),
+            tube_width: Length(30.0),
+            tip_angle: Angle(30.0),
+            tip_radius: Length(0.0),
+            corner_radius: Length(0.0),
+            rotation: Angle(0.0),
+            pitch: Length(40.0),
+            inlet_tip: 1,
+        }
+    }
+
+    /// Whether the flat parts are the same; their places in the stack may differ.
+    pub fn same_part(&self, other: &Self) -> bool {
+        let flat = |star: &Self| Self { rotation: Angle(0.0), pitch: Length(0.0), ..star.clone() };
+        flat(self) == flat(other)
+    }
+}
+
+/// The channel through which the tube is inflated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inlet {
+    /// Outer diameter d of the hose; the flat channel is pi d / 2 wide.
+    pub tube_diameter: Length,
+    /// From the tip's outer arc, along its ray, to the mouth.
+    pub length: Length,
+    /// Radius where the channel meets the tip's arc.
+    pub fillet: Length,
+}
+
+/// Path, temperature and speed of the seal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seal {
+    /// Temperature of the iron.
+    pub temperature: Temperature,
+    /// Speed of the iron in contact.
+    pub speed: Speed,
+    /// Width w of the band.
+    pub band: Length,
+    /// Path covered twice at contact height where a loop closes, ramps excluded.
+    pub overlap: Length,
+    /// Flap outside the star.
+    pub allowance: Length,
+    /// Flap on the hole side.
+    pub hole_allowance: Length,
+}
+
+/// The masks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mask {
+    /// The purpose of the masks.
+    pub kind: MaskKind,
+    /// Reach of the coated zone along both arms from a corner's apex; `None`: the star's own W.
+    pub extent: Option<Length>,
+    /// The windows, or the separator, shrink by this.
+    pub creep: Length,
+    /// Plate beyond the outline.
+    pub border: Length,
+    /// Whether a mirrored copy for the other face is made too.
+    pub mirror: bool,
+    /// Thickness of the 3-D printed mask.
+    pub thickness: Length,
+    /// The bed of the 3-D printer; `None`: masks are printed whole.
+    pub bed: Option<Bed>,
+}
+
+/// The purpose of a mask.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MaskKind {
+    /// A plate with windows, through which the corners of a star are coated.
+    Coating,
+    /// Paper between the sheets of a drawn shape in a heat press, where they must not weld.
+    Separator,
+}
+
+/// The bed of a 3-D printer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bed {
+    /// Its extent along X.
+    pub width: Length,
+    /// Its extent along Y.
+    pub depth: Length,
+}
+
+/// The frame that keeps the arms in their planes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameSpec {
+    /// Thickness of a plate.
+    pub plate_thickness: Length,
+    /// Clearance around the moving parts.
+    pub clearance: Length,
+    /// Diameter of a post.
+    pub post_diameter: Length,
+    /// Number of posts, 3 to 64.
+    pub posts: u32,
+    /// Width of the cut; default: the kerf of `[cut]`.
+    pub kerf: Length,
+}
+
+/// The cutting method of masks, outlines and frames.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CutSpec {
+    /// Width of the cut.
+    pub kerf: Length,
+    /// The meaning of a drawing's colours: layer and order of the cuts.
+    pub colours: Colours,
+}
+
+/// Colours of cutting drawings, by which laser programs tell what to do with a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colours {
+    /// Everything is cut in one colour; the file's order is the order of the cuts.
+    One,
+    /// Holes, windows and outer edges each in a colour of their own, for programs that order their work by colour.
+    Ordered,
+}
+
+/// The fabric as it lies on the machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sheet {
+    /// Width along X; `None`: as large as the parts need.
+    pub width: Option<Length>,
+    /// Height along Y; `None`: as large as the parts need.
+    pub height: Option<Length>,
+    /// Number of copies of a drawn piece.
+    pub copies: u32,
+    /// Free strip along the sheet's border.
+    pub margin: Length,
+    /// Distance between parts.
+    pub gap: Length,
+    /// Whether parts may be turned to fit.
+    pub turn: bool,
+    /// Diameter of the registration holes; 0 for none.
+    pub hole_diameter: Length,
+}
+
+/// The machine and how it is driven.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MachineChoice {
+    /// A built-in profile's name, or a path relative to the spec.
+    pub profile: String,
+    /// One program a piece or one a sheet.
+    pub program: ProgramScope,
+    /// The action below the controller's lowest feed.
+    pub feed_floor: FeedFloor,
+}
+
+/// The scope of one G-code program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ProgramScope {
+    /// One piece.
+    Piece,
+    /// All pieces of one sheet.
+    Sheet,
+}
+
+/// The action when the seal speed is below the lowest feed that the controller holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FeedFloor {
+    /// Refuse to write the program.
+    Refuse,
+    /// Write micro-moves with dwells.
+    Chop,
+}
+
+/// The load of the gripper; without it nothing is predicted.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Load {
+    /// Gauge pressure p.
+    pub pressure: Option<Pressure>,
+    /// Radius of the object where it is widest: half of `object_diameter`, or `object_radius`.
+    pub object_radius: Option<Length>,
+    /// Whether `object_radius` gives the object's size, not `object_diameter`.
+    pub by_radius: bool,
+    /// Height of the object; absent: as tall as wide.
+    pub object_height: Option<Length>,
+    /// Shape of the object; absent: a ball.
+    pub object_shape: Option<ObjectShape>,
+    /// Friction coefficient mu between corner and object.
+    pub friction: Option<f64>,
+    /// Least that mu may be; absent: mu.
+    pub friction_least: Option<f64>,
+    /// Most that mu may be; absent: mu.
+    pub friction_most: Option<f64>,
+    /// Mass of the object that friction shall hold.
+    pub mass: Option<Mass>,
+    /// Largest radial force of one star that the object bears.
+    pub largest_force: Option<Force>,
+}
+
+impl Load {
+    /// Range of mu: mu itself at both ends unless the spec gives others. It always contains mu, which a study may vary alone.
+    pub fn friction_range(&self) -> Option<[f64; 2]> {
+        let mu = self.friction?;
+        Some([self.friction_least.unwrap_or(mu).min(mu), self.friction_most.unwrap_or(mu).max(mu)])
+    }
+
+    /// The key that gave the object's size, or the documented one.
+    pub fn size_key(&self) -> KeyPath {
+        if self.by_radius { key::load::OBJECT_RADIUS } else { key::load::OBJECT_DIAMETER }
+    }
+}
+
+/// The shape of an object whose axis is the gripper's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ObjectShape {
+    /// A cylinder: as wide everywhere.
+    Cylinder,
+    /// A ball; an ellipsoid of revolution where it is not as tall as wide.
+    Ball,
+}
+
+impl ObjectShape {
+    /// Both, with the words that specs and arguments write.
+    pub const ALL: [(&'static str, Self); 2] = [("cylinder", Self::Cylinder), ("ball", Self::Ball)];
+
+    /// Its word.
+    pub fn word(self) -> &'static str {
+        Self::ALL.iter().find(|(_, own)| *own == self).map_or("", |(word, _)| word)
+    }
+}

@@ -1,0 +1,56 @@
+//! The language and abilities of the controller.
+
+use crate::FaultCode;
+use crate::allowed::Allowed;
+use crate::machine::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating};
+use crate::profile::modes::{check_arcs, check_dwell_unit, check_heating};
+use crate::section::Section;
+use crate::units::Duration;
+
+/// Reads the controller, from the keys before the first section; its dwells have a section of their own.
+pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
+    let dialect = root.choice("dialect", &Dialect::NAMES).unwrap_or(Dialect::Generic);
+    let heating = [("operator", Heating::Operator), ("hotend", Heating::Hotend)];
+    let heating = root.choice("heating", &heating).unwrap_or(Heating::Operator);
+    let comments = [("semicolon", Comments::Semicolon), ("parentheses", Comments::Parentheses)];
+    let comments = root.choice("comments", &comments).unwrap_or(Comments::Semicolon);
+    check_heating(root, dialect, heating);
+    let arcs = root.truth("arcs");
+    let arcs = check_arcs(root, dialect, arcs);
+    let thumbnails = root.truth("thumbnails").unwrap_or(false);
+    if thumbnails && comments == Comments::Parentheses {
+        root.refuse(
+            FaultCode::Conflict,
+            "thumbnails",
+            "`thumbnails` is true, but `comments` are in parentheses",
+            "hosts read pictures only from comments with `;`: write false, or `comments = \"semicolon\"`",
+        );
+    }
+    let line_length = read_line_length(root, dialect);
+    Controller { dialect, line_length, comments, arcs, dwell: EXACT, heating, thumbnails }
+}
+
+/// Reads the length of a line: `verify` accepts no program with longer ones than the dialect has.
+fn read_line_length(root: &mut Section<'_, '_>, dialect: Dialect) -> usize {
+    let (found, most) = (root.count("line_length", 72, 255).unwrap_or(72), dialect.longest_line());
+    if found > most {
+        let name = dialect.name();
+        let found =
+            format!("`line_length` is {found}, but controllers of `{name}` read no longer lines than {most}");
+        root.refuse(FaultCode::Conflict, "line_length", found, format!("must be at most {most}"));
+    }
+    found.min(most) as usize
+}
+
+/// Dwells of exactly the programmed time.
+const EXACT: Dwells = Dwells { unit: DwellUnit::Seconds, step: Duration(1e-3) };
+
+/// Reads `[dwell]` of a controller of the family `dialect`.
+pub(super) fn read_dwells(s: &mut Section<'_, '_>, dialect: Dialect) -> Dwells {
+    let units = [("s", DwellUnit::Seconds), ("ms", DwellUnit::Milliseconds)];
+    let written = s.choice("unit", &units);
+    Dwells {
+        unit: check_dwell_unit(s, dialect, written),
+        step: s.quantity("step", Allowed::closed(1e-3, 1.0)).unwrap_or(EXACT.step),
+    }
+}

@@ -1,0 +1,71 @@
+//! Reads the properties of the motors.
+
+use crate::FaultCode;
+use crate::allowed::Allowed;
+use crate::fault::Fault;
+use crate::machine::Dialect;
+use crate::motion::{Motion, StepRate};
+use crate::profile::known::{known, known_number, unless};
+use crate::section::Section;
+use crate::units::{Duration, Speed};
+
+/// Least acceleration of the axes, mm/s^2.
+pub const LEAST_ACCELERATION: f64 = 0.1;
+/// Steps per mm: from a coarse belt to a fine screw with microsteps.
+const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
+/// Lowest step rates, steps/s: from a step a quarter of an hour to a rate that only a broken timer would have.
+const RATE: Allowed = Allowed::closed(1e-3, 1e5);
+
+/// Fewest steps of a move: more than a misconfigured firmware requires.
+const MOVE: Allowed = Allowed::closed(0.0, 100.0);
+/// planner.cpp, `MINIMAL_STEP_RATE`, steps/s, and Configuration_adv.h, `MIN_STEPS_PER_SEGMENT`: the values of most boards with
+/// Marlin.
+const MARLIN: (f64, f64) = (120.0, 6.0);
+
+/// Reads `[motion]` of a controller of the family `dialect`.
+pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
+    let axes = ["x_steps_per_mm", "y_steps_per_mm", "z_steps_per_mm"];
+    let steps_per_mm = match axes.map(|axis| known_number(s, axis, STEPS)) {
+        [Some(x), Some(y), Some(z)] => Some([x, y, z]),
+        [None, None, None] => None,
+        _ => {
+            let found = "[motion] has the steps of some axes only";
+            let allowed = "must set `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them";
+            s.report(Fault::error(FaultCode::Conflict, s.place(), found).label(allowed));
+            None
+        }
+    };
+    let step_rate = match unless(s, "min_step_rate", "none", |s| known_number(s, "min_step_rate", RATE)) {
+        None => StepRate::NoLimit,
+        Some(rate) => rate.map_or(StepRate::Unknown, StepRate::AtLeast),
+    };
+    if dialect == Dialect::Marlin && step_rate == StepRate::NoLimit {
+        refuse_no_floor(s);
+    }
+    let (first, fewest) = match dialect {
+        Dialect::Marlin => (Some(MARLIN.0), MARLIN.1),
+        _ => (None, 0.0),
+    };
+    let rate = unless(s, "first_step_rate", "none", |s| s.number("first_step_rate", RATE));
+    Motion {
+        steps_per_mm,
+        step_rate,
+        min_feed: s.quantity("min_feed", Allowed::closed(0.0, 1e3)).unwrap_or(Speed(0.0)),
+        acceleration: known(s, "acceleration", Allowed::closed(LEAST_ACCELERATION, 1e6)),
+        chop_feed: known(s, "chop_feed", Allowed::closed(1e-3, 1e3)),
+        start_delay: s.quantity("start_delay", Allowed::closed(0.0, 1.0)).unwrap_or(Duration(0.0)),
+        tick: known(s, "tick", Allowed::closed(0.0, 0.1)),
+        wraps: dialect == Dialect::FluidNc,
+        first_step_rate: rate.and_then(|rate| rate.or(first)),
+        min_move_steps: s.number("min_move_steps", MOVE).unwrap_or(fewest),
+    }
+}
+
+/// Marlin has a floor on every board: where its timer has none, it rounds step rates up to whole steps a second.
+fn refuse_no_floor(s: &mut Section<'_, '_>) {
+    let place = s.place_of("min_step_rate");
+    let fault = Fault::error(FaultCode::Conflict, place, "`min_step_rate` is \"none\", but Marlin has a floor on every board")
+        .label("must be a step rate, such as 32: with 32 bits Marlin rounds rates up to whole steps a second")
+        .help("at r steps/s it runs up to 1/r too fast: 0.2 % at 500, 17 % at 6; slower seals need `feed_floor = \"chop\"`");
+    s.report(fault);
+}

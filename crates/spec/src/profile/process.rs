@@ -1,0 +1,135 @@
+//! The process of sealing and the bench: heights, ramp, speeds, work area, clamps.
+
+use crate::FaultCode;
+use crate::allowed::{Allowed, SIZE};
+use crate::fault::Fault;
+use crate::machine::{Bench, Heights, KeepOut, Process, lowest_contact};
+use crate::profile::known::{known, known_as};
+use crate::section::{Reader, Section};
+use crate::units::{Length, Speed};
+use crate::value::RawValue;
+
+/// Height in contact: above the release layer the iron seals nothing.
+pub const CONTACT: Allowed = Allowed::closed(lowest_contact(true), 0.0);
+/// Heights without contact: above the release layer, below any gantry.
+pub(super) const HEIGHT: Allowed = Allowed::above(0.0, 1000.0);
+/// Speeds of moves without sealing, up to 10 m/s.
+const FAST: Allowed = Allowed::closed(0.01, 1e4);
+
+/// The keys before the first section: whether there is a spring, if the profile states it, and the ramp's length.
+pub(super) fn read_tip(root: &mut Section<'_, '_>) -> (Option<bool>, Length) {
+    (root.truth("spring_loaded"), root.length("ramp", SIZE, 3.0))
+}
+
+/// Reads `[heights]` and `[speeds]`, with the result of [`read_tip`].
+pub(super) fn read_process(
+    reader: &mut Reader<'_>,
+    (spring_loaded, ramp): (Option<bool>, Length),
+) -> Process {
+    let heights = read_heights(&mut reader.section("heights"), spring_loaded);
+    let mut speeds = reader.section("speeds");
+    let travel_speed = speeds.quantity("travel", FAST).unwrap_or(Speed(20.0));
+    let trace_speed = speeds.quantity("trace", FAST).unwrap_or(Speed(20.0));
+    let spring_loaded = spring_loaded.unwrap_or(heights.contact.0 < 0.0);
+    Process { spring_loaded, heights, ramp, travel_speed, trace_speed }
+}
+
+/// Heights are whole micrometres, which every program can state: a program that rounded one would not be at it.
+fn to_micrometres(mm: f64) -> f64 {
+    (mm * 1000.0).round() / 1000.0
+}
+
+fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights {
+    s.require(&[("contact", "\"0 mm\""), ("travel", "\"5 mm\""), ("park", "\"30 mm\"")]);
+    let mut height = |key, allowed| s.quantity(key, allowed).map(|Length(x)| Length(to_micrometres(x)));
+    let contact = height("contact", CONTACT);
+    let travel = height("travel", HEIGHT);
+    let park = height("park", HEIGHT);
+    if let (Some(false), Some(Length(contact))) = (spring_loaded, contact)
+        && contact < lowest_contact(false)
+    {
+        let allowed = "must be 0 mm for a tip without a spring (`spring_loaded = false`)";
+        s.refuse(FaultCode::OutOfRange, "contact", format!("`contact` is {}", Length(contact)), allowed);
+    }
+    for (low, low_key, high, high_key) in
+        [(contact, "contact", travel, "travel"), (travel, "travel", park, "park")]
+    {
+        if let (Some(low), Some(high)) = (low, high)
+            && high <= low
+        {
+            let (found, allowed) =
+                (format!("`{high_key}` is {high}"), format!("must be above `{low_key}`, {low}"));
+            s.refuse(FaultCode::OutOfRange, high_key, found, allowed);
+        }
+    }
+    Heights {
+        contact: contact.unwrap_or(Length(0.0)),
+        travel: travel.unwrap_or(Length(5.0)),
+        park: park.unwrap_or(Length(30.0)),
+    }
+}
+
+/// Reads the bench, from `[work_area]` and each `[[keep_out]]`.
+pub(super) fn read_bench(reader: &mut Reader<'_>) -> Bench {
+    Bench { work_area: read_work_area(&mut reader.section("work_area")), keep_out: read_keep_out(reader) }
+}
+
+/// Both sizes, or neither: an absent one and "unknown" mean the same.
+fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
+    // A faulty side counts as set, so that it is not reported as missing too.
+    let mut side =
+        |key| known_as(s, key, |s| s.quantity(key, SIZE).or_else(|| s.has(key).then_some(Length(1.0))));
+    match (side("x"), side("y")) {
+        (Some(x), Some(y)) => Some((x, y)),
+        (None, None) => None,
+        _ => {
+            let fault = Fault::error(FaultCode::Conflict, s.place(), "[work_area] has one side only")
+                .label("must set both `x` and `y`, or neither, or \"unknown\" for both");
+            s.report(fault);
+            None
+        }
+    }
+}
+
+fn read_keep_out(reader: &mut Reader<'_>) -> Vec<KeepOut> {
+    let Some(list) = reader.raw.root().get("keep_out").and_then(RawValue::as_list) else {
+        // Registers the section, even where the profile has none.
+        let _ = reader.section("keep_out");
+        return Vec::new();
+    };
+    list.iter()
+        .map(|value| {
+            let mut s = reader.element("keep_out", value);
+            s.require(&[
+                ("x", "\"0 mm\""),
+                ("y", "\"0 mm\""),
+                ("width", "\"20 mm\""),
+                ("depth", "\"20 mm\""),
+            ]);
+            let place = Allowed::closed(-1e5, 1e5);
+            KeepOut {
+                name: s.name().unwrap_or_else(|| "clamp".to_owned()),
+                x: s.length("x", place, 0.0),
+                y: s.length("y", place, 0.0),
+                width: s.length("width", SIZE, 1.0),
+                depth: s.length("depth", SIZE, 1.0),
+                height: known(&mut s, "height", HEIGHT),
+            }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::source::Source;
+    use crate::{builtin_machine, read_machine};
+
+    #[test]
+    fn the_iron_is_in_contact_at_the_release_layer_or_below() {
+        let faults = |height: &str| {
+            let text = builtin_machine("grbl").expect("built in").replace("-0.3 mm", height);
+            read_machine(&Source::new("own", text)).err().map_or(0, |faults| faults.list().len())
+        };
+        assert_eq!(["-0.3 mm", "0 mm", "0.001 mm", "1 mm"].map(faults), [0, 0, 1, 1]);
+    }
+}

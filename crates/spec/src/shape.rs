@@ -1,0 +1,106 @@
+//! The values that a key takes, as the reader states when it takes them: the schema is made of this, so that the two cannot
+//! disagree.
+
+use serde_json::{Map, Value, json};
+
+use crate::allowed::Allowed;
+use crate::message::article;
+use crate::units::{Length, Quantity, QuantityKind};
+
+/// A decimal number, as a JSON Schema's pattern: the number that `units` reads before a unit.
+const NUMBER: &str = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?";
+
+/// The values that a key takes.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum ValueShape {
+    /// A number and a unit in quotes; the range is in the base unit.
+    Quantity(QuantityKind, Allowed),
+    /// Two lengths with an x between.
+    Area(Allowed),
+    /// A plain number.
+    Number(Allowed),
+    /// A whole number with its ends.
+    Count(u32, u32),
+    /// true or false.
+    Truth,
+    /// Any text.
+    Text,
+    /// A list of texts.
+    Texts,
+    /// The same, or one of these words instead.
+    Or(Box<ValueShape>, Vec<&'static str>),
+    /// One of these words.
+    Choice(Vec<&'static str>),
+    /// A list of some of these words.
+    Choices(Vec<&'static str>),
+    /// A list of sections.
+    Sections,
+    /// A section whose keys are these words, each with a list of texts.
+    Lists(Vec<&'static str>),
+}
+
+impl ValueShape {
+    /// The JSON Schema, and the conditions that it cannot express, in words.
+    pub(super) fn schema(&self) -> (Value, Option<String>) {
+        let texts = || json!({ "type": "array", "items": { "type": "string" } });
+        let (schema, told) = match self {
+            Self::Quantity(kind, allowed) => {
+                let (name, units) = (capital(&article(kind.name)), kind.unit_list());
+                let told = format!("{name} with its unit ({units}); {}.", allowed.in_words(kind.unit()));
+                let pattern = format!(r"^\s*{NUMBER}\s*({})\s*$", alternatives(*kind));
+                (json!({ "type": "string", "pattern": pattern }), told)
+            }
+            Self::Area(allowed) => {
+                let told = allowed.in_words(Length::KIND.unit());
+                let unit = alternatives(Length::KIND);
+                let pattern = format!("^\\s*{NUMBER}\\s*({unit})?\\s*[x\u{d7}]\\s*{NUMBER}\\s*({unit})\\s*$");
+                let schema = json!({ "type": "string", "pattern": pattern });
+                (schema, format!("Two lengths with an x between; each {told}."))
+            }
+            Self::Number(allowed) => (allowed.schema(), format!("A plain number; {}.", allowed.in_words(""))),
+            Self::Count(low, high) => {
+                let schema = json!({ "type": "integer", "minimum": low, "maximum": high });
+                let told = format!("A whole number from {low} to {high}.");
+                (schema, if low == high { format!("Always {low}.") } else { told })
+            }
+            Self::Or(shape, words) => {
+                let (schema, told) = shape.schema();
+                let ways = std::iter::once(schema).chain(words.iter().map(|word| json!({ "const": word })));
+                let list: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
+                let told = format!("{} Or {}.", told.unwrap_or_default(), list.join(" or "));
+                (json!({ "anyOf": ways.collect::<Vec<_>>() }), told)
+            }
+            Self::Choice(words) => {
+                (json!({ "type": "string", "enum": words }), format!("One of {}.", words.join(", ")))
+            }
+            Self::Choices(words) => {
+                let items = json!({ "type": "string", "enum": words });
+                let schema = json!({ "type": "array", "items": items, "uniqueItems": true });
+                (schema, format!("A list of some of {}.", words.join(", ")))
+            }
+            Self::Texts => (texts(), "A list of texts.".to_owned()),
+            Self::Truth => return (json!({ "type": "boolean" }), None),
+            Self::Text => return (json!({ "type": "string" }), None),
+            Self::Sections => return (json!({ "type": "array" }), None),
+            Self::Lists(words) => {
+                let keys: Map<_, _> = words.iter().map(|word| ((*word).to_owned(), texts())).collect();
+                let schema = json!({ "type": "object", "additionalProperties": false, "properties": keys });
+                return (schema, None);
+            }
+        };
+        (schema, Some(told))
+    }
+}
+
+/// Units as a pattern; the longest first, so that no unit hides another that begins with it.
+fn alternatives(kind: QuantityKind) -> String {
+    let mut units: Vec<&str> = kind.units.iter().map(|(name, _)| *name).collect();
+    units.sort_by_key(|unit| std::cmp::Reverse(unit.len()));
+    units.join("|").replace('^', r"\^")
+}
+
+/// `text` with a capital letter first.
+pub(super) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

@@ -1,0 +1,127 @@
+//! The starter: a commented spec for a person to begin with.
+
+use std::fmt::Write;
+
+use crate::LayerRole;
+use crate::name::check_name;
+use artwork::Unit;
+
+/// The starter, with a placeholder for the name.
+pub(super) const TEMPLATE: &str = include_str!("../../../templates/spec.toml");
+/// The placeholder, a whole TOML string so that nothing else in the text can match it.
+const PLACEHOLDER: &str = "\"NAME\"";
+
+/// The starter of a drawing.
+const DRAWING: &str = include_str!("../../../templates/drawing.toml");
+
+/// A valid spec called `name`, commented, with every key and its default: the paper's star.
+///
+/// # Errors
+/// If `name` cannot be a spec's name.
+pub fn starter(name: &str) -> Result<String, String> {
+    Ok(TEMPLATE.replacen(PLACEHOLDER, &quoted(name)?, 1))
+}
+
+/// A spec called `name` of the drawing `file`, whose `layers` have these roles for these reasons, with the unit of its numbers if the file is not to decide.
+///
+/// # Errors
+/// If `name` cannot be a spec's name.
+pub fn drawing_starter(
+    name: &str,
+    file: &str,
+    layers: &[(String, LayerRole, String)],
+    unit: Option<Unit>,
+) -> Result<String, String> {
+    let mut roles = String::new();
+    for (word, role) in LayerRole::ALL {
+        let own: Vec<&(String, LayerRole, String)> = layers.iter().filter(|layer| layer.1 == role).collect();
+        for (layer, _, reason) in &own {
+            let _ = writeln!(roles, "# {}: {reason}", in_quotes(layer));
+        }
+        if !own.is_empty() {
+            let names: Vec<String> = own.iter().map(|(layer, ..)| in_quotes(layer)).collect();
+            let _ = writeln!(roles, "{word} = [{}]", names.join(", "));
+        }
+    }
+    let units = unit.map_or("# units = \"mm\"".to_owned(), |unit| format!("units = \"{}\"", unit.name()));
+    Ok(DRAWING
+        .replacen(PLACEHOLDER, &quoted(name)?, 1)
+        .replacen("\"FILE\"", &in_quotes(file), 1)
+        .replacen("UNITS", &units, 1)
+        .replacen("ROLES\n", &roles, 1))
+}
+
+/// `name` as TOML writes it.
+///
+/// # Errors
+/// If `name` cannot be a spec's name.
+pub fn quoted(name: &str) -> Result<String, String> {
+    check_name(name)?;
+    Ok(in_quotes(name))
+}
+
+/// `text` without control characters in quotes: TOML requires only these two characters to be escaped.
+fn in_quotes(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Spec;
+    use crate::reading::read;
+    use crate::source::Source;
+
+    fn spec(text: &str) -> Spec {
+        match read(&Source::new("starter", text)) {
+            Ok(reading) => {
+                assert!(reading.warnings.is_empty(), "{}", reading.warnings);
+                reading.spec
+            }
+            Err(faults) => panic!("{faults}"),
+        }
+    }
+
+    /// The starter with the lines behind `mark` switched on.
+    fn switched_on(mark: &str) -> String {
+        let is_key = |rest: &str| {
+            let word = rest.trim_start_matches('[').split([' ', ']']).next().unwrap_or_default();
+            rest.starts_with('[') || rest[word.len()..].starts_with(" = ")
+        };
+        let text = starter("x").expect("a name");
+        let lines = text.lines().map(|line| match line.strip_prefix(mark) {
+            Some(rest) if is_key(rest) => rest,
+            _ => line,
+        });
+        lines.collect::<Vec<_>>().join("\n")
+    }
+
+    #[test]
+    fn the_starter_reads_back_under_any_name() {
+        for name in
+            ["paper star", r#"a "b" \ 'c' {{name}} NAME"#, "\\", "\"\"\"", "../é星 # x = 1", &"n".repeat(80)]
+        {
+            assert_eq!(spec(&starter(name).expect("a name")).name, name);
+        }
+        let why = |name: &str| starter(name).expect_err("no name");
+        assert!(why("a\nb").contains("without control characters, here is U+000A"));
+        assert!(why("").contains("at least one visible character"));
+    }
+
+    #[test]
+    fn every_default_shown_is_the_default() {
+        let text = switched_on("# ");
+        assert!(text.lines().filter(|line| line.contains(" = ")).count() >= 40, "{text}");
+        assert_eq!(spec(&text), spec(&starter("x").expect("a name")));
+    }
+
+    #[test]
+    fn everything_shown_as_absent_can_be_written() {
+        let with = spec(&switched_on("## "));
+        let without = spec(&starter("x").expect("a name"));
+        assert_eq!((without.load, without.sheet.width, without.mask.extent), (None, None, None));
+        assert!(with.load.is_some() && with.sheet.width.is_some() && with.mask.extent.is_some());
+        assert!(with.fabric.seal_strength.is_some() && with.fabric.areal_density.is_some());
+        assert!(with.stars[0].inner_radius < without.stars[0].inner_radius);
+    }
+}

@@ -1,0 +1,294 @@
+//! One key of a spec that a study sets: its shape and its values; and the keys in a section of a study.
+
+use std::ops::Range;
+use std::sync::LazyLock;
+
+use crate::FaultCode;
+use crate::fault::{Fault, quoted};
+use crate::key::{self, KeyPath};
+use crate::raw::RawSpec;
+use crate::reading::read_spec;
+use crate::section::{Reader, Section};
+use crate::shape::ValueShape;
+use crate::unknown::nearest;
+use crate::value::{RawEntry, RawKind, RawNumber, RawTable, RawValue};
+
+/// A key of the spec that a study sets.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    key: KeyPath,
+    shape: ValueShape,
+}
+
+/// A value of a field.
+#[derive(Clone, Debug, PartialEq)]
+pub enum KeyValue {
+    /// A quantity in its base unit, a plain number, or a whole one.
+    Number(f64),
+    /// A word, or any other text.
+    Word(String),
+    /// True or false.
+    Truth(bool),
+}
+
+/// The shape of every key, from the reader.
+static SHAPES: LazyLock<Vec<(&'static str, &'static str, ValueShape)>> = LazyLock::new(|| {
+    let (raw, _) = RawSpec::parse("[stack]\ncount = 64\n");
+    let mut reader = Reader::new(&raw);
+    let _ = read_spec(&mut reader);
+    reader.shapes().map(|(section, key, shape)| (section, key, shape.clone())).collect()
+});
+
+impl Field {
+    /// The field of the key `name`, "star.points"; `None` if a study cannot set it: the key does not exist, or it is `schema`,
+    /// the list of single stars, `build.with`, or one of a drawing, since studies cover only stars.
+    pub fn of(name: &str) -> Option<Self> {
+        let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
+        let own =
+            |(section, word, _): &&(&str, &str, ValueShape)| (*section, *word) == (key.section(), key.key());
+        let (_, _, shape) = SHAPES.iter().find(own)?;
+        let others = [key::sheet::COPIES, key::mask::KIND];
+        let is_of_drawing = key.section() == key::drawing::FILE.section() || others.contains(&key);
+        (key != key::root::SCHEMA
+            && !is_of_drawing
+            && !matches!(shape, ValueShape::Sections | ValueShape::Choices(_)))
+        .then(|| Self { key, shape: shape.clone() })
+    }
+
+    /// The key nearest to `name`, if one is near.
+    pub fn near(name: &str) -> Option<String> {
+        let names: Vec<String> = Self::names().collect();
+        let near = nearest(name, names.iter().map(String::as_str));
+        // A name with no section, or with another one, is taken to mean the same key.
+        let word = name.rsplit('.').next().unwrap_or(name);
+        let ends = |known: &&String| known.rsplit('.').next() == Some(word);
+        near.map(str::to_owned).or_else(|| names.iter().find(ends).cloned())
+    }
+
+    /// The names of all fields.
+    pub fn names() -> impl Iterator<Item = String> {
+        key::ALL.iter().map(ToString::to_string).filter(|name| Self::of(name).is_some())
+    }
+
+    /// The key.
+    pub fn key(&self) -> KeyPath {
+        self.key
+    }
+
+    /// The unit of its numbers; `None` if they have none.
+    pub fn unit(&self) -> Option<&'static str> {
+        match &self.shape {
+            ValueShape::Quantity(kind, _) => Some(kind.unit()),
+            _ => None,
+        }
+    }
+
+    /// Whether its values are numbers, so that there are some between two of them.
+    pub fn is_number(&self) -> bool {
+        matches!(self.shape, ValueShape::Quantity(..) | ValueShape::Number(_) | ValueShape::Count(..))
+    }
+
+    /// Whether its values are whole numbers.
+    pub fn is_whole(&self) -> bool {
+        matches!(self.shape, ValueShape::Count(..))
+    }
+
+    /// The value of `text` on a command line: "3", "40 mm", "true".
+    ///
+    /// # Errors
+    /// One sentence that states the value found and the allowed ones.
+    pub fn parse(&self, text: &str) -> Result<KeyValue, String> {
+        let text = text.trim();
+        let word = || RawKind::Text(text.to_owned());
+        let kind = match &self.shape {
+            ValueShape::Number(_) | ValueShape::Count(..) => number(text).map_or_else(word, RawKind::Number),
+            ValueShape::Truth => text.parse().map_or_else(|_| word(), RawKind::Truth),
+            _ => word(),
+        };
+        let said = |fault: Fault| {
+            let help = fault.help.map(|help| format!("; {help}")).unwrap_or_default();
+            format!("{}: {}{help}", fault.message, fault.label)
+        };
+        self.read(&RawValue { kind, span: 0..0 }).map_err(said)
+    }
+
+    /// The value that was written as `value`, in its range.
+    pub(super) fn read(&self, value: &RawValue) -> Result<KeyValue, Fault> {
+        let raw = RawSpec::of_one(self.key, value.clone());
+        let mut reader = Reader::new(&raw);
+        let mut section = match self.key.section() {
+            "" => reader.root(),
+            name => reader.section(name),
+        };
+        let found = taken(&mut section, self.key.key(), &self.shape);
+        let unread = || Fault::error(FaultCode::WrongType, value.span.clone(), format!("`{}`", self.key));
+        found.ok_or_else(|| reader.faults.pop().unwrap_or_else(unread))
+    }
+
+    /// `value` as a spec writes it.
+    pub fn toml(&self, value: &KeyValue) -> String {
+        match (value, self.unit()) {
+            // `{}` prints the shortest decimals that read back to the same number.
+            (KeyValue::Number(number), Some(unit)) => format!("\"{number} {unit}\""),
+            (KeyValue::Number(number), None) => number.to_string(),
+            (KeyValue::Word(word), _) => toml_edit::Value::from(word.as_str()).to_string(),
+            (KeyValue::Truth(truth), _) => truth.to_string(),
+        }
+    }
+}
+
+/// A plain number as TOML has it.
+fn number(text: &str) -> Option<RawNumber> {
+    let value: f64 = text.parse().ok().filter(|value: &f64| value.is_finite())?;
+    let whole = text.parse().ok();
+    Some(RawNumber { text: text.to_owned(), value, is_integer: whole.is_some(), whole })
+}
+
+fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &ValueShape) -> Option<KeyValue> {
+    match shape {
+        ValueShape::Quantity(kind, allowed) => section.in_base(key, *kind, *allowed),
+        ValueShape::Number(allowed) => section.number(key, *allowed),
+        ValueShape::Count(low, high) => section.count(key, *low, *high).map(f64::from),
+        ValueShape::Truth => return section.truth(key).map(KeyValue::Truth),
+        ValueShape::Text => return section.text(key).map(|(text, _)| KeyValue::Word(text.to_owned())),
+        ValueShape::Choice(words) => {
+            let choices: Vec<(&'static str, &'static str)> =
+                words.iter().map(|word| (*word, *word)).collect();
+            return section.choice(key, &choices).map(|word| KeyValue::Word(word.to_owned()));
+        }
+        ValueShape::Area(allowed) => {
+            let sides = section.area(key, *allowed);
+            return sides.map(|[width, depth]| KeyValue::Word(format!("{width} x {depth}")));
+        }
+        ValueShape::Or(shape, _) => return taken(section, key, shape),
+        ValueShape::Sections | ValueShape::Lists(_) | ValueShape::Texts | ValueShape::Choices(_) => None,
+    }
+    .map(KeyValue::Number)
+}
+
+/// A key of the study, with its value.
+pub(super) struct Leaf<'r> {
+    /// The key of the spec.
+    pub(super) field: Field,
+    /// The span of its name.
+    pub(super) place: Range<usize>,
+    /// Its value.
+    pub(super) value: &'r RawValue,
+}
+
+/// The keys of `table`, in the order in which they were written; a fault for each that the spec does not have.
+pub(super) fn leaves<'r>(table: &'r RawTable, faults: &mut Vec<Fault>) -> Vec<Leaf<'r>> {
+    let mut found = Vec::new();
+    for entry in &table.0 {
+        gather(entry, "", &mut found, faults);
+    }
+    found.sort_by_key(|leaf| leaf.place.start);
+    found
+}
+
+fn gather<'r>(entry: &'r RawEntry, section: &str, found: &mut Vec<Leaf<'r>>, faults: &mut Vec<Fault>) {
+    let name = format!("{section}{}", entry.key);
+    if let Some(field) = Field::of(&name) {
+        found.push(Leaf { field, place: entry.key_span.clone(), value: &entry.value });
+        return;
+    }
+    if let Some(table) = entry.value.as_table().filter(|_| section.is_empty()) {
+        for inner in &table.0 {
+            gather(inner, &format!("{name}."), found, faults);
+        }
+        return;
+    }
+    let help = match Field::near(&name) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "keys are written with their section: star.points, load.pressure".to_owned(),
+    };
+    let what = if name.starts_with("stack.star") || name == "schema" {
+        format!("{} cannot be set by a study", quoted(&name))
+    } else {
+        format!("unknown key {}", quoted(&name))
+    };
+    let fault = Fault::error(FaultCode::UnknownKey, entry.key_span.clone(), what);
+    faults.push(fault.label("must be a key of the spec").help(help));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A value that every shape takes.
+    fn example(shape: &ValueShape) -> String {
+        match shape {
+            ValueShape::Quantity(kind, _) => format!("0.5 {}", kind.unit()),
+            ValueShape::Area(_) => "220 mm x 210 mm".to_owned(),
+            ValueShape::Number(_) => "0.25".to_owned(),
+            ValueShape::Count(low, _) => low.to_string(),
+            ValueShape::Truth => "true".to_owned(),
+            ValueShape::Choice(words) => words[0].to_owned(),
+            ValueShape::Or(shape, _) => example(shape),
+            ValueShape::Text
+            | ValueShape::Texts
+            | ValueShape::Lists(_)
+            | ValueShape::Choices(_)
+            | ValueShape::Sections => "x".to_owned(),
+        }
+    }
+
+    #[test]
+    fn every_key_takes_a_value_and_gives_it_back() {
+        for name in Field::names() {
+            let field = Field::of(&name).expect("a field");
+            let text = example(&field.shape);
+            let value = field.parse(&text).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+            let (raw, _) = RawSpec::parse(&format!("x = {}", field.toml(&value)));
+            let back = field.read(raw.root().get("x").expect("written"));
+            assert_eq!(back.ok(), Some(value), "{name}");
+        }
+    }
+
+    #[test]
+    fn keys_that_no_study_sets_are_these() {
+        let names = key::ALL.iter().map(ToString::to_string);
+        let others: Vec<String> = names.filter(|name| Field::of(name).is_none()).collect();
+        let known = [
+            "schema",
+            "stack.star",
+            "drawing.file",
+            "drawing.units",
+            "drawing.join",
+            "drawing.passage",
+            "drawing.layers",
+            "mask.kind",
+            "sheet.copies",
+            "build.with",
+        ];
+        assert_eq!(others, known);
+    }
+
+    #[test]
+    fn values_out_of_range_say_what_is_allowed() {
+        let said = |name: &str, text: &str| Field::of(name).expect("a key").parse(text).expect_err("refused");
+        assert_eq!(said("star.points", "2"), "`points` is 2: must be from 3 to 64");
+        assert_eq!(
+            said("star.points", "4.5"),
+            "`points` in [star] is the number 4.5: must be a whole number, without quotes and unit"
+        );
+        assert_eq!(
+            said("star.tube_width", "0 mm"),
+            "`tube_width` is `0 mm`: must be at least 0.001 mm and at most 100000 mm"
+        );
+        assert!(
+            said("star.tube_width", "3")
+                .starts_with("`tube_width` is `3`, without a unit: a length needs a unit")
+        );
+        assert!(said("accuracy.model", "secton").ends_with("did you mean \"section\"?"));
+        assert!(said("mask.mirror", "yes").contains("must be true or false"));
+    }
+
+    #[test]
+    fn keys_are_known_by_name() {
+        assert_eq!(Field::near("star.tube_widht").as_deref(), Some("star.tube_width"));
+        assert_eq!(Field::near("tube_width").as_deref(), Some("star.tube_width"));
+        assert_eq!(Field::near("colour of the fabric"), None);
+        assert!(Field::of("schema").is_none() && Field::of("stack.star").is_none());
+    }
+}

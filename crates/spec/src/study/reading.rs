@@ -1,0 +1,216 @@
+//! From the text of a study file to the study.
+
+use std::ops::Range;
+
+use crate::accuracy::{Detail, ModelChoice};
+use crate::fault::Fault;
+use crate::faults::Faults;
+use crate::foreign::Document;
+use crate::key;
+use crate::reading::{read_schema, read_with};
+use crate::section::Reader;
+use crate::shape::ValueShape;
+use crate::source::Source;
+use crate::study::axis::{Axis, Block, Draw, MOST_VALUES, between, counted_out};
+use crate::study::field::{Field, KeyValue, Leaf, leaves};
+use crate::value::{RawKind, RawValue};
+use crate::{FaultCode, KeyPath};
+
+/// A study as its file defines it.
+#[derive(Clone, Debug)]
+pub struct StudyFile {
+    /// The text, for faults that are found later.
+    pub source: Source,
+    /// The spec around which values are varied: a path relative to the study file.
+    pub spec: String,
+    /// The model that predicts; `None`: the spec's.
+    pub model: Option<ModelChoice>,
+    /// The fineness of shells' meshes, and its place in the text; `None`: medium.
+    pub fineness: Option<(Detail, Range<usize>)>,
+    /// Fields with a value that replaces the spec's.
+    pub set: Vec<(Field, KeyValue)>,
+    /// The axes that vary, by block; the last runs fastest. Never empty.
+    pub blocks: Vec<Block>,
+    /// The requested columns; `None`: all.
+    pub outputs: Option<Vec<Wanted>>,
+}
+
+/// A requested column.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wanted {
+    /// Its name.
+    pub name: String,
+    /// Its place in the text.
+    pub place: Range<usize>,
+}
+
+/// Most values that are drawn.
+const MOST_DRAWN: u32 = 1_000_000_000;
+
+/// Reads a study file: `schema`, `spec`, `model`, `fineness`, `outputs`, `[set]`, and at least one of `[vary]` (every combination of its
+/// lists), `[rows]` (lists of one length that go on together) and `[draw]` (drawn between two ends).
+///
+/// # Errors
+/// All faults of the text at once.
+pub fn read_study(source: &Source) -> Result<StudyFile, Faults> {
+    read_with(source, Document::Study, |reader| read_file(reader, source)).map(|(file, _, _)| file)
+}
+
+fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
+    let mut root = reader.root();
+    root.require(&[("schema", "1"), ("spec", "\"spec.toml\"")]);
+    read_schema(&mut root, 1);
+    let allowed = "must be the path of a spec, relative to this file";
+    let spec = root.path("spec", FaultCode::Name, allowed).unwrap_or_default();
+    let model = root.choice("model", &ModelChoice::ALL);
+    let place = root.place_of("model");
+    let fineness = root.choice("fineness", &Detail::ALL).map(|detail| (detail, root.place_of("fineness")));
+    let wanted = |(name, place): (&str, Range<usize>)| Wanted { name: name.to_owned(), place };
+    let outputs = root.texts("outputs").map(|names| names.into_iter().map(wanted).collect());
+    let mut seen = SeenKeys::default();
+    if model.is_some() {
+        seen.add(key::accuracy::MODEL, place, "model", &mut reader.faults);
+    }
+    let set = read_set(reader, &mut seen);
+    let mut blocks = Vec::from_iter(read_draw(reader, &mut seen));
+    blocks.extend(read_rows(reader, &mut seen));
+    blocks.extend(read_vary(reader, &mut seen));
+    if blocks.is_empty() && reader.faults.is_empty() {
+        let fault = Fault::error(FaultCode::MissingKey, usize::MAX..usize::MAX, "nothing is varied")
+            .label("a study needs [vary], [rows] or [draw]")
+            .help("write for instance: vary.star.points = [3, 4, 5]");
+        reader.faults.push(fault);
+    }
+    StudyFile { source: source.clone(), spec, model, fineness, set, blocks, outputs }
+}
+
+/// The keys that were set so far, with the section that sets them.
+#[derive(Default)]
+struct SeenKeys(Vec<(KeyPath, &'static str)>);
+
+impl SeenKeys {
+    /// Adds `key`; a fault if it, or its twin, is there already.
+    fn add(&mut self, key: KeyPath, place: Range<usize>, by: &'static str, faults: &mut Vec<Fault>) {
+        let is_same = |known: KeyPath| known == key || Some(known) == key.twin();
+        if let Some((known, other)) = self.0.iter().find(|(known, _)| is_same(*known)) {
+            let found = if *known == key {
+                format!("`{key}` is set twice")
+            } else {
+                format!("`{key}` is set besides `{known}`, the same size")
+            };
+            let fault = Fault::error(FaultCode::Conflict, place, found);
+            faults.push(fault.label(format!("{other} sets it already")).help("delete one of them"));
+        }
+        self.0.push((key, by));
+    }
+}
+
+/// The leaves of section `name`, each once.
+fn section<'r>(reader: &mut Reader<'r>, name: &'static str, seen: &mut SeenKeys) -> Vec<Leaf<'r>> {
+    let Some(table) = reader.free(name).and_then(RawValue::as_table) else { return Vec::new() };
+    let found = leaves(table, &mut reader.faults);
+    for leaf in &found {
+        seen.add(leaf.field.key(), leaf.place.clone(), name, &mut reader.faults);
+    }
+    found
+}
+
+/// What was found, or `None` and its fault among `faults`.
+fn kept<T>(found: Result<T, Fault>, faults: &mut Vec<Fault>) -> Option<T> {
+    found.map_err(|fault| faults.push(fault)).ok()
+}
+
+fn read_set(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Vec<(Field, KeyValue)> {
+    let leaves = section(reader, "set", seen).into_iter();
+    let set = leaves.filter_map(|leaf| {
+        let value = kept(leaf.field.read(leaf.value), &mut reader.faults)?;
+        Some((leaf.field, value))
+    });
+    set.collect()
+}
+
+fn read_vary(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Vec<Block> {
+    let leaves = section(reader, "vary", seen).into_iter();
+    leaves.filter_map(|leaf| Block::new(vec![kept(read_axis(leaf), &mut reader.faults)?])).collect()
+}
+
+fn read_rows(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
+    let mut axes: Vec<Axis> = Vec::new();
+    for leaf in section(reader, "rows", seen) {
+        let (name, place) = (leaf.field.key(), leaf.value.span.clone());
+        let Some(axis) = kept(read_axis(leaf), &mut reader.faults) else { continue };
+        if let Some(first) = axes.first().filter(|first| first.len() != axis.len()) {
+            let found = format!("`{name}` has {} values in [rows]", axis.len());
+            let label =
+                format!("must have {}, as `{}`: a row takes one of each", first.len(), first.field.key());
+            reader.faults.push(Fault::error(FaultCode::CellCount, place, found).label(label));
+        }
+        axes.push(axis);
+    }
+    Block::new(axes)
+}
+
+/// A list of values, or a range that is counted out.
+fn read_axis(Leaf { field, value, .. }: Leaf<'_>) -> Result<Axis, Fault> {
+    let told = |code, label: &str| {
+        let found = format!("`{}` is {}", field.key(), value.in_words());
+        Fault::error(code, value.span.clone(), found).label(label)
+    };
+    let values = match &value.kind {
+        RawKind::List(list) if list.is_empty() => {
+            return Err(told(FaultCode::OutOfRange, "must hold at least one value"));
+        }
+        RawKind::List(list) if list.len() > MOST_VALUES as usize => {
+            return Err(told(FaultCode::OutOfRange, &format!("must hold at most {MOST_VALUES} values")));
+        }
+        // One fault is enough: an error in the first of a thousand values is in all of them.
+        RawKind::List(list) => list.iter().map(|value| field.read(value)).collect::<Result<_, _>>()?,
+        RawKind::Text(text) if text.contains("..") => {
+            counted_out(&field, text).map_err(|why| told(FaultCode::OutOfRange, &why))?
+        }
+        _ => {
+            let fault = told(FaultCode::WrongType, "must be a list, [a, b, c], or \"FROM..TO/COUNT\"");
+            return Err(fault.help("a single fixed value belongs in [set]"));
+        }
+    };
+    Ok(Axis::listed(field, values))
+}
+
+fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
+    let mut section = reader.section("draw");
+    if section.is_written() {
+        section.require(&[("count", "1000"), ("between", "{ \"star.tube_width\" = \"10 mm..40 mm\" }")]);
+    }
+    let count = section.count("count", 1, MOST_DRAWN).map_or(1, u64::from);
+    let seed = section.count("seed", 0, u32::MAX).map_or(1, u64::from);
+    let latin = section.choice("method", &[("latin", true), ("random", false)]).unwrap_or(true);
+    let between_ends = section.take("between", ValueShape::Sections)?;
+    let Some(table) = between_ends.as_table() else {
+        let allowed = "must be a section, [draw.between], of keys with \"FROM..TO\"";
+        section.refuse(FaultCode::WrongType, "between", "`between` is not a section", allowed);
+        return None;
+    };
+    let drawn = |Leaf { field, value, .. }: Leaf<'_>| {
+        let ends = match &value.kind {
+            RawKind::Text(text) => between(&field, text),
+            _ => Err("must be a text, \"FROM..TO\"".to_owned()),
+        };
+        let ends = ends.and_then(|[from, to]| {
+            let why = "the range is descending: write the smaller end first";
+            if from <= to { Ok([from, to]) } else { Err(why.to_owned()) }
+        });
+        let [from, to] = ends.map_err(|why| {
+            let found = format!("`{}` is {}", field.key(), value.in_words());
+            Fault::error(FaultCode::OutOfRange, value.span.clone(), found).label(why)
+        })?;
+        let key = Draw::number(&field.key().to_string());
+        let whole = field.is_whole();
+        Ok(Axis::drawn(field, Draw { from, to, whole, seed, key, count, latin }))
+    };
+    let mut axes = Vec::new();
+    for leaf in leaves(table, &mut reader.faults) {
+        seen.add(leaf.field.key(), leaf.place.clone(), "draw", &mut reader.faults);
+        axes.extend(kept(drawn(leaf), &mut reader.faults));
+    }
+    Block::new(axes)
+}

@@ -1,0 +1,434 @@
+//! Physical quantities: a number with a unit, as written in a spec.
+//!
+//! Each quantity is a type around one `f64` in a fixed unit; its table lists every unit it can be
+//! written in. A quantity is written as a decimal number, optional blanks, and a unit: `50 mm`,
+//! `0.3mm`, `1.5e-1 mm`. The first unit in a table is the one it is printed in.
+
+use geom::readable::decimals;
+use std::fmt;
+
+pub use geom::readable::Readable;
+
+/// A number of things: "1 finding", "91 findings".
+pub fn counted(number: usize, what: &str) -> String {
+    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
+}
+
+/// The reason why a text is not a quantity of the required kind.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum QuantityFault {
+    /// The text does not begin with a finite decimal number.
+    NotANumber,
+    /// The unit is missing.
+    NoUnit,
+    /// The unit is not one of this quantity.
+    UnknownUnit(String),
+}
+
+/// A kind of quantities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuantityKind {
+    /// Its name in messages: "length".
+    pub name: &'static str,
+    /// Units in which it can be written, at least one, with the factor to the base unit; the first is the base.
+    pub units: &'static [(&'static str, f64)],
+}
+
+impl QuantityKind {
+    /// The unit in which it is printed.
+    pub fn unit(self) -> &'static str {
+        self.units[0].0
+    }
+
+    /// The number of `text` in the base unit.
+    ///
+    /// # Errors
+    /// If it is not a finite decimal number followed by one of the units.
+    pub fn parse(self, text: &str) -> Result<f64, QuantityFault> {
+        let (value, unit) = split_number(text).ok_or(QuantityFault::NotANumber)?;
+        if unit.is_empty() {
+            return Err(QuantityFault::NoUnit);
+        }
+        let known = self.units.iter().find(|(name, _)| *name == unit);
+        let (_, factor) = known.ok_or_else(|| QuantityFault::UnknownUnit(unit.to_owned()))?;
+        Some(value * factor).filter(|base| base.is_finite()).ok_or(QuantityFault::NotANumber)
+    }
+
+    /// The units as a list for messages: "mm, cm, m". Units with a letter that is missing on some keyboards are left out; they always have
+    /// another spelling.
+    pub fn unit_list(self) -> String {
+        let names = self.units.iter().map(|(name, _)| *name).filter(|name| name.is_ascii());
+        names.collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// A physical quantity that a spec can state.
+pub trait Quantity: Copy + fmt::Display {
+    /// Its name and its units.
+    const KIND: QuantityKind;
+    /// Wraps a value in the base unit.
+    fn from_base(value: f64) -> Self;
+    /// The value in the base unit.
+    fn base(self) -> f64;
+
+    /// Reads `text`.
+    ///
+    /// # Errors
+    /// As for [`QuantityKind::parse`].
+    fn parse(text: &str) -> Result<Self, QuantityFault> {
+        Self::KIND.parse(text).map(Self::from_base)
+    }
+}
+
+/// Splits `text` into its leading finite decimal number and the trimmed rest; `None` if there is no such number.
+fn split_number(text: &str) -> Option<(f64, &str)> {
+    let text = text.trim();
+    let bytes = text.as_bytes();
+    let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
+    let mut end = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
+    let whole = digits(end);
+    end += whole;
+    let mut decimals = 0;
+    if bytes.get(end) == Some(&b'.') {
+        decimals = digits(end + 1);
+        end += 1 + decimals;
+    }
+    if whole + decimals == 0 {
+        return None;
+    }
+    // An exponent counts as one only if digits follow: "2e" would otherwise swallow a unit's first letter.
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        let exponent = digits((end + 1 + sign).min(bytes.len()));
+        if exponent > 0 {
+            end += 1 + sign + exponent;
+        }
+    }
+    let value: f64 = text[..end].parse().ok()?;
+    value.is_finite().then(|| (value, text[end..].trim()))
+}
+
+macro_rules! quantities {
+    ($($(#[$doc:meta])* $name:ident($kind:literal): $($unit:literal = $factor:expr),+;)+) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+        pub struct $name(pub f64);
+
+        impl Quantity for $name {
+            const KIND: QuantityKind = QuantityKind { name: $kind, units: &[$(($unit, $factor)),+] };
+            fn from_base(value: f64) -> Self { Self(value) }
+            fn base(self) -> f64 { self.0 }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "{} {}", Readable(self.0), Self::KIND.unit())
+            }
+        }
+    )+};
+}
+
+quantities! {
+    /// A length; the field is mm.
+    Length("length"): "mm" = 1.0, "cm" = 10.0, "m" = 1000.0, "um" = 1e-3, "µm" = 1e-3, "μm" = 1e-3, "in" = 25.4;
+    /// An angle; the field is degrees, so that "30 deg" is kept exactly.
+    Angle("angle"): "deg" = 1.0, "rad" = 180.0 / std::f64::consts::PI;
+    /// A pressure or an elastic modulus; the field is kPa.
+    Pressure("pressure"): "kPa" = 1.0, "Pa" = 1e-3, "MPa" = 1e3, "GPa" = 1e6, "bar" = 100.0, "mbar" = 0.1, "psi" = 6.894_757_293_168_361;
+    /// A temperature; the field is degrees Celsius.
+    Temperature("temperature"): "C" = 1.0, "degC" = 1.0, "°C" = 1.0;
+    /// A speed; the field is mm/s.
+    Speed("speed"): "mm/s" = 1.0, "mm/min" = 1.0 / 60.0, "m/s" = 1000.0, "m/min" = 1000.0 / 60.0, "cm/s" = 10.0;
+    /// An acceleration; the field is mm/s^2.
+    Acceleration("acceleration"): "mm/s^2" = 1.0, "m/s^2" = 1000.0;
+    /// A force per length (the strength of a seal); the field is N/mm.
+    LineForce("force per length"): "N/mm" = 1.0, "N/m" = 1e-3, "N/cm" = 0.1, "N/15mm" = 1.0 / 15.0, "N/25mm" = 1.0 / 25.0;
+    /// A bending stiffness: moment by length over curvature; the field is N mm.
+    BendingStiffness("bending stiffness"): "N mm" = 1.0, "N m" = 1e3, "mN m" = 1.0, "uN m" = 1e-3;
+    /// A mass; the field is kg.
+    Mass("mass"): "kg" = 1.0, "g" = 1e-3, "lb" = 0.453_592_37, "oz" = 0.028_349_523_125;
+    /// A force; the field is N.
+    Force("force"): "N" = 1.0, "mN" = 1e-3, "kN" = 1e3;
+    /// A mass per area; the field is kg/m^2.
+    ArealDensity("mass per area"): "kg/m^2" = 1.0, "g/m^2" = 1e-3;
+    /// A ratio written in per cent; the field is the percentage, 10 for a tenth.
+    Percent("percentage"): "%" = 1.0;
+    /// A duration; the field is s.
+    Duration("duration"): "s" = 1.0, "ms" = 1e-3, "min" = 60.0, "h" = 3600.0;
+}
+
+impl Length {
+    /// The length in m.
+    pub fn metres(self) -> f64 {
+        self.0 * 1e-3
+    }
+
+    /// A length given in m.
+    pub fn from_metres(metres: f64) -> Self {
+        Self(metres * 1e3)
+    }
+}
+
+impl Pressure {
+    /// The pressure in Pa.
+    pub fn pascals(self) -> f64 {
+        self.0 * 1e3
+    }
+
+    /// A pressure given in Pa.
+    pub fn from_pascals(pascals: f64) -> Self {
+        Self(pascals * 1e-3)
+    }
+}
+
+impl LineForce {
+    /// The force per length in N/m.
+    pub fn newtons_per_metre(self) -> f64 {
+        self.0 * 1e3
+    }
+
+    /// A force per length given in N/m.
+    pub fn from_newtons_per_metre(newtons: f64) -> Self {
+        Self(newtons * 1e-3)
+    }
+}
+
+impl BendingStiffness {
+    /// The stiffness in N m.
+    pub fn newton_metres(self) -> f64 {
+        self.0 * 1e-3
+    }
+
+    /// A stiffness given in N m.
+    pub fn from_newton_metres(newton_metres: f64) -> Self {
+        Self(newton_metres * 1e3)
+    }
+}
+
+impl Angle {
+    /// The angle in rad.
+    pub fn rad(self) -> f64 {
+        self.0.to_radians()
+    }
+}
+
+impl Percent {
+    /// The plain ratio, 0.1 for 10 %.
+    pub fn ratio(self) -> f64 {
+        self.0 / 100.0
+    }
+}
+
+/// `x`, rounded up to a tenth: an upper end that is printed so holds.
+pub fn tenths_up(x: f64) -> f64 {
+    (10.0 * x).ceil() / 10.0
+}
+
+/// `x`, rounded down to a hundredth: a largest value that is printed so holds.
+pub fn hundredths_down(x: f64) -> f64 {
+    (x * 100.0).floor() / 100.0
+}
+
+/// Prints a lower limit: as [`Readable`], but rounded up, so that the printed value satisfies it.
+pub struct Least(pub f64);
+
+impl fmt::Display for Least {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Readable(directed(self.0, f64::ceil)).fmt(f)
+    }
+}
+
+/// Prints an upper limit: as [`Readable`], but rounded down, so that the printed value satisfies it.
+pub struct Most(pub f64);
+
+impl Most {
+    /// The number that is printed.
+    pub fn printed(&self) -> f64 {
+        directed(self.0, f64::floor)
+    }
+}
+
+impl fmt::Display for Most {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Readable(self.printed()).fmt(f)
+    }
+}
+
+/// `x` to six significant digits, in the direction of `round`. A value within rounding of such a number becomes that number.
+fn directed(x: f64, round: fn(f64) -> f64) -> f64 {
+    if x == 0.0 || !x.is_finite() {
+        return x;
+    }
+    let scale = i32::try_from(decimals(x)).map_or(1.0, |decimals| 10_f64.powi(decimals));
+    let (scaled, nearest) = (x * scale, (x * scale).round());
+    let rounded = if (scaled - nearest).abs() <= 1e-14 * scaled.abs() { nearest } else { round(scaled) };
+    let rounded = rounded / scale;
+    if rounded.is_finite() { rounded } else { x }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn close(a: f64, b: f64) -> bool {
+        (a - b).abs() <= 1e-12 * b.abs()
+    }
+
+    #[test]
+    fn every_unit_has_its_size() {
+        let lengths = [
+            ("1 mm", 1.0),
+            ("1 cm", 10.0),
+            ("1 m", 1e3),
+            ("1 um", 1e-3),
+            ("1 µm", 1e-3),
+            ("1 μm", 1e-3),
+            ("1 in", 25.4),
+        ];
+        for (text, mm) in lengths {
+            assert!(close(Length::parse(text).expect(text).0, mm), "{text}");
+        }
+        assert_eq!(Angle::parse("30 deg"), Ok(Angle(30.0)));
+        assert!(close(Angle::parse("0.5235987755982988 rad").expect("rad").0, 30.0));
+        assert!(close(Angle(180.0).rad(), std::f64::consts::PI));
+        let pressures = [
+            ("1 kPa", 1.0),
+            ("1000 Pa", 1.0),
+            ("1 MPa", 1e3),
+            ("1 GPa", 1e6),
+            ("0.37 bar", 37.0),
+            ("370 mbar", 37.0),
+            ("1 psi", 6.894_757_293_168_361),
+        ];
+        for (text, kpa) in pressures {
+            assert!(close(Pressure::parse(text).expect(text).0, kpa), "{text}");
+        }
+        for text in ["200 C", "200 degC", "200 °C"] {
+            assert_eq!(Temperature::parse(text), Ok(Temperature(200.0)));
+        }
+        for text in ["0.1 mm/s", "6 mm/min", "0.0001 m/s", "0.006 m/min", "0.01 cm/s"] {
+            assert!(close(Speed::parse(text).expect(text).0, 0.1), "{text}");
+        }
+        assert_eq!(Acceleration::parse("0.5 m/s^2"), Ok(Acceleration(500.0)));
+        for text in ["1.2 N/mm", "1200 N/m", "12 N/cm", "18 N/15mm", "30 N/25mm"] {
+            assert!(close(LineForce::parse(text).expect(text).0, 1.2), "{text}");
+        }
+        assert!(close(ArealDensity::parse("300 g/m^2").expect("g/m^2").0, 0.3));
+        assert_eq!(Percent::parse("5 %").map(Percent::ratio), Ok(0.05));
+        for text in ["1 h", "60 min", "3600 s", "3600000 ms"] {
+            assert!(close(Duration::parse(text).expect(text).0, 3600.0), "{text}");
+        }
+    }
+
+    #[test]
+    fn numbers_and_blanks_may_be_written_as_people_do() {
+        let five = [
+            "5mm",
+            " 5  mm ",
+            "5\tmm",
+            "+5 mm",
+            "5. mm",
+            "5.0mm",
+            "05 mm",
+            "50e-1 mm",
+            ".5e1 mm",
+            "5E0mm",
+            "5\u{a0}mm",
+        ];
+        for text in five {
+            assert_eq!(Length::parse(text), Ok(Length(5.0)), "{text}");
+        }
+        assert_eq!(Length::parse("-.3mm"), Ok(Length(-0.3)));
+    }
+
+    #[test]
+    fn what_is_no_number_is_said_to_be_none() {
+        for text in [
+            "", " ", "mm", "nan mm", "inf mm", "-inf mm", "1e999 mm", "1e308 m", ".", "+", "-", "e5 mm",
+            ".e1 mm", "½ mm", "५ mm",
+        ] {
+            assert_eq!(Length::parse(text), Err(QuantityFault::NotANumber), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_limit_is_printed_on_the_side_that_will_do() {
+        for (x, least, most) in [
+            (333.039_378_8, "333.04", "333.039"),
+            (147.272_727_27, "147.273", "147.272"),
+            (0.1 + 0.2, "0.3", "0.3"),
+            (40.0, "40", "40"),
+            (0.000_123_456_78, "0.000123457", "0.000123456"),
+            (-1.234_567_8, "-1.23456", "-1.23457"),
+            (0.0, "0", "0"),
+        ] {
+            assert_eq!((Least(x).to_string().as_str(), Most(x).to_string().as_str()), (least, most), "{x}");
+        }
+        assert_eq!(Least(f64::INFINITY).to_string(), "inf");
+    }
+
+    #[test]
+    fn what_is_no_unit_is_said_to_be_none() {
+        assert_eq!(Length::parse("5"), Err(QuantityFault::NoUnit));
+        assert_eq!(Length::parse("5 "), Err(QuantityFault::NoUnit));
+        let faulty = [
+            ("5e", "e"),
+            ("5e+", "e+"),
+            ("5e mm", "e mm"),
+            ("0x10 mm", "x10 mm"),
+            ("5 MM", "MM"),
+            ("5 mm mm", "mm mm"),
+            ("5 m\u{308}m", "m\u{308}m"),
+            ("5,3 mm", ",3 mm"),
+            ("5 5 mm", "5 mm"),
+            ("1_000 mm", "_000 mm"),
+            ("5 kPa", "kPa"),
+        ];
+        for (text, unit) in faulty {
+            assert_eq!(Length::parse(text), Err(QuantityFault::UnknownUnit(unit.to_owned())), "{text}");
+        }
+    }
+
+    #[test]
+    fn units_are_listed_as_a_keyboard_writes_them() {
+        assert_eq!(Length::KIND.unit_list(), "mm, cm, m, um, in");
+        assert_eq!(Temperature::KIND.unit_list(), "C, degC");
+    }
+
+    #[test]
+    fn numbers_print_as_people_read_them() {
+        let cases = [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (0.3, "0.3"),
+            (-6.2, "-6.2"),
+            (0.1 + 0.2, "0.3"),
+            (100_000.0, "100000"),
+            (123_456_789.0, "123456789"),
+            (1.0 / 3.0, "0.333333"),
+            (999_999.7, "1000000"),
+            (0.0001, "0.0001"),
+            (f64::NAN, "NaN"),
+            (f64::INFINITY, "inf"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(Readable(x).to_string(), text);
+        }
+        assert_eq!(Length(-0.3).to_string(), "-0.3 mm");
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn no_text_makes_parsing_panic(text in "\\PC{0,20}") {
+            if let Ok(length) = Length::parse(&text) {
+                proptest::prop_assert!(length.0.is_finite());
+            }
+        }
+
+        #[test]
+        fn what_is_printed_reads_back_to_six_digits(mm in -1e5..1e5_f64) {
+            let back = Length::parse(&Length(mm).to_string()).expect("printed");
+            proptest::prop_assert!((back.0 - mm).abs() <= 1e-5 * mm.abs());
+        }
+    }
+}

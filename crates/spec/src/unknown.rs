@@ -1,0 +1,248 @@
+//! Unknown keys and sections, and the ones that their writer may have meant; missing keys.
+
+use crate::FaultCode;
+use crate::fault::{Fault, quoted};
+use crate::message::header;
+use crate::units::{Length, Quantity};
+use crate::value::{RawEntry, RawKind, RawTable, RawValue};
+use std::ops::Range;
+
+/// A section that was read: its keys and its content in the text.
+pub(super) struct Known<'r> {
+    /// Its name; "" for the keys before the first section.
+    pub(super) section: &'static str,
+    /// The keys that were taken.
+    pub(super) keys: Vec<&'static str>,
+    /// The table in the text; `None` if it was not written.
+    pub(super) table: Option<&'r RawTable>,
+}
+
+/// Words that people write for a key.
+const MEANT: [(&str, &str); 3] =
+    [("weight", "mass"), ("payload", "mass"), ("elastic_modulus", "young_modulus")];
+
+/// Longest word compared with the registered keys, in bytes; the comparison's cost grows with its square.
+const COMPARED: usize = 40;
+
+/// Most unknown keys for which similar ones are looked up.
+const HINTED: usize = 200;
+
+/// A fault for each key and section of the text that is not in `known`, in the order of the text; the first have a hint.
+pub(super) fn faults(known: &[Known<'_>]) -> Vec<Fault> {
+    let entries = known.iter().flat_map(|one| {
+        let entries = one.table.into_iter().flat_map(|table| &table.0);
+        entries.map(move |entry| (one, entry))
+    });
+    let is_unknown = |(one, entry): &(&Known<'_>, &RawEntry)| {
+        let is_section = one.section.is_empty() && section_names(known).any(|name| name == entry.key);
+        !is_section && !one.keys.contains(&entry.key.as_str())
+    };
+    let mut unknown: Vec<_> = entries.filter(is_unknown).collect();
+    unknown.sort_by_key(|(_, entry)| entry.key_span.start);
+    let fault = |(i, (one, entry))| fault(one, entry, known, i < HINTED);
+    unknown.into_iter().enumerate().map(fault).collect()
+}
+
+/// The fault of the unknown `entry` of `one`, with a hint if `is_hinted`.
+fn fault(one: &Known<'_>, entry: &RawEntry, known: &[Known<'_>], is_hinted: bool) -> Fault {
+    let (word, place) = (entry.key.as_str(), entry.key_span.clone());
+    let table = entry.value.as_table().filter(|_| one.section.is_empty());
+    let fault = if table.is_some() {
+        Fault::error(FaultCode::UnknownSection, place, format!("unknown section [{}]", bare(word)))
+            .label("no section has this name")
+    } else {
+        let home =
+            if one.section.is_empty() { String::new() } else { format!(" in {}", header(one.section)) };
+        Fault::error(FaultCode::UnknownKey, place, format!("unknown key {}{home}", quoted(word)))
+            .label("no key has this name here")
+    };
+    if !is_hinted {
+        return fault;
+    }
+    fault.help(match table {
+        Some(table) => section_hint(word, table, known),
+        None => diameter_hint(word, &entry.value, one).unwrap_or_else(|| key_hint(word, one, known)),
+    })
+}
+
+/// The word of `candidates` that differs from `word` by few enough slips of the keyboard.
+pub fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
+    if word.len() > COMPARED {
+        return None;
+    }
+    let lower = word.to_lowercase().replace('-', "_");
+    candidates
+        .into_iter()
+        .map(|candidate| (strsim::damerau_levenshtein(&lower, candidate), candidate))
+        .filter(|(slips, candidate)| *slips <= candidate.len().max(3) / 3)
+        .min_by_key(|(slips, _)| *slips)
+        .map(|(_, candidate)| candidate)
+}
+
+fn bare(word: &str) -> String {
+    quoted(word).trim_matches('`').to_owned()
+}
+
+/// The sections of the first level.
+fn section_names<'k>(known: &'k [Known<'_>]) -> impl Iterator<Item = &'static str> + 'k {
+    known.iter().map(|one| one.section).filter(|name| !name.is_empty() && !name.contains('.'))
+}
+
+/// The hint for an unknown section: of the similar names first one that has all keys of `table`.
+fn section_hint(word: &str, table: &RawTable, known: &[Known<'_>]) -> String {
+    let names = || section_names(known);
+    let has_all = |name: &&str| {
+        let section = known.iter().find(|one| one.section == *name);
+        section.is_some_and(|one| table.0.iter().all(|entry| one.keys.contains(&entry.key.as_str())))
+    };
+    match nearest(word, names().filter(has_all)).or_else(|| nearest(word, names())) {
+        Some(near) => format!("did you mean [{near}]?"),
+        None => {
+            format!("sections are {}", names().map(|name| format!("[{name}]")).collect::<Vec<_>>().join(", "))
+        }
+    }
+}
+
+/// The radius that goes with a diameter: `inner_radius` for `inner_diameter`.
+pub(super) fn radius_of(word: &str) -> Option<String> {
+    Some(format!("{}radius", word.strip_suffix("diameter")?))
+}
+
+/// The hint for a diameter where the key is a radius: the radius, with half of the value.
+fn diameter_hint(word: &str, value: &RawValue, here: &Known<'_>) -> Option<String> {
+    let radius = radius_of(word)?;
+    let _ = here.keys.iter().find(|key| **key == radius)?;
+    let half = match &value.kind {
+        RawKind::Text(text) => Length::parse(text).ok().map(|length| Length(0.5 * length.0)),
+        _ => None,
+    };
+    Some(match half {
+        Some(half) => format!("write {radius} = \"{half}\", half of the diameter"),
+        None => format!("write `{radius}`, half of the diameter"),
+    })
+}
+
+/// The hint for a key: a similar one in the section, the same one elsewhere, a similar one elsewhere, else all keys of the
+/// section.
+fn key_hint(word: &str, here: &Known<'_>, known: &[Known<'_>]) -> String {
+    let home = |one: &Known<'_>| match one.section {
+        "" => "before the first section".to_owned(),
+        name => format!("in {}", header(name)),
+    };
+    let elsewhere = || known.iter().filter(|one| one.section != here.section);
+    if let Some((_, key)) = MEANT.iter().find(|(other, key)| *other == word && here.keys.contains(key)) {
+        return format!("did you mean `{key}`?");
+    }
+    if let Some(there) = elsewhere().find(|one| one.keys.contains(&word)) {
+        return format!("`{word}` belongs {}", home(there));
+    }
+    // A key with a word before it, `object_mass` for `mass`, is that key.
+    let is_last = |key: &&str| word.strip_suffix(key).is_some_and(|before| before.ends_with('_'));
+    let last = here.keys.iter().copied().find(|key| is_last(key));
+    if let Some(near) = last.or_else(|| nearest(word, here.keys.iter().copied())) {
+        return format!("did you mean `{near}`?");
+    }
+    let near = elsewhere().find_map(|one| nearest(word, one.keys.iter().copied()).map(|near| (near, one)));
+    if let Some((near, there)) = near {
+        return format!("did you mean `{near}`, which belongs {}?", home(there));
+    }
+    format!("keys here are {}", here.keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", "))
+}
+
+/// Required keys of one section that are not written.
+pub(super) struct Missing {
+    /// The section; "" for the keys before the first one.
+    pub(super) section: &'static str,
+    /// Whether the section itself is written.
+    pub(super) is_written: bool,
+    /// The span that the fault points to.
+    pub(super) place: Range<usize>,
+    /// Each key with an example of its value.
+    pub(super) keys: Vec<(&'static str, &'static str)>,
+}
+
+/// The other product.
+const DRAWING: &str = "or, for a drawing of your own:\n[drawing]\nfile = \"outline.svg\"\nlayers = { air = [\"chamber\"], port = [\"inlet\"] }";
+
+impl Missing {
+    /// The same without the keys that are only misspelt: an unknown key of the section, or an unknown
+    /// section, that is near, or a diameter; `None` if nothing is left.
+    pub(super) fn but_for(mut self, known: &[Known<'_>]) -> Option<Self> {
+        let is_known = |section: &str| known.iter().any(|one| one.section == section);
+        let misspelt = |section: &str, key: &str| {
+            known.iter().filter(|one| one.section == section).any(|one| {
+                let words = one.table.into_iter().flat_map(|table| &table.0).map(|entry| entry.key.as_str());
+                let mut unknown =
+                    words.filter(|word| !(one.keys.contains(word) || section.is_empty() && is_known(word)));
+                unknown.any(|word| {
+                    nearest(word, [key]).is_some() || radius_of(word).is_some_and(|radius| radius == key)
+                })
+            })
+        };
+        if !self.is_written && misspelt("", self.section) {
+            return None;
+        }
+        let section = self.section;
+        self.keys.retain(|(key, _)| !misspelt(section, key));
+        (!self.keys.is_empty()).then_some(self)
+    }
+
+    /// The fault that reports the missing keys.
+    pub(super) fn fault(self) -> Fault {
+        let Self { section, is_written, place, keys } = self;
+        let list = keys.iter().map(|(key, _)| format!("`{key}`")).collect::<Vec<_>>().join(", ");
+        let lines = keys.iter().map(|(key, example)| format!("{key} = {example}")).collect::<Vec<_>>();
+        let (message, help) = match (section, is_written) {
+            ("", _) => (format!("the file has no {list}"), lines.join("\n")),
+            (name, true) => (format!("{} has no {list}", header(name)), lines.join("\n")),
+            ("star", false) => (
+                format!("there is neither [star] nor [drawing]; a [star] needs {list}"),
+                format!("[star]\n{}\n{DRAWING}", lines.join("\n")),
+            ),
+            (name, false) => (
+                format!("there is no [{name}], which needs {list}"),
+                format!("[{name}]\n{}", lines.join("\n")),
+            ),
+        };
+        let label = if keys.len() == 1 { "this key is required" } else { "these keys are required" };
+        let begin = if is_written { "" } else { "`stargrip-cam new` writes a whole spec to begin with; or " };
+        Fault::error(FaultCode::MissingKey, place, message)
+            .label(label)
+            .help(format!("{begin}write for instance:\n{help}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_diameter_is_twice_a_radius() {
+        let text = "schema = 1\nname = \"x\"\n[star]\npoints = 5\ninner_diameter = \"79 mm\"\n";
+        let faults = crate::read(&crate::Source::new("a", text)).expect_err("no such key");
+        assert!(faults.list().iter().all(|fault| !fault.message.contains("`inner_radius`")), "{faults}");
+        let help =
+            faults.list().iter().find_map(|fault| fault.help.clone().filter(|_| fault.code == "unknown-key"));
+        assert_eq!(help.as_deref(), Some("write inner_radius = \"39.5 mm\", half of the diameter"));
+    }
+
+    #[test]
+    fn a_word_before_a_key_is_no_other_key() {
+        let text = "schema = 1\nname = \"x\"\n[load]\nobject_mass = \"1 kg\"\n";
+        let faults = crate::read(&crate::Source::new("a", text)).expect_err("no such key");
+        assert!(faults.to_string().contains("did you mean `mass`?"), "{faults}");
+        let text = text.replace("object_mass", "weight");
+        let faults = crate::read(&crate::Source::new("a", &text)).expect_err("no such key");
+        assert!(faults.to_string().contains("did you mean `mass`?"), "{faults}");
+    }
+
+    #[test]
+    fn slips_are_forgiven_and_other_words_are_not() {
+        let known = ["tube_width", "tip_angle", "points"];
+        assert_eq!(nearest("tube_widht", known), Some("tube_width"));
+        assert_eq!(nearest("Tube-Width", known), Some("tube_width"));
+        assert_eq!(nearest("point", known), Some("points"));
+        assert_eq!(nearest("colour", known), None);
+        assert_eq!(nearest(&"tube_width".repeat(100_000), known), None);
+    }
+}

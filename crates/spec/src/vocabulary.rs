@@ -1,0 +1,265 @@
+//! The vocabulary of each family of controllers: which words it understands, as a table.
+//!
+//! Both the reader of a profile's own lines and the verifier's reader of programs use it. The way in which a controller runs a
+//! word (units of time, tolerances of arcs, lengths of lines) concerns the verifier only.
+
+use self::Command as C;
+use crate::machine::{Controller, Dialect};
+
+/// Letter, ten times the number, and the command.
+type CodeRow = (u8, u16, C);
+
+/// Codes that all controllers share.
+const COMMON: [CodeRow; 5] = [
+    (b'G', 0, C::Rapid),
+    (b'G', 10, C::Line),
+    (b'G', 40, C::Dwell),
+    (b'G', 900, C::Absolute),
+    (b'G', 910, C::Relative),
+];
+
+/// Arcs, planes, units and feed modes.
+const GEOMETRY: [CodeRow; 7] = [
+    (b'G', 20, C::ArcCw),
+    (b'G', 30, C::ArcCcw),
+    (b'G', 170, C::PlaneXy),
+    (b'G', 200, C::Inches),
+    (b'G', 210, C::Millimetres),
+    (b'G', 930, C::InverseTime),
+    (b'G', 940, C::PerMinute),
+];
+
+/// Other codes of the RS274/NGC family.
+const RS274: [CodeRow; 6] = [
+    (b'G', 610, C::ExactPath),
+    (b'G', 901, C::CentersAbsolute),
+    (b'G', 911, C::CentersRelative),
+    (b'M', 0, C::Pause),
+    (b'M', 20, C::End),
+    (b'M', 300, C::End),
+];
+
+/// Codes that printers share.
+const PRINTER: [CodeRow; 3] =
+    [(b'M', 730, C::Progress), (b'M', 1040, C::HeatOnly), (b'M', 1090, C::HeatAndWait)];
+
+/// Marlin's own: motors off at the end.
+const MARLIN: [CodeRow; 3] = [(b'M', 0, C::Pause), (b'M', 840, C::End), (b'M', 2050, C::Setting)];
+
+/// Klipper's own; G20 is an error there.
+const KLIPPER: [CodeRow; 2] = [(b'G', 210, C::Millimetres), (b'M', 840, C::End)];
+
+/// RepRapFirmware's own; M0 ends the job, M226 waits.
+const REPRAPFIRMWARE: [CodeRow; 4] =
+    [(b'M', 0, C::End), (b'M', 2030, C::Setting), (b'M', 2260, C::Pause), (b'T', 0, C::Setting)];
+
+/// The words that a controller understands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vocabulary {
+    /// The codes that it shares with others, and its own.
+    codes: &'static [&'static [CodeRow]],
+    /// Commands of `codes` that it does not support.
+    except: &'static [Command],
+    /// Whether it draws arcs, options of single controllers aside; if not, no arc is read.
+    pub draws_arcs: bool,
+    /// Whether it surely reads the decimals of G90.1 and G91.1; other controllers may read these as G90 and G91.
+    subcodes: bool,
+    /// Commands that are words of more than a letter, alone on their line with parameters of their own.
+    pub words: &'static [(&'static str, Command)],
+    /// Modes that the controller is always in: no program needs to set them.
+    pub fixed: &'static [Command],
+    /// Letters of the words that carry numbers.
+    pub parameters: &'static str,
+}
+
+impl Vocabulary {
+    /// The plain subset that every controller reads alike. G61 is left out. Arcs, and G91.1 with them, are read only for a
+    /// profile that states that its controller draws them.
+    const GENERIC: Self = Self {
+        codes: &[&COMMON, &GEOMETRY, &RS274],
+        except: &[C::ExactPath],
+        draws_arcs: true,
+        subcodes: false,
+        words: &[],
+        fixed: &[],
+        parameters: "XYZIJFP",
+    };
+
+    /// LinuxCNC.
+    const LINUXCNC: Self = Self { except: &[], subcodes: true, ..Self::GENERIC };
+
+    /// GRBL 1.1, grblHAL and FluidNC: no G90.1.
+    const GRBL: Self = Self { except: &[C::CentersAbsolute], subcodes: true, ..Self::GENERIC };
+
+    /// Marlin without its options: no arcs, planes or inches.
+    const MARLIN: Self = Self {
+        codes: &[&COMMON, &PRINTER, &MARLIN],
+        except: &[],
+        draws_arcs: false,
+        subcodes: false,
+        words: &[],
+        fixed: &[C::Millimetres, C::PerMinute, C::PlaneXy, C::CentersRelative],
+        parameters: "XYZFPSRT",
+    };
+
+    /// Klipper without `[gcode_arcs]`: PAUSE of `[pause_resume]`, extended commands.
+    const KLIPPER: Self = Self {
+        codes: &[&COMMON, &PRINTER, &KLIPPER],
+        words: &[("PAUSE", C::Pause), ("SET_IDLE_TIMEOUT", C::Setting), ("SET_VELOCITY_LIMIT", C::Setting)],
+        fixed: &[C::PerMinute],
+        parameters: "XYZFPSR",
+        ..Self::MARLIN
+    };
+
+    /// RepRapFirmware 3: arc centres always from the start.
+    const REPRAPFIRMWARE: Self = Self {
+        codes: &[&COMMON, &GEOMETRY, &PRINTER, &REPRAPFIRMWARE],
+        draws_arcs: true,
+        words: &[],
+        fixed: &[C::CentersRelative],
+        parameters: "XYZIJFPSR",
+        ..Self::MARLIN
+    };
+
+    /// The words of a controller of family `dialect` that draws arcs if its family does.
+    pub const fn of(dialect: Dialect) -> Self {
+        match dialect {
+            Dialect::Generic => Self::GENERIC,
+            Dialect::LinuxCnc => Self::LINUXCNC,
+            Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => Self::GRBL,
+            Dialect::Marlin => Self::MARLIN,
+            Dialect::Klipper => Self::KLIPPER,
+            Dialect::RepRapFirmware => Self::REPRAPFIRMWARE,
+        }
+    }
+
+    /// The words of `controller`.
+    pub const fn for_controller(controller: &Controller) -> Self {
+        let family = Self::of(controller.dialect);
+        if controller.arcs { family } else { family.without_arcs() }
+    }
+
+    /// The same words without those for arcs.
+    pub const fn without_arcs(self) -> Self {
+        Self { draws_arcs: false, ..self }
+    }
+
+    /// Every code that the controller supports: letter, number, command; in this order.
+    pub fn codes(self) -> impl Iterator<Item = (char, f64, Command)> {
+        let mut known: Vec<CodeRow> =
+            self.codes.concat().into_iter().filter(|(.., command)| self.reads(*command)).collect();
+        known.sort_unstable_by_key(|(letter, tenths, _)| (*letter, *tenths));
+        known
+            .into_iter()
+            .map(|(letter, tenths, command)| (char::from(letter), f64::from(tenths) / 10.0, command))
+    }
+
+    /// The command of the code `letter` `number`, if the controller supports it.
+    pub fn command(self, letter: u8, number: f64) -> Option<Command> {
+        let is_whole = (number * 10.0).fract().abs() < 1e-9;
+        let is = |(l, tenths, _): &&CodeRow| {
+            *l == letter && f64::from(*tenths) == (number * 10.0).round() && is_whole
+        };
+        let mut known = self.codes.iter().flat_map(|codes| codes.iter());
+        known.find(is).map(|(.., command)| *command).filter(|command| self.reads(*command))
+    }
+
+    /// Whether the controller supports a code of its family.
+    fn reads(self, command: Command) -> bool {
+        let for_arcs = match command {
+            Command::ArcCw | Command::ArcCcw => true,
+            Command::CentersAbsolute | Command::CentersRelative => !self.subcodes,
+            _ => false,
+        };
+        !self.except.contains(&command) && (self.draws_arcs || !for_arcs)
+    }
+}
+
+/// The effect of a G or M code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Command {
+    /// Travel as fast as possible.
+    Rapid,
+    /// Straight move at the feed.
+    Line,
+    /// Clockwise arc at the feed.
+    ArcCw,
+    /// Counterclockwise arc at the feed.
+    ArcCcw,
+    /// Wait for a time.
+    Dwell,
+    /// Arcs lie in the XY plane.
+    PlaneXy,
+    /// Lengths are inches.
+    Inches,
+    /// Lengths are millimetres.
+    Millimetres,
+    /// Coordinates are positions.
+    Absolute,
+    /// Coordinates are displacements.
+    Relative,
+    /// I and J are positions.
+    CentersAbsolute,
+    /// I and J are displacements from the start of the arc.
+    CentersRelative,
+    /// F is moves per minute.
+    InverseTime,
+    /// F is length per minute.
+    PerMinute,
+    /// Wait for the operator.
+    Pause,
+    /// The program is over.
+    End,
+    /// Corners are travelled exactly.
+    ExactPath,
+    /// Heat to S, and wait until it is hot.
+    HeatAndWait,
+    /// Heat to S, and go on; 0 turns the heater off.
+    HeatOnly,
+    /// Show P per cent, R minutes.
+    Progress,
+    /// A setting of the controller that moves nothing.
+    Setting,
+}
+
+/// The group of commands that are alone on their line.
+const ALONE: u8 = 9;
+
+impl Command {
+    /// Commands of the same group exclude each other on one line (the modal groups of RS274/NGC).
+    pub const fn group(self) -> u8 {
+        match self {
+            Self::Rapid | Self::Line | Self::ArcCw | Self::ArcCcw => 1,
+            Self::Dwell => 0,
+            Self::PlaneXy => 2,
+            Self::Absolute | Self::Relative => 3,
+            Self::CentersAbsolute | Self::CentersRelative => 4,
+            Self::InverseTime | Self::PerMinute => 5,
+            Self::Inches | Self::Millimetres => 6,
+            Self::Pause | Self::End => 7,
+            Self::ExactPath => 8,
+            Self::HeatAndWait | Self::HeatOnly | Self::Progress | Self::Setting => ALONE,
+        }
+    }
+
+    /// Whether the command is alone on its line, with words of its own.
+    pub const fn stands_alone(self) -> bool {
+        self.group() == ALONE
+    }
+
+    /// Whether it changes how other lines are read, or how the controller moves, and does nothing itself.
+    pub const fn is_setting(self) -> bool {
+        matches!(self, Self::Setting) || matches!(self.group(), 2..=6 | 8)
+    }
+
+    /// Letters that have a meaning with this command only.
+    pub const fn own_letters(self) -> &'static [u8] {
+        match self {
+            Self::Dwell => b"P",
+            Self::HeatAndWait | Self::HeatOnly => b"S",
+            Self::Progress => b"PR",
+            Self::Setting => b"IST",
+            _ => b"",
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! The manifest of a build: the record of its files, pieces, parts and prediction.
+//!
+//! The structures are [`proof`]'s, which reads them back; this room fills them in from design, programs and prediction.
+
+mod bill;
+mod predicted;
+
+use crate::manifest::bill::thousandths;
+use design::{Design, FlatPiece, StarAssembly};
+use forecast::prediction::Prediction;
+use program::plan::{Program, SeamReport};
+use sealed::PieceName;
+use spec::Spec;
+
+pub use proof::manifest::{
+    CouponChoice, CouponManifest, FEED_CHECK_MANIFEST, FeedCheckManifest, MANIFEST, Manifest, ManifestFile,
+    ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts, ManifestPrediction, ManifestSeam,
+    ManifestStar, ManifestStarPrediction, SealedPiece, SealedSeam, Tool, sha256,
+};
+
+/// The manifest of `design`, with `spec`, the sealing `programs` and the `prediction` at the pressure of `[load]`; its list of files is
+/// still empty.
+pub fn manifest_of(
+    spec: &Spec,
+    design: &Design,
+    programs: &[Program],
+    prediction: Option<&Prediction>,
+) -> Manifest {
+    let assembly = design.assembly();
+    let stars = assembly.map_or_else(Vec::new, |assembly| stars(spec, assembly, programs));
+    let parts = || design.placed().iter().map(|placed| design.part(placed));
+    let fabric = parts().map(|part| thousandths(part.fabric())).sum();
+    let mass = parts().map(|part| part.mass(&spec.fabric).map(thousandths));
+    let at_pressure = prediction.filter(|prediction| prediction.first.bendability.is_some());
+    Manifest {
+        tool: Tool::this(),
+        name: spec.name.clone(),
+        files: Vec::new(),
+        posts: assembly.map_or_else(Vec::new, bill::posts),
+        plates: assembly.map_or_else(Vec::new, bill::plates),
+        masks: assembly.map_or_else(Vec::new, |assembly| bill::masks(spec, assembly)),
+        fabric_mm2: thousandths(fabric),
+        mass_g: mass.sum::<Option<f64>>().map(thousandths),
+        pieces: programs.iter().flat_map(pieces).collect(),
+        stars,
+        prediction: at_pressure.map(predicted::summary),
+        only: Vec::new(),
+        with: Vec::new(),
+    }
+}
+
+/// The stars of `assembly`, which the sealing `programs` make, bottom to top.
+fn stars(spec: &Spec, assembly: &StarAssembly, programs: &[Program]) -> Vec<ManifestStar> {
+    let mut stars: Vec<ManifestStar> = Vec::new();
+    for program in programs {
+        stars.extend(program.numbers().into_iter().filter_map(|index| star(spec, assembly, program, index)));
+    }
+    stars.sort_by_key(|star| star.index);
+    stars
+}
+
+/// The star `index` of `assembly`, which `program` seals; `None` for a number without a star.
+fn star(spec: &Spec, assembly: &StarAssembly, program: &Program, index: usize) -> Option<ManifestStar> {
+    let reports = program.seams.iter().filter(|seam| seam.name.piece.number() == Some(index));
+    let seams: Vec<ManifestSeam> = reports
+        .map(|seam| ManifestSeam {
+            loop_name: seam.name.seam.clone(),
+            length_mm: thousandths(seam.length),
+            overlap_mm: thousandths(seam.overlap),
+            time_s: thousandths(seam.time),
+        })
+        .collect();
+    let part = assembly.part(assembly.stars.iter().find(|star| star.index == index)?);
+    Some(ManifestStar {
+        index,
+        sheet: program.sheet,
+        seam_mm: thousandths(seams.iter().map(|seam| seam.length_mm).sum()),
+        time_s: thousandths(seams.iter().map(|seam| seam.time_s).sum()),
+        clear_radius_mm: thousandths(part.clear_radius()),
+        fabric_mm2: thousandths(part.fabric()),
+        mass_g: FlatPiece::Star(part).mass(&spec.fabric).map(thousandths),
+        seams,
+    })
+}
+
+/// The seam of `report`, called `name`.
+fn sealed_seam(name: String, report: &SeamReport) -> SealedSeam {
+    SealedSeam { name, length_mm: thousandths(report.length), time_s: thousandths(report.time) }
+}
+
+/// The piece of the coupon `name`, sealed by `program`.
+pub fn coupon_piece(name: &str, program: &Program) -> SealedPiece {
+    SealedPiece {
+        name: name.to_owned(),
+        kind: "coupon".to_owned(),
+        time_s: Some(thousandths(program.time)),
+        seams: program.seams.iter().map(|seam| sealed_seam(seam.name.piece.word(), seam)).collect(),
+    }
+}
+
+/// The pieces that `program` seals, in their order.
+fn pieces(program: &Program) -> Vec<SealedPiece> {
+    program.pieces.iter().map(|piece| sealed_piece(program, piece)).collect()
+}
+
+/// `piece` with its seams, sealed by `program`.
+fn sealed_piece(program: &Program, piece: &PieceName) -> SealedPiece {
+    let reports = program.seams.iter().filter(|seam| seam.name.piece == *piece);
+    let seams = reports.map(|seam| sealed_seam(seam.name.seam.clone(), seam)).collect();
+    SealedPiece { name: piece.word(), kind: piece.kind().to_owned(), time_s: None, seams }
+}
