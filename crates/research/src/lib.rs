@@ -5,6 +5,7 @@ use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
 pub mod ladders;
+pub mod predicted;
 pub mod residuals;
 pub mod stars;
 pub mod validation;

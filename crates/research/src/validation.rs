@@ -1,21 +1,17 @@
 //! Compares the predictions with the stars computed as shells: the source of the constants of [`errors`](stargrip_cam::forecast::ranges::errors),
 //! and a check of the ranges.
 
+use crate::predicted::{SETTLED, predicted};
 use crate::residuals::fitted;
 use crate::stars::computed::{ComputedStar, Number, ShellNumbers};
-use crate::stars::draw::{DrawnStar, POISSON, Set, YOUNG};
+use crate::stars::draw::Set;
 use crate::stars::shipped::shipped;
 use inflatable::mechanics::star::residuals::Ratios;
 use inflatable::mechanics::star::response::Inflated;
 use inflatable::mechanics::star::{Correction, Mechanism};
-use inflatable::mechanics::strength::ElasticSheet;
-use stargrip_cam::design::Star;
 use stargrip_cam::forecast::case::Case;
-use stargrip_cam::forecast::model_selection::{correct_by, tabled};
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::forecast::ranges::Interval;
-use stargrip_cam::spec::StarSpec;
-use stargrip_cam::units::{Angle, Length, Pressure};
 use std::f64::consts::PI;
 
 /// A number of the shell beside the predicted one.
@@ -67,9 +63,6 @@ pub struct Pressed {
     pub force: Pair,
 }
 
-/// Largest relative mesh error of a stiffness or force in the comparison.
-pub(crate) const SETTLED: f64 = 0.25;
-
 /// Depth of the default flap in front of the corners, mm: `band` and `hole_allowance`.
 pub const FLAP: f64 = 3.0;
 
@@ -100,20 +93,6 @@ fn compare_by(
 ) -> Option<Comparison> {
     let found = star.found.as_ref()?;
     predicted(&star.star, correction, |case, inflated, own| compared(star, found, (case, inflated, own)))
-}
-
-/// What `see` makes of the prediction of a drawn star: its corrected case, the inflated star, and its outcome; `None` without a prediction.
-pub(crate) fn predicted<T>(
-    drawn: &DrawnStar,
-    correction: impl Fn(&Mechanism, f64, Ratios) -> Correction,
-    see: impl FnOnce(&Case, &Inflated<'_>, &Outcome) -> Option<T>,
-) -> Option<T> {
-    let (mut case, pressure) = case_of(drawn)?;
-    let model = tabled(&case, pressure).ok()?;
-    correct_by(&mut case, &model, correction).ok()?;
-    let inflated = Inflated::new(&case.mechanism, &model, pressure).ok()?;
-    let own = Outcome::linear(&case, &inflated);
-    see(&case, &inflated, &own)
 }
 
 fn compared(
@@ -166,23 +145,6 @@ fn compared(
         stiffness: spring.filter(|_| settled).map(|pair| Pair { error: pair.shell / pair.predicted, ..pair }),
         forces: forces.collect(),
     })
-}
-
-/// The case of a drawn star, and its pressure, Pa.
-pub fn case_of(drawn: &DrawnStar) -> Option<(Case, f64)> {
-    let spec = StarSpec {
-        inner_radius: Length(drawn.inner_radius),
-        tube_width: Length(drawn.width),
-        tip_angle: Angle(drawn.tip_angle),
-        tip_radius: Length(drawn.tip_radius),
-        corner_radius: Length(drawn.corner_radius),
-        ..StarSpec::paper(drawn.points)
-    };
-    let star = Star::new(&spec).ok()?;
-    let pressure = Pressure(drawn.pressure).pascals();
-    let sheet = ElasticSheet::new(Length(drawn.thickness).metres(), 1e6 * YOUNG, POISSON).ok()?;
-    let case = Case::bare(&star, sheet, pressure);
-    Some((case, pressure))
 }
 
 impl Pair {

@@ -1,9 +1,10 @@
 //! The paper's stars of three to nine points: how far they close, and how hard they press.
 
+use research::predicted::case_of;
 use research::stars::computed::ComputedStar;
 use research::stars::draw::{PAPER_PRESSURES, Set};
 use research::stars::shipped::shipped;
-use research::validation::{Comparison, Pressed, case_of, compare};
+use research::validation::{Comparison, Pressed, compare};
 use stargrip_cam::design::{Refusal, Star};
 use stargrip_cam::forecast::case::{Case, mechanism};
 use stargrip_cam::forecast::model_selection::tabled;

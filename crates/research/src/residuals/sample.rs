@@ -1,7 +1,7 @@
 //! The residuals of one computed star.
 
+use crate::predicted::{SETTLED, predicted};
 use crate::stars::computed::{ComputedStar, Number};
-use crate::validation::{SETTLED, predicted};
 use inflatable::mechanics::star::Correction;
 use inflatable::mechanics::star::residuals::{OPENINGS, Residuals, StarPlace, WEIGHTS, place};
 use std::cell::Cell;
