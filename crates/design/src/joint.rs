@@ -48,6 +48,8 @@ pub(super) struct JointCut {
 /// The surroundings of a joint, in the frame of the tip's ray.
 struct Around {
     plate: Path,
+    /// Bounds of each segment of the plate's edge.
+    bounds: Vec<Bounds>,
     /// Largest radius of a knob.
     most: f64,
     /// Centres and radii.
@@ -69,8 +71,10 @@ impl JointCut {
         let windows = mask.windows.iter().map(|window| motion.path(window).bounds());
         let behind = windows.fold(Bounds::EMPTY, Bounds::union).max.x + BRIDGE;
         let holes = outline.registration.iter();
+        let plate = motion.path(&mask.plate);
         let around = Around {
-            plate: motion.path(&mask.plate),
+            bounds: plate.segments.iter().map(Segment::bounds).collect(),
+            plate,
             most,
             holes: holes.map(|hole| (motion.point(hole.center), hole.diameter / 2.0)).collect(),
         };
@@ -88,7 +92,7 @@ impl JointCut {
     /// The tip's edge and that of the remainder of `edge`; `None` if they do not meet as they should.
     pub(super) fn split(&self, edge: &Path) -> Option<(Path, Path)> {
         let there = Isometry::rotation(-self.ray).path(edge);
-        let chord = chord(&there, self.at)?;
+        let chord = enclosed_chord(&there, self.at)?;
         let (total, (_, from), (_, to)) = (there.length(), chord.low, chord.high);
         let beyond = if to > from { to } else { to + total };
         let tip = there.part(from, beyond).then(self.line(&chord, PLAY).reversed());
@@ -100,7 +104,7 @@ impl JointCut {
     /// The joint across `edge`, as the middle has it.
     pub(super) fn joint(&self, edge: &Path) -> Option<Path> {
         let there = Isometry::rotation(-self.ray).path(edge);
-        let chord = chord(&there, self.at)?;
+        let chord = enclosed_chord(&there, self.at)?;
         Some(Isometry::rotation(self.ray).path(&self.line(&chord, 0.0)))
     }
 
@@ -129,7 +133,7 @@ impl JointCut {
 impl Around {
     /// Radius and places of the knobs for which a joint at `at` has room; `None` if it has none.
     fn room(&self, at: f64, half_sector: f64) -> Option<(f64, Vec<f64>)> {
-        let Chord { low: (low, _), high: (high, _) } = chord(&self.plate, at)?;
+        let Chord { low: (low, _), high: (high, _) } = chord(&self.plate, &self.bounds, at)?;
         let in_sector = |y: f64| {
             let end = Point::new(at, y);
             end.angle().abs() + NOTCH / end.distance(Point::ORIGIN) < half_sector
@@ -137,7 +141,8 @@ impl Around {
         let hits = |(hole, radius): &(Point, f64)| {
             (low..high).contains(&hole.y) && (hole.x - at).abs() < radius + WALL
         };
-        if !in_sector(low) || !in_sector(high) || self.holes.iter().any(hits) {
+        // The dearest test is the last one.
+        if !in_sector(low) || !in_sector(high) || self.holes.iter().any(hits) || !is_within(&self.plate, at) {
             return None;
         }
         let (middle, quarter) = (f64::midpoint(low, high), (high - low) / 4.0);
@@ -158,13 +163,28 @@ impl Around {
 type Crossing = (f64, f64);
 
 /// The part of the line x = `at` around the X axis that lies within the closed `path`.
-fn chord(path: &Path, at: f64) -> Option<Chord> {
-    let far = path.furthest(Point::ORIGIN) + 1.0;
+fn enclosed_chord(path: &Path, at: f64) -> Option<Chord> {
+    let bounds: Vec<Bounds> = path.segments.iter().map(Segment::bounds).collect();
+    chord(path, &bounds, at).filter(|_| is_within(path, at))
+}
+
+/// Whether the point of the X axis at `at` lies within the closed `path`.
+fn is_within(path: &Path, at: f64) -> bool {
+    path.encloses(Point::ORIGIN + Vec2::new(at, 0.0))
+}
+
+/// Rounding of bounds, mm.
+const ROUNDING: f64 = 1e-6;
+
+/// The nearest crossings of the line x = `at` and `path` on both sides of the X axis; `bounds` are those of its segments.
+fn chord(path: &Path, bounds: &[Bounds], at: f64) -> Option<Chord> {
+    let far = bounds.iter().fold(0.0, |far: f64, b| far.max(b.max.y.abs()).max(b.min.y.abs())) + 1.0;
     let line = Line::new(Point::new(at, -far), Point::new(at, far)).into();
     let (mut low, mut high) = (None::<Crossing>, None::<Crossing>);
     let mut before = 0.0;
-    for segment in &path.segments {
-        for meet in intersections(segment, &line) {
+    for (segment, bounds) in path.segments.iter().zip(bounds) {
+        let is_crossed = (bounds.min.x - ROUNDING..=bounds.max.x + ROUNDING).contains(&at);
+        for meet in is_crossed.then(|| intersections(segment, &line)).into_iter().flatten() {
             let end = (meet.y, before + segment.nearest_fraction(meet) * segment.length());
             if meet.y < 0.0 && low.is_none_or(|known| known.0 < meet.y) {
                 low = Some(end);
@@ -175,6 +195,5 @@ fn chord(path: &Path, at: f64) -> Option<Chord> {
         }
         before += segment.length();
     }
-    let inside = path.encloses(Point::ORIGIN + Vec2::new(at, 0.0));
-    low.zip(high).filter(|_| inside).map(|(low, high)| Chord { low, high })
+    low.zip(high).map(|(low, high)| Chord { low, high })
 }

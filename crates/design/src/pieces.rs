@@ -34,6 +34,27 @@ pub struct Piece {
     pub size: [f64; 2],
 }
 
+/// A plate with all of its tips cut off, which does not depend on the bed.
+struct Division {
+    cuts: Vec<JointCut>,
+    /// What the cuts leave, with all windows.
+    core: Path,
+    /// The edges of the tips; fewer than the cuts if one does not cut the plate.
+    tips: Vec<Path>,
+}
+
+impl Division {
+    fn new(cuts: Vec<JointCut>, plate: &Path) -> Self {
+        let (mut core, mut tips) = (plate.clone(), Vec::new());
+        for cut in &cuts {
+            let Some((tip, rest)) = cut.split(&core) else { break };
+            core = rest;
+            tips.push(tip);
+        }
+        Self { cuts, core, tips }
+    }
+}
+
 /// The best pose of a path on a bed.
 struct Lie {
     turn: f64,
@@ -61,16 +82,17 @@ impl Pieces {
             return Ok(whole(lie));
         }
         let tips = |most| (1..=star.n).filter_map(move |tip| JointCut::new(star, outline, mask, tip, most));
-        let cuts: Vec<Vec<JointCut>> = RADII.into_iter().map(|most| tips(most).collect()).collect();
-        Self::fitted(&cuts, mask, bed).map_err(|large| large.refusal(bed_for_all(&cuts, mask, bed)))
+        let divisions: Vec<Division> =
+            RADII.into_iter().map(|most| Division::new(tips(most).collect(), &mask.plate)).collect();
+        Self::fitted(&divisions, mask, bed).map_err(|large| large.refusal(bed_for_all(&divisions, mask, bed)))
     }
 
-    /// The pieces with the largest knobs with which all fit on `bed`, of the cuts with each largest radius.
-    fn fitted(cuts: &[Vec<JointCut>], mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
+    /// The pieces with the largest knobs with which all fit on `bed`, of the divisions with each largest radius.
+    fn fitted(divisions: &[Division], mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
         // Knobs take room, too: with smaller ones the middle may fit.
         let mut large = TooLarge { what: "the plate", size: lie(&mask.plate, bed).size };
-        for cuts in cuts {
-            match Self::cut_up(cuts, mask, bed) {
+        for division in divisions {
+            match Self::cut_up(division, mask, bed) {
                 Ok(pieces) => return Ok(pieces),
                 Err(found) => large = found,
             }
@@ -78,23 +100,18 @@ impl Pieces {
         Err(large)
     }
 
-    fn cut_up(cuts: &[JointCut], mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
-        let mut core = mask.plate.clone();
-        let mut tips = Vec::new();
+    fn cut_up(division: &Division, mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
+        let Division { cuts, core, tips } = division;
         let too_large = |what, edge: &Path| TooLarge { what, size: lie(edge, bed).size };
-        for cut in cuts {
-            let Some((tip, rest)) = cut.split(&core) else {
-                return Err(too_large("a tip", &core));
-            };
-            core = rest;
-            tips.push(tip);
+        if tips.len() < cuts.len() {
+            return Err(too_large("a tip", core));
         }
         let (turn, kept) =
-            most_kept(&core, &tips, bed).ok_or_else(|| too_large("the middle with all windows", &core))?;
+            most_kept(core, tips, bed).ok_or_else(|| too_large("the middle with all windows", core))?;
         let mut pieces = Self { list: Vec::new(), joints: Vec::new() };
         let mut middle = mask.plate.clone();
         for ((cut, edge), _) in cuts.iter().zip(tips).zip(&kept).filter(|(_, kept)| !**kept) {
-            let lie = lie(&edge, bed);
+            let lie = lie(edge, bed);
             if lie.spare < 0.0 {
                 return Err(TooLarge { what: "a tip", size: lie.size });
             }
@@ -102,7 +119,12 @@ impl Pieces {
                 middle = rest;
             }
             pieces.joints.extend(cut.joint(&mask.plate));
-            pieces.list.push(Piece { edge, tip: Some(cut.tip), turn: lie.turn, size: lie.size });
+            pieces.list.push(Piece {
+                edge: edge.clone(),
+                tip: Some(cut.tip),
+                turn: lie.turn,
+                size: lie.size,
+            });
         }
         let bounds = Isometry::rotation(turn).path(&middle).bounds();
         let size = [bounds.width(), bounds.height()];
@@ -222,14 +244,14 @@ impl TooLarge {
 }
 
 /// A bed on which all pieces fit: `bed`, grown by each piece that is too large for it until none is, or the whole plate fits.
-fn bed_for_all(cuts: &[Vec<JointCut>], mask: &MaskPlate, bed: Bed) -> Bed {
+fn bed_for_all(divisions: &[Division], mask: &MaskPlate, bed: Bed) -> Bed {
     let mut bed = bed;
     loop {
         let whole = lie(&mask.plate, bed);
         if whole.spare >= 0.0 {
             return bed;
         }
-        let Err(TooLarge { size, .. }) = Pieces::fitted(cuts, mask, bed) else { return bed };
+        let Err(TooLarge { size, .. }) = Pieces::fitted(divisions, mask, bed) else { return bed };
         let larger = grown(bed, size);
         // A plate that no joint cuts must fit as a whole, whatever rounding takes.
         bed = if larger == bed { grown(bed, whole.size.map(|side| side + 0.1)) } else { larger };
