@@ -1,8 +1,13 @@
 //! Chopped programs: the verifier agrees with the plan at every precision of the file and of the steps.
 
-use stargrip_cam::pipeline::read_back;
+use std::f64::consts::TAU;
 
-use crate::{built, findings_with, profile, spec_text, text, try_built};
+use stargrip_cam::artifact::KindRequest;
+use stargrip_cam::geom::{Point, Vec2};
+use stargrip_cam::pipeline::{Sources, build, read_back};
+use stargrip_cam::spec::{Source, read};
+
+use crate::{built, findings_with, machine, profile, spec_text, text, try_built};
 
 const CHOP: &str = "[machine]\nfeed_floor = \"chop\"\n";
 const JOB: &str = "star-1-seal.gcode";
@@ -125,4 +130,38 @@ fn a_dwell_after_a_joined_move_is_found() {
     edited.push(format!("; end of program, {count} lines"));
     let found = findings_with(&build, JOB, &(edited.join("\n") + "\n"));
     assert!(found.iter().any(|finding| finding.code == "short-stroke"), "{found:?}");
+}
+
+/// Pieces of a step or less on every controller: where positions are rounded, some are nothing and some a step, which takes a tenth of a
+/// second from rest to rest on grblHAL's slow boards.
+#[test]
+fn dense_polylines_are_proven_on_every_chopping_profile() {
+    let polyline = |count: u32, radius: f64, waves: f64| {
+        let point = |i: u32| {
+            let angle = f64::from(i) * TAU / f64::from(count);
+            Point::new(100.0, 100.0) + Vec2::unit(angle) * (radius * (1.0 + 0.2 * libm::cos(waves * angle)))
+        };
+        let points: Vec<Point> = (0..count).map(point).collect();
+        let path: Vec<String> = points.iter().map(|p| format!("{:.5} {:.5}", p.x, p.y)).collect();
+        let [x, y] = [points[0].x - 4.0, points[0].y];
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"200mm\" viewBox=\"0 0 200 200\" fill=\"none\" \
+             stroke=\"#000\"><g id=\"air\"><path d=\"M{}Z\"/></g><g id=\"port\"><path d=\"M{x:.5} {y:.5}h8\"/></g></svg>",
+            path.join("L")
+        )
+    };
+    let text = format!(
+        "schema = 1\nname = \"dense\"\n[drawing]\nfile = \"d.svg\"\n[drawing.layers]\nair = [\"air\"]\nport = [\"port\"]\n[machine]\n\
+         profile = \"own.toml\"\nfeed_floor = \"chop\"\n"
+    );
+    let reading = read(&Source::new("spec", text.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
+    for name in crate::WITH_FLOOR {
+        for (count, radius, waves) in [(1000, 40.0, 3.0), (1500, 25.0, 5.0), (2000, 55.0, 2.0)] {
+            let drawn = reading.clone().with_drawing(polyline(count, radius, waves).as_bytes()).spec;
+            let sources = Sources { spec: &text, machine: profile(name) };
+            let build = build(&drawn, &machine(profile(name)), sources, &KindRequest::default());
+            let build = build.unwrap_or_else(|refusals| panic!("{name} {count}: {refusals}"));
+            assert_eq!(read_back(&build.output_files()).findings, [], "{name} {count} {radius} {waves}");
+        }
+    }
 }

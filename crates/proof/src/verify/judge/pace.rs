@@ -6,7 +6,7 @@
 
 use crate::verify::judge::Judge;
 use crate::verify::judge::rules::{IronRules, Phase};
-use crate::verify::judge::stroke::{StrokeRun, shortest_move};
+use crate::verify::judge::stroke::{StrokeRun, shortest_move, step_seconds};
 use crate::verify::read::gcode::{Dwell, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use geom::Segment;
@@ -130,8 +130,15 @@ impl<'a> Paced<'a> {
         motion.start_delay.0 + motion.acceleration.map_or(0.0, |a| feed / a.0)
     }
 
+    /// Time by which a run that has not stopped may seem late, s: that of its start and its stop, and of one step. Positions are rounded
+    /// to steps, so that a piece of a thousandth of a millimetre may be a whole step, which takes a tenth of a second from rest to rest;
+    /// the controller runs on into the next piece, whose end is judged.
+    fn unfinished(&self, feed: f64) -> f64 {
+        self.start_and_stop(feed) + step_seconds(self.rules.motion, feed)
+    }
+
     /// Reports a step that takes the contact off its schedule, or a run that is itself too early or too late. Until it
-    /// has `stopped`, a run may be late by what it takes to start and to stop.
+    /// has `stopped`, a run may be late by what it takes to start and to stop, and by a step.
     fn on_time(&mut self, step: &Move, stopped: bool, findings: &mut Findings) {
         let (speed, feed) = (self.rules.seal.speed.0, step.feed.unwrap_or(0.0) / 60.0);
         let Schedule { due, spent, stop, .. } = self.schedule;
@@ -140,7 +147,7 @@ impl<'a> Paced<'a> {
         let allowed = MEAN * due + 0.6 * quantum + 0.01;
         // One run alone may be early or late by a dwell's step.
         let alone = MEAN * (due - stop.0) + quantum + 0.015;
-        let late = if stopped { 0.0 } else { self.start_and_stop(feed) };
+        let late = if stopped { 0.0 } else { self.unfinished(feed) };
         let within = |off: f64, most: f64| -most <= off && off <= most + late;
         if !(within(off, allowed) && within(off - stop.1, alone)) {
             let found = format!("{off:+.3} s off the schedule of {speed} mm/s");

@@ -72,6 +72,12 @@ pub fn stroke_seconds(motion: &Motion, from: [f64; 3], to: [f64; 3], speed: f64)
     StrokeRun::default().and(motion, from, to, length).seconds(motion, speed)
 }
 
+/// The longest time of one step of every axis from rest to rest, s; 0 where the steps are unknown.
+pub(super) fn step_seconds(motion: &Motion, speed: f64) -> f64 {
+    let run = StrokeRun { moved: [1.0; 3], ..StrokeRun::default() };
+    motion.steps_per_mm.map_or(0.0, |_| run.seconds(motion, speed) - motion.start_delay.0)
+}
+
 /// The shortest way in the plane that has the steps of a move in every direction, mm.
 pub(super) fn shortest_move(motion: &Motion) -> f64 {
     let per_step = |scale: f64| 1.0 / scale;
