@@ -45,8 +45,8 @@ pub(super) struct Args {
 }
 
 fn share(text: &str) -> Result<f64, String> {
-    let share = Percent::parse(text).ok().map(Percent::ratio).filter(|share| (0.0..1.0).contains(share));
-    share.ok_or_else(|| "a percentage from 0 to below 100, such as 37%".to_owned())
+    let share = Percent::parse(text).ok().map(Percent::ratio).filter(|share| (0.0..=1.0).contains(share));
+    share.ok_or_else(|| "a percentage from 0 to 100, such as 37%".to_owned())
 }
 
 fn point(text: &str) -> Result<Point, String> {

@@ -23,7 +23,8 @@ pub(super) struct Figures {
 impl Figures {
     /// The figures of `new`, a program that resumes `old`.
     ///
-    /// The time of travels is the old program's total less its contacts, because its acceleration is not read.
+    /// What the old program's total has beside its moves is the acceleration of its travels, which is not read: the new one is as long
+    /// plus as much, with its own approach from the sheet's corner.
     pub(super) fn new(old: &Toolpath<'_>, new: &Toolpath<'_>) -> Self {
         let (mut title, mut seam, mut first, mut length) = (None, 0.0, (0.0, 0.0), 0.0);
         for step in new.moves().filter(|step| step.phase != Phase::Clear) {
@@ -44,7 +45,7 @@ impl Figures {
             first,
             length,
             is_again: old.job.is_some(),
-            seconds: (told - old.seconds + new.seconds).max(0.0),
+            seconds: (told - (old.approach + old.seconds) + new.approach + new.seconds).max(0.0),
         }
     }
 

@@ -6,7 +6,7 @@ use crate::resume::ResumeFault;
 use crate::resume::record::Record;
 use geom::Bounds;
 use proof::verify::Phase;
-use proof::verify::gcode::{Event, Interpreter, Move, each_line};
+use proof::verify::gcode::{BlindMove, Event, Interpreter, Move, each_line};
 
 /// One move.
 #[derive(Clone, Copy, Debug)]
@@ -41,9 +41,11 @@ pub(super) struct Toolpath<'a> {
     pub(super) lines: usize,
     /// Number of lines up to and including the heating.
     pub(super) hot: usize,
-    /// Time for all of it, s.
+    /// Time for all of its moves, s, without the first travel.
     pub(super) seconds: f64,
-    /// The same as stated in its header, with the accelerations of travels.
+    /// Time of the first travel, s, from the sheet's corner, where every program leaves the iron.
+    pub(super) approach: f64,
+    /// Time for all of it as stated in its header, with the accelerations of travels, s.
     pub(super) told: Option<f64>,
     /// Time of the whole job as stated in the header of a program for its rest.
     pub(super) job: Option<f64>,
@@ -51,15 +53,24 @@ pub(super) struct Toolpath<'a> {
     pub(super) reach: Bounds,
 }
 
+/// Time of a travel in the plane from the sheet's corner, s; `None` for a move of another kind.
+fn from_corner(travel: &BlindMove, record: &Record) -> Option<f64> {
+    let [Some(x), Some(y), _] = travel.to else { return None };
+    let speed = travel.feed.map_or(record.process.travel_speed.0, |feed| feed / 60.0);
+    Some(libm::hypot(x, y) / speed)
+}
+
 impl<'a> Toolpath<'a> {
     /// Reads a whole program; a finding is an error.
     pub(super) fn read(text: &'a str, record: &'a Record) -> Result<Self, ResumeFault> {
         let (mut lines, mut hot, mut heat, mut told, mut job, mut fault) = (0, 0, false, None, None, None);
+        let mut approach = None;
         each_line(text.split_inclusive('\n'), record.dialect(), |line| {
             lines = line.number;
             let mut is_comment = false;
             for event in line.events {
                 match event {
+                    Event::Blind(travel) if approach.is_none() => approach = from_corner(travel, record),
                     Event::Finding(finding) if fault.is_none() => fault = Some(finding.clone()),
                     Event::Comment(comment) => {
                         is_comment = true;
@@ -84,7 +95,8 @@ impl<'a> Toolpath<'a> {
         if hot == 0 {
             return Err(ResumeFault::NotOurs("heat"));
         }
-        let toolpath = Self { text, record, lines, hot, seconds: 0.0, told, job, reach: Bounds::EMPTY };
+        let (approach, reach) = (approach.unwrap_or(0.0), Bounds::EMPTY);
+        let toolpath = Self { text, record, lines, hot, seconds: 0.0, approach, told, job, reach };
         let (mut seconds, mut reach) = (0.0, Bounds::EMPTY);
         for step in toolpath.moves() {
             seconds = step.begins + step.seconds;

@@ -31,7 +31,8 @@ pub(super) struct Window {
 impl Window {
     /// The moves around `stop`, from `back` mm before it; `None` if nothing is left.
     pub(super) fn around(toolpath: &Toolpath<'_>, stop: &StopPoint, back: f64) -> Option<Next> {
-        let in_contact = matches!(stop.phase, Phase::Contact | Phase::Up);
+        // On the way up all of the seam has been sealed, overlap and all: the next one follows.
+        let in_contact = stop.phase == Phase::Contact;
         let mut window = Self { steps: VecDeque::new(), length: 0.0, done: stop.along, title: None };
         let (mut travel, mut past) = (toolpath.hot, false);
         for step in toolpath.moves() {
@@ -54,7 +55,7 @@ impl Window {
                     window.title = title.map(|line| line.trim_end().to_owned());
                 }
             } else if step.step.line >= stop.line && step.phase == Phase::Down {
-                // During the ramp down, the next seam is the one that begins here.
+                // During the ramp down, or between seams, the next seam is the one that begins here.
                 return Some(Next::Travel(travel.max(toolpath.hot)));
             }
         }

@@ -315,9 +315,9 @@ fn resume_tells_wrong_usage_from_places_that_are_not_there() {
         (&["--line", "5", "--at", "5%"], "cannot be used with"),
         (&["--line", "x"], "invalid"),
         (&["--line=-1"], "invalid"),
-        (&["--at", "100%"], "from 0 to below 100"),
-        (&["--at", "nan"], "from 0 to below 100"),
-        (&["--at=-1"], "from 0 to below 100"),
+        (&["--at", "100.1%"], "from 0 to 100"),
+        (&["--at", "nan"], "from 0 to 100"),
+        (&["--at=-1"], "from 0 to 100"),
         (&["--at", "5"], "such as 37%"),
         (&["--near", "5,5"], "two lengths"),
         (&["--near", "5"], "two lengths"),
@@ -327,7 +327,7 @@ fn resume_tells_wrong_usage_from_places_that_are_not_there() {
         (&["--at", "5%", "--overlap", "5"], "with its unit"),
         (&["--at", "5%", "--overlap", "2 m"], "up to 1 m"),
         (&["--at", "5%", "--overlap", "0 mm"], "above 0"),
-        (&["--at", "-5%"], "from 0 to below 100"),
+        (&["--at", "-5%"], "from 0 to 100"),
         (&["--line", "-3"], "invalid value '-3'"),
     ] {
         let _ = fails(dir.path(), &[&["resume", job][..], args].concat(), 2, &[words]);
@@ -342,6 +342,9 @@ fn resume_tells_wrong_usage_from_places_that_are_not_there() {
     );
     let last = read(dir.path(), job).lines().count().to_string();
     let _ = fails(dir.path(), &["resume", job, "--line", &last], 1, &["nothing is left"]);
+    let _ = fails(dir.path(), &["resume", job, "--at", "100%"], 1, &["nothing is left"]);
+    let refused = run(dir.path(), &["resume", job, "--at", "100%", "--json"]);
+    assert!(stdout(&refused).contains("\"refused\""), "one object on standard output");
     assert_eq!(names(&dir.path().join("out/star")), before);
 }
 

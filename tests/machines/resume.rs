@@ -75,6 +75,8 @@ fn check(name: &str, job: &str, whole: &[(Vec<Move>, Vec<Move>)], line: usize) {
     let rest = contacts(&rest_moves);
     assert!(!rest.is_empty(), "{name} line {line}");
     let first = whole.len() - rest.len();
+    let begun = &whole[first].1;
+    assert!(done(begun) < length(begun) - 1e-9, "{name} line {line}: a whole seam is sealed again");
     for (_, run) in &whole[..first] {
         assert!(done(run) >= length(run) - 1e-9, "{name} line {line}: a seam is left out");
     }

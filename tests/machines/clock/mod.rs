@@ -24,6 +24,8 @@ mod text;
 mod timer;
 mod track;
 
+use stargrip_cam::resume::{ResumeAt, resume};
+
 use self::controller::{BOARDS, Motors, run, run_marlin};
 use self::judge::{OTHER_VERSION, deviations, deviations_within};
 use self::programs::{DIALECTS, coupon_programs, feed_check, machine, seals, spec};
@@ -57,6 +59,25 @@ fn every_program_runs_as_its_controller_was_told() {
             let speed = text.fact("seal.speed_mm_s").unwrap_or(spec.seal.speed.0);
             let (_, complaints) = deviations(&text, &run(dialect, &text, motors), speed, motors.stop(speed));
             assert!(complaints.is_empty(), "{dialect}: {name}: {complaints:?}");
+        }
+    }
+}
+
+/// The last minutes of a job: the travel from the sheet's corner to the seam is a large part of them.
+#[test]
+fn the_rest_of_a_job_takes_as_long_as_it_states() {
+    for dialect in DIALECTS {
+        let motors = own(dialect);
+        let (spec, machine) = (spec(dialect, FIVE), machine(dialect, motors));
+        let (name, code) = seals(&spec, &machine).0.swap_remove(0);
+        for share in [0.5, 0.99] {
+            let rest =
+                resume(&code, ResumeAt::Share(share), None).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+            let text = Text::read(&rest.text);
+            let stated = text.fact("total.time_s").expect("a time");
+            let off = run(dialect, &text, motors).now - stated;
+            // Two seconds: accelerations of travels that the rest no longer has.
+            assert!(off.abs() < 0.005 * stated + 2.0, "{dialect} {share}: {off:+.1} s of {stated} s");
         }
     }
 }
