@@ -63,7 +63,7 @@ codes! {
         DuplicateIndex "duplicate-index" "One star has two `[[stack.star]]` sections; write all of its keys into one.",
         Edit "edit" "The star of this spec cannot be given other values; write its section with one key a line.",
         LineEnd "line-end" "Lines end with CR alone; save the file once more, with line ends of LF or CRLF.",
-        Link "link" "The link is not an address of a web page; write one that begins with https:// and has no #.",
+        Link "link" "The link is not an address of a web page; write one that begins with https:// and has no # and no user.",
         MissingKey "missing-key" "A required key is missing; write it.",
         Name "name" "A name is empty, too long, or holds control characters; choose another.",
         NoColumn "no-column" "A table lacks a column; add it, under the name shown.",

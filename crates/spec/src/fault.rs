@@ -3,6 +3,7 @@
 //! A **fault** is one thing found at one place. Reading goes on after a fault, so that a person sees all
 //! of them at once; a fault of level [`Severity::Error`] refuses the text, one of level [`Severity::Warning`] does not.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::Code;
@@ -50,7 +51,7 @@ impl Fault {
         Self {
             code: code.as_str(),
             level: Severity::Error,
-            message: message.into(),
+            message: shortened(&message.into()).into_owned(),
             label: String::new(),
             span,
             help: None,
@@ -65,7 +66,7 @@ impl Fault {
 
     /// The same fault with `label`, the allowed values, at its caret.
     pub fn label(self, label: impl Into<String>) -> Self {
-        Self { label: label.into(), ..self }
+        Self { label: shortened(&label.into()).into_owned(), ..self }
     }
 
     /// The same fault, found at a place of the drawing.
@@ -75,8 +76,34 @@ impl Fault {
 
     /// The same fault with the remedy `help`.
     pub fn help(self, help: impl Into<String>) -> Self {
-        Self { help: Some(help.into()), ..self }
+        Self { help: Some(shortened(&help.into()).into_owned()), ..self }
     }
+}
+
+/// Longest word of a message, characters. No word of this program's is half as long, but a name from a file may have any length.
+const LONGEST_WORD: usize = 200;
+/// Longest message, characters: a list of all layers of a large drawing still has room.
+const LONGEST_MESSAGE: usize = 8000;
+
+/// `text` with its long words cut, and cut itself where it is too long for a person; `...` stands for what is left out.
+pub fn shortened(text: &str) -> Cow<'_, str> {
+    if text.len() <= LONGEST_WORD {
+        return Cow::Borrowed(text);
+    }
+    let (mut out, mut word) = (String::with_capacity(text.len().min(LONGEST_MESSAGE)), 0);
+    for (i, c) in text.chars().enumerate() {
+        word = if c.is_whitespace() { 0 } else { word + 1 };
+        if i >= LONGEST_MESSAGE {
+            out.push_str(" ...");
+            break;
+        }
+        match word {
+            ..=LONGEST_WORD => out.push(c),
+            _ if word == LONGEST_WORD + 1 => out.push_str("..."),
+            _ => {}
+        }
+    }
+    Cow::Owned(out)
 }
 
 /// `text` made fit for a message: between backticks, on one line, cut at 60 characters.
@@ -92,6 +119,16 @@ pub(super) fn quoted(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_of_any_length_leave_a_message_readable() {
+        let found = shortened(&format!("layer \"{}\" has no role", "é".repeat(100_000))).into_owned();
+        assert!(found.starts_with("layer \"é") && found.ends_with("é... has no role"), "{found}");
+        assert!(found.chars().count() < 250);
+        assert!(shortened(&"a ".repeat(100_000)).len() < 9_000);
+        let usual = "the drawing has no layer \"a\": ".repeat(20);
+        assert_eq!(shortened(&usual), usual);
+    }
 
     #[test]
     fn what_is_quoted_stays_on_its_line() {

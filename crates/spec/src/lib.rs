@@ -52,7 +52,7 @@ pub use allowed::{Allowed, SEAL_SPEEDS};
 pub use code::{Code, FaultCode};
 pub use defaults::with_defaults;
 pub use drawing::{DrawingContent, DrawingSpec, LayerRole};
-pub use fault::{DrawnPlace, Fault, Severity};
+pub use fault::{DrawnPlace, Fault, Severity, shortened};
 pub use faults::Faults;
 pub use key::KeyPath;
 pub use machine::{

@@ -287,11 +287,15 @@ const LINK_LENGTH: usize = 200;
 /// The address of the page that a QR code leads to.
 fn read_link(s: &mut Section<'_, '_>) -> Option<String> {
     let (link, span) = s.text("link")?;
-    let page =
-        ["https://", "http://"].iter().find_map(|scheme| link.strip_prefix(scheme)).unwrap_or_default();
+    let page = link.strip_prefix("https://").unwrap_or_default();
+    let host = page.split(['/', '?']).next().unwrap_or_default();
+    // What precedes an @ is a user and a password, and may look like the host of another page.
+    let is_open = !host.is_empty() && !host.contains('@');
     let is_of_address = |byte: u8| byte.is_ascii_graphic() && !b"#\"<>\\^`{|}".contains(&byte);
-    if page.is_empty() || link.len() > LINK_LENGTH || !link.bytes().all(is_of_address) {
-        let label = format!("must be an address of the page of at most {LINK_LENGTH} characters, without #");
+    if !is_open || link.len() > LINK_LENGTH || !link.bytes().all(is_of_address) {
+        let label = format!(
+            "must be an address of the page that begins with https://, of at most {LINK_LENGTH} characters, without # and without a user"
+        );
         let fault = Fault::error(FaultCode::Link, span, format!("`link` is {}", quoted(link)));
         s.report(fault.label(label).help("for example \"https://example.org/stargrip-cam/\""));
         return None;

@@ -155,7 +155,10 @@ fn measured(root: Node<'_, '_>, head: &str, out: &mut Collector<'_>) -> Result<(
     };
     let unit_mm = map.x.length();
     if !(1e-9..=1e6).contains(&unit_mm) {
-        let text = format!("One unit of the viewBox is {unit_mm} mm; 1e-9 mm to 1e6 mm are allowed.");
+        let [width, height] = view;
+        let text = format!(
+            "One unit of the viewBox, which is {width:e} x {height:e} units, is not 1e-9 mm to 1e6 mm."
+        );
         return Err((text, "Correct width, height and viewBox.".into()));
     }
     out.drawing.unit_mm = unit_mm;

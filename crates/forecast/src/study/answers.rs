@@ -45,7 +45,7 @@ impl Models {
             (ModelChoice::Shell, Some(detail)) => {
                 // The values that need no model.
                 let answer = point.answer_by(&self.ring, |_| Ok(None))?;
-                let watch = Watch { progress: None, cancel: Arc::clone(cancel) };
+                let watch = Watch { cancel: Arc::clone(cancel), ..Watch::default() };
                 match ask((&answer.case, weave(&point.fabric)?), &[], detail, &watch) {
                     Ok((_, _, shell)) => Ok(Some((answer, Some(Box::new(shell))))),
                     Err(ShellRefusal::Cancelled) => Ok(None),

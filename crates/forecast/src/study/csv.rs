@@ -1,7 +1,9 @@
-//! Batches as CSV: a header, a line for each row, empty cells for unknown values, nine digits a number.
+//! Batches as CSV: a header, a line for each row, empty cells for unknown values, nine digits a number. No text is a formula for a
+//! spreadsheet, nor moves the cursor of a terminal.
 
 use crate::study::batch::{ColumnValues, RowBatch};
 use crate::study::output::Column;
+use spec::misleads;
 use std::io::Write;
 
 /// The header line; with `units` a comment line below it with the unit of each column.
@@ -50,17 +52,29 @@ fn repeats(column: &ColumnValues, i: usize) -> bool {
     }
 }
 
-/// A word as it is; a sentence in quotes.
+/// First characters of a cell that spreadsheets read as a formula (OWASP, CSV injection), full-width forms as well.
+const FORMULA: [char; 10] = ['=', '+', '-', '@', '\t', '\r', '＝', '＋', '－', '＠'];
+
+/// A word as it is; a sentence in quotes. An apostrophe goes before a formula, and control characters are spelt out, such as `\u001b`.
 fn text(out: &mut Vec<u8>, text: Option<&str>) {
     let Some(text) = text else { return };
     let is_word = text.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte));
-    if is_word && !text.is_empty() {
+    let is_formula = text.starts_with(FORMULA);
+    if is_word && !is_formula && !text.is_empty() {
         out.extend_from_slice(text.as_bytes());
-    } else {
-        out.push(b'"');
-        out.extend_from_slice(text.replace('"', "\"\"").as_bytes());
-        out.push(b'"');
+        return;
     }
+    // Writing to a Vec never fails.
+    let _ = write!(out, "\"{}", if is_formula { "'" } else { "" });
+    for c in text.chars() {
+        let _ = match c {
+            '"' => write!(out, "\"\""),
+            '\n' => write!(out, "\n"),
+            _ if misleads(c) => write!(out, "\\u{:04x}", u32::from(c)),
+            _ => write!(out, "{c}"),
+        };
+    }
+    out.push(b'"');
 }
 
 /// Adds `value` with nine significant digits: more than any model here deserves, few enough to be the same everywhere.
@@ -226,6 +240,27 @@ mod tests {
                 whole(&mut out, value);
                 assert_eq!(String::from_utf8(out).expect("digits"), value.to_string());
             }
+        }
+    }
+
+    #[test]
+    fn no_text_is_a_formula_or_moves_the_cursor() {
+        for (value, cell) in [
+            ("generic", "generic"),
+            ("", "\"\""),
+            ("a-b", "a-b"),
+            ("-2", "\"'-2\""),
+            ("=1+1", "\"'=1+1\""),
+            ("+1", "\"'+1\""),
+            ("@SUM(A1)", "\"'@SUM(A1)\""),
+            ("\t=1", "\"'\\u0009=1\""),
+            ("＝1", "\"'＝1\""),
+            ("a,\"b\"\nc", "\"a,\"\"b\"\"\nc\""),
+            ("a\u{1b}[2J\u{9b}\r\u{202e}", "\"a\\u001b[2J\\u009b\\u000d\\u202e\""),
+        ] {
+            let mut out = Vec::new();
+            text(&mut out, Some(value));
+            assert_eq!(String::from_utf8(out).expect("text"), cell, "{value:?}");
         }
     }
 
