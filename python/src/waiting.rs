@@ -35,7 +35,7 @@ impl Line {
     /// Runs `work`, whose observer this is.
     pub(crate) fn watched<T>(&self, work: impl FnOnce(&Watch<'_>) -> T) -> T {
         let tell = |part: f64, what: &str| self.tell(part, what);
-        work(&Watch { progress: Some(&tell), cancel: Arc::clone(&self.cancel) })
+        work(&Watch { progress: Some(&tell), cancel: Arc::clone(&self.cancel), ..Watch::default() })
     }
 
     /// None if the caller no longer waits.

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use jiff::Zoned;
 use serde_json::Value;
 
 use crate::cli::escape::{argument, shown};
@@ -12,6 +11,7 @@ use crate::cli::failure::{Failure, tell};
 use crate::cli::kinds::Kinds;
 use crate::cli::load::{Loaded, lasting, once};
 use crate::cli::open::open;
+use crate::cli::overview::now;
 use crate::cli::publish::extras_of;
 use crate::cli::rebuilt::Snapshot;
 use crate::cli::verbosity::Verbosity;
@@ -31,7 +31,7 @@ pub(super) struct Args {
     output: Option<PathBuf>,
     #[command(flatten)]
     kinds: Kinds,
-    /// Build it even if it bursts, or does not hold the object of its own `load` section.
+    /// Build it even if it bursts, or does not hold the object of its own `load` section; and compute a shell of any size.
     #[arg(long)]
     anyway: bool,
     /// Build again whenever a spec or its machine profile is saved; Ctrl-C ends it.
@@ -110,7 +110,7 @@ fn rebuilt(
 
 /// The time of day: "13:02:11".
 fn time_of_day() -> String {
-    Zoned::now().strftime("%H:%M:%S").to_string()
+    now().map_or_else(String::new, |now| now.strftime("%H:%M:%S").to_string())
 }
 
 /// The output directory of each spec whose path determines it; two specs may not share one.
@@ -155,7 +155,7 @@ fn made(
     verbosity: Verbosity,
 ) -> Result<PublishedOutput, Failure> {
     let loaded = Loaded::spoken(spec, verbosity)?;
-    let forecast = loaded.forecast()?;
+    let forecast = loaded.forecast(args.anyway)?;
     let target = targets.get(spec).cloned().map_or_else(|| output_by_name(&forecast.spec.name), Ok)?;
     let request = request(args, &forecast, &target, verbosity);
     loaded.fit(&forecast, args.anyway)?;

@@ -36,7 +36,8 @@ impl Cache {
 
     /// The parts of a stored answer; `None` if there is none or it is damaged.
     pub(super) fn get(&self, key: &str) -> Option<Vec<String>> {
-        let text = fs::read_to_string(self.dir.as_ref()?.join(key)).ok()?;
+        let path = self.dir.as_ref()?.join(key);
+        let text = fs::read_to_string(Some(path).filter(|path| path.is_file())?).ok()?;
         let (sum, parts) = text.split_once('\n')?;
         if sum != sha256(parts) {
             return None;

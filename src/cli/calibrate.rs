@@ -172,7 +172,7 @@ impl Need {
             }
         }
         if let Some(piece) = design.drawn() {
-            let found = watched_by(args.verbosity, |watch| {
+            let found = watched_by(args.verbosity, true, |watch| {
                 inflate(spec, piece, Detail::Coarse, watch).map_err(|refusal| not_computed(loaded, refusal))
             })?;
             loads.extend(found.prediction.seam_loads());

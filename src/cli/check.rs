@@ -25,7 +25,7 @@ pub(super) struct Args {
     specs: Vec<PathBuf>,
     #[command(flatten)]
     kinds: Kinds,
-    /// Accept it even if it bursts, or does not hold the object of its own `load` section.
+    /// Accept it even if it bursts, or does not hold the object of its own `load` section; and compute a shell of any size.
     #[arg(long)]
     anyway: bool,
     /// Draw the faults and warnings of a drawing over it, into this SVG.
@@ -71,7 +71,7 @@ fn pictured(args: &Args, loaded: &Loaded, marks: &[FaultMark]) -> Result<(), Fai
 
 fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     let loaded = Loaded::spoken(spec, args.verbosity)?;
-    let forecast = loaded.forecast().or_else(|failure| {
+    let forecast = loaded.forecast(args.anyway).or_else(|failure| {
         if let Failure::Faults(found) = &failure {
             let marks =
                 found.list().iter().map(|fault| mark(fault.drawn.as_deref(), &fault.message, &fault.label));

@@ -1,14 +1,21 @@
 //! Ctrl-C (SIGINT) and SIGTERM: they end the program, unless a [`Listening`] exists. Then the first signal asks the work to stop, and the
-//! second one ends the program.
+//! second one ends the program. So does the first one where the work does not stop: it may wait for a reader of its output.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock, Once};
+use std::thread;
+use std::time::Duration;
 
 use signal_hook::consts::{SIGINT, SIGTERM};
-use signal_hook::flag;
+use signal_hook::{flag, low_level};
 
 /// Exit code after Ctrl-C, by the convention of shells.
 pub(super) const EXIT: u8 = 130;
+
+/// Time for the work to stop after the first signal: longer than the slowest step between two looks at the flag.
+const GRACE: Duration = Duration::from_secs(10);
+/// Interval of looks at the flag.
+const PAUSE: Duration = Duration::from_millis(200);
 
 /// Set by the first signal while a [`Listening`] exists.
 static HEARD: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
@@ -30,6 +37,7 @@ impl Listening {
                 let _ = flag::register_conditional_shutdown(signal, i32::from(EXIT), Arc::clone(&HEARD));
                 let _ = flag::register(signal, Arc::clone(&HEARD));
             }
+            let _ = thread::Builder::new().spawn(end_deaf_work);
         });
         HEARD.store(false, Ordering::SeqCst);
         FREE.store(false, Ordering::SeqCst);
@@ -46,6 +54,19 @@ impl Listening {
     #[expect(clippy::unused_self, reason = "only a listener may read the signal")]
     pub(super) fn flag(&self) -> Arc<AtomicBool> {
         Arc::clone(&HEARD)
+    }
+}
+
+/// Ends the program [`GRACE`] after a signal if the [`Listening`] that heard it still exists.
+fn end_deaf_work() -> ! {
+    let mut since = Duration::ZERO;
+    loop {
+        thread::sleep(PAUSE);
+        let is_asked = HEARD.load(Ordering::SeqCst) && !FREE.load(Ordering::SeqCst);
+        since = if is_asked { since + PAUSE } else { Duration::ZERO };
+        if since >= GRACE {
+            low_level::exit(i32::from(EXIT));
+        }
     }
 }
 

@@ -8,11 +8,12 @@ use crate::cli::failure::{Failure, reason, tell, warn};
 use crate::cli::findings::Unproven;
 use crate::cli::progress;
 use crate::cli::verbosity::Verbosity;
-use crate::cli::whole_file::{first_bytes, given_bytes, is_standard_input};
+use crate::cli::whole_file::{SPECIAL, first_bytes, given_bytes, is_special, is_standard_input};
 use crate::cli::words::beyond;
 use crate::manifest::MANIFEST;
-use crate::pipeline::{Forecast, Proven, Sources};
+use crate::pipeline::{Forecast, Planned, Proven, Sources};
 use design::{RefusalCode, Refusals, Warning, drawing_notes};
+use forecast::drawn::{MOST_UNKNOWNS, Watch};
 use proof::artifact::KindRequest;
 use proof::verify::Finding;
 use spec::{Fault, FaultCode, Faults, Machine, Reading, SIZE_LIMIT, Source, key};
@@ -110,11 +111,16 @@ impl Loaded {
         warn(&Faults::new(&self.source, faults.collect()));
     }
 
-    /// The forecast of the spec, without files; prints the design's warnings.
-    pub(super) fn forecast(&self) -> Result<Forecast, Failure> {
+    /// The forecast of the spec, without files; prints the design's warnings. A shell of many unknowns is refused, unless `anyway` is set.
+    pub(super) fn forecast(&self, anyway: bool) -> Result<Forecast, Failure> {
         let (spec, machine) = (self.reading.spec.clone(), self.machine.clone());
-        let forecast = progress::during(self.verbosity, "designing", |_| Forecast::of(spec, machine))
-            .map_err(|refusals| self.refused(refusals))?;
+        let most_unknowns = (!anyway).then_some(MOST_UNKNOWNS);
+        let forecast = progress::during(self.verbosity, "designing", |progress| {
+            let tell = |part: f64, what: &str| progress.tell_part(part, &format!("shell: {what}"));
+            let watch = Watch { progress: Some(&tell), most_unknowns, ..Watch::default() };
+            Planned::new(spec, machine)?.forecast(&watch)
+        })
+        .map_err(|refusals| self.refused(refusals))?;
         self.warn(&forecast.warnings(self.sources()));
         Ok(forecast)
     }
@@ -246,8 +252,8 @@ fn with_drawing(
 /// The content of the drawing `file`, or the reason why it cannot be read.
 pub(super) fn drawing_bytes(file: &Path) -> Result<Vec<u8>, String> {
     // Reading a pipe would wait for a writer, and a device may never end.
-    if file.metadata().is_ok_and(|file| !file.is_file() && !file.is_dir()) {
-        return Err(format!("cannot read {}: it is a pipe, a socket or a device; name a file", shown(file)));
+    if is_special(file) {
+        return Err(format!("cannot read {}: {SPECIAL}", shown(file)));
     }
     match first_bytes(file, DRAWING_LIMIT + 1) {
         Ok(bytes) if bytes.len() as u64 > DRAWING_LIMIT => {
@@ -276,6 +282,8 @@ fn machine_source(
     let known: Vec<&str> = spec::builtin_machines().collect();
     let found = if file.is_dir() {
         format!("{} is a directory", shown(&file))
+    } else if is_special(&file) {
+        format!("cannot read {}: {SPECIAL}", shown(&file))
     } else {
         format!("there is no file {}", shown(&file))
     };

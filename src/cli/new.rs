@@ -15,7 +15,7 @@ use crate::cli::{defaults, progress, schema};
 use artwork::Unit;
 use design::{LayerProposal, Refusals, propose_layers};
 use spec::units::Readable;
-use spec::{self, LayerRole, Source};
+use spec::{self, LayerRole, Source, shortened};
 
 /// Arguments of `new`.
 #[derive(clap::Args, Debug)]
@@ -126,11 +126,12 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let (number, each) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });
     let mut lines = format!("{number} {each} with a proposed role:\n");
     for (layer, role, reason) in &layers {
-        let _ = writeln!(lines, "  {layer:?}: {} ({reason})", role.word());
+        let _ = writeln!(lines, "  {}: {} ({reason})", shortened(&format!("{layer:?}")), role.word());
     }
     for layer in &hidden {
+        let layer = shortened(&format!("{layer:?}")).into_owned();
         let _ =
-            writeln!(lines, "{layer:?} is hidden in the drawing and not read: show it there if you need it");
+            writeln!(lines, "{layer} is hidden in the drawing and not read: show it there if you need it");
     }
     if layers.iter().all(|(_, role, _)| *role != LayerRole::Port) {
         lines.push_str("no layer looks like a port: draw a short line across an edge where a hose goes in\n");

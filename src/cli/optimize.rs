@@ -319,7 +319,7 @@ fn confirmed(
     candidate: &Evaluation,
     constraints: &Constraints,
 ) -> Result<Confirmation, Failure> {
-    let (found, _) = watched_by(verbosity, |watch| {
+    let (found, _) = watched_by(verbosity, true, |watch| {
         star::predict(own, &[], Detail::Medium, watch).map_err(|refusal| match refusal {
             ShellRefusal::Cancelled => Failure::Interrupted,
             ShellRefusal::Fault(fault) => {

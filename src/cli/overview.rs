@@ -3,8 +3,10 @@
 
 use std::io::{stderr, stdout};
 use std::path::Path;
+use std::time::SystemTime;
 
-use jiff::{SignedDuration, Zoned};
+use jiff::tz::TimeZone;
+use jiff::{SignedDuration, Timestamp, Zoned};
 use serde_json::{Value, json};
 
 use crate::answer::proof::scope;
@@ -55,7 +57,7 @@ pub(super) fn answer(
     warn(notes.iter().map(|note| &note.text));
     // A build without a program has no sealing time.
     if target.is_none() || proven.sealing_time().is_some() {
-        show(&work(forecast, &Zoned::now()))?;
+        show(&work(forecast, now().as_ref()))?;
     }
     show(&target.map_or_else(|| in_memory(proven), |target| written(proven, target)))?;
     if verbosity.verbose {
@@ -136,10 +138,11 @@ fn in_words(star: &StarSpec) -> String {
 }
 
 /// The sealing time and the machine.
-fn work(forecast: &Forecast, now: &Zoned) -> Vec<OverviewRow> {
+fn work(forecast: &Forecast, now: Option<&Zoned>) -> Vec<OverviewRow> {
     let seconds = sealing_time(forecast);
-    let end =
-        finish(now, seconds).map(|end| format!("; started now, it ends {end}, without heating and pauses"));
+    let end = now
+        .and_then(|now| finish(now, seconds))
+        .map(|end| format!("; started now, it ends {end}, without heating and pauses"));
     let number = forecast.design.sheets.len();
     let area = match forecast.machine.bench.work_area {
         Some((x, y)) => format!("; the machine reaches {} x {} mm", rounded(x.0), rounded(y.0)),
@@ -243,6 +246,16 @@ fn written_json(proven: &Proven, target: &Path) -> Value {
     })
 }
 
+/// The present time in the user's zone; `None` if the system's clock is beyond the calendar.
+pub(super) fn now() -> Option<Zoned> {
+    zoned(SystemTime::now())
+}
+
+/// `time` in the user's zone; `None` outside of the years that the calendar has, up to 9999.
+fn zoned(time: SystemTime) -> Option<Zoned> {
+    Some(Timestamp::try_from(time).ok()?.to_zoned(TimeZone::system()))
+}
+
 /// The end of a job of `seconds` that begins at `now`, in the zone of `now`: "Monday 23 November at 02:52 CET"; `None` above about a
 /// thousand years.
 fn finish(now: &Zoned, seconds: f64) -> Option<String> {
@@ -261,7 +274,16 @@ fn finish(now: &Zoned, seconds: f64) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
     use super::*;
+
+    #[test]
+    fn a_clock_beyond_the_calendar_has_no_date() {
+        let year_10000 = SystemTime::UNIX_EPOCH + Duration::from_secs(253_402_300_800);
+        assert!(zoned(year_10000).is_none());
+        assert!(zoned(year_10000 - Duration::from_secs(30 * 86_400)).is_some());
+    }
 
     fn end(now: &str, seconds: f64) -> String {
         finish(&now.parse().expect("a time"), seconds).unwrap_or_default()

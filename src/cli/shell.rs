@@ -11,6 +11,7 @@ use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
 use crate::pipeline::no_prediction;
+use forecast::drawn::MOST_UNKNOWNS;
 use forecast::pressures::outside;
 use forecast::shell::star::ShellRefusal;
 use forecast::shell::{Detail, SHELL};
@@ -61,7 +62,7 @@ impl ShellArgs {
         let [json, text, vtu] = if let Some(known) = known {
             known
         } else {
-            let (json, text, shape) = watched_by(verbosity, compute)?;
+            let (json, text, shape) = watched_by(verbosity, self.fineness.is_some(), compute)?;
             let vtu = shape.filter(|_| self.vtu.is_some()).map(|shape| shape.vtu()).transpose();
             let parts = [json, text, vtu.map_err(Failure::message)?.unwrap_or_default()];
             cache.put(&key, &parts.each_ref().map(String::as_str));
@@ -95,14 +96,16 @@ pub(super) fn not_computed(loaded: &Loaded, refusal: ShellRefusal) -> Failure {
 }
 
 /// Computes while Ctrl-C is caught: the first one asks the computation to stop, the second one ends the program. A terminal shows the
-/// progress unless `verbosity` is quiet.
+/// progress unless `verbosity` is quiet. A drawing of many unknowns is refused, unless it `is_asked` for.
 pub(super) fn watched_by<T>(
     verbosity: Verbosity,
+    is_asked: bool,
     compute: impl FnOnce(&Watch<'_>) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
     let listening = Listening::new();
     progress::listening(verbosity, "the shell", |progress| {
         let tell = |part: f64, what: &str| progress.tell_part(part, &format!("shell: {what}"));
-        compute(&Watch { progress: Some(&tell), cancel: listening.flag() })
+        let most_unknowns = (!is_asked).then_some(MOST_UNKNOWNS);
+        compute(&Watch { progress: Some(&tell), cancel: listening.flag(), most_unknowns })
     })
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::whole_file::{first_bytes, given_bytes, write_whole};
+use crate::cli::whole_file::{first_bytes, given_bytes, refuse_special, write_whole};
 
 /// Largest program, bytes: far more than the largest design needs.
 pub(super) const PROGRAM: u64 = 1 << 28;
@@ -50,12 +50,14 @@ pub(super) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
 /// Bytes at the beginning of a file, in which its kind shows.
 const BEGINNING: u64 = 4096;
 
-/// Refuses to replace `path` if it is a file, not empty, and not `what` by its beginning: a typing error must not cost an input.
+/// Refuses to write to `path` if it is a pipe, a socket or a device; or a file, not empty, and not `what` by its beginning: a typing error
+/// must not cost an input.
 pub(super) fn refuse_foreign(
     path: &Path,
     what: &str,
     is_own: impl FnOnce(&str) -> bool,
 ) -> Result<(), Failure> {
+    refuse_special(path).map_err(|error| Failure::file("write", path, &error))?;
     if !path.is_file() {
         return Ok(());
     }

@@ -16,6 +16,19 @@ pub(super) fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
+/// What is wrong with a place that is neither a file nor a directory.
+pub(super) const SPECIAL: &str = "it is a pipe, a socket or a device; name a file";
+
+/// Whether `path`, links followed, is a pipe, a socket or a device: opening it may wait for ever, and it may have no end.
+pub(super) fn is_special(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|entry| !entry.is_file() && !entry.is_dir())
+}
+
+/// Refuses `path` as an output if it is a pipe, a socket or a device.
+pub(super) fn refuse_special(path: &Path) -> io::Result<()> {
+    if is_special(path) { Err(io::Error::other(SPECIAL)) } else { Ok(()) }
+}
+
 /// The first `most` bytes of the file `path`.
 pub(super) fn first_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let file = File::open(path)?;
@@ -50,8 +63,9 @@ pub(super) struct WholeFile {
 }
 
 impl WholeFile {
-    /// Begins the file `target`; a link is followed, so that it is kept.
+    /// Begins the file `target`; a link is followed, so that it is kept. A pipe, a socket or a device is refused, not replaced.
     pub(super) fn begin(target: &Path) -> io::Result<Self> {
+        refuse_special(target)?;
         let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
         let name = target.file_name().ok_or(io::ErrorKind::InvalidInput)?.to_string_lossy().into_owned();
         for number in 0.. {

@@ -297,3 +297,43 @@ fn foreign_text_is_harmless_on_a_terminal() {
         }
     }
 }
+
+/// Opening a pipe waits for its other end, and a device has none: each is refused before that, and before a lock is taken.
+#[cfg(unix)]
+#[test]
+fn no_command_writes_to_a_pipe_or_a_device() {
+    let dir = workshop();
+    let job = "out/star/star-1-seal.gcode";
+    let _ = build(dir.path(), "star.toml", "out/star");
+    for pipe in ["pipe", "pipe.rows", "feed.gcode", "feed.gcode.manifest.json"] {
+        assert!(Command::new("mkfifo").arg(dir.path().join(pipe)).status().expect("it starts").success());
+    }
+    std::os::unix::fs::symlink("pipe", dir.path().join("link.csv")).expect("a link");
+    let vary = "star.points=4,5";
+    for (args, code) in [
+        (&["build", "star.toml", "-o", "pipe"][..], 1),
+        (&["build", "star.toml", "-o", "pipe/below"], 1),
+        (&["build", "star.toml", "-o", "/dev/null"], 1),
+        (&["coupon", "star.toml", "-o", "pipe"], 1),
+        (&["study", "run", "star.toml", "--vary", vary, "-o", "pipe"], 1),
+        (&["study", "run", "star.toml", "--vary", vary, "-o", "link.csv"], 1),
+        (&["study", "run", "star.toml", "--vary", vary, "-o", "/dev/full"], 1),
+        (&["study", "run", "star.toml", "--vary", vary, "--parts", "1", "-o", "pipe"], 1),
+        (&["study", "join", "out", "-o", "pipe"], 1),
+        (&["trade", "--csv", "pipe"], 1),
+        (&["trade", "--svg", "pipe"], 1),
+        (&["feedcheck", "star.toml", "-o", "pipe"], 1),
+        (&["feedcheck", "star.toml", "--force", "-o", "feed.gcode"], 1),
+        (&["resume", job, "--at", "50%", "-o", "pipe"], 1),
+        (&["predict", "star.toml", "--model", "shell", "--vtu", "pipe"], 1),
+        (&["man", "--dir", "pipe"], 1),
+    ] {
+        let output = run(dir.path(), args);
+        assert_eq!(output.status.code(), Some(code), "{args:?}: {}", stderr(&output));
+        assert!(!stderr(&output).is_empty(), "{args:?}");
+    }
+    for pipe in ["pipe", "pipe.rows", "feed.gcode"] {
+        let kind = dir.path().join(pipe).metadata().expect("there").file_type();
+        assert!(!kind.is_file() && !kind.is_dir(), "{pipe} was replaced");
+    }
+}

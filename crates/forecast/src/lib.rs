@@ -42,6 +42,7 @@ pub mod predict;
 pub mod prediction;
 pub mod pressures;
 pub mod ranges;
+mod remembered;
 pub mod report;
 mod seal_forecast;
 pub mod seal_load;

@@ -82,6 +82,11 @@ pub fn named(chosen: ModelChoice) -> Option<Level> {
     }
 }
 
+/// The model `bvp`, which depends on the hinge alone.
+pub(super) fn bvp() -> Bvp {
+    Bvp::new(BVP_BETA, 1e-6)
+}
+
 /// The model of `level` for hinges of `sheet` (tube width `width`, m) at the gauge pressure `pressure` (Pa).
 ///
 /// # Errors
@@ -95,7 +100,7 @@ pub fn hinge_model(
     Ok(match level {
         Level::Fit => Box::new(Fit),
         Level::Ring => Box::new(Ring),
-        Level::Bvp => Box::new(Bvp::new(BVP_BETA, 1e-6)),
+        Level::Bvp => Box::new(bvp()),
         Level::Section => {
             let bendability = sheet.bendability(pressure.ok_or(StarFault::NoPressure)?, width);
             Box::new(Section::new(bendability, sheet.thickness / width, sheet.poisson_ratio)?)

@@ -1,17 +1,19 @@
 //! From a spec to the prediction: selects the model, evaluates every star, and adds the evidence.
 
 use crate::case::{Case, weave};
-use crate::model_selection::{corrected, hinge_model, limits_of_validity, named, tabled};
+use crate::model_selection::{bvp, corrected, hinge_model, limits_of_validity, named, tabled};
 use crate::outcome::{Grip, Outcome};
 use crate::prediction::{ForceAt, ModelEvidence, Prediction, StarPrediction};
 use crate::pressures::{LEAST, MOST, modelled, outside_section, pressures, rows};
 use crate::ranges::{Domain, Interval, Ranges, errors, mm, outside, sum};
+use crate::remembered::Remembered;
 use crate::seal_forecast::{SealForecast, per_mm};
 use crate::seal_load::Bursting;
 use crate::star_answer::{bare, fill, nonlinear, of_the_shape};
 use crate::verdict::{Verdict, refusals, verdict};
 use design::{Design, Meeting, StarAssembly, StarDesign};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
+use inflatable::mechanics::hinge::bvp::Bvp;
 use inflatable::mechanics::hinge::{HingeModel, Level};
 use inflatable::mechanics::star::response::Inflated;
 use spec::units::{Length, Pressure};
@@ -56,8 +58,9 @@ impl PredictFault {
 /// If a model refuses one of the hinges, is not available, or covers no such product.
 pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault> {
     let design = stars_of(design)?;
-    let mut stars = predict_stars(spec, design)?;
-    let safe = safe_pressure(spec, design, &stars);
+    let models = StarModels::new();
+    let mut stars = predict_stars(spec, design, &models)?;
+    let safe = safe_pressure((spec, design), &models, &stars);
     for star in &mut stars {
         star.evidence.safe_pressure_kPa = safe;
     }
@@ -81,17 +84,25 @@ pub(super) fn whole(
 
 /// The largest pressure, kPa, at which none of the seals that burst may do so; `None` if none bursts, or the gripper does not meet its load
 /// there either.
-fn safe_pressure(spec: &Spec, design: &StarAssembly, stars: &[StarPrediction]) -> Option<f64> {
+fn safe_pressure(
+    (spec, design): (&Spec, &StarAssembly),
+    models: &StarModels,
+    stars: &[StarPrediction],
+) -> Option<f64> {
     let bursting = stars.iter().map(|star| &star.evidence).filter(|own| own.bursting == Some(Bursting::Yes));
     let safe = bursting.filter_map(|own| own.safe_pressure_kPa).reduce(f64::min)?;
     let mut at = spec.clone();
     at.load.get_or_insert_default().pressure = Some(Pressure(safe));
-    let found = predict_stars(&at, design).ok()?;
+    let found = predict_stars(&at, design, models).ok()?;
     refusals(&at, &found).is_empty().then_some(safe)
 }
 
 /// All stars of `design`, bottom first.
-fn predict_stars(spec: &Spec, design: &StarAssembly) -> Result<Vec<StarPrediction>, PredictFault> {
+fn predict_stars(
+    spec: &Spec,
+    design: &StarAssembly,
+    models: &StarModels,
+) -> Result<Vec<StarPrediction>, PredictFault> {
     let meetings = design.meetings(spec);
     let meeting = |i: usize| meetings.as_ref().and_then(|all| all.get(i));
     let mut stars: Vec<StarPrediction> = Vec::with_capacity(design.stars.len());
@@ -102,7 +113,7 @@ fn predict_stars(spec: &Spec, design: &StarAssembly) -> Result<Vec<StarPredictio
         let part = design.part(placed);
         stars.push(match twin {
             Some((twin, _)) => stars[twin].clone(),
-            None => predict_star(spec, part, meeting(i).copied())
+            None => predict_star(spec, part, meeting(i).copied(), models)
                 .map_err(|fault| located(placed.index, (spec, part), &fault))?,
         });
     }
@@ -148,6 +159,18 @@ pub fn add_curve(
 /// Height of a cylinder that no stack is as high as: the largest length of a spec.
 const ENDLESS: Length = Length(1e5);
 
+/// Models that the stars of a gripper share, because they depend on the hinge alone.
+struct StarModels {
+    /// The slow one: a hinge of it takes milliseconds.
+    bvp: Remembered<Bvp>,
+}
+
+impl StarModels {
+    fn new() -> Self {
+        Self { bvp: Remembered::new(bvp()) }
+    }
+}
+
 /// One star with its case and inputs.
 struct PlacedCase<'a> {
     spec: &'a Spec,
@@ -160,13 +183,18 @@ fn predict_star(
     spec: &Spec,
     part: &StarDesign,
     meeting: Option<Meeting>,
+    models: &StarModels,
 ) -> Result<StarPrediction, StarFault> {
     let case = Case::of(spec, &part.star)?.meeting(meeting);
     let asked = PlacedCase { spec, part, case, seal: SealForecast::new(spec, &case, &part.star) };
     let width = case.mechanism.width;
     let Some(level) = named(spec.accuracy.model) else { return asked.automatic() };
+    let choice = format!("{} was requested", level.name());
+    if level == Level::Bvp {
+        return asked.by(&models.bvp, choice);
+    }
     let model = hinge_model(level, &case.sheet, case.pressure, width)?;
-    asked.by(model.as_ref(), format!("{} was requested", level.name()))
+    asked.by(model.as_ref(), choice)
 }
 
 impl PlacedCase<'_> {

@@ -51,6 +51,10 @@ impl TargetPlace {
         let nameless =
             || PublishFault::Refused(resolved.clone(), "cannot be an output directory; name one with -o");
         let name = resolved.file_name().ok_or_else(nameless)?.to_owned();
+        // A pipe or a device is refused before the lock, for opening it may wait for ever; so is a link to nothing, or to itself.
+        if disk::exists(&resolved) && !resolved.is_dir() {
+            return Err(PublishFault::Refused(resolved, NOT_A_DIRECTORY));
+        }
         if name.as_encoded_bytes().len() > NAME_BYTES {
             return Err(PublishFault::LongName(name.as_encoded_bytes().len()));
         }
@@ -59,9 +63,6 @@ impl TargetPlace {
         fs::create_dir_all(parent).map_err(PublishFault::io("create", parent))?;
         let parent = fs::canonicalize(parent).map_err(PublishFault::io("find", parent))?;
         let target = parent.join(&name);
-        if !target.exists() && disk::exists(&target) {
-            return Err(PublishFault::Refused(target, NOT_A_DIRECTORY)); // a link to nothing, or to itself
-        }
         Ok(Self { target, parent, name, _made: made })
     }
 
@@ -95,7 +96,7 @@ impl TargetPlace {
     /// lock. The first lock is that of the parent.
     pub(super) fn lock(&self) -> [Option<File>; 2] {
         [&self.parent, &self.target].map(|directory| {
-            let file = File::open(directory).ok()?;
+            let file = directory.is_dir().then(|| File::open(directory))?.ok()?;
             file.lock().ok()?;
             Some(file)
         })

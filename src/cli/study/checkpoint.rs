@@ -10,6 +10,7 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use crate::cli::escape::shown;
+use crate::cli::whole_file::refuse_special;
 use forecast::study::{RowBatch, Study, checkpoint};
 use spec::digest::sha256;
 
@@ -30,6 +31,7 @@ impl Checkpoint {
     /// # Errors
     /// If it cannot be read or written, is not of this study, or another process writes it.
     pub(super) fn open(path: &Path, study: &Study) -> io::Result<Self> {
+        refuse_special(path)?;
         let mut file = File::options().read(true).write(true).create(true).truncate(false).open(path)?;
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(io::Error::other(format!(

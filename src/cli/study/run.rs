@@ -1,7 +1,6 @@
 //! Rows of a study to standard output, a file, or parts in a directory: the destinations of `study run`.
 
-use std::fs::File;
-use std::io::{self, BufWriter, IsTerminal, stdout};
+use std::io::{self, IsTerminal, stdout};
 use std::path::{Path, PathBuf};
 
 use crate::cli::escape::shown;
@@ -151,11 +150,6 @@ fn to_stdout(rows: &StudyRows<'_>, ear: &StudyMonitor<'_>) -> Result<(), Failure
 fn to_file(path: &Path, rows: StudyRows<'_>, ear: &StudyMonitor<'_>) -> Result<(), Failure> {
     let is_slow = rows.study.is_slow();
     let written = || -> io::Result<()> {
-        // A pipe or a device is written to as it is: it must not be replaced by a file.
-        if path.exists() && !path.is_file() {
-            let file = File::options().write(true).open(path)?;
-            return rows.write(&mut BufWriter::new(file), ear);
-        }
         sweep_own(path);
         let rows = StudyRows { target: Some(path), ..rows };
         let mut file = WholeFile::begin(path)?;

@@ -14,7 +14,7 @@ use crate::shell::request::{ShellRefusal, no_pressure, refused};
 use crate::shell::{Detail, SHELL};
 use design::DrawnPiece;
 use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Wrinkles, region};
-use spec::units::Pressure;
+use spec::units::{Pressure, Readable};
 use spec::{ModelChoice, Spec, key};
 
 pub use inflatable::shell::cases::{Surface, Watch};
@@ -73,6 +73,7 @@ pub fn inflate(
     let found = drawn_chambers(spec, piece)?;
     let mut prediction = flat(spec, piece, &found)?;
     let pressure = spec.load.as_ref().and_then(|load| load.pressure).ok_or_else(no_pressure)?;
+    refuse_large(&found, detail, pressure, watch)?;
     let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
     let mut is_weave_left_out = false;
     let count = found.len();
@@ -84,7 +85,7 @@ pub fn inflate(
                 progress((number as f64 + part) / count as f64, what);
             }
         };
-        let own = Watch { progress: Some(&within), cancel: watch.cancel.clone() };
+        let own = Watch { progress: Some(&within), ..watch.clone() };
         let inflated =
             region(&case, chamber.fineness(detail), &own).map_err(|why| not_inflated(&why, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles == Wrinkles::Averaged;
@@ -113,6 +114,53 @@ pub fn inflate(
     ];
     prediction.evidence.warnings.extend(warnings.into_iter().flatten());
     Ok(InflatedDrawing { prediction, surfaces, shapes })
+}
+
+/// The most unknowns that a command computes unasked: half a minute, six times as many as those of a usual drawing on coarse meshes.
+pub const MOST_UNKNOWNS: f64 = 80_000.0;
+
+/// Time for three meshes of which the finest has this many unknowns, s, on one processor of 2024. Measured at 1 to 36 islands on coarse
+/// meshes; meshes without an equilibrium, which are tried again with other edges, take several times as long.
+fn seconds(unknowns: f64) -> f64 {
+    73.0 * libm::pow(unknowns / 140_000.0, 1.8)
+}
+
+/// Tells `watch` the size of the computation before it begins, or refuses one that is larger than it accepts.
+fn refuse_large(
+    found: &[DrawnChamber],
+    detail: Detail,
+    pressure: Pressure,
+    watch: &Watch<'_>,
+) -> Result<(), PredictFault> {
+    let sizes = found.iter().map(|chamber| {
+        let region = FlatRegion { pressure: pressure.pascals(), ..chamber.region.clone() };
+        region.unknowns(chamber.fineness(detail))
+    });
+    let unknowns: f64 = sizes.sum();
+    let size = format!("about {} unknowns and {}", Readable(unknowns.round()), duration(seconds(unknowns)));
+    let most = watch.most_unknowns.unwrap_or(f64::INFINITY);
+    if unknowns <= most {
+        if let Some(progress) = watch.progress {
+            progress(0.0, &size);
+        }
+        return Ok(());
+    }
+    let what = format!(
+        "the shell of this drawing is large: {size}; at most {} are computed unasked",
+        Readable(most)
+    );
+    let remedy = "`check --anyway`, or `predict` with a `--fineness`, computes it; fewer islands need less; `model = \"auto\"` leaves the \
+                  shell out";
+    Err(PredictFault { remedy: Some(remedy.to_owned()), ..PredictFault::new(key::accuracy::MODEL, what) })
+}
+
+/// `seconds` in words: "40 s", "7 min", "3 h".
+fn duration(seconds: f64) -> String {
+    match seconds {
+        ..90.0 => format!("{:.0} s", seconds.max(1.0)),
+        ..5400.0 => format!("{:.0} min", seconds / 60.0),
+        _ => format!("{:.0} h", seconds / 3600.0),
+    }
 }
 
 /// The prediction without a model: flat sizes only.

@@ -16,17 +16,32 @@ use crate::shell::element::Fabric;
 use crate::shell::mesh::Meshed;
 
 impl FlatRegion {
+    /// About how many unknowns the finest mesh of `fineness` has; 0 where the chamber has no mesh.
+    pub fn unknowns(&self, fineness: Fineness) -> f64 {
+        let chamber = self.chamber.by(self.chamber.widest());
+        let Ok((meshed, _)) = chamber.mesh(fineness.cells) else { return 0.0 };
+        #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
+        let triangles = meshed.mesh.triangles.len() as f64;
+        // Each cut makes four triangles of one.
+        self.unknowns_of_triangle() * triangles * (0..fineness.cuts).fold(1.0, |times, _| 4.0 * times)
+    }
+
+    /// Three unknowns of each point and one of each edge are three by triangle; a sheet whose wrinkles are averaged has those of points only.
+    fn unknowns_of_triangle(&self) -> f64 {
+        let tube = Tube { width: self.chamber.widest(), fabric: self.fabric, pressure: self.pressure };
+        match Wrinkles::of(&tube) {
+            Wrinkles::Resolved => 3.0,
+            Wrinkles::Averaged => 1.5,
+        }
+    }
+
     /// Coarse meshes: some 800 unknowns on the coarsest mesh and 16 times as many on the finest, if that leaves one edge across the
     /// chamber. Islands, corners and narrow places take more than the area suggests.
     pub fn quick(&self) -> Fineness {
         let width = self.chamber.widest();
         let squares = self.chamber.area() / (width * width);
         let chamber = self.chamber.by(width);
-        let tube = Tube { width, fabric: self.fabric, pressure: self.pressure };
-        let of_triangle = match Wrinkles::of(&tube) {
-            Wrinkles::Resolved => 3.0,
-            Wrinkles::Averaged => 1.5,
-        };
+        let of_triangle = self.unknowns_of_triangle();
         let of_squares = TRIANGLES_OF_SQUARE * of_triangle * squares;
         let mut cells = (QUICK / of_squares).sqrt().clamp(LEAST_CELLS, MOST_QUICK);
         let mut best = (f64::INFINITY, cells);
@@ -47,7 +62,6 @@ impl FlatRegion {
 }
 
 /// Unknowns of a quick look's coarsest mesh, triangles of a square of the chamber's width with one edge across, and the most edges across.
-/// Three unknowns of each point and one of each edge are three by triangle; a sheet whose wrinkles are averaged has those of points only.
 const QUICK: f64 = 800.0;
 const TRIANGLES_OF_SQUARE: f64 = 4.2;
 const MOST_QUICK: f64 = 8.0;
