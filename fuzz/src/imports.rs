@@ -17,7 +17,7 @@ pub(super) fn dxf(bytes: &[u8]) {
 
 fn both(bytes: &[u8], reader: fn(&[u8], &Options) -> Result<Drawing, Vec<Fault>>) {
     for unit in [None, Some(Unit::Millimetre)] {
-        match reader(bytes, &Options { tolerance: 0.01, unit, limits: LIMITS }) {
+        match reader(bytes, &Options { unit, assume: unit.is_none(), limits: LIMITS, ..Options::new(0.01) }) {
             Ok(drawing) => whole(&drawing),
             Err(faults) => assert!(!faults.is_empty() && faults.iter().all(|fault| !fault.remedy.is_empty())),
         }

@@ -6,16 +6,20 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use crate::cli::escape::{argument, shown};
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, say};
 use crate::cli::load::drawing_bytes;
 use crate::cli::new_object::{NewGripper, OBJECT_OPTIONS, ObjectArgs, chosen, machine};
 use crate::cli::text_file::write_new;
 use crate::cli::verbosity::Verbosity;
+use crate::cli::words::beyond;
 use crate::cli::{defaults, progress, schema};
-use artwork::Unit;
-use design::{LayerProposal, Refusals, propose_layers};
+use artwork::{Format, Unit};
+use design::{LayerProposal, Refusals, propose_layers, unit_question};
 use spec::units::Readable;
 use spec::{self, LayerRole, Source, shortened};
+
+/// Faults of a drawing that are listed; the others are counted.
+const LISTED_FAULTS: usize = 3;
 
 /// Arguments of `new`.
 #[derive(clap::Args, Debug)]
@@ -40,6 +44,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         return by_drawing(args, drawing);
     }
     let (name, path) = named(args.name.as_deref().unwrap_or("star"))?;
+    if names_file(name) {
+        let (file, option) = (shown(name), argument(name));
+        let text = format!("{file} is a drawing: use `stargrip-cam new --drawing {option}`");
+        return Err(Failure::Message(text));
+    }
     let found = progress::during(args.verbosity, "searching for a gripper", |_| chosen(name, &args.object))?;
     let text = match &found {
         // The search has applied the user's defaults already.
@@ -65,10 +74,19 @@ fn write(
     json["wrote"] = json!(path);
     json["schema"] = json!(schema::write_beside(path)?);
     let (path, word, schema) = (shown(path), argument(path), spec::SCHEMA_FILE);
+    if verbosity.quiet {
+        // The file is the result, and its name may not be that of the request.
+        return say(&format!("wrote {path}\n"));
+    }
     let report = format!(
         "{before}wrote {path}, and beside it {schema} for editors\nnext: {next}, then `stargrip-cam {command} {word}`\n"
     );
     verbosity.report(&report, &json)
+}
+
+/// Whether the name of a design is that of a drawing.
+fn names_file(name: &str) -> bool {
+    Format::of_name(name).is_some()
 }
 
 /// The name of the design, and its file.
@@ -101,10 +119,26 @@ fn unit(name: &str) -> Result<Unit, String> {
     Unit::from_name(name).ok_or_else(|| format!("units are {}", names.join(", ")))
 }
 
+/// The name of a design by its drawing, and its file: both are those of the drawing unless `name` is given.
+fn named_by_drawing<'n>(
+    name: Option<&'n str>,
+    stem: &'n str,
+    drawing: &Path,
+) -> Result<(&'n str, PathBuf), Failure> {
+    let Some(name) = name else {
+        let quoted = spec::quoted(stem).map(|_| (stem, PathBuf::from(format!("{stem}.toml"))));
+        return quoted.map_err(|why| {
+            let file = argument(drawing);
+            Failure::Message(format!("{why}: give a name with `stargrip-cam new NAME --drawing {file}`"))
+        });
+    };
+    named(name)
+}
+
 /// Writes the spec of a drawing, with a proposed role for every layer.
 fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let stem = drawing.file_stem().unwrap_or_default().to_string_lossy();
-    let (name, path) = named(args.name.as_deref().unwrap_or(&stem))?;
+    let (name, path) = named_by_drawing(args.name.as_deref(), &stem, drawing)?;
     let file = drawing.to_string_lossy();
     let bytes = drawing_bytes(drawing).map_err(Failure::Message)?;
     // There is no spec yet whose key could be named.
@@ -114,36 +148,57 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
         let text = format!("{}: {}", shown(drawing), reasons.join("\n"));
         Failure::File(drawing.display().to_string(), text)
     };
-    let LayerProposal { layers, size: [width, height], unit, no_unit, hidden } =
-        propose_layers(&file, &bytes, args.units).map_err(refused)?;
-    let text = spec::drawing_starter(name, &file, &layers, unit);
+    let proposal = propose_layers(&file, &bytes, args.units).map_err(refused)?;
+    let text = spec::drawing_starter(name, &file, &proposal.layers, proposal.unit);
     let text = with_defaults(text.map_err(Failure::message)?)?;
-    let rows: Vec<Value> = layers
+    let rows: Vec<Value> = proposal
+        .layers
         .iter()
         .map(|(layer, role, reason)| json!({ "layer": layer, "role": role.word(), "reason": reason }))
         .collect();
-    let json = json!({ "layers": rows, "hidden": hidden, "size_mm": [width, height], "assumed_mm": no_unit });
+    let json = json!({
+        "layers": rows, "hidden": proposal.hidden, "size_mm": proposal.size, "assumed_mm": proposal.no_unit,
+        "assumed_unit": proposal.no_unit.as_ref().and(proposal.unit).map(Unit::name),
+        "faults": proposal.faults,
+    });
+    write(args.verbosity, (&path, &text), json, (&in_words(&proposal), "look at the roles in it", "check"))
+}
+
+/// The layers of a drawing with their roles, and what a user should look at.
+fn in_words(proposal: &LayerProposal) -> String {
+    let LayerProposal { layers, size, unit, no_unit, hidden, faults } = proposal;
     let (number, each) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });
     let mut lines = format!("{number} {each} with a proposed role:\n");
-    for (layer, role, reason) in &layers {
+    for (layer, role, reason) in layers {
         let _ = writeln!(lines, "  {}: {} ({reason})", shortened(&format!("{layer:?}")), role.word());
     }
-    for layer in &hidden {
+    for layer in hidden {
         let layer = shortened(&format!("{layer:?}")).into_owned();
         let _ =
             writeln!(lines, "{layer} is hidden in the drawing and not read: show it there if you need it");
     }
+    for fault in faults.iter().take(LISTED_FAULTS) {
+        let _ = writeln!(lines, "left out: {}", shortened(fault));
+    }
+    if let Some(more) = beyond(faults.len(), LISTED_FAULTS) {
+        let _ = writeln!(lines, "left out: {more} more faulty elements");
+    }
     if layers.iter().all(|(_, role, _)| *role != LayerRole::Port) {
         lines.push_str("no layer looks like a port: draw a short line across an edge where a hose goes in\n");
     }
-    let _ = writeln!(lines, "all figures together are {} x {} mm", Readable(width), Readable(height));
+    let [width, height] = size.map(Readable);
+    let _ = writeln!(lines, "the figures with a role are {width} x {height} mm");
     if let Some(finding) = no_unit {
+        let unit = unit.map_or("mm", Unit::name);
         let _ = writeln!(
             lines,
-            "mm are assumed: if the size is wrong, correct `units`, or use --units. {finding}"
+            "the unit {unit} is assumed: if the size is wrong, correct `units`, or use --units. {finding}"
         );
     }
-    write(args.verbosity, (&path, &text), json, (&lines, "look at the roles in it", "check"))
+    if let Some(question) = unit_question(*size) {
+        let _ = writeln!(lines, "{question}");
+    }
+    lines
 }
 
 /// The name as a portable file name: ASCII letters, digits, dashes, and points between them; `None` if it has none of the former two.

@@ -28,7 +28,10 @@ fn new_takes_a_unit() {
     let dir = folder.path();
     let output = run(dir, &["new", "a", "--drawing", "d.svg", "--units", "cm"]);
     let said = stdout(&output);
-    assert!(said.contains("all figures together are 1530 x 900 mm") && !said.contains("assumed"), "{said}");
+    assert!(
+        said.contains("the figures with a role are 1530 x 900 mm") && !said.contains("assumed"),
+        "{said}"
+    );
     assert!(said.contains("\"off\" is hidden in the drawing and not read"), "{said}");
     assert!(fs::read_to_string(dir.join("a.toml")).expect("a spec").contains("\nunits = \"cm\"\n"));
     let output = run(dir, &["new", "b", "--drawing", "d.svg", "--units", "furlong"]);
@@ -233,9 +236,9 @@ fn a_damaged_drawing_is_told_without_infinities() {
     }
 }
 
-/// Text at the root of a file lies on no layer that could be ignored. The finding is printed once.
+/// Text at the root of a file lies on no layer: it has a name of its own, which can be ignored. The finding is printed once.
 #[test]
-fn lost_text_without_a_layer_is_not_to_be_ignored() {
+fn lost_text_is_ignored_by_its_layer_or_its_name() {
     let text = "<text x=\"20\" y=\"20\">a</text></svg>";
     let folder = folder(&NOTCH.replacen("</svg>", text, 1));
     let dir = folder.path();
@@ -244,16 +247,61 @@ fn lost_text_without_a_layer_is_not_to_be_ignored() {
     let spec =
         |more: &str| format!("schema = 1\nname = \"a\"\n{layers}{more}[inlet]\ntube_diameter = \"4 mm\"\n");
     fs::write(dir.join("a.toml"), spec("")).expect("written");
-    let output = run(dir, &["check", "a.toml"]);
-    let said = stderr(&output);
-    assert!(said.contains("lost-geometry") && !said.contains("ignore"), "{said}");
+    let said = stderr(&run(dir, &["check", "a.toml"]));
+    let name = said.split_once("name \"").and_then(|(_, rest)| rest.split('"').next()).expect("a name");
+    assert!(said.contains("lost-geometry") && name.starts_with("text at line 1, column "), "{said}");
     assert_eq!(said.matches("Text is not read").count(), 1, "{said}");
+    fs::write(dir.join("a.toml"), spec(&format!("ignore = [\"{name}\"]\n"))).expect("written");
+    assert!(!stderr(&run(dir, &["check", "a.toml"])).contains("lost-geometry"));
     let grouped =
         NOTCH.replacen("</svg>", &format!("<g id=\"words\">{}", text.replacen("</svg>", "</g></svg>", 1)), 1);
     fs::write(dir.join("d.svg"), grouped).expect("written");
-    assert!(stderr(&run(dir, &["check", "a.toml"])).contains("name its layer in `ignore`"));
     fs::write(dir.join("a.toml"), spec("ignore = [\"words\"]\n")).expect("written");
     assert!(!stderr(&run(dir, &["check", "a.toml"])).contains("lost-geometry"));
+}
+
+/// The drawing's own name is that of the design, in any script; a drawing is not taken for the name of a star.
+#[test]
+fn new_keeps_the_name_of_the_drawing() {
+    let folder = folder(NOTCH);
+    let dir = folder.path();
+    for name in ["hoseA", "k_2", "\u{56fe}\u{7eb8}", "\u{447}\u{435}\u{440}\u{442}\u{435}\u{436}"] {
+        fs::copy(dir.join("d.svg"), dir.join(format!("{name}.svg"))).expect("copied");
+        let output = run(dir, &["new", "-q", "--drawing", &format!("{name}.svg")]);
+        assert_eq!(stdout(&output), format!("wrote {name}.toml\n"), "{}", stderr(&output));
+        let output = run(dir, &["check", "-q", &format!("{name}.toml")]);
+        assert!(output.status.success(), "{}", stderr(&output));
+    }
+    for name in ["hand-rest.svg", "a.DXF"] {
+        let output = run(dir, &["new", name]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(stderr(&output).contains(&format!("new --drawing {name}")), "{}", stderr(&output));
+    }
+    assert!(!dir.join("hand-rest.svg.toml").exists());
+}
+
+/// The size is that of figures with a role, and a question follows where it is unusual.
+#[test]
+fn new_tells_the_size_of_what_is_sealed() {
+    let body = "<rect fill=\"#ffffff\" width=\"450\" height=\"450\"/><rect fill=\"#d9d9d9\" x=\"50\" y=\"50\" width=\"300\" height=\"225\"/>\
+        <path stroke=\"#f00\" fill=\"none\" d=\"M40 150H60\"/></svg>";
+    let folder = folder(&format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"500\" height=\"500\" viewBox=\"0 0 500 500\">{body}"
+    ));
+    let dir = folder.path();
+    let sized =
+        |name: &str, unit: &str| stdout(&run(dir, &["new", name, "--drawing", "d.svg", "--units", unit]));
+    let usual = sized("a", "mm");
+    assert!(
+        usual.contains("the figures with a role are 310 x 225 mm") && !usual.contains("right"),
+        "{usual}"
+    );
+    assert!(sized("b", "m").contains("310 x 225 m: is the unit right"));
+    assert!(sized("c", "um").contains("0.31 x 0.225 mm: is the unit right"));
+    let notes = json(dir, &["check", "b.toml", "--json"])["drawing_notes"].to_string();
+    assert!(notes.contains("is the unit right") || notes == "null", "{notes}");
+    let guessed = stdout(&run(dir, &["new", "e", "--drawing", "d.svg"]));
+    assert!(guessed.contains("the unit mm is assumed"), "{guessed}");
 }
 
 /// A pressure outside of the range of shells is refused with those that work, and the key that is missing has no default.

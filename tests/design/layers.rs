@@ -134,3 +134,173 @@ fn hidden_and_unread_layers_are_named() {
         assert!(!stargrip_cam::design::drawing_notes(&spec).is_empty());
     }
 }
+
+/// A cushion of 100 x 60 mm on layer "0" of a DXF, drawn with `edge`, and more entities.
+fn one_layer(edge: &str, more: &str) -> String {
+    format!("0|SECTION|2|HEADER|9|$INSUNITS|70|4|0|ENDSEC|0|SECTION|2|ENTITIES|{edge}{more}0|ENDSEC|0|EOF|")
+        .replace('|', "\n")
+}
+
+const CLOSED_EDGE: &str =
+    "0|LWPOLYLINE|8|0|5|2F|90|4|70|1|10|20|20|20|10|120|20|20|10|120|20|80|10|20|20|80|";
+const HOSE: &str = "0|LINE|8|0|5|30|10|16|20|50|11|24|21|50|";
+
+/// The four sides and a round corner, one of them drawn the other way.
+fn open_edges() -> String {
+    let line = |handle: &str, [a, b]: [[f64; 2]; 2]| {
+        format!("0|LINE|8|0|5|{handle}|10|{}|20|{}|11|{}|21|{}|", a[0], a[1], b[0], b[1])
+    };
+    let lines = [
+        line("A1", [[20.0, 20.0], [120.0, 20.0]]),
+        line("A2", [[120.0, 60.0], [120.0, 20.0]]),
+        line("A3", [[100.0, 80.0], [20.0, 80.005]]),
+        line("A4", [[20.0, 80.0], [20.0, 20.0]]),
+    ];
+    lines.concat() + "0|ARC|8|0|5|A5|10|100|20|60|40|20|50|0|51|90|"
+}
+
+/// Handles name single entities where a file has one layer and no colours; edges may be lines whose ends meet.
+#[test]
+fn a_dxf_of_one_layer_has_its_port_by_name() {
+    let wanted = [("0", LayerRole::Air), ("LINE 30", LayerRole::Port)];
+    same(&proposed("a.dxf", &one_layer(CLOSED_EDGE, HOSE)), &wanted);
+    same(&proposed("a.dxf", &one_layer(&open_edges(), HOSE)), &wanted);
+    // A weld that ends on the edge is none, and a point at a corner is left out.
+    let more = format!("{HOSE}0|LINE|8|0|5|31|10|90|20|50|11|105|21|50|0|POINT|8|0|5|32|10|20|20|20|");
+    let text = one_layer(CLOSED_EDGE, &more);
+    let found = propose_layers("a.dxf", text.as_bytes(), None).expect("a drawing");
+    same(&found.layers.into_iter().map(|(layer, role, _)| (layer, role)).collect::<Vec<_>>(), &wanted);
+    // Without handles the line of the file counts.
+    let text = one_layer(CLOSED_EDGE, HOSE).replace("\n5\n2F", "").replace("\n5\n30", "");
+    assert!(proposed("a.dxf", &text)[1].0.starts_with("LINE at line "));
+    // In an SVG ids and places do.
+    for (id, name) in [("id=\"h\"", "h"), ("", "path at line 1, column ")] {
+        let text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"140mm\" height=\"100mm\" viewBox=\"0 0 140 100\" fill=\"none\" stroke=\"black\">\
+             <path d=\"M20 20h100v60\"/><path d=\"M120 80h-100v-60\"/><path {id} d=\"M16 50H24\"/></svg>"
+        );
+        let found = proposed("a.svg", &text);
+        assert!(
+            found[0] == ("#000000".to_owned(), LayerRole::Air) && found[1].0.starts_with(name),
+            "{found:?}"
+        );
+        assert_eq!((found.len(), found[1].1), (2, LayerRole::Port));
+    }
+}
+
+/// Points and texts on the layer of the edge are left out, on a layer of their own refused unless it is ignored.
+#[test]
+fn points_and_texts_beside_edges_are_left_out() {
+    let text = one_layer(
+        CLOSED_EDGE,
+        &format!(
+            "{}0|POINT|8|0|10|70|20|50|0|POINT|8|0|10|0|20|0|0|TEXT|8|0|5|9|10|60|20|50|1|FRONT|0|HATCH|8|0|10|0|20|0|\
+             0|POINT|8|hose|10|16|20|50|0|POINT|8|hose|10|20|20|50|",
+            HOSE.replace("|8|0|", "|8|hose|")
+        ),
+    );
+    same(&proposed("a.dxf", &text), &[("0", LayerRole::Air), ("hose", LayerRole::Port)]);
+    let check = |text: &str, layers: &str| {
+        let spec =
+            format!("schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.dxf\"\n[drawing.layers]\n{layers}\n");
+        let reading =
+            spec::read(&Source::new("x", spec.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
+        let spec = reading.with_drawing(text.as_bytes()).spec;
+        Design::new(&spec, &support::machine()).map(|design| design.drawn().map(|piece| piece.notes.clone()))
+    };
+    let notes = check(&text, "air = [\"0\"]\nport = [\"hose\"]").expect("a design").expect("a drawing");
+    let counts = |word: &str| notes.iter().filter(|note| note.contains(word)).count();
+    assert_eq!((notes.len(), counts("4 points"), counts("Texts")), (2, 1, 1), "{notes:?}");
+    // A role whose layer has nothing but a text or a point is an error.
+    for alone in ["0|TEXT|8|cut|5|9|10|60|20|50|1|A|", "0|POINT|8|cut|5|9|10|60|20|50|"] {
+        let text = one_layer(CLOSED_EDGE, &(HOSE.replace("|8|0|", "|8|hose|") + alone));
+        let refusals = check(&text, "air = [\"0\"]\nport = [\"hose\"]\ncut = [\"cut\"]").expect_err("no cut");
+        assert!(refusals[0].code.to_string() == "lost-geometry", "{refusals}");
+        assert!(check(&text, "air = [\"0\"]\nport = [\"hose\"]\nignore = [\"cut\"]").is_ok());
+    }
+}
+
+/// A role is proposed only if something can be sealed with it.
+#[test]
+fn proposals_can_be_sealed() {
+    let roles = |file: &str, text: &str| -> Vec<(String, LayerRole)> {
+        let found =
+            propose_layers(file, text.as_bytes(), None).unwrap_or_else(|refusals| panic!("{refusals}"));
+        found.layers.into_iter().map(|(layer, role, _)| (layer, role)).collect()
+    };
+    let layer = |text: &str, layer: &str| text.replace("|8|0|", &format!("|8|{layer}|"));
+    // An outline alone is the edge of the air; its own holes are ignored.
+    let own = layer(CLOSED_EDGE, "cut-outside")
+        + "0|CIRCLE|8|registration|10|30|20|30|40|2|0|CIRCLE|8|cut-hole|10|70|20|50|40|9|";
+    same(
+        &roles("a.dxf", &one_layer(&own, "")),
+        &[("cut-outside", LayerRole::Air), ("registration", LayerRole::Ignore), ("cut-hole", LayerRole::Air)],
+    );
+    // The centre of a hole is no port, and a point on the edge is one.
+    let holes =
+        layer(CLOSED_EDGE, "outer") + "0|CIRCLE|8|inner|10|60|20|50|40|5|0|POINT|8|centres|10|60|20|50|";
+    let text = one_layer(&holes, &layer(HOSE, "hose"));
+    same(
+        &proposed("a.dxf", &text),
+        &[
+            ("outer", LayerRole::Air),
+            ("inner", LayerRole::Air),
+            ("centres", LayerRole::Ignore),
+            ("hose", LayerRole::Port),
+        ],
+    );
+    let point = layer(CLOSED_EDGE, "outer") + "0|POINT|8|place|10|20|20|50|";
+    same(
+        &proposed("a.dxf", &one_layer(&point, "")),
+        &[("outer", LayerRole::Air), ("place", LayerRole::Port)],
+    );
+}
+
+/// A fault on a layer that nobody needs is a note, and one on an edge is refused with its remedy.
+#[test]
+fn faults_of_single_elements_leave_the_rest() {
+    let svg = |layer: &str| {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"140mm\" height=\"100mm\" viewBox=\"0 0 140 100\"><g id=\"air\"><rect x=\"20\" y=\"20\" width=\"100\" height=\"60\"/></g>\
+             <g id=\"port\"><path d=\"M16 50H24\"/></g><g id=\"{layer}\"><path id=\"scrap\" d=\"M10 10 L NaN,NaN\"/><use id=\"u\" href=\"#u\"/></g></svg>"
+        )
+    };
+    same(
+        &proposed("a.svg", &svg("notes")),
+        &[("air", LayerRole::Air), ("port", LayerRole::Port), ("notes", LayerRole::Ignore)],
+    );
+    let dxf = one_layer(
+        CLOSED_EDGE,
+        &(HOSE.replace("|8|0|", "|8|hose|")
+            + "0|INSERT|8|scrap|5|77|2|none|10|0|20|0|0|SPLINE|8|scrap|5|78|71|3|"),
+    );
+    same(
+        &proposed("a.dxf", &dxf),
+        &[("0", LayerRole::Air), ("hose", LayerRole::Port), ("scrap", LayerRole::Ignore)],
+    );
+    let found = propose_layers("a.svg", svg("air").as_bytes(), None).expect("a drawing");
+    assert_eq!(found.faults.len(), 2, "{found:?}");
+    let spec = spec::drawing_starter("x", "a.svg", &found.layers, found.unit).expect("a name");
+    let reading = spec::read(&Source::new("x", spec.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
+    let refusals = Design::new(&reading.with_drawing(svg("air").as_bytes()).spec, &support::machine())
+        .expect_err("faults");
+    assert!(refusals.len() == 2 && refusals[0].remedy.contains("name \"scrap\""), "{refusals}");
+}
+
+/// What has neither id nor label nor colour has a name that both commands know, and labels may have line ends.
+#[test]
+fn every_figure_has_a_name() {
+    let head = "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"140mm\" height=\"100mm\" viewBox=\"0 0 140 100\">";
+    for paint in ["stroke=\"context-stroke\"", "stroke=\"url(#g)\"", "style=\"stroke:light-dark(red, blue)\""]
+    {
+        let text = format!(
+            "{head}<path fill=\"none\" {paint} d=\"M20 20h100v60h-100z\"/><path fill=\"none\" stroke=\"#0000ff\" d=\"M16 50H24\"/></svg>"
+        );
+        let found = proposed("a.svg", &text);
+        assert!(found[0].0.starts_with("path at line 1") && found[1].0 == "#0000ff", "{found:?}");
+    }
+    let text = format!(
+        "{head}<g id=\"l1\" inkscape:label=\"air&#10;outer\"><rect x=\"20\" y=\"20\" width=\"100\" height=\"60\"/></g><g inkscape:label=\"port&#13;\"><path d=\"M16 50H24\"/></g></svg>"
+    );
+    same(&proposed("a.svg", &text), &[("air\nouter", LayerRole::Air), ("port\r", LayerRole::Port)]);
+}

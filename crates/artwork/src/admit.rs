@@ -30,7 +30,7 @@ impl Format {
 }
 
 /// First bytes of formats that are not read, their names, and the remedy.
-const OTHERS: [(&[u8], &str, &str); 9] = [
+const OTHERS: [(&[u8], &str, &str); 7] = [
     (b"AutoCAD Binary DXF", "binary DXF", "Export the drawing as ASCII DXF."),
     (b"AC10", "DWG", "Export the drawing as ASCII DXF."),
     (b"\x1f\x8b", "gzip (SVGZ)", "Save the drawing as plain SVG, or unpack it with gunzip."),
@@ -38,8 +38,6 @@ const OTHERS: [(&[u8], &str, &str); 9] = [
     (b"%PDF", "PDF", "Export the drawing as SVG."),
     (b"%!PS", "PostScript", "Export the drawing as SVG."),
     (b"\x89PNG", "PNG", "Trace the picture in a drawing program, and save SVG."),
-    (b"\xff\xfe", "UTF-16 text", "Save the file as UTF-8."),
-    (b"\xfe\xff", "UTF-16 text", "Save the file as UTF-8."),
 ];
 
 /// Refuses bytes that are of another format or too many, and options out of their range.
@@ -59,7 +57,10 @@ pub(crate) fn admit(bytes: &[u8], format: Format, options: &Options) -> Result<(
     if let Some((_, name, remedy)) = OTHERS.iter().find(|row| bytes.starts_with(row.0)) {
         return Err(fault(format!("The file is {name}, not {}.", format.name()), remedy));
     }
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+    // A file of two bytes a character begins alike once its zeros are left out.
+    let head: Vec<u8> = bytes.iter().take(4096).copied().filter(|byte| *byte != 0).collect();
+    let marks: [&[u8]; 3] = [b"\xef\xbb\xbf", b"\xff\xfe", b"\xfe\xff"];
+    let text = marks.iter().find_map(|mark| head.strip_prefix(*mark)).unwrap_or(&head).trim_ascii_start();
     let found = if text.starts_with(b"<") {
         Some(Format::Svg)
     } else if text.first().is_some_and(u8::is_ascii_digit) {

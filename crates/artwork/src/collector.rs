@@ -4,17 +4,22 @@ use geom::{Path, Point, Segment};
 
 use crate::affine::Affine;
 use crate::piece::Piece;
-use crate::{Drawing, Element, Fault, Figure, Note, Options, Place, Weight};
+use crate::{AssumedUnit, Drawing, Element, Fault, Figure, Note, Options, Place, Unit, Weight};
 
 /// Largest absolute coordinate, mm: a kilometre. Beyond it arcs of a drawing in `f64` would lose the nanometre.
 pub(crate) const FARTHEST: f64 = 1e6;
 /// The text of the note on a curve without length.
 pub const NO_LENGTH: &str = "It has no length; it is read as a point.";
+/// The text of the note on figures without paint.
+const UNSEEN: &str = "It has no visible stroke and no visible fill, and is left out.";
 /// Distance up to which two ends are the same point, mm: rounding of sums of coordinates, not a gap of the drawing.
 const SAME: f64 = 1e-9;
-/// Most notes and faults that are kept; their number is bounded by the file otherwise.
+/// Most notes that are kept; their number is bounded by the file otherwise.
 const MOST_NOTES: usize = 20_000;
-const MOST_FAULTS: usize = 100;
+/// Most faults of elements; beyond them the file is refused.
+const MOST_FAULTS: usize = 2_000;
+/// Most of them that are listed for a file that is refused.
+const MOST_LISTED: usize = 100;
 
 /// Reading ends here, since a limit is exceeded; the fault is recorded.
 #[derive(Debug)]
@@ -42,7 +47,10 @@ impl Chain {
 pub(crate) struct Collector<'o> {
     pub(crate) options: &'o Options,
     pub(crate) drawing: Drawing,
-    faults: Vec<Fault>,
+    /// The faults of the file as a whole.
+    refusals: Vec<Fault>,
+    /// Numbers and places of the elements without a visible stroke and fill.
+    unseen: Vec<(usize, Place)>,
     segments: usize,
     visits: usize,
     text: usize,
@@ -52,17 +60,35 @@ pub(crate) struct Collector<'o> {
 impl<'o> Collector<'o> {
     pub(crate) fn new(options: &'o Options) -> Self {
         let drawing = Drawing { unit_mm: 1.0, ..Drawing::default() };
-        Self { options, drawing, faults: Vec::new(), segments: 0, visits: 0, text: 0, dropped: 0 }
+        Self {
+            options,
+            drawing,
+            refusals: Vec::new(),
+            unseen: Vec::new(),
+            segments: 0,
+            visits: 0,
+            text: 0,
+            dropped: 0,
+        }
     }
 
     /// The drawing, or all faults.
     pub(crate) fn finish(mut self) -> Result<Drawing, Vec<Fault>> {
-        if !self.faults.is_empty() {
-            return Err(self.faults);
+        if !self.refusals.is_empty() {
+            let mut faults = self.drawing.faults;
+            faults.truncate(MOST_LISTED);
+            faults.append(&mut self.refusals);
+            return Err(faults);
         }
+        self.leave_out_unseen();
         if self.dropped > 0 {
             let text = format!("{} more remarks are left out.", self.dropped);
-            self.drawing.notes.push(Note { weight: Weight::Lost, place: Place::default(), text });
+            self.drawing.notes.push(Note {
+                weight: Weight::Lost,
+                place: Place::default(),
+                others: Vec::new(),
+                text,
+            });
         }
         Ok(self.drawing)
     }
@@ -86,19 +112,74 @@ impl<'o> Collector<'o> {
             return Ok(());
         }
         let text = format!("The drawing has more than {limit} {what}.");
-        self.fault(Place::default(), text, "Remove what is not needed, or split the drawing.");
+        self.refuse(Place::default(), text, "Remove what is not needed, or split the drawing.");
         Err(Stop)
     }
 
+    /// Records a fault for which the file is not read.
+    pub(crate) fn refuse(&mut self, place: Place, text: impl Into<String>, remedy: impl Into<String>) {
+        self.refusals.push(Fault { place, text: text.into(), remedy: remedy.into() });
+    }
+
+    /// Records a fault of an element, which is left out.
     pub(crate) fn fault(&mut self, place: Place, text: impl Into<String>, remedy: impl Into<String>) {
-        if self.faults.len() < MOST_FAULTS {
-            self.faults.push(Fault { place, text: text.into(), remedy: remedy.into() });
+        if self.drawing.faults.len() < MOST_FAULTS {
+            self.drawing.faults.push(Fault { place, text: text.into(), remedy: remedy.into() });
+        } else if self.refusals.is_empty() {
+            let text = format!("The drawing has more than {MOST_FAULTS} faulty elements.");
+            self.refuse(Place::default(), text, "Export it again.");
+        }
+    }
+
+    /// Takes a unit that the file does not state, for a reason.
+    pub(crate) fn assume(&mut self, unit: Unit, reason: impl Into<String>) {
+        self.drawing.assumed = Some(AssumedUnit { unit, reason: reason.into() });
+    }
+
+    /// Notes that a thing is left out, together with others of the same weight and text.
+    pub(crate) fn note_alike(&mut self, weight: Weight, place: Place, text: &str) {
+        let known = self.drawing.notes.iter_mut().find(|note| note.weight == weight && note.text == text);
+        match known {
+            Some(note) => note.others.push(place),
+            None => self.note(weight, place, text),
+        }
+    }
+
+    /// Records that the last element has no visible stroke and fill.
+    pub(crate) fn mark_unseen(&mut self, place: Place) {
+        self.unseen.push((self.drawing.elements.len() - 1, place));
+    }
+
+    /// The elements from number `from` on that can be seen.
+    pub(crate) fn seen_elements(&self, from: usize) -> impl Iterator<Item = &Element> {
+        let after = self.unseen.partition_point(|(number, _)| *number < from);
+        let unseen = self.unseen[after..].iter().map(|(number, _)| *number);
+        let mut unseen = unseen.peekable();
+        let numbered = self.drawing.elements.iter().enumerate().skip(from);
+        numbered.filter(move |(number, _)| unseen.next_if_eq(number).is_none()).map(|(_, element)| element)
+    }
+
+    /// Leaves out the elements that cannot be seen, unless no other one can.
+    fn leave_out_unseen(&mut self) {
+        let unseen = std::mem::take(&mut self.unseen);
+        if unseen.len() == self.drawing.elements.len() && !unseen.is_empty() {
+            let text = "No figure has a visible stroke or fill; all are read.";
+            return self.note(Weight::Information, Place::default(), text);
+        }
+        let mut numbers = unseen.iter().map(|(number, _)| *number).peekable();
+        let mut number = 0;
+        self.drawing.elements.retain(|_| {
+            number += 1;
+            numbers.next_if_eq(&(number - 1)).is_none()
+        });
+        for (_, place) in unseen {
+            self.note_alike(Weight::Hidden, place, UNSEEN);
         }
     }
 
     pub(crate) fn note(&mut self, weight: Weight, place: Place, text: impl Into<String>) {
         if self.drawing.notes.len() < MOST_NOTES {
-            self.drawing.notes.push(Note { weight, place, text: text.into() });
+            self.drawing.notes.push(Note { weight, place, others: Vec::new(), text: text.into() });
         } else {
             self.dropped += 1;
         }

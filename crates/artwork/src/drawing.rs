@@ -2,6 +2,8 @@
 
 use geom::{Path, Point};
 
+use crate::Unit;
+
 /// The figures of a file, in mm with y up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
@@ -9,10 +11,23 @@ pub struct Drawing {
     pub elements: Vec<Element>,
     /// Notes on details that were resolved, ambiguous or left out, in the order of the file.
     pub notes: Vec<Note>,
+    /// Faults of single elements and groups, which are left out. A caller should refuse them unless their layers are ignored.
+    pub faults: Vec<Fault>,
     /// The names of the file as a whole: id and label of the root of an SVG. Every element has them last.
     pub root: Vec<String>,
     /// Length of one unit of the file (of the SVG's view box), mm, > 0.
     pub unit_mm: f64,
+    /// The unit that was taken since the file states none, if [`crate::Options::assume`] allows it.
+    pub assumed: Option<AssumedUnit>,
+}
+
+/// A unit of lengths that a file does not state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AssumedUnit {
+    /// The unit.
+    pub unit: Unit,
+    /// The reason for which the file's own is not known, a sentence.
+    pub reason: String,
 }
 
 /// One figure of a drawing: a subpath of an SVG path, or an entity of a DXF file.
@@ -21,7 +36,7 @@ pub struct Element {
     /// The SVG id, or "path at line 12", and if it is not the first element there "path at line 12, column 40"; the type and handle of a DXF entity ("LINE 2F"). Copies have the chain of
     /// their references before it ("use1 > path3"), further subpaths a number behind it ("path3#2").
     pub id: String,
-    /// All names by which a role may be given to the element, innermost first and each once.
+    /// The names of levels by which a role may be given to the element beside its id, innermost first and each once.
     ///
     /// SVG: its own id and label, its stroke as "#rrggbb" (without a stroke: its fill as "fill #rrggbb"), then ids and
     /// labels of the groups and references around it. DXF: the colour of its own as "#rrggbb" or "color 1", its layer,
@@ -51,6 +66,8 @@ pub struct Note {
     pub weight: Weight,
     /// The place to which it applies.
     pub place: Place,
+    /// Further places to which it applies.
+    pub others: Vec<Place>,
     /// The finding, one sentence in plain English.
     pub text: String,
 }
@@ -62,6 +79,9 @@ pub enum Weight {
     Information,
     /// The drawing hides geometry, which the elements leave out.
     Hidden,
+    /// A text, a dimension, a hatch or a construction line is left out. A caller should refuse it where its layer should have curves and
+    /// has none.
+    Annotation,
     /// An element is read, but not as the drawing shows it. A caller should refuse it unless its layer is ignored.
     Changed,
     /// Something visible is missing. A caller should refuse it unless its layer is ignored.
@@ -138,10 +158,31 @@ impl std::fmt::Display for Fault {
 
 impl std::fmt::Display for Note {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        if self.place.is_file() {
-            f.write_str(&self.text)
-        } else {
-            write!(f, "{}: {}", self.place, self.text)
+        match self.others.len() {
+            _ if self.place.is_file() => f.write_str(&self.text),
+            0 => write!(f, "{}: {}", self.place, self.text),
+            more => write!(f, "{} and {more} more: {}", self.place, self.text),
         }
+    }
+}
+
+impl Element {
+    /// All names by which a role may be given, innermost first: the id, then the layers.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.id.as_str()).chain(self.layers.iter().map(String::as_str))
+    }
+}
+
+impl Place {
+    /// All names by which a role may be given to what lies there, as [`Element::names`].
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.element.as_deref().into_iter().chain(self.layers.iter().map(String::as_str))
+    }
+}
+
+impl Note {
+    /// All places to which it applies.
+    pub fn places(&self) -> impl Iterator<Item = &Place> {
+        std::iter::once(&self.place).chain(&self.others)
     }
 }

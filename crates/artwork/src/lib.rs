@@ -37,6 +37,8 @@ mod collector;
 
 mod admit;
 
+mod encoding;
+
 mod dxf;
 
 mod svg;
@@ -45,7 +47,7 @@ mod reading;
 
 pub use admit::Format;
 pub use collector::NO_LENGTH;
-pub use drawing::{Drawing, Element, Fault, Figure, Note, Place, Weight};
+pub use drawing::{AssumedUnit, Drawing, Element, Fault, Figure, Note, Place, Weight};
 pub use dxf::read_dxf;
 pub use options::{Limits, Options, Unit};
 pub use reading::read;

@@ -7,6 +7,8 @@ pub struct Options {
     pub tolerance: f64,
     /// Unit of the file's numbers. `None` takes the unit from the file. A unit given here overrides the file, with a note.
     pub unit: Option<Unit>,
+    /// Whether a file without a unit is read with the most likely one, which [`crate::Drawing::assumed`] has; else it is refused.
+    pub assume: bool,
     /// Upper bounds of work and memory.
     pub limits: Limits,
 }
@@ -14,7 +16,7 @@ pub struct Options {
 impl Options {
     /// Options with a tolerance in mm, the file's own unit, and the default limits.
     pub fn new(tolerance: f64) -> Self {
-        Self { tolerance, unit: None, limits: Limits::default() }
+        Self { tolerance, unit: None, assume: false, limits: Limits::default() }
     }
 }
 
@@ -57,11 +59,13 @@ pub enum Unit {
     Point,
     /// 1/96 in, as CSS defines it.
     Pixel,
+    /// 1/90 in, the pixel of Inkscape before 0.92.
+    OldPixel,
 }
 
 impl Unit {
     /// All units with their names and lengths in mm.
-    const TABLE: [(Self, &'static str, f64); 11] = [
+    const TABLE: [(Self, &'static str, f64); 12] = [
         (Self::Micrometre, "um", 1e-3),
         (Self::Millimetre, "mm", 1.0),
         (Self::Centimetre, "cm", 10.0),
@@ -73,15 +77,16 @@ impl Unit {
         (Self::Yard, "yd", 914.4),
         (Self::Point, "pt", 25.4 / 72.0),
         (Self::Pixel, "px", 25.4 / 96.0),
+        (Self::OldPixel, "px90", 25.4 / 90.0),
     ];
 
-    /// The unit of this name: um, mm, cm, dm, m, mil, in, ft, yd, pt or px.
+    /// The unit of this name: um, mm, cm, dm, m, mil, in, ft, yd, pt, px or px90.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::TABLE.iter().find(|row| row.1 == name).map(|row| row.0)
     }
 
     /// All units with their names.
-    pub fn named() -> [(&'static str, Self); 11] {
+    pub fn named() -> [(&'static str, Self); 12] {
         Self::TABLE.map(|(unit, name, _)| (name, unit))
     }
 

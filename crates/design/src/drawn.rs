@@ -9,6 +9,7 @@ mod faults;
 mod inner;
 mod label;
 mod layer_name;
+mod loops;
 mod marks;
 mod proposal;
 mod roles;
@@ -26,13 +27,19 @@ use crate::drawn::proposal::LeftOut;
 use crate::placement::{SheetLayout, footprint, place};
 use crate::star_seam::MOUTH_OVERRUN;
 use crate::{Circle, PlacedPart, Refusal, RefusalCode, Refusals, Warning};
-use artwork::{Drawing, Figure, Format, Options, Unit, Weight};
+use artwork::{Drawing, Figure, Format, Options, Unit};
 use geom::{Bounds, Path};
 use sealed::{Rules, SealedShape, Sealing, ShapeCode, Sketch, sealed_shape};
+use spec::units::Readable;
 use spec::{DrawingSpec, LayerRole, Machine, MaskKind, Spec, key};
 
 /// Width of the tube by which labels are sized where no passage is narrow, mm.
 const LABEL_WIDTH: f64 = 15.0;
+
+/// Faults of elements that are listed where nothing else was read.
+const LISTED_FAULTS: usize = 100;
+/// Larger sides of drawings for which the unit is not asked, mm.
+const USUAL_SIZES: std::ops::RangeInclusive<f64> = 10.0..=3000.0;
 
 /// A drawn piece, and its copies on sheets.
 #[derive(Clone, Debug, PartialEq)]
@@ -165,14 +172,16 @@ fn read(spec: &Spec, drawing: &DrawingSpec) -> Result<Arc<Drawing>, Refusals> {
 pub struct LayerProposal {
     /// Every layer with a role and the reason for it, in the order of the file.
     pub layers: Vec<(String, LayerRole, String)>,
-    /// Width and height of all figures, mm.
+    /// Width and height of all figures with a role, mm.
     pub size: [f64; 2],
     /// The unit of its numbers that the spec must give; `None` if the file states it.
     pub unit: Option<Unit>,
-    /// The reason for which mm were taken as that unit; `None` if the file or the caller states it.
+    /// The reason for which that unit was assumed; `None` if the file or the caller states it.
     pub no_unit: Option<String>,
     /// Layers that the drawing hides, of which nothing is read.
     pub hidden: Vec<String>,
+    /// Faults of single elements, which are left out.
+    pub faults: Vec<String>,
 }
 
 /// The layers of the drawing `bytes`, a file called `name`, with roles that suit them. A `unit` overrides that of the file.
@@ -180,30 +189,31 @@ pub struct LayerProposal {
 /// # Errors
 /// Every reason for which it cannot be read.
 pub fn propose_layers(name: &str, bytes: &[u8], unit: Option<Unit>) -> Result<LayerProposal, Refusals> {
-    let options = |unit| Options { unit, ..Options::new(0.001) };
-    let (mut no_unit, mut given) = (None, unit);
-    let read = artwork::read(name, bytes, &options(unit)).or_else(|faults| {
-        if unit.is_some() {
-            return Err(faults);
-        }
-        no_unit = faults.first().map(|fault| fault.text.clone());
-        given = Some(Unit::Millimetre);
-        // The other faults are found only once there is a unit.
-        artwork::read(name, bytes, &options(given)).map_err(|others| {
-            let own = faults.into_iter().filter(|fault| !others.contains(fault)).collect::<Vec<_>>();
-            own.into_iter().chain(others.iter().cloned()).collect()
-        })
-    });
+    let options = Options { unit, assume: true, ..Options::new(0.001) };
+    let read = artwork::read(name, bytes, &options);
     let read = read.map_err(|faults| faults.iter().map(faults::unreadable).collect::<Refusals>())?;
     let is_dxf = Format::of_name(name) == Some(Format::Dxf);
+    if read.elements.is_empty() && !read.faults.is_empty() {
+        return Err(read.faults.iter().take(LISTED_FAULTS).map(faults::unreadable).collect());
+    }
     if read.elements.is_empty() {
         return Err(nothing_drawn(&read, is_dxf).into());
     }
-    let bounds = paths(&read).map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
-    let size = [bounds.width(), bounds.height()].map(|length| length.max(0.0));
-    let hidden =
-        LeftOut::of(&read, is_dxf, Weight::Hidden).into_iter().map(|left_out| left_out.layer).collect();
-    Ok(LayerProposal { layers: proposal::proposed(&read, is_dxf), size, unit: given, no_unit, hidden })
+    let layers = proposal::proposed(&read, is_dxf);
+    let hidden = LeftOut::hidden(&read, is_dxf).into_iter().map(|left_out| left_out.layer).collect();
+    let size = proposal::size(&read, &layers);
+    let (unit, no_unit) = match read.assumed {
+        Some(assumed) => (Some(assumed.unit), Some(assumed.reason)),
+        None => (unit, None),
+    };
+    Ok(LayerProposal {
+        layers,
+        size,
+        unit,
+        no_unit,
+        hidden,
+        faults: read.faults.iter().map(ToString::to_string).collect(),
+    })
 }
 
 /// The figures of the drawing of `spec`, as far as the file can be read; none of a spec without one.
@@ -222,8 +232,8 @@ fn paths(read: &Drawing) -> impl Iterator<Item = &Path> {
 
 /// The notes on a drawing that could be read, in the order of the file; none of a spec without one.
 pub fn drawing_notes(spec: &Spec) -> Vec<String> {
-    let read = spec.drawing.as_ref().and_then(|drawing| read(spec, drawing).ok());
-    read.iter().flat_map(|read| &read.notes).map(ToString::to_string).collect()
+    let Some(drawing) = &spec.drawing else { return Vec::new() };
+    read(spec, drawing).map_or_else(|_| Vec::new(), |read| roles::notes(&read, drawing))
 }
 
 /// The refusal of a drawing without air and seams, which names the layers that are hidden or cannot be read.
@@ -234,16 +244,33 @@ fn nothing_drawn(read: &Drawing, is_dxf: bool) -> Refusal {
     } else {
         "give a layer the role air or seam"
     };
-    for LeftOut { layer, text } in LeftOut::of(read, is_dxf, Weight::Lost) {
+    for LeftOut { layer, text } in LeftOut::unread(read, is_dxf) {
         let _ = write!(found, "; nothing on layer {layer:?} can be read ({})", text.trim_end_matches('.'));
         remedy =
             "draw the edges on that layer as lines and arcs in the plane, and give it the role air or seam";
     }
-    for LeftOut { layer, .. } in LeftOut::of(read, is_dxf, Weight::Hidden) {
+    for LeftOut { layer, .. } in LeftOut::hidden(read, is_dxf) {
         let _ = write!(found, "; layer {layer:?} is hidden");
         remedy = "show the layer in the drawing program and save again, then give it the role air or seam";
     }
     Refusal::new(key::drawing::LAYERS, RefusalCode::NothingDrawn, found, remedy)
+}
+
+/// The question about the unit of a sketch whose size is unusual.
+fn unusual_size(sketch: &Sketch) -> Option<String> {
+    let curves = sketch.air.iter().chain(&sketch.seams).chain(&sketch.cuts);
+    let bounds = curves.fold(Bounds::EMPTY, |all, curve| all.union(curve.path.bounds()));
+    unit_question([bounds.width(), bounds.height()])
+}
+
+/// The question about the unit of a drawing whose size is unusual.
+pub fn unit_question([width, height]: [f64; 2]) -> Option<String> {
+    let is_usual = USUAL_SIZES.contains(&width.max(height));
+    let size = [width, height].map(|side| Readable(if side >= 1e4 { side / 1000.0 } else { side }));
+    let unit = if width.max(height) >= 1e4 { "m" } else { "mm" };
+    (!is_usual).then(|| {
+        format!("The drawing is {} x {} {unit}: is the unit right (mm, cm, m, in, px)?", size[0], size[1])
+    })
 }
 
 /// The sketch of `drawing` by its roles, and the notes on its repairs.
@@ -254,5 +281,7 @@ fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<String>), R
     if sketch.air.is_empty() && sketch.seams.is_empty() {
         return Err(nothing_drawn(&read, drawing.is_dxf()).into());
     }
-    Ok((sketch, read.notes.iter().map(ToString::to_string).collect()))
+    let mut notes = roles::notes(&read, drawing);
+    notes.extend(unusual_size(&sketch));
+    Ok((sketch, notes))
 }

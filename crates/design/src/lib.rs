@@ -45,6 +45,7 @@ pub use cut::{CutEdge, CutLines};
 pub use drawing::{Drawing, Layer, Origin, Shape};
 pub use drawn::{
     DrawnCut, DrawnLabels, DrawnPiece, DrawnSeparator, LayerProposal, drawing_notes, figures, propose_layers,
+    unit_question,
 };
 pub use engraving::engraved_depth;
 pub use flat::{FlatPiece, PieceCut};

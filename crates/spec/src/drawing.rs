@@ -130,12 +130,14 @@ impl DrawingSpec {
         if self.is_dxf() { "drawing.dxf" } else { "drawing.svg" }
     }
 
-    /// The role of an element with these layers, innermost first: that of the first layer which has one.
-    pub fn role(&self, layers: &[String]) -> Option<LayerRole> {
-        layers
-            .iter()
-            .find_map(|layer| self.layers.iter().find(|(name, _)| name == layer))
-            .map(|(_, role)| *role)
+    /// The first of an element's `names`, innermost first, that has a role, with that role.
+    pub fn entry<'n>(&self, names: impl IntoIterator<Item = &'n str>) -> Option<&(String, LayerRole)> {
+        names.into_iter().find_map(|name| self.layers.iter().find(|(layer, _)| layer == name))
+    }
+
+    /// The role of an element with these `names`, innermost first.
+    pub fn role<'n>(&self, names: impl IntoIterator<Item = &'n str>) -> Option<LayerRole> {
+        self.entry(names).map(|(_, role)| *role)
     }
 }
 

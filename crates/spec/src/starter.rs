@@ -60,9 +60,14 @@ pub fn quoted(name: &str) -> Result<String, String> {
     Ok(in_quotes(name))
 }
 
-/// `text` without control characters in quotes: TOML requires only these two characters to be escaped.
+/// `text` in quotes, with the characters escaped that TOML does not take as they are.
 fn in_quotes(text: &str) -> String {
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+    let escaped = |c: char| match c {
+        '\\' | '"' => format!("\\{c}"),
+        c if c.is_control() => format!("\\u{:04X}", u32::from(c)),
+        c => c.to_string(),
+    };
+    format!("\"{}\"", text.chars().map(escaped).collect::<String>())
 }
 
 #[cfg(test)]
@@ -106,6 +111,17 @@ mod tests {
         let why = |name: &str| starter(name).expect_err("no name");
         assert!(why("a\nb").contains("without control characters, here is U+000A"));
         assert!(why("").contains("at least one visible character"));
+    }
+
+    /// Labels and ids of a drawing may have any character.
+    #[test]
+    fn layers_of_any_name_read_back() {
+        let names = ["air\nouter", "a\r\tb", "\u{7f}\u{85}", "\u{56fe}\u{7eb8}", "\"\\"];
+        let layers = names.map(|name| (name.to_owned(), LayerRole::Air, "a test".to_owned()));
+        let text = drawing_starter("x", "a.svg", &layers, None).expect("a name");
+        let drawing = spec(&text).drawing.expect("a drawing");
+        let read: Vec<&str> = drawing.layers.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(read, names);
     }
 
     #[test]

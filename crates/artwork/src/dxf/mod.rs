@@ -22,12 +22,12 @@ use crate::{Drawing, Fault, Options, Place, Unit, Weight};
 /// exceeded limits.
 pub fn read_dxf(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
     crate::admit::admit(bytes, crate::Format::Dxf, options)?;
-    let decoded = decoded(bytes);
+    let (decoded, is_latin) = crate::encoding::dxf(bytes);
     let text = unescaped(&decoded);
     let groups = group::groups(&text, options.limits.visits.saturating_mul(16))?;
     let sections = tables::sections(&groups);
     let mut collector = Collector::new(options);
-    if matches!(decoded, Cow::Owned(_)) {
+    if is_latin {
         collector.note(
             Weight::Information,
             Place::default(),
@@ -35,7 +35,7 @@ pub fn read_dxf(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> 
         );
     }
     if !sections.has_entities {
-        collector.fault(
+        collector.refuse(
             Place::default(),
             "The file has no section ENTITIES.",
             "Export the drawing as ASCII DXF again.",
@@ -47,15 +47,6 @@ pub fn read_dxf(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> 
         let _ = walk::Walk::new(&sections, &mut collector).run(&Affine::scale(unit_mm, unit_mm));
     }
     collector.finish()
-}
-
-/// The text as UTF-8; files before 2007 have code pages, of which Latin-1 serves for names.
-fn decoded(bytes: &[u8]) -> Cow<'_, str> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    match std::str::from_utf8(bytes) {
-        Ok(text) => Cow::Borrowed(text),
-        Err(_) => Cow::Owned(bytes.iter().map(|&byte| char::from(byte)).collect()),
-    }
 }
 
 /// The text with the characters that `\U+XXXX` stands for, as programs write those outside of the code page.
@@ -111,8 +102,12 @@ fn unit(sections: &tables::Sections<'_, '_>, collector: &mut Collector<'_>) -> O
                     "The file's unit is not read: $INSUNITS {found}; 1, 2, 4 to 6, 9, 10, 13 and 14 are."
                 ),
             };
+            if collector.options.assume {
+                collector.assume(Unit::Millimetre, text);
+                return Some(Unit::Millimetre.millimetres());
+            }
             let names: Vec<_> = Unit::names().collect();
-            collector.fault(Place::default(), text, format!("Give the unit: {}.", names.join(", ")));
+            collector.refuse(Place::default(), text, format!("Give the unit: {}.", names.join(", ")));
             None
         }
     }

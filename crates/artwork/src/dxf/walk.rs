@@ -11,6 +11,26 @@ use crate::{Place, Weight};
 
 /// Entities that show nothing of their own.
 const INVISIBLE: [&str; 4] = ["SEQEND", "VIEWPORT", "ATTDEF", "VERTEX"];
+/// Entities that explain a drawing, or help to construct it, and are no edges of it.
+const ANNOTATIONS: [&str; 15] = [
+    "TEXT",
+    "MTEXT",
+    "ATTRIB",
+    "DIMENSION",
+    "ARC_DIMENSION",
+    "LARGE_RADIAL_DIMENSION",
+    "LEADER",
+    "MULTILEADER",
+    "MLEADER",
+    "TOLERANCE",
+    "ACAD_TABLE",
+    "HATCH",
+    "XLINE",
+    "RAY",
+    "RTEXT",
+];
+/// The text of the note on them.
+const ANNOTATION: &str = "Texts, dimensions, hatches and construction lines are not read; it is left out.";
 
 /// The context of an entity: the drawing, or an inserted block.
 #[derive(Clone)]
@@ -18,8 +38,10 @@ struct Context {
     map: Affine,
     /// Ids of the inserts around, each with " > " behind it.
     path: String,
-    /// Layers of the inserts around, innermost first.
+    /// Layers and colours of the inserts around, innermost first.
     layers: Vec<String>,
+    /// Number of these up to the layer of the innermost insert, which an entity on layer 0 inherits.
+    inherited: usize,
     /// Names of the blocks around, as keys.
     blocks: Vec<String>,
 }
@@ -37,7 +59,8 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
 
     /// Reads all entities of the drawing; `map` leads to mm.
     pub(super) fn run(&mut self, map: &Affine) -> Result<(), Stop> {
-        let context = Context { map: *map, path: String::new(), layers: Vec::new(), blocks: Vec::new() };
+        let context =
+            Context { map: *map, path: String::new(), layers: Vec::new(), inherited: 0, blocks: Vec::new() };
         self.entities(&self.sections.entities, &context)
     }
 
@@ -60,6 +83,10 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
             }
             let read = match record.kind {
                 "INSERT" => self.insert(record, &place, context),
+                kind if ANNOTATIONS.contains(&kind) => {
+                    self.out.note_alike(Weight::Annotation, place, ANNOTATION);
+                    continue;
+                }
                 _ => self.entity(record, vertices, &place, context),
             };
             match read {
@@ -93,7 +120,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         if !inherits {
             layers.push(layer.to_owned());
         }
-        let own_names = layers.len() + usize::from(inherits);
+        let own_names = layers.len() + if inherits { context.inherited } else { 0 };
         layers.extend(context.layers.iter().filter(|name| inherits || **name != layer).cloned());
         let id = format!("{}{own}", context.path);
         self.out.text(id.len() + layers.iter().map(|name| 24 + name.len()).sum::<usize>())?;
@@ -118,8 +145,8 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
 
     /// Notes an entity that the drawing does not show: on paper, invisible, or on a layer that is off or frozen.
     fn is_hidden(&mut self, record: &Record<'_, '_>, place: &Place) -> bool {
-        let is_name = |name: &&String| colour(record).as_ref() != Some(*name);
-        let name = place.layers.iter().find(is_name).map_or("0", String::as_str);
+        let layer = place.own_names.checked_sub(1).and_then(|last| place.layers.get(last));
+        let name = layer.map_or("0", String::as_str);
         let layer = self.layer(name);
         let flag = |code| record.flags(code).unwrap_or(0) == 1;
         let reason = if flag(67) {
@@ -195,7 +222,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
         let (counts, map) = copies(record, block)?;
         let id = place.element.clone().unwrap_or_default();
         let mut inner =
-            Context { layers: place.layers.clone(), blocks: context.blocks.clone(), ..context.clone() };
+            Context { layers: place.layers.clone(), inherited: place.own_names, ..context.clone() };
         inner.blocks.push(key);
         for row in 0..counts[1] {
             for column in 0..counts[0] {

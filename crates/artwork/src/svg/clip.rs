@@ -12,7 +12,7 @@ use crate::{Element, Figure};
 /// Distance by which a figure may reach over a clip, mm: clips have the decimals of their program.
 const OVER: f64 = 0.01;
 
-/// The region of `value`, the property `clip-path` of `node`; `None` if it is not a simple one. `map` leads from the user units around
+/// The region of `value`, the property `clip-path` of `node`; `None` if it is not a simple one. `map` leads from the user units of
 /// `node` to mm, `find` to the element of an id.
 pub(super) fn of<'a, 'd: 'a>(
     node: Node<'a, 'd>,
@@ -21,9 +21,8 @@ pub(super) fn of<'a, 'd: 'a>(
     find: impl Fn(&str) -> Option<Node<'a, 'd>>,
 ) -> Option<ConvexClip> {
     let target = find(value.strip_prefix("url(#")?.strip_suffix(')')?)?;
-    let map = map.after(&transform::of(node)?);
     // A nested frame has its own view box inside its clip.
-    (node.tag_name().name() != "svg").then(|| ConvexClip::new(target, (&map, viewport), find)).flatten()
+    (node.tag_name().name() != "svg").then(|| ConvexClip::new(target, (map, viewport), find)).flatten()
 }
 
 /// A convex polygon, mm.
@@ -45,7 +44,7 @@ impl ConvexClip {
         if units.is_some_and(|units| units != "userSpaceOnUse") {
             return None;
         }
-        let mut map = map.after(&transform::of(clip)?).after(&transform::of(figure)?);
+        let mut map = map.after(&transform::plain(clip)?).after(&transform::plain(figure)?);
         let mut figure = figure;
         if figure.tag_name().name() == "use" {
             if figure.attribute("x").or(figure.attribute("y")).is_some() {
@@ -53,7 +52,7 @@ impl ConvexClip {
             }
             let href = figure.attributes().find(|attribute| attribute.name() == "href")?.value();
             figure = find(href.trim().strip_prefix('#')?)?;
-            map = map.after(&transform::of(figure)?);
+            map = map.after(&transform::plain(figure)?);
         }
         let tag = figure.tag_name().name();
         let [chain] =
@@ -84,11 +83,11 @@ impl ConvexClip {
     }
 
     /// Whether the boxes of all elements lie in it.
-    pub(super) fn holds(&self, elements: &[Element]) -> bool {
+    pub(super) fn holds<'e>(&self, mut elements: impl Iterator<Item = &'e Element>) -> bool {
         let turn = Path::closed(self.sides().map(|[a, b]| geom::Line::new(a, b).into()).collect()).area();
         let is_in =
             |p: Point| self.sides().all(|[a, b]| (b - a).normalized().cross(p - a) * turn.signum() >= -OVER);
-        elements.iter().all(|element| match &element.figure {
+        elements.all(|element| match &element.figure {
             Figure::Point(at) => is_in(*at),
             Figure::Path(path) => {
                 let bounds = path.bounds();

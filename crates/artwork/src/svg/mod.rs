@@ -6,8 +6,11 @@
 mod clip;
 mod conditions;
 mod guard;
+mod paint;
 mod path_data;
+mod selector;
 mod shapes;
+mod sheet;
 mod style;
 mod transform;
 mod viewport;
@@ -28,13 +31,13 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 /// numbers, transforms and lengths, references that lead to themselves, and exceeded limits.
 pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
     crate::admit::admit(bytes, crate::Format::Svg, options)?;
-    let text = utf8(bytes)?;
+    let text = &*crate::encoding::svg(bytes)?;
     let document = parsed(text, options)?;
     let mut out = Collector::new(options);
     let root = document.root_element();
     if !is_svg(root) || root.tag_name().name() != "svg" {
         let text = format!("The root element is <{}>, not <svg>.", root.tag_name().name());
-        out.fault(Place::line(1), text, "Export the drawing as SVG.");
+        out.refuse(Place::line(1), text, "Export the drawing as SVG.");
         return out.finish();
     }
     let source = Source { lines: line_starts(text), sheet: sheet(&document, &mut out) };
@@ -49,7 +52,7 @@ pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> 
 struct Source {
     /// Offsets at which lines start, and those of the first character in each that is no blank.
     lines: Vec<(usize, usize)>,
-    sheet: style::Sheet,
+    sheet: sheet::Sheet,
 }
 
 impl Source {
@@ -74,13 +77,6 @@ fn line_starts(text: &str) -> Vec<(usize, usize)> {
         text.as_bytes()[start..].iter().take_while(|byte| matches!(byte, b' ' | b'\t' | b'\r')).count()
     };
     starts.map(|start| (start, start + blanks(start))).collect()
-}
-
-fn utf8(bytes: &[u8]) -> Result<&str, Vec<Fault>> {
-    std::str::from_utf8(bytes).map_err(|error| {
-        let line = bytes[..error.valid_up_to()].split(|&byte| byte == b'\n').count();
-        Fault::only(Place::line(line), "The text is not UTF-8.", "Save the file as UTF-8.")
-    })
 }
 
 /// The first text of a file, where programs name themselves.
@@ -108,15 +104,17 @@ fn parsed<'t>(text: &'t str, options: &Options) -> Result<Document<'t>, Vec<Faul
 }
 
 /// The rules of all style sheets in the file; notes on those that are not applied.
-fn sheet(document: &Document<'_>, out: &mut Collector<'_>) -> style::Sheet {
-    let mut sheet = style::Sheet::default();
+fn sheet(document: &Document<'_>, out: &mut Collector<'_>) -> sheet::Sheet {
+    let mut sheet = sheet::Sheet::new();
     for node in document.root().descendants() {
         match node.node_type() {
             NodeType::Element if is_svg(node) && node.tag_name().name() == "style" => {
-                // Attributes such as media are rare; the rules are taken as they are.
-                let text: String =
-                    node.descendants().filter_map(|child| child.text().filter(|_| child.is_text())).collect();
-                sheet.add(&text);
+                let media = node.attribute("media").unwrap_or_default();
+                if sheet::applies(&format!("@media {media}")) != Some(false) {
+                    let texts = node.descendants().filter(Node::is_text);
+                    let text: String = texts.filter_map(|child| child.text()).collect();
+                    sheet.add(&text);
+                }
             }
             NodeType::PI if node.pi().is_some_and(|pi| pi.target == "xml-stylesheet") => {
                 out.note(Weight::Lost, Place::default(), "A style sheet in another file is not read.");
@@ -125,10 +123,10 @@ fn sheet(document: &Document<'_>, out: &mut Collector<'_>) -> style::Sheet {
         }
     }
     for rule in &sheet.unread {
-        let rule = shortened(rule);
         let text =
-            format!("The style rule \"{rule}\" is not applied: only simple tags, classes and ids are.");
-        out.note(Weight::Lost, Place::default(), text);
+            format!("The style rule \"{}\" is not applied: its selector is not read.", shortened(&rule.text));
+        let weight = if rule.changes_geometry { Weight::Lost } else { Weight::Information };
+        out.note(weight, Place::default(), text);
     }
     sheet
 }

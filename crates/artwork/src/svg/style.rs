@@ -1,13 +1,12 @@
-//! Style: presentation attributes, `style`, and simple rules of style sheets.
-
-use std::collections::BTreeMap;
-use std::str::FromStr;
+//! Style: presentation attributes, `style`, and the rules of style sheets.
 
 use roxmltree::Node;
-use svgtypes::Color;
+
+use super::paint::Paint;
+use super::sheet::{Declaration, Sheet, declared};
 
 /// Properties by which a style sheet of SVG 2 can change geometry.
-pub(super) const GEOMETRY: [&str; 17] = [
+pub(super) const GEOMETRY: [&str; 16] = [
     "transform",
     "translate",
     "rotate",
@@ -24,211 +23,99 @@ pub(super) const GEOMETRY: [&str; 17] = [
     "ry",
     "width",
     "height",
-    "transform-origin",
 ];
 
-/// Declarations by selector: "*", "tag", ".class", "tag.class", "#id", "tag#id".
-///
-/// Each property of a selector keeps its last value, so looking up is linear in an element's classes.
-#[derive(Debug, Default)]
-pub(super) struct Sheet {
-    rules: BTreeMap<String, BTreeMap<String, Value>>,
-    order: usize,
-    /// Selectors and at-rules that are not applied.
-    pub(super) unread: Vec<String>,
-}
-
-/// A value with its rank: importance, specificity, order.
-#[derive(Debug, Clone)]
-struct Value {
-    rank: (bool, u8, usize),
-    text: String,
-}
-
-impl Sheet {
-    /// Adds the rules of a `<style>` element.
-    pub(super) fn add(&mut self, text: &str) {
-        let text = without_comments(text);
-        let mut rest = text.as_str();
-        while let Some(brace) = rest.find('{') {
-            let head = rest[..brace].trim();
-            // Statements such as @import end with a semicolon.
-            let (statements, selectors) = head.rsplit_once(';').map_or(("", head), |(a, b)| (a, b.trim()));
-            self.unread
-                .extend(statements.split(';').map(str::trim).filter(|s| !s.is_empty()).map(str::to_owned));
-            let end = block_end(&rest[brace..]);
-            let body = rest[brace..brace + end].trim_start_matches('{').trim_end_matches('}');
-            if selectors.starts_with('@') {
-                if !["@font-face", "@page", "@media print"].iter().any(|rule| selectors.starts_with(rule)) {
-                    self.unread.push(selectors.to_owned());
-                }
-            } else {
-                for selector in selectors.split(',') {
-                    self.rule(selector.trim(), body);
-                }
-            }
-            rest = &rest[brace + end..];
-        }
-        self.unread.extend(rest.split(';').map(str::trim).filter(|s| s.starts_with('@')).map(str::to_owned));
-    }
-
-    fn rule(&mut self, selector: &str, body: &str) {
-        let Some(specificity) = specificity(selector) else {
-            // Widths of strokes and fonts change nothing that is read.
-            let hides = |name: &str, value| name.ends_with("opacity") && is_zero(value);
-            if declarations(body).any(|(name, value)| matters(name) || hides(name, value)) {
-                self.unread.push(selector.to_owned());
-            }
-            return;
-        };
-        let values = self.rules.entry(selector.to_owned()).or_default();
-        for (name, text) in declarations(body) {
-            self.order += 1;
-            let (text, important) =
-                text.strip_suffix("!important").map_or((text, false), |text| (text.trim(), true));
-            let value = Value { rank: (important, specificity, self.order), text: text.to_owned() };
-            match values.get(name) {
-                Some(old) if old.rank > value.rank => {}
-                _ => drop(values.insert(name.to_owned(), value)),
-            }
-        }
-    }
-
-    /// The declarations whose selectors match an element.
-    fn matching<'s>(&'s self, node: Node<'_, '_>) -> Vec<&'s BTreeMap<String, Value>> {
-        let mut found = Vec::new();
-        if self.rules.is_empty() {
-            return found;
-        }
-        let tag = node.tag_name().name();
-        let mut look = |selector: &str| found.extend(self.rules.get(selector));
-        look("*");
-        look(tag);
-        for class in node.attribute("class").unwrap_or_default().split_ascii_whitespace() {
-            look(&format!(".{class}"));
-            look(&format!("{tag}.{class}"));
-        }
-        if let Some(id) = node.attribute("id") {
-            look(&format!("#{id}"));
-            look(&format!("{tag}#{id}"));
-        }
-        found
-    }
-}
-
-/// Whether a property changes what is read: geometry, visibility, clips, markers, or the colour that names a layer.
-fn matters(name: &str) -> bool {
-    const OTHERS: [&str; 8] =
-        ["stroke", "fill", "color", "display", "visibility", "clip-path", "mask", "filter"];
-    GEOMETRY.contains(&name) || OTHERS.contains(&name) || name.starts_with("marker")
-}
-
-/// Whether a value of `opacity` is 0 or less.
+/// Whether a value of an opacity or a width is 0 or less.
 pub(super) fn is_zero(value: &str) -> bool {
-    value.trim_end_matches('%').trim().parse::<f64>().is_ok_and(|number| number <= 0.0)
+    let number = value.trim_end_matches(|c: char| c == '%' || c.is_ascii_alphabetic()).trim();
+    number.parse::<f64>().is_ok_and(|number| number <= 0.0)
 }
 
-/// Rank of a selector; `None` if it is not one of the supported ones.
-fn specificity(selector: &str) -> Option<u8> {
-    let split = selector.find(['.', '#']).unwrap_or(selector.len());
-    let (tag, rest) = selector.split_at(split);
-    let is_name = |name: &str| {
-        !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_' || !c.is_ascii())
+/// Whether a reader of SVG takes `value` for the property `name`; one that it does not take leaves others in force.
+fn is_understood(name: &str, value: &str) -> bool {
+    let is_global =
+        ["inherit", "initial", "unset", "revert"].iter().any(|word| value.eq_ignore_ascii_case(word));
+    let is_number = || {
+        let number = value.trim_end_matches(|c: char| c == '%' || c.is_ascii_alphabetic()).trim_end();
+        number.parse::<f64>().is_ok()
     };
-    let own = match rest.chars().next() {
-        None if tag == "*" => return Some(0),
-        None => return is_name(tag).then_some(1),
-        Some('.') => 2,
-        Some(_) => 4,
-    };
-    ((tag.is_empty() || is_name(tag)) && is_name(&rest[1..])).then_some(own + u8::from(!tag.is_empty()))
-}
-
-fn without_comments(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some(start) = rest.find("/*") {
-        out.push_str(&rest[..start]);
-        rest = rest[start..].find("*/").map_or("", |end| &rest[start + end + 2..]);
-    }
-    out.push_str(rest);
-    out.replace("<!--", "").replace("-->", "")
-}
-
-/// Length of the block that starts with the text, its inner blocks included.
-fn block_end(text: &str) -> usize {
-    let mut depth = 0;
-    for (at, byte) in text.bytes().enumerate() {
-        match byte {
-            b'{' => depth += 1,
-            b'}' if depth == 1 => return at + 1,
-            b'}' => depth -= 1,
-            _ => {}
+    is_global
+        || match name {
+            "stroke" | "fill" | "color" => Paint::declared(name, value, [0; 3]).is_some(),
+            "visibility" => {
+                ["visible", "hidden", "collapse"].iter().any(|word| value.eq_ignore_ascii_case(word))
+            }
+            "opacity" | "stroke-opacity" | "fill-opacity" | "stroke-width" => is_number(),
+            _ => !value.contains("var("),
         }
-    }
-    text.len()
-}
-
-/// The declarations "name: value; ..." of a block or an attribute.
-fn declarations(text: &str) -> impl Iterator<Item = (&str, &str)> {
-    text.split(';').filter_map(|part| part.split_once(':')).map(|(name, value)| (name.trim(), value.trim()))
 }
 
 /// The declarations that apply to an element.
-pub(super) struct Cascade<'s, 'a, 'd> {
+pub(super) struct Cascade<'a, 'd> {
     node: Node<'a, 'd>,
-    inline: Vec<(&'a str, &'a str)>,
-    rules: Vec<&'s BTreeMap<String, Value>>,
+    declarations: Vec<Declaration>,
 }
 
-impl<'s, 'a: 's, 'd> Cascade<'s, 'a, 'd> {
-    pub(super) fn new(sheet: &'s Sheet, node: Node<'a, 'd>) -> Self {
-        let inline = declarations(node.attribute("style").unwrap_or_default()).collect();
-        Self { node, inline, rules: sheet.matching(node) }
+impl<'a, 'd> Cascade<'a, 'd> {
+    pub(super) fn new(sheet: &Sheet, node: Node<'a, 'd>) -> Self {
+        let mut declarations: Vec<Declaration> = sheet.matching(node).cloned().collect();
+        let inline = node.attribute("style").unwrap_or_default();
+        declarations.extend(declared(inline, |important| (important, u32::MAX, usize::MAX)));
+        Self { node, declarations }
     }
 
-    /// A property from `style` or a style sheet.
-    pub(super) fn styled(&self, name: &str) -> Option<&'s str> {
-        let inline = self.inline.iter().rfind(|row| row.0 == name).map(|row| row.1);
-        let rule = self.rules.iter().filter_map(|rule| rule.get(name)).max_by_key(|value| value.rank);
-        match (inline, rule) {
-            (Some(inline), rule)
-                if inline.ends_with("!important") || rule.is_none_or(|rule| !rule.rank.0) =>
-            {
-                Some(inline.strip_suffix("!important").unwrap_or(inline).trim())
-            }
-            (_, rule) => rule.map(|rule| rule.text.as_str()),
-        }
+    /// A property from `style` or a style sheet: the declaration of the highest rank that is understood, of equal ones the last.
+    pub(super) fn styled(&self, name: &str) -> Option<&str> {
+        let all = self.declarations.iter().filter(|declaration| declaration.name == name);
+        let understood = all.filter(|declaration| is_understood(name, &declaration.value));
+        understood.max_by_key(|declaration| declaration.rank).map(|declaration| declaration.value.as_str())
     }
 
     /// A property from `style`, a style sheet or an attribute.
-    pub(super) fn value(&self, name: &str) -> Option<&'s str> {
-        self.styled(name).or_else(|| self.node.attribute(name)).map(str::trim)
+    pub(super) fn value(&self, name: &str) -> Option<&str> {
+        let attribute =
+            || self.node.attribute(name).map(str::trim).filter(|value| is_understood(name, value));
+        self.styled(name).or_else(attribute)
     }
 
-    /// The same of a property that refers to another element; `None` if it refers to none.
-    pub(super) fn applied(&self, name: &str) -> Option<&'s str> {
+    /// Whether a property has a value in this keyword, in capitals or not.
+    pub(super) fn is(&self, name: &str, word: &str) -> bool {
+        self.value(name).is_some_and(|value| value.eq_ignore_ascii_case(word))
+    }
+
+    /// Whether a property has values, none of which is understood.
+    fn is_unclear(&self, name: &str) -> bool {
+        let is_declared = || self.declarations.iter().any(|declaration| declaration.name == name);
+        self.value(name).is_none() && (self.node.attribute(name).is_some() || is_declared())
+    }
+
+    /// A property that refers to another element; `None` if it refers to none.
+    pub(super) fn applied(&self, name: &str) -> Option<&str> {
         self.value(name).filter(|value| !matches!(*value, "none" | "inherit"))
     }
-}
 
-/// Paint of a stroke or a fill.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Paint {
-    None,
-    Colour([u8; 3]),
-    /// A gradient or a pattern.
-    Server,
+    /// The paint of a stroke or a fill inside of an element with the paint `parent`, where `current` is the colour of the text.
+    ///
+    /// A paint that is not understood is visible: that of the parent, or one that names no layer.
+    fn paint(&self, name: &str, parent: Paint, current: [u8; 3]) -> Paint {
+        match self.value(name).and_then(|value| Paint::declared(name, value, current)) {
+            Some(declared) => declared.unwrap_or(parent),
+            None if self.is_unclear(name) && parent == Paint::None => Paint::Other,
+            None => parent,
+        }
+    }
 }
 
 /// The inherited properties.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Style {
-    pub(super) stroke: Paint,
-    pub(super) fill: Paint,
+    stroke: Paint,
+    fill: Paint,
     colour: [u8; 3],
     /// Whether `stroke-opacity` and `fill-opacity` leave something to see.
     opaque: [bool; 2],
+    /// Whether `stroke-width` does.
+    wide: bool,
     pub(super) visible: bool,
     /// Whether strokes have gaps.
     pub(super) dashed: bool,
@@ -241,23 +128,20 @@ impl Style {
         fill: Paint::Colour([0; 3]),
         colour: [0; 3],
         opaque: [true; 2],
+        wide: true,
         visible: true,
         dashed: false,
     };
 
     /// The style of an element in an element of this style.
-    pub(super) fn inherited(&self, cascade: &Cascade<'_, '_, '_>) -> Self {
-        let colour = cascade.value("color").and_then(colour).unwrap_or(self.colour);
-        let paint = |name: &str, parent: Paint| match cascade.value(name) {
-            None | Some("inherit") => parent,
-            Some("none" | "transparent") => Paint::None,
-            Some("currentColor" | "currentcolor") => Paint::Colour(colour),
-            Some(value) if value.starts_with("url(") => Paint::Server,
-            Some(value) => self::colour(value).map_or(parent, Paint::Colour),
+    pub(super) fn inherited(&self, cascade: &Cascade<'_, '_>) -> Self {
+        let colour = match cascade.value("color").map(|value| Paint::declared("color", value, self.colour)) {
+            Some(Some(Some(Paint::Colour(colour)))) => colour,
+            _ => self.colour,
         };
-        let visible = match cascade.value("visibility") {
+        let visible = match cascade.value("visibility").map(str::to_ascii_lowercase).as_deref() {
             Some("hidden" | "collapse") => false,
-            Some("visible") => true,
+            Some("visible" | "initial") => true,
             _ => self.visible,
         };
         let dashed = match cascade.value("stroke-dasharray") {
@@ -267,58 +151,142 @@ impl Style {
                 number.parse::<f64>().is_ok_and(|length| length > 0.0)
             }),
         };
-        let opaque = |name: &str, parent: bool| match cascade.value(name) {
-            None | Some("inherit") => parent,
+        let shows = |name: &str, parent: bool| match cascade.value(name) {
+            None | Some("inherit" | "unset") => parent,
             Some(value) => !is_zero(value),
         };
-        let opaque = [opaque("stroke-opacity", self.opaque[0]), opaque("fill-opacity", self.opaque[1])];
-        let (stroke, fill) = (paint("stroke", self.stroke), paint("fill", self.fill));
-        Self { stroke, fill, colour, opaque, visible, dashed }
+        Self {
+            stroke: cascade.paint("stroke", self.stroke, colour),
+            fill: cascade.paint("fill", self.fill, colour),
+            colour,
+            opaque: [shows("stroke-opacity", self.opaque[0]), shows("fill-opacity", self.opaque[1])],
+            wide: shows("stroke-width", self.wide),
+            visible,
+            dashed,
+        }
     }
 
     /// Stroke and fill as far as they can be seen.
     pub(super) fn seen(&self) -> [Paint; 2] {
         let seen = |paint, opaque| if opaque { paint } else { Paint::None };
-        [seen(self.stroke, self.opaque[0]), seen(self.fill, self.opaque[1])]
+        [seen(self.stroke, self.opaque[0] && self.wide), seen(self.fill, self.opaque[1])]
     }
 
-    /// The name of a layer by colour: "#rrggbb" of the stroke, else "fill #rrggbb".
+    /// Whether neither stroke nor fill can be seen.
+    pub(super) fn is_unseen(&self) -> bool {
+        self.seen() == [Paint::None; 2]
+    }
+
+    /// The name of a layer by colour: "#rrggbb" of the stroke, else "fill #rrggbb". Paints that cannot be seen count where all cannot.
     pub(super) fn layer(&self) -> Option<String> {
         let hex = |[r, g, b]: [u8; 3]| format!("#{r:02x}{g:02x}{b:02x}");
-        match (self.stroke, self.fill) {
-            (Paint::Colour(stroke), _) => Some(hex(stroke)),
-            (Paint::None, Paint::Colour(fill)) => Some(format!("fill {}", hex(fill))),
+        match if self.is_unseen() { [self.stroke, self.fill] } else { self.seen() } {
+            [Paint::Colour(stroke), _] => Some(hex(stroke)),
+            [Paint::None, Paint::Colour(fill)] => Some(format!("fill {}", hex(fill))),
             _ => None,
         }
     }
-}
-
-fn colour(text: &str) -> Option<[u8; 3]> {
-    Color::from_str(text).ok().map(|colour| [colour.red, colour.green, colour.blue])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// The strokes of the elements inside of the root, by the cascade alone.
+    fn strokes(sheet: &Sheet, text: &str) -> Vec<Option<String>> {
+        let document = roxmltree::Document::parse(text).expect("xml");
+        let nodes = document.root_element().children();
+        nodes.map(|node| Cascade::new(sheet, node).value("stroke").map(str::to_owned)).collect()
+    }
+
+    fn sheet(text: &str) -> Sheet {
+        let mut sheet = Sheet::new();
+        sheet.add(text);
+        sheet
+    }
+
     #[test]
     fn rules_rank_by_importance_specificity_and_order() {
-        let mut sheet = Sheet::default();
-        sheet.add("/* x{} */ .a, path{stroke:red} path.a{stroke:#0F0} .a{stroke:blue} #p{stroke:gray} g > .a{fill:none} g > .b{stroke-width:1} @media print{.a{x:y}} @media screen{} *{stroke:black !important}");
-        assert_eq!(sheet.unread, ["g > .a", "@media screen"]);
         let text =
             "<svg><path id='p' class='b a'/><path class='a' style='stroke: pink'/><rect class='a'/></svg>";
-        let document = roxmltree::Document::parse(text).expect("xml");
-        let found = |sheet: &Sheet| -> Vec<String> {
-            let nodes = document.root_element().children();
-            nodes
-                .map(|node| Cascade::new(sheet, node).value("stroke").expect("a stroke").to_owned())
-                .collect()
+        let rules = "/* x{} */ .a, path{stroke:red} path.a{stroke:#0F0} .a{stroke:blue} #p{stroke:gray}";
+        let some = |words: [&str; 3]| words.map(|word| Some(word.to_owned())).to_vec();
+        assert_eq!(strokes(&sheet(rules), text), some(["gray", "pink", "blue"]));
+        let without_id = rules.replace("#p{stroke:gray}", "");
+        assert_eq!(strokes(&sheet(&without_id), text)[0].as_deref(), Some("#0F0"));
+        let important = format!("{rules} *{{stroke:black ! important}}");
+        assert_eq!(strokes(&sheet(&important), text), some(["black"; 3]));
+    }
+
+    /// Each selector with the numbers of the elements that it matches.
+    #[test]
+    fn selectors_match_as_css_has_it() {
+        let text = "<svg class='top x' data-a='one two'><path id='p' class='a b'/><path class='a'/>\
+            <rect class='b' lang='en-GB'/></svg>";
+        for (selector, wanted) in [
+            ("svg path", [1, 1, 0]),
+            ("svg.top > path.a", [1, 1, 0]),
+            ("svg.top.x>.b", [1, 0, 1]),
+            (".a.b", [1, 0, 0]),
+            ("path + path", [0, 1, 0]),
+            ("path ~ rect", [0, 0, 1]),
+            ("path:first-child", [1, 0, 0]),
+            (":last-child", [0, 0, 1]),
+            (":nth-child(2)", [0, 1, 0]),
+            (":nth-child(odd)", [1, 0, 1]),
+            (":nth-child(-n+2)", [1, 1, 0]),
+            (":not(.a)", [0, 0, 1]),
+            (":root path#p", [1, 0, 0]),
+            ("[lang|=en]", [0, 0, 1]),
+            ("[data-a~='two'] > [id]", [1, 0, 0]),
+            ("path:hover", [0, 0, 0]),
+            ("g path", [0, 0, 0]),
+            ("* > .a", [1, 1, 0]),
+        ] {
+            let sheet = sheet(&format!("{selector}{{stroke:red}}"));
+            let numbers =
+                strokes(&sheet, text).iter().map(|stroke| u8::from(stroke.is_some())).collect::<Vec<_>>();
+            assert_eq!(numbers, wanted, "{selector}");
+            assert!(sheet.unread.is_empty(), "{selector}");
+        }
+    }
+
+    #[test]
+    fn rules_that_are_not_applied_are_listed_with_their_effect() {
+        let unread = |text: &str| {
+            let sheet = sheet(text);
+            sheet.unread.iter().map(|rule| (rule.text.clone(), rule.changes_geometry)).collect::<Vec<_>>()
         };
-        assert_eq!(found(&sheet), ["black"; 3]);
-        assert!(sheet.rules.remove("*").is_some());
-        assert_eq!(found(&sheet), ["gray", "pink", "blue"]);
-        assert!(sheet.rules.remove("#p").is_some());
-        assert_eq!(found(&sheet)[0], "#0F0");
+        let listed = |text: &str, changes| vec![(text.to_owned(), changes)];
+        assert_eq!(unread("a:has(b){fill:none;stroke:red}"), listed("a:has(b)", false));
+        assert_eq!(unread("a:has(b){display:none}"), listed("a:has(b)", true));
+        assert_eq!(unread("a:has(b){stroke-width:0}"), listed("a:has(b)", true));
+        assert_eq!(unread("a:has(b){font-size:3px;stroke-width:1}"), []);
+        assert_eq!(unread("@media (min-width: 3px){.a{d:none}}"), listed("@media (min-width: 3px)", true));
+        assert_eq!(
+            unread("@media print{.a{display:none}}@font-face{src:url(a;b)}@keyframes k{0%{opacity:0}}"),
+            []
+        );
+        assert_eq!(unread("@media (prefers-color-scheme: dark){.a{stroke:white}}"), []);
+        assert_eq!(unread("@import url(x.css); .a{stroke:red}"), listed("@import url(x.css)", true));
+        let screen = sheet("@media screen{path{stroke:red}} .c{x:\"}\"} rect{stroke:blue;}");
+        assert_eq!(strokes(&screen, "<svg><path/><rect/></svg>"), [Some("red".into()), Some("blue".into())]);
+    }
+
+    /// By CSS a declaration that a reader does not understand is as if it were not there.
+    #[test]
+    fn what_is_not_understood_leaves_the_rest_in_force() {
+        for value in ["light-dark(red, blue)", "var(--x)", "oklch(1 2 3)", "device-cmyk(0,1,1,0)"] {
+            let of = |attributes: &str| {
+                strokes(&Sheet::new(), &format!("<svg><path {attributes}/></svg>")).remove(0)
+            };
+            assert_eq!(of(&format!("stroke='#f00' style='stroke:{value}'")).as_deref(), Some("#f00"));
+            assert_eq!(of(&format!("style='stroke:#f00;stroke:{value}'")).as_deref(), Some("#f00"));
+            assert_eq!(
+                of(&format!("style='stroke:#f00 ! important;stroke:{value} !important'")).as_deref(),
+                Some("#f00")
+            );
+            assert_eq!(of(&format!("style='stroke:{value}'")), None);
+        }
     }
 }

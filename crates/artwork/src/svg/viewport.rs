@@ -113,10 +113,13 @@ pub(super) fn fitted(node: Node<'_, '_>, from: ViewBox, [w, h]: [f64; 2]) -> Res
 
 /// The map of the root's user units to mm with y up, and the viewport of its children; `None` with a fault recorded.
 pub(super) fn page(root: Node<'_, '_>, head: &str, out: &mut Collector<'_>) -> Option<(Affine, Viewport)> {
-    measured(root, head, out).map_err(|(text, remedy)| out.fault(Place::line(1), text, remedy)).ok()
+    measured(root, head, out).map_err(|(text, remedy)| out.refuse(Place::line(1), text, remedy)).ok()
 }
 
-/// The same, or the finding and its remedy.
+/// The map and the viewport, or the finding and its remedy.
+///
+/// The unit of plain numbers, and of px, is that of the caller or of the program that wrote the file; with it width and height give
+/// the size of the page, and the view box is fitted into that. Without a size a unit of the view box is the unit itself.
 fn measured(root: Node<'_, '_>, head: &str, out: &mut Collector<'_>) -> Result<(Affine, Viewport), Finding> {
     let from = view_box(root).map_err(|text| (text, "Set it to the size of the drawing.".to_owned()))?;
     let length = |name| root.attribute(name).and_then(parsed);
@@ -127,31 +130,30 @@ fn measured(root: Node<'_, '_>, head: &str, out: &mut Collector<'_>) -> Result<(
             return Err((text, "Correct width and height.".to_owned()));
         }
     }
-    let own = sizes(lengths, from);
-    if let Some(given) = out.options.unit {
-        return Ok(by_unit(given, from, lengths, own, out));
-    }
-    doubt(root, head, lengths, from)?;
-    let points = from.filter(|_| head.contains("Adobe Illustrator"));
-    let Some(size) = own.or(points.map(|from| [from.w * POINT, from.h * POINT])) else {
-        let names: Vec<_> = Unit::names().collect();
-        let text = "The drawing has no physical size: width and height have no unit.".to_owned();
-        let remedy = format!(
-            "Set width and height with a unit, such as 210mm, or give the unit: {}. Exports of Illustrator have pt, those of web programs px.",
-            names.join(", ")
-        );
-        return Err((text, remedy));
+    let stated = sizes(lengths, from, &millimetres);
+    let given = match out.options.unit {
+        Some(unit) => Some(unit),
+        None => unstated(&Writer::of(root, head), lengths, from, stated.is_some(), out)?,
     };
-    if own.is_none() {
-        let text = "The file has no size; its unit is 1/72 in, since Illustrator wrote it.";
-        out.note(Weight::Information, Place::default(), text);
-    }
-    let (map, view) = if let Some(from) = from {
-        (fitted(root, from, size).map_err(|text| (text, "Remove the attribute.".into()))?, [from.w, from.h])
-    } else {
-        let text = "The file has no viewBox; its unit is 1/96 in, as SVG defines it.";
-        out.note(Weight::Information, Place::default(), text);
-        (Affine::scale(PIXEL, PIXEL), size.map(|mm| mm / PIXEL))
+    let size = match given {
+        Some(unit) => sizes(lengths, from, &|length| by_unit(length, unit, from.is_some())),
+        None => stated,
+    };
+    let scale = given.unwrap_or(Unit::Pixel).millimetres();
+    let (map, view) = match (from, size) {
+        (Some(from), size) => {
+            let size = size.unwrap_or([from.w * scale, from.h * scale]);
+            let fit = fitted(root, from, size).map_err(|text| (text, "Remove the attribute.".into()))?;
+            (flipped(size[1]).after(&fit), [from.w, from.h])
+        }
+        (None, size) => {
+            if given.is_none() {
+                let text = "The file has no viewBox; its unit is 1/96 in, as SVG defines it.";
+                out.note(Weight::Information, Place::default(), text);
+            }
+            let size = size.unwrap_or_default();
+            (flipped(size[1]).after(&Affine::scale(scale, scale)), size.map(|mm| mm / scale))
+        }
     };
     let unit_mm = map.x.length();
     if !(1e-9..=1e6).contains(&unit_mm) {
@@ -161,37 +163,138 @@ fn measured(root: Node<'_, '_>, head: &str, out: &mut Collector<'_>) -> Result<(
         );
         return Err((text, "Correct width, height and viewBox.".into()));
     }
+    if let (Some(unit), Some(stated)) = (out.options.unit, stated) {
+        note_replaced(unit, stated, (from, unit_mm, root), out);
+    }
     out.drawing.unit_mm = unit_mm;
-    Ok((flipped(size[1]).after(&map), Viewport(view)))
+    Ok((map, Viewport(view)))
 }
 
-/// Refuses sizes of programs whose px is not 1/96 in.
-fn doubt(
-    root: Node<'_, '_>,
-    head: &str,
+/// A length of the page by a unit that replaces its own, mm; without a view box lengths with a unit of their own keep it.
+fn by_unit(length: Length, unit: Unit, has_view_box: bool) -> Option<f64> {
+    let is_fixed = !has_view_box && !matches!(length.unit, LengthUnit::None | LengthUnit::Px);
+    match length.unit {
+        LengthUnit::Percent => None,
+        _ if is_fixed => millimetres(length),
+        _ => Some(length.number * unit.millimetres()),
+    }
+}
+
+/// Notes that a given unit replaces the size that the file states, where the two differ.
+fn note_replaced(
+    unit: Unit,
+    stated: [f64; 2],
+    (from, unit_mm, root): (Option<ViewBox>, f64, Node<'_, '_>),
+    out: &mut Collector<'_>,
+) {
+    let own = match from {
+        Some(from) => fitted(root, from, stated).map_or(unit_mm, |map| map.x.length()),
+        None => PIXEL,
+    };
+    if (own / unit_mm - 1.0).abs() > 1e-6 {
+        let text = format!(
+            "The unit \"{}\" replaces that of the file: a unit of its coordinates is {unit_mm:.6} mm in place of {own:.6} mm.",
+            unit.name()
+        );
+        out.note(Weight::Information, Place::default(), text);
+    }
+}
+
+/// The program that saved a file last, as far as its unit depends on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Writer {
+    /// Its px and its plain numbers are 1/72 in.
+    Illustrator,
+    /// Before 0.92; its px and its plain numbers are 1/90 in.
+    OldInkscape,
+    /// Its plain numbers are 1/96 in.
+    Inkscape,
+    Unknown,
+}
+
+impl Writer {
+    /// Inkscape keeps the comment of Illustrator, and Illustrator no attribute of Inkscape: so the attribute counts.
+    fn of(root: Node<'_, '_>, head: &str) -> Self {
+        let version = root.attributes().find(|attribute| {
+            attribute.name() == "version" && attribute.namespace().is_some_and(|n| n.contains("inkscape"))
+        });
+        let is_old = |version: &str| ["0.3", "0.4", "0.91"].iter().any(|old| version.starts_with(old));
+        match version.map(|attribute| attribute.value().trim()) {
+            Some(version) if is_old(version) => Self::OldInkscape,
+            Some(_) => Self::Inkscape,
+            None if head.contains("Adobe Illustrator") => Self::Illustrator,
+            None => Self::Unknown,
+        }
+    }
+}
+
+/// The unit of a file for which the caller gives none; `None` where the file states its size.
+///
+/// A unit that follows from the program is taken with a note where plain numbers have no other meaning, and left to the caller where
+/// the file could mean 1/96 in as well.
+fn unstated(
+    writer: &Writer,
     lengths: [Option<Length>; 2],
     from: Option<ViewBox>,
-) -> Result<(), Finding> {
-    let version = |a: &roxmltree::Attribute<'_, '_>| {
-        a.name() == "version" && a.namespace().is_some_and(|namespace| namespace.contains("inkscape"))
+    is_stated: bool,
+    out: &mut Collector<'_>,
+) -> Result<Option<Unit>, Finding> {
+    let in_pixels = lengths.iter().flatten().any(|length| length.unit == LengthUnit::Px);
+    let sized = lengths.iter().flatten().any(|length| length.unit != LengthUnit::Percent);
+    let doubt = match writer {
+        Writer::OldInkscape if in_pixels || !is_stated || from.is_none() => Some((
+            Unit::OldPixel,
+            "Inkscape before 0.92 wrote it: its unit is 1/90 in where it was not changed since.",
+        )),
+        Writer::Illustrator if in_pixels => {
+            Some((Unit::Point, "Illustrator wrote it: its px is 1/72 in, not 1/96 in."))
+        }
+        Writer::Unknown if !is_stated => {
+            Some((Unit::Millimetre, "The drawing has no physical size: width and height have no unit."))
+        }
+        Writer::Illustrator if !is_stated && from.is_none() => {
+            Some((Unit::Point, "The drawing has no physical size: width and height have no unit."))
+        }
+        Writer::Illustrator | Writer::Inkscape | Writer::OldInkscape | Writer::Unknown => None,
     };
-    let old = ["0.3", "0.4", "0.91"];
-    let is_old = |a: roxmltree::Attribute<'_, '_>| old.iter().any(|old| a.value().starts_with(old));
-    if from.is_none() && root.attributes().find(version).is_some_and(is_old) {
-        let text = "Inkscape before 0.92 wrote it: its unit may be 1/90 in.";
-        return Err((text.into(), "Save it with a newer Inkscape, or give the unit.".into()));
+    if let Some((unit, reason)) = doubt {
+        if out.options.assume {
+            out.assume(unit, reason);
+            return Ok(Some(unit));
+        }
+        let names: Vec<_> = Unit::names().collect();
+        let remedy = match unit {
+            Unit::Millimetre => format!(
+                "Set width and height with a unit, such as 210mm, or give the unit: {}. Exports of Illustrator have pt, those of web programs px.",
+                names.join(", ")
+            ),
+            unit => format!(
+                "Give the unit: {}, or another one if a different program saved it last.",
+                unit.name()
+            ),
+        };
+        return Err((reason.to_owned(), remedy));
     }
-    let pixels = lengths.iter().flatten().any(|length| length.unit == LengthUnit::Px);
-    if pixels && head.contains("Adobe Illustrator") {
-        let text = "Illustrator wrote it: its px is 1/72 in, not 1/96 in.";
-        return Err((text.into(), "Give the unit: pt.".into()));
+    if is_stated {
+        return Ok(None);
     }
-    Ok(())
+    let (unit, size, name) = match writer {
+        Writer::Illustrator => (Unit::Point, "1/72", "Illustrator"),
+        Writer::Inkscape | Writer::OldInkscape | Writer::Unknown => (Unit::Pixel, "1/96", "Inkscape"),
+    };
+    let lack = if sized { "The size of the file has no unit" } else { "The file has no size" };
+    let text = format!("{lack}; its unit is {size} in, since {name} wrote it.");
+    out.note(Weight::Information, Place::default(), text);
+    Ok(Some(unit))
 }
 
-/// Width and height in mm, if at least one has a unit; the missing one follows from the view box.
-fn sizes(lengths: [Option<Length>; 2], from: Option<ViewBox>) -> Option<[f64; 2]> {
-    let [w, h] = lengths.map(|length| length.and_then(millimetres).filter(|mm| *mm > 0.0));
+/// Width and height in mm by the `unit` of each, if at least one has one; the missing one follows from the view box.
+fn sizes(
+    lengths: [Option<Length>; 2],
+    from: Option<ViewBox>,
+    unit: &dyn Fn(Length) -> Option<f64>,
+) -> Option<[f64; 2]> {
+    let [w, h] = lengths.map(|length| length.and_then(unit).filter(|mm| *mm > 0.0));
     match (w, h, from) {
         (Some(w), Some(h), _) => Some([w, h]),
         (Some(w), None, Some(from)) => Some([w, w * from.h / from.w]),
@@ -199,33 +302,6 @@ fn sizes(lengths: [Option<Length>; 2], from: Option<ViewBox>) -> Option<[f64; 2]
         (Some(mm), None, None) | (None, Some(mm), None) => Some([mm, mm]),
         (None, None, _) => None,
     }
-}
-
-/// The map for a unit that the user gives.
-fn by_unit(
-    given: Unit,
-    from: Option<ViewBox>,
-    lengths: [Option<Length>; 2],
-    own: Option<[f64; 2]>,
-    out: &mut Collector<'_>,
-) -> (Affine, Viewport) {
-    let unit = given.millimetres();
-    let written = from.map_or(own.map(|_| PIXEL), |from| own.map(|[w, h]| (w / from.w).min(h / from.h)));
-    if let Some(written) = written.filter(|written| (written / unit - 1.0).abs() > 1e-6) {
-        let text = format!(
-            "The unit \"{}\" ({unit:.6} mm) replaces the file's unit of {written:.6} mm.",
-            given.name()
-        );
-        out.note(Weight::Information, Place::default(), text);
-    }
-    let number =
-        |length: Option<Length>| length.filter(|l| l.unit != LengthUnit::Percent).map_or(0.0, |l| l.number);
-    let (view, origin) = match from {
-        Some(from) => ([from.w, from.h], Affine::translate(-from.x, -from.y)),
-        None => (own.map_or(lengths.map(number), |mm| mm.map(|mm| mm / PIXEL)), Affine::IDENTITY),
-    };
-    out.drawing.unit_mm = unit;
-    (flipped(view[1] * unit).after(&Affine::scale(unit, unit)).after(&origin), Viewport(view))
 }
 
 /// From y down to y up, with the origin at the lower left corner of the page.

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use roxmltree::{Document, Node, NodeId};
 
-use super::style::{Cascade, GEOMETRY, Paint, Style, is_zero};
+use super::paint::Paint;
+use super::style::{Cascade, GEOMETRY, Style, is_zero};
 use super::viewport::{Viewport, fitted, view_box};
 use super::{Source, clip, conditions, is_svg, names, path_data, shapes, shortened, transform};
 use geom::Point;
@@ -59,7 +60,12 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             depth: 0,
         };
         self.out.drawing.root = names(self.root).map(str::to_owned).collect();
-        self.group(self.root, context, false)
+        self.group(self.root, context, false)?;
+        if self.source.sheet.is_exhausted() {
+            let text = "Its style sheets have too many rules for so many elements.";
+            self.out.refuse(Place::default(), text, "Save the drawing as plain SVG.");
+        }
+        Ok(())
     }
 
     /// Reads the children of a group, with the group's transform, style and names.
@@ -88,7 +94,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             return Ok(());
         }
         let text = format!("Groups and references are more than {limit} levels deep.");
-        self.out.fault(self.place(node, context), text, "Ungroup the drawing.");
+        self.out.refuse(self.place(node, context), text, "Ungroup the drawing.");
         Err(Stop)
     }
 
@@ -101,10 +107,13 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
 
     /// Notes a clip that hides a part of an element, whose figures are those from number `from` on.
     fn clipped(&mut self, node: Node<'a, 'd>, context: &Context<'a>, from: usize) {
-        let Some(value) = self.cascade(node).applied("clip-path") else { return };
+        let cascade = self.cascade(node);
+        let Some(value) = cascade.applied("clip-path") else { return };
         let find = |id: &str| self.ids.get(id).copied();
-        let clip = clip::of(node, value, (&context.map, context.viewport), find);
-        if !clip.is_some_and(|clip| clip.holds(&self.out.drawing.elements[from..])) {
+        let own = transform::of(node, &cascade, context.viewport).ok();
+        let map = own.map(|own| context.map.after(&own));
+        let clip = map.and_then(|map| clip::of(node, value, (&map, context.viewport), find));
+        if !clip.is_some_and(|clip| clip.holds(self.out.seen_elements(from))) {
             let text = clip::unapplied("clip-path", &shortened(value));
             self.out.note(Weight::Changed, self.place(node, context), text);
         }
@@ -119,7 +128,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         }
         let cascade = self.cascade(node);
         let unmet = conditions::unmet(node).map(|(name, value)| format!("{name} \"{}\"", shortened(value)));
-        let reason = if cascade.value("display") == Some("none") {
+        let reason = if cascade.is("display", "none") {
             "display: none"
         } else if cascade.value("opacity").is_some_and(is_zero) {
             "opacity 0"
@@ -257,6 +266,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             return Ok(());
         }
         self.remarks(&inner.style, &place);
+        let is_unseen = inner.style.is_unseen();
         let chains = match shapes::chains(node, inner.viewport) {
             Ok(chains) => chains,
             Err(text) => {
@@ -278,7 +288,11 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
                 let text = "Its two half arcs have rounded ends; they are read as one full turn.";
                 self.out.note(Weight::Information, place.clone(), text);
             }
-            self.out.chain(place, &inner.map, whole.as_ref().unwrap_or(chain))?;
+            let from = self.out.drawing.elements.len();
+            self.out.chain(place.clone(), &inner.map, whole.as_ref().unwrap_or(chain))?;
+            if is_unseen && self.out.drawing.elements.len() > from {
+                self.out.mark_unseen(place);
+            }
         }
         Ok(())
     }
@@ -287,11 +301,8 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     fn remarks(&mut self, style: &Style, place: &Place) {
         let [stroke, fill] = style.seen();
         let text = match (stroke, fill) {
-            (Paint::Server, _) => "Its stroke is a gradient or a pattern, which names no layer.",
-            (Paint::None, Paint::Server) => "Its fill is a gradient or a pattern, which names no layer.",
-            (Paint::None, Paint::None) => {
-                "Neither its stroke nor its fill can be seen; it is read nevertheless."
-            }
+            (Paint::Other, _) => "Its stroke has no colour that is read, so it names no layer.",
+            (Paint::None, Paint::Other) => "Its fill has no colour that is read, so it names no layer.",
             (stroke, _) if style.dashed && stroke != Paint::None => {
                 "Its stroke is dashed; it is read as an unbroken line."
             }
@@ -308,8 +319,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
         let changed = GEOMETRY
             .iter()
             .find(|name| !is_frame && cascade.styled(name).is_some_and(|value| value != "none"));
-        let origin = node.attribute("transform-origin").map(|_| &"transform-origin");
-        if let Some(name) = changed.or(origin) {
+        if let Some(name) = changed {
             let text = format!("Its style sets \"{name}\", which is read as an attribute only.");
             let remedy = "Apply the transform in the drawing program, or save as plain SVG 1.1.";
             self.out.fault(self.place(node, &context), text, remedy);
@@ -333,14 +343,16 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
 
     /// The transform of an element; `None` with a fault recorded.
     fn transform(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Option<Affine> {
-        let map = transform::of(node);
-        if map.is_none() {
-            self.out.fault(self.place(node, context), "Its transform is faulty.", "Correct or remove it.");
+        match transform::of(node, &self.cascade(node), context.viewport) {
+            Ok(map) => Some(map),
+            Err(text) => {
+                self.out.fault(self.place(node, context), text, "Correct or remove it.");
+                None
+            }
         }
-        map
     }
 
-    fn cascade(&self, node: Node<'a, 'd>) -> Cascade<'s, 'a, 'd> {
+    fn cascade(&self, node: Node<'a, 'd>) -> Cascade<'a, 'd> {
         Cascade::new(&self.source.sheet, node)
     }
 

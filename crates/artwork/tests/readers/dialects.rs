@@ -35,7 +35,8 @@ fn near(p: Point, x: f64, y: f64) -> bool {
 
 /// The texts of the notes on lost geometry, each with its element.
 fn lost(drawing: &Drawing) -> Vec<(String, String)> {
-    let lost = drawing.notes.iter().filter(|note| matches!(note.weight, Weight::Lost | Weight::Changed));
+    let is_lost = |weight| matches!(weight, Weight::Lost | Weight::Changed | Weight::Annotation);
+    let lost = drawing.notes.iter().filter(|note| is_lost(note.weight));
     lost.map(|note| (note.place.element.clone().unwrap_or_default(), note.text.clone())).collect()
 }
 
@@ -365,8 +366,8 @@ fn librecad_layers_off_blocks_and_ellipses() {
     assert!((half.bounds().min.x + 10.0).abs() < 0.011 && half.bounds().max.x < 0.011);
     assert!(matches!(element(&drawing, "POINT 36").figure, Figure::Point(p) if p == Point::new(3.0, 4.0)));
     let [(id, text)] = &lost(&drawing)[..] else { panic!("{:?}", drawing.notes) };
-    assert!(id == "TEXT 35" && text.contains("TEXT"));
-    let text = drawing.notes.iter().find(|note| note.weight == Weight::Lost).expect("a note");
+    assert!(id == "TEXT 35" && text.contains("Texts"));
+    let text = drawing.notes.iter().find(|note| note.weight == Weight::Annotation).expect("a note");
     assert_eq!(
         (text.place.at, &text.place.layers[..]),
         (Some(Point::new(7.0, 8.0)), &["notes".to_owned()][..])
@@ -446,7 +447,7 @@ fn ezdxf_metres_fit_points_and_paper_space() {
     assert_eq!(lost(&drawing).iter().map(|row| row.0.as_str()).collect::<Vec<_>>(), ["HATCH 31"]);
 }
 
-/// What cannot be seen is left out if the element is hidden, and noted if only its paint is; names know which of them are its own.
+/// What cannot be seen is left out with a note; names know which of them are its own.
 #[test]
 fn hidden_elements_and_own_names() {
     let drawing = svg(
@@ -457,13 +458,11 @@ fn hidden_elements_and_own_names() {
     let hidden = drawing.notes.iter().filter(|note| note.weight == Weight::Hidden);
     assert_eq!(
         hidden.filter_map(|note| note.place.element.as_deref()).collect::<Vec<_>>(),
-        ["a", "b", "g at line 1, column 191"]
+        ["a", "b", "g at line 1, column 191", "d"]
     );
-    let unseen = drawing.notes.iter().filter(|note| note.text.starts_with("Neither its stroke nor its fill"));
-    assert_eq!(unseen.filter_map(|note| note.place.element.as_deref()).collect::<Vec<_>>(), ["d"]);
     assert_eq!(drawing.root, ["root"]);
     let names: Vec<_> = drawing.elements.iter().map(|e| (e.layers.join(" "), e.own_names)).collect();
-    assert_eq!(names, [("d #ff0000 l root".to_owned(), 2), ("e fill #000000 l root".to_owned(), 2)]);
+    assert_eq!(names, [("e fill #000000 l root".to_owned(), 2)]);
 }
 
 /// The places of a hatch and of a polyline are points of theirs, not their heights.
@@ -475,7 +474,7 @@ fn hatches_and_polylines_have_places() {
     let drawing = dxf(&text.replace('|', "\n"));
     let places: Vec<_> = drawing.notes.iter().map(|note| (note.weight, note.place.at)).collect();
     let at = |x, y| Some(Point::new(x, y));
-    assert_eq!(places, [(Weight::Lost, at(7.0, 8.0)), (Weight::Changed, at(3.0, 4.0))]);
+    assert_eq!(places, [(Weight::Annotation, at(7.0, 8.0)), (Weight::Changed, at(3.0, 4.0))]);
     assert_eq!(drawing.notes[1].text, "It is not flat (z 0 to 5); it is read as if z were 0.");
     assert_eq!(drawing.elements[0].own_names, 1);
 }

@@ -1,11 +1,12 @@
 //! Layers of a drawing, each with the role that its name and its figures suggest.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::drawn::layer_name::{Shared, layer_names};
+use crate::drawn::loops::rings;
 use crate::drawn::words::{is_page, word_role};
 use artwork::{Drawing, Figure, Place, Weight};
-use geom::{Bounds, Enclosures};
+use geom::{Bounds, BoxIndex, Enclosures, Path, Point};
 use spec::LayerRole;
 use spec::units::counted;
 
@@ -13,48 +14,229 @@ use spec::units::counted;
 const LONGEST_MARK: f64 = 20.0;
 /// The same by the larger side of all closed curves: the unit may be a guess.
 const MARK_OF_ALL: f64 = 0.1;
+/// Marks are shorter than this part of the larger side of all closed curves.
+const MARK_AT_MOST: f64 = 0.4;
+/// Longest figure that may be a speck beside an edge, mm.
+const SPECK: f64 = 5.0;
+/// Largest distance of a point for a port from an edge, mm: the width of the channel of the default hose.
+const POINT_REACH: f64 = 6.28;
+/// Ends of a mark lie at least this far from the edge, mm: a weld that ends on the edge is no mark.
+const BESIDE_EDGE: f64 = 0.1;
+
+/// A layer, or a single element, with a role and the reason for it.
+pub(super) type RoleRow = (String, LayerRole, String);
+
+/// A layer with its elements by number.
+struct Layer<'d> {
+    name: &'d str,
+    elements: Vec<usize>,
+    /// Number of elements that are closed or in a ring.
+    closed: usize,
+}
 
 /// The layers of `drawing`, each with the role that its name and figures suggest, and the reason. Where all lies on one layer, colours
 /// tell the figures apart.
-pub(super) fn proposed(drawing: &Drawing, is_dxf: bool) -> Vec<(String, LayerRole, String)> {
-    let closed = drawing.elements.iter().filter_map(|element| match &element.figure {
-        Figure::Path(path) if path.closed => Some(path),
-        _ => None,
-    });
-    let all = closed.clone().fold(Bounds::EMPTY, |all, path| all.union(path.bounds()));
-    let longest = LONGEST_MARK.max(MARK_OF_ALL * all.width().max(all.height()));
-    let enclosures = Enclosures::new(closed);
-    let mut by_layer: Vec<(&str, Vec<&Figure>)> = Vec::new();
-    for (element, layer) in drawing.elements.iter().zip(layer_names(drawing, is_dxf)) {
-        match by_layer.iter_mut().find(|(known, _)| *known == layer) {
-            Some((_, figures)) => figures.push(&element.figure),
-            None => by_layer.push((layer, vec![&element.figure])),
-        }
+///
+/// Layers get roles one by one. If none is one of ports, short lines across an edge become ports by their own names; if none has edges
+/// of air or seams, those of cuts do: nothing could be sealed otherwise.
+pub(super) fn proposed(drawing: &Drawing, is_dxf: bool) -> Vec<RoleRow> {
+    let edges = Edges::of(drawing);
+    let layers = layers(drawing, is_dxf, &edges);
+    let mut rows: Vec<RoleRow> = layers
+        .iter()
+        .map(|layer| {
+            let (role, reason) = suited(layer, layers.len() == 1, drawing, &edges);
+            (layer.name.to_owned(), role, reason)
+        })
+        .collect();
+    if rows.iter().all(|row| !matches!(row.1, LayerRole::Air | LayerRole::Seam)) {
+        promote(&layers, &mut rows, drawing, &edges);
     }
-    let is_alone = by_layer.len() == 1;
-    let mut out: Vec<(String, LayerRole, String)> = Vec::new();
-    for (layer, own) in by_layer {
-        let closed = own.iter().filter(|figure| matches!(figure, Figure::Path(path) if path.closed)).count();
-        let number = own.len();
-        let figures = format!("{}, {closed} closed", counted(number, "figure"));
-        // The only layer has the design, whatever its name is.
-        let page = (is_page(layer) && number == 1).then_some(LayerRole::Ignore);
-        let named = word_role(layer).or(page).filter(|role| !is_alone || *role != LayerRole::Ignore);
-        let (role, reason) = match named {
-            Some(role) => (role, format!("by its name; {figures}")),
-            None if layer == "fill #ffffff" => (LayerRole::Ignore, format!("a white background; {figures}")),
-            None if own.iter().all(|figure| is_port(figure, &enclosures, longest)) => {
-                (LayerRole::Port, format!("points or short lines across an edge; {figures}"))
-            }
-            None if closed > 0 => (LayerRole::Air, format!("closed curves; {figures}")),
-            None => (LayerRole::Seam, format!("open curves; {figures}")),
-        };
-        out.push((layer.to_owned(), role, reason));
+    if rows.iter().all(|row| row.1 != LayerRole::Port) {
+        let marks = single_marks(&layers, &rows, drawing, &edges);
+        rows.extend(marks);
     }
     let unread =
         |left_out: LeftOut| (left_out.layer, LayerRole::Ignore, "nothing on it can be read".to_owned());
-    out.extend(LeftOut::of(drawing, is_dxf, Weight::Lost).into_iter().map(unread));
-    out
+    rows.extend(LeftOut::unread(drawing, is_dxf).into_iter().map(unread));
+    rows
+}
+
+/// Width and height of all figures of `drawing` whose role in `rows` is not to be ignored, mm; of all figures if none has one.
+pub(super) fn size(drawing: &Drawing, rows: &[RoleRow]) -> [f64; 2] {
+    let roles: BTreeMap<&str, LayerRole> = rows.iter().map(|row| (row.0.as_str(), row.1)).collect();
+    let bounds = |counts: &dyn Fn(Option<&LayerRole>) -> bool| {
+        let elements = drawing
+            .elements
+            .iter()
+            .filter(|element| counts(element.names().find_map(|name| roles.get(name))));
+        let paths = elements.filter_map(|element| match &element.figure {
+            Figure::Path(path) => Some(path),
+            Figure::Point(_) => None,
+        });
+        paths.map(Path::bounds).fold(Bounds::EMPTY, Bounds::union)
+    };
+    let with_role = bounds(&|role| role != Some(&LayerRole::Ignore));
+    let all = if with_role.width() < 0.0 { bounds(&|_| true) } else { with_role };
+    [all.width(), all.height()].map(|length| length.max(0.0))
+}
+
+/// The layers in the order of the file.
+fn layers<'d>(drawing: &'d Drawing, is_dxf: bool, edges: &Edges) -> Vec<Layer<'d>> {
+    let mut layers: Vec<Layer<'d>> = Vec::new();
+    let mut places: BTreeMap<&str, usize> = BTreeMap::new();
+    for (number, name) in layer_names(drawing, is_dxf).into_iter().enumerate() {
+        let place = *places.entry(name).or_insert_with(|| {
+            layers.push(Layer { name, elements: Vec::new(), closed: 0 });
+            layers.len() - 1
+        });
+        layers[place].elements.push(number);
+        layers[place].closed += usize::from(edges.elements.contains(&number));
+    }
+    layers
+}
+
+/// The role of a layer by its name and its figures, and the reason.
+fn suited(layer: &Layer<'_>, is_alone: bool, drawing: &Drawing, edges: &Edges) -> (LayerRole, String) {
+    let (closed, number) = (layer.closed, layer.elements.len());
+    let figures = format!("{}, {closed} closed", counted(number, "figure"));
+    // The only layer has the design, whatever its name is.
+    let page = (is_page(layer.name) && number == 1).then_some(LayerRole::Ignore);
+    let named = word_role(layer.name).or(page).filter(|role| !is_alone || *role != LayerRole::Ignore);
+    let figure = |number: &usize| &drawing.elements[*number].figure;
+    let is_point = |number: &usize| matches!(figure(number), Figure::Point(_));
+    match named {
+        Some(role) => (role, format!("by its name; {figures}")),
+        None if layer.name == "fill #ffffff" => (LayerRole::Ignore, format!("a white background; {figures}")),
+        None if layer.elements.iter().all(|number| edges.is_port(*number, figure(number))) => {
+            (LayerRole::Port, format!("points or short lines across an edge; {figures}"))
+        }
+        None if closed > 0 => (LayerRole::Air, format!("closed curves; {figures}")),
+        None if layer.elements.iter().all(is_point) => {
+            (LayerRole::Ignore, format!("points off the edges; {figures}"))
+        }
+        None => (LayerRole::Seam, format!("open curves; {figures}")),
+    }
+}
+
+/// Gives cuts the role of air, with the holes in them, where no layer has air or seams; where there is no cut, the first layer with
+/// closed curves.
+fn promote(layers: &[Layer<'_>], rows: &mut [RoleRow], drawing: &Drawing, edges: &Edges) {
+    let order = [LayerRole::Cut, LayerRole::Port, LayerRole::Hole, LayerRole::Ignore];
+    let is_closed = |place: usize, role: LayerRole, rows: &[RoleRow]| {
+        rows[place].1 == role && layers[place].closed > 0 && layers[place].name != "fill #ffffff"
+    };
+    let chosen = order.into_iter().find(|role| (0..layers.len()).any(|place| is_closed(place, *role, rows)));
+    let Some(chosen) = chosen else { return };
+    for place in 0..layers.len() {
+        let is_inside = |number: &usize| {
+            let start = match &drawing.elements[*number].figure {
+                Figure::Path(path) => path.start(),
+                Figure::Point(at) => Some(*at),
+            };
+            start.is_some_and(|start| !edges.enclosures.around(start).is_empty())
+        };
+        let is_hole_in_air = chosen == LayerRole::Cut
+            && is_closed(place, LayerRole::Hole, rows)
+            && layers[place].elements.iter().any(is_inside);
+        if is_closed(place, chosen, rows) || is_hole_in_air {
+            rows[place].1 = LayerRole::Air;
+            rows[place].2 = format!("closed curves, and no other layer has edges of air; {}", rows[place].2);
+        }
+    }
+}
+
+/// Short lines across an edge on layers of curves, as ports by their own names.
+fn single_marks(layers: &[Layer<'_>], rows: &[RoleRow], drawing: &Drawing, edges: &Edges) -> Vec<RoleRow> {
+    let of_curves =
+        layers.iter().zip(rows).filter(|(_, row)| matches!(row.1, LayerRole::Air | LayerRole::Seam));
+    let elements =
+        of_curves.flat_map(|(layer, _)| &layer.elements).map(|number| (*number, &drawing.elements[*number]));
+    let marks = elements.filter(|(number, element)| edges.is_mark(*number, &element.figure));
+    let reason = |layer: &str| format!("a short line across an edge, among the figures of {layer:?}");
+    marks
+        .map(|(number, element)| {
+            let layer =
+                layers.iter().find(|layer| layer.elements.contains(&number)).map_or("", |layer| layer.name);
+            (element.id.clone(), LayerRole::Port, reason(layer))
+        })
+        .collect()
+}
+
+/// The closed curves of a drawing.
+struct Edges {
+    paths: Vec<Path>,
+    boxes: BoxIndex,
+    enclosures: Enclosures,
+    /// The elements that make them, by number.
+    elements: BTreeSet<usize>,
+    /// The larger side of all of them, mm.
+    size: f64,
+}
+
+impl Edges {
+    /// The closed curves of `drawing`, as far as they are long enough for an edge.
+    fn of(drawing: &Drawing) -> Self {
+        let rings = rings(drawing);
+        let elements = rings.iter().flat_map(|ring| ring.elements.iter().copied()).collect();
+        let paths: Vec<Path> = rings.into_iter().map(|ring| ring.path).collect();
+        let bounds = paths.iter().fold(Bounds::EMPTY, |all, path| all.union(path.bounds()));
+        let boxes = BoxIndex::new(paths.iter().map(Path::bounds));
+        let enclosures = Enclosures::new(&paths);
+        Self { paths, boxes, enclosures, elements, size: bounds.width().max(bounds.height()).max(0.0) }
+    }
+
+    /// The length up to which a line may be a mark, mm.
+    fn longest_mark(&self) -> f64 {
+        LONGEST_MARK.max(MARK_OF_ALL * self.size).min(MARK_AT_MOST * self.size)
+    }
+
+    fn distance(&self, point: Point) -> f64 {
+        self.boxes.least(point, |number| self.paths[number].distance(point))
+    }
+
+    /// Whether a figure may be one for a port: a point or a speck at an edge, or a short line of which one end is in a closed curve
+    /// that the other is not in.
+    fn is_port(&self, number: usize, figure: &Figure) -> bool {
+        let reach = POINT_REACH.min(MARK_OF_ALL * self.size);
+        match figure {
+            Figure::Point(at) => self.distance(*at) <= reach,
+            Figure::Path(path) => {
+                let is_speck = path.length() < SPECK.min(MARK_OF_ALL * self.size);
+                let is_beside = || path.start().is_some_and(|start| self.near_others(number, start, reach));
+                self.crosses(path) || is_speck && is_beside()
+            }
+        }
+    }
+
+    /// Whether a closed curve that element `number` is not a part of lies within `reach` of a point.
+    fn near_others(&self, number: usize, point: Point, reach: f64) -> bool {
+        if !self.elements.contains(&number) {
+            return self.distance(point) <= reach;
+        }
+        // A speck that is closed is its own edge; another one must be longer.
+        let zone = Bounds { min: point, max: point }.grown(reach);
+        self.boxes.any(&zone, |other| {
+            self.paths[other].length() > SPECK && self.paths[other].distance(point) <= reach
+        })
+    }
+
+    /// Whether a figure on a layer of curves is certainly a mark for a port: a short line through an edge that ends beside it.
+    fn is_mark(&self, number: usize, figure: &Figure) -> bool {
+        let Figure::Path(path) = figure else { return false };
+        let ends = path.start().zip(path.end());
+        !self.elements.contains(&number)
+            && self.crosses(path)
+            && ends.is_some_and(|(a, b)| self.distance(a).min(self.distance(b)) >= BESIDE_EDGE)
+    }
+
+    /// Whether an open curve is short and leads from the inside of an edge to its outside.
+    fn crosses(&self, path: &Path) -> bool {
+        let ends =
+            path.start().zip(path.end()).filter(|_| !path.closed && path.length() <= self.longest_mark());
+        let number = |point| self.enclosures.around(point).len();
+        ends.is_some_and(|(a, b)| number(a) != number(b))
+    }
 }
 
 /// A layer of which nothing is read.
@@ -66,16 +248,36 @@ pub(super) struct LeftOut {
 }
 
 impl LeftOut {
-    /// The layers of which nothing is read, as notes of this `weight` tell.
-    pub(super) fn of(drawing: &Drawing, is_dxf: bool, weight: Weight) -> Vec<Self> {
+    /// The layers that the drawing hides.
+    pub(super) fn hidden(drawing: &Drawing, is_dxf: bool) -> Vec<Self> {
+        let notes = drawing.notes.iter().filter(|note| note.weight == Weight::Hidden);
+        let places = notes.flat_map(|note| note.places().map(|place| (place, note.text.as_str())));
+        Self::of(drawing, is_dxf, places)
+    }
+
+    /// The layers with figures of which none can be read.
+    pub(super) fn unread(drawing: &Drawing, is_dxf: bool) -> Vec<Self> {
+        let is_unread = |weight| matches!(weight, Weight::Lost | Weight::Annotation);
+        let notes = drawing.notes.iter().filter(|note| is_unread(note.weight));
+        let of_notes = notes.flat_map(|note| note.places().map(|place| (place, note.text.as_str())));
+        let of_faults = drawing.faults.iter().map(|fault| (&fault.place, fault.text.as_str()));
+        Self::of(drawing, is_dxf, of_notes.chain(of_faults))
+    }
+
+    /// The layers of these places, each with the text on what lies there, that no element has.
+    fn of<'d>(
+        drawing: &Drawing,
+        is_dxf: bool,
+        places: impl Iterator<Item = (&'d Place, &'d str)>,
+    ) -> Vec<Self> {
         let shared = Shared::of(drawing);
         let layers = drawing.elements.iter().flat_map(|element| &element.layers);
         let read: BTreeSet<&str> = layers.map(String::as_str).collect();
         let mut out: Vec<Self> = Vec::new();
-        for note in drawing.notes.iter().filter(|note| note.weight == weight) {
-            let Some(layer) = layer_of(&note.place, is_dxf, &shared) else { continue };
+        for (place, text) in places {
+            let Some(layer) = layer_of(place, is_dxf, &shared) else { continue };
             if !read.contains(layer) && !out.iter().any(|known| known.layer == layer) {
-                out.push(Self { layer: layer.to_owned(), text: note.text.clone() });
+                out.push(Self { layer: layer.to_owned(), text: text.to_owned() });
             }
         }
         out
@@ -88,13 +290,5 @@ fn layer_of<'a>(place: &'a Place, is_dxf: bool, shared: &Shared<'_>) -> Option<&
         return place.layers.get(place.own_names.checked_sub(1)?).map(String::as_str);
     }
     let mut names = place.layers.iter().rev().map(String::as_str);
-    names.find(|name| !shared.has(name))
-}
-
-/// Whether a figure is a mark for a port: a point, a speck, or a line up to `longest` with one end in a closed curve that the other is
-/// not in.
-fn is_port(figure: &Figure, closed: &Enclosures, longest: f64) -> bool {
-    let Figure::Path(path) = figure else { return true };
-    let ends = path.start().zip(path.end()).filter(|_| !path.closed && path.length() <= longest);
-    path.length() < 5.0 || ends.is_some_and(|(a, b)| closed.around(a).len() != closed.around(b).len())
+    names.find(|name| !shared.has(name)).or(place.element.as_deref())
 }

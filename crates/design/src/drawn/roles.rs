@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::drawn::faults::found_at;
+use crate::drawn::faults::{found_at, unreadable};
 use crate::drawn::layer_name::layer_names;
 use crate::{Refusal, RefusalCode, Refusals};
-use artwork::{Drawing, Element, Figure, NO_LENGTH, Note, Weight};
-use geom::Point;
+use artwork::{Drawing, Element, Fault, Figure, NO_LENGTH, Note, Place, Weight};
+use geom::{Path, Point};
 use sealed::{DrawnCurve, DrawnPort, PortPlace, Sketch};
 use spec::{DrawingSpec, DrawnPlace, LayerRole, key, nearest};
 
@@ -16,11 +16,15 @@ const LISTED: usize = 3;
 /// The elements of `drawing` by the roles of `spec`.
 pub(super) fn sketch(drawing: &Drawing, spec: &DrawingSpec) -> Sketch {
     let mut sketch = Sketch::default();
+    let marked: BTreeSet<&str> =
+        points_on_marks(drawing, spec).into_iter().map(|point| point.id.as_str()).collect();
     for element in &drawing.elements {
         let name = element.id.clone();
-        let curves = match spec.role(&element.layers) {
+        let curves = match spec.role(element.names()) {
             Some(LayerRole::Port) => {
-                sketch.ports.push(DrawnPort { name, place: port(&element.figure) });
+                if !marked.contains(element.id.as_str()) {
+                    sketch.ports.push(DrawnPort { name, place: port(&element.figure) });
+                }
                 continue;
             }
             Some(LayerRole::Air) => &mut sketch.air,
@@ -29,7 +33,7 @@ pub(super) fn sketch(drawing: &Drawing, spec: &DrawingSpec) -> Sketch {
             Some(LayerRole::Hole) => &mut sketch.holes,
             None | Some(LayerRole::Ignore) => continue,
         };
-        // A point is not a curve: `refusals` names it.
+        // A point is not a curve: it is left out with a note, or `refusals` names it.
         if let Figure::Path(path) = &element.figure {
             curves.push(DrawnCurve { name, path: path.clone() });
         }
@@ -53,7 +57,43 @@ pub(super) fn refusals(drawing: &Drawing, spec: &DrawingSpec) -> Refusals {
     let mut refusals: Refusals = without_role(drawing, spec).into_iter().collect();
     refusals.extend(unknown(drawing, spec));
     refusals.extend(drawing.notes.iter().filter_map(|note| lost(note, spec)));
-    let points = drawing.elements.iter().filter(|element| matches!(element.figure, Figure::Point(_)));
+    refusals.extend(drawing.faults.iter().filter_map(|fault| faulty(fault, spec)));
+    let with_curves = names_of_curves(drawing, spec);
+    let annotations = drawing.notes.iter().filter(|note| note.weight == Weight::Annotation);
+    refusals.extend(
+        annotations
+            .flat_map(Note::places)
+            .filter(|place| lacks_curves(place.names(), spec, &with_curves))
+            .map(annotation),
+    );
+    let lonely = points(drawing, spec).filter(|element| lacks_curves(element.names(), spec, &with_curves));
+    refusals.extend(lonely.map(|element| {
+        let found = format!("{} is a point, and its layer should have curves", element.id);
+        let remedy = "draw the curves on that layer, or name it in `port` or `ignore`";
+        Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, found, remedy).drawn_at(place(element))
+    }));
+    refusals
+}
+
+/// The notes on a drawing: those of its reader, faults of what is ignored, and points that are left out.
+pub(super) fn notes(drawing: &Drawing, spec: &DrawingSpec) -> Vec<String> {
+    let mut notes: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
+    let ignored = drawing.faults.iter().filter(|fault| faulty(fault, spec).is_none());
+    notes.extend(ignored.map(|fault| format!("{}: {} Its layer is ignored.", fault.place, fault.text)));
+    let mut left_out: Vec<&Element> = points(drawing, spec).collect();
+    left_out.extend(points_on_marks(drawing, spec));
+    match left_out.len() {
+        0 => {}
+        1 => notes.push(format!("A point on a layer of curves is left out: {}.", left_out[0].id)),
+        number => {
+            notes.push(format!("{number} points on layers of curves are left out: {}.", listed(&left_out)));
+        }
+    }
+    notes
+}
+
+/// The points of the file with the role of a curve, as sketches and sewing patterns have them. A curve without length is none.
+fn points<'d>(drawing: &'d Drawing, spec: &'d DrawingSpec) -> impl Iterator<Item = &'d Element> {
     // Programs write lines without length where a path closes: those are lost without loss.
     let nothing: BTreeSet<&str> = drawing
         .notes
@@ -61,16 +101,82 @@ pub(super) fn refusals(drawing: &Drawing, spec: &DrawingSpec) -> Refusals {
         .filter(|note| note.text == NO_LENGTH)
         .filter_map(|note| note.place.element.as_deref())
         .collect();
-    let is_curve = |element: &&Element| {
-        !matches!(spec.role(&element.layers), None | Some(LayerRole::Port | LayerRole::Ignore))
+    let is_curve = move |element: &&Element| {
+        matches!(element.figure, Figure::Point(_))
+            && !matches!(spec.role(element.names()), None | Some(LayerRole::Port | LayerRole::Ignore))
             && !nothing.contains(element.id.as_str())
     };
-    refusals.extend(points.filter(is_curve).map(|element| {
-        let found = format!("{} is a point, and its layer is one of curves", element.id);
-        let remedy = "only ports may be points: move it to another layer";
-        Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, found, remedy).drawn_at(place(element))
-    }));
-    refusals
+    drawing.elements.iter().filter(is_curve)
+}
+
+/// The points that lie on a line of a port: CAD programs put one at each end and in the middle.
+fn points_on_marks<'d>(drawing: &'d Drawing, spec: &DrawingSpec) -> Vec<&'d Element> {
+    let of_ports =
+        drawing.elements.iter().filter(|element| spec.role(element.names()) == Some(LayerRole::Port));
+    let marks: Vec<&Path> = of_ports
+        .clone()
+        .filter_map(|element| match &element.figure {
+            Figure::Path(path) => Some(path),
+            Figure::Point(_) => None,
+        })
+        .collect();
+    let is_on_mark = |element: &&Element| match &element.figure {
+        Figure::Point(point) => marks.iter().any(|mark| mark.distance(*point) <= spec.join.0),
+        Figure::Path(_) => false,
+    };
+    of_ports.filter(is_on_mark).collect()
+}
+
+/// The names in `spec` that give curves a role, or ports theirs.
+fn names_of_curves<'s>(drawing: &Drawing, spec: &'s DrawingSpec) -> BTreeSet<&'s str> {
+    let entries = drawing.elements.iter().filter_map(|element| {
+        let (name, role) = spec.entry(element.names())?;
+        let counts = matches!(element.figure, Figure::Path(_)) || *role == LayerRole::Port;
+        counts.then_some(name.as_str())
+    });
+    entries.collect()
+}
+
+/// Whether something with these `names` has no role, or has it by a name that gives none to a curve.
+fn lacks_curves<'n>(
+    names: impl Iterator<Item = &'n str>,
+    spec: &DrawingSpec,
+    with_curves: &BTreeSet<&str>,
+) -> bool {
+    match spec.entry(names) {
+        None => true,
+        Some((_, LayerRole::Ignore)) => false,
+        Some((name, _)) => !with_curves.contains(name.as_str()),
+    }
+}
+
+/// A text or a hatch on a layer that should have curves and has none.
+fn annotation(place: &Place) -> Refusal {
+    let found = format!("{place}: texts, dimensions and hatches are not read, and its layer has no curves");
+    lost_at(place, found, &format!("convert it to curves, or {}", to_ignore(place)))
+}
+
+/// A faulty element that is not to be ignored.
+fn faulty(fault: &Fault, spec: &DrawingSpec) -> Option<Refusal> {
+    let is_ignored = spec.role(fault.place.names()) == Some(LayerRole::Ignore);
+    let refusal = unreadable(fault);
+    let remedy = format!("{}; or {}", refusal.remedy, to_ignore(&fault.place));
+    (!is_ignored).then(|| Refusal { remedy, ..refusal })
+}
+
+/// The advice to ignore what lies at `place`, by a name that it has.
+fn to_ignore(place: &Place) -> String {
+    match &place.element {
+        Some(name) => format!("name {name:?} or its layer in `ignore`"),
+        None => "name its layer in `ignore`".to_owned(),
+    }
+}
+
+/// The refusal of geometry that is missing at `place`.
+fn lost_at(place: &Place, found: String, remedy: &str) -> Refusal {
+    let elements = place.element.iter().cloned().collect();
+    let drawn = DrawnPlace { elements, at: place.at.map(|at| [at.x, at.y]) };
+    Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, found, remedy).drawn_at(drawn)
 }
 
 /// Elements without a role, by the layer that would give them one.
@@ -78,7 +184,7 @@ fn without_role(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
     let mut by_layer: BTreeMap<&str, Vec<&Element>> = BTreeMap::new();
     let names = layer_names(drawing, spec.is_dxf());
     let elements = drawing.elements.iter().zip(names);
-    for (element, name) in elements.filter(|(element, _)| spec.role(&element.layers).is_none()) {
+    for (element, name) in elements.filter(|(element, _)| spec.role(element.names()).is_none()) {
         by_layer.entry(name).or_default().push(element);
     }
     let refusal = |(layer, elements): (&str, Vec<&Element>)| {
@@ -97,10 +203,11 @@ fn without_role(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
 
 /// Names in the spec that no layer of the drawing has.
 fn unknown(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
-    let of_elements = drawing.elements.iter().flat_map(|element| &element.layers);
-    let of_notes = drawing.notes.iter().flat_map(|note| &note.place.layers);
-    let known: Vec<&str> = of_elements.chain(of_notes).map(String::as_str).collect();
-    let missing = spec.layers.iter().filter(|(name, _)| !known.contains(&name.as_str()));
+    let of_elements = drawing.elements.iter().flat_map(Element::names);
+    let of_notes = drawing.notes.iter().flat_map(Note::places).flat_map(Place::names);
+    let of_faults = drawing.faults.iter().flat_map(|fault| fault.place.names());
+    let known: BTreeSet<&str> = of_elements.chain(of_notes).chain(of_faults).collect();
+    let missing = spec.layers.iter().filter(|(name, _)| !known.contains(name.as_str()));
     let mut layers: Vec<&str> = Vec::new();
     for name in layer_names(drawing, spec.is_dxf()) {
         if !layers.contains(&name) {
@@ -126,22 +233,19 @@ fn unknown(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
 
 /// Geometry that the drawing shows and that could not be read.
 fn lost(note: &Note, spec: &DrawingSpec) -> Option<Refusal> {
-    let ignored = spec.role(&note.place.layers) == Some(LayerRole::Ignore);
+    let ignored = spec.role(note.place.names()) == Some(LayerRole::Ignore);
     if !matches!(note.weight, Weight::Lost | Weight::Changed) || ignored {
         return None;
     }
-    let elements = note.place.element.iter().cloned().collect();
-    let place = DrawnPlace { elements, at: note.place.at.map(|at| [at.x, at.y]) };
     let remedy = match note.place.element {
         Some(_) if note.weight == Weight::Changed => {
             "flatten it, or remove its clip, mask or marker, so that its outline alone shows what is to be made"
+                .to_owned()
         }
-        Some(_) if note.place.layers.is_empty() => "convert it to a path, or remove it",
-        Some(_) => "convert it to a path, remove it, or name its layer in `ignore`",
-        None => "remove it, or save the drawing as plain SVG",
+        Some(_) => format!("convert it to a path, remove it, or {}", to_ignore(&note.place)),
+        None => "remove it, or save the drawing as plain SVG".to_owned(),
     };
-    let found = note.to_string().trim_end_matches('.').to_owned();
-    Some(Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, found, remedy).drawn_at(place))
+    Some(lost_at(&note.place, note.to_string().trim_end_matches('.').to_owned(), &remedy))
 }
 
 /// "path1, path2, path3 and 4 more".

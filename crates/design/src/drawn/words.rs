@@ -5,7 +5,10 @@ use spec::LayerRole;
 
 /// Words by role. A name has the role of the first row with one of its words.
 const WORDS: [(LayerRole, &[&str]); 6] = [
-    (LayerRole::Ignore, &["note", "text", "dim", "guide", "construction", "ignore", "label", "background"]),
+    (
+        LayerRole::Ignore,
+        &["note", "text", "dim", "guide", "construction", "ignore", "label", "background", "registration"],
+    ),
     (LayerRole::Port, &["port", "inlet", "hose", "valve"]),
     (LayerRole::Hole, &["hole", "punch", "drill"]),
     (LayerRole::Cut, &["cut", "outline", "contour"]),
