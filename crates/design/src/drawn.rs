@@ -244,7 +244,7 @@ fn nothing_drawn(read: &Drawing, is_dxf: bool) -> Refusal {
     } else {
         "give a layer the role air or seam"
     };
-    for LeftOut { layer, text } in LeftOut::unread(read, is_dxf) {
+    for LeftOut { layer, text, .. } in LeftOut::unread(read, is_dxf) {
         let _ = write!(found, "; nothing on layer {layer:?} can be read ({})", text.trim_end_matches('.'));
         remedy =
             "draw the edges on that layer as lines and arcs in the plane, and give it the role air or seam";

@@ -20,6 +20,8 @@ const MARK_AT_MOST: f64 = 0.4;
 const SPECK: f64 = 5.0;
 /// Largest distance of a point for a port from an edge, mm: the width of the channel of the default hose.
 const POINT_REACH: f64 = 6.28;
+/// A point that lies farther than this part of a curve's smaller side from it is in its middle, as the centre of a hole is.
+const MIDDLE: f64 = 0.2;
 /// Ends of a mark lie at least this far from the edge, mm: a weld that ends on the edge is no mark.
 const BESIDE_EDGE: f64 = 0.1;
 
@@ -56,9 +58,11 @@ pub(super) fn proposed(drawing: &Drawing, is_dxf: bool) -> Vec<RoleRow> {
         let marks = single_marks(&layers, &rows, drawing, &edges);
         rows.extend(marks);
     }
-    let unread =
-        |left_out: LeftOut| (left_out.layer, LayerRole::Ignore, "nothing on it can be read".to_owned());
-    rows.extend(LeftOut::unread(drawing, is_dxf).into_iter().map(unread));
+    rows.extend(LeftOut::unread(drawing, is_dxf).into_iter().map(|left_out| {
+        // An edge that is faulty must not be ignored in silence.
+        let named = word_role(&left_out.layer).filter(|_| left_out.is_faulty).unwrap_or(LayerRole::Ignore);
+        (left_out.layer, named, "nothing on it can be read".to_owned())
+    }));
     rows
 }
 
@@ -181,8 +185,8 @@ impl Edges {
         let elements = rings.iter().flat_map(|ring| ring.elements.iter().copied()).collect();
         let paths: Vec<Path> = rings.into_iter().map(|ring| ring.path).collect();
         let bounds = paths.iter().fold(Bounds::EMPTY, |all, path| all.union(path.bounds()));
-        let boxes = BoxIndex::new(paths.iter().map(Path::bounds));
         let enclosures = Enclosures::new(&paths);
+        let boxes = BoxIndex::new(paths.iter().map(Path::bounds));
         Self { paths, boxes, enclosures, elements, size: bounds.width().max(bounds.height()).max(0.0) }
     }
 
@@ -200,13 +204,25 @@ impl Edges {
     fn is_port(&self, number: usize, figure: &Figure) -> bool {
         let reach = POINT_REACH.min(MARK_OF_ALL * self.size);
         match figure {
-            Figure::Point(at) => self.distance(*at) <= reach,
+            Figure::Point(at) => self.is_at_edge(*at, reach),
             Figure::Path(path) => {
                 let is_speck = path.length() < SPECK.min(MARK_OF_ALL * self.size);
                 let is_beside = || path.start().is_some_and(|start| self.near_others(number, start, reach));
                 self.crosses(path) || is_speck && is_beside()
             }
         }
+    }
+
+    /// Whether a point lies within `reach` of an edge, and not in the middle of a hole.
+    fn is_at_edge(&self, point: Point, reach: f64) -> bool {
+        let zone = Bounds { min: point, max: point }.grown(reach);
+        let distances = self.boxes.overlapping(&zone).into_iter().map(|n| (n, self.paths[n].distance(point)));
+        let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, distance)| *distance <= reach);
+        nearest.is_some_and(|(number, distance)| {
+            let bounds = self.paths[number].bounds();
+            let is_middle = distance > MIDDLE * bounds.width().min(bounds.height());
+            !(is_middle && self.enclosures.around(point).contains(&number))
+        })
     }
 
     /// Whether a closed curve that element `number` is not a part of lies within `reach` of a point.
@@ -245,6 +261,8 @@ pub(super) struct LeftOut {
     pub layer: String,
     /// The text of the note on its first element.
     pub text: String,
+    /// Whether the file has a fault there.
+    pub is_faulty: bool,
 }
 
 impl LeftOut {
@@ -260,8 +278,13 @@ impl LeftOut {
         let is_unread = |weight| matches!(weight, Weight::Lost | Weight::Annotation);
         let notes = drawing.notes.iter().filter(|note| is_unread(note.weight));
         let of_notes = notes.flat_map(|note| note.places().map(|place| (place, note.text.as_str())));
+        let mut unread = Self::of(drawing, is_dxf, of_notes);
         let of_faults = drawing.faults.iter().map(|fault| (&fault.place, fault.text.as_str()));
-        Self::of(drawing, is_dxf, of_notes.chain(of_faults))
+        for faulty in Self::of(drawing, is_dxf, of_faults) {
+            unread.retain(|left_out| left_out.layer != faulty.layer);
+            unread.push(Self { is_faulty: true, ..faulty });
+        }
+        unread
     }
 
     /// The layers of these places, each with the text on what lies there, that no element has.
@@ -277,7 +300,7 @@ impl LeftOut {
         for (place, text) in places {
             let Some(layer) = layer_of(place, is_dxf, &shared) else { continue };
             if !read.contains(layer) && !out.iter().any(|known| known.layer == layer) {
-                out.push(Self { layer: layer.to_owned(), text: text.to_owned() });
+                out.push(Self { layer: layer.to_owned(), text: text.to_owned(), is_faulty: false });
             }
         }
         out
