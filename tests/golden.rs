@@ -16,7 +16,7 @@ use stargrip_cam::manifest::sha256;
 use stargrip_cam::pipeline::{Built, Sources};
 use stargrip_cam::spec::{Machine, Source};
 use stargrip_cam::verify::gcode::{self, MoveKind};
-use stargrip_cam::verify::{Drawing, Findings, SvgOrigin, read_dxf, read_pdf, read_stl, read_svg};
+use stargrip_cam::verify::{Drawing, SvgOrigin, read_dxf, read_stl, read_svg};
 use stargrip_cam::{pipeline, spec};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
@@ -187,7 +187,7 @@ fn digest(files: &[(String, Vec<u8>)], machine: &Machine) -> String {
     out
 }
 
-/// The lines that the verifier's readers find in a file; `None` for files without lines, and for the picture.
+/// The lines that the verifier's readers find in a file; `None` for files without lines, for pages and for the picture.
 fn drawn(name: &str, bytes: &[u8], machine: &Machine) -> Option<Drawn> {
     if name.ends_with("preview.svg") {
         return None;
@@ -200,10 +200,6 @@ fn drawn(name: &str, bytes: &[u8], machine: &Machine) -> Option<Drawn> {
             on_layers(read_svg(text(), if sheet { SvgOrigin::LowerLeft } else { SvgOrigin::Axis }))
         }
         "dxf" => on_layers(read_dxf(text())),
-        "pdf" => {
-            let pages = read_pdf(bytes, &mut Findings::default());
-            pages.into_iter().flat_map(|page| on_layers(page.drawing)).collect()
-        }
         "gcode" => {
             let program = gcode::read_program(text(), gcode::Dialect::of(machine.controller.dialect));
             let feeds = program.moves.into_iter().filter(|step| step.kind == MoveKind::Feed);

@@ -18,7 +18,7 @@ mod texts;
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All targets: `fuzz_targets/` has a file for each.
-pub const TARGETS: [Target; 13] = [
+pub const TARGETS: [Target; 12] = [
     ("spec", texts::spec),
     ("machine", texts::machine),
     ("table", texts::table),
@@ -28,7 +28,6 @@ pub const TARGETS: [Target; 13] = [
     ("dxf", readers::dxf),
     ("import-svg", imports::svg),
     ("import-dxf", imports::dxf),
-    ("pdf", readers::pdf),
     ("stl", readers::stl),
     ("manifest", figures::manifest),
     ("directory", directory::directory),

@@ -1,7 +1,7 @@
 //! The readers of drawings, pages and solids.
 
 use stargrip_cam::geom::Path;
-use stargrip_cam::verify::{Drawing, Findings, SvgOrigin, read_dxf, read_pdf, read_stl, read_svg};
+use stargrip_cam::verify::{Drawing, SvgOrigin, read_dxf, read_stl, read_svg};
 
 use super::shown;
 
@@ -21,15 +21,6 @@ pub(super) fn dxf(bytes: &[u8]) {
     if !text.contains('\r') {
         assert_eq!(read_dxf(&text.replace('\n', "\r\n")), read);
     }
-}
-
-/// Any bytes as a PDF.
-pub(super) fn pdf(bytes: &[u8]) {
-    let mut findings = Findings::default();
-    for page in read_pdf(bytes, &mut findings) {
-        drawing(bytes.len(), &page.drawing);
-    }
-    shown::findings(&findings.into_vec());
 }
 
 /// Any bytes as a solid; its corners written again are the bytes that were read.

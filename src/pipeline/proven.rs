@@ -6,7 +6,7 @@ use crate::manifest::{CouponManifest, MANIFEST, Manifest, ManifestFile, Tool, ma
 use crate::pipeline::coupons::prove_coupons;
 use crate::pipeline::directory::{refused, sources_of};
 use crate::pipeline::{Built, Forecast, Sources};
-use proof::artifact::{Kind, KindRequest, Subject, outputs};
+use proof::artifact::{Format, Kind, KindRequest, Subject, outputs};
 use proof::verify;
 use proof::verify::{Expected, Finding, FindingCode, Method, OutputFiles, Proof};
 use spec::{DrawingSpec, Machine};
@@ -193,7 +193,10 @@ fn compare_with_other(
     forecast.make(sources, &request, |made| {
         let _ = verify::mark_equal(&made.name, &made.bytes, files, proof);
     });
-    let is_shown = |kind: Kind| matches!(kind.subject(), Subject::Preview | Subject::Report | Subject::Scene);
+    let is_shown = |kind: Kind| {
+        kind.format() == Format::Pdf
+            || matches!(kind.subject(), Subject::Preview | Subject::Report | Subject::Scene)
+    };
     let differs = proof.files.iter().filter(|file| file.by != Method::Bytes && is_shown(file.output.kind));
     let mut unproven: Vec<String> = differs.map(|file| file.path.clone()).collect();
     if other_profile(forecast, files).is_some() {

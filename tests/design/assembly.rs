@@ -4,11 +4,12 @@ use std::f64::consts::TAU;
 use std::fs;
 use std::path::Path as FilePath;
 
-use stargrip_cam::artifact::{Format, Kind, Subject};
+use stargrip_cam::artifact::{Format, Kind, Output, Subject};
+use stargrip_cam::design::{Layer, PaperPage, Shape};
 use stargrip_cam::geom::{Isometry, Path, Point, Vec2};
 use stargrip_cam::manifest::{Manifest, ManifestFile};
 use stargrip_cam::pipeline::Built;
-use stargrip_cam::verify::{Drawing, Findings, SvgOrigin, read_dxf, read_pdf, read_svg};
+use stargrip_cam::verify::{Drawing, SvgOrigin, read_dxf, read_svg};
 
 use crate::support;
 
@@ -228,46 +229,61 @@ fn openings_let_the_corners_pass_and_carry_the_tips() {
     }
 }
 
+/// The pages of `output`, as they are written.
+fn pages(build: &Built, output: &Output) -> Vec<PaperPage> {
+    let drawing = output.drawing(&build.forecast.design).expect("a drawing");
+    output.paper.expect("paper").pages(&drawing, &output.caption())
+}
+
+/// The outlines of the shapes on `layer` of `page`.
+fn outlines(page: &PaperPage, layer: Layer) -> Vec<Path> {
+    let layers = page.drawing.layers.iter().filter(|(drawn, _)| *drawn == layer);
+    let paths = |shape: &Shape| match shape {
+        Shape::Path(path) => vec![path.clone()],
+        Shape::Figure(paths) => paths.clone(),
+        Shape::Circle { .. } => Vec::new(),
+    };
+    layers.flat_map(|(_, shapes)| shapes).flat_map(paths).collect()
+}
+
 #[test]
 fn the_paper_shows_the_mask_at_its_size() {
     let build = support::build(support::PAPER).expect("a design");
     let parts = Box::new(&build);
     let (_, mask) = &parts.all(Subject::Mask)[0];
-    let files = build.output_files();
-    for file in parts.manifest.files.iter().filter(|file| file.kind == Kind::MaskPdf) {
-        let mut findings = Findings::default();
-        let pages = read_pdf(files.get(&file.path).expect("a file"), &mut findings);
-        assert_eq!(findings.into_vec(), []);
+    let papers = build.artifacts.iter().map(|artifact| &artifact.output);
+    for output in papers.filter(|output| output.kind == Kind::MaskPdf) {
+        let pages = pages(&build, output);
         // The first of several is the overview, which is smaller.
         let pages = if pages.len() > 1 { &pages[1..] } else { &pages };
         for page in pages {
             // The check square and the ruler.
-            let marks = page.drawing.layer("paper-mark");
+            let marks = outlines(page, Layer::PaperMark);
             let square = marks.iter().find(|path| path.closed).expect("a square").bounds();
-            assert!((square.width() - 20.0).abs() < 0.01 && (square.height() - 20.0).abs() < 0.01);
-            assert!(marks.iter().any(|path| (path.length() - 100.0).abs() < 0.01), "a ruler");
-            for window in page.drawing.layer("mask-window") {
+            assert!((square.width() - 20.0).abs() < 1e-9 && (square.height() - 20.0).abs() < 1e-9);
+            assert!(marks.iter().any(|path| (path.length() - 100.0).abs() < 1e-9), "a ruler");
+            for window in outlines(page, Layer::MaskWindow) {
                 assert!((window.area() - mask.layer("mask-window")[0].area()).abs() < 0.5);
             }
         }
         // Every window shows on some page.
-        let shown: usize = pages.iter().map(|page| page.drawing.layer("mask-window").len()).sum();
-        assert!(shown >= 5, "{}: {shown}", file.path);
+        let shown: usize = pages.iter().map(|page| outlines(page, Layer::MaskWindow).len()).sum();
+        assert!(shown >= 5, "{}: {shown}", output.name());
     }
 }
 
 #[test]
 fn neighbouring_pages_carry_the_same_crosses() {
     let build = support::build(support::PAPER).expect("a design");
-    let files = build.output_files();
-    let mut findings = Findings::default();
-    let pages = read_pdf(files.get("star-1-mask-a4.pdf").expect("a file"), &mut findings);
+    let artifact = build.artifacts.iter().find(|artifact| artifact.name == "star-1-mask-a4.pdf");
+    let pages = pages(&build, &artifact.expect("a file").output);
     assert_eq!(pages.len(), 5);
     // A cross is two strokes of 6 mm; its place against the drawing follows from the drawing itself.
     let crosses = |page: usize| -> Vec<Point> {
-        let page = &pages[1 + page].drawing;
-        let plate = page.layer("mask-plate")[0].bounds().min;
-        let strokes = page.layer("paper-mark").iter().filter(|path| (path.length() - 6.0).abs() < 1e-3);
+        let page = &pages[1 + page];
+        let plate = outlines(page, Layer::MaskPlate)[0].bounds().min;
+        let strokes = outlines(page, Layer::PaperMark);
+        let strokes = strokes.iter().filter(|path| (path.length() - 6.0).abs() < 1e-9);
         strokes.map(|path| Point::ORIGIN + (path.bounds().center() - plate)).collect()
     };
     for (left, right) in [(0, 1), (2, 3), (0, 2), (1, 3)] {

@@ -13,7 +13,7 @@ use stargrip_cam::pipeline::read_back;
 use stargrip_cam::spec;
 use stargrip_cam::spec::Source;
 use stargrip_cam::verify::gcode::{Dialect, read_program};
-use stargrip_cam::verify::{Findings, SvgOrigin, read_dxf, read_pdf, read_svg};
+use stargrip_cam::verify::{SvgOrigin, read_dxf, read_svg};
 
 /// Words with a meaning for one of the readers.
 const WORDS: [&[u8]; 24] = [
@@ -127,10 +127,6 @@ fn read(name: &str, bytes: &[u8]) {
             let drawing = read_dxf(&text);
             let length: f64 = drawing.layers.values().flatten().map(stargrip_cam::geom::Path::length).sum();
             assert!(length.is_finite());
-        }
-        "pdf" => {
-            let mut findings = Findings::default();
-            drop(read_pdf(bytes, &mut findings));
         }
         _ => {}
     }

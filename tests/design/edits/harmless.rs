@@ -17,7 +17,6 @@ pub(crate) fn harmless(name: &str, before: &[u8], after: &[u8]) -> Option<&'stat
     let (Some(a), Some(b)) = (text(before), text(after)) else {
         return match kind_of(name) {
             "stl" => same_solid(before, after).then_some("a normal off by less than 0.3 %"),
-            "pdf" => same_page(before, after).then_some("a number off by less than 0.01 mm"),
             _ => None,
         };
     };
@@ -134,12 +133,6 @@ fn same_numbers(kind: &str, a: &str, b: &str, most: f64) -> bool {
         _ => false,
     };
     a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| a == b || near(a, b))
-}
-
-/// The same, of bytes beyond text.
-fn same_page(before: &[u8], after: &[u8]) -> bool {
-    let text = |bytes: &[u8]| bytes.iter().map(|byte| char::from(*byte)).collect::<String>();
-    same_numbers("pdf", &text(before), &text(after), 0.01)
 }
 
 fn same_solid(before: &[u8], after: &[u8]) -> bool {

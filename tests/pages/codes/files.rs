@@ -34,7 +34,6 @@ const SEAL: &str = "star-1-seal.gcode";
 const TRACE: &str = "star-1-trace.gcode";
 const SVG: &str = "sheet-1-seal.svg";
 const DXF: &str = "sheet-1-seal.dxf";
-const PDF: &str = "star-1-mask-a4.pdf";
 const MOVE: &str = "G1 X256.9069 Y220.6945\n";
 
 const fn edit(code: &'static str, file: &'static str, old: &'static str, new: &'static str) -> Edit {
@@ -55,7 +54,6 @@ const EDITS: &[Edit] = &[
     edit("bad-feed", SEAL, "F6", "F0"),
     edit("bad-number", SEAL, "Y220.6945", "Y"),
     edit("bad-path", SVG, "A31 31 0 0 1 173", "A31 31 0 2 1 173"),
-    edit("bad-pdf", PDF, "%PDF-1.7", "%PDX-1.7"),
     edit("bad-xml", SVG, "</title>", "</titel>"),
     of(Base::Chopped, edit("below-floor", SEAL, "F103.096168697", "F10")),
     edit("blind-move", SEAL, "G0 Z30 F1200\n; heat", "G0 Z5 F1200\n; heat"),
@@ -98,7 +96,6 @@ const EDITS: &[Edit] = &[
     edit("other-comment", SEAL, "overlap_mm=5", "overlap_mm=6"),
     edit("outside-page", SVG, "M250.9743", "M950.9743"),
     edit("outside-work-area", SEAL, "G0 Z30 F1200\nG0 X0", "G0 Z90 F1200\nG0 X0"),
-    edit("page-count", PDF, "[4 0 R 6 0 R", "[4 0 R 6 0 R 6 0 R"),
     edit("path-count", SVG, "Z\" stroke", "ZM0 0L1 1Z\" stroke"),
     edit("path-length", SVG, "L271.7383 97.4902", "L171.7383 97.4902"),
     edit("plunge", SEAL, "G1 X250.9743 Y213.3684 Z-0.3 F6", "G1 Z-0.3 F6\nG1 X250.9743 Y213.3684"),
@@ -126,7 +123,6 @@ const EDITS: &[Edit] = &[
     edit("unknown-word", SEAL, "G94\n", "G94\nM7\n"),
     edit("unreadable", "spec.toml", "points = 5", "points = 2"),
     edit("unused-word", SEAL, "G0 X249", "G0 I1 X249"),
-    edit("wrong-clip", PDF, "16.7 40.7 176.6 239.6 re", "17.7 40.7 176.6 239.6 re"),
     edit("wrong-feed", SEAL, "Z-0.3 F6", "Z-0.3 F12"),
     edit("wrong-scale", SVG, "width=\"333.1mm\"", "width=\"333.1px\""),
     edit("wrong-size", SVG, "width=\"333.1mm\"", "width=\"334.1mm\""),

@@ -25,6 +25,5 @@ pub use judge::task::ProgramTask;
 pub use read::drawing::Drawing;
 pub use read::dxf::read_dxf;
 pub use read::gcode;
-pub use read::pdf::{self, PdfPage, read_pdf};
 pub use read::stl::{StlFacet, read_stl};
 pub use read::svg::{SvgOrigin, read_svg};

@@ -5,7 +5,6 @@ pub(super) mod dxf;
 pub(super) mod dxf_words;
 pub mod gcode;
 pub(super) mod number;
-pub mod pdf;
 pub(super) mod stl;
 pub(super) mod svg;
 mod svg_path;

@@ -30,15 +30,6 @@ pub(super) fn look(layer: Layer, colours: Colours) -> LayerStyle {
     LayerStyle { svg, dxf }
 }
 
-/// Width, mm, and grey of the strokes of `layer` on paper.
-pub(super) fn pen(layer: Layer) -> (f64, f64) {
-    match layer {
-        Layer::Label => (0.25, 0.5),
-        Layer::PaperMark => (0.15, 0.0),
-        _ => (0.1, 0.0),
-    }
-}
-
 /// A title as files hold it: 120 characters at most, and `_` for all but letters and digits of ASCII, blanks and `. , - _ + = : /`.
 pub(super) fn in_file(title: &str, most: usize) -> String {
     let known = |c: char| c.is_ascii_alphanumeric() || " .,-_+=:/".contains(c);

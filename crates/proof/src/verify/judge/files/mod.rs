@@ -6,6 +6,5 @@ mod drawings;
 mod figures;
 mod layers;
 mod names;
-mod paper;
 pub(in crate::verify) mod proof;
 mod solid;

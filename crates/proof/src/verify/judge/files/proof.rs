@@ -7,7 +7,7 @@ use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
 use crate::verify::judge::expected::Expected;
 use crate::verify::judge::files::assembly::Assemblies;
 use crate::verify::judge::files::figures::alike;
-use crate::verify::judge::files::{drawings, figures, names, paper, solid};
+use crate::verify::judge::files::{drawings, figures, names, solid};
 use crate::verify::judge::task::ProgramTask;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
@@ -115,10 +115,9 @@ fn file(
     findings: &mut Findings,
 ) -> (Method, Option<f64>) {
     match (output.kind.subject(), output.kind.format()) {
-        // All other files are compared with the directory's own drawing. Pictures and scenes are proven by their bytes: see
-        // `pipeline`.
-        (Subject::Drawing, _) | (_, Format::Png | Format::Glb) => return (Method::Hash, None),
-        (_, Format::Pdf) => return (Method::Reading, on_paper(expected, output, bytes, findings)),
+        // All other files are compared with the directory's own drawing. Pictures, scenes and pages are proven by their bytes:
+        // see `pipeline`.
+        (Subject::Drawing, _) | (_, Format::Png | Format::Glb | Format::Pdf) => return (Method::Hash, None),
         (_, Format::Stl) => {
             let Some(drawing) = output.drawing(expected.design) else { return (Method::Hash, None) };
             let (name, thickness) = (output.solid_name(&expected.spec.name), output.thickness(expected.spec));
@@ -176,13 +175,6 @@ fn file(
             (Method::Reading, Some(deviation))
         }
     }
-}
-
-fn on_paper(expected: &Expected<'_>, output: &Output, bytes: &[u8], findings: &mut Findings) -> Option<f64> {
-    let drawing = output.drawing(expected.design)?;
-    let paper = output.paper?;
-    let title = output.title(&expected.spec.name);
-    Some(paper::check(bytes, &paper.pages(&drawing, &output.caption()), &title, findings))
 }
 
 /// The prediction made anew, against the one that was written.
