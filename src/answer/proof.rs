@@ -29,10 +29,9 @@ pub fn scope(proof: &Proof) -> String {
         let deviations = proof.files.iter().filter(|file| of(file.output.kind.format()));
         deviations.filter_map(|file| file.deviation).reduce(f64::max)
     };
-    // Files for paper and solids approximate arcs by curves and chords, with tolerances of their own.
+    // Solids approximate arcs by chords, with a tolerance of their own.
     let within: Vec<String> = [
-        ("lines and arcs", nearest(&|format| !matches!(format, Format::Pdf | Format::Stl)), 6),
-        ("paper", nearest(&|format| format == Format::Pdf), 4),
+        ("lines and arcs", nearest(&|format| format != Format::Stl), 6),
         ("solids", nearest(&|format| format == Format::Stl), 4),
     ]
     .into_iter()
