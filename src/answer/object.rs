@@ -8,11 +8,12 @@ use crate::pipeline::Forecast;
 use design::{RefusalCode, Refusals};
 use forecast::candidate::Candidate;
 use forecast::sizing::{
-    Choice, FRICTION, Infeasible, NearestRequirements, Requirements, Workspace, choose, spec_text,
+    Choice, ENDLESS, FRICTION, Infeasible, NearestRequirements, Requirements, StatedUnits, Workspace, choose,
+    spec_text,
 };
 use forecast::verdict::Verdict;
 use inflatable::mechanics::hinge::ring::RingTable;
-use spec::units::{Force, Length, Mass, Most, Pressure, counted, hundredths_down};
+use spec::units::{Force, Length, Mass, Most, Pressure, Stated, counted, factor, hundredths_down, in_unit};
 use spec::{Allowed, FeedFloor, Machine, ObjectShape, Source, Spec};
 
 /// Masses of objects, kg.
@@ -30,6 +31,9 @@ const ROUND: Length = Length(2.0);
 /// Paper sizes of ISO 216 from A0, mm, landscape.
 const PAPERS: [[f64; 2]; 6] =
     [[1189.0, 841.0], [841.0, 594.0], [594.0, 420.0], [420.0, 297.0], [297.0, 210.0], [210.0, 148.0]];
+
+/// A day, s.
+const DAY: f64 = 24.0 * 3600.0;
 
 /// Widths of usual objects, mm: outside of this range the unit may be wrong.
 const USUAL_SIZES: Allowed = Allowed::closed(5.0, 1000.0);
@@ -57,19 +61,19 @@ pub fn sheet(text: &str) -> Result<[Length; 2], String> {
 #[derive(Clone, Debug)]
 pub struct Request {
     /// Width of the object across the grip.
-    pub object: Length,
+    pub object: Stated<Length>,
     /// Its height along the gripper's axis; `None`: equal to the width.
-    pub height: Option<Length>,
+    pub height: Option<Stated<Length>>,
     /// Its shape; `None` for a ball.
     pub shape: Option<ObjectShape>,
     /// Its mass.
-    pub mass: Mass,
+    pub mass: Stated<Mass>,
     /// The pressure of the pump; `None`: the best one is chosen.
-    pub pressure: Option<Pressure>,
+    pub pressure: Option<Stated<Pressure>>,
     /// Friction between corners and object; `None`: the value for bare fabric on a smooth surface.
     pub friction: Option<f64>,
     /// Largest radial force of one star that the object withstands.
-    pub fragile: Option<Force>,
+    pub fragile: Option<Stated<Force>>,
 }
 
 /// The reason why there is no gripper for a request.
@@ -77,8 +81,19 @@ pub struct Request {
 pub enum NoGripper {
     /// A sentence about the name, the base spec, or this program.
     Fault(String),
-    /// No gripper meets the request: the reasons, and the nearest requirements that can be met.
-    Infeasible(Vec<String>, Option<Box<NearestRequirements>>),
+    /// No gripper meets the request: the reasons, and the requests near it that can be met.
+    Infeasible(Vec<String>, Vec<NearRequest>),
+}
+
+/// A request near another one that can be met.
+#[derive(Clone, Debug)]
+pub struct NearRequest {
+    /// The requirements.
+    pub requirements: Requirements,
+    /// The changes from the other request, in words.
+    pub changes: String,
+    /// The gripper that meets it.
+    pub gripper: NewGripper,
 }
 
 /// A gripper for an object: its spec and its forecast.
@@ -90,6 +105,8 @@ pub struct NewGripper {
     pub forecast: Forecast,
     /// Whether its friction is the default.
     pub friction_assumed: bool,
+    /// The unit in which its pressure was requested.
+    pub pressure_unit: Option<&'static str>,
 }
 
 impl NewGripper {
@@ -101,15 +118,22 @@ impl NewGripper {
         let reasons = verdict.iter().flat_map(|verdict| verdict.reasons.iter().cloned().chain(more(verdict)));
         lines.extend(reasons.map(|reason| format!("  {reason}")));
         lines.extend(self.star_in_words());
+        let days = sealing_time(&self.forecast) / DAY;
+        if days >= 1.0 {
+            lines.push(format!("  sealing takes {days:.1} days of machine time"));
+        }
         lines.join("\n") + "\n"
     }
 
-    fn star_in_words(&self) -> Option<String> {
+    /// The chosen values, in one line.
+    pub fn star_in_words(&self) -> Option<String> {
         let Forecast { spec, .. } = &self.forecast;
         let (star, load) = (spec.stars.first()?, spec.load.as_ref()?);
         let stars = counted(spec.stars.len(), "star");
         let [width, height] = self.fabric()?.map(f64::round);
-        let at = load.pressure.map_or_else(String::new, |pressure| format!("; {pressure}"));
+        let at = load
+            .pressure
+            .map_or_else(String::new, |pressure| format!("; {}", in_unit(pressure, self.pressure_unit)));
         let friction = load.friction.map_or_else(String::new, |friction| {
             let assumed = if self.friction_assumed { " assumed: change it with --friction" } else { "" };
             format!("; friction {friction}{assumed}")
@@ -150,21 +174,32 @@ impl Request {
     pub fn requirements(&self, base: &Spec, machine: &Machine) -> Requirements {
         // The inlet reaches beyond the tip on one side.
         let inlet = base.inlet.as_ref().map_or(0.0, |inlet| inlet.length.0);
+        let units = StatedUnits {
+            object: Some(self.object.unit),
+            height: self.height.map(|height| height.unit),
+            mass: Some(self.mass.unit),
+            pressure: self.pressure.map(|pressure| pressure.unit),
+            force: self.fragile.map(|force| force.unit),
+        };
         Requirements {
-            object: Length(0.5 * self.object.0),
-            height: self.height,
+            object: Length(0.5 * self.object.quantity.0),
+            height: self.height.map(|height| height.quantity),
             shape: self.shape,
-            mass: self.mass,
-            // As it is written: of a pressure in psi never more than the pump has.
-            pressure: self.pressure.map(|pressure| Pressure(Most(pressure.0).printed())),
+            mass: self.mass.quantity,
+            // As it is written: never more than the pump has.
+            pressure: self.pressure.map(|Stated { quantity, unit }| {
+                let size = factor::<Pressure>(Some(unit));
+                Pressure(Most(quantity.0 / size).printed() * size)
+            }),
             friction: self.friction.unwrap_or(FRICTION),
             friction_assumed: self.friction.is_none(),
-            largest_force: self.fragile,
+            largest_force: self.fragile.map(|force| force.quantity),
             room: Workspace {
-                sheet: smaller(base.sheet.width, base.sheet.height),
-                machine: machine.bench.work_area.and_then(|(x, y)| smaller(Some(x), Some(y))),
-                edge: Length(2.0 * base.sheet.margin.0 + inlet),
+                sheet: [base.sheet.width, base.sheet.height].map(or_endless),
+                machine: machine.bench.work_area.map_or(ENDLESS, |(x, y)| [x, y]),
+                edges: [inlet, 0.0].map(|edge| Length(2.0 * base.sheet.margin.0 + edge)),
             },
+            units,
         }
     }
 
@@ -183,7 +218,12 @@ impl Request {
             for choice in choices {
                 match buildable(name, choice, base, machine) {
                     Ok((text, forecast)) => {
-                        return Ok(NewGripper { text, forecast, friction_assumed: self.friction.is_none() });
+                        return Ok(NewGripper {
+                            text,
+                            forecast,
+                            friction_assumed: choice.requirements.friction_assumed,
+                            pressure_unit: choice.requirements.units.pressure,
+                        });
                     }
                     Err(refusals) => why = why.or(Some(refusals)),
                 }
@@ -193,16 +233,23 @@ impl Request {
         let choices =
             choose(&requirements, &candidate, &ring).map_err(|Infeasible { reasons, nearest }| {
                 // The nearest requirements are tested like the requested ones, so that they can really be met.
-                let nearest = nearest.filter(|nearest| {
+                let near = nearest.into_iter().filter_map(|nearest| {
                     let mut base = base.clone();
-                    if nearest.requirements.room.sheet != requirements.room.sheet {
-                        [base.sheet.width, base.sheet.height] = [nearest.requirements.room.sheet; 2];
-                    }
-                    made(&nearest.choices, &base).is_ok()
+                    let sheet = nearest.requirements.room.sheet;
+                    [base.sheet.width, base.sheet.height] =
+                        sheet.map(|side| Some(side).filter(|side| side.0.is_finite()));
+                    let NearestRequirements { requirements: eased, choices } = &nearest;
+                    let gripper = made(choices, &base).ok()?;
+                    Some(NearRequest {
+                        requirements: *eased,
+                        changes: nearest.changes(&requirements),
+                        gripper,
+                    })
                 });
-                let unit = (!USUAL_SIZES.holds(self.object.0))
+                let width = self.object.quantity;
+                let unit = (!USUAL_SIZES.holds(width.0))
                     .then(|| format!("an object {} across: is the unit right (mm, cm, m, in)?", self.object));
-                NoGripper::Infeasible(unit.into_iter().chain(reasons).collect(), nearest)
+                NoGripper::Infeasible(unit.into_iter().chain(reasons).collect(), near.collect())
             })?;
         made(&choices, base).map_err(|why| {
             let why: Vec<String> = why.iter().map(|one| format!("{}: {}", one.found, one.remedy)).collect();
@@ -230,9 +277,9 @@ pub fn base(text: String, profile: Option<&str>, sheet: Option<[Length; 2]>) -> 
     Ok(base)
 }
 
-/// The smaller of the limited sides.
-fn smaller(width: Option<Length>, height: Option<Length>) -> Option<Length> {
-    [width, height].into_iter().flatten().reduce(|a, b| if b.0 < a.0 { b } else { a })
+/// A side that may be unlimited.
+fn or_endless(side: Option<Length>) -> Length {
+    side.unwrap_or(Length(f64::INFINITY))
 }
 
 /// The spec of `choice`, if it passes all steps of `check`; low feeds of the controller are chopped if necessary.

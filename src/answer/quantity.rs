@@ -1,6 +1,6 @@
 //! Numbers, quantities and ranges as arguments: finite and within their limits, or refused as wrong usage.
 
-use spec::units::{Quantity, Readable};
+use spec::units::{Quantity, Readable, Stated};
 use spec::{Allowed, comma};
 
 /// Range of required lengths: 1 um to 100 m, as in a spec.
@@ -24,12 +24,19 @@ pub fn number(allowed: Allowed) -> impl Fn(&str) -> Result<f64, String> + Clone 
 
 /// Reads a quantity with its unit, "30 deg", in `allowed` (of the base unit).
 pub fn quantity<Q: Quantity>(allowed: Allowed) -> impl Fn(&str) -> Result<Q, String> + Clone + Send + Sync {
+    move |text| stated(allowed)(text).map(|stated| stated.quantity)
+}
+
+/// Reads a quantity in `allowed` (of the base unit) together with its unit.
+pub fn stated<Q: Quantity>(
+    allowed: Allowed,
+) -> impl Fn(&str) -> Result<Stated<Q>, String> + Clone + Send + Sync {
     move |text| {
-        let found = Q::parse(text).map_err(|_| {
+        let (base, unit) = Q::KIND.parse(text).map_err(|_| {
             let unit = format!("write the {} as a number and one of {}", Q::KIND.name, Q::KIND.unit_list());
             remedy(text, &unit)
         })?;
-        within(allowed, found)
+        Ok(Stated { quantity: within(allowed, Q::from_base(base))?, unit })
     }
 }
 

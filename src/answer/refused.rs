@@ -10,10 +10,12 @@ use spec::{Code, Fault, Faults, RawSpec, Severity, Source, has_default};
 pub fn at_keys(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {
     let faults = refusals.into_iter().map(|refusal| {
         let key = refusal.key;
+        // At a place of a drawing, the drawing is best changed.
+        let is_drawn = refusal.drawn.is_some();
         let fault = Fault::error(refusal.code, raw.span_of(key), refusal.found)
             .label(refusal.remedy)
             .drawn_at(refusal.drawn);
-        if raw.find(key).is_some() || !has_default(key) {
+        if is_drawn || raw.find(key).is_some() || !has_default(key) {
             return fault;
         }
         fault.help(format!(

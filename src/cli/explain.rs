@@ -13,7 +13,7 @@ use crate::cli::verbosity::Verbosity;
 /// Arguments of `explain`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// The code in a message, such as no-arm. Without it, all codes are listed.
+    /// The code in a message, such as no-arm, or a word: all codes in whose row it is. Without it, all codes are listed.
     code: Option<String>,
     #[command(flatten)]
     verbosity: Verbosity,
@@ -22,23 +22,33 @@ pub(super) struct Args {
 /// Prints the meaning of a code and its remedy.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let rows = meanings();
-    let Some(code) = &args.code else {
-        let line =
-            |row: &CodeMeaning| wrapped(&format!("{:24} {}", row.code, row.meaning), 25, width(&stdout()));
-        let lines: Vec<String> = rows.iter().map(line).collect();
-        let all = json!({ "codes": rows });
-        return args.verbosity.report(&(lines.join("\n") + "\n"), &all);
-    };
+    let Some(code) = &args.code else { return list(args, &rows) };
     let word = word_of(code);
     if let Some(row) = rows.iter().find(|row| row.code == word) {
         let CodeMeaning { about, code, meaning, example } = row;
         let example = if example.is_empty() { String::new() } else { format!("Example: {example}\n") };
         return args.verbosity.report(&format!("{code} ({about})\n{meaning}\n{example}"), &json!(row));
     }
+    let has_word = |row: &CodeMeaning| {
+        [row.code, row.about, row.meaning]
+            .iter()
+            .any(|text| text.to_lowercase().contains(&word.to_lowercase()))
+    };
+    let about: Vec<CodeMeaning> =
+        rows.iter().filter(|row| word.len() > 3 && has_word(row)).cloned().collect();
+    if !about.is_empty() {
+        return list(args, &about);
+    }
     let codes = || rows.iter().map(|row| row.code);
     let near = spec::nearest(&word.replace('-', "_"), codes());
-    let near = near.or_else(|| codes().find(|code| code.contains(word) && word.len() > 3));
     let hint = near.map_or_else(String::new, |near| format!("did you mean {near}? "));
     let text = format!("no code is called {}; {hint}`stargrip-cam explain` lists all", shown(word));
     Err(Failure::Message(text))
+}
+
+/// Prints `rows`, a line each.
+fn list(args: &Args, rows: &[CodeMeaning]) -> Result<(), Failure> {
+    let line = |row: &CodeMeaning| wrapped(&format!("{:24} {}", row.code, row.meaning), 25, width(&stdout()));
+    let lines: Vec<String> = rows.iter().map(line).collect();
+    args.verbosity.report(&(lines.join("\n") + "\n"), &json!({ "codes": rows }))
 }

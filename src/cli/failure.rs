@@ -23,8 +23,8 @@ pub enum Failure {
     Unproven(Unproven),
     /// The build could not be published.
     Publish(PublishFault),
-    /// No gripper meets the request: the reasons, and the nearest request that can be met, if one was found.
-    Infeasible(String, Option<String>),
+    /// No gripper meets the request: the reasons, and the requests near it that can be met.
+    Infeasible(String, Vec<String>),
     /// A file that cannot be read or written: its path, and the sentence.
     File(String, String),
     /// Any other failure, in one sentence.
@@ -73,7 +73,7 @@ impl Failure {
             Self::Publish(error) => bare(CommandCode::NotPublished, &error.to_string()),
             Self::Infeasible(text, nearest) => {
                 let mut refused = bare(CommandCode::Infeasible, text);
-                refused["remedy"] = json!(nearest);
+                refused["remedy"] = json!((!nearest.is_empty()).then(|| nearest.join("\n")));
                 refused
             }
             Self::File(path, text) => {
@@ -105,10 +105,11 @@ impl Failure {
                 return 1;
             }
             Self::Publish(error) => format!("error: {error}"),
-            Self::Infeasible(text, Some(nearest)) => {
-                format!("error: {text}\na request near it that can be met: {nearest}")
+            Self::Infeasible(text, nearest) => {
+                let line = |near: &String| format!("\na request near it that can be met: {near}");
+                format!("error: {text}{}", nearest.iter().map(line).collect::<String>())
             }
-            Self::Infeasible(text, None) | Self::File(_, text) | Self::Message(text) => {
+            Self::File(_, text) | Self::Message(text) => {
                 format!("error: {text}")
             }
             Self::Usage(text) => {

@@ -11,7 +11,7 @@ use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{SPECIAL, first_bytes, given_bytes, is_special, is_standard_input};
 use crate::cli::words::beyond;
 use crate::manifest::MANIFEST;
-use crate::pipeline::{Forecast, Planned, Proven, Sources};
+use crate::pipeline::{Forecast, Planned, Proven, Sources, unfit_besides};
 use design::{RefusalCode, Refusals, Warning, drawing_notes};
 use forecast::drawn::{MOST_UNKNOWNS, Watch};
 use proof::artifact::KindRequest;
@@ -68,8 +68,7 @@ impl Loaded {
     }
 
     fn of(source: Source, path: &Path, verbosity: Verbosity) -> Result<Self, Failure> {
-        let (reading, drawing_note) = with_drawing(path, &source, spec::read(&source)?)?;
-        let (profile, note) = machine_source(path, &source, &reading)?;
+        let (reading, [drawing_note, note], profile) = named_by(path, &source)?;
         if !verbosity.quiet {
             warn(&reading.warnings);
             tell(&note.unwrap_or_default());
@@ -111,7 +110,8 @@ impl Loaded {
         warn(&Faults::new(&self.source, faults.collect()));
     }
 
-    /// The forecast of the spec, without files; prints the design's warnings. A shell of many unknowns is refused, unless `anyway` is set.
+    /// The forecast of the spec, without files; prints the design's warnings. Unless `anyway` is set, a shell of many unknowns is refused, and
+    /// refusals of the design are joined by the reasons why the gripper does not meet its own `[load]`.
     pub(super) fn forecast(&self, anyway: bool) -> Result<Forecast, Failure> {
         let (spec, machine) = (self.reading.spec.clone(), self.machine.clone());
         let most_unknowns = (!anyway).then_some(MOST_UNKNOWNS);
@@ -119,8 +119,15 @@ impl Loaded {
             let tell = |part: f64, what: &str| progress.tell_part(part, &format!("shell: {what}"));
             let watch = Watch { progress: Some(&tell), most_unknowns, ..Watch::default() };
             Planned::new(spec, machine)?.forecast(&watch)
-        })
-        .map_err(|refusals| self.refused(refusals))?;
+        });
+        let forecast = forecast.map_err(|mut refusals| {
+            if !anyway {
+                let mut unfit = acceptable(unfit_besides(&self.reading.spec, &self.machine));
+                unfit.retain(|unfit| refusals.iter().all(|refusal| refusal.code != unfit.code));
+                refusals.extend(unfit);
+            }
+            self.refused(refusals)
+        })?;
         self.warn(&forecast.warnings(self.sources()));
         Ok(forecast)
     }
@@ -130,11 +137,7 @@ impl Loaded {
         if anyway {
             return Ok(());
         }
-        let mut unfit = forecast.unfit();
-        for refusal in unfit.iter_mut() {
-            refusal.remedy += "; `--anyway` accepts it";
-        }
-        unfit.or(()).map_err(|refusals| self.refused(refusals))
+        acceptable(forecast.unfit()).or(()).map_err(|refusals| self.refused(refusals))
     }
 
     /// Makes the files of `request` and reads them back, in memory, for `check` and `build`.
@@ -168,6 +171,14 @@ impl Loaded {
         }
         Failure::Faults(at_keys(&self.source, &self.reading.raw, refusals))
     }
+}
+
+/// Refusals about the load, each with the option that accepts it.
+fn acceptable(mut unfit: Refusals) -> Refusals {
+    for refusal in unfit.iter_mut() {
+        refusal.remedy += "; `--anyway` accepts it";
+    }
+    unfit
 }
 
 /// Refuses to read standard input for more than one of `paths`: the first would take all of it.
@@ -231,22 +242,48 @@ fn named_file(path: &Path, name: &str, published: &str) -> (PathBuf, Option<Stri
 /// Largest drawing that is read, bytes.
 pub(super) const DRAWING_LIMIT: u64 = 64 << 20;
 
+/// The spec `source` at `path` with the files that it names, the notes on where its drawing and its profile were found, and the profile.
+///
+/// # Errors
+/// All faults of the text, and of the files that it names.
+fn named_by(path: &Path, source: &Source) -> Result<(Reading, [Option<String>; 2], Source), Failure> {
+    let reading = match spec::read(source) {
+        Ok(reading) => reading,
+        Err(faults) => {
+            let profile = spec::written_profile(source);
+            let unknown = profile.and_then(|(name, place)| profile_file(path, &name, place).err());
+            return Err(faults.with(unknown).into());
+        }
+    };
+    let place = reading.raw.span_of(key::machine::PROFILE);
+    let profile = profile_file(path, &reading.spec.machine.profile, place);
+    match (with_drawing(path, reading), profile) {
+        (Ok((reading, drawing_note)), Ok((file, note))) => {
+            let name = &reading.spec.machine.profile;
+            let profile = match spec::builtin_machine(name) {
+                Some(text) => Source::new(format!("built-in machine profile {name}"), text),
+                None => read_source(&file)?,
+            };
+            Ok((reading, [drawing_note, note], profile))
+        }
+        (drawing, profile) => {
+            Err(Faults::new(source, drawing.err().into_iter().chain(profile.err()).collect()).into())
+        }
+    }
+}
+
 /// `reading` of the spec at `path` with its drawing, a file relative to the spec; and a note on the drawing's place, if it is not the named
 /// one.
-fn with_drawing(
-    path: &Path,
-    source: &Source,
-    reading: Reading,
-) -> Result<(Reading, Option<String>), Failure> {
+fn with_drawing(path: &Path, reading: Reading) -> Result<(Reading, Option<String>), Fault> {
     let Some(drawing) = &reading.spec.drawing else { return Ok((reading, None)) };
     let (file, note) = named_file(path, &drawing.file, drawing.published_name());
-    let wrong = match drawing_bytes(&file) {
-        Ok(bytes) => return Ok((reading.with_drawing(&bytes), note)),
-        Err(wrong) => wrong,
-    };
-    let place = reading.raw.span_of(key::drawing::FILE);
-    let fault = Fault::error(RefusalCode::DrawingUnread, place, wrong).label("a path relative to the spec");
-    Err(Faults::new(source, vec![fault]).into())
+    match drawing_bytes(&file) {
+        Ok(bytes) => Ok((reading.with_drawing(&bytes), note)),
+        Err(wrong) => {
+            let place = reading.raw.span_of(key::drawing::FILE);
+            Err(Fault::error(RefusalCode::DrawingUnread, place, wrong).label("a path relative to the spec"))
+        }
+    }
 }
 
 /// The content of the drawing `file`, or the reason why it cannot be read.
@@ -264,20 +301,22 @@ pub(super) fn drawing_bytes(file: &Path) -> Result<Vec<u8>, String> {
     }
 }
 
-/// The machine profile of the spec at `path`: a built-in one, or a file relative to the spec; and a note on the profile's place, if it is
-/// not the named one.
-fn machine_source(
+/// The file of the machine profile `name` of the spec at `path`, relative to the spec, which is not read if the profile is a built-in one;
+/// and a note on its place, if it is not the named one.
+///
+/// # Errors
+/// If there is no such profile: a fault at `place`.
+fn profile_file(
     path: &Path,
-    source: &Source,
-    reading: &Reading,
-) -> Result<(Source, Option<String>), Failure> {
-    let name = &reading.spec.machine.profile;
-    if let Some(text) = spec::builtin_machine(name) {
-        return Ok((Source::new(format!("built-in machine profile {name}"), text), None));
+    name: &str,
+    place: std::ops::Range<usize>,
+) -> Result<(PathBuf, Option<String>), Fault> {
+    if spec::builtin_machine(name).is_some() {
+        return Ok((PathBuf::from(name), None));
     }
     let (file, note) = named_file(path, name, MACHINE);
     if file.is_file() {
-        return Ok((read_source(&file)?, note));
+        return Ok((file, note));
     }
     let known: Vec<&str> = spec::builtin_machines().collect();
     let found = if file.is_dir() {
@@ -287,18 +326,14 @@ fn machine_source(
     } else {
         format!("there is no file {}", shown(&file))
     };
-    let fault = Fault::error(
-        FaultCode::UnknownMachine,
-        reading.raw.span_of(key::machine::PROFILE),
-        format!("no machine profile has this name, and {found}"),
-    )
-    .label(format!("a built-in profile ({}) or a path relative to the spec", known.join(", ")));
-    let fault = match (spec::nearest(name, known), spec::usual_profile(name)) {
+    let message = format!("no machine profile has this name, and {found}");
+    let fault = Fault::error(FaultCode::UnknownMachine, place, message)
+        .label(format!("a built-in profile ({}) or a path relative to the spec", known.join(", ")));
+    Err(match (spec::nearest(name, known), spec::usual_profile(name)) {
         (Some(near), _) => fault.help(format!("did you mean \"{near}\"?")),
         (None, Some((controller, profile))) => {
             fault.help(format!("it usually has {controller}: write profile = \"{profile}\""))
         }
         (None, None) => fault,
-    };
-    Err(Faults::new(source, vec![fault]).into())
+    })
 }

@@ -3,15 +3,15 @@
 use std::path::Path;
 
 use crate::answer::object;
-use crate::answer::object::{FORCES, FRICTIONS, MASSES, NoGripper, PRESSURES, Request, sheet};
-use crate::answer::quantity::{SIZE, number, quantity};
+use crate::answer::object::{FORCES, FRICTIONS, MASSES, NearRequest, NoGripper, PRESSURES, Request, sheet};
+use crate::answer::quantity::{SIZE, number, stated};
 use crate::cli::defaults;
 use crate::cli::escape::argument;
 use crate::cli::failure::Failure;
 use crate::cli::load::read_source;
 use crate::cli::words::words;
-use forecast::sizing::{NearestRequirements, Requirements};
-use spec::units::{Force, Length, Mass, Pressure, counted};
+use forecast::sizing::Requirements;
+use spec::units::{Force, Length, Mass, Pressure, Readable, Stated};
 use spec::{Machine, ObjectShape, Spec};
 
 pub(super) use crate::answer::object::NewGripper;
@@ -24,27 +24,27 @@ pub(super) const OBJECT_OPTIONS: [&str; 10] =
 #[derive(clap::Args, Debug)]
 pub(super) struct ObjectArgs {
     /// Width of the object where it is gripped: "70 mm"; needs --mass.
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE), requires = "mass")]
-    object: Option<Length>,
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = stated::<Length>(SIZE), requires = "mass")]
+    object: Option<Stated<Length>>,
     /// Height of the object along the gripper's axis: "57 mm"; default: as tall as wide.
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE), requires = "object")]
-    height: Option<Length>,
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = stated::<Length>(SIZE), requires = "object")]
+    height: Option<Stated<Length>>,
     /// Shape of the object; default: ball.
     #[arg(long, value_name = "SHAPE", value_parser = words(&ObjectShape::ALL, &[]), requires = "object")]
     shape: Option<ObjectShape>,
     /// Mass of the object: "1.3 kg"; required with --object.
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true, value_parser = quantity::<Mass>(MASSES), requires = "object")]
-    mass: Option<Mass>,
+    #[arg(long, value_name = "MASS", allow_hyphen_values = true, value_parser = stated::<Mass>(MASSES), requires = "object")]
+    mass: Option<Stated<Mass>>,
     /// The pressure that your pump gives; default: the best from 5 to 60 kPa.
-    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true, value_parser = quantity::<Pressure>(PRESSURES), requires = "object")]
-    pressure: Option<Pressure>,
+    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true, value_parser = stated::<Pressure>(PRESSURES), requires = "object")]
+    pressure: Option<Stated<Pressure>>,
     /// Friction between corners and object; default: 0.3, bare fabric on a smooth surface. Coated corners have about 1.
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, value_parser = number(FRICTIONS), requires = "object")]
     friction: Option<f64>,
     /// Largest radial force of one star that the object bears: "20 N".
-    #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity::<Force>(FORCES), requires = "object")]
-    fragile: Option<Force>,
-    /// "paper", or a spec whose `[fabric]` is taken.
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = stated::<Force>(FORCES), requires = "object")]
+    fragile: Option<Stated<Force>>,
+    /// "paper", or a file whose `[fabric]` is taken: a spec, or what `calibrate` prints.
     #[arg(long, value_name = "NAME", requires = "object")]
     fabric: Option<String>,
     /// A built-in machine profile's name; default: generic.
@@ -64,9 +64,9 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>
     let request = Request { object, height, shape, mass, pressure, friction, fragile };
     request.gripper(name, &base, &machine).map(Some).map_err(|why| match why {
         NoGripper::Fault(text) => Failure::Message(text),
-        NoGripper::Infeasible(reasons, nearest) => {
-            let requirements = request.requirements(&base, &machine);
-            let nearest = nearest.and_then(|nearest| in_words(name, args, &requirements, &nearest));
+        NoGripper::Infeasible(reasons, near) => {
+            let required = request.requirements(&base, &machine);
+            let nearest = near.iter().map(|near| in_words(name, args, &required, near)).collect();
             let line = |reason: &String| format!("\n  {reason}");
             let reasons: String = reasons.iter().map(line).collect();
             Failure::Infeasible(format!("no gripper was found that does all of this:{reasons}"), nearest)
@@ -74,42 +74,31 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>
     })
 }
 
-/// The nearest request to `requirements` that can be met, and its command.
-fn in_words(
-    name: &str,
-    args: &ObjectArgs,
-    requirements: &Requirements,
-    nearest: &NearestRequirements,
-) -> Option<String> {
-    let (had, best) = (&nearest.requirements, &nearest.choices.first()?.best.point);
-    let at = best.load.pressure.map_or(String::new(), |pressure| format!(" at {pressure}"));
-    let friction = (!had.friction_assumed).then_some(had.friction);
-    let sheet = if had.room.sheet == requirements.room.sheet {
-        args.sheet
-    } else {
-        had.room.sheet.map(|side| [side; 2])
-    };
+/// A request near the one with the requirements `required` that can be met, and its command.
+fn in_words(name: &str, args: &ObjectArgs, required: &Requirements, near: &NearRequest) -> String {
+    let eased = &near.requirements;
+    let friction = (!eased.friction_assumed).then_some(eased.friction);
+    let sheet = if eased.room.sheet == required.room.sheet { args.sheet } else { Some(eased.room.sheet) };
     let options = [
-        ("object", Some(Length(2.0 * had.object.0).to_string())),
-        ("height", had.height.map(|height| height.to_string())),
-        ("shape", had.shape.map(|shape| shape.word().to_owned())),
-        ("mass", Some(had.mass.to_string())),
-        ("pressure", had.pressure.map(|pressure| pressure.to_string())),
-        ("friction", friction.map(|friction| friction.to_string())),
-        ("fragile", had.largest_force.map(|force| force.to_string())),
+        ("object", Some(eased.width_in_words())),
+        ("height", eased.height_in_words()),
+        ("shape", eased.shape.map(|shape| shape.word().to_owned())),
+        ("mass", Some(eased.mass_in_words())),
+        ("pressure", eased.pressure_in_words()),
+        ("friction", friction.map(|friction| Readable(friction).to_string())),
+        ("fragile", eased.force_in_words()),
         ("fabric", args.fabric.clone()),
         ("machine", args.machine.clone()),
         ("sheet", sheet.map(|[width, height]| format!("{}x{}", width.0, height.0))),
     ];
     let word = |(option, value): (&str, Option<String>)| Some(format!(" --{option} {}", argument(value?)));
-    Some(format!(
-        "{} of {} points, {} wide{at}:\n  stargrip-cam new {}{}",
-        counted(best.stars as usize, "star"),
-        best.star.points,
-        best.star.tube_width,
+    format!(
+        "{}\n  {}\n  stargrip-cam new {}{}",
+        near.changes,
+        near.gripper.star_in_words().unwrap_or_default(),
         argument(name),
         options.into_iter().filter_map(word).collect::<String>()
-    ))
+    )
 }
 
 /// The base of the search: fabric, machine, sheet and radii of curvature.
@@ -117,7 +106,7 @@ fn base(args: &ObjectArgs) -> Result<Spec, Failure> {
     let text = spec::starter("base").map_err(Failure::Message)?;
     let mut base = object::base(defaults::written_into(text)?, args.machine.as_deref(), args.sheet)?;
     if let Some(fabric) = args.fabric.as_deref().filter(|fabric| *fabric != "paper") {
-        base.fabric = spec::read(&read_source(Path::new(fabric))?)?.spec.fabric;
+        base.fabric = spec::read_fabric_of(&read_source(Path::new(fabric))?)?;
     }
     Ok(base)
 }

@@ -19,6 +19,7 @@ mod links;
 mod load_check;
 mod precautions;
 mod proven;
+mod refused;
 
 use crate::airtight;
 use crate::manifest::Manifest;
@@ -36,6 +37,7 @@ pub use coupons::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 pub use feed_check::{FeedCheckFault, ProvenFeedCheck, feed_check, prove_feed_check};
 pub use precautions::Precaution;
 pub use proven::{Proven, PublishedBuild, prove_files, read_back};
+pub use refused::unfit_besides;
 
 /// A gripper that the machine can seal.
 #[derive(Clone, Debug)]
@@ -97,17 +99,10 @@ impl Planned {
     /// # Errors
     /// All reasons why it cannot be made or would leak, or why the machine cannot run the programs.
     pub fn new(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
-        let design = Design::new(&spec, &machine)?;
-        airtight::leaks(&spec, &machine, &design).or(())?;
-        // The size is checked before the programs are made: they may exceed the memory.
-        let too_many: Refusals = plan::too_many_moves(&spec, &machine, &design).into_iter().collect();
-        too_many.or(())?;
-        let programs = plan::seal_programs(&spec, &machine, &design);
-        let traces = plan::trace_programs(&spec, &machine, &design);
-        let mut refusals = plan::refusals(&spec, &machine, &programs, &traces);
-        refusals.extend(plan::pressed_beyond(&machine, &design));
-        refusals.or(())?;
-        Ok(Self { spec, machine, design, programs, traces })
+        match Design::new(&spec, &machine) {
+            Ok(design) => planned(spec, machine, design),
+            Err(_) => Err(refused::refused(&spec, &machine)),
+        }
     }
 
     /// Predicts the behaviour, if the spec has a load; `watch` receives the progress of the shell computation of a drawn piece.
@@ -134,6 +129,19 @@ impl Forecast {
     pub fn of(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
         Planned::new(spec, machine)?.forecast(&Watch::default())
     }
+}
+
+/// The programs of `design`, in which the inlet is the only opening for air.
+fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Planned, Refusals> {
+    airtight::leaks(&spec, &machine, &design).or(())?;
+    // The size is checked before the programs are made: they may exceed the memory.
+    let too_many: Refusals = plan::too_many_moves(&spec, &machine, &design).into_iter().collect();
+    too_many.or(())?;
+    let programs = plan::seal_programs(&spec, &machine, &design);
+    let traces = plan::trace_programs(&spec, &machine, &design);
+    let mut refusals = plan::refusals(&spec, &machine, &programs, &traces);
+    refusals.extend(plan::pressed_beyond(&machine, &design));
+    refusals.or(Planned { spec, machine, design, programs, traces })
 }
 
 /// All steps up to [`Built`].

@@ -56,7 +56,7 @@ fn a_refusal_is_json_for_whoever_reads_json() {
         assert!(unknown["file"].as_str().is_some_and(|file| file.ends_with("wrong.toml")), "{said}");
     }
     for args in
-        [&["check", "nowhere.toml"][..], &["verify", "nowhere"], &["new", "star"], &["explain", "nothing"]]
+        [&["check", "nowhere.toml"][..], &["verify", "nowhere"], &["new", "star"], &["explain", "xyzzy"]]
     {
         let output = run(dir.path(), &[args, &["--json"]].concat());
         let said = json(&output);

@@ -359,3 +359,59 @@ fn a_fast_seal_is_told_what_matters_to_it() {
     assert!(slow.contains("speed, pause and reach are not checked") && !slow.contains("peel test"), "{slow}");
     assert!(fast.contains("peel test"), "{fast}");
 }
+
+/// Faults of mask, cut, frame, sheet, machine and load are found in one round, and none that follows from another.
+#[test]
+fn faults_of_all_stages_are_told_at_once() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let rest = "[sheet]\nwidth = \"20 mm\"\n[machine]\nprofile = \"grbl\"\n[load]\npressure = \"37 kPa\"\n\
+                object_diameter = \"110 mm\"\n[frame]\nposts = 20\n[cut]\nkerf = \"7 mm\"\n[mask]\nextent = \"90 mm\"\n";
+    let check = |more: &str, anyway: &[&str]| {
+        fs::write(dir.path().join("spec.toml"), star(5, "50 mm", "30 mm", "30 deg", more)).expect("written");
+        stderr(&run(dir.path(), &[&["check", "spec.toml"], anyway].concat()))
+    };
+    let codes = |said: &str| {
+        let mut codes: Vec<String> = said
+            .lines()
+            .filter_map(|line| Some(line.strip_prefix("error[")?.split_once(']')?.0.to_owned()))
+            .collect();
+        codes.sort();
+        codes
+    };
+    let said = check(rest, &[]);
+    let all = [
+        "feed-floor",
+        "long-extent",
+        "object-too-wide",
+        "post-meets-hose",
+        "sheet-too-small",
+        "wide-kerf",
+        "wide-kerf",
+    ];
+    assert_eq!(codes(&said), all, "{said}");
+    assert!(said.contains("the margins leave ") && !said.contains("0.00000"), "{said}");
+    let accepted = codes(&check(rest, &["--anyway"]));
+    assert!(
+        !accepted.contains(&"object-too-wide".to_owned()) && accepted.len() + 1 == all.len(),
+        "{accepted:?}"
+    );
+    // Nothing depends on a star that does not exist.
+    assert_eq!(codes(&check(&rest.replace("[mask]", "[seal]\nband = \"40 mm\"\n[mask]"), &[])).len(), 1);
+    // A machine that is unknown is told beside faults of keys.
+    let said = check("[machine]\nprofile = \"loom\"\n[load]\nfriction = 0\nmass = \"0 kg\"\n", &[]);
+    assert_eq!(codes(&said), ["out-of-range", "out-of-range", "unknown-machine"], "{said}");
+}
+
+#[test]
+fn the_hole_and_the_outer_size_of_a_star_are_answered_by_the_keys_that_decide_them() {
+    for (key, answer) in [
+        ("hole_diameter = \"79 mm\"", "write inner_radius = \"42.5 mm\""),
+        ("hole_radius = \"39.5 mm\"", "write inner_radius = \"42.5 mm\""),
+        ("outer_diameter = \"200 mm\"", "it follows from inner_radius, points, tube_width and tip_angle"),
+        ("inner_diameter = \"80 mm\"", "write inner_radius = \"40 mm\""),
+    ] {
+        let spec = star(5, "50 mm", "30 mm", "30 deg", "").replace("inner_radius = \"50 mm\"", key);
+        let said = refused(&spec);
+        assert!(said.contains(answer) && !said.contains("belongs"), "{key}: {said}");
+    }
+}

@@ -197,7 +197,11 @@ fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
     let short: Vec<_> = sides.into_iter().filter(|(_, _, needed, room)| needed > room).collect();
     let Some((key, ..)) = short.first() else { return Ok(()) };
     let found = short.iter().map(|(_, word, needed, room)| {
-        format!("{} mm {word} where the margins leave {} mm", Least(*needed), Most(room.max(0.0)))
+        if *room > 2.0 * ROUNDING {
+            format!("{} mm {word} where the margins leave {} mm", Least(*needed), Most(*room))
+        } else {
+            format!("{} mm {word} where the margins leave nothing", Least(*needed))
+        }
     });
     let remedy = short.iter().map(|(key, _, needed, _)| {
         let least = Least(needed + 2.0 * sheet.margin.0);

@@ -140,7 +140,7 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
 }
 
 fn show(value: f64, unit: &str) -> String {
-    format!("{} {unit}", Readable(value)).trim_end().to_owned()
+    format!("{} {unit}", shown::rounded(value)).trim_end().to_owned()
 }
 
 /// The objects that fit the star, and what its flap adds.

@@ -25,6 +25,12 @@ impl Faults {
         Self { source: source.clone(), list }
     }
 
+    /// These faults and one more of the same text, if there is one.
+    #[must_use]
+    pub fn with(self, another: Option<Fault>) -> Self {
+        Self::new(&self.source, self.list.into_iter().chain(another).collect())
+    }
+
     /// The faults in the order of their places.
     pub fn list(&self) -> &[Fault] {
         &self.list

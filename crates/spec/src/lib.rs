@@ -71,7 +71,7 @@ pub use profile::{
     usual_profile,
 };
 pub use raw::RawSpec;
-pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, TOXIC, read};
+pub use reading::{FEWEST_POSTS, Reading, SMALLEST_HOLE, TOXIC, read, read_fabric_of, written_profile};
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{drawing_starter, quoted, starter};

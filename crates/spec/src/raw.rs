@@ -56,6 +56,12 @@ impl RawSpec {
         value.map(|value| value.span.clone())
     }
 
+    /// The text of `key` with its place, of a spec that may have faults elsewhere; `None` if no text is written there.
+    pub(super) fn text_of(&self, key: KeyPath) -> Option<(&str, Range<usize>)> {
+        let value = self.section(key)?.as_table()?.get(key.key())?;
+        Some((value.as_text()?, value.span.clone()))
+    }
+
     /// Place to point at when speaking of `key`: its value, else its section's header, else the end of the text, where
     /// the section would be added.
     pub fn span_of(&self, key: KeyPath) -> Range<usize> {

@@ -18,6 +18,7 @@ use crate::shape::ValueShape;
 use crate::source::Source;
 use crate::units::{Angle, Length, Percent, Pressure, Speed, Temperature};
 use crate::{Code, DrawingContent, FaultCode, KeyPath, drawing, key, load, stars};
+use std::ops::Range;
 
 /// A spec that was read, and the warnings about its text.
 #[derive(Clone, Debug)]
@@ -57,6 +58,29 @@ impl Reading {
 pub fn read(source: &Source) -> Result<Reading, Faults> {
     let (spec, warnings, raw) = read_with(source, Document::Spec, read_spec)?;
     Ok(Reading { spec, warnings, raw })
+}
+
+/// The name of the machine profile that `source` gives, with its place, whatever faults the spec has; `None` if it gives none.
+pub fn written_profile(source: &Source) -> Option<(String, Range<usize>)> {
+    let (raw, _) = RawSpec::parse(&source.text);
+    raw.text_of(key::machine::PROFILE).map(|(name, place)| (name.to_owned(), place))
+}
+
+/// Reads the fabric of a spec, or of a file that has nothing but `[fabric]` and `[seal]`, as measurements of coupons are printed.
+///
+/// # Errors
+/// All faults of the text.
+pub fn read_fabric_of(source: &Source) -> Result<Fabric, Faults> {
+    let (raw, _) = RawSpec::parse(&source.text);
+    let is_part = raw.root().0.iter().all(|entry| ["fabric", "seal"].contains(&entry.key.as_str()));
+    if !is_part {
+        return read(source).map(|reading| reading.spec.fabric);
+    }
+    let sections = |reader: &mut Reader<'_>| {
+        let _ = read_seal(&mut reader.section("seal"));
+        read_fabric(&mut reader.section("fabric"))
+    };
+    read_with(source, Document::Spec, sections).map(|(fabric, ..)| fabric)
 }
 
 /// Parses `source`, which should be a `document`, lets `body` take its keys, and collects the faults of both.

@@ -232,8 +232,8 @@ impl<'r> Section<'_, 'r> {
         let a_quantity = article(kind.name);
         let fault = match &value.kind {
             RawKind::Text(text) => match kind.parse(text) {
-                Ok(found) if allowed.holds(found) => return Some(found),
-                Ok(found) => {
+                Ok((found, _)) if allowed.holds(found) => return Some(found),
+                Ok((found, _)) => {
                     let base = format!("{} {}", Readable(found), kind.unit());
                     // Far out of every range the number in the base unit only adds digits.
                     let is_plain = base == text.trim() || found.abs() > 1e9;

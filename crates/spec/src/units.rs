@@ -32,6 +32,8 @@ pub struct QuantityKind {
     pub name: &'static str,
     /// Units in which it can be written, at least one, with the factor to the base unit; the first is the base.
     pub units: &'static [(&'static str, f64)],
+    /// The unit in which less than a tenth of the base unit is printed, if it is another one.
+    pub small: Option<&'static str>,
 }
 
 impl QuantityKind {
@@ -40,18 +42,31 @@ impl QuantityKind {
         self.units[0].0
     }
 
-    /// The number of `text` in the base unit.
+    /// The number of `text` in the base unit, and the unit in which it is written.
     ///
     /// # Errors
     /// If it is not a finite decimal number followed by one of the units.
-    pub fn parse(self, text: &str) -> Result<f64, QuantityFault> {
+    pub fn parse(self, text: &str) -> Result<(f64, &'static str), QuantityFault> {
         let (value, unit) = split_number(text).ok_or(QuantityFault::NotANumber)?;
         if unit.is_empty() {
             return Err(QuantityFault::NoUnit);
         }
         let known = self.units.iter().find(|(name, _)| *name == unit);
-        let (_, factor) = known.ok_or_else(|| QuantityFault::UnknownUnit(unit.to_owned()))?;
-        Some(value * factor).filter(|base| base.is_finite()).ok_or(QuantityFault::NotANumber)
+        let (unit, factor) = known.ok_or_else(|| QuantityFault::UnknownUnit(unit.to_owned()))?;
+        let base = Some(value * factor).filter(|base| base.is_finite()).ok_or(QuantityFault::NotANumber)?;
+        Ok((base, unit))
+    }
+
+    /// The size of the unit `name` in the base unit; 1 of none and of an unknown one.
+    fn factor(self, name: Option<&str>) -> f64 {
+        let unit = self.units.iter().find(|(unit, _)| Some(*unit) == name);
+        unit.map_or(1.0, |(_, factor)| *factor)
+    }
+
+    /// `value`, in the base unit, as it is printed.
+    fn shown(self, value: f64) -> String {
+        let unit = self.small.filter(|_| value != 0.0 && libm::fabs(value) < 0.1);
+        format!("{} {}", Readable(value / self.factor(unit)), unit.unwrap_or(self.unit()))
     }
 
     /// The units as a list for messages: "mm, cm, m". Units with a letter that is missing on some keyboards are left out; they always have
@@ -76,7 +91,35 @@ pub trait Quantity: Copy + fmt::Display {
     /// # Errors
     /// As for [`QuantityKind::parse`].
     fn parse(text: &str) -> Result<Self, QuantityFault> {
-        Self::KIND.parse(text).map(Self::from_base)
+        Self::KIND.parse(text).map(|(base, _)| Self::from_base(base))
+    }
+}
+
+/// The size of the unit `name` of a quantity in its base unit; 1 of none.
+pub fn factor<Q: Quantity>(name: Option<&str>) -> f64 {
+    Q::KIND.factor(name)
+}
+
+/// `quantity` in the unit `name`; of none as it is usually printed.
+pub fn in_unit<Q: Quantity>(quantity: Q, name: Option<&str>) -> String {
+    name.map_or_else(
+        || quantity.to_string(),
+        |name| format!("{} {name}", Readable(quantity.base() / factor::<Q>(Some(name)))),
+    )
+}
+
+/// A quantity with the unit in which it was stated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stated<Q> {
+    /// The quantity.
+    pub quantity: Q,
+    /// The name of the unit.
+    pub unit: &'static str,
+}
+
+impl<Q: Quantity> fmt::Display for Stated<Q> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&in_unit(self.quantity, Some(self.unit)))
     }
 }
 
@@ -109,20 +152,24 @@ fn split_number(text: &str) -> Option<(f64, &str)> {
 }
 
 macro_rules! quantities {
-    ($($(#[$doc:meta])* $name:ident($kind:literal): $($unit:literal = $factor:expr),+;)+) => {$(
+    ($($(#[$doc:meta])* $name:ident($kind:literal $(, small $small:literal)?): $($unit:literal = $factor:expr),+;)+) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
         pub struct $name(pub f64);
 
         impl Quantity for $name {
-            const KIND: QuantityKind = QuantityKind { name: $kind, units: &[$(($unit, $factor)),+] };
+            const KIND: QuantityKind = QuantityKind {
+                name: $kind,
+                units: &[$(($unit, $factor)),+],
+                small: [$(Some($small),)? None][0],
+            };
             fn from_base(value: f64) -> Self { Self(value) }
             fn base(self) -> f64 { self.0 }
         }
 
         impl fmt::Display for $name {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                write!(f, "{} {}", Readable(self.0), Self::KIND.unit())
+                f.write_str(&Self::KIND.shown(self.0))
             }
         }
     )+};
@@ -146,9 +193,9 @@ quantities! {
     /// A bending stiffness: moment by length over curvature; the field is N mm.
     BendingStiffness("bending stiffness"): "N mm" = 1.0, "N m" = 1e3, "mN m" = 1.0, "uN m" = 1e-3;
     /// A mass; the field is kg.
-    Mass("mass"): "kg" = 1.0, "g" = 1e-3, "lb" = 0.453_592_37, "oz" = 0.028_349_523_125;
+    Mass("mass", small "g"): "kg" = 1.0, "g" = 1e-3, "lb" = 0.453_592_37, "oz" = 0.028_349_523_125;
     /// A force; the field is N.
-    Force("force"): "N" = 1.0, "mN" = 1e-3, "kN" = 1e3;
+    Force("force", small "mN"): "N" = 1.0, "mN" = 1e-3, "kN" = 1e3;
     /// A mass per area; the field is kg/m^2.
     ArealDensity("mass per area"): "kg/m^2" = 1.0, "g/m^2" = 1e-3;
     /// A ratio written in per cent; the field is the percentage, 10 for a tenth.

@@ -61,7 +61,9 @@ fn fault(one: &Known<'_>, entry: &RawEntry, known: &[Known<'_>], is_hinted: bool
     }
     fault.help(match table {
         Some(table) => section_hint(word, table, known),
-        None => diameter_hint(word, &entry.value, one).unwrap_or_else(|| key_hint(word, one, known)),
+        None => diameter_hint(word, &entry.value, one)
+            .or_else(|| star_size_hint(word, &entry.value, one))
+            .unwrap_or_else(|| key_hint(word, one, known)),
     })
 }
 
@@ -121,6 +123,38 @@ fn diameter_hint(word: &str, value: &RawValue, here: &Known<'_>) -> Option<Strin
         None => format!("write `{radius}`, half of the diameter"),
     })
 }
+
+/// The hint for the hole or the outer size of a star, which are no keys: the key that decides them.
+fn star_size_hint(word: &str, value: &RawValue, here: &Known<'_>) -> Option<String> {
+    let _ = here.keys.iter().find(|key| **key == "inner_radius")?;
+    let (place, part) = match word.split_once('_')? {
+        (place, "diameter") => (place, 0.5),
+        (place, "radius") => (place, 1.0),
+        _ => return None,
+    };
+    match place {
+        "hole" | "opening" => {
+            let flap = "the hole is narrower than inner_radius by the band and its `hole_allowance`";
+            let radius = match &value.kind {
+                RawKind::Text(text) => Length::parse(text).ok(),
+                RawKind::Number(_) | RawKind::Truth(_) | RawKind::Date | RawKind::List(_) | RawKind::Table(_) => None,
+            };
+            let radius = radius.map(|length| Length(part * length.0 + DEFAULT_FLAP));
+            Some(radius.map_or_else(
+                || format!("write `inner_radius`: {flap}, 3 mm by default"),
+                |radius| format!("write inner_radius = \"{radius}\": {flap}, 3 mm by default"),
+            ))
+        }
+        "outer" => Some(
+            "no key sets the outer size: it follows from inner_radius, points, tube_width and tip_angle, and `check` prints it"
+                .to_owned(),
+        ),
+        _ => None,
+    }
+}
+
+/// Width of the band and its allowance at the hole by default, mm.
+const DEFAULT_FLAP: f64 = 3.0;
 
 /// The hint for a key: a similar one in the section, the same one elsewhere, a similar one elsewhere, else all keys of the
 /// section.

@@ -2,11 +2,10 @@
 
 use serde_json::{Value, json};
 use stargrip_cam::answer::object::{FORCES, FRICTIONS, MASSES, NoGripper, PRESSURES, Request, base, sheet};
-use stargrip_cam::answer::quantity::{SIZE, number, quantity};
-use stargrip_cam::forecast::sizing::{FRICTION, NearestRequirements};
+use stargrip_cam::answer::quantity::{SIZE, number, stated};
+use stargrip_cam::forecast::sizing::Requirements;
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Machine, ObjectShape};
-use stargrip_cam::units::Length;
 
 use crate::commands::{text, wrong};
 
@@ -29,7 +28,7 @@ pub(super) fn new(question: &Value) -> Result<Value, Value> {
         Ok(made) => json!({ "spec": made.text, "in_words": made.in_words(), "chosen": made.json() }),
         Err(NoGripper::Fault(why)) => json!({ "reasons": [why] }),
         Err(NoGripper::Infeasible(reasons, nearest)) => {
-            let nearest = nearest.map(|nearest| near(&nearest, &request));
+            let nearest = nearest.first().map(|nearest| near(&nearest.requirements));
             json!({ "reasons": reasons, "nearest": nearest })
         }
     })
@@ -43,11 +42,11 @@ fn field<'q>(question: &'q Value, name: &str) -> Option<&'q str> {
 /// Reads all fields, so that all faults are reported at once.
 fn request(question: &Value) -> Result<Request, Vec<Value>> {
     let mut wrong = Vec::new();
-    let object = taken(question, "object", quantity(SIZE), &mut wrong);
-    let height = taken(question, "height", quantity(SIZE), &mut wrong);
-    let mass = taken(question, "mass", quantity(MASSES), &mut wrong);
-    let pressure = taken(question, "pressure", quantity(PRESSURES), &mut wrong);
-    let fragile = taken(question, "fragile", quantity(FORCES), &mut wrong);
+    let object = taken(question, "object", stated(SIZE), &mut wrong);
+    let height = taken(question, "height", stated(SIZE), &mut wrong);
+    let mass = taken(question, "mass", stated(MASSES), &mut wrong);
+    let pressure = taken(question, "pressure", stated(PRESSURES), &mut wrong);
+    let fragile = taken(question, "fragile", stated(FORCES), &mut wrong);
     let friction = taken(question, "friction", number(FRICTIONS), &mut wrong);
     let shape = field(question, "shape")
         .and_then(|word| ObjectShape::ALL.iter().find(|(name, _)| *name == word))
@@ -80,19 +79,18 @@ fn taken<T>(
     found.map_err(|why| wrong.push(json!({ "field": name, "found": why }))).ok()
 }
 
-/// The fields of a request near `request` that can be met.
-fn near(nearest: &NearestRequirements, request: &Request) -> Value {
-    let had = &nearest.requirements;
-    let is_assumed = request.friction.is_none() && had.friction == FRICTION;
-    let sheet = had.room.sheet.map(|side| format!("{}x{}", side.0, side.0));
+/// The fields of a request with the requirements `eased`.
+fn near(eased: &Requirements) -> Value {
+    let sheet = eased.room.sheet.iter().all(|side| side.0.is_finite());
+    let sheet = sheet.then(|| eased.room.sheet.map(|side| side.0.to_string()).join("x"));
     json!({
-        "object": Length(2.0 * had.object.0).to_string(),
-        "height": had.height.map(|height| height.to_string()),
-        "shape": had.shape.map(ObjectShape::word),
-        "mass": had.mass.to_string(),
-        "pressure": had.pressure.map(|pressure| pressure.to_string()),
-        "friction": (!is_assumed).then(|| had.friction.to_string()),
-        "fragile": had.largest_force.map(|force| force.to_string()),
+        "object": eased.width_in_words(),
+        "height": eased.height_in_words(),
+        "shape": eased.shape.map(ObjectShape::word),
+        "mass": eased.mass_in_words(),
+        "pressure": eased.pressure_in_words(),
+        "friction": (!eased.friction_assumed).then(|| eased.friction.to_string()),
+        "fragile": eased.force_in_words(),
         "sheet": sheet,
     })
 }

@@ -1,26 +1,27 @@
 //! Sizes a gripper for an object: radius, points, width, angle, number of stars and pressure.
 //!
 //! It is the search of `optimize` within the validated domain, for the least fabric; the object is held with a margin
-//! at the bad end of the ranges. Where no star does, the closest request that can be met is given.
+//! at the bad end of the ranges. Where no star does, `conflict` finds the requirements that exclude each other, and `easing` the closest
+//! requests that can be met.
 
-mod nearest;
+mod conflict;
+mod easing;
 mod text;
 
-use self::nearest::three_digits;
-pub use self::nearest::{Infeasible, NearestRequirements, choose};
+pub use self::conflict::{Infeasible, NearestRequirements, choose};
+pub use self::easing::Easing;
 pub use self::text::{is_result, spec_text};
 
 use crate::candidate::Candidate;
 use crate::case::sheet;
 use crate::optimize::{
-    Constraints, DesignSearch, Evaluation, Goal, SearchBounds, SearchEffort, SearchResult, Short, shortfalls,
+    Constraints, DesignSearch, Evaluation, Goal, SearchBounds, SearchEffort, SearchResult, shortfalls,
 };
 use crate::ranges::{Interval, errors};
 use design::{pitch_for, room};
 use inflatable::mechanics::hinge::ring::RingTable;
 use inflatable::mechanics::hinge::section::arms;
-use inflatable::mechanics::strength::GRAVITY;
-use spec::units::{Angle, Force, Least, Length, Mass, Most, Pressure};
+use spec::units::{Angle, Force, Least, Length, Mass, Most, Pressure, in_unit};
 use spec::{Fabric, Load, ObjectShape, StarSpec};
 use std::ops::RangeInclusive;
 
@@ -45,24 +46,81 @@ pub struct Requirements {
     pub largest_force: Option<Force>,
     /// The space available for the gripper.
     pub room: Workspace,
+    /// The units in which these were stated.
+    pub units: StatedUnits,
 }
 
-/// The sheet and the machine.
+/// The units in which requirements were stated; `None` for the usual one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StatedUnits {
+    /// Of the object's width.
+    pub object: Option<&'static str>,
+    /// Of its height.
+    pub height: Option<&'static str>,
+    /// Of its mass.
+    pub mass: Option<&'static str>,
+    /// Of the pressure.
+    pub pressure: Option<&'static str>,
+    /// Of the largest force.
+    pub force: Option<&'static str>,
+}
+
+impl Requirements {
+    /// The width of the object, in its unit.
+    pub fn width_in_words(&self) -> String {
+        in_unit(Length(2.0 * self.object.0), self.units.object)
+    }
+
+    /// The object's mass, in its unit.
+    pub fn mass_in_words(&self) -> String {
+        in_unit(self.mass, self.units.mass)
+    }
+
+    /// The object's height, in its unit.
+    pub fn height_in_words(&self) -> Option<String> {
+        self.height.map(|height| in_unit(height, self.units.height))
+    }
+
+    /// The pressure, in its unit.
+    pub fn pressure_in_words(&self) -> Option<String> {
+        self.pressure.map(|pressure| in_unit(pressure, self.units.pressure))
+    }
+
+    /// The largest force, in its unit.
+    pub fn force_in_words(&self) -> Option<String> {
+        self.largest_force.map(|force| in_unit(force, self.units.force))
+    }
+}
+
+/// The sheet and the machine: width and height, infinite where they are not limited.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Workspace {
-    /// Smaller side of the sheet, if it is limited.
-    pub sheet: Option<Length>,
-    /// Smaller side of what the machine reaches, if it is known.
-    pub machine: Option<Length>,
-    /// Part of a side that is not available to the star: margins, and the inlet beyond the tip.
-    pub edge: Length,
+    /// The sheet.
+    pub sheet: [Length; 2],
+    /// The area that the machine reaches.
+    pub machine: [Length; 2],
+    /// Parts of width and height that are not available to the star: margins, and along the width the inlet beyond the tip.
+    pub edges: [Length; 2],
 }
 
+/// Sides that are not limited.
+pub const ENDLESS: [Length; 2] = [Length(f64::INFINITY); 2];
+
 impl Workspace {
-    /// The side that is available to the star, if it is limited.
-    fn free(&self) -> Option<Length> {
-        let sides = [self.sheet, self.machine].into_iter().flatten();
-        sides.map(|side| side.0).reduce(f64::min).map(|side| Length(side - self.edge.0))
+    /// The largest diameter of a star, mm, infinite where it is not limited.
+    fn diameter(&self) -> f64 {
+        self.diameter_on(&self.sheet).min(self.diameter_on(&self.machine))
+    }
+
+    /// The largest diameter of a star on `area`, mm.
+    fn diameter_on(&self, area: &[Length; 2]) -> f64 {
+        let free = area.iter().zip(&self.edges).map(|(side, edge)| side.0 - edge.0);
+        free.fold(f64::INFINITY, f64::min).max(1.0)
+    }
+
+    /// The least width and height for a star of this `diameter` (mm), in whole millimetres.
+    fn area_for(&self, diameter: f64) -> [Length; 2] {
+        self.edges.map(|edge| Length((diameter + edge.0 - 1e-6).ceil()))
     }
 }
 
@@ -107,22 +165,13 @@ pub struct Choice {
     pub others: Vec<(u32, f64)>,
 }
 
-/// Reason why no gripper meets the requirements.
-enum Shortfall {
-    /// No tube of the fabric is in the validated domain.
-    Tube,
-    /// No star meets the requirements; the one with the least violation.
-    Star(Option<Box<Evaluation>>),
-}
-
-/// The grippers that meet `requirements`, the best first, or why there is none.
-fn feasible(
-    requirements: &Requirements,
-    base: &Candidate,
-    ring: &RingTable,
-) -> Result<Vec<Choice>, Shortfall> {
+/// The grippers that meet `requirements`, the best first; none if there is none.
+///
+/// The search keeps a little more than the required margin, because its best is rounded to tenths afterwards. Where no round value
+/// around it does, a search in a slightly smaller box follows.
+fn feasible(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> Vec<Choice> {
     let base = requirements.candidate(base);
-    let Some(bounds) = requirements.bounds(&base) else { return Err(Shortfall::Tube) };
+    let Some(bounds) = requirements.bounds(&base) else { return Vec::new() };
     let kept = requirements.constraints(&base, MARGIN);
     let round = |found: &SearchResult| -> Vec<Evaluation> {
         let met = found.best.iter().filter(|one| one.violation == 0.0);
@@ -150,13 +199,7 @@ fn feasible(
     met.sort_by(|a, b| a.fabric().total_cmp(&b.fabric()));
     let mut others: Vec<(u32, f64)> = met.iter().map(|one| (one.point.star.points, one.fabric())).collect();
     others.sort_by_key(|(points, _)| *points);
-    if met.is_empty() {
-        return Err(Shortfall::Star(found.best.into_iter().next().map(Box::new)));
-    }
-    Ok(met
-        .into_iter()
-        .map(|best| Choice { requirements: *requirements, best, others: others.clone() })
-        .collect())
+    met.into_iter().map(|best| Choice { requirements: *requirements, best, others: others.clone() }).collect()
 }
 
 impl Requirements {
@@ -211,69 +254,9 @@ impl Requirements {
             payload: Some(margin * self.mass.0),
             // A search keeps the same relative margin to the object's force limit as to its mass.
             largest_force: self.largest_force.map(|force| force.0 * MARGIN / margin),
-            sheet: self.room.free(),
+            sheet: Some(Length(self.room.diameter())).filter(|diameter| diameter.0.is_finite()),
             burst_margin: base.fabric.seal_strength.map(|_| BURST_MARGIN),
             apart: true,
-        }
-    }
-
-    /// The reasons: the requirements that the star with the least violation misses.
-    fn reasons(&self, base: &Candidate, best: Option<&Evaluation>) -> Vec<String> {
-        let constraints = self.constraints(base, SEARCHED_MARGIN);
-        let short = best.map_or(Vec::new(), |best| shortfalls(&best.point, &best.answer, &constraints));
-        let mut reasons: Vec<String> = short.iter().map(|short| self.in_words(short)).collect();
-        if self.height.is_none() && self.shape.is_none() && short.iter().any(|(what, _)| *what == "payload") {
-            reasons.push(
-                "the object is taken to be a ball: --height and --shape cylinder if it is not".to_owned(),
-            );
-        }
-        if reasons.is_empty() {
-            reasons.push("the room between closing and opening is less than a tenth of a millimetre: more pressure, or a larger sheet".to_owned());
-        }
-        reasons
-    }
-
-    fn in_words(&self, (what, part): &Short) -> String {
-        let percent = (1000.0 * part).ceil() / 10.0;
-        match *what {
-            "payload" => {
-                let needed = self.mass.0 * GRAVITY / self.friction;
-                if let Some(bears) =
-                    self.largest_force.filter(|bears| f64::from(MOST_STARS) * bears.0 < needed)
-                {
-                    let needed = format!("friction needs {needed:.1} N to hold {}", self.mass);
-                    return format!("{needed}, and the object bears {bears} of each star");
-                }
-                let safe = three_digits(self.mass.0 * (1.0 - part)).unwrap_or(Mass(0.0));
-                format!("it can safely carry {safe} of the {}", self.mass)
-            }
-            "sheet" => format!(
-                "the star is {percent:.1} % larger than the sheet, or than the machine reaches: give a larger --sheet, or another --machine"
-            ),
-            "pressing" => format!(
-                "its force on the object is {percent:.1} % above what the object bears: more friction, a lighter object, or --fragile with a larger force"
-            ),
-            "burst" => "the seal bursts: less pressure, a stronger seal".to_owned(),
-            "closing" => {
-                format!(
-                    "the object is too thin: it closes to {:.2} times the object's radius, and {CLOSING} is required",
-                    CLOSING * (1.0 + part)
-                )
-            }
-            "inner_radius" => {
-                format!("its cut hole is {percent:.1} % too narrow for the object and the room around it")
-            }
-            "opening" => format!("the object is too wide: the star opens {percent:.1} % less than it needs"),
-            "object" => "it does not hold the object: too wide, too thin, or not at its height".to_owned(),
-            "touching" => {
-                "its arms would touch, and the search allows only stars whose arms do not".to_owned()
-            }
-            "arms" => format!("arms would be {percent:.1} % shorter than half a tube's width"),
-            // A pressure that is free was varied.
-            _ => format!(
-                "it lies outside the range in which shells were computed: an object of another size, or another {}",
-                if self.pressure.is_some() { "pressure or fabric" } else { "fabric" }
-            ),
         }
     }
 }

@@ -79,8 +79,8 @@ impl Lines {
         let requirements = &choice.requirements;
         self.comment(&format!(
             "Holds an object {} across and of {}, with friction {}: see `stargrip-cam check`.",
-            Length(2.0 * requirements.object.0),
-            requirements.mass,
+            requirements.width_in_words(),
+            requirements.mass_in_words(),
             Readable(requirements.friction)
         ));
         self.comment(&format!(
@@ -123,7 +123,7 @@ impl Lines {
             choice.others.iter().map(|(points, area)| format!("{points}: {:.0} cm2", area / 100.0)).collect();
         self.text += "[star]\n";
         self.value("points", star.points, &format!("the least fabric ({})", others.join(", ")));
-        let object = Length(2.0 * choice.requirements.object.0);
+        let object = choice.requirements.width_in_words();
         let room = format!(
             "the object, {object} across, enters with room; the inflated star opens to {opens:.1} mm across"
         );
@@ -154,7 +154,11 @@ impl Lines {
         let needed = choice.requirements.mass.0 * GRAVITY / choice.requirements.friction;
         self.text += "[stack]\n";
         let stars = if point.stars == 1 { "one star presses" } else { "each star presses" };
-        self.value("count", point.stars, &format!("{stars} with {one}; {needed:.1} N in all are needed"));
+        self.value(
+            "count",
+            point.stars,
+            &format!("{stars} with {one}; {} in all are needed", in_newtons(needed)),
+        );
         let tube = inflated_height(point.star.tube_width).0;
         let why = format!("the inflated tube is {tube:.1} mm high, a plate {} thick", point.plate);
         self.quantity("pitch", point.star.pitch, &why);
@@ -196,9 +200,10 @@ impl Lines {
             .zip(point.load.pressure)
             .map_or(String::new(), |(burst, pressure)| format!(", burst margin {:.2}", burst.0 / pressure.0));
         let stretches = format!("the fabric stretches {:.1} %{burst}{least}", 100.0 * stretch);
-        self.optional("pressure", point.load.pressure, &stretches);
-        self.quantity("object_diameter", Length(2.0 * requirements.object.0), "of the object");
-        self.optional("object_height", requirements.height, "along the gripper's axis");
+        let pressure = requirements.pressure_in_words().or_else(|| Some(point.load.pressure?.to_string()));
+        self.optional("pressure", pressure, &stretches);
+        self.quantity("object_diameter", requirements.width_in_words(), "of the object");
+        self.optional("object_height", requirements.height_in_words(), "along the gripper's axis");
         self.optional("object_shape", requirements.shape.map(ObjectShape::word), "of the object");
         let is_assumed = requirements.friction_assumed;
         let friction = if is_assumed {
@@ -214,12 +219,24 @@ impl Lines {
         }
         // The range of an assumed friction, which widens that of `predict`, comes on top.
         let at = if is_assumed { format!(" at friction {FRICTION}") } else { String::new() };
-        let sure =
-            sure_payload(point, answer).map_or_else(|| "unknown".to_owned(), |kg| format!("{kg:.2} kg"));
-        let range = answer.payload_range.map(|[low, high]| format!("; predicted {low:.2} to {high:.2} kg"));
+        let sure = sure_payload(point, answer).map_or_else(|| "unknown".to_owned(), |kg| payload(&[kg]));
+        let range = answer.payload_range.map(|range| format!("; predicted {}", payload(&range)));
         let held = format!("safe payload {sure}{at}{}", range.unwrap_or_default());
-        self.quantity("mass", requirements.mass, &held);
+        self.quantity("mass", requirements.mass_in_words(), &held);
         let bears = "that the object bears from one star, all corners together";
-        self.optional("largest_force", requirements.largest_force, bears);
+        self.optional("largest_force", requirements.force_in_words(), bears);
     }
+}
+
+/// A force in N to a decimal, in mN below 0.1 N.
+fn in_newtons(newtons: f64) -> String {
+    if newtons < 0.1 { format!("{:.0} mN", 1e3 * newtons) } else { format!("{newtons:.1} N") }
+}
+
+/// Masses in kg to two decimals, joined by "to"; in g if the first would have less than two digits.
+fn payload(masses: &[f64]) -> String {
+    let is_small = masses.first().is_some_and(|first| *first < 0.1);
+    let mass = |kg: &f64| if is_small { format!("{:.1}", 1e3 * kg) } else { format!("{kg:.2}") };
+    let numbers: Vec<String> = masses.iter().map(mass).collect();
+    format!("{} {}", numbers.join(" to "), if is_small { "g" } else { "kg" })
 }

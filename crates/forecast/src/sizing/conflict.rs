@@ -1,0 +1,352 @@
+//! Requirements that no gripper meets: which of them exclude each other, and the closest requests that can be met.
+//!
+//! A **conflict** is a set of requirements that no gripper meets together, though one does without any one of them. It is found by giving
+//! up one requirement after the other: those without which there is still no gripper do not belong to it. Its requirements are
+//! given up, then the rest is searched for further conflicts. A conflict without any requirement is due to the object's size or the fabric.
+
+use crate::candidate::Candidate;
+use crate::load_check::COATED;
+use crate::sizing::easing::{Easing, Finder};
+use crate::sizing::{Choice, MOST_STARS, Requirements, feasible, no_tube};
+use inflatable::mechanics::hinge::ring::RingTable;
+use inflatable::mechanics::strength::GRAVITY;
+use spec::units::{Force, Length, Readable, in_unit};
+
+/// Requirements that no gripper meets, and the closest ones that can be met.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Infeasible {
+    /// The reasons, one sentence each.
+    pub reasons: Vec<String>,
+    /// The closest requirements that can be met, each changed in another way.
+    pub nearest: Vec<NearestRequirements>,
+}
+
+/// Requirements that can be met in place of others, and the grippers that meet them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NearestRequirements {
+    /// The requirements.
+    pub requirements: Requirements,
+    /// The ways to meet them, the best first.
+    pub choices: Vec<Choice>,
+}
+
+/// Requirements that exclude each other.
+struct Conflict {
+    limits: Vec<Easing>,
+    /// These requirements alone.
+    core: Requirements,
+    /// All requirements but those of other conflicts.
+    context: Requirements,
+}
+
+/// The order in which requirements are given up: of two that would both do, the first is not part of the conflict.
+const LIMITS: [Easing; 5] = [Easing::Machine, Easing::Sheet, Easing::Pressure, Easing::Force, Easing::Mass];
+/// The order in which a conflict is described: the first of its requirements is missed under the conditions of the others.
+const SUBJECTS: [Easing; 5] = [Easing::Mass, Easing::Force, Easing::Sheet, Easing::Machine, Easing::Pressure];
+/// The order in which ways out are offered.
+const OFFERS: [Easing; 5] = [Easing::Friction, Easing::Pressure, Easing::Sheet, Easing::Force, Easing::Mass];
+/// Most combinations of ways out of several conflicts that are tried.
+const COMBINATIONS: usize = 4;
+/// An object is near another if their sizes differ by no larger factor.
+const NEAR_SIZE: f64 = 0.9;
+
+/// The grippers that meet `requirements`, the best first, from `base`: its fabric, seal and radii of curvature.
+///
+/// # Errors
+/// If there is none.
+pub fn choose(
+    requirements: &Requirements,
+    base: &Candidate,
+    ring: &RingTable,
+) -> Result<Vec<Choice>, Infeasible> {
+    if requirements.bounds(&requirements.candidate(base)).is_none() {
+        return Err(Infeasible { reasons: vec![no_tube(base)], nearest: Vec::new() });
+    }
+    let choices = feasible(requirements, base, ring);
+    if choices.is_empty() { Err(Finder { base, ring }.infeasible(requirements)) } else { Ok(choices) }
+}
+
+impl Finder<'_> {
+    /// The reasons why no gripper meets `required`, and the requests near it that can be met.
+    fn infeasible(&self, required: &Requirements) -> Infeasible {
+        let conflicts = self.conflicts(required);
+        let mut infeasible = self.explained(required, &conflicts);
+        infeasible.reasons.extend(too_gentle(required));
+        infeasible
+    }
+
+    /// The reasons by the `conflicts` of `required`, and the ways out of them.
+    fn explained(&self, required: &Requirements, conflicts: &[Conflict]) -> Infeasible {
+        match conflicts {
+            [] => self.of_another_size(required),
+            [conflict] => {
+                let ways = self.ways_out(conflict);
+                let subject = conflict.subject();
+                let way = ways.iter().find(|(easing, _)| Some(*easing) == subject);
+                let reasons = if conflict.core == conflict.context {
+                    conflict.reasons(way.map(|(_, nearest)| nearest))
+                } else {
+                    conflict.reasons(self.eased(&conflict.core, subject.as_slice()).as_ref())
+                };
+                let offered = ways.into_iter().filter(|(easing, _)| *easing != Easing::Machine);
+                Infeasible { reasons, nearest: offered.map(|(_, nearest)| nearest).collect() }
+            }
+            several => {
+                let reason = |conflict: &Conflict| {
+                    let limit = self.eased(&conflict.core, conflict.subject().as_slice());
+                    conflict.reasons(limit.as_ref())
+                };
+                let reasons = several.iter().flat_map(reason).collect();
+                let nearest = combinations(several).find_map(|easings| self.eased(required, &easings));
+                Infeasible { reasons, nearest: nearest.into_iter().collect() }
+            }
+        }
+    }
+
+    /// The conflicts of `required`; none if the object's size or the fabric is the reason.
+    fn conflicts(&self, required: &Requirements) -> Vec<Conflict> {
+        let mut conflicts: Vec<Conflict> = Vec::new();
+        let mut rest = *required;
+        loop {
+            let mut context = rest;
+            let mut limits = Vec::new();
+            for limit in LIMITS.into_iter().filter(|limit| limit.applies(&rest)) {
+                let Some(without) = limit.given_up(&context) else { continue };
+                if self.grippers(&without).is_some() {
+                    limits.push(limit);
+                } else {
+                    context = without;
+                }
+            }
+            if limits.is_empty() {
+                return conflicts;
+            }
+            rest = limits.iter().fold(rest, |rest, limit| limit.given_up(&rest).unwrap_or(rest));
+            conflicts.push(Conflict { limits, core: context, context: rest });
+            if self.grippers(&rest).is_some() {
+                break;
+            }
+        }
+        for k in 0..conflicts.len() {
+            let others = conflicts.iter().enumerate().filter(|(other, _)| *other != k);
+            let limits: Vec<Easing> = others.flat_map(|(_, other)| other.limits.clone()).collect();
+            let context = limits.iter().try_fold(*required, |context, limit| limit.given_up(&context));
+            conflicts[k].context = context.unwrap_or(*required);
+        }
+        conflicts
+    }
+
+    /// The ways out of the only `conflict`: each of its requirements eased alone, and more friction in place of less mass.
+    fn ways_out(&self, conflict: &Conflict) -> Vec<(Easing, NearestRequirements)> {
+        let ways =
+            OFFERS.into_iter().chain([Easing::Machine]).filter(|easing| conflict.is_solved_by(*easing));
+        ways.filter_map(|easing| Some((easing, self.eased(&conflict.context, &[easing])?))).collect()
+    }
+
+    /// The refusal of an object of a size for which no gripper is known: the nearest size with one, and the request for it if it is near.
+    fn of_another_size(&self, required: &Requirements) -> Infeasible {
+        let width = required.width_in_words();
+        let bare =
+            LIMITS.iter().try_fold(*required, |bare, limit| limit.given_up(&bare)).unwrap_or(*required);
+        let Some(sized) = self.eased(&bare, &[Easing::Size]) else {
+            let reason = "no tube of this fabric was computed as a shell with an object: another fabric";
+            return Infeasible { reasons: vec![reason.to_owned()], nearest: Vec::new() };
+        };
+        let object = sized.requirements.object;
+        let ratio = object.0 / required.object.0;
+        let end = if ratio < 1.0 { "largest" } else { "smallest" };
+        let reasons = vec![format!(
+            "an object {width} across is outside the range in which shells were computed: the {end} is about {}",
+            sized.requirements.width_in_words()
+        )];
+        let is_near = (NEAR_SIZE..=1.0 / NEAR_SIZE).contains(&ratio);
+        let nearest = is_near.then(|| self.grippers(&Easing::Size.with(required, object.0))).flatten();
+        Infeasible { reasons, nearest: nearest.into_iter().collect() }
+    }
+}
+
+/// The ways out of several conflicts: one of each, those first that are offered first.
+fn combinations(conflicts: &[Conflict]) -> impl Iterator<Item = Vec<Easing>> {
+    let mut all: Vec<Vec<Easing>> = vec![Vec::new()];
+    for conflict in conflicts {
+        let ways: Vec<Easing> = OFFERS.into_iter().filter(|easing| conflict.is_solved_by(*easing)).collect();
+        all = all
+            .iter()
+            .flat_map(|begun| ways.iter().map(move |way| [begun.as_slice(), &[*way]].concat()))
+            .collect();
+    }
+    all.into_iter().take(COMBINATIONS)
+}
+
+impl Conflict {
+    /// Whether `easing` eases one of its requirements.
+    fn is_solved_by(&self, easing: Easing) -> bool {
+        match easing {
+            Easing::Friction => self.limits.contains(&Easing::Mass) && easing.applies(&self.context),
+            Easing::Pressure
+            | Easing::Sheet
+            | Easing::Force
+            | Easing::Mass
+            | Easing::Machine
+            | Easing::Size => self.limits.contains(&easing),
+        }
+    }
+
+    /// The requirement that is missed under the conditions of the others.
+    fn subject(&self) -> Option<Easing> {
+        SUBJECTS.into_iter().find(|subject| self.limits.contains(subject))
+    }
+
+    /// What is missed, and by how much: `limit` is the nearest request with its subject eased alone and without all requirements that do
+    /// not belong to it.
+    fn reasons(&self, limit: Option<&NearestRequirements>) -> Vec<String> {
+        let Some(subject) = self.subject() else { return Vec::new() };
+        let required = &self.context;
+        let others = SUBJECTS.into_iter().filter(|other| *other != subject && self.limits.contains(other));
+        let conditions: String = others.filter_map(|other| other.condition(required)).collect();
+        let eased = limit.map(|nearest| &nearest.requirements);
+        let mut reasons = vec![subject.shortfall(required, eased) + &conditions];
+        if subject == Easing::Mass && required.height.is_none() && required.shape.is_none() {
+            let reason = "the object is taken to be a ball: --height and --shape cylinder if it is not";
+            reasons.push(reason.to_owned());
+        }
+        reasons
+    }
+}
+
+/// The reason that needs no search: friction needs more force than all stars of the highest stack may press with.
+fn too_gentle(required: &Requirements) -> Option<String> {
+    let needed = required.mass.0 * GRAVITY / required.friction;
+    let bears = required.largest_force.filter(|bears| f64::from(MOST_STARS) * bears.0 < needed)?;
+    let [needed, mass, bears] = [
+        Force(three_digits(needed)).to_string(),
+        required.mass_in_words(),
+        in_unit(bears, required.units.force),
+    ];
+    Some(format!("friction needs {needed} to hold {mass}, and the object bears {bears} of each star"))
+}
+
+/// A positive number in three digits.
+fn three_digits(value: f64) -> f64 {
+    let step = libm::pow(10.0, libm::log10(value).floor() - 2.0);
+    (value / step).round() * step
+}
+
+impl Easing {
+    /// The requirement as a condition of another one: " at 20 kPa".
+    fn condition(self, required: &Requirements) -> Option<String> {
+        match self {
+            Self::Force => {
+                required.force_in_words().map(|force| format!(", with at most {force} of each star"))
+            }
+            Self::Pressure => required.pressure_in_words().map(|pressure| format!(", at {pressure}")),
+            Self::Sheet => Some(format!(", on a sheet of {}", area(required.room.sheet))),
+            Self::Machine => Some(format!(", on a machine that reaches {}", area(required.room.machine))),
+            Self::Friction | Self::Mass | Self::Size => None,
+        }
+    }
+
+    /// By how much `required` misses this requirement, which `eased` has as near to it as can be met.
+    fn shortfall(self, required: &Requirements, eased: Option<&Requirements>) -> String {
+        match self {
+            Self::Mass => {
+                let mass = required.mass_in_words();
+                let friction = Readable(required.friction);
+                eased.map_or_else(
+                    || format!("with friction {friction} it cannot carry {mass}"),
+                    |eased| {
+                        let carried = eased.mass_in_words();
+                        format!("it can safely carry {carried} of the {mass} with friction {friction}")
+                    },
+                )
+            }
+            Self::Force => {
+                let bears = required.force_in_words().unwrap_or_default();
+                let presses = eased.and_then(Requirements::force_in_words);
+                let presses = presses.map_or_else(
+                    || "a star may press harder".to_owned(),
+                    |force| format!("the gentlest star is for an object that bears {force}"),
+                );
+                format!("{presses}: this one bears {bears}")
+            }
+            Self::Sheet => {
+                let sheet = area(required.room.sheet);
+                let needed = eased.map_or_else(
+                    || "a larger sheet".to_owned(),
+                    |eased| format!("a sheet of {}", area(eased.room.sheet)),
+                );
+                format!("the star needs {needed}: this one is {sheet}")
+            }
+            Self::Machine => {
+                let reach = area(required.room.machine);
+                let needed = eased.map_or_else(
+                    || "a larger bed".to_owned(),
+                    |eased| format!("a bed of {}", area(eased.room.machine)),
+                );
+                format!("the star needs {needed}: the machine reaches {reach}")
+            }
+            Self::Pressure => {
+                let pressure = required.pressure_in_words().unwrap_or_default();
+                let other = eased.and_then(Requirements::pressure_in_words);
+                let other =
+                    other.map_or_else(String::new, |other| format!("; the nearest pressure is {other}"));
+                format!(
+                    "at {pressure} no gripper for it is in the range in which shells were computed{other}"
+                )
+            }
+            Self::Friction => format!("friction {} is too little", Readable(required.friction)),
+            Self::Size => format!("no gripper is for an object {} across", required.width_in_words()),
+        }
+    }
+
+    /// The change from `required` to `eased`, in words; `None` if they agree in this requirement.
+    fn change(self, required: &Requirements, eased: &Requirements) -> Option<String> {
+        Some(match self {
+            Self::Friction if eased.friction > required.friction => {
+                format!(
+                    "friction {} (silicone-coated corners reach about {COATED})",
+                    Readable(eased.friction)
+                )
+            }
+            Self::Pressure if eased.pressure != required.pressure => eased
+                .pressure_in_words()
+                .map_or_else(|| "any pressure".to_owned(), |pressure| format!("a pressure of {pressure}")),
+            Self::Sheet if eased.room.sheet != required.room.sheet => {
+                format!("a sheet of {}", area(eased.room.sheet))
+            }
+            Self::Force if eased.largest_force != required.largest_force => {
+                format!("an object that bears {}", eased.force_in_words().unwrap_or_default())
+            }
+            Self::Mass if eased.mass != required.mass => format!("a mass of {}", eased.mass_in_words()),
+            Self::Size if eased.object != required.object => {
+                format!("an object {} across", eased.width_in_words())
+            }
+            Self::Friction
+            | Self::Pressure
+            | Self::Sheet
+            | Self::Force
+            | Self::Mass
+            | Self::Machine
+            | Self::Size => return None,
+        })
+    }
+}
+
+impl NearestRequirements {
+    /// The changes from the requirements `required`, in words.
+    pub fn changes(&self, required: &Requirements) -> String {
+        let easings = OFFERS.into_iter().chain([Easing::Size]);
+        let changes = easings.filter_map(|easing| easing.change(required, &self.requirements));
+        changes.collect::<Vec<_>>().join(" and ")
+    }
+}
+
+/// Width and height, as far as they are limited: "198 x 185 mm".
+fn area([width, height]: [Length; 2]) -> String {
+    match [width, height].map(|side| side.0.is_finite()) {
+        [true, true] => format!("{} x {}", Readable(width.0), in_unit(height, None)),
+        [true, false] => format!("{width} width"),
+        [false, true] => format!("{height} height"),
+        [false, false] => "any size".to_owned(),
+    }
+}

@@ -1,0 +1,110 @@
+//! All refusals of a spec at once, across the stages of its design.
+//!
+//! A stage that refuses a value ends the design. So that the next stages can judge the rest, the value is **mended**: replaced by one that
+//! constrains nothing, such as no `extent` for one that reaches too far. A mended value has no faults that follow from it. Values of a star's
+//! shape and of a drawing cannot be mended, because all later stages depend on them.
+
+use crate::pipeline::{no_prediction, planned};
+use design::{Design, Refusal, Refusals};
+use forecast::predict::predict;
+use forecast::verdict;
+use spec::units::Length;
+use spec::{FEWEST_POSTS, KeyPath, Machine, ModelChoice, Spec};
+
+/// Most stages that are mended, more than there are.
+const ROUNDS: usize = 16;
+
+/// A spec and a machine whose refused values are mended.
+struct Mended {
+    spec: Spec,
+    machine: Machine,
+    /// All refusals on the way.
+    refusals: Refusals,
+    /// The design of the mended spec; `None` if a refused value cannot be mended.
+    design: Option<Design>,
+}
+
+impl Mended {
+    fn new(spec: &Spec, machine: &Machine) -> Self {
+        let mut mended =
+            Self { spec: spec.clone(), machine: machine.clone(), refusals: Refusals::new(), design: None };
+        for _ in 0..ROUNDS {
+            match Design::new(&mended.spec, &mended.machine) {
+                Ok(design) => return Self { design: Some(design), ..mended },
+                Err(refusals) => {
+                    // Each one is mended, also after one that cannot be.
+                    let failed = refusals.iter().filter(|refusal| !mended.mend(refusal.key)).count();
+                    mended.add(refusals);
+                    if failed > 0 {
+                        return mended;
+                    }
+                }
+            }
+        }
+        mended
+    }
+
+    /// Adds refusals that are not yet in the list.
+    fn add(&mut self, refusals: impl IntoIterator<Item = Refusal>) {
+        for refusal in refusals {
+            if !self.refusals.contains(&refusal) {
+                self.refusals.push(refusal);
+            }
+        }
+    }
+
+    /// Replaces the value of `key`, one that a design refuses, by one that constrains nothing; returns whether there is one.
+    fn mend(&mut self, key: KeyPath) -> bool {
+        let spec = &mut self.spec;
+        match (key.section(), key.key()) {
+            ("mask", "extent") => spec.mask.extent = None,
+            ("mask", "creep") => spec.mask.creep = Length(0.0),
+            ("mask", "border") => spec.mask.border = Length(10.0),
+            ("mask", "bed") => spec.mask.bed = None,
+            ("cut", "kerf") => {
+                // That of the frame is the same if it is not written.
+                if spec.frame.kerf == spec.cut.kerf {
+                    spec.frame.kerf = Length(0.0);
+                }
+                spec.cut.kerf = Length(0.0);
+            }
+            ("frame", "kerf") => spec.frame.kerf = Length(0.0),
+            ("frame", "posts") => spec.frame.posts = FEWEST_POSTS,
+            ("stack", "pitch") => {
+                for star in &mut spec.stars {
+                    star.pitch = Length(star.pitch.0.max(star.tube_width.0 + spec.frame.plate_thickness.0));
+                }
+            }
+            ("inlet", _) => spec.inlet = None,
+            ("sheet", "hole_diameter") => spec.sheet.hole_diameter = Length(0.0),
+            ("sheet", "width" | "height") => (spec.sheet.width, spec.sheet.height) = (None, None),
+            ("machine", "profile") => self.machine.bench.work_area = None,
+            _ => return false,
+        }
+        true
+    }
+}
+
+/// All reasons why the stages up to the programs refuse `spec` or `machine`; none if they do not.
+pub(super) fn refused(spec: &Spec, machine: &Machine) -> Refusals {
+    let mut mended = Mended::new(spec, machine);
+    if let Some(design) = mended.design.take() {
+        let refused = planned(mended.spec.clone(), mended.machine.clone(), design).err().unwrap_or_default();
+        // A mended inlet is none, which would leave the star without air.
+        let is_mended = spec.inlet.is_some() && mended.spec.inlet.is_none();
+        mended.add(refused.into_iter().filter(|refusal| !(is_mended && refusal.key.section() == "inlet")));
+    }
+    mended.refusals
+}
+
+/// The reasons why a gripper of `spec`, which the design refuses, does not suit its own load, as far as that can be judged. Models that compute
+/// for long are left out.
+pub fn unfit_besides(spec: &Spec, machine: &Machine) -> Refusals {
+    let Mended { spec, design, .. } = Mended::new(spec, machine);
+    let is_fast = !matches!(spec.accuracy.model, ModelChoice::Shell | ModelChoice::Bvp);
+    let stars = design.filter(|design| design.assembly().is_some() && spec.load.is_some() && is_fast);
+    stars.map_or_else(Refusals::new, |design| match predict(&spec, &design) {
+        Ok(prediction) => verdict::refusals(&spec, &prediction.stars).into_iter().collect(),
+        Err(fault) => no_prediction(&fault).into(),
+    })
+}
