@@ -267,7 +267,7 @@ fn the_reason_binds_and_every_way_out_works() {
         ("--object 600mm --mass 9kg --height 200mm --shape cylinder", "the largest is about 3", &[]),
         ("--object 3mm --mass 1g", "the smallest is about ", &[]),
         // A machine has no option that makes it larger, and an object does not shrink.
-        ("--object 150mm --mass 1kg --machine marlin", "the star needs a bed of ", &[]),
+        ("--object 150mm --mass 1kg --machine small.toml", "the star needs a bed of ", &[]),
         (
             "--object 66mm --mass 350g --friction 1 --sheet 300x120",
             "the star needs a sheet of ",
@@ -282,6 +282,10 @@ fn the_reason_binds_and_every_way_out_works() {
         ("--object 66mm --mass 35kg --sheet 90x90", "the star needs a sheet of ", &["a sheet of "]),
     ] {
         let dir = folder();
+        let unlimited = "x = \"unknown\"\ny = \"unknown\"";
+        let small = text(&run(dir.path(), &["machines", "show", "marlin"]).stdout)
+            .replace(unlimited, "x = \"235 mm\"\ny = \"235 mm\"");
+        fs::write(dir.path().join("small.toml"), small).expect("written");
         let args: Vec<&str> = ["new", "wish"].into_iter().chain(request.split(' ')).collect();
         let output = run(dir.path(), &args);
         let said = text(&output.stderr);
