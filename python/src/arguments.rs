@@ -52,6 +52,11 @@ pub(crate) fn fineness(found: &Bound<'_, PyAny>) -> PyResult<Option<String>> {
     text("fineness", found, "coarse, medium or fine")
 }
 
+/// The largest accepted error of a prediction.
+pub(crate) fn accuracy(found: &Bound<'_, PyAny>) -> PyResult<Option<String>> {
+    text("accuracy", found, "a text with its unit: \"2 %\"")
+}
+
 /// The text of a study file.
 pub(crate) fn study(found: &Bound<'_, PyAny>) -> PyResult<Option<String>> {
     text("study", found, "the text of a study file")

@@ -29,24 +29,28 @@ enum Refused {
 /// radii: also the force on round objects of these radii, "20 mm..40 mm/5".
 /// fineness: of the shell's meshes: "coarse" (default for drawings), "medium" (default for stars) or "fine".
 /// The answer about a drawing has its own keys, `chambers` among them: read it by to_dict().
+/// accuracy: the cheapest model with an error of at most this, "2 %"; without model and fineness.
 /// progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
 ///
 /// Raises DesignError if there is no such gripper, PredictionError if the model has no answer, UsageError for wrong arguments.
 #[pyfunction]
-#[pyo3(signature = (spec, *, model = None, radii = None, fineness = None, progress = None))]
+#[pyo3(signature = (spec, *, model = None, radii = None, fineness = None, accuracy = None, progress = None))]
 pub(crate) fn predict(
     py: Python<'_>,
     spec: &Spec,
     #[pyo3(from_py_with = arguments::model)] model: Option<String>,
     #[pyo3(from_py_with = arguments::radii)] radii: Option<String>,
     #[pyo3(from_py_with = arguments::fineness)] fineness: Option<String>,
+    #[pyo3(from_py_with = arguments::accuracy)] accuracy: Option<String>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Prediction> {
     let given = Arc::clone(&spec.given);
-    let asked = question(model.as_deref(), radii.as_deref(), fineness.as_deref())
+    let asked = question(model.as_deref(), radii.as_deref(), fineness.as_deref(), accuracy.as_deref())
         .map_err(|failure| of_failure(py, &failure))?;
     let own = &given.reading.spec;
-    let answered = if own.drawing.is_some() || asked.model.unwrap_or(own.accuracy.model) == ModelChoice::Shell
+    let answered = if own.drawing.is_some()
+        || asked.accuracy.is_some()
+        || asked.model.unwrap_or(own.accuracy.model) == ModelChoice::Shell
     {
         let given = Arc::clone(&given);
         wait(py, progress, move |line| line.watched(|watch| answer(&given, &asked, watch)))?
@@ -64,7 +68,7 @@ pub(crate) fn predict(
 /// Repeats the computation of `predict` `times` times, without Python: the reference of tests/overhead.py.
 #[pyfunction]
 pub(crate) fn repeat(py: Python<'_>, spec: &Spec, model: Option<&str>, times: u32) -> PyResult<()> {
-    let asked = question(model, None, None).map_err(|failure| of_failure(py, &failure))?;
+    let asked = question(model, None, None, None).map_err(|failure| of_failure(py, &failure))?;
     for _ in 0..times {
         let _ = std::hint::black_box(answer(&spec.given, &asked, &Watch::default()));
     }
@@ -76,12 +80,14 @@ fn question(
     model: Option<&str>,
     radii: Option<&str>,
     fineness: Option<&str>,
+    accuracy: Option<&str>,
 ) -> Result<StarQuestion, embedded::Failure> {
     let known = model.map(embedded::model);
-    if radii.is_none() && fineness.is_none() && known != Some(None) {
-        return Ok(StarQuestion { model: known.flatten(), radii: Vec::new(), detail: None });
+    if radii.is_none() && fineness.is_none() && accuracy.is_none() && known != Some(None) {
+        return Ok(StarQuestion { model: known.flatten(), radii: Vec::new(), detail: None, accuracy: None });
     }
-    let options = [("--model", model), ("--radii", radii), ("--fineness", fineness)];
+    let options =
+        [("--model", model), ("--radii", radii), ("--fineness", fineness), ("--accuracy", accuracy)];
     let options = options.iter().filter_map(|(name, value)| Some(format!("{name}={}", (*value)?)));
     embedded::star_question(&options.collect::<Vec<_>>())
 }

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::pipeline::Forecast;
-use forecast::meshed::{MeshedPlace, MeshedValue};
+use forecast::drawn::prediction::ChamberPrediction;
 use forecast::prediction::{StarPrediction, distinct};
 use forecast::ranges::scaled;
 use forecast::ranges::shown::{or_unknown, rounded, with_limit};
@@ -70,12 +70,7 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
 pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
     let Some(drawn) = &forecast.drawn else { return Vec::new() };
     let prediction = &drawn.prediction;
-    let across = |extents: [MeshedValue; 2], height: MeshedPlace| {
-        let [x, y, z] = [extents[0].value, extents[1].value, height.value].map(rounded);
-        format!("to {x} x {y} x {z} mm")
-    };
-    let sizes: Vec<String> =
-        prediction.chambers.iter().filter_map(|one| Some(across(one.extents_mm?, one.height_mm?))).collect();
+    let sizes: Vec<String> = prediction.chambers.iter().filter_map(inflated_size).collect();
     if sizes.is_empty() {
         return vec![("predicts", format!("no inflated size: {}", prediction.evidence.choice))];
     }
@@ -106,6 +101,16 @@ pub fn json(forecast: &Forecast) -> Value {
         .collect();
     let code = verdict.and_then(|verdict| verdict.code);
     json!({ "holds": holds, "code": code, "in_words": in_words(forecast), "unfit": refused })
+}
+
+/// Extents and height of the inflated `chamber`; `None` without the shell.
+fn inflated_size(chamber: &ChamberPrediction) -> Option<String> {
+    let ([along_x, along_y], height) = (chamber.extents_mm?, chamber.height_mm?);
+    let [x, y, z] = [along_x.value, along_y.value, height.value].map(rounded);
+    let range = chamber.ranges.map_or_else(String::new, |ranges| {
+        format!(" (height {})", with_limit(height.value, ranges.height_mm, "mm", None))
+    });
+    Some(format!("to {x} x {y} x {z} mm{range}"))
 }
 
 fn closing(star: &StarPrediction) -> String {

@@ -7,7 +7,7 @@ use crate::cli::shell::{ShellArgs, refused};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
 use forecast::actuator::{Actuator, actuate};
-use forecast::model_selection::named;
+use forecast::model_selection::named_limit;
 use forecast::pressures::outside_section;
 use forecast::shell::Detail;
 use forecast::shell::actuator;
@@ -93,7 +93,7 @@ impl Args {
         Ok(ActuatorQuestion {
             actuator,
             angles: self.angles.as_ref().map_or_else(Vec::new, |angles| angles.0.clone()),
-            level: if self.model == ModelChoice::Auto { Some(Level::Section) } else { named(self.model) },
+            level: named_limit(self.model).or((self.model != ModelChoice::Shell).then_some(Level::Section)),
             detail: self.shell.fineness.unwrap_or(Detail::Medium),
         })
     }

@@ -4,24 +4,27 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use crate::answer::quantity::{SIZE, evenly, range};
+use crate::answer::quantity::{SIZE, evenly, quantity, range};
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::shell::{ShellArgs, not_computed};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::words::words;
 use design::{Design, Refusals};
+use forecast::accuracy;
+use forecast::accuracy::AccuracySearch;
 use forecast::drawn;
 use forecast::drawn::prediction::DrawnPrediction;
 use forecast::predict::{add_curve, predict};
 use forecast::prediction::Prediction;
 use forecast::report;
-use forecast::shell::Detail;
+use forecast::shell::request::no_pressure;
 use forecast::shell::star;
 use forecast::shell::star::ShellRefusal;
+use forecast::shell::{Detail, SHELL};
 use inflatable::shell::cases::{InflatedShape, Watch};
-use spec::units::Length;
-use spec::{ModelChoice, Spec};
+use spec::units::{Length, Percent};
+use spec::{Allowed, ModelChoice, Spec};
 
 /// Largest number of radii of one curve: each is reached in steps.
 const MOST_RADII: u32 = 7;
@@ -34,6 +37,10 @@ pub(super) struct Args {
     /// The model to use instead of the spec's.
     #[arg(long, value_name = "MODEL", value_parser = words(&ModelChoice::ALL, &MODELS))]
     model: Option<ModelChoice>,
+    /// The cheapest model with an error of at most this, such as "2 %": the table of section, then coarse, medium and fine shells. It needs a
+    /// pressure.
+    #[arg(long, value_name = "ERROR", allow_hyphen_values = true, value_parser = quantity::<Percent>(Allowed::above(0.0, 100.0)), conflicts_with_all = ["model", "fineness", "vtu"])]
+    accuracy: Option<Percent>,
     /// Also the force on round objects of these radii, at most 7: "20 mm..40 mm/5".
     #[arg(long, value_name = "FROM..TO/COUNT", allow_hyphen_values = true, value_parser = radii)]
     radii: Option<Radii>,
@@ -62,6 +69,8 @@ pub struct StarQuestion {
     pub radii: Vec<f64>,
     /// Fineness of the shell's mesh; by default medium, and coarse for drawings, which are larger.
     pub detail: Option<Detail>,
+    /// The largest accepted error, which selects model and fineness.
+    pub accuracy: Option<Percent>,
 }
 
 /// The prediction of a gripper.
@@ -83,6 +92,32 @@ impl GripperAnswer {
         }
     }
 
+    /// Model of the answer, and its stated error; `detail` is that of a shell's meshes.
+    fn stated(&self, detail: Option<Detail>) -> (&'static str, Option<f64>) {
+        match self {
+            Self::Star(star) => (star.first.model, accuracy::of_stars(star, detail)),
+            Self::Drawn(drawn) => (drawn.model, accuracy::of_drawing(drawn)),
+        }
+    }
+
+    /// The answer with the search that led to it, and its warning.
+    #[must_use]
+    fn searched(mut self, search: &AccuracySearch) -> Self {
+        match &mut self {
+            Self::Star(star) => {
+                for star in star.stars.iter_mut().chain([&mut star.first]) {
+                    star.evidence.accuracy = Some(search.clone());
+                    star.evidence.warnings.extend(search.warning());
+                }
+            }
+            Self::Drawn(drawn) => {
+                drawn.evidence.accuracy = Some(search.clone());
+                drawn.evidence.warnings.extend(search.warning());
+            }
+        }
+        self
+    }
+
     fn json(&self) -> String {
         match self {
             Self::Star(star) => star.to_json(),
@@ -95,7 +130,7 @@ impl Args {
     /// The question that the arguments describe.
     pub(super) fn question(&self) -> StarQuestion {
         let radii = self.radii.as_ref().map_or_else(Vec::new, |Radii(radii)| radii.clone());
-        StarQuestion { model: self.model, radii, detail: self.shell.fineness }
+        StarQuestion { model: self.model, radii, detail: self.shell.fineness, accuracy: self.accuracy }
     }
 
     /// Refuses options about stars for a drawing, for which only the shell is a model.
@@ -128,6 +163,61 @@ impl StarQuestion {
     /// # Errors
     /// If the model has no answer, or is cancelled.
     pub fn answer(
+        &self,
+        (spec, design): (&Spec, &Design),
+        watch: &Watch<'_>,
+    ) -> Result<(GripperAnswer, Option<InflatedShape>), ShellRefusal> {
+        match self.accuracy {
+            Some(accuracy) => self.within(accuracy, (spec, design), watch),
+            None => self.by_model((spec, design), watch),
+        }
+    }
+
+    /// The prediction by the cheapest model that states an error of at most `accuracy`. The models are tried in turn, from the cheapest on; if
+    /// none states so small an error, the answer is that with the least. A shell that refuses counts as a trial without an answer.
+    fn within(
+        &self,
+        accuracy: Percent,
+        (spec, design): (&Spec, &Design),
+        watch: &Watch<'_>,
+    ) -> Result<(GripperAnswer, Option<InflatedShape>), ShellRefusal> {
+        if spec.load.as_ref().is_none_or(|load| load.pressure.is_none()) {
+            return Err(no_pressure());
+        }
+        let mut search = AccuracySearch::new(accuracy);
+        let (mut best, mut first_fault) = (None, None);
+        let table = design.assembly().map(|_| None);
+        for detail in table.into_iter().chain(Detail::ALL.map(|(_, detail)| Some(detail))) {
+            let mut spec = spec.clone();
+            spec.accuracy.model = detail.map_or(ModelChoice::Auto, |_| ModelChoice::Shell);
+            let question = Self { detail, ..self.clone() };
+            match question.by_model((&spec, design), watch) {
+                Ok((answer, shape)) => {
+                    let (model, error) = answer.stated(detail);
+                    let is_met = search.record(model, detail, error);
+                    let error = error.unwrap_or(f64::INFINITY);
+                    if best.as_ref().is_none_or(|(least, _)| error < *least) {
+                        best = Some((error, (answer, shape)));
+                    }
+                    if is_met {
+                        break;
+                    }
+                }
+                Err(ShellRefusal::Cancelled) => return Err(ShellRefusal::Cancelled),
+                Err(fault) => {
+                    let _ = search.record(SHELL, detail, None);
+                    first_fault = first_fault.or(Some(fault));
+                }
+            }
+        }
+        match best {
+            Some((_, (answer, shape))) => Ok((answer.searched(&search), shape)),
+            None => Err(first_fault.unwrap_or_else(no_pressure)),
+        }
+    }
+
+    /// The prediction by the model of `spec`.
+    fn by_model(
         &self,
         (spec, design): (&Spec, &Design),
         watch: &Watch<'_>,
@@ -165,9 +255,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     };
     let inputs = if let Some(piece) = design.drawn() {
         args.refuse_those_of_stars()?;
-        format!("predict {spec:?} {:?} {:?} {:?}", piece.air, piece.inner, piece.part.inside)
-    } else if spec.accuracy.model == ModelChoice::Shell {
-        format!("predict {spec:?} {:?}", question.radii)
+        format!(
+            "predict {spec:?} {:?} {:?} {:?} {:?}",
+            piece.air, piece.inner, piece.part.inside, question.accuracy
+        )
+    } else if question.accuracy.is_some() || spec.accuracy.model == ModelChoice::Shell {
+        format!("predict {spec:?} {:?} {:?}", question.radii, question.accuracy)
     } else {
         args.shell.not_by_others()?;
         let (json, text, _) = answer(&Watch::default())?;

@@ -163,7 +163,10 @@ fn strength(forecast: &Forecast) -> Option<Precaution> {
     let report = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
     let loads = report.pieces.iter().flat_map(|star| &star.loads).filter_map(|load| load.load);
     let drawn = forecast.drawn.iter().flat_map(|drawn| &drawn.prediction.chambers);
-    let drawn = drawn.filter_map(|chamber| chamber.seal_pull_N_per_mm).map(|pull| pull.value);
+    let drawn = drawn.filter_map(|chamber| match chamber.ranges {
+        Some(ranges) => Some(ranges.seal_pull_N_per_mm[1]),
+        None => chamber.seal_pull_N_per_mm.map(|pull| pull.value),
+    });
     let most = loads.map(|load| load.0).chain(drawn).reduce(f64::max)?;
     let text = format!(
         "the burst pressure is unknown: the seal must withstand {} N/mm; measure yours (`coupon`) and set `seal_strength` in [fabric]",

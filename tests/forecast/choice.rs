@@ -1,25 +1,83 @@
 //! The choice of a model, and its limits of validity.
 
-use crate::{case, gripper, paper, predict};
+use crate::{case, design, gripper, paper, predict};
 use stargrip_cam::forecast::model_selection::{hinge_model, limits_of_validity};
 use stargrip_cam::mechanics::hinge::Level;
-use stargrip_cam::spec::ModelChoice;
+use stargrip_cam::spec::{ModelChoice, Spec, key};
+use stargrip_cam::units::{BendingStiffness, Length, Pressure};
 
+/// Residuals and ranges belong to the table, so the section by its name is the table, too.
 #[test]
-fn auto_takes_the_section_at_a_pressure_and_says_what_the_solver_says() {
+fn a_star_by_section_is_that_of_auto() {
     for points in 3..=7 {
         let auto = predict(&gripper(points)).first;
-        let mut asked = gripper(points);
-        asked.accuracy.model = ModelChoice::Section;
-        let solved = predict(&asked).first;
-        assert_eq!((auto.model, solved.model), ("section", "section"));
-        let [fast, slow] = [&auto, &solved].map(|star| star.final_radius_mm.expect("at a pressure"));
-        assert!((fast / slow - 1.0).abs() < 0.03, "n = {points}: {fast} {slow}");
+        let mut by_name = gripper(points);
+        by_name.accuracy.model = ModelChoice::Section;
+        let mut section = predict(&by_name).first;
         // A selection by name is not a warning.
-        assert!(solved.evidence.choice.contains("requested"));
-        assert!(solved.evidence.warnings.iter().all(|warning| !warning.contains("requested")));
-        assert!(auto.nonlinear.is_none() && solved.nonlinear.is_none());
+        assert_eq!(section.evidence.choice, "section was requested");
+        section.evidence.choice.clone_from(&auto.evidence.choice);
+        assert_eq!(section, auto, "n = {points}");
+        assert!(auto.model == "section" && auto.nonlinear.is_none());
     }
+}
+
+/// A star that no table covers is computed by the shell where that covers it.
+#[test]
+fn an_unknown_star_is_pointed_to_the_shell_where_that_covers_it() {
+    let by_shell = |spec: &Spec| {
+        let warnings = predict(spec).first.evidence.warnings;
+        warnings.iter().any(|warning| warning.contains("predict --model shell --fineness coarse"))
+    };
+    assert!(!by_shell(&gripper(5)));
+    let mut many = gripper(14);
+    for star in &mut many.stars {
+        (star.inner_radius, star.tube_width) = (Length(80.0), Length(15.0));
+    }
+    assert!(by_shell(&many));
+    // Too thick for a thin shell.
+    let mut thick = gripper(5);
+    thick.fabric.thickness = Length(1.2);
+    assert!(!by_shell(&thick));
+}
+
+/// Sharp hinges, tubes of several widths: the key that is refused is one of the fabric, and each way out works.
+#[test]
+fn fabric_out_of_range_is_refused_at_its_own_key_with_values_that_work() {
+    let section = || {
+        let mut spec = gripper(5);
+        spec.accuracy.model = ModelChoice::Section;
+        spec
+    };
+    let refusal = |spec: &Spec| {
+        let fault = predict::predict(spec, &design(spec)).err()?;
+        Some((fault.key, fault.remedy.unwrap_or_default()))
+    };
+    let mut soft = section();
+    soft.fabric.poisson_ratio = 0.5;
+    assert_eq!(
+        refusal(&soft),
+        Some((key::fabric::POISSON_RATIO, "a poisson_ratio from 0 to 0.49".to_owned()))
+    );
+    for thickness in [1.2, 0.05] {
+        let mut spec = section();
+        spec.fabric.thickness = Length(thickness);
+        // At any pressure: the fabric is the binding reason.
+        for pressure in [0.1, 37.0, 5000.0] {
+            spec.load.as_mut().expect("a load").pressure = Some(Pressure(pressure));
+            let (key, remedy) = refusal(&spec).expect("out of range");
+            assert_eq!(key, key::fabric::THICKNESS);
+            assert!(remedy.starts_with("a thickness from 0.09 to 0.9 mm, or a tube_width from "), "{remedy}");
+        }
+    }
+    let mut measured = section();
+    measured.fabric.bending_stiffness = Some(BendingStiffness(8.0));
+    let (key, remedy) = refusal(&measured).expect("out of range");
+    assert_eq!(key, key::fabric::BENDING_STIFFNESS);
+    let most: f64 =
+        remedy.split(" to ").nth(1).and_then(|rest| rest.split(' ').next()?.parse().ok()).expect(&remedy);
+    measured.fabric.bending_stiffness = Some(BendingStiffness(most));
+    assert!(refusal(&measured).is_none_or(|(key, _)| key == key::load::PRESSURE), "{:?}", refusal(&measured));
 }
 
 #[test]

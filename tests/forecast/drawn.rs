@@ -72,14 +72,50 @@ fn a_drawn_disc_is_a_balloon_each_time() {
     let pull = one.seal_pull_N_per_mm.expect("known");
     let mean = 3e-3 * 76.27_f64.powi(2) / 400.0;
     assert!((0.95..1.25).contains(&(pull.value / mean)), "{pull:?} {mean}");
-    let [low, high] = found.prediction.burst_range_kPa.expect("a strength");
-    let burst = found.prediction.burst_pressure_kPa.expect("a strength");
-    assert!(low <= burst && burst <= high && (burst - 3.0 * 2.0 / pull.value).abs() < 0.01 * burst);
+    // Folds of film are fine, and the range is narrow.
+    let [low, high] = one.ranges.expect("averaged").height_mm;
+    assert!(low > 0.9 * high && (low..=high).contains(&45.69), "{low} {high}");
     let again = coarse(&asked);
     assert_eq!(found.prediction.to_json(), again.prediction.to_json());
     assert_eq!(found.surfaces, again.surfaces);
     let surface = &found.surfaces[0];
     assert!(surface.flat.len() == surface.points.len() && !surface.triangles.is_empty());
+}
+
+/// A pouch at which wrinkles are resolved has a burst pressure, and mesh errors; above 1/eps of 1,000 it has ranges that contain what it is below,
+/// and no verdict on its seal.
+#[test]
+fn no_burst_verdict_rests_on_averaged_wrinkles() {
+    let of_pressure = |kilopascals: &str| {
+        let text = format!(
+            "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = {{ air = [\"a\"], port = [\"p\"] }}\n\
+             [fabric]\nseal_strength = \"0.01 N/mm\"\n[load]\npressure = \"{kilopascals} kPa\"\n"
+        );
+        let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"80mm\" height=\"80mm\" viewBox=\"0 0 80 80\"><g id=\"a\">\
+            <rect id=\"r\" x=\"20\" y=\"20\" width=\"40\" height=\"40\"/></g><g id=\"p\"><path id=\"q\" d=\"M37 20H43\"/></g></svg>";
+        coarse(&of_text(&text, svg.as_bytes())).prediction
+    };
+    let [resolved, averaged] = ["5.2", "5.4"].map(of_pressure);
+    assert_eq!(
+        (resolved.chambers[0].wrinkles, averaged.chambers[0].wrinkles),
+        (Some("resolved"), Some("averaged"))
+    );
+    assert!(resolved.chambers[0].ranges.is_none() && resolved.bursts().is_some());
+    assert_eq!((averaged.burst_pressure_kPa, averaged.burst_margin, averaged.bursting()), (None, None, None));
+    assert!(averaged.bursts().is_none());
+    assert!(averaged.evidence.warnings.iter().any(|warning| warning.contains("are averaged")));
+    let (below, ranges) = (&resolved.chambers[0], averaged.chambers[0].ranges.expect("averaged"));
+    for ([low, high], value) in [
+        (ranges.height_mm, below.height_mm.expect("known").value),
+        (ranges.extents_mm[0], below.extents_mm.expect("known")[0].value),
+        (ranges.volume_mm3, below.volume_mm3.expect("known").value),
+        (ranges.seal_pull_N_per_mm, below.seal_pull_N_per_mm.expect("known").value),
+    ] {
+        assert!(low <= value && value <= high, "{value} in {low} to {high}");
+    }
+    // The strength that `calibrate` asks for is that of the folds.
+    let [(Some(load), _)] = &averaged.seam_loads()[..] else { panic!("one seam") };
+    assert!(load.0 >= below.seal_pull_N_per_mm.expect("known").value, "{load:?}");
 }
 
 /// A wall from rim to rim ends on the air's edge, and both its sides bear a share.

@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_4;
 
 use super::{case, close, gripper, predict};
 use stargrip_cam::forecast::case::weave;
+use stargrip_cam::forecast::report::text;
 use stargrip_cam::forecast::shell::star::flat;
 use stargrip_cam::shell::cases::StarPart;
 use stargrip_cam::spec::{ModelChoice, Spec};
@@ -42,6 +43,19 @@ fn the_shell_computes_a_whole_star_where_the_weave_has_no_planes_of_symmetry() {
         let spec = woven(points, warp);
         let flat = flat(&case(&spec), weave(&spec.fabric).expect("in range")).expect("a star");
         assert_eq!(flat.part(), part, "{points} {warp}");
+    }
+}
+
+/// Shells close less from 1/eps = 1,500 on only (docs/weave.md).
+#[test]
+fn a_soft_weave_closes_less_only_where_shells_do() {
+    for (pressure, closes_less) in
+        [(Some(37.0), true), (Some(20.0), true), (Some(18.0), false), (None, false)]
+    {
+        let mut spec = gripper(5);
+        spec.load.as_mut().expect("a load").pressure = pressure.map(Pressure);
+        let page = text(&spec, &predict(&spec));
+        assert_eq!(page.contains("soft in shear closes less"), closes_less, "{pressure:?}: {page}");
     }
 }
 

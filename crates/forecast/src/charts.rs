@@ -6,7 +6,7 @@
 use serde::Serialize;
 
 use crate::case::Case;
-use crate::model_selection::{corrected, named, of_spec};
+use crate::model_selection::{corrected, named_limit, of_spec};
 use crate::outcome::Outcome;
 use crate::pose::{Pose, at_angle, held};
 use crate::ranges::{Interval, mm};
@@ -102,7 +102,7 @@ pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
         let own = Question { chosen: spec.accuracy.model, case, star };
         Some(Charts {
             star: placed.index,
-            model: named(own.chosen).unwrap_or(Level::Section).name(),
+            model: named_limit(own.chosen).unwrap_or(Level::Section).name(),
             by_pressure: (1..=PRESSURES).filter_map(|k| own.at_pressure(k)).collect(),
             by_radius: own.by_radius().unwrap_or_default(),
             by_points: own.by_points(spec, asked, meeting).unwrap_or_default(),
@@ -122,7 +122,7 @@ impl Question<'_> {
     /// The model at a pressure, Pa; `None` where it does not cover the star.
     fn model(&self, pressure: f64) -> Option<Box<dyn HingeModel>> {
         let model = of_spec(self.chosen, &self.case, pressure).ok()?;
-        if named(self.chosen).is_none() {
+        if named_limit(self.chosen).is_none() {
             return Some(model);
         }
         let mechanism = &self.case.mechanism;

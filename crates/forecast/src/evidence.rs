@@ -1,5 +1,6 @@
 //! The evidence for a prediction: the model, its numerical errors, and what was found about the seal and the object.
 
+use crate::accuracy::AccuracySearch;
 use crate::case::Hinges;
 use crate::ranges::Interval;
 use crate::seal_load::Bursting;
@@ -11,6 +12,9 @@ use serde::Serialize;
 pub struct ModelEvidence {
     /// Reason for the choice of this model.
     pub choice: String,
+    /// The search for a model with the accuracy that was requested.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<AccuracySearch>,
     /// The measured properties of the fabric, if there are any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fabric: Option<&'static str>,

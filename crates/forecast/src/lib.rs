@@ -15,6 +15,7 @@
 //! | [`mod@verdict`] | whether the object is held, and the reasons to refuse a gripper that cannot |
 //! | [`mod@pose`] | the shape of the inflated star, for every picture |
 //! | [`mod@charts`] | curves by pressure, object and number of points, for pictures |
+//! | [`accuracy`] | the cheapest model with a requested accuracy |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
 //! | [`drawn`] | a drawn piece, by the shell on its own regions |
 //! | [`shell`] | the same by the shell, which must be selected by name |
@@ -25,6 +26,7 @@
 //! | [`keys`] | every key of an answer with its meaning |
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))] // the last digits of std differ between systems (clippy.toml)
 
+pub mod accuracy;
 pub mod actuator;
 pub mod candidate;
 pub mod case;
@@ -49,6 +51,7 @@ pub mod seal_load;
 pub mod shell;
 pub mod sizing;
 mod star_answer;
+mod star_refusal;
 pub mod stiffness;
 pub mod study;
 pub mod trade;

@@ -70,15 +70,14 @@ pub fn correct_by(
     Ok(())
 }
 
-/// The model selected by name; `None` for `auto`, and for shells: a build's files are the same on every
-/// machine, and shells are not.
-pub fn named(chosen: ModelChoice) -> Option<Level> {
+/// The limit of high pressure selected by name; `None` where stars are predicted by [`tabled`]: for `section`, whose residuals and
+/// ranges belong to the table, for `auto`, and for shells, because a build's files are the same on every machine, and shells are not.
+pub fn named_limit(chosen: ModelChoice) -> Option<Level> {
     match chosen {
         ModelChoice::Fit => Some(Level::Fit),
         ModelChoice::Ring => Some(Level::Ring),
         ModelChoice::Bvp => Some(Level::Bvp),
-        ModelChoice::Section => Some(Level::Section),
-        ModelChoice::Auto | ModelChoice::Shell => None,
+        ModelChoice::Section | ModelChoice::Auto | ModelChoice::Shell => None,
     }
 }
 
@@ -108,12 +107,12 @@ pub fn hinge_model(
     })
 }
 
-/// The model that `chosen` names for the star of `case` at the gauge pressure `pressure` (Pa), or the one of `auto`.
+/// The model that `chosen` selects for the star of `case` at the gauge pressure `pressure` (Pa).
 ///
 /// # Errors
 /// If it does not cover the star.
 pub fn of_spec(chosen: ModelChoice, case: &Case, pressure: f64) -> Result<Box<dyn HingeModel>, StarFault> {
-    match named(chosen) {
+    match named_limit(chosen) {
         Some(level) => hinge_model(level, &case.sheet, Some(pressure), case.mechanism.width),
         None => Ok(Box::new(tabled(case, pressure)?)),
     }
@@ -135,7 +134,8 @@ pub fn limits_of_validity(model: &dyn HingeModel, case: &Case) -> Vec<String> {
         warnings.push(if bendability < FULL_ACTUATION {
             format!(
                 "bendability {bendability:.0} is below {FULL_ACTUATION:.0}: the hinges are not fully actuated, \
-                 and the star closes less than predicted"
+                 which {} does not take into account; section does",
+                level.name()
             )
         } else {
             format!(

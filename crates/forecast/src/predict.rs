@@ -1,15 +1,17 @@
 //! From a spec to the prediction: selects the model, evaluates every star, and adds the evidence.
 
 use crate::case::{Case, weave};
-use crate::model_selection::{bvp, corrected, hinge_model, limits_of_validity, named, tabled};
+use crate::model_selection::{bvp, corrected, hinge_model, limits_of_validity, named_limit, tabled};
 use crate::outcome::{Grip, Outcome};
 use crate::prediction::{ForceAt, ModelEvidence, Prediction, StarPrediction};
-use crate::pressures::{LEAST, MOST, modelled, outside_section, pressures, rows};
+use crate::pressures::{LEAST, MOST, modelled, rows};
 use crate::ranges::{Domain, Interval, Ranges, errors, mm, outside, sum};
 use crate::remembered::Remembered;
 use crate::seal_forecast::{SealForecast, per_mm};
 use crate::seal_load::Bursting;
+use crate::shell::by_shell;
 use crate::star_answer::{bare, fill, nonlinear, of_the_shape};
+use crate::star_refusal::located;
 use crate::verdict::{Verdict, refusals, verdict};
 use design::{Design, Meeting, StarAssembly, StarDesign};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
@@ -186,21 +188,26 @@ fn predict_star(
     models: &StarModels,
 ) -> Result<StarPrediction, StarFault> {
     let case = Case::of(spec, &part.star)?.meeting(meeting);
-    let asked = PlacedCase { spec, part, case, seal: SealForecast::new(spec, &case, &part.star) };
+    let placed = PlacedCase { spec, part, case, seal: SealForecast::new(spec, &case, &part.star) };
     let width = case.mechanism.width;
-    let Some(level) = named(spec.accuracy.model) else { return asked.automatic() };
+    let Some(level) = named_limit(spec.accuracy.model) else { return placed.by_table() };
     let choice = format!("{} was requested", level.name());
     if level == Level::Bvp {
-        return asked.by(&models.bvp, choice);
+        return placed.by(&models.bvp, choice);
     }
     let model = hinge_model(level, &case.sheet, case.pressure, width)?;
-    asked.by(model.as_ref(), choice)
+    placed.by(model.as_ref(), choice)
 }
 
 impl PlacedCase<'_> {
-    /// The cheapest model that covers a star at its pressure: `section`, from its table.
-    fn automatic(&self) -> Result<StarPrediction, StarFault> {
+    /// The prediction by the table of `section`, the cheapest model that covers a star at its pressure. Where that does not cover it, or no
+    /// pressure is given, `section` by name is refused, and `auto` gives the values that need no model.
+    fn by_table(&self) -> Result<StarPrediction, StarFault> {
+        let is_requested = self.spec.accuracy.model == ModelChoice::Section;
         let Some(pressure) = self.case.pressure else {
+            if is_requested {
+                return Err(StarFault::NoPressure);
+            }
             let why = "the prediction depends on the pressure, and none is given";
             let rows = rows(&self.case, self.seal.burst, self.seal.sure());
             let mut star = self.unknown(why.to_owned());
@@ -214,12 +221,21 @@ impl PlacedCase<'_> {
         };
         match tabled(&self.case, pressure) {
             Ok(model) => {
-                self.by(&model, "section covers this star at its pressure, from its table".to_owned())
+                let choice = if is_requested {
+                    "section was requested"
+                } else {
+                    "section covers this star at its pressure, from its table"
+                };
+                self.by(&model, choice.to_owned())
             }
-            Err(fault @ StarFault::Hinge(HingeFault::Scale { .. } | HingeFault::RStar { .. })) => {
-                let why = format!("no model covers this star at this pressure: {fault}");
+            Err(fault @ StarFault::Hinge(HingeFault::Scale { .. } | HingeFault::RStar { .. }))
+                if !is_requested =>
+            {
+                let why = format!("section does not cover this star: {fault}");
                 let mut unknown = self.unknown(why.clone());
-                unknown.evidence.warnings.insert(0, why);
+                let warnings = &mut unknown.evidence.warnings;
+                warnings.insert(0, why);
+                warnings.extend(self.by_shell());
                 unknown.modelled_kPa = modelled(&self.case);
                 Ok(unknown)
             }
@@ -250,6 +266,7 @@ impl PlacedCase<'_> {
         star.nonlinear = nonlinear(case, (&inflated, &outcome), self.spec.accuracy.response, warnings);
         fill(&mut star, case, &inflated, &outcome)?;
         if !outcome.known {
+            star.evidence.warnings.extend(self.by_shell());
             star.modelled_kPa = modelled(&self.case);
         }
         Ok(star)
@@ -292,6 +309,11 @@ impl PlacedCase<'_> {
         }
     }
 
+    /// The way to a prediction by the shell, if that covers the star.
+    fn by_shell(&self) -> Option<String> {
+        by_shell(&self.case, weave(&self.spec.fabric).ok()?)
+    }
+
     /// A warning about ranges that are wide, or based on no computed star.
     fn of_the_ranges(&self, outcome: &Outcome) -> Option<String> {
         let Ranges { domain, radius, .. } = outcome.ranges;
@@ -322,7 +344,7 @@ impl PlacedCase<'_> {
                     .collect();
                 (!wide.is_empty()).then(|| {
                     format!(
-                        "{}, more than the accepted {accepted}: `predict --model shell` may narrow it",
+                        "{}, more than the accepted {accepted}: `predict --accuracy \"{accepted}\"` looks for a model with less",
                         wide.join(", ")
                     )
                 })
@@ -346,29 +368,4 @@ fn weave_left_out(fabric: &Fabric) -> Option<String> {
              its shear modulus; `predict --model shell` takes it into account"
         )
     })
-}
-
-/// A fault of star `star`, made of `part` by `spec`, with the key that is best changed. The star itself exists: a design was made of it.
-fn located(star: usize, (spec, part): (&Spec, &StarDesign), fault: &StarFault) -> PredictFault {
-    let case = Case::of(spec, &part.star).ok();
-    let outside = case.and_then(|case| {
-        let (what, _) = outside_section(fault, &case.sheet, case.mechanism.width, case.pressure?)?;
-        // Not every pressure that `section` covers has a prediction.
-        Some((what, modelled(&case).map(pressures)))
-    });
-    if let Some((what, remedy)) = outside {
-        return PredictFault { star: Some(star), key: key::load::PRESSURE, what, remedy };
-    }
-    let key = match fault {
-        StarFault::Dimension { symbol, .. } => match *symbol {
-            "p" => key::load::PRESSURE,
-            "E" => key::fabric::YOUNG_MODULUS,
-            "nu" => key::fabric::POISSON_RATIO,
-            _ => key::fabric::THICKNESS,
-        },
-        StarFault::NoPressure => key::load::PRESSURE,
-        StarFault::Radius { .. } => key::load::OBJECT_RADIUS,
-        StarFault::Hinge(_) | StarFault::Root(_) => key::star::TIP_RADIUS,
-    };
-    PredictFault { star: Some(star), key, what: fault.to_string(), remedy: None }
 }

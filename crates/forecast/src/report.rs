@@ -12,9 +12,16 @@ use spec::Spec;
 use spec::units::Readable;
 use std::fmt::Write;
 
-/// The fabric assumed for all numbers where a spec gives no shear modulus.
-pub const ISOTROPIC: &str =
-    "all numbers are for isotropic fabric; a weave that is soft in shear closes less (docs/weave.md)";
+/// Least 1/eps at which shells of a fabric soft in shear close less than isotropic ones (docs/weave.md).
+const LEAST_OPENED: f64 = 1500.0;
+
+/// The fabric assumed for all numbers where a spec gives no shear modulus, and the effect of a weave on `stars`.
+fn isotropic(stars: &[StarPrediction]) -> String {
+    let is_opened =
+        |star: &StarPrediction| star.bendability.is_some_and(|bendability| bendability >= LEAST_OPENED);
+    let effect = if stars.iter().all(is_opened) { "closes less" } else { "changes radius and force" };
+    format!("all numbers are for isotropic fabric; a weave that is soft in shear {effect} (docs/weave.md)")
+}
 
 /// A page about `prediction`.
 pub fn text(spec: &Spec, prediction: &Prediction) -> String {
@@ -50,7 +57,7 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
         let _ = writeln!(out, "\npayload of the whole stack      {text}");
     }
     if spec.fabric.shear_modulus.is_none() {
-        let _ = writeln!(out, "\n{ISOTROPIC}");
+        let _ = writeln!(out, "\n{}", isotropic(&prediction.stars));
     }
     if let Some(verdict) = &prediction.verdict {
         let _ = writeln!(out, "\nverdict: {}", verdict.line());
@@ -68,7 +75,9 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     }
     let pair = |of: Hinges<Option<f64>>| of.tip.zip(of.corner);
     // The reason why no model applies is printed with the warnings.
-    let why = Some(&star.evidence.choice).filter(|choice| !star.evidence.warnings.contains(choice));
+    let search = star.evidence.accuracy.as_ref().map(ToString::to_string);
+    let choice = Some(&star.evidence.choice).filter(|choice| !star.evidence.warnings.contains(choice));
+    let why = search.as_ref().or(choice);
     line(out, "model", why.map_or(star.model.to_owned(), |why| format!("{} ({why})", star.model)));
     line(out, "arm length", show(star.arm_length_mm, "mm"));
     // A limit is selected by name: its number is printed, and its error is unknown.

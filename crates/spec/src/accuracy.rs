@@ -57,4 +57,13 @@ impl Detail {
     /// All of them, with the words that studies write.
     pub const ALL: [(&str, Self); 3] =
         [("coarse", Self::Coarse), ("medium", Self::Medium), ("fine", Self::Fine)];
+
+    /// The word for it.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Coarse => "coarse",
+            Self::Medium => "medium",
+            Self::Fine => "fine",
+        }
+    }
 }

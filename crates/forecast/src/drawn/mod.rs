@@ -1,8 +1,9 @@
 //! Drawn chambers under pressure: the shell on the flat regions themselves.
 //!
-//! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, [`text`] formats it for people. No hinge model covers a
+//! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, with ranges where wrinkles are averaged, [`text`] formats it. No hinge model covers a
 //! drawn shape, so without the shell only flat quantities are predicted.
 
+pub mod averaged;
 pub mod chambers;
 pub mod prediction;
 pub mod text;
@@ -186,7 +187,7 @@ fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<Drawn
         pressure_kPa: pressure.map(|pressure: Pressure| pressure.0),
         mass_g: design::FlatPiece::Drawn(piece).mass(&spec.fabric),
         chambers: chambers.collect(),
-        evidence: DrawnEvidence { choice, warnings: Vec::new() },
+        evidence: DrawnEvidence { choice, ..DrawnEvidence::default() },
         ..DrawnPrediction::default()
     })
 }

@@ -1,5 +1,7 @@
 //! The answer about a drawn piece: lengths in mm, in the frame of the drawing.
 
+use crate::accuracy::AccuracySearch;
+use crate::drawn::averaged::{AveragedRanges, pull_range, warning};
 use crate::drawn::chambers::DrawnChamber;
 use crate::keys::{keyed, kinds};
 use crate::meshed::{MeshedPlace, MeshedValue};
@@ -25,7 +27,7 @@ keyed! {
         pub mass_g: Option<f64>,
         /// Volume of all chambers of a piece, mm^3: `value` and `mesh_error`. By the shell only.
         pub volume_mm3: Option<MeshedValue>,
-        /// Least pressure at which a chamber's seal peels, kPa. Needs `seal_strength` and the shell.
+        /// Least pressure at which a chamber's seal peels, kPa. Needs `seal_strength`, and the shell with resolved wrinkles.
         pub burst_pressure_kPa: Option<f64>,
         /// Its range: mesh errors, and how the pull may grow with the pressure.
         pub burst_range_kPa: Option<Interval>,
@@ -34,7 +36,8 @@ keyed! {
         /// Whether a chamber may leave the plane of the drawing. By the shell only.
         pub leaves_plane: Option<bool>,
         /// Chambers, each with flat size and area, `bendability` and `stretch`; by the shell `extents_mm`, `height_mm`, `volume_mm3`,
-        /// `seal_pull_N_per_mm`, `largest_stretch`, `largest_tension_N_per_mm` and `plane_eigenvalue`, each with its mesh error, and
+        /// `seal_pull_N_per_mm`, `largest_stretch`, `largest_tension_N_per_mm` and `plane_eigenvalue`, each with its mesh error; where
+        /// `wrinkles` are averaged, `ranges` of height, extents, volume and pull;
         /// `seams`: the largest pull on each, with rows of x, y, pull and mesh error along it.
         pub chambers: Vec<ChamberPrediction>,
         /// Why this model was used, and `warnings`.
@@ -52,6 +55,9 @@ kinds! {
 pub struct DrawnEvidence {
     /// Reason for the choice of this model.
     pub choice: String,
+    /// The search for meshes with the accuracy that was requested.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<AccuracySearch>,
     /// Warnings for the user.
     pub warnings: Vec<String>,
 }
@@ -88,6 +94,8 @@ pub struct ChamberPrediction {
     pub stretch: Option<f64>,
     /// Whether wrinkles are on the mesh (resolved), or the shape is their mean (averaged).
     pub wrinkles: Option<&'static str>,
+    /// Ranges where they are averaged.
+    pub ranges: Option<AveragedRanges>,
     /// Largest distance between the sheets.
     pub height_mm: Option<MeshedPlace>,
     /// Extents of the inflated chamber where it lies best on the flat one.
@@ -144,7 +152,9 @@ impl ChamberPrediction {
     pub(super) fn fill(&mut self, found: &InflatedRegion, pressure: Pressure, peel: Option<LineForce>) {
         let seams = seams(found);
         let largest = seams.iter().map(|seam| seam.pull_N_per_mm).max_by(|a, b| a.value.total_cmp(&b.value));
-        let burst = peel.zip(largest).and_then(|(peel, pull)| {
+        let is_averaged = found.wrinkles == Wrinkles::Averaged;
+        // Folds may pull harder than their mean.
+        let burst = peel.zip(largest).filter(|_| !is_averaged).and_then(|(peel, pull)| {
             let pull = [pull.value, pull.mesh_error].map(|pull| LineForce(pull).newtons_per_metre());
             burst_of_drawn(peel.newtons_per_metre(), pressure.pascals(), pull)
         });
@@ -153,9 +163,13 @@ impl ChamberPrediction {
             Wrinkles::Resolved => "resolved",
             Wrinkles::Averaged => "averaged",
         });
-        self.height_mm = Some(at(found.height.scaled(1e3), found.height_at));
-        self.extents_mm = Some(found.extents.map(|extent| open(extent.scaled(1e3))));
-        self.volume_mm3 = Some(open(found.volume.scaled(1e9)));
+        let height = at(found.height.scaled(1e3), found.height_at);
+        let extents = found.extents.map(|extent| open(extent.scaled(1e3)));
+        let volume = open(found.volume.scaled(1e9));
+        self.ranges = largest
+            .filter(|_| is_averaged)
+            .map(|pull| AveragedRanges::new(found.bendability, height, extents, volume, pull));
+        (self.height_mm, self.extents_mm, self.volume_mm3) = (Some(height), Some(extents), Some(volume));
         self.seal_pull_N_per_mm = largest;
         self.burst_pressure_kPa = burst.map(|(burst, _)| kpa(burst));
         self.burst_range_kPa = burst.map(|(_, range)| range.map(kpa));
@@ -190,7 +204,9 @@ impl DrawnPrediction {
         });
         let bursting =
             chambers.iter().filter_map(|one| Some((one.burst_pressure_kPa?, one.burst_range_kPa?)));
-        let weakest = bursting.min_by(|a, b| a.0.total_cmp(&b.0));
+        // A chamber without a burst pressure may be the weakest.
+        let is_known = chambers.iter().all(|one| one.burst_pressure_kPa.is_some());
+        let weakest = bursting.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|_| is_known);
         self.burst_pressure_kPa = weakest.map(|(burst, _)| burst);
         self.burst_range_kPa = weakest.map(|(_, range)| range);
         self.burst_margin = weakest.map(|(burst, _)| six(burst / pressure.0));
@@ -198,14 +214,19 @@ impl DrawnPrediction {
         self.evidence.warnings = self.warnings();
     }
 
-    /// The largest pull on each seam of every chamber, with its place; `None` without the shell.
+    /// The largest pull on each seam of every chamber, with its place; `None` without the shell. Where wrinkles are averaged, it is the upper end
+    /// of its range.
     pub fn seam_loads(&self) -> Vec<(Option<LineForce>, String)> {
         let count = self.chambers.len();
         let of_chamber = |one: &ChamberPrediction| {
             let of = if count == 1 { String::new() } else { format!(" of {}", one.name(count)) };
             let seams = one.seams.iter().flatten();
-            let known =
-                seams.map(|seam| (Some(LineForce(seam.pull_N_per_mm.value)), format!("{}{of}", seam.seam)));
+            let largest = |pull: MeshedPlace| match one.ranges {
+                Some(_) => pull_range(pull)[1],
+                None => pull.value,
+            };
+            let known = seams
+                .map(|seam| (Some(LineForce(largest(seam.pull_N_per_mm))), format!("{}{of}", seam.seam)));
             let mut loads: Vec<_> = known.collect();
             if loads.is_empty() {
                 loads.push((None, format!("seams{of}")));
@@ -250,6 +271,11 @@ impl DrawnPrediction {
     fn warnings(&self) -> Vec<String> {
         let count = self.chambers.len();
         let mut list: Vec<String> = self.leaving().into_iter().collect();
+        let averaged = self.chambers.iter().filter(|one| one.ranges.is_some());
+        let names: Vec<String> = averaged.map(|one| one.name(count)).collect();
+        if !names.is_empty() {
+            list.push(warning(&names.join(", ")));
+        }
         for one in &self.chambers {
             let coarse = [
                 one.volume_mm3.map(|v| (v.value, v.mesh_error)),

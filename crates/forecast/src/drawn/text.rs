@@ -1,8 +1,10 @@
 //! The prediction of a drawn piece as a text for people: each number with its mesh error.
 
+use crate::drawn::averaged::pull_range;
 use crate::drawn::prediction::{ChamberPrediction, DrawnPrediction};
 use crate::meshed::{MeshedPlace, MeshedValue};
 use crate::ranges::shown::{self, line, listed};
+use crate::ranges::{Interval, scaled};
 use crate::shell::SHELL;
 use spec::Spec;
 use spec::units::Readable;
@@ -11,10 +13,15 @@ use std::fmt::Write;
 /// A page about `prediction`.
 pub fn text(spec: &Spec, prediction: &DrawnPrediction) -> String {
     let mut out = format!("{}\n", spec.name);
-    let (said, count) = (&prediction.evidence.choice, prediction.chambers.len());
-    line(&mut out, "model", format!("{} ({said})", prediction.model));
+    let (evidence, count) = (&prediction.evidence, prediction.chambers.len());
+    let choice = evidence.accuracy.as_ref().map_or_else(|| evidence.choice.clone(), ToString::to_string);
+    line(&mut out, "model", format!("{} ({choice})", prediction.model));
     line(&mut out, "mass of one piece", prediction.mass_g.map(|mass| format!("{} g", Readable(mass))));
-    line(&mut out, "volume of all chambers", prediction.volume_mm3.filter(|_| count > 1).map(litres));
+    line(
+        &mut out,
+        "volume of all chambers",
+        prediction.volume_mm3.filter(|_| count > 1).map(|volume| litres(volume, None)),
+    );
     let burst = prediction.burst_pressure_kPa.zip(prediction.burst_range_kPa);
     let burst = burst.map(|(burst, range)| shown::with_limit(burst, range, "kPa", prediction.pressure_kPa));
     line(&mut out, "burst pressure", burst);
@@ -39,19 +46,27 @@ fn of_chamber(out: &mut String, chamber: &ChamberPrediction) {
     let [x, y] = chamber.flat_extents_mm.map(Readable);
     line(out, "flat", format!("{x} x {y} mm, {} mm^2", Readable(chamber.flat_area_mm2)));
     line(out, "largest circle in it", format!("{} mm across", shown::rounded(chamber.width_mm)));
-    line(out, "inflated, along x", chamber.extents_mm.map(|[x, _]| number(x, "mm")));
-    line(out, "inflated, along y", chamber.extents_mm.map(|[_, y]| number(y, "mm")));
-    line(out, "height", place(chamber.height_mm, "mm"));
-    line(out, "largest pull on the seal", place(chamber.seal_pull_N_per_mm, "N/mm"));
+    let ranges = chamber.ranges;
+    let [along_x, along_y] = ranges.map(|ranges| ranges.extents_mm).map_or([None; 2], |ends| ends.map(Some));
+    line(out, "inflated, along x", chamber.extents_mm.map(|[x, _]| number(x, along_x, "mm")));
+    line(out, "inflated, along y", chamber.extents_mm.map(|[_, y]| number(y, along_y, "mm")));
+    line(out, "height", place(chamber.height_mm, ranges.map(|ranges| ranges.height_mm), "mm"));
+    let pull = place(chamber.seal_pull_N_per_mm, ranges.map(|ranges| ranges.seal_pull_N_per_mm), "N/mm");
+    line(out, "largest pull on the seal", pull);
     for seam in chamber.seams.iter().filter(|seams| seams.len() > 1).flatten() {
-        line(out, &format!("  {}", seam.seam), place(Some(seam.pull_N_per_mm), "N/mm"));
+        let pull = seam.pull_N_per_mm;
+        line(out, &format!("  {}", seam.seam), place(Some(pull), ranges.map(|_| pull_range(pull)), "N/mm"));
     }
-    line(out, "volume", chamber.volume_mm3.map(litres));
-    line(out, "largest stretch", place(chamber.largest_stretch, ""));
-    line(out, "largest tension", place(chamber.largest_tension_N_per_mm, "N/mm"));
+    line(
+        out,
+        "volume",
+        chamber.volume_mm3.map(|volume| litres(volume, ranges.map(|ranges| ranges.volume_mm3))),
+    );
+    line(out, "largest stretch", place(chamber.largest_stretch, None, ""));
+    line(out, "largest tension", place(chamber.largest_tension_N_per_mm, None, "N/mm"));
     let stays = chamber.plane_eigenvalue.zip(chamber.leaves_plane).map(|(value, leaves)| {
         let word = if leaves { "not sure" } else { "yes" };
-        format!("{word}: lowest eigenvalue {} p/W", number(value, ""))
+        format!("{word}: lowest eigenvalue {} p/W", number(value, None, ""))
     });
     line(out, "stays in its plane", stays);
     let wrinkles = chamber.wrinkles.map_or(String::new(), |how| format!(", wrinkles {how}"));
@@ -59,15 +74,21 @@ fn of_chamber(out: &mut String, chamber: &ChamberPrediction) {
     line(out, "unknowns of meshes", chamber.unknowns.as_deref().map(listed));
 }
 
-fn number(value: MeshedValue, unit: &str) -> String {
-    shown::meshed(value.value, value.mesh_error, unit)
+/// `value` with its range, which contains the mesh error; without a range with its mesh error.
+fn number(value: MeshedValue, range: Option<Interval>, unit: &str) -> String {
+    match range {
+        Some(range) => shown::with(value.value, range, unit),
+        None => shown::meshed(value.value, value.mesh_error, unit),
+    }
 }
 
-fn litres(volume: MeshedValue) -> String {
-    shown::meshed(1e-3 * volume.value, 1e-3 * volume.mesh_error, "cm^3")
+fn litres(volume: MeshedValue, range: Option<Interval>) -> String {
+    let MeshedValue { value, mesh_error } = volume;
+    let volume = MeshedValue { value: 1e-3 * value, mesh_error: 1e-3 * mesh_error };
+    number(volume, range.map(|range| scaled(range, 1e-3)), "cm^3")
 }
 
-fn place(value: Option<MeshedPlace>, unit: &str) -> Option<String> {
+fn place(value: Option<MeshedPlace>, range: Option<Interval>, unit: &str) -> Option<String> {
     let MeshedPlace { value, mesh_error, at_mm: [x, y] } = value?;
-    Some(format!("{}, at X {x:.1} Y {y:.1} mm", shown::meshed(value, mesh_error, unit)))
+    Some(format!("{}, at X {x:.1} Y {y:.1} mm", number(MeshedValue { value, mesh_error }, range, unit)))
 }

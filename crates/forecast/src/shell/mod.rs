@@ -10,6 +10,7 @@ pub mod request;
 pub mod result;
 pub mod star;
 
+use crate::case::Case;
 use inflatable::mechanics::strength::ElasticSheet;
 use inflatable::shell::cases::{Fineness, StarPart};
 use inflatable::shell::element::{Fabric, Weave};
@@ -18,6 +19,25 @@ pub use spec::Detail;
 
 /// The name of the model.
 pub const SHELL: &str = "shell";
+
+/// The least relative errors that shells of a fineness state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeastErrors {
+    /// Of the final radius.
+    pub radius: f64,
+    /// Of the force on an object.
+    pub force: f64,
+}
+
+/// The least errors that shells of stars with meshes of `detail` state: their root mean square against the finest shells of the paper's
+/// stars (docs/trade.md). Those of `fine` are the finest.
+pub fn least_errors(detail: Detail) -> LeastErrors {
+    match detail {
+        Detail::Coarse => LeastErrors { radius: 0.05, force: 0.3 },
+        Detail::Medium => LeastErrors { radius: 0.025, force: 0.1 },
+        Detail::Fine => LeastErrors { radius: 0.0, force: 0.0 },
+    }
+}
 
 /// The meshes that `detail` means.
 pub fn fineness(detail: Detail) -> Fineness {
@@ -37,6 +57,19 @@ pub fn fineness_of(part: StarPart, detail: Detail) -> Fineness {
         (StarPart::Whole, Detail::Medium) => Fineness { cells: 6.0, cuts: 2 },
         (StarPart::Whole, Detail::Fine) => Fineness { cells: 8.0, cuts: 2 },
     }
+}
+
+/// The command that computes the star of `case`, of fabric with the weave `weave`, as a shell, and the time that it takes; `None` where
+/// shells do not cover the star.
+pub(crate) fn by_shell(case: &Case, weave: Weave) -> Option<String> {
+    let star = request::flat(case, weave).ok().filter(|star| star.check().is_ok())?;
+    let time = match star.part() {
+        StarPart::HalfSector => "1 to 10 s",
+        StarPart::Whole => "half a minute to minutes",
+    };
+    Some(format!(
+        "the shell covers this star: `predict --model shell --fineness coarse` computes it in {time}"
+    ))
 }
 
 /// The fabric of `sheet` with the weave `weave`, as the shell's input.

@@ -36,7 +36,7 @@ pub(crate) fn fault(key: KeyPath, what: String) -> ShellRefusal {
 }
 
 /// The fault of a shell without a pressure.
-pub(crate) fn no_pressure() -> ShellRefusal {
+pub fn no_pressure() -> ShellRefusal {
     let remedy = Some("set `pressure` in [load]".to_owned());
     let what = "model shell needs a pressure".to_owned();
     ShellRefusal::Fault(PredictFault { remedy, ..PredictFault::new(key::load::PRESSURE, what) })

@@ -20,7 +20,8 @@ pub fn star_text(out: &mut String, star: &StarPrediction) {
         let [x, y] = place.at_mm;
         format!("{}, at {x:.1}, {y:.1} mm", shown::meshed(place.value, place.mesh_error, unit))
     };
-    line(out, "model", star.model.to_owned());
+    let search = star.evidence.accuracy.as_ref().map(|search| format!(" ({search})"));
+    line(out, "model", format!("{}{}", star.model, search.unwrap_or_default()));
     line(out, "arm length", format!("{} mm", Readable(star.arm_length_mm)));
     line(out, "tip angle at rest", show(star.tip_angle_deg, "deg", mesh.tip_angle_deg));
     line(out, "final radius", show(star.final_radius_mm, "mm", mesh.final_radius_mm));

@@ -25,8 +25,8 @@ pub enum HingeFault {
     },
     /// A ratio of fabric, tube and pressure is outside of the model's range.
     Scale {
-        /// Which.
-        symbol: &'static str,
+        /// Which ratio.
+        ratio: HingeRatio,
         /// The given value.
         found: f64,
         /// The model's least.
@@ -45,16 +45,40 @@ pub enum HingeFault {
     },
 }
 
+/// A ratio of fabric, tube and pressure on which a hinge depends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HingeRatio {
+    /// Bendability 1/eps.
+    Bendability,
+    /// Thickness over the tube's width.
+    Thickness,
+    /// The fabric's Poisson ratio.
+    Poisson,
+    /// Stretch p W / Y.
+    Stretch,
+}
+
+impl fmt::Display for HingeRatio {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Bendability => "1/eps = p W^3 / B",
+            Self::Thickness => "t/W",
+            Self::Poisson => "nu",
+            Self::Stretch => "p W / Y",
+        })
+    }
+}
+
 impl fmt::Display for HingeFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut out_of_range = |symbol: &str, found: f64, range: [f64; 2]| {
+        let mut out_of_range = |name: &dyn fmt::Display, found: f64, range: [f64; 2]| {
             let [least, most] = range.map(Readable);
-            write!(f, "{symbol} is {}, allowed is {least} to {most}", Readable(found))
+            write!(f, "{name} is {}, allowed is {least} to {most}", Readable(found))
         };
         match *self {
-            Self::RStar { found, most } => out_of_range("R* = R/W", found, [0.0, most]),
-            Self::Coiling { found, least, most } => out_of_range("the coiling factor", found, [least, most]),
-            Self::Scale { symbol, found, least, most } => out_of_range(symbol, found, [least, most]),
+            Self::RStar { found, most } => out_of_range(&"R* = R/W", found, [0.0, most]),
+            Self::Coiling { found, least, most } => out_of_range(&"the coiling factor", found, [least, most]),
+            Self::Scale { ratio, found, least, most } => out_of_range(&ratio, found, [least, most]),
             Self::Unsolved { r_star, lambda, residual } => {
                 let (r_star, lambda) = (Readable(r_star), Readable(lambda));
                 write!(

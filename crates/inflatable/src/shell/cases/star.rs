@@ -86,6 +86,14 @@ impl FlatStar {
         Self { tube, points, inner_radius, tip_angle, tip_radius, corner_radius, band, margin }
     }
 
+    /// Checks that its tube, fabric and pressure are in the range of shells.
+    ///
+    /// # Errors
+    /// If one of them is not: its range.
+    pub fn check(&self) -> Result<(), ShellFault> {
+        self.tube.check()
+    }
+
     /// The smallest part of it that is valid for its weave.
     pub fn part(&self) -> StarPart {
         let weave = self.tube.fabric.weave;
@@ -112,7 +120,7 @@ impl FlatStar {
     }
 
     pub(super) fn sector(&self) -> Result<HalfSector, ShellFault> {
-        self.tube.check()?;
+        self.check()?;
         let w = self.tube.width;
         Ok(HalfSector {
             n: self.points,

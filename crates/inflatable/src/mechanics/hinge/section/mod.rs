@@ -34,7 +34,7 @@ pub use self::tabled::Tabled;
 use self::density::{Hoop, Scales};
 use self::mesh::MeridianMesh;
 use self::solve::ShapeSearch;
-use crate::mechanics::fault::HingeFault;
+use crate::mechanics::fault::{HingeFault, HingeRatio};
 use crate::mechanics::hinge::{
     Arms, Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star,
 };
@@ -73,17 +73,18 @@ impl Section {
     /// # Errors
     /// If one of them, or the p W / Y that they make, is outside of its range.
     pub fn new(bendability: f64, thickness: f64, poisson: f64) -> Result<Self, HingeFault> {
-        let check = |symbol, found: f64, range: RangeInclusive<f64>| {
+        let check = |ratio, found: f64, range: RangeInclusive<f64>| {
             let (least, most) = (*range.start(), *range.end());
-            let fault = HingeFault::Scale { symbol, found, least, most };
+            let fault = HingeFault::Scale { ratio, found, least, most };
             if spans(&range, found) { Ok(()) } else { Err(fault) }
         };
-        check("1/eps = p W^3 / B", bendability, BENDABILITY)?;
-        check("t/W", thickness, THICKNESS)?;
-        check("nu", poisson, POISSON)?;
+        // The fabric first: no pressure helps where it is out of range.
+        check(HingeRatio::Poisson, poisson, POISSON)?;
+        check(HingeRatio::Thickness, thickness, THICKNESS)?;
+        check(HingeRatio::Bendability, bendability, BENDABILITY)?;
         // B = Y t^2 / [12 (1 - nu^2)].
         let stiffness = 12.0 * (1.0 - poisson * poisson) / (bendability * thickness * thickness);
-        check("p W / Y", stiffness.recip(), 0.0..=MOST_STRETCH)?;
+        check(HingeRatio::Stretch, stiffness.recip(), 0.0..=MOST_STRETCH)?;
         Ok(Self::unchecked(bendability, stiffness, poisson))
     }
 

@@ -1,0 +1,140 @@
+//! Ranges of a drawn chamber whose wrinkles are averaged: mesh errors alone do not contain the shape with its folds.
+//!
+//! A sheet that bears no compression inflates higher and narrower than one whose folds are stiff, and its folds pull less on the seal. The
+//! bounds contain shells with resolved wrinkles of square pouches of 40 and 100 mm, a disc of 100 mm, bent tubes and V-actuators, at 1/eps
+//! from 1,000 to 30,000 (docs/drawings.md). There the difference falls as the root of 1/eps. Pouches have two stable shapes up to some
+//! 10,000; the bounds contain both.
+
+use crate::meshed::{MeshedPlace, MeshedValue};
+use crate::ranges::Interval;
+use inflatable::shell::cases::MOST_RESOLVED;
+use serde::Serialize;
+
+/// By how much of itself a resolved shell is less high at 1/eps = 1,000: 11.3 mm where the averaged one has 19.8 mm.
+const HEIGHT: f64 = 0.45;
+/// By how much of itself the volume of a resolved shell is less there, and more by [`MORE_VOLUME`] at any 1/eps: a square of film.
+const VOLUME: f64 = 0.22;
+const MORE_VOLUME: f64 = 0.01;
+/// By how much of itself an extent differs there: pouches are wider by a tenth, bent tubes coil less, by up to 0.04 of lambda.
+const EXTENT: f64 = 0.15;
+/// The largest pull of a resolved shell over that of the averaged one: 0.178 and 0.062 N/mm at 1/eps = 1,000.
+const PULL: f64 = 3.0;
+
+/// Ranges of a chamber's numbers, mesh errors included, in their units.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+pub struct AveragedRanges {
+    /// Range of the largest distance between the sheets.
+    pub height_mm: Interval,
+    /// Ranges of the extents along x and y.
+    pub extents_mm: [Interval; 2],
+    /// Range of the volume.
+    pub volume_mm3: Interval,
+    /// Range of the largest pull on a seam.
+    pub seal_pull_N_per_mm: Interval,
+}
+
+impl AveragedRanges {
+    /// The ranges at 1/eps = `bendability`.
+    pub(super) fn new(
+        bendability: f64,
+        height: MeshedPlace,
+        extents: [MeshedValue; 2],
+        volume: MeshedValue,
+        pull: MeshedPlace,
+    ) -> Self {
+        let part = (MOST_RESOLVED / bendability).sqrt().min(1.0);
+        let height = MeshedValue { value: height.value, mesh_error: height.mesh_error };
+        Self {
+            height_mm: around(height, [1.0 - HEIGHT * part, 1.0]),
+            extents_mm: extents.map(|extent| around(extent, [1.0 - EXTENT * part, 1.0 + EXTENT * part])),
+            volume_mm3: around(volume, [1.0 - VOLUME * part, 1.0 + MORE_VOLUME]),
+            seal_pull_N_per_mm: pull_range(pull),
+        }
+    }
+}
+
+/// The range of an averaged `pull` on a seam, N/mm.
+pub(super) fn pull_range(pull: MeshedPlace) -> Interval {
+    around(MeshedValue { value: pull.value, mesh_error: pull.mesh_error }, [1.0, PULL])
+}
+
+/// `value`, from `factors[0]` to `factors[1]` times itself, and its mesh error beyond.
+fn around(value: MeshedValue, factors: Interval) -> Interval {
+    let MeshedValue { value, mesh_error } = value;
+    [(factors[0] * (value - mesh_error)).max(0.0), factors[1] * (value + mesh_error)]
+}
+
+/// The warning about the averaged wrinkles of `chambers`, names in words.
+pub(super) fn warning(chambers: &str) -> String {
+    format!(
+        "the wrinkles of {chambers} are averaged (1/eps above {MOST_RESOLVED}): the ranges contain shapes with folds; bent tubes coil up to \
+         0.04 of lambda too far; no burst pressure is predicted, because folds may pull {PULL} times as hard on the seal"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ranges(bendability: f64, value: f64) -> AveragedRanges {
+        let place = MeshedPlace { value, mesh_error: 0.0, at_mm: [0.0; 2] };
+        let exact = MeshedValue { value, mesh_error: 0.0 };
+        AveragedRanges::new(bendability, place, [exact; 2], exact, place)
+    }
+
+    fn assert_within([low, high]: Interval, resolved: f64, bendability: f64) {
+        assert!(low <= resolved && resolved <= high, "1/eps {bendability}: {resolved} in {low} to {high}");
+    }
+
+    /// 1/eps, averaged and resolved height, mm: square pouches of 40 mm, from flat and from above, and of 100 mm; discs of 100 mm.
+    #[test]
+    fn heights_with_folds_are_in_range() {
+        for (bendability, averaged, resolved) in [
+            (1_020.0, 19.76, 11.34),
+            (1_020.0, 19.76, 15.9),
+            (1_880.0, 20.13, 13.9),
+            (1_880.0, 20.13, 17.7),
+            (4_700.0, 20.5, 18.2),
+            (11_300.0, 21.0, 19.7),
+            (2_900.0, 50.3, 38.0),
+            (8_700.0, 50.7, 45.0),
+            (29_000.0, 51.4, 48.7),
+            (29_000.0, 47.08, 43.3),
+            (4e5, 46.1, 45.69),
+        ] {
+            assert_within(ranges(bendability, averaged).height_mm, resolved, bendability);
+        }
+    }
+
+    /// 1/eps, averaged and resolved extent, mm: a bent tube along x and y, a square pouch, a V-actuator, the paper's star, a square, discs.
+    #[test]
+    fn extents_with_folds_are_in_range() {
+        for (bendability, averaged, resolved) in [
+            (1_000.0, 62.8, 65.95),
+            (1_000.0, 41.59, 42.38),
+            (1_020.0, 35.29, 39.12),
+            (1_010.0, 104.8, 120.0),
+            (2_941.0, 223.7, 229.7),
+            (29_000.0, 90.6, 93.0),
+            (29_000.0, 76.9, 77.4),
+            (4e5, 76.6, 76.27),
+        ] {
+            assert_within(ranges(bendability, averaged).extents_mm[0], resolved, bendability);
+        }
+    }
+
+    /// 1/eps, averaged and resolved volume, and the pull: a square pouch, a bent tube, a disc, a square of film.
+    #[test]
+    fn volumes_and_pulls_with_folds_are_in_range() {
+        for (bendability, averaged, resolved) in [
+            (1_020.0, 12.473, 10.138),
+            (1_000.0, 10.96, 10.97),
+            (29_000.0, 155.3, 150.9),
+            (4e5, 0.2035, 0.2055),
+        ] {
+            assert_within(ranges(bendability, averaged).volume_mm3, resolved, bendability);
+        }
+        assert_within(ranges(1_020.0, 0.062).seal_pull_N_per_mm, 0.178, 1_020.0);
+    }
+}

@@ -1,0 +1,84 @@
+//! A star without a prediction: the key of the spec that is best changed, and the values that it may have.
+
+use crate::case::Case;
+use crate::predict::PredictFault;
+use crate::pressures::{modelled, outside_section, pressures};
+use crate::star_answer::mm;
+use design::StarDesign;
+use inflatable::mechanics::fault::{HingeFault, HingeRatio, StarFault};
+use spec::units::{BendingStiffness, Least, LineForce, Most};
+use spec::{Fabric, KeyPath, Spec, key};
+
+/// `fault` of star `star`, made of `part` by `spec`, with the key that is best changed. The star itself exists: a design was made of it.
+pub(super) fn located(star: usize, (spec, part): (&Spec, &StarDesign), fault: &StarFault) -> PredictFault {
+    let case = Case::of(spec, &part.star).ok();
+    let beyond = case.and_then(|case| beyond_range(&spec.fabric, &case, fault));
+    if let Some((key, remedy)) = beyond {
+        return PredictFault { star: Some(star), key, what: fault.to_string(), remedy: Some(remedy) };
+    }
+    let outside = case.and_then(|case| {
+        let (what, _) = outside_section(fault, &case.sheet, case.mechanism.width, case.pressure?)?;
+        // Not every pressure that `section` covers has a prediction.
+        Some((what, modelled(&case).map(pressures)))
+    });
+    if let Some((what, remedy)) = outside {
+        return PredictFault { star: Some(star), key: key::load::PRESSURE, what, remedy };
+    }
+    let key = match fault {
+        StarFault::Dimension { symbol, .. } => match *symbol {
+            "p" => key::load::PRESSURE,
+            "E" => key::fabric::YOUNG_MODULUS,
+            "nu" => key::fabric::POISSON_RATIO,
+            _ => key::fabric::THICKNESS,
+        },
+        StarFault::NoPressure => key::load::PRESSURE,
+        StarFault::Radius { .. } => key::load::OBJECT_RADIUS,
+        StarFault::Hinge(_) | StarFault::Root(_) => key::star::TIP_ANGLE,
+    };
+    PredictFault { star: Some(star), key, what: fault.to_string(), remedy: None }
+}
+
+/// The key of a ratio that no pressure brings into the range of `section`, with the values that the key may have; `None` if `fault` is about
+/// no such ratio.
+fn beyond_range(fabric: &Fabric, case: &Case, fault: &StarFault) -> Option<(KeyPath, String)> {
+    let width = case.mechanism.width;
+    match *fault {
+        StarFault::Hinge(HingeFault::Scale { ratio: HingeRatio::Poisson, least, most, .. }) => {
+            Some((key::fabric::POISSON_RATIO, format!("a poisson_ratio from {least} to {most}")))
+        }
+        StarFault::Hinge(HingeFault::Scale { ratio: HingeRatio::Thickness, least, most, .. }) => {
+            let (key, of_fabric) = thickness_remedy(fabric, case, [least, most].map(|ratio| ratio * width));
+            let [narrow, wide] = [most, least].map(|ratio| mm(case.sheet.thickness / ratio));
+            let widths = format!("a tube_width from {} to {} mm", Least(narrow), Most(wide));
+            Some((key, format!("{of_fabric}, or {widths}")))
+        }
+        StarFault::Hinge(HingeFault::RStar { found, most }) => {
+            let is_tip = case.mechanism.tip().r_star.total_cmp(&found).is_eq();
+            let key = if is_tip { key::star::TIP_RADIUS } else { key::star::CORNER_RADIUS };
+            Some((key, format!("a radius of at most {} mm", Most(mm(most * width)))))
+        }
+        _ => None,
+    }
+}
+
+/// The key that sets the thickness of the even sheet of `fabric`, and its values for a thickness within `range`, m: a measured stiffness
+/// replaces thickness and modulus.
+fn thickness_remedy(fabric: &Fabric, case: &Case, range: [f64; 2]) -> (KeyPath, String) {
+    // B = Y t^2 / [12 (1 - nu^2)].
+    let squares =
+        range.map(|thickness| thickness.powi(2) / (12.0 * (1.0 - case.sheet.poisson_ratio.powi(2))));
+    if fabric.bending_stiffness.is_some() {
+        let stretch = case.sheet.stretching_modulus();
+        let [least, most] = squares.map(|square| BendingStiffness::from_newton_metres(stretch * square).0);
+        let values = format!("a bending_stiffness from {} to {} N mm", Least(least), Most(most));
+        (key::fabric::BENDING_STIFFNESS, values)
+    } else if fabric.stretch_stiffness.is_some() {
+        let bending = case.sheet.bending_modulus();
+        let [most, least] = squares.map(|square| LineForce::from_newtons_per_metre(bending / square).0);
+        let values = format!("a stretch_stiffness from {} to {} N/mm", Least(least), Most(most));
+        (key::fabric::STRETCH_STIFFNESS, values)
+    } else {
+        let [least, most] = range.map(mm);
+        (key::fabric::THICKNESS, format!("a thickness from {} to {} mm", Least(least), Most(most)))
+    }
+}
