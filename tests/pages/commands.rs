@@ -36,6 +36,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/models.md", "cargo run --release -p research -- ladders ladders"),
     ("docs/models.md", "cargo run --release -p research -- residuals --lengths"),
     ("docs/models.md", "cargo run --release -p research -- stars stars --set all"),
+    ("docs/models.md", "python3 crates/research/pull.py target/release/stargrip-cam"),
     ("docs/models.md", "stargrip-cam predict five.toml --model shell --vtu five.vtu"),
     ("docs/models.md", "cargo run --release -p stargrip-inflatable --example weave -"),
     ("docs/models.md", "cargo run --release -p research --example around"),
