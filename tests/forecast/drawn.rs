@@ -104,18 +104,21 @@ fn no_burst_verdict_rests_on_averaged_wrinkles() {
     assert_eq!((averaged.burst_pressure_kPa, averaged.burst_margin, averaged.bursting()), (None, None, None));
     assert!(averaged.bursts().is_none());
     assert!(averaged.evidence.warnings.iter().any(|warning| warning.contains("are averaged")));
+    let pull = resolved.chambers[0].seal_pull_N_per_mm.expect("known");
+    // Coarse meshes leave a part of the pull open.
+    let least_pull = pull.value - pull.mesh_error;
     let (below, ranges) = (&resolved.chambers[0], averaged.chambers[0].ranges.expect("averaged"));
     for ([low, high], value) in [
         (ranges.height_mm, below.height_mm.expect("known").value),
         (ranges.extents_mm[0], below.extents_mm.expect("known")[0].value),
         (ranges.volume_mm3, below.volume_mm3.expect("known").value),
-        (ranges.seal_pull_N_per_mm, below.seal_pull_N_per_mm.expect("known").value),
+        (ranges.seal_pull_N_per_mm, least_pull),
     ] {
         assert!(low <= value && value <= high, "{value} in {low} to {high}");
     }
     // The strength that `calibrate` asks for is that of the folds.
     let [(Some(load), _)] = &averaged.seam_loads()[..] else { panic!("one seam") };
-    assert!(load.0 >= below.seal_pull_N_per_mm.expect("known").value, "{load:?}");
+    assert!(load.0 >= least_pull, "{load:?}");
 }
 
 /// A wall from rim to rim ends on the air's edge, and both its sides bear a share.

@@ -9,78 +9,7 @@ use crate::drawn::prediction::{ChamberPrediction, DrawnPrediction};
 use crate::meshed::MeshedValue;
 use crate::prediction::{Prediction, StarPrediction};
 use crate::ranges::Interval;
-use crate::ranges::shown::rounded;
 use crate::shell::{Detail, least_errors};
-use serde::Serialize;
-use spec::units::Percent;
-use std::fmt;
-
-/// One tried model.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct ModelTrial {
-    /// The model.
-    pub model: &'static str,
-    /// Fineness of a shell's meshes.
-    pub fineness: Option<&'static str>,
-    /// Its stated error; `None` where it has no answer, or states none.
-    pub error: Option<f64>,
-}
-
-/// The search for a model with a requested accuracy.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct AccuracySearch {
-    /// The largest accepted relative error.
-    pub requested: f64,
-    /// Whether the answer states no larger error. Otherwise it is that of the least stated error.
-    pub met: bool,
-    /// The tried models.
-    pub trials: Vec<ModelTrial>,
-}
-
-impl AccuracySearch {
-    /// A search for `accuracy` without trials.
-    pub fn new(accuracy: Percent) -> Self {
-        Self { requested: accuracy.ratio(), met: false, trials: Vec::new() }
-    }
-
-    /// Adds the trial of `model` with meshes of `detail`, which states `error`, and whether that is small enough.
-    pub fn record(&mut self, model: &'static str, detail: Option<Detail>, error: Option<f64>) -> bool {
-        let fineness = detail.map(Detail::word);
-        self.trials.push(ModelTrial { model, fineness, error });
-        self.met = error.is_some_and(|error| error <= self.requested);
-        self.met
-    }
-
-    /// The warning that no model states so small an error; `None` if one does.
-    pub fn warning(&self) -> Option<String> {
-        let least = self.trials.iter().filter_map(|trial| trial.error).reduce(f64::min);
-        let least = least.map_or_else(|| "unknown".to_owned(), |least| format!("{} %", percent(least)));
-        (!self.met).then(|| {
-            format!(
-                "no model states an error of at most {} %: the least is {least}",
-                rounded(100.0 * self.requested)
-            )
-        })
-    }
-}
-
-impl fmt::Display for AccuracySearch {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "for an error of at most {} %:", rounded(100.0 * self.requested))?;
-        for (i, trial) in self.trials.iter().enumerate() {
-            let error =
-                trial.error.map_or_else(|| "unknown".to_owned(), |error| format!("{} %", percent(error)));
-            let fineness = trial.fineness.map_or_else(String::new, |fineness| format!(" {fineness}"));
-            write!(f, "{} {}{fineness} {error}", if i > 0 { "," } else { "" }, trial.model)?;
-        }
-        Ok(())
-    }
-}
-
-/// A relative error in percent, rounded up to a tenth.
-fn percent(error: f64) -> String {
-    rounded((1e3 * error - 1e-9).ceil() / 10.0)
-}
 
 /// The stated error of `prediction`, by shells with meshes of `detail`; `None` where one of the requested numbers has none.
 pub fn of_stars(prediction: &Prediction, detail: Option<Detail>) -> Option<f64> {

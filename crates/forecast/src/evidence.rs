@@ -1,7 +1,7 @@
 //! The evidence for a prediction: the model, its numerical errors, and what was found about the seal and the object.
 
-use crate::accuracy::AccuracySearch;
 use crate::case::Hinges;
+use crate::model_search::AccuracySearch;
 use crate::ranges::Interval;
 use crate::seal_load::Bursting;
 use serde::Serialize;

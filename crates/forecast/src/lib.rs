@@ -15,6 +15,7 @@
 //! | [`mod@verdict`] | whether the object is held, and the reasons to refuse a gripper that cannot |
 //! | [`mod@pose`] | the shape of the inflated star, for every picture |
 //! | [`mod@charts`] | curves by pressure, object and number of points, for pictures |
+//! | [`model_search`] | the models that were tried for a requested accuracy |
 //! | [`accuracy`] | the cheapest model with a requested accuracy |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
 //! | [`drawn`] | a drawn piece, by the shell on its own regions |
@@ -36,6 +37,7 @@ mod evidence;
 pub mod keys;
 mod load_check;
 pub mod meshed;
+pub mod model_search;
 pub mod model_selection;
 pub mod optimize;
 pub mod outcome;

@@ -11,6 +11,7 @@ use crate::seal_forecast::{SealForecast, per_mm};
 use crate::seal_load::Bursting;
 use crate::shell::by_shell;
 use crate::star_answer::{bare, fill, nonlinear, of_the_shape};
+pub use crate::star_refusal::PredictFault;
 use crate::star_refusal::located;
 use crate::verdict::{Verdict, refusals, verdict};
 use design::{Design, Meeting, StarAssembly, StarDesign};
@@ -19,40 +20,7 @@ use inflatable::mechanics::hinge::bvp::Bvp;
 use inflatable::mechanics::hinge::{HingeModel, Level};
 use inflatable::mechanics::star::response::Inflated;
 use spec::units::{Length, Pressure};
-use spec::{Fabric, KeyPath, ModelChoice, ObjectShape, Spec, key};
-use std::fmt;
-
-/// Reason for a missing prediction.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PredictFault {
-    /// Number of the star, 1 = bottom; `None` if it is not about one star.
-    pub star: Option<usize>,
-    /// The key of the spec that is best changed.
-    pub key: KeyPath,
-    /// The found value, and the allowed one if `remedy` does not name it.
-    pub what: String,
-    /// The way to a prediction; `None` if `what` names it, or none is known.
-    pub remedy: Option<String>,
-}
-
-impl fmt::Display for PredictFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(star) = self.star {
-            write!(f, "star {star}: ")?;
-        }
-        write!(f, "{}: {}", self.key, self.what)?;
-        self.remedy.iter().try_for_each(|remedy| write!(f, ": {remedy}"))
-    }
-}
-
-impl std::error::Error for PredictFault {}
-
-impl PredictFault {
-    /// That of no star in particular, at `key`, where `what` says all.
-    pub(super) fn new(key: KeyPath, what: String) -> Self {
-        Self { star: None, key, what, remedy: None }
-    }
-}
+use spec::{Fabric, ModelChoice, ObjectShape, Spec, key};
 
 /// Predicts the stars of `design`, made from `spec`, by `accuracy.model`.
 ///

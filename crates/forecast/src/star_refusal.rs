@@ -1,13 +1,45 @@
 //! A star without a prediction: the key of the spec that is best changed, and the values that it may have.
 
 use crate::case::Case;
-use crate::predict::PredictFault;
 use crate::pressures::{modelled, outside_section, pressures};
 use crate::star_answer::mm;
 use design::StarDesign;
 use inflatable::mechanics::fault::{HingeFault, HingeRatio, StarFault};
 use spec::units::{BendingStiffness, Least, LineForce, Most};
 use spec::{Fabric, KeyPath, Spec, key};
+use std::fmt;
+
+/// Reason for a missing prediction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PredictFault {
+    /// Number of the star, 1 = bottom; `None` if it is not about one star.
+    pub star: Option<usize>,
+    /// The key of the spec that is best changed.
+    pub key: KeyPath,
+    /// The found value, and the allowed one if `remedy` does not name it.
+    pub what: String,
+    /// The way to a prediction; `None` if `what` names it, or none is known.
+    pub remedy: Option<String>,
+}
+
+impl fmt::Display for PredictFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(star) = self.star {
+            write!(f, "star {star}: ")?;
+        }
+        write!(f, "{}: {}", self.key, self.what)?;
+        self.remedy.iter().try_for_each(|remedy| write!(f, ": {remedy}"))
+    }
+}
+
+impl std::error::Error for PredictFault {}
+
+impl PredictFault {
+    /// That of no star in particular, at `key`, where `what` says all.
+    pub(super) fn new(key: KeyPath, what: String) -> Self {
+        Self { star: None, key, what, remedy: None }
+    }
+}
 
 /// `fault` of star `star`, made of `part` by `spec`, with the key that is best changed. The star itself exists: a design was made of it.
 pub(super) fn located(star: usize, (spec, part): (&Spec, &StarDesign), fault: &StarFault) -> PredictFault {

@@ -1,10 +1,10 @@
 //! The answer about a drawn piece: lengths in mm, in the frame of the drawing.
 
-use crate::accuracy::AccuracySearch;
 use crate::drawn::averaged::{AveragedRanges, pull_range, warning};
 use crate::drawn::chambers::DrawnChamber;
 use crate::keys::{keyed, kinds};
 use crate::meshed::{MeshedPlace, MeshedValue};
+use crate::model_search::AccuracySearch;
 use crate::prediction::distinct;
 use crate::ranges::Interval;
 use crate::seal_load::{Bursting, burst_of_drawn, bursts_at};

@@ -12,7 +12,7 @@ pub mod star;
 
 use crate::case::Case;
 use inflatable::mechanics::strength::ElasticSheet;
-use inflatable::shell::cases::{Fineness, StarPart};
+use inflatable::shell::cases::{Fineness, FlatStar, Margin, StarPart, Tube};
 use inflatable::shell::element::{Fabric, Weave};
 
 pub use spec::Detail;
@@ -59,10 +59,30 @@ pub fn fineness_of(part: StarPart, detail: Detail) -> Fineness {
     }
 }
 
+/// Points with which shells of stars are computed.
+const MOST_POINTS: u32 = 16;
+
+/// The star of `case`, of fabric with the weave `weave`, at `pressure`, Pa, as the shell's input.
+fn flat_star(case: &Case, weave: Weave, pressure: f64) -> FlatStar {
+    FlatStar {
+        tube: Tube { width: case.mechanism.width, fabric: fabric(&case.sheet, weave), pressure },
+        points: case.mechanism.points,
+        inner_radius: case.inner_radius,
+        tip_angle: case.mechanism.tip_angle,
+        tip_radius: case.mechanism.tip_radius,
+        corner_radius: case.mechanism.corner_radius,
+        band: case.band,
+        margin: Margin::NONE,
+    }
+}
+
 /// The command that computes the star of `case`, of fabric with the weave `weave`, as a shell, and the time that it takes; `None` where
 /// shells do not cover the star.
 pub(crate) fn by_shell(case: &Case, weave: Weave) -> Option<String> {
-    let star = request::flat(case, weave).ok().filter(|star| star.check().is_ok())?;
+    let star = flat_star(case, weave, case.pressure?);
+    if star.points > MOST_POINTS || star.check().is_err() {
+        return None;
+    }
     let time = match star.part() {
         StarPart::HalfSector => "1 to 10 s",
         StarPart::Whole => "half a minute to minutes",

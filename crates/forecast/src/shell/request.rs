@@ -4,16 +4,12 @@ use crate::case::Case;
 use crate::predict::PredictFault;
 use crate::pressures::outside;
 use crate::ranges::Interval;
-use crate::shell::{Detail, SHELL, fabric, fineness_of};
+use crate::shell::{Detail, MOST_POINTS, SHELL, fineness_of, flat_star};
 use inflatable::shell::cases::{
-    Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Margin, Objects, ShellFault, Tube, Value, Watch,
-    star,
+    Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Objects, ShellFault, Value, Watch, star,
 };
 use inflatable::shell::element::Weave;
 use spec::{KeyPath, key};
-
-/// Points with which shells of stars are computed.
-const MOST_POINTS: u32 = 16;
 
 /// Reason why a shell gives no answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,16 +82,7 @@ pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
         let what = format!("{points} points, and shells of stars are computed with 3 to {MOST_POINTS}");
         return Err(fault(key::star::POINTS, what));
     }
-    Ok(FlatStar {
-        tube: Tube { width: case.mechanism.width, fabric: fabric(&case.sheet, weave), pressure },
-        points,
-        inner_radius: case.inner_radius,
-        tip_angle: case.mechanism.tip_angle,
-        tip_radius: case.mechanism.tip_radius,
-        corner_radius: case.mechanism.corner_radius,
-        band: case.band,
-        margin: Margin::NONE,
-    })
+    Ok(flat_star(case, weave, pressure))
 }
 
 /// Inflates the star of `case`, then presses it against its object and round ones of `radii` (m).
