@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use crate::cli::escape::{argument, shown};
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::Failure;
 use crate::cli::load::drawing_bytes;
 use crate::cli::new_object::{NewGripper, OBJECT_OPTIONS, ObjectArgs, chosen, machine};
 use crate::cli::text_file::write_new;
@@ -74,10 +74,6 @@ fn write(
     json["wrote"] = json!(path);
     json["schema"] = json!(schema::write_beside(path)?);
     let (path, word, schema) = (shown(path), argument(path), spec::SCHEMA_FILE);
-    if verbosity.quiet {
-        // The file is the result, and its name may not be that of the request.
-        return say(&format!("wrote {path}\n"));
-    }
     let report = format!(
         "{before}wrote {path}, and beside it {schema} for editors\nnext: {next}, then `stargrip-cam {command} {word}`\n"
     );

@@ -17,17 +17,16 @@ mod feed_check;
 mod files;
 mod links;
 mod load_check;
+mod planned;
 mod precautions;
 mod proven;
 mod refused;
 
-use crate::airtight;
 use crate::manifest::Manifest;
-use design::{Design, Refusal, RefusalCode, Refusals};
+use design::{Design, Refusals};
 use forecast::drawn::{InflatedDrawing, Watch, of_spec};
-use forecast::predict::{PredictFault, predict};
+use forecast::predict::predict;
 use forecast::prediction::Prediction;
-use program::plan;
 use program::plan::Program;
 use proof::artifact::{Artifact, KindRequest};
 use spec::{Machine, Spec};
@@ -35,24 +34,10 @@ use spec::{Machine, Spec};
 pub use code::{CommandCode, PrecautionCode};
 pub use coupons::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 pub use feed_check::{FeedCheckFault, ProvenFeedCheck, feed_check, prove_feed_check};
+pub use planned::{Planned, no_prediction};
 pub use precautions::Precaution;
 pub use proven::{Proven, PublishedBuild, prove_files, read_back};
 pub use refused::unfit_besides;
-
-/// A gripper that the machine can seal.
-#[derive(Clone, Debug)]
-pub struct Planned {
-    /// The parsed spec.
-    pub spec: Spec,
-    /// The machine profile.
-    pub machine: Machine,
-    /// The exact geometry.
-    pub design: Design,
-    /// The sealing programs.
-    pub programs: Vec<Program>,
-    /// The trace programs.
-    pub traces: Vec<Program>,
-}
 
 /// A gripper with the prediction of its behaviour.
 #[derive(Clone, Debug)]
@@ -100,7 +85,7 @@ impl Planned {
     /// All reasons why it cannot be made or would leak, or why the machine cannot run the programs.
     pub fn new(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
         match Design::new(&spec, &machine) {
-            Ok(design) => planned(spec, machine, design),
+            Ok(design) => planned::planned(spec, machine, design),
             Err(_) => Err(refused::refused(&spec, &machine)),
         }
     }
@@ -131,19 +116,6 @@ impl Forecast {
     }
 }
 
-/// The programs of `design`, in which the inlet is the only opening for air.
-fn planned(spec: Spec, machine: Machine, design: Design) -> Result<Planned, Refusals> {
-    airtight::leaks(&spec, &machine, &design).or(())?;
-    // The size is checked before the programs are made: they may exceed the memory.
-    let too_many: Refusals = plan::too_many_moves(&spec, &machine, &design).into_iter().collect();
-    too_many.or(())?;
-    let programs = plan::seal_programs(&spec, &machine, &design);
-    let traces = plan::trace_programs(&spec, &machine, &design);
-    let mut refusals = plan::refusals(&spec, &machine, &programs, &traces);
-    refusals.extend(plan::pressed_beyond(&machine, &design));
-    refusals.or(Planned { spec, machine, design, programs, traces })
-}
-
 /// All steps up to [`Built`].
 ///
 /// # Errors
@@ -155,11 +127,4 @@ pub fn build(
     asked: &KindRequest,
 ) -> Result<Built, Refusals> {
     Ok(Forecast::of(spec.clone(), machine.clone())?.build(sources, asked))
-}
-
-/// A failed prediction, as a refusal at the key that causes it.
-pub fn no_prediction(fault: &PredictFault) -> Refusal {
-    let key = fault.star.map_or(fault.key, |star| fault.key.of_star(star));
-    let remedy = fault.remedy.clone().unwrap_or_else(|| "needed for a prediction".to_owned());
-    Refusal::new(key, RefusalCode::NoPrediction, fault.what.clone(), remedy)
 }

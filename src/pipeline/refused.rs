@@ -4,7 +4,7 @@
 //! constrains nothing, such as no `extent` for one that reaches too far. A mended value has no faults that follow from it. Values of a star's
 //! shape and of a drawing cannot be mended, because all later stages depend on them.
 
-use crate::pipeline::{no_prediction, planned};
+use crate::pipeline::planned::{no_prediction, planned};
 use design::{Design, Refusal, Refusals};
 use forecast::predict::predict;
 use forecast::verdict;

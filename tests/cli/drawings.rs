@@ -267,8 +267,8 @@ fn new_keeps_the_name_of_the_drawing() {
     let dir = folder.path();
     for name in ["hoseA", "k_2", "\u{56fe}\u{7eb8}", "\u{447}\u{435}\u{440}\u{442}\u{435}\u{436}"] {
         let _ = fs::copy(dir.join("d.svg"), dir.join(format!("{name}.svg"))).expect("copied");
-        let output = run(dir, &["new", "-q", "--drawing", &format!("{name}.svg")]);
-        assert_eq!(stdout(&output), format!("wrote {name}.toml\n"), "{}", stderr(&output));
+        let output = run(dir, &["new", "--drawing", &format!("{name}.svg")]);
+        assert!(stdout(&output).contains(&format!("wrote {name}.toml,")), "{}", stderr(&output));
         let output = run(dir, &["check", "-q", &format!("{name}.toml")]);
         assert!(output.status.success(), "{}", stderr(&output));
     }

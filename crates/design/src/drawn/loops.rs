@@ -9,19 +9,19 @@ use geom::{Path, Point};
 const MEETS: f64 = 0.02;
 
 /// A closed curve, and the numbers of the elements that make it.
-pub(super) struct Ring {
+pub(super) struct DrawnLoop {
     pub path: Path,
     pub elements: Vec<usize>,
 }
 
 /// The closed curves of a drawing.
-pub(super) fn rings(drawing: &Drawing) -> Vec<Ring> {
+pub(super) fn rings(drawing: &Drawing) -> Vec<DrawnLoop> {
     let mut rings = Vec::new();
     let mut open: Vec<(usize, &Path)> = Vec::new();
     for (number, element) in drawing.elements.iter().enumerate() {
         match &element.figure {
             Figure::Path(path) if path.closed => {
-                rings.push(Ring { path: path.clone(), elements: vec![number] });
+                rings.push(DrawnLoop { path: path.clone(), elements: vec![number] });
             }
             Figure::Path(path) => open.push((number, path)),
             Figure::Point(_) => {}
@@ -35,7 +35,7 @@ pub(super) fn rings(drawing: &Drawing) -> Vec<Ring> {
 ///
 /// Ends are numbered: curve `i` starts at end `2 i` and ends at `2 i + 1`. A walk goes from an end to the other one of its curve and
 /// from there to its partner until it is back; a walk that comes to an end without a partner is no ring.
-fn joined(open: &[(usize, &Path)]) -> Vec<Ring> {
+fn joined(open: &[(usize, &Path)]) -> Vec<DrawnLoop> {
     let ends: Vec<Point> =
         open.iter().flat_map(|(_, path)| [path.start(), path.end()]).map(Option::unwrap_or_default).collect();
     let partners = partners(&ends);
@@ -52,7 +52,7 @@ fn joined(open: &[(usize, &Path)]) -> Vec<Ring> {
             end = next;
         }
         if end == 2 * first && elements.len() > 1 {
-            rings.push(Ring { path: Path::closed(segments), elements });
+            rings.push(DrawnLoop { path: Path::closed(segments), elements });
         }
     }
     rings

@@ -29,7 +29,7 @@ const BESIDE_EDGE: f64 = 0.1;
 pub(super) type RoleRow = (String, LayerRole, String);
 
 /// A layer with its elements by number.
-struct Layer<'d> {
+struct DrawnLayer<'d> {
     name: &'d str,
     elements: Vec<usize>,
     /// Number of elements that are closed or in a ring.
@@ -42,7 +42,7 @@ struct Layer<'d> {
 /// Layers get roles one by one. If none is one of ports, short lines across an edge become ports by their own names; if none has edges
 /// of air or seams, those of cuts do: nothing could be sealed otherwise.
 pub(super) fn proposed(drawing: &Drawing, is_dxf: bool) -> Vec<RoleRow> {
-    let edges = Edges::of(drawing);
+    let edges = EdgePaths::of(drawing);
     let layers = layers(drawing, is_dxf, &edges);
     let mut rows: Vec<RoleRow> = layers
         .iter()
@@ -86,12 +86,12 @@ pub(super) fn size(drawing: &Drawing, rows: &[RoleRow]) -> [f64; 2] {
 }
 
 /// The layers in the order of the file.
-fn layers<'d>(drawing: &'d Drawing, is_dxf: bool, edges: &Edges) -> Vec<Layer<'d>> {
-    let mut layers: Vec<Layer<'d>> = Vec::new();
+fn layers<'d>(drawing: &'d Drawing, is_dxf: bool, edges: &EdgePaths) -> Vec<DrawnLayer<'d>> {
+    let mut layers: Vec<DrawnLayer<'d>> = Vec::new();
     let mut places: BTreeMap<&str, usize> = BTreeMap::new();
     for (number, name) in layer_names(drawing, is_dxf).into_iter().enumerate() {
         let place = *places.entry(name).or_insert_with(|| {
-            layers.push(Layer { name, elements: Vec::new(), closed: 0 });
+            layers.push(DrawnLayer { name, elements: Vec::new(), closed: 0 });
             layers.len() - 1
         });
         layers[place].elements.push(number);
@@ -101,7 +101,12 @@ fn layers<'d>(drawing: &'d Drawing, is_dxf: bool, edges: &Edges) -> Vec<Layer<'d
 }
 
 /// The role of a layer by its name and its figures, and the reason.
-fn suited(layer: &Layer<'_>, is_alone: bool, drawing: &Drawing, edges: &Edges) -> (LayerRole, String) {
+fn suited(
+    layer: &DrawnLayer<'_>,
+    is_alone: bool,
+    drawing: &Drawing,
+    edges: &EdgePaths,
+) -> (LayerRole, String) {
     let (closed, number) = (layer.closed, layer.elements.len());
     let figures = format!("{}, {closed} closed", counted(number, "figure"));
     // The only layer has the design, whatever its name is.
@@ -125,7 +130,7 @@ fn suited(layer: &Layer<'_>, is_alone: bool, drawing: &Drawing, edges: &Edges) -
 
 /// Gives cuts the role of air, with the holes in them, where no layer has air or seams; where there is no cut, the first layer with
 /// closed curves.
-fn promote(layers: &[Layer<'_>], rows: &mut [RoleRow], drawing: &Drawing, edges: &Edges) {
+fn promote(layers: &[DrawnLayer<'_>], rows: &mut [RoleRow], drawing: &Drawing, edges: &EdgePaths) {
     let order = [LayerRole::Cut, LayerRole::Port, LayerRole::Hole, LayerRole::Ignore];
     let is_closed = |place: usize, role: LayerRole, rows: &[RoleRow]| {
         rows[place].1 == role && layers[place].closed > 0 && layers[place].name != "fill #ffffff"
@@ -151,7 +156,12 @@ fn promote(layers: &[Layer<'_>], rows: &mut [RoleRow], drawing: &Drawing, edges:
 }
 
 /// Short lines across an edge on layers of curves, as ports by their own names.
-fn single_marks(layers: &[Layer<'_>], rows: &[RoleRow], drawing: &Drawing, edges: &Edges) -> Vec<RoleRow> {
+fn single_marks(
+    layers: &[DrawnLayer<'_>],
+    rows: &[RoleRow],
+    drawing: &Drawing,
+    edges: &EdgePaths,
+) -> Vec<RoleRow> {
     let of_curves =
         layers.iter().zip(rows).filter(|(_, row)| matches!(row.1, LayerRole::Air | LayerRole::Seam));
     let elements =
@@ -168,7 +178,7 @@ fn single_marks(layers: &[Layer<'_>], rows: &[RoleRow], drawing: &Drawing, edges
 }
 
 /// The closed curves of a drawing.
-struct Edges {
+struct EdgePaths {
     paths: Vec<Path>,
     boxes: BoxIndex,
     enclosures: Enclosures,
@@ -178,7 +188,7 @@ struct Edges {
     size: f64,
 }
 
-impl Edges {
+impl EdgePaths {
     /// The closed curves of `drawing`, as far as they are long enough for an edge.
     fn of(drawing: &Drawing) -> Self {
         let rings = rings(drawing);
