@@ -2,11 +2,14 @@
 
 use serde_json::{Value, json};
 
+use crate::answer::{hours, sealing_time};
 use crate::pipeline::Forecast;
+use design::CutEdge;
 use forecast::drawn::prediction::ChamberPrediction;
-use forecast::prediction::{StarPrediction, distinct};
+use forecast::prediction::{Prediction, StarPrediction, distinct};
 use forecast::ranges::scaled;
 use forecast::ranges::shown::{or_unknown, rounded, with_limit};
+use forecast::tone::Tone;
 use forecast::verdict::of_stars;
 use spec::key;
 use spec::units::Length;
@@ -14,7 +17,7 @@ use spec::units::Length;
 /// The verdict in one sentence.
 pub fn in_words(forecast: &Forecast) -> String {
     if forecast.design.drawn().is_some() {
-        return "no verdict: no model predicts the force of a drawn shape on an object".to_owned();
+        return sealable(forecast);
     }
     let Some((load, prediction)) = forecast.spec.load.as_ref().zip(forecast.prediction.as_ref()) else {
         return "no verdict: add a [load] section that describes the object".to_owned();
@@ -38,6 +41,20 @@ pub fn in_words(forecast: &Forecast) -> String {
     let more = verdict.one_star().into_iter().chain(verdict.assumed_in_words());
     let more: String = more.flat_map(|text| ["; ".to_owned(), text]).collect();
     format!("{}{object}{pressure}{payload}{more}{why}", verdict.line())
+}
+
+/// What can be made of a drawing: the seams and the size of a piece, the time of all programs.
+fn sealable(forecast: &Forecast) -> String {
+    let placed = forecast.design.placed();
+    let Some(part) = placed.first().map(|placed| forecast.design.part(placed)) else { return String::new() };
+    let copies = if placed.len() > 1 { format!("{} pieces of ", placed.len()) } else { String::new() };
+    let seams = part.shape().seams.len();
+    let seams = format!("{seams} seam{}", if seams == 1 { "" } else { "s" });
+    let size = part.cut(CutEdge::Part).outside.bounds();
+    let has_pressure = forecast.spec.load.as_ref().is_some_and(|load| load.pressure.is_some());
+    let inflate = if has_pressure { "" } else { "; set a `pressure` in [load] to inflate it" };
+    let time = hours(sealing_time(forecast));
+    format!("can be sealed: {copies}{seams}, {time}, {:.0} x {:.0} mm{inflate}", size.width(), size.height())
 }
 
 /// Contraction and burst pressure, each under its label.
@@ -100,7 +117,14 @@ pub fn json(forecast: &Forecast) -> Value {
         })
         .collect();
     let code = verdict.and_then(|verdict| verdict.code);
-    json!({ "holds": holds, "code": code, "in_words": in_words(forecast), "unfit": refused })
+    let tone = if refused.is_empty() { tone(forecast) } else { Tone::Bad };
+    json!({ "holds": holds, "code": code, "tone": tone, "in_words": in_words(forecast), "unfit": refused })
+}
+
+/// The tone of the predictions.
+fn tone(forecast: &Forecast) -> Tone {
+    let drawn = forecast.drawn.as_ref().map(|drawn| drawn.prediction.tone());
+    drawn.or(forecast.prediction.as_ref().map(Prediction::tone)).unwrap_or(Tone::Plain)
 }
 
 /// Extents and height of the inflated `chamber`; `None` without the shell.

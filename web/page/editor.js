@@ -1,41 +1,41 @@
-// The text of the spec: an ordinary text field, above a copy that carries line numbers and the marks of faults.
-import { element } from "./form.js";
-
-const LINE_HEIGHT = 24, TOP = 12;
-const LIKELY = /did you mean [`"]([^`"]+)[`"]/;
+// The text of the spec: an ordinary text field, above a copy that carries line numbers and the marks of faults. The desk undoes, not the browser.
+import { byId, element, paged } from "./dom.js";
 
 export class Editor {
-    #area = document.getElementById("spec");
-    #mirror = document.getElementById("mirror");
-    #callouts = document.getElementById("callouts");
-    #list = document.getElementById("faults");
-    #count = document.getElementById("fault-count");
+    #area = byId("spec");
     #faults = [];
     /** The faults of the list, as JSON. */
     #shown = "";
-    #typed;
     #explain;
 
-    /** `typed` is called after every change by the user; `explain(code)` gives the meaning of a code. */
-    constructor(typed, explain) {
-        this.#typed = typed;
+    /** `typed(text)` is called after every change by the user; `explain(code)` gives the meaning of a code; `undo(by)` undoes or redoes. */
+    constructor({ typed, explain, undo }) {
         this.#explain = explain;
-        this.#area.addEventListener("input", () => this.#changed());
+        this.#area.addEventListener("input", () => {
+            this.#faults = [];
+            this.#draw();
+            typed(this.#area.value);
+        });
+        this.#area.addEventListener("beforeinput", (event) => {
+            const by = { historyUndo: -1, historyRedo: 1 }[event.inputType];
+            if (!by) return;
+            event.preventDefault();
+            undo(by);
+        });
         document.addEventListener("selectionchange", () => document.activeElement === this.#area && this.#callout());
-        this.#area.addEventListener("scroll", () => this.#area.scrollTo(0, 0));
         this.#area.addEventListener("blur", () => this.#callout());
+        new ResizeObserver(() => this.#callout()).observe(this.#area);
     }
 
-    get text() {
-        return this.#area.value;
-    }
-
-    /** Sets another text, which was not typed here; the caret stays where possible. */
+    /** Shows the text, if it is not typed here; the caret goes to the end of what changed. */
     set text(text) {
-        if (text === this.#area.value) return;
-        const { selectionStart, selectionEnd } = this.#area;
+        const old = this.#area.value;
+        if (text === old) return;
+        let start = 0, end = 0;
+        while (start < Math.min(text.length, old.length) && text[start] === old[start]) start++;
+        while (end < Math.min(text.length, old.length) - start && text.at(-1 - end) === old.at(-1 - end)) end++;
         this.#area.value = text;
-        if (document.activeElement === this.#area) this.#area.setSelectionRange(selectionStart, selectionEnd);
+        if (document.activeElement === this.#area) this.#area.setSelectionRange(text.length - end, text.length - end);
         this.#faults = [];
         this.#draw();
     }
@@ -48,39 +48,33 @@ export class Editor {
         this.#faults = faults;
         this.#draw();
         const errors = faults.filter(({ warning }) => !warning).length, warnings = faults.length - errors;
-        const some = (number, word) => (number ? [`${number} ${word}${number === 1 ? "" : "s"}`] : []);
-        const told = [...some(errors, "error"), ...some(warnings, "warning")].join(", ") || "No faults.";
-        if (this.#count.textContent !== told) this.#count.textContent = told;
-        this.#list.replaceChildren(...faults.map((fault) => this.#told(fault)));
-    }
-
-    #changed() {
-        this.#faults = [];
-        this.#draw();
-        this.#typed();
+        const some = (number, word) => (number ? [`${number} ${word}${number === 1 ? "" : "s"}, listed below`] : []);
+        const count = [...some(errors, "error"), ...some(warnings, "warning")].join("; ") || "No faults.";
+        if (byId("fault-count").textContent !== count) byId("fault-count").textContent = count;
+        byId("faults").replaceChildren(...faults.map((fault) => this.#entry(fault)));
+        byId("tab-text").classList.toggle("fault", errors > 0);
     }
 
     /** The copy of the text, one element a line, with its marks. */
     #draw() {
-        const text = this.#area.value;
-        let at = 0;
-        const lines = text.split("\n").map((line) => {
-            const own = element("span"), start = at;
-            at += line.length + 1;
+        let end = 0;
+        const lines = this.#area.value.split("\n").map((line) => {
+            const copy = element("span"), start = end;
+            end += line.length + 1;
             let done = 0;
             for (const { place, warning } of this.#faults) {
                 if (!place) continue;
                 const from = Math.max(place[0] - start, done), to = Math.min(Math.max(place[1], place[0] + 1) - start, line.length);
                 const begins = place[0] >= start && place[0] <= start + line.length;
-                if (begins) own.className = warning && own.className !== "bad" ? "fair" : "bad";
+                if (begins) copy.className = warning && copy.className !== "bad" ? "fair" : "bad";
                 if (!begins || to <= from) continue;
-                own.append(line.slice(done, from), element("mark", { className: warning ? "warning" : "" }, line.slice(from, to)));
+                copy.append(line.slice(done, from), element("mark", { className: warning ? "warning" : "" }, line.slice(from, to)));
                 done = to;
             }
-            own.append(line.slice(done));
-            return own;
+            copy.append(line.slice(done));
+            return copy;
         });
-        this.#mirror.replaceChildren(...lines);
+        byId("mirror").replaceChildren(...lines);
         this.#callout();
     }
 
@@ -90,23 +84,22 @@ export class Editor {
         const line = this.#area.value.slice(0, this.#area.selectionStart).split("\n").length;
         const placed = this.#faults.filter(({ place }) => place);
         const shown = (isHere && placed.find((fault) => fault.line === line)) || placed.find(({ warning }) => !warning);
-        this.#callouts.replaceChildren();
-        if (!shown) return;
+        byId("callouts").replaceChildren();
+        const copy = shown && byId("mirror").children[shown.line - 1];
+        if (!copy) return;
         const text = [shown.found, shown.allowed, shown.remedy].filter(Boolean).join("; ");
-        const box = element("div", { className: shown.warning ? "callout warning" : "callout", "aria-hidden": "true" }, text);
-        box.style.top = `${TOP + shown.line * LINE_HEIGHT}px`;
-        this.#callouts.append(box);
+        const box = element("div", { className: shown.warning ? "callout warning" : "callout", "aria-hidden": "true" }, paged(text));
+        box.style.top = `${copy.offsetTop + copy.offsetHeight}px`;
+        byId("callouts").append(box);
     }
 
     /** A fault as an entry of the list: place, found, allowed, remedy. */
-    #told(fault) {
+    #entry(fault) {
         const { code, found, allowed, remedy, line, column, place, warning, file } = fault;
-        const where = place ? element("button", { type: "button", className: "plain", onclick: () => this.#go(place) }, `line ${line}, column ${column}`) : file ?? "";
-        const entry = element("li", { className: warning ? "warning" : "" }, element("p", {}, where, " ", element("strong", {}, found), " "));
+        const where = place ? element("button", { type: "button", className: "plain", onclick: () => this.go(place) }, `line ${line}, column ${column}`) : file ?? "";
+        const entry = element("li", { className: warning ? "warning" : "" }, element("p", {}, where, " ", element("strong", {}, paged(found)), " "));
         entry.firstChild.append(element("button", { type: "button", className: "plain", "aria-label": `explain ${code}`, onclick: ({ target }) => this.#meaning(target, code) }, code));
-        for (const text of [allowed, remedy]) if (text) entry.append(element("p", {}, text));
-        const likely = place && LIKELY.exec(remedy ?? "");
-        if (likely) entry.append(element("button", { type: "button", onclick: () => this.#mend(place, likely[1]) }, `write ${likely[1]}`));
+        for (const text of [allowed, remedy]) if (text) entry.append(element("p", {}, paged(text)));
         return entry;
     }
 
@@ -116,17 +109,11 @@ export class Editor {
         button.replaceWith(element("span", {}, `${code}: ${meaning ?? "no explanation"}`));
     }
 
-    #go([start, end]) {
-        this.#area.focus();
+    /** Selects the place of a fault and brings it into sight. */
+    go([start, end]) {
+        this.#area.focus({ preventScroll: true });
         this.#area.setSelectionRange(start, end);
-        document.getElementById("editor").scrollTop = this.#area.value.slice(0, start).split("\n").length * LINE_HEIGHT - 100;
-    }
-
-    /** Writes `word` in the place of the fault; quotes around it are kept. */
-    #mend([start, end], word) {
-        const old = this.#area.value.slice(start, end), quote = /^["']/.exec(old)?.[0] ?? "";
-        this.#area.setRangeText(quote + word + quote, start, end, "end");
-        this.#area.focus();
-        this.#changed();
+        const line = this.#area.value.slice(0, start).split("\n").length;
+        byId("mirror").children[line - 1]?.scrollIntoView({ block: "center" });
     }
 }

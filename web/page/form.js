@@ -1,164 +1,116 @@
-// The form: a field for every key of the schema. It shows the values of the spec; a changed field changes the text.
+// The form: the values that matter for the product first, then all keys in groups; those at their defaults are folded.
+import { byId, element } from "./dom.js";
+import { Field } from "./fields.js";
 
-/** The sections by importance; other sections of the schema follow. */
-const ORDER = ["", "star", "stack", "load", "fabric", "machine", "inlet", "seal", "sheet", "mask", "frame", "cut", "build"];
-const OPEN = ["star", "load"];
-/** Sections of the form for stars only, and for drawings only. */
-const OF_STARS = ["star", "stack", "load", "mask", "frame"], OF_DRAWINGS = ["drawing"];
-const QUANTITY = /^\s*([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)\s*(\S.*?)\s*$/;
-
-/** An element with properties and children. */
-export function element(name, properties = {}, ...children) {
-    const made = document.createElement(name);
-    for (const [key, value] of Object.entries(properties)) {
-        if (key.includes("-") || key === "role") made.setAttribute(key, value);
-        else made[key] = value;
-    }
-    made.append(...children);
-    return made;
-}
-
-/** Number and unit of "30 mm"; null if the text has neither. */
-function quantity(text) {
-    const found = QUANTITY.exec(text ?? "");
-    return found && Number.isFinite(Number(found[1])) ? { number: Number(found[1]), unit: found[2] } : null;
-}
-
-/** Ends and step of a slider around `number`: values to try; the reader of the spec checks the allowed range. */
-function around(number, unit) {
-    const size = Math.abs(number);
-    // Celsius has no natural zero: 100 to 260 C for an iron of 200 C. Above 260 C PTFE decomposes.
-    if (unit.endsWith("C") && number > 0) return { min: Math.round(size / 2), max: Math.round(1.3 * size), step: 1 };
-    const most = size === 0 ? (unit === "deg" ? 90 : 10) : Number((size * 2.5).toPrecision(1));
-    const step = 10 ** (Math.floor(Math.log10(most)) - 2);
-    return { min: number < 0 ? -most : 0, max: most, step };
-}
-
-/** The meaning of a key, without the sentences about its kind and range, which a message states when necessary. */
-const short = (description) => description.replace(/(^|[.;] )(An? [^.;]*?(with its unit|whole number|plain number)|(One|Some) of |Two lengths )[^]*$/, "$1").replace(/[;. ]+$/, ".") || description;
-
-/** A number as text, with six significant digits: no rounding errors of steps. */
-const plain = (number) => String(Number(number.toPrecision(6)));
+/** For each product the keys that come first, with other words where the key's own say too little; and its groups in order. */
+const PRODUCTS = {
+    star: {
+        first: ["star.points", "star.inner_radius", "star.tube_width", "star.tip_angle", "load.pressure"],
+        groups: ["load", "star", "stack", "fabric", "seal", "machine", "inlet", "sheet", "mask", "frame", "cut", "accuracy", "build"],
+        without: [],
+    },
+    drawing: {
+        first: ["load.pressure", "mask.kind", "seal.band", "fabric.seal_strength", "sheet.copies"],
+        groups: ["drawing", "seal", "fabric", "machine", "inlet", "mask", "sheet", "cut", "accuracy", "build"],
+        without: ["inlet.length", "inlet.tip", "inlet.fillet", "inlet.none", "seal.hole_allowance", "mask.extent", "mask.border", "mask.mirror", "mask.thickness", "mask.bed", "machine.program_star"],
+    },
+};
+const TITLES = { load: "Object and pressure", star: "Star", stack: "Stack", fabric: "Fabric", seal: "Sealing", machine: "Machine", inlet: "Hose", sheet: "Sheet", mask: "Mask", frame: "Frame", cut: "Cutting", accuracy: "Accuracy", build: "Files", drawing: "Drawing" };
+/** Choices of keys that mean another thing for a drawing. */
+const SEPARATOR = { words: "sealed by", choices: [["", "iron"], ["separator", "press, with paper between"]] };
 
 export class Form {
+    #schema;
+    #machines;
+    #tell;
+    #settle;
+    #product = null;
     #fields = new Map();
-    #sections = new Map();
-    #change;
+    #groups = [];
 
-    /** Fields of `schema` in `root`; `machines` are the profiles; `change(key, value)` receives the new value for the text: TOML, or null. */
-    constructor(root, schema, machines, change) {
-        this.#change = change;
-        const { properties } = schema;
-        const sections = { "": { properties: { name: properties.name }, description: "" } };
-        for (const [name, section] of Object.entries(properties)) if (section.properties) sections[name] = section;
-        const names = [...new Set([...ORDER, ...Object.keys(sections)])].filter((name) => sections[name]);
-        for (const name of names) {
-            const keys = Object.entries(sections[name].properties).filter(([, { items, type }]) => type !== "object" && (type !== "array" || items?.enum));
-            const required = sections[name].required ?? [];
-            keys.sort(([a], [b]) => required.includes(b) - required.includes(a));
-            const fields = keys.map(([key, property]) => this.#field(name, key, property, machines));
-            if (name === "") root.append(...fields);
-            else {
-                const section = element("details", { open: OPEN.includes(name) }, element("summary", {}, `${name} `, element("small", {}, sections[name].description ?? "")), ...fields);
-                this.#sections.set(name, section);
-                root.append(section);
-            }
-        }
+    /** Fields of `schema`; `machines` are the profiles; `change(key, value, kind)` receives a new value for the text: TOML, or null; `settle` ends a step. */
+    constructor(schema, machines, { change, settle }) {
+        this.#schema = schema;
+        this.#machines = machines;
+        this.#tell = change;
+        this.#settle = settle;
     }
 
-    #field(section, key, property, machines) {
-        const path = section ? `${section}.${key}` : key, id = `field-${path}`;
-        const tell = (value) => this.#change(path, value);
-        const words = key.replaceAll("_", " ");
-        const about = element("p", { className: "soft", id: `${id}-about`, title: property.description ?? "" }, short(property.description ?? ""));
-        const state = element("span", { className: "state" }, "not set");
-        const reset = element("button", { type: "button", className: "plain", hidden: true, onclick: () => tell(null) }, "default");
-        const choices = path === "machine.profile" ? machines.map(({ name }) => name) : property.enum;
-        const box = element("div", { className: "field" });
-        let input, slider = null;
-        if (property.type === "array") {
-            const one = (value) => element("label", { className: "check" }, element("input", { type: "checkbox", value, onchange: () => tell(JSON.stringify(ticked())) }), value);
-            input = element("div", { className: "choices", role: "group", "aria-label": words }, ...property.items.enum.map(one));
-            const ticked = () => [...input.querySelectorAll("input:checked")].map(({ value }) => value);
-        } else if (choices) {
-            input = element("select", { id, onchange: () => tell(JSON.stringify(input.value)) }, ...choices.map((name) => element("option", {}, name)));
-        } else if (property.type === "boolean") {
-            input = element("input", { id, type: "checkbox", onchange: () => tell(String(input.checked)) });
-        } else {
-            const isNumber = ["integer", "number"].includes(property.type);
-            const written = () => (input.value.trim() === "" ? tell(null) : tell(isNumber ? input.value.trim() : JSON.stringify(input.value)));
-            input = element("input", { id, autocomplete: "off", spellcheck: false, onchange: written, placeholder: property.examples ? `e.g. ${property.examples[0]}` : "" });
-            if (isNumber || property.pattern) {
-                slider = element("input", { type: "range", hidden: true, tabIndex: 0, "aria-label": `${words}, slider` });
-                slider.oninput = () => {
-                    const { unit } = slider.dataset;
-                    input.value = plain(Number(slider.value)) + (unit ? ` ${unit}` : "");
-                    slider.setAttribute("aria-valuetext", input.value);
-                    written();
-                };
-                slider.onchange = () => this.#slide(path);
-            }
-        }
-        input.setAttribute("aria-describedby", about.id);
-        const label = element("label", {}, words);
-        if (input.id) label.htmlFor = id;
-        box.append(element("div", {}, label, " ", state, reset), input);
-        if (slider) about.prepend(slider);
-        box.append(about);
-        this.#fields.set(path, { box, input, slider, state, reset, property });
-        return box;
+    /** The field of a key; undefined if it has none. */
+    #make(path) {
+        const [section, key] = path.includes(".") ? path.split(".") : ["", path];
+        const property = section ? this.#schema.properties[section]?.properties?.[key] : this.#schema.properties[key];
+        if (!property || property.type === "object" || (property.type === "array" && !property.items?.enum)) return undefined;
+        const tell = (value, isDragged = false) => this.#tell(path, value, isDragged ? `slide ${path}` : null);
+        const special = path === "mask.kind" && this.#product === "drawing" ? SEPARATOR : path === "machine.profile" ? { choices: this.#machines.map(({ name }) => name) } : {};
+        const field = new Field(path, property, { tell, settle: this.#settle, ...special });
+        this.#fields.set(path, field);
+        return field;
     }
 
-    /** Sets the ends of a slider for the value in its field. */
-    #slide(path) {
-        const { input, slider, property } = this.#fields.get(path);
-        const isNumber = ["integer", "number"].includes(property.type);
-        const found = isNumber ? input.value.trim() !== "" && { number: Number(input.value), unit: "" } : quantity(input.value);
-        slider.hidden = !found || !Number.isFinite(found.number);
-        if (slider.hidden) return;
-        const ends = around(found.number, found.unit);
-        if (property.type === "integer") Object.assign(ends, { min: property.minimum ?? 0, max: Math.min(property.maximum ?? 64, Math.max(12, 2 * found.number)), step: 1 });
-        else if (property.maximum !== undefined) ends.max = Math.min(ends.max, property.maximum);
-        Object.assign(slider, ends);
-        slider.dataset.unit = found.unit;
-        slider.value = found.number;
-        slider.setAttribute("aria-valuetext", input.value);
+    /** Makes the form of a product: the first fields, then the groups. */
+    #build(product) {
+        this.#product = product;
+        this.#fields.clear();
+        const { first, groups, without } = PRODUCTS[product];
+        const top = ["name", ...first].map((path) => this.#make(path)).filter(Boolean);
+        this.#groups = groups.filter((section) => this.#schema.properties[section]?.properties).map((section) => {
+            const keys = Object.keys(this.#schema.properties[section].properties).map((key) => `${section}.${key}`);
+            const fields = keys.filter((path) => !first.includes(path) && !without.includes(path)).map((path) => [path, this.#make(path)]).filter(([, field]) => field);
+            const count = element("small"), given = element("div"), rest = element("div"), more = element("summary");
+            const folded = element("details", {}, more, rest);
+            const box = element("details", {}, element("summary", {}, TITLES[section] ?? section, count), given, folded);
+            return { section, fields: new Map(fields), box, count, given, rest, more, folded };
+        });
+        byId("form").replaceChildren(...top.map(({ box }) => box), ...this.#groups.map(({ box }) => box));
     }
 
-    /** Shows the values of the spec: settings [{ section, key, value, given }], for a star or for a drawing. A field in use is left alone. */
+    /** Shows the values of the spec: settings [{ section, key, value, given }], for a star or for a drawing. */
     show(settings, isDrawn) {
-        for (const [name, section] of this.#sections) section.hidden = (isDrawn ? OF_STARS : OF_DRAWINGS).includes(name);
-        for (const { section, key, value, given } of settings) {
-            const path = section ? `${section}.${key}` : key;
-            const field = this.#fields.get(path);
+        const product = isDrawn ? "drawing" : "star";
+        if (product !== this.#product) this.#build(product);
+        const given = new Set();
+        for (const setting of settings) {
+            const path = setting.section ? `${setting.section}.${setting.key}` : setting.key, field = this.#fields.get(path);
             if (!field) continue;
-            const { box, input, slider, state, reset, property } = field;
-            const isInUse = [input, slider].includes(document.activeElement);
-            if (property.type === "array") {
-                const listed = (value ?? "").split(", ");
-                for (const one of input.querySelectorAll("input")) one.checked = listed.includes(one.value);
-            } else if (property.type === "boolean") {
-                input.checked = value === "true";
-            } else if (!isInUse || document.activeElement === slider) {
-                if (input.tagName === "SELECT" && ![...input.options].some((option) => option.value === value)) input.append(element("option", {}, value ?? ""));
-                input.value = value ?? "";
-            }
-            if (slider && !isInUse) this.#slide(path);
-            const isRequired = ["name", "star.points", "star.inner_radius", "star.tube_width", "star.tip_angle"].includes(path);
-            state.textContent = given ? "" : value === null ? "not set" : "default";
-            reset.textContent = property.default === undefined ? "remove" : "default";
-            reset.setAttribute("aria-label", `${reset.textContent} ${key.replaceAll("_", " ")}`);
-            reset.hidden = !given || isRequired;
-            box.classList.toggle("default", !given);
+            // A drawing has no mask but the paper of a press.
+            const value = path === "mask.kind" && isDrawn && !setting.given ? "" : setting.value;
+            field.show({ ...setting, value });
+            if (setting.given) given.add(path);
         }
+        for (const group of this.#groups) this.#fold(group, given);
+    }
+
+    /** Puts the fields of a group that are given before those at their defaults. A field in use stays where it is. */
+    #fold({ fields, count, given, rest, more, folded, box }, paths) {
+        for (const [path, field] of fields) {
+            const home = paths.has(path) ? given : rest;
+            if (field.box.parentElement !== home && !field.box.contains(document.activeElement)) home.append(field.box);
+        }
+        const own = [...fields.keys()].filter((path) => paths.has(path)).length, others = fields.size - own;
+        count.textContent = own > 0 ? `${own} set` : "";
+        more.textContent = `${others} at their defaults`;
+        more.hidden = own === 0;
+        folded.hidden = others === 0;
+        if (own === 0) folded.open = true;
+        box.hidden = fields.size === 0;
     }
 
     /** Marks the fields with faults. */
     mark(faults) {
         const keys = new Set(faults.filter(({ warning }) => !warning).map(({ key }) => key));
-        for (const [path, { input }] of this.#fields) {
-            if (keys.has(path)) input.setAttribute("aria-invalid", "true");
-            else input.removeAttribute("aria-invalid");
+        for (const [path, field] of this.#fields) field.mark(keys.has(path));
+        for (const { fields, box, folded } of this.#groups) {
+            const faulty = [...fields.keys()].filter((path) => keys.has(path));
+            if (faulty.length === 0) continue;
+            box.open = true;
+            folded.open = true;
         }
+        byId("tab-values").classList.toggle("fault", [...keys].some((key) => this.#fields.has(key)));
+    }
+
+    /** Whether the field with the focus has a text that the spec does not have yet. */
+    get isTyped() {
+        return [...this.#fields.values()].some((field) => field.isTyped);
     }
 }

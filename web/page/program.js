@@ -4,6 +4,21 @@
 /** Longest time for which a short question may delay the next one, ms. */
 const PATIENCE = 300;
 
+/** The compiled program: from the page itself, or from the file beside it. It is compiled while it loads. */
+export async function compiled() {
+    const streamed = (body) => WebAssembly.compileStreaming(new Response(body, { headers: { "Content-Type": "application/wasm" } }));
+    const packedProgram = document.getElementById("program-data");
+    if (!packedProgram) {
+        const answer = await fetch("stargrip-cam.wasm");
+        if (!answer.ok) throw new Error(`the program could not be loaded (${answer.status}); load the page again`);
+        navigator.serviceWorker?.register("offline.js").catch(() => {}); // without it the page needs its network
+        return streamed(answer.body);
+    }
+    const packed = Uint8Array.fromBase64?.(packedProgram.textContent) ?? Uint8Array.from(atob(packedProgram.textContent), (letter) => letter.charCodeAt(0));
+    packedProgram.remove();
+    return streamed(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
+}
+
 /** The error of a question that was replaced or stopped. */
 export class Dropped extends Error {}
 

@@ -1,10 +1,17 @@
-// The program's answer about the present spec: verdict, picture, numbers; and the files of a proven build.
-import { element } from "./form.js";
+// The program's answer about the present spec in words: verdict, numbers, precautions; and the files of a proven build.
+import { byId, element, hours, paged } from "./dom.js";
 import { zipped } from "./zip.js";
 
-const byId = (id) => document.getElementById(id);
 /** Time for which a saved or printed file stays available, ms. */
 const LIFETIME = 60_000;
+/** The files by what is done with them, in that order; a kind begins with one of the words. */
+const USES = [
+    ["Run on the machine", ["trace", "seal-gcode"]],
+    ["Cut", ["outline", "cut", "seal-", "drawing-"]],
+    ["Coat, separate, stack", ["mask", "separator", "pieces", "frame", "press"]],
+    ["Look at and keep", ["report", "preview", "scene", "surface", "spec", "machine", "drawing", "prediction", ""]],
+];
+const MEANINGS = { "trace-gcode": "first: a run in the air", "seal-gcode": "then: seals" };
 
 /** A temporary address of `bytes`. */
 function address(bytes, type) {
@@ -25,10 +32,6 @@ const size = ({ length }) => (length < 1000 ? `${length} B` : `${(length / 1000)
 
 export class Result {
     #files = [];
-    /** The preview that is shown. */
-    #svg = "";
-    /** Time of the last change of the spec, ms. */
-    #began = 0;
 
     constructor() {
         byId("zip").addEventListener("click", () => {
@@ -40,61 +43,45 @@ export class Result {
     /** Disables downloads until the present text is proven. */
     withdraw() {
         this.#files = [];
-        this.#began = performance.now();
-        byId("result").classList.add("old");
         byId("zip").disabled = true;
         byId("files").inert = true;
         byId("proof").textContent = "";
     }
 
-    /** Shows an answer: verdict, numbers and picture; without an overview the spec is refused. */
-    show({ overview, unfit, files }) {
+    /** Shows an answer: verdict and numbers; without an overview the spec is refused. */
+    show({ overview, unfit, faults = [] }) {
         byId("anyway-box").hidden = !unfit;
-        const verdict = byId("verdict");
         if (!overview) {
-            byId("files").classList.add("none");
-            verdict.className = "bad";
-            verdict.textContent = "Refused. The faults are listed below the spec.";
+            const errors = faults.filter(({ warning }) => !warning).length;
+            this.#verdict("bad", errors > 1 ? `Refused, for ${errors} reasons` : "Refused", "The first is at the picture, with its remedy; the values below are those of before.");
             return;
         }
-        byId("result").classList.remove("old");
-        const { holds, in_words } = overview.verdict;
-        verdict.className = unfit || holds === false ? "bad" : holds ? "good" : "";
-        verdict.textContent = in_words;
+        const { tone, in_words: words } = overview.verdict;
+        const [headline, ...rest] = paged(words).split("; ");
+        this.#verdict(tone, headline.charAt(0).toUpperCase() + headline.slice(1), rest.join("; "));
         this.#rows(overview);
-        byId("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, text)));
+        byId("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, paged(text).replaceAll("`", ""))));
         byId("before").hidden = overview.before_you_seal.length === 0;
-        this.#picture(files.find(({ name }) => name.endsWith("preview.svg")));
+        const isDrawn = overview.stars === 0;
+        byId("shell-box").hidden = !isDrawn || !overview.prediction;
+    }
+
+    #verdict(tone, headline, rest) {
+        const verdict = byId("verdict");
+        verdict.className = tone;
+        verdict.replaceChildren(headline, ...(rest ? [element("span", {}, rest)] : []));
     }
 
     #rows({ rows, sealing_time_s, sheets_mm }) {
-        const minutes = Math.round(sealing_time_s / 60);
-        const time = `${Math.floor(minutes / 60)} h ${String(minutes % 60).padStart(2, "0")} min, without heating and pauses`;
-        const sheets = sheets_mm.map((sides) => sides.map((side) => Math.ceil(side)).join(" x ")).join(", ");
-        const all = [...rows, ["sealing", time], ["sheets", `${sheets} mm`]];
-        byId("rows").replaceChildren(...all.flatMap(([label, text]) => [element("dt", {}, label), element("dd", {}, text)]));
-    }
-
-    #picture(file) {
-        const text = file && new TextDecoder().decode(file.bytes);
-        if (!file || text === this.#svg) return;
-        this.#svg = text;
-        const image = byId("preview"), old = image.src;
-        image.src = URL.createObjectURL(new Blob([file.bytes], { type: "image/svg+xml" }));
-        image.onload = () => {
-            performance.mark("preview");
-            document.documentElement.dataset.look = Math.round(performance.now() - this.#began);
-            if (old) URL.revokeObjectURL(old);
-        };
-        image.alt = "Sheet with seams, cut and inlet, as it will be sealed";
-        image.hidden = false;
-        byId("preview-note").textContent = "Sheet 1 as it will be sealed and cut, seen from the iron's side.";
+        const sheets = sheets_mm.map((sides) => sides.map((side) => Math.ceil(side)).join(" × ")).join(", ");
+        const all = [...rows, ["sealing takes", `${hours(sealing_time_s)}, without heating and pauses`], [sheets_mm.length > 1 ? "sheets" : "sheet", `${sheets} mm`]];
+        byId("rows").replaceChildren(...all.flatMap(([label, text]) => [element("dt", {}, label), element("dd", {}, paged(text).replaceAll("`", ""))]));
     }
 
     /** Offers the files of a proven build; `isWanted`: also those of a spec that fails its own load. */
     offer({ files, kinds, proven, unfit, name }, isWanted) {
         if (!proven) {
-            byId("files").classList.add("none");
+            byId("files").replaceChildren();
             byId("proof").textContent = unfit && !isWanted ? "No files: this gripper does not do what its own [load] requires." : "No files.";
             return;
         }
@@ -102,14 +89,17 @@ export class Result {
         byId("zip").disabled = false;
         byId("zip").dataset.folder = stem(name);
         byId("proof").textContent = `Proven: ${proven}.`;
-        byId("files").replaceChildren(...files.map((file) => this.#entry(file, kinds[file.name] ?? "")));
-        byId("files").classList.remove("none");
+        const rest = new Set(files), groups = USES.map(([use, words]) => {
+            const own = words.flatMap((word) => [...rest].filter((file) => (kinds[file.name] ?? "").startsWith(word) && rest.delete(file)));
+            return own.length === 0 ? [] : [element("h3", {}, use), element("ul", {}, ...own.map((file) => this.#entry(file, MEANINGS[kinds[file.name]])))];
+        });
+        byId("files").replaceChildren(...groups.flat());
         byId("files").inert = false;
     }
 
     /** A file of the list. PDFs contain the instruction to print them at their own size. */
-    #entry({ name, bytes }, title) {
-        const entry = element("li", {}, element("button", { type: "button", className: "plain", title, onclick: () => save(name, bytes) }, name, element("small", {}, size(bytes))));
+    #entry({ name, bytes }, meaning) {
+        const entry = element("li", {}, element("button", { type: "button", className: "plain", onclick: () => save(name, bytes) }, name, element("small", {}, meaning ?? size(bytes))));
         if (name.endsWith(".pdf")) {
             const print = () => window.open(address(bytes, "application/pdf"), "_blank");
             entry.append(element("button", { type: "button", className: "plain print", "aria-label": `print 1:1: ${name}`, onclick: print }, "print 1:1"));

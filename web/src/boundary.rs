@@ -25,7 +25,7 @@ unsafe extern "C" {
 }
 
 /// Reports to the page the `part` of the work that is done, 0 to 1, and the current step. Outside of a page it has no effect.
-pub(crate) fn tell(part: f64, what: &str) {
+fn tell(part: f64, what: &str) {
     #[cfg(target_arch = "wasm32")]
     progress(part, what.as_ptr(), what.len());
     #[cfg(not(target_arch = "wasm32"))]
@@ -53,7 +53,7 @@ pub extern "C" fn question(length: usize) -> *const u8 {
 pub extern "C" fn ask() -> usize {
     HEARS_PANICS.call_once(|| panic::set_hook(Box::new(|info| keep(&info.to_string()))));
     let question = MAILBOX.with_borrow_mut(|mailbox| std::mem::take(&mut mailbox.question));
-    let answer = answer(Message::from_bytes(&question)).into_bytes();
+    let answer = answer(Message::from_bytes(&question), tell).into_bytes();
     MAILBOX.with_borrow_mut(|mailbox| {
         mailbox.answer = answer;
         mailbox.answer.len()

@@ -222,6 +222,39 @@ pub fn figures(spec: &Spec) -> Vec<Path> {
     read.iter().flat_map(|read| paths(read)).cloned().collect()
 }
 
+/// A figure of a drawing, with the names that may give it a role.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RoledFigure {
+    /// Its id in the file.
+    pub id: String,
+    /// Its names, innermost first.
+    pub layers: Vec<String>,
+    /// The name that decides its role; without a role the outermost one below the file's own.
+    pub layer: String,
+    /// Its role; `None` if the spec gives it none.
+    pub role: Option<LayerRole>,
+    /// Its curve; of a point a line without length.
+    pub path: Path,
+}
+
+/// The figures of the drawing of `spec` with their roles, as far as the file can be read; none of a spec without a drawing.
+pub fn roled_figures(spec: &Spec) -> Vec<RoledFigure> {
+    let Some(drawing) = &spec.drawing else { return Vec::new() };
+    let Ok(artwork) = read(spec, drawing) else { return Vec::new() };
+    let roled = |element: &drawings::Element| {
+        let layers: Vec<String> =
+            element.layers.iter().filter(|name| !artwork.root.contains(name)).cloned().collect();
+        let decides = |name: &&String| drawing.layers.iter().any(|(known, _)| known == *name);
+        let layer = element.layers.iter().find(decides).or(layers.last()).cloned().unwrap_or_default();
+        let path = match &element.figure {
+            Figure::Path(path) => path.clone(),
+            Figure::Point(point) => Path::through(&[*point, *point]),
+        };
+        RoledFigure { id: element.id.clone(), layers, layer, role: drawing.role(&element.layers), path }
+    };
+    artwork.elements.iter().map(roled).collect()
+}
+
 /// The figures of a drawing without its points.
 fn paths(read: &Drawing) -> impl Iterator<Item = &Path> {
     read.elements.iter().filter_map(|element| match &element.figure {

@@ -57,4 +57,5 @@ mod star_refusal;
 pub mod stiffness;
 pub mod study;
 pub mod trade;
+pub mod tone;
 pub mod verdict;

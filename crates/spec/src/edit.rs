@@ -117,8 +117,12 @@ pub fn with_values(source: &Source, values: &[(KeyPath, String)]) -> Result<Stri
     edited(source, &values)
 }
 
-/// The text of `source` with `values`, each TOML of its own; `None` takes a key away.
-fn edited(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String, Faults> {
+/// The text of `source` with `values`, each TOML of its own; `None` takes a key away, and its section with it if that is empty then.
+/// Neither text need be a valid spec.
+///
+/// # Errors
+/// If `source` or a value is not TOML, or the section of a key cannot be edited.
+pub fn edited(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String, Faults> {
     let mut document = document(source)?;
     // One of the two size keys replaces the other, unless both are set here.
     let replaced = |key: KeyPath| {
@@ -134,7 +138,10 @@ fn edited(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String,
                 "" => Some(root),
                 name => root.get_mut(name).and_then(Item::as_table_like_mut),
             };
-            let _ = section.and_then(|section| section.remove(key.key()));
+            let is_emptied = section.is_some_and(|section| section.remove(key.key()).is_some() && section.is_empty());
+            if is_emptied && !key.section().is_empty() {
+                let _ = document.remove(key.section());
+            }
             continue;
         };
         let value: Value = value.parse().map_err(|error| syntax(source, &error))?;

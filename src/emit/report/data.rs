@@ -7,8 +7,11 @@ use crate::emit::report::subject::Report;
 use design::{Design, StarDesign};
 use forecast::case::Case;
 use forecast::drawn::HOW;
+use forecast::drawn::prediction::DrawnPrediction;
 use forecast::pose::Pose;
+use forecast::prediction::Prediction;
 use forecast::seal_load::{SealLoad, seal_loads};
+use forecast::tone::Tone;
 use spec::{Heating, Machine, Source, settings};
 
 /// Decimals that are kept of curves: for the eye, and few enough to be the same on every machine.
@@ -39,6 +42,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         "bill": bill,
         "prediction": prediction,
         "load": load,
+        "tone": tone(report),
         "settings": settings(&Source::new("spec.toml", report.source)),
         "machine": machine(report.machine),
         "seal": {
@@ -71,6 +75,12 @@ pub(super) fn data(report: &Report<'_>) -> Value {
 /// The distinct stars.
 fn stars(design: &Design) -> &[StarDesign] {
     design.assembly().map_or(&[], |assembly| &assembly.distinct)
+}
+
+/// The tone of the verdict.
+fn tone(report: &Report<'_>) -> Tone {
+    let drawn = report.drawn.map(DrawnPrediction::tone);
+    drawn.or(report.prediction.map(Prediction::tone)).unwrap_or(Tone::Plain)
 }
 
 fn machine(machine: &Machine) -> Value {

@@ -11,9 +11,9 @@ use stargrip_cam::pipeline::{Built, Forecast, Planned, Sources, prove_files};
 use stargrip_cam::spec::{ModelChoice, form_settings};
 use stargrip_cam::verify::OutputFiles;
 
-use crate::boundary::tell;
 use crate::commands::faults::{listed, of_design, of_warnings};
 use crate::commands::spec::Given;
+use crate::commands::{Tell, picture};
 use crate::message::Message;
 
 /// Makes the requested files. They are proven unless `prove` is false, for a quick preview: then there is no manifest. A gripper that fails
@@ -21,25 +21,11 @@ use crate::message::Message;
 ///
 /// # Errors
 /// The answer without files, if the spec is refused.
-pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Message, Value> {
+pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -> Result<Message, Value> {
     let given = Given::of(question, files)?;
-    let mut answer = json!({ "name": given.reading.spec.name, "settings": form_settings(&given.source) });
-    let mut faults = listed(&given.reading.warnings);
-    let forecast = match forecast(&given, question["quick"] == true) {
-        Ok(forecast) => forecast,
-        Err(refusals) => {
-            faults.extend(of_design(&given, refusals));
-            answer["faults"] = faults.into();
-            return Err(answer);
-        }
-    };
+    let (forecast, mut answer, mut faults) = judged(&given, Some(tell))?;
     let sources = Sources { spec: &given.source.text, machine: &given.machine_text };
-    faults.extend(of_warnings(&given, &forecast.warnings(sources)));
-    answer["overview"] = overview(&forecast);
-    let unfit = of_design(&given, forecast.unfit());
-    let is_taken = unfit.is_empty() || question["anyway"] == true;
-    answer["unfit"] = (!unfit.is_empty()).into();
-    faults.extend(unfit);
+    let is_taken = answer["unfit"] == false || question["anyway"] == true;
     let built = forecast.build(sources, &request(question));
     let files = if question["prove"] == false || !is_taken {
         let shown = |kind: Kind| matches!(kind, Kind::PreviewSvg | Kind::Report);
@@ -52,13 +38,65 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Mes
     Ok(Message { json: answer, files })
 }
 
-/// The forecast of the gripper; if `is_quick`, without a shell model, which the spec may request.
-fn forecast(given: &Given, is_quick: bool) -> Result<Forecast, Refusals> {
+/// The overview with a picture, quickly: without a file and without a shell. A drawing is shown by the roles of its layers, too, also if the
+/// spec is refused because of it.
+///
+/// # Errors
+/// The answer without an overview, if the spec is refused.
+pub(super) fn look(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Value, Value> {
+    let given = Given::of(question, files)?;
+    let drawing = picture::drawing(&given.reading.spec);
+    match judged(&given, None) {
+        Ok((forecast, mut answer, faults)) => {
+            answer["faults"] = faults.into();
+            answer["sheets"] = picture::sheets(&forecast);
+            answer["drawing"] = drawing;
+            Ok(answer)
+        }
+        Err(mut answer) => {
+            answer["drawing"] = drawing;
+            Err(answer)
+        }
+    }
+}
+
+/// The forecast, the answer with name, settings and overview, and the faults found so far.
+///
+/// # Errors
+/// The answer without an overview, if the design is refused.
+fn judged(given: &Given, tell: Option<Tell>) -> Result<(Forecast, Value, Vec<Value>), Value> {
+    let Given { source, reading, .. } = given;
+    let mut answer = json!({ "name": reading.spec.name, "settings": form_settings(source) });
+    let mut faults = listed(&reading.warnings);
+    let forecast = match forecast(given, tell) {
+        Ok(forecast) => forecast,
+        Err(refusals) => {
+            faults.extend(of_design(source, reading, refusals));
+            answer["faults"] = faults.into();
+            return Err(answer);
+        }
+    };
+    let sources = Sources { spec: &source.text, machine: &given.machine_text };
+    faults.extend(of_warnings(source, reading, &forecast.warnings(sources)));
+    answer["overview"] = overview(&forecast);
+    let unfit = of_design(source, reading, forecast.unfit());
+    answer["unfit"] = (!unfit.is_empty()).into();
+    faults.extend(unfit);
+    Ok((forecast, answer, faults))
+}
+
+/// The forecast of the gripper, whose progress `tell` receives; without `tell` it leaves out a shell model, which takes seconds.
+fn forecast(given: &Given, tell: Option<Tell>) -> Result<Forecast, Refusals> {
     let mut spec = given.reading.spec.clone();
-    if is_quick && spec.accuracy.model == ModelChoice::Shell {
+    if tell.is_none() && spec.accuracy.model == ModelChoice::Shell {
         spec.accuracy.model = ModelChoice::Auto;
     }
-    let watch = Watch { progress: Some(&tell), ..Watch::default() };
+    let progress = |part: f64, what: &str| {
+        if let Some(tell) = tell {
+            tell(part, what);
+        }
+    };
+    let watch = Watch { progress: Some(&progress), ..Watch::default() };
     Planned::new(spec, given.machine.clone())?.forecast(&watch)
 }
 

@@ -1,7 +1,8 @@
 //! `edit`: a new value in a user's text, whose layout is kept.
 
 use serde_json::{Value, json};
-use stargrip_cam::spec::{edit as text_edit, key};
+use stargrip_cam::spec;
+use stargrip_cam::spec::{LayerRole, edit as text_edit, key};
 
 use crate::commands::faults::refused;
 use crate::commands::spec::source;
@@ -15,10 +16,32 @@ pub(super) fn edit(question: &Value) -> Result<Value, Value> {
     let source = source(question)?;
     let name = text(question, "key").unwrap_or_default();
     let key = key::named(name).map_err(|_| wrong(format!("no key is called {name:?}")))?;
-    let edited = match text(question, "value") {
-        Some(value) => text_edit::with_values(&source, &[(key, value.to_owned())]),
-        None => text_edit::with_changes(&source, &[(key, None)]),
-    };
-    let spec = edited.map_err(|faults| refused(&faults))?;
+    let spec = text_edit::edited(&source, &[(key, text(question, "value"))]).map_err(|faults| refused(&faults))?;
     Ok(json!({ "spec": spec }))
+}
+
+/// The spec with the role `role` for the `layer` of its drawing; the order of the other layers stays.
+///
+/// # Errors
+/// If there is no such role, or the spec is refused.
+pub(super) fn role(question: &Value) -> Result<Value, Value> {
+    let source = source(question)?;
+    let (layer, word) = (text(question, "layer").unwrap_or_default(), text(question, "role").unwrap_or_default());
+    let role = LayerRole::ALL.iter().find(|(known, _)| *known == word).map(|(_, role)| *role);
+    let role = role.ok_or_else(|| wrong(format!("no role is called {word:?}")))?;
+    let reading = spec::read(&source).map_err(|faults| refused(&faults))?;
+    let drawing = reading.spec.drawing.ok_or_else(|| wrong("the spec has no drawing"))?;
+    let mut layers = drawing.layers;
+    match layers.iter_mut().find(|(name, _)| name == layer) {
+        Some((_, own)) => *own = role,
+        None => layers.push((layer.to_owned(), role)),
+    }
+    let lists = LayerRole::ALL.iter().filter_map(|(word, role)| {
+        let names = layers.iter().filter(|(_, own)| own == role).map(|(name, _)| name.as_str());
+        let names: Vec<&str> = names.collect();
+        (!names.is_empty()).then(|| format!("{word} = {}", json!(names)))
+    });
+    let value = format!("{{ {} }}", lists.collect::<Vec<_>>().join(", "));
+    let edited = text_edit::edited(&source, &[(key::drawing::LAYERS, Some(&value))]);
+    Ok(json!({ "spec": edited.map_err(|faults| refused(&faults))? }))
 }

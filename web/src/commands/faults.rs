@@ -3,9 +3,7 @@
 use serde_json::{Value, json};
 use stargrip_cam::answer::refused::{at_keys, fault_json};
 use stargrip_cam::design::{Refusals, Warning};
-use stargrip_cam::spec::{Fault, Faults, Severity};
-
-use crate::commands::spec::Given;
+use stargrip_cam::spec::{Fault, Faults, Reading, Severity, Source};
 
 /// All of `faults`: the values of `--json`, whether each is a warning, its column, and its start and end in the text.
 ///
@@ -29,16 +27,17 @@ pub(super) fn refused(faults: &Faults) -> Value {
     json!({ "faults": listed(faults) })
 }
 
-/// The refusals of a design.
-pub(super) fn of_design(given: &Given, refusals: Refusals) -> Vec<Value> {
-    listed(&at_keys(&given.source, &given.reading.raw, refusals))
+/// The refusals of the design of a spec, which was read as `reading` from `source`.
+pub(super) fn of_design(source: &Source, reading: &Reading, refusals: Refusals) -> Vec<Value> {
+    listed(&at_keys(source, &reading.raw, refusals))
 }
 
-/// The warnings of a design.
-pub(super) fn of_warnings(given: &Given, warnings: &[Warning]) -> Vec<Value> {
+/// The warnings of the design of a spec, which was read as `reading` from `source`.
+pub(super) fn of_warnings(source: &Source, reading: &Reading, warnings: &[Warning]) -> Vec<Value> {
     let fault = |warning: &Warning| {
-        Fault::warning(warning.code, given.reading.raw.span_of(warning.key), warning.found.clone())
+        Fault::warning(warning.code, reading.raw.span_of(warning.key), warning.found.clone())
             .label(warning.remedy.clone())
+            .drawn_at(warning.drawn.clone())
     };
-    listed(&Faults::new(&given.source, warnings.iter().map(fault).collect()))
+    listed(&Faults::new(source, warnings.iter().map(fault).collect()))
 }

@@ -3,11 +3,13 @@
 //! | ask | takes | answers |
 //! |---|---|---|
 //! | `start` | | the schema, the starter, the machine profiles, the kinds of file |
-//! | `build` | `spec`, `machine`, the drawing, `only`, `with`, `anyway`, `prove`, `quick` | faults, settings, the overview, the proof, files |
+//! | `build` | `spec`, `machine`, the drawing, `only`, `with`, `anyway`, `prove` | faults, settings, the overview, the proof, files |
+//! | `look` | `spec`, `machine`, the drawing | faults, settings, the overview, the picture: no files |
 //! | `verify` | files | the proof, as with `verify --json` |
 //! | `drawing` | a drawing | a spec that names its layers, or the reason why it cannot be read |
 //! | `new` | `name`, `object`, `mass` and the other options of `new` | a spec and its verdict, or the reason why there is none |
 //! | `edit` | `spec`, `key`, `value` | the spec with that value; without one, without the key |
+//! | `role` | `spec`, `layer`, `role` | the spec with that role for a layer of its drawing |
 //! | `predict` | `spec`, `machine`, the drawing, `model` | the prediction, in words and as JSON; shells are coarse |
 //! | `link` | `spec`, `machine`, the drawing | the part of a link that holds them |
 //! | `qr` | the same, `address` | the QR code of the link to the page there, as a path of an SVG |
@@ -21,6 +23,7 @@ mod edit;
 mod faults;
 mod link;
 mod object;
+mod picture;
 mod predict;
 mod spec;
 mod start;
@@ -29,9 +32,12 @@ use serde_json::{Value, json};
 
 use crate::message::Message;
 
+/// Receives the part of long work that is done, 0 to 1, and the current step.
+pub type Tell = fn(f64, &str);
+
 /// Answers a question, or reports why it could not be read.
-pub fn answer(question: Result<Message, String>) -> Message {
-    question.map_err(wrong).and_then(answered).unwrap_or_else(Message::of)
+pub fn answer(question: Result<Message, String>, tell: Tell) -> Message {
+    question.map_err(wrong).and_then(|question| answered(question, tell)).unwrap_or_else(Message::of)
 }
 
 /// The answer to a question with a fault of its own.
@@ -40,7 +46,7 @@ fn wrong(text: impl Into<Value>) -> Value {
 }
 
 /// The answer, or another one without files, that names the faults.
-fn answered(question: Message) -> Result<Message, Value> {
+fn answered(question: Message, tell: Tell) -> Result<Message, Value> {
     let Message { json: question, files } = question;
     let asked = text(&question, "ask").ok_or_else(|| wrong("the question has no `ask`"))?;
     let answer = match asked {
@@ -48,12 +54,14 @@ fn answered(question: Message) -> Result<Message, Value> {
         "explain" => start::explain(&question),
         "link" => link::link(&question, &files),
         "qr" => link::qr(&question, &files),
-        "build" => return build::build(&question, &files),
+        "build" => return build::build(&question, &files, tell),
+        "look" => build::look(&question, &files)?,
         "verify" => build::verify(files),
-        "predict" => predict::predict(&question, &files)?,
+        "predict" => predict::predict(&question, &files, tell)?,
         "drawing" => drawing::drawing(&files)?,
         "new" => object::new(&question)?,
         "edit" => edit::edit(&question)?,
+        "role" => edit::role(&question)?,
         _ => return Err(wrong(format!("unknown question {asked:?}"))),
     };
     Ok(Message::of(answer))

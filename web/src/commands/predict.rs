@@ -10,10 +10,9 @@ use stargrip_cam::forecast::{drawn, report};
 use stargrip_cam::pipeline::no_prediction;
 use stargrip_cam::spec::{ModelChoice, Spec};
 
-use crate::boundary::tell;
 use crate::commands::faults::{listed, of_design};
 use crate::commands::spec::Given;
-use crate::commands::{text, wrong};
+use crate::commands::{Tell, text, wrong};
 
 /// Meshes of shells in a page: seconds of work.
 const DETAIL: Detail = Detail::Coarse;
@@ -22,15 +21,15 @@ const DETAIL: Detail = Detail::Coarse;
 ///
 /// # Errors
 /// The answer with the faults.
-pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Value, Value> {
+pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -> Result<Value, Value> {
     let given = Given::of(question, files)?;
     let mut spec = given.reading.spec.clone();
     if let Some(model) = text(question, "model").and_then(model) {
         spec.accuracy.model = model;
     }
-    let refused = |refusals: Refusals| json!({ "faults": of_design(&given, refusals) });
+    let refused = |refusals: Refusals| json!({ "faults": of_design(&given.source, &given.reading, refusals) });
     let design = Design::new(&spec, &given.machine).map_err(refused)?;
-    let (text, prediction) = answer(&spec, &design).map_err(|refusal| match refusal {
+    let (text, prediction) = answer(&spec, &design, tell).map_err(|refusal| match refusal {
         ShellRefusal::Fault(fault) => refused(no_prediction(&fault).into()),
         // The page stops a shell by ending its worker.
         ShellRefusal::Cancelled => wrong("the shell was stopped"),
@@ -39,7 +38,7 @@ pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)]) -> Result<V
 }
 
 /// The prediction as text and as JSON.
-fn answer(spec: &Spec, design: &Design) -> Result<(String, Value), ShellRefusal> {
+fn answer(spec: &Spec, design: &Design, tell: Tell) -> Result<(String, Value), ShellRefusal> {
     let watch = Watch { progress: Some(&tell), ..Watch::default() };
     if let Some(piece) = design.drawn() {
         let found = drawn::inflate(spec, piece, DETAIL, &watch)?.prediction;

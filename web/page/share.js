@@ -1,7 +1,8 @@
 // The link of the spec as a QR code, which leads from a printed sheet back to its parameters.
+import { byId } from "./dom.js";
 import { save } from "./result.js";
 
-const qrPart = (id) => document.getElementById(`qr${id}`);
+const qrPart = (id) => byId(`qr${id}`);
 
 /** Least width of a code, mm, and the width of a module of a large one, so that phones read it from paper. */
 const WIDTH = 40, MODULE = 0.5;

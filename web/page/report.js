@@ -1,0 +1,40 @@
+// The report and its scene in a frame. A new report is loaded behind the old one and takes its place, view and sliders before it is shown.
+import { byId, element } from "./dom.js";
+
+export class ReportView {
+    #frame = null;
+    #next = null;
+    /** The place in the report, as it told it: scroll, sliders, views. */
+    #place = null;
+    #isSolid = false;
+
+    constructor() {
+        window.addEventListener("message", ({ source, data }) => this.#heard(source, data ?? {}));
+    }
+
+    /** Shows the scene alone, or the whole report. */
+    set isSolid(isSolid) {
+        this.#isSolid = isSolid;
+        this.#frame?.contentWindow.postMessage({ solid: isSolid }, "*");
+    }
+
+    /** Shows the report `html`. */
+    show(html) {
+        this.#next?.remove();
+        this.#next = element("iframe", { title: "Report", srcdoc: html, className: this.#frame ? "next" : "" });
+        this.#next.setAttribute("sandbox", "allow-scripts");
+        byId("report-box").append(this.#next);
+    }
+
+    #heard(source, { report, place }) {
+        if (report === "ready" && source === this.#next?.contentWindow) source.postMessage({ place: this.#place, solid: this.#isSolid }, "*");
+        if (report === "placed" && source === this.#next?.contentWindow) {
+            this.#next.className = "";
+            this.#frame?.remove();
+            this.#frame = this.#next;
+            this.#next = null;
+            byId("report-note").textContent = "";
+        }
+        if (report === "place" && source === this.#frame?.contentWindow) this.#place = place;
+    }
+}

@@ -1,0 +1,93 @@
+// The stage: one of four views of the spec, and the faults in front of it.
+import { Canvas } from "./canvas.js";
+import { byId, element, listenTabs, select } from "./dom.js";
+import { drawingPicture, sheetPicture } from "./picture.js";
+import { ReportView } from "./report.js";
+import { askRole, closeRoles } from "./roles.js";
+
+const VIEWS = ["sheet", "drawing", "solid", "report"];
+const LEGENDS = {
+    sheet: [["air", "air"], ["band", "sealed band"], ["flap", "flap"], ["cut", "cut"], ["start", "start, in order"]],
+    drawing: [["air", "air"], ["seam", "seam"], ["port", "port"], ["cut", "cut, hole"], ["ignore", "ignored"], ["none", "no role"]],
+};
+
+export class Stage {
+    #canvas = new Canvas();
+    #report = new ReportView();
+    /** The view that the user chose. */
+    #view = "sheet";
+    #sheets = [];
+    #drawing = null;
+    #faults = [];
+    #isRefused = false;
+    #setRole;
+    #wantReport;
+
+    /** `setRole(layer, role)` changes the spec; `wantReport()` is called when a view needs the report. */
+    constructor({ setRole, wantReport }) {
+        this.#setRole = setRole;
+        this.#wantReport = wantReport;
+        listenTabs(document.querySelector("#stage > .tabs"), ({ id }) => this.choose(id.slice("view-".length)));
+        byId("sheets").addEventListener("change", () => this.#draw());
+        this.#draw();
+    }
+
+    /** Chooses a view: sheet, drawing, solid or report. */
+    choose(view) {
+        this.#view = view;
+        this.#report.isSolid = view === "solid";
+        this.#draw();
+        if (this.needsReport) this.#wantReport();
+    }
+
+    /** Whether the present view is made of the report. */
+    get needsReport() {
+        return this.#view === "solid" || this.#view === "report";
+    }
+
+    /** Shows an answer: its sheets, its drawing and its faults. */
+    show({ sheets, drawing, faults = [], overview }) {
+        const { value } = byId("sheets");
+        this.#isRefused = !overview;
+        if (sheets) this.#sheets = sheets;
+        if (sheets || drawing) this.#drawing = drawing ?? null;
+        this.#faults = faults;
+        byId("sheets").replaceChildren(...this.#sheets.map((_, index) => element("option", { value: index }, `Sheet ${index + 1} of ${this.#sheets.length}`)));
+        byId("sheets").value = value in this.#sheets ? value : 0;
+        document.body.classList.toggle("stale", this.#isRefused);
+        this.#draw();
+    }
+
+    /** Shows the report `html` in its views. */
+    showReport(html) {
+        this.#report.show(html);
+    }
+
+    /** The view that is shown: faults of a drawing are on the drawing. */
+    get #shown() {
+        const isDrawn = Boolean(this.#drawing);
+        if (this.#view === "sheet" && this.#isRefused && isDrawn) return "drawing";
+        return this.#view === "drawing" && !isDrawn ? "sheet" : this.#view;
+    }
+
+    #draw() {
+        const view = this.#shown, isPicture = view === "sheet" || view === "drawing", isDrawn = Boolean(this.#drawing);
+        select(VIEWS.map((name) => byId(`view-${name}`)), byId(`view-${view}`));
+        byId("view-drawing").hidden = !isDrawn;
+        byId("picture").hidden = !isPicture;
+        byId("picture").setAttribute("aria-labelledby", `view-${view}`);
+        byId("report-box").hidden = isPicture;
+        byId("sheets").hidden = view !== "sheet" || this.#sheets.length < 2;
+        closeRoles();
+        if (!isPicture) return;
+        const hover = (line, text) => this.#canvas.hover(line, text), sheet = this.#sheets[byId("sheets").value || 0];
+        byId("legend").replaceChildren(...LEGENDS[view].map(([name, words]) => element("li", { className: name }, element("i"), words)));
+        // A drawing that is shown as it is does not fade with the numbers.
+        byId("picture").classList.toggle("fresh", view === "drawing");
+        if (view === "drawing") {
+            const choose = (figure, line) => askRole(figure, line, this.#setRole);
+            this.#canvas.show("drawing", drawingPicture(this.#drawing, this.#faults, { hover, choose }));
+        } else if (sheet) this.#canvas.show(`sheet ${byId("sheets").value}`, sheetPicture(sheet, isDrawn, hover));
+        if (!document.documentElement.dataset.look) performance.mark("preview");
+    }
+}

@@ -1,0 +1,87 @@
+//! The picture that a page draws by itself, as paths of an SVG: the sheets with their named seams, or a drawing by the roles of its layers.
+//!
+//! Lengths are mm. Y points down: the origin of a sheet is its upper left corner, that of a drawing is the drawing's own.
+
+use serde_json::{Value, json};
+use stargrip_cam::design::{CutEdge, PlacedPart, SheetLayout, roled_figures};
+use stargrip_cam::emit::chords;
+use stargrip_cam::geom::{Bounds, Path, Point};
+use stargrip_cam::pipeline::Forecast;
+use stargrip_cam::plan::Program;
+use stargrip_cam::spec::{LayerRole, Spec};
+
+/// Largest distance between a curve and its picture, mm.
+const WITHIN: f64 = 0.02;
+
+/// The point as a picture has it whose upper edge lies at `top`.
+fn seen(point: Point, top: f64) -> [f64; 2] {
+    [point.x, top - point.y].map(|length| (length * 100.0).round() / 100.0 + 0.0)
+}
+
+/// `path` in words of an SVG.
+fn words(path: &Path, top: f64) -> String {
+    let corners: Vec<String> = chords(path, WITHIN)
+        .into_iter()
+        .map(|point| {
+            let [x, y] = seen(point, top);
+            format!("{x} {y}")
+        })
+        .collect();
+    format!("M{}{}", corners.join("L"), if path.closed { "Z" } else { "" })
+}
+
+/// All sheets of a design with their pieces.
+pub(super) fn sheets(forecast: &Forecast) -> Value {
+    let sheet = |layout: &SheetLayout| {
+        let pieces = forecast.design.on_sheet(layout.index).map(|placed| piece(forecast, placed, layout.height));
+        json!({ "width": layout.width, "height": layout.height, "pieces": pieces.collect::<Vec<_>>() })
+    };
+    forecast.design.sheets.iter().map(sheet).collect()
+}
+
+/// A piece on a sheet that is `top` mm high: cut, air, ports, and each seam with its order in its program, its length and its time.
+fn piece(forecast: &Forecast, placed: &PlacedPart, top: f64) -> Value {
+    let part = forecast.design.part(placed);
+    let (shape, cut) = (part.shape(), part.cut(CutEdge::Part));
+    let lay = |path: &Path| words(&placed.placement.path(path), top);
+    let name = placed.name();
+    let seam = |(order, seam): (usize, &stargrip_cam::shape::Seam)| {
+        let line = placed.placement.path(&seam.center_line);
+        let report = forecast.programs.iter().flat_map(|program: &Program| &program.seams);
+        let report = report.into_iter().find(|own| own.name.piece == name && own.name.seam == seam.name);
+        json!({
+            "name": seam.name, "order": order, "path": words(&line, top),
+            "start": line.start().map(|point| seen(point, top)),
+            "middle": line.point_at(0.5 * line.length()).map(|point| seen(point, top)),
+            "length_mm": seam.center_line.length(), "time_s": report.map(|own| own.time),
+        })
+    };
+    let holes = cut.holes.iter().map(|hole| json!([seen(placed.placement.point(hole.center), top), hole.diameter]));
+    json!({
+        "name": name.to_string(),
+        "middle": seen(placed.placement.point(part.middle()), top),
+        "cut": std::iter::once(cut.outside).chain(cut.inside).map(lay).collect::<String>(),
+        "air": part.tube().iter().map(lay).collect::<String>(),
+        "band_mm": shape.band,
+        "seams": (1..).zip(&shape.seams).map(seam).collect::<Vec<_>>(),
+        "ports": shape.ports.iter().map(|port| seen(placed.placement.point(port.at), top)).collect::<Vec<_>>(),
+        "holes": holes.collect::<Vec<_>>(),
+    })
+}
+
+/// The figures of the drawing of `spec`, each with its names and its role; null if the spec has none, or the file cannot be read.
+pub(super) fn drawing(spec: &Spec) -> Value {
+    let figures = roled_figures(spec);
+    if figures.is_empty() {
+        return Value::Null;
+    }
+    let bounds = figures.iter().map(|figure| figure.path.bounds()).fold(Bounds::EMPTY, Bounds::union);
+    let [x, y] = seen(Point::new(bounds.min.x, bounds.max.y), 0.0);
+    let figures = figures.iter().map(|figure| {
+        json!({
+            "id": figure.id, "layers": figure.layers, "layer": figure.layer,
+            "role": figure.role.map(LayerRole::word), "path": words(&figure.path, 0.0),
+        })
+    });
+    json!({ "box": [x, y, bounds.width(), bounds.height()], "figures": figures.collect::<Vec<_>>() })
+}
