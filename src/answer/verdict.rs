@@ -51,10 +51,24 @@ fn sealable(forecast: &Forecast) -> String {
     let seams = part.shape().seams.len();
     let seams = format!("{seams} seam{}", if seams == 1 { "" } else { "s" });
     let size = part.cut(CutEdge::Part).outside.bounds();
+    let sizes = inflated_sizes(forecast);
     let has_pressure = forecast.spec.load.as_ref().is_some_and(|load| load.pressure.is_some());
     let inflate = if has_pressure { "" } else { "; set a `pressure` in [load] to inflate it" };
     let time = hours(sealing_time(forecast));
-    format!("can be sealed: {copies}{seams}, {time}, {:.0} x {:.0} mm{inflate}", size.width(), size.height())
+    let making = format!("{copies}{seams}, {time}, {:.0} x {:.0} mm", size.width(), size.height());
+    if sizes.is_empty() {
+        return format!("can be sealed: {making}{inflate}");
+    }
+    let pressure = forecast.spec.load.as_ref().and_then(|load| load.pressure);
+    let at = pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
+    let burst = forecast.drawn.as_ref().and_then(|drawn| drawn.prediction.burst_pressure_kPa);
+    let strength = if burst.is_none() { "; the burst pressure is unknown" } else { "" };
+    format!("inflates {}{at}{strength}; {making}", sizes.join("; "))
+}
+
+/// The inflated size of each chamber where it is known.
+fn inflated_sizes(forecast: &Forecast) -> Vec<String> {
+    forecast.drawn.iter().flat_map(|drawn| &drawn.prediction.chambers).filter_map(inflated_size).collect()
 }
 
 /// Contraction and burst pressure, each under its label.
@@ -87,7 +101,7 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
 pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
     let Some(drawn) = &forecast.drawn else { return Vec::new() };
     let prediction = &drawn.prediction;
-    let sizes: Vec<String> = prediction.chambers.iter().filter_map(inflated_size).collect();
+    let sizes = inflated_sizes(forecast);
     if sizes.is_empty() {
         return vec![("predicts", format!("no inflated size: {}", prediction.evidence.choice))];
     }

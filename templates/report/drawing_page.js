@@ -15,22 +15,39 @@ function meshedAt(value, unit) {
   return value ? `${meshed(value, unit)} at X ${number(value.at_mm[0])} Y ${number(value.at_mm[1])}` : UNKNOWN;
 }
 
+/** A text of the program as a sentence. */
+function sentence(text) {
+  return `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+}
+
+/** "166 × 73.1 × 32" of each inflated chamber; "" where there is none. */
+function inflatedSizes() {
+  const sizes = drawn.chambers.filter((one) => one.extents_mm && one.height_mm);
+  return listed([...new Set(sizes.map((one) => [...one.extents_mm, one.height_mm].map(({ value }) => number(value)).join(" × ")))]);
+}
+
 function drawingVerdict() {
-  if (!drawn) return ["plain", "Nothing is predicted", "The spec has no [load]: set a `pressure` there to inflate the shape by the shell."];
-  if (drawn.model === "none") return ["plain", "Not predicted yet", `${drawn.evidence.choice.charAt(0).toUpperCase()}${drawn.evidence.choice.slice(1)}.`];
-  const warnings = drawn.evidence.warnings.map((text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`).join(" ");
+  const sealable = `Can be sealed in ${hours(totalTime())}`;
+  if (!drawn) return [sealable, "The spec has no [load]: set a `pressure` there to inflate the shape."];
+  if (drawn.model === "none") return [sealable, 'Its inflated size is not computed: `model = "shell"` in [accuracy] makes every build compute it.'];
+  // A warning begins with its code, which is for scripts.
+  const warnings = drawn.evidence.warnings.map((text) => sentence(text.replace(/^[a-z]+(-[a-z]+)+: /, ""))).join(" ");
+  const size = inflatedSizes();
+  const title = size ? `Inflates to ${size} mm` : "Inflated";
   const pressure = figure(drawn.pressure_kPa, "kPa");
   const range = drawn.burst_range_kPa;
-  if (range && drawn.pressure_kPa > range[1]) return ["bad", "The seal bursts at this pressure", warnings];
-  if (range && drawn.pressure_kPa > range[0]) return ["fair", "The seal may burst", warnings];
-  if (warnings) return ["fair", `Inflated at ${pressure}`, warnings];
-  if (!range) return ["fair", `Inflated at ${pressure}`, "Burst pressure unknown: measure the seal with a coupon."];
-  return ["good", `Holds ${pressure}`, "The pressure is below the whole range of the burst pressure."];
+  if (range && drawn.pressure_kPa > range[1]) return ["The seal bursts at this pressure", warnings];
+  if (range && drawn.pressure_kPa > range[0]) return ["The seal may burst", warnings];
+  if (warnings) return [`${title} at ${pressure}`, warnings];
+  if (!range) return [`${title} at ${pressure}`, "Burst pressure unknown: measure the seal with a coupon."];
+  return [`${title} at ${pressure}`, "The pressure is below the whole range of the burst pressure."];
 }
 
 function drawingFigures() {
   if (!drawn) return [];
   const out = [["Pressure", figure(drawn.pressure_kPa, "kPa"), "gauge pressure"]];
+  const size = inflatedSizes();
+  if (size) out.push(["Inflated size, mm", size, "length, width, height; errors are in the table"]);
   const volume = drawn.volume_mm3;
   out.push(["Volume of a piece", figure(volume ? volume.value / 1000 : null, "cm³"), volume ? `mesh error ${number(volume.mesh_error / 1000, 2)} cm³` : "the shell was not computed"]);
   const pulls = drawn.chambers.map((one) => one.seal_pull_N_per_mm).filter(Boolean);
@@ -56,13 +73,13 @@ function showChambers() {
     one.seams ? places(one.seams) : UNKNOWN,
     one.leaves_plane === null ? UNKNOWN : one.leaves_plane ? "may leave it" : "stays in it",
   ]);
-  at("chambers-lead").textContent = drawn.model === "none" ? `${drawn.evidence.choice}.` : "Each number with its mesh error; places in the frame of the drawing, mm.";
+  at("chambers-lead").textContent = drawn.model === "none" ? "Flat sizes only: the inflated shape is not computed." : "Each number with its mesh error; places in the frame of the drawing, mm.";
   table("chambers", ["Chamber", "Flat", "Inflated", "Height", "Volume", "Largest pull on its seams", "Plane"], rows);
 }
 
 function drawingEvidence() {
   if (!drawn) return [["Predictions", "none", "the spec has no [load]"]];
-  if (drawn.model === "none") return [["Predictions", "none", drawn.evidence.choice]];
+  if (drawn.model === "none") return [["Predictions", "none", "the shell is not computed"]];
   const unknowns = drawn.chambers.map((one) => one.unknowns[one.unknowns.length - 1]);
   return [
     ["Size, height, volume", "the shell: the whole sheet in triangles", `mesh errors are shown; ${listed(unknowns.map(String))} unknowns on the finest mesh`],

@@ -49,6 +49,8 @@ const job = {
   drawn: new Map(),
   playing: null,
   view: null,
+  /** Whether the reader moved the view. */
+  isMoved: false,
 };
 
 /** The name and the data of a move's seam. */
@@ -213,6 +215,7 @@ function showSheet(number) {
   job.iron = draw("g", { class: "iron" }, draw("circle", { r: size, class: "halo" }), draw("circle", { r: size * 0.45 }));
   at("job").append(sheetGroup(sheet), job.iron);
   at("job-title").textContent = `Sheet ${number} of ${data.sheets.length}, seen from the iron's side: ${stars(sheet.stars.map((star) => star.star))}`;
+  job.isMoved = false;
   look(job.parts);
 }
 
@@ -279,10 +282,12 @@ function zoom(factor, [x, y] = focus()) {
   const [left, top, width, height] = job.view;
   const most = job.whole[2] * 1.5;
   const scale = Math.min(most / width, Math.max(job.whole[2] / 60 / width, 1 / factor));
+  job.isMoved = true;
   look([x - (x - left) * scale, y - (y - top) * scale, width * scale, height * scale]);
 }
 
 function move(across, down) {
+  job.isMoved = true;
   look([job.view[0] + across * job.view[2], job.view[1] + down * job.view[3], job.view[2], job.view[3]]);
 }
 

@@ -15,4 +15,4 @@ showSettings();
 showEvidence();
 hintScrolling();
 document.body.classList.remove("wait");
-showSolid();
+showSolid().then(keepPlace);

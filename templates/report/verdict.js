@@ -32,29 +32,28 @@ function verdict() {
   const { prediction, load } = data;
   if (KIND === "drawing") return drawingVerdict();
   if (!prediction) {
-    return ["plain", "Nothing is predicted", "The spec has no [load]: set a pressure and the diameter of an object to see here whether it is held."];
+    return ["Nothing is predicted", "The spec has no [load]: set a pressure and the diameter of an object to see here whether it is held."];
   }
   const { pressure_kPa: pressure, object_radius_mm: object } = load;
   const found = prediction.verdict;
   if (!pressure) {
-    return ["plain", "No verdict without a pressure", "The spec's [load] has no pressure; every prediction of a star depends on it."];
+    return ["No verdict without a pressure", "The spec's [load] has no pressure; every prediction of a star depends on it."];
   }
   if (!found) {
     const closed = prediction.final_radius_mm;
     const title = closed === null ? "No prediction at this pressure" : `Closes to ${figure(2 * closed, "mm")} across`;
-    return ["plain", title, `At ${figure(pressure, "kPa")}. Set an \`object_diameter\` in [load] to see here whether it is held.`];
+    return [title, `At ${figure(pressure, "kPa")}. Set an \`object_diameter\` in [load] to see here whether it is held.`];
   }
   const reasons = found.reasons.map((reason) => `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`).join(" ");
   const friction = load.friction === null ? "" : `Computed with a friction of ${number(load.friction)}. `;
-  if (bursts(1)) return ["bad", "The seal bursts at this pressure", `${friction}${reasons}`];
-  if (found.holds === "no") return ["bad", "Does not hold the object", `${reasons} ${friction}`];
+  if (bursts(1)) return ["The seal bursts at this pressure", `${friction}${reasons}`];
+  if (found.holds === "no") return ["Does not hold the object", `${reasons} ${friction}`];
   const force = found.force_N === null || found.holds !== "yes" ? "" : `${several(data.bill.stars.length, "star")} press${data.bill.stars.length === 1 ? "es" : ""} on an object ${figure(2 * object, "mm")} across with ${figure(found.force_N, "N")}${simulated(found.force_range_N, "N")} at ${figure(pressure, "kPa")}. `;
   const needed = found.needed_N === null ? friction : `With a friction of ${number(load.friction)}, ${figure(found.needed_N, "N")} are needed to hold its ${figure(load.mass_kg, "kg")}. `;
-  if (found.holds !== "yes") return ["fair", "May hold the object", `${force}${needed}${reasons}`];
-  // Green requires a known seal strength.
+  if (found.holds !== "yes") return ["May hold the object", `${force}${needed}${reasons}`];
   const strength = prediction.stars.every((star) => star.burst_pressure_kPa !== null);
-  if (!strength) return ["fair", "Holds the object, if the seal holds", `${force}${needed}Burst pressure unknown: measure the seal with a coupon. ${reasons}`];
-  return ["good", "Holds the object", `${force}${needed}${reasons}`];
+  if (!strength) return ["Holds the object, if the seal holds", `${force}${needed}Burst pressure unknown: measure the seal with a coupon. ${reasons}`];
+  return ["Holds the object", `${force}${needed}${reasons}`];
 }
 
 /** Whether some star bursts below so many times its pressure. */
@@ -99,8 +98,8 @@ function keyFigures() {
 }
 
 function showVerdict() {
-  const [tone, title, why] = verdict();
-  at("banner").classList.add(tone);
+  const [title, why] = verdict();
+  at("banner").classList.add(data.tone);
   at("verdict-title").textContent = title;
   at("verdict-why").replaceChildren(...prose(why.trim()));
   const cards = keyFigures().map(([name, value, note]) =>
@@ -108,6 +107,7 @@ function showVerdict() {
   );
   at("figures").append(...cards);
   at("ranges-say").hidden = !data.prediction || !data.prediction.ranges.final_radius_mm;
-  at("watch").hidden = data.watch.length === 0;
-  at("watch-list").append(...data.watch.map(({ code, text }) => make("li", { "data-code": code }, ...prose(text))));
+  const watched = [...data.watch, ...data.notes.map((text) => ({ code: "design", text }))];
+  at("watch").hidden = watched.length === 0;
+  at("watch-list").append(...watched.map(({ code, text }) => make("li", { "data-code": code }, ...prose(text))));
 }

@@ -14,6 +14,8 @@ export class Maker {
     #timer;
     /** Time of the last change of the spec, ms. */
     #began = 0;
+    /** The state of which the report is shown. */
+    #reported = null;
     /** Whether the program said that the spec is of a drawing. */
     #isDrawn = false;
 
@@ -73,12 +75,14 @@ export class Maker {
         if (this.#shown.stage.needsReport) this.report();
     }
 
-    /** Makes the report, for the views that show it. */
-    async report(more = {}) {
+    /** Makes the report, for the views that show it, unless they show that of the spec on the desk. */
+    async report(more = null) {
         const { state } = this.#desk;
+        if (this.#reported === state && !more) return undefined;
         const answer = await this.#asked({ only: ["report"], prove: false, ...more }, { lane: "report", isPatient: true });
         const page = answer?.files.find(({ name }) => name.endsWith(".html"));
         if (!page || this.#desk.state !== state) return undefined;
+        this.#reported = state;
         this.#shown.stage.showReport(new TextDecoder().decode(page.bytes));
         return answer;
     }
@@ -93,7 +97,7 @@ export class Maker {
         byId("shell-note").textContent = answer ? `Computed in ${((performance.now() - began) / 1000).toFixed(1)} s, on coarse meshes. The report has its numbers, each with its mesh error.` : "Stopped.";
         if (!answer) return;
         this.#shown.result.show(answer);
-        this.#shown.stage.choose("solid", false);
+        this.#shown.stage.choose("solid");
     }
 
     /** Asks for a build of the spec on the desk; undefined if it is stopped. */

@@ -6,12 +6,11 @@ import { zipped } from "./zip.js";
 const LIFETIME = 60_000;
 /** The files by what is done with them, in that order; a kind begins with one of the words. */
 const USES = [
-    ["Run on the machine", ["trace", "seal-gcode"]],
-    ["Cut", ["outline", "cut", "seal-", "drawing-"]],
+    ["Run on the machine: first the trace, in the air", ["trace", "seal-gcode"]],
+    ["Cut", ["outline", "cut", "seal-"]],
     ["Coat, separate, stack", ["mask", "separator", "pieces", "frame", "press"]],
     ["Look at and keep", ["report", "preview", "scene", "surface", "spec", "machine", "drawing", "prediction", ""]],
 ];
-const MEANINGS = { "trace-gcode": "first: a run in the air", "seal-gcode": "then: seals" };
 
 /** A temporary address of `bytes`. */
 function address(bytes, type) {
@@ -53,12 +52,12 @@ export class Result {
         byId("anyway-box").hidden = !unfit;
         if (!overview) {
             const errors = faults.filter(({ warning }) => !warning).length;
-            this.#verdict("bad", errors > 1 ? `Refused, for ${errors} reasons` : "Refused", "The first is at the picture, with its remedy; the values below are those of before.");
+            this.#verdict("bad", errors > 1 ? `Refused, for ${errors} reasons` : "Refused", "The picture shows why. The values below are those of before.");
             return;
         }
         const { tone, in_words: words } = overview.verdict;
         const [headline, ...rest] = paged(words).split("; ");
-        this.#verdict(tone, headline.charAt(0).toUpperCase() + headline.slice(1), rest.join("; "));
+        this.#verdict(tone, headline.charAt(0).toUpperCase() + headline.slice(1), rest.join("; ").replaceAll("`", ""));
         this.#rows(overview);
         byId("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, paged(text).replaceAll("`", ""))));
         byId("before").hidden = overview.before_you_seal.length === 0;
@@ -91,15 +90,15 @@ export class Result {
         byId("proof").textContent = `Proven: ${proven}.`;
         const rest = new Set(files), groups = USES.map(([use, words]) => {
             const own = words.flatMap((word) => [...rest].filter((file) => (kinds[file.name] ?? "").startsWith(word) && rest.delete(file)));
-            return own.length === 0 ? [] : [element("h3", {}, use), element("ul", {}, ...own.map((file) => this.#entry(file, MEANINGS[kinds[file.name]])))];
+            return own.length === 0 ? [] : [element("h3", {}, use), element("ul", {}, ...own.map((file) => this.#entry(file)))];
         });
         byId("files").replaceChildren(...groups.flat());
         byId("files").inert = false;
     }
 
     /** A file of the list. PDFs contain the instruction to print them at their own size. */
-    #entry({ name, bytes }, meaning) {
-        const entry = element("li", {}, element("button", { type: "button", className: "plain", onclick: () => save(name, bytes) }, name, element("small", {}, meaning ?? size(bytes))));
+    #entry({ name, bytes }) {
+        const entry = element("li", {}, element("button", { type: "button", className: "plain", onclick: () => save(name, bytes) }, name, element("small", {}, size(bytes))));
         if (name.endsWith(".pdf")) {
             const print = () => window.open(address(bytes, "application/pdf"), "_blank");
             entry.append(element("button", { type: "button", className: "plain print", "aria-label": `print 1:1: ${name}`, onclick: print }, "print 1:1"));

@@ -76,5 +76,5 @@ pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{drawing_starter, quoted, starter};
 pub use unknown::nearest;
-pub use values::{Setting, form_settings, has_default, settings};
+pub use values::{Setting, drawing_settings, form_settings, has_default, settings};
 pub use vocabulary::{Command, Vocabulary};

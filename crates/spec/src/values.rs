@@ -43,6 +43,21 @@ pub fn form_settings(source: &Source) -> Vec<Setting> {
     settings_of(source, known(TEMPLATE).chain(known(INSTEAD)))
 }
 
+/// [`settings`] of a spec with a drawing: with `[drawing]`, and without the defaults of keys that only stars have.
+pub fn drawing_settings(source: &Source) -> Vec<Setting> {
+    form_settings(source).into_iter().filter(|setting| setting.given || !is_of_stars(setting)).collect()
+}
+
+/// Whether only stars have the key.
+fn is_of_stars(setting: &Setting) -> bool {
+    match (setting.section.as_str(), setting.key.as_str()) {
+        ("star" | "stack" | "frame" | "mask", _) | ("seal", "hole_allowance") | ("machine", "program") => true,
+        ("inlet", key) => key != "tube_diameter",
+        ("load", key) => key != "pressure",
+        _ => false,
+    }
+}
+
 /// Whether `key` has a default value.
 pub fn has_default(key: KeyPath) -> bool {
     known(TEMPLATE)

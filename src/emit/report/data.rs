@@ -12,7 +12,7 @@ use forecast::pose::Pose;
 use forecast::prediction::Prediction;
 use forecast::seal_load::{SealLoad, seal_loads};
 use forecast::tone::Tone;
-use spec::{Heating, Machine, Source, settings};
+use spec::{Heating, Machine, Setting, Source, drawing_settings, settings};
 
 /// Decimals that are kept of curves: for the eye, and few enough to be the same on every machine.
 const DIGITS: i32 = 6;
@@ -43,7 +43,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         "prediction": prediction,
         "load": load,
         "tone": tone(report),
-        "settings": settings(&Source::new("spec.toml", report.source)),
+        "settings": own_settings(report),
         "machine": machine(report.machine),
         "seal": {
             "temperature": spec.seal.temperature.to_string(), "speed": spec.seal.speed.to_string(),
@@ -75,6 +75,12 @@ pub(super) fn data(report: &Report<'_>) -> Value {
 /// The distinct stars.
 fn stars(design: &Design) -> &[StarDesign] {
     design.assembly().map_or(&[], |assembly| &assembly.distinct)
+}
+
+/// The settings of the product that the spec describes.
+fn own_settings(report: &Report<'_>) -> Vec<Setting> {
+    let source = Source::new("spec.toml", report.source);
+    if report.design.drawn().is_some() { drawing_settings(&source) } else { settings(&source) }
 }
 
 /// The tone of the verdict.

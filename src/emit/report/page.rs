@@ -22,7 +22,7 @@ const STYLES: [&str; 2] = [
 ];
 
 /// The scripts, in the order in which they run: each uses only those before it.
-const SCRIPTS: [&str; 11] = [
+const SCRIPTS: [&str; 12] = [
     include_str!("../../../templates/report/words.js"),
     include_str!("../../../templates/report/drawing.js"),
     include_str!("../../../templates/report/drawing_page.js"),
@@ -33,6 +33,7 @@ const SCRIPTS: [&str; 11] = [
     include_str!("../../../templates/report/glb.js"),
     include_str!("../../../templates/report/scene.js"),
     include_str!("../../../templates/report/tables.js"),
+    include_str!("../../../templates/report/place.js"),
     include_str!("../../../templates/report/start.js"),
 ];
 

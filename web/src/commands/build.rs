@@ -13,7 +13,8 @@ use stargrip_cam::verify::OutputFiles;
 
 use crate::commands::faults::{listed, of_design, of_warnings};
 use crate::commands::spec::Given;
-use crate::commands::{Tell, picture};
+use crate::commands::predict::model;
+use crate::commands::{Tell, picture, text};
 use crate::message::Message;
 
 /// Makes the requested files. They are proven unless `prove` is false, for a quick preview: then there is no manifest. A gripper that fails
@@ -23,7 +24,7 @@ use crate::message::Message;
 /// The answer without files, if the spec is refused.
 pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -> Result<Message, Value> {
     let given = Given::of(question, files)?;
-    let (forecast, mut answer, mut faults) = judged(&given, Some(tell))?;
+    let (forecast, mut answer, mut faults) = judged(&given, text(question, "model").and_then(model), Some(tell))?;
     let sources = Sources { spec: &given.source.text, machine: &given.machine_text };
     let is_taken = answer["unfit"] == false || question["anyway"] == true;
     let built = forecast.build(sources, &request(question));
@@ -46,7 +47,7 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -
 pub(super) fn look(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Value, Value> {
     let given = Given::of(question, files)?;
     let drawing = picture::drawing(&given.reading.spec);
-    match judged(&given, None) {
+    match judged(&given, None, None) {
         Ok((forecast, mut answer, faults)) => {
             answer["faults"] = faults.into();
             answer["sheets"] = picture::sheets(&forecast);
@@ -64,11 +65,15 @@ pub(super) fn look(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Valu
 ///
 /// # Errors
 /// The answer without an overview, if the design is refused.
-fn judged(given: &Given, tell: Option<Tell>) -> Result<(Forecast, Value, Vec<Value>), Value> {
+fn judged(
+    given: &Given,
+    model: Option<ModelChoice>,
+    tell: Option<Tell>,
+) -> Result<(Forecast, Value, Vec<Value>), Value> {
     let Given { source, reading, .. } = given;
     let mut answer = json!({ "name": reading.spec.name, "settings": form_settings(source) });
     let mut faults = listed(&reading.warnings);
-    let forecast = match forecast(given, tell) {
+    let forecast = match forecast(given, model, tell) {
         Ok(forecast) => forecast,
         Err(refusals) => {
             faults.extend(of_design(source, reading, refusals));
@@ -85,9 +90,12 @@ fn judged(given: &Given, tell: Option<Tell>) -> Result<(Forecast, Value, Vec<Val
     Ok((forecast, answer, faults))
 }
 
-/// The forecast of the gripper, whose progress `tell` receives; without `tell` it leaves out a shell model, which takes seconds.
-fn forecast(given: &Given, tell: Option<Tell>) -> Result<Forecast, Refusals> {
+/// The forecast of the gripper by the spec's model or `model`, whose progress `tell` receives; without `tell` it leaves out a shell model, which takes seconds.
+fn forecast(given: &Given, model: Option<ModelChoice>, tell: Option<Tell>) -> Result<Forecast, Refusals> {
     let mut spec = given.reading.spec.clone();
+    if let Some(model) = model {
+        spec.accuracy.model = model;
+    }
     if tell.is_none() && spec.accuracy.model == ModelChoice::Shell {
         spec.accuracy.model = ModelChoice::Auto;
     }
@@ -120,7 +128,9 @@ fn proven(built: Built, faults: &mut Vec<Value>, answer: &mut Value) -> Vec<(Str
 /// The overview of `check --json`, and the verdict's rows.
 fn overview(forecast: &Forecast) -> Value {
     let mut overview = overview_json(forecast, &forecast.precautions("spec.toml"));
-    let rows = verdict::rows(forecast).into_iter().chain(verdict::of_drawing(forecast));
+    // The page computes the shell of a drawing when it is asked to: where it was not, there is nothing to tell.
+    let drawn = verdict::of_drawing(forecast).into_iter().filter(|(label, _)| *label != "predicts");
+    let rows = verdict::rows(forecast).into_iter().chain(drawn);
     overview["rows"] = rows.map(|(label, text)| json!([label, text])).collect();
     overview
 }

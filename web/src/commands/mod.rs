@@ -3,7 +3,7 @@
 //! | ask | takes | answers |
 //! |---|---|---|
 //! | `start` | | the schema, the starter, the machine profiles, the kinds of file |
-//! | `build` | `spec`, `machine`, the drawing, `only`, `with`, `anyway`, `prove` | faults, settings, the overview, the proof, files |
+//! | `build` | `spec`, `machine`, the drawing, `only`, `with`, `anyway`, `prove`, `model` | faults, settings, the overview, the proof, files |
 //! | `look` | `spec`, `machine`, the drawing | faults, settings, the overview, the picture: no files |
 //! | `verify` | files | the proof, as with `verify --json` |
 //! | `drawing` | a drawing | a spec that names its layers, or the reason why it cannot be read |

@@ -53,6 +53,6 @@ fn answer(spec: &Spec, design: &Design, tell: Tell) -> Result<(String, Value), S
 }
 
 /// The model of this name, as in a spec.
-fn model(name: &str) -> Option<ModelChoice> {
+pub(super) fn model(name: &str) -> Option<ModelChoice> {
     ModelChoice::ALL.iter().find(|(word, _)| *word == name).map(|(_, model)| *model)
 }
