@@ -8,14 +8,16 @@ export class Editor {
     #shown = "";
     #explain;
 
-    /** `typed(text)` is called after every change by the user; `explain(code)` gives the meaning of a code; `undo(by)` undoes or redoes. */
-    constructor({ typed, explain, undo }) {
+    /** `typed(text)` is called after every change by the user; `explain(code)` gives the meaning of a code; `settle` ends a step of the
+     * history; `undo(by)` undoes or redoes. */
+    constructor({ typed, settle, explain, undo }) {
         this.#explain = explain;
         this.#area.addEventListener("input", () => {
             this.#faults = [];
             this.#draw();
             typed(this.#area.value);
         });
+        this.#area.addEventListener("change", settle);
         this.#area.addEventListener("beforeinput", (event) => {
             const by = { historyUndo: -1, historyRedo: 1 }[event.inputType];
             if (!by) return;

@@ -12,6 +12,11 @@ export class ReportView {
         window.addEventListener("message", ({ source, data }) => this.#heard(source, data ?? {}));
     }
 
+    /** Whether there is a report to be shown. */
+    get isThere() {
+        return this.#frame !== null;
+    }
+
     /** Shows the scene alone, or the whole report. */
     set isSolid(isSolid) {
         this.#isSolid = isSolid;

@@ -66,7 +66,8 @@ export class Stage {
     /** The view that is shown: faults of a drawing are on the drawing. */
     get #shown() {
         const isDrawn = Boolean(this.#drawing);
-        if (this.#view === "sheet" && this.#isRefused && isDrawn) return "drawing";
+        const isEmpty = this.needsReport && this.#isRefused && !this.#report.isThere;
+        if (isEmpty || this.#view === "sheet") return this.#isRefused && isDrawn ? "drawing" : "sheet";
         return this.#view === "drawing" && !isDrawn ? "sheet" : this.#view;
     }
 
