@@ -13,7 +13,7 @@ import { compiled, Dropped, Program } from "./program.js";
 import { Result } from "./result.js";
 import { hideCode, showCode } from "./share.js";
 import { Stage } from "./stage.js";
-import { keepFile, shelf } from "./store.js";
+import { keepFile, shelf, tab } from "./store.js";
 
 const designs = JSON.parse(byId("designs-data").textContent);
 let program, desk, maker, editor, form;
@@ -76,7 +76,7 @@ async function setRole(layer, role) {
 function take(spec, options) {
     byId("anyway").checked = false;
     desk.take(spec, options);
-    beside("values");
+    if (!byId("panel-start").hidden) beside("values");
 }
 
 /** Takes a shipped design { spec, drawing: { name, letters } }. */
@@ -165,7 +165,9 @@ function listen() {
 
 /** The spec to begin with, from the link if that holds one which this tab did not take. */
 async function begin() {
-    const fragment = location.hash, spec = await safely(() => heldBy(fragment));
+    const fragment = location.hash;
+    if (tab()?.link === fragment) return [null, fragment, false];
+    const spec = await safely(() => heldBy(fragment));
     const drawing = spec?.drawing && (await keepFile(spec.drawing));
     return [spec && { ...spec, drawing }, fragment, spec === undefined];
 }

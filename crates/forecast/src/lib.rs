@@ -56,6 +56,6 @@ mod star_answer;
 mod star_refusal;
 pub mod stiffness;
 pub mod study;
-pub mod trade;
 pub mod tone;
+pub mod trade;
 pub mod verdict;

@@ -138,7 +138,8 @@ pub fn edited(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<Str
                 "" => Some(root),
                 name => root.get_mut(name).and_then(Item::as_table_like_mut),
             };
-            let is_emptied = section.is_some_and(|section| section.remove(key.key()).is_some() && section.is_empty());
+            let is_emptied =
+                section.is_some_and(|section| section.remove(key.key()).is_some() && section.is_empty());
             if is_emptied && !key.section().is_empty() {
                 let _ = document.remove(key.section());
             }

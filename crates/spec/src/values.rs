@@ -51,7 +51,9 @@ pub fn drawing_settings(source: &Source) -> Vec<Setting> {
 /// Whether only stars have the key.
 fn is_of_stars(setting: &Setting) -> bool {
     match (setting.section.as_str(), setting.key.as_str()) {
-        ("star" | "stack" | "frame" | "mask", _) | ("seal", "hole_allowance") | ("machine", "program") => true,
+        ("star" | "stack" | "frame" | "mask", _) | ("seal", "hole_allowance") | ("machine", "program") => {
+            true
+        }
         ("inlet", key) => key != "tube_diameter",
         ("load", key) => key != "pressure",
         _ => false,

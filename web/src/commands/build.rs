@@ -12,8 +12,8 @@ use stargrip_cam::spec::{ModelChoice, form_settings};
 use stargrip_cam::verify::OutputFiles;
 
 use crate::commands::faults::{listed, of_design, of_warnings};
-use crate::commands::spec::Given;
 use crate::commands::predict::model;
+use crate::commands::spec::Given;
 use crate::commands::{Tell, picture, text};
 use crate::message::Message;
 
@@ -24,7 +24,8 @@ use crate::message::Message;
 /// The answer without files, if the spec is refused.
 pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)], tell: Tell) -> Result<Message, Value> {
     let given = Given::of(question, files)?;
-    let (forecast, mut answer, mut faults) = judged(&given, text(question, "model").and_then(model), Some(tell))?;
+    let (forecast, mut answer, mut faults) =
+        judged(&given, text(question, "model").and_then(model), Some(tell))?;
     let sources = Sources { spec: &given.source.text, machine: &given.machine_text };
     let is_taken = answer["unfit"] == false || question["anyway"] == true;
     let built = forecast.build(sources, &request(question));

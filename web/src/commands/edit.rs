@@ -16,7 +16,8 @@ pub(super) fn edit(question: &Value) -> Result<Value, Value> {
     let source = source(question)?;
     let name = text(question, "key").unwrap_or_default();
     let key = key::named(name).map_err(|_| wrong(format!("no key is called {name:?}")))?;
-    let spec = text_edit::edited(&source, &[(key, text(question, "value"))]).map_err(|faults| refused(&faults))?;
+    let spec =
+        text_edit::edited(&source, &[(key, text(question, "value"))]).map_err(|faults| refused(&faults))?;
     Ok(json!({ "spec": spec }))
 }
 
@@ -26,7 +27,8 @@ pub(super) fn edit(question: &Value) -> Result<Value, Value> {
 /// If there is no such role, or the spec is refused.
 pub(super) fn role(question: &Value) -> Result<Value, Value> {
     let source = source(question)?;
-    let (layer, word) = (text(question, "layer").unwrap_or_default(), text(question, "role").unwrap_or_default());
+    let (layer, word) =
+        (text(question, "layer").unwrap_or_default(), text(question, "role").unwrap_or_default());
     let role = LayerRole::ALL.iter().find(|(known, _)| *known == word).map(|(_, role)| *role);
     let role = role.ok_or_else(|| wrong(format!("no role is called {word:?}")))?;
     let reading = spec::read(&source).map_err(|faults| refused(&faults))?;

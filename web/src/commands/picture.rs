@@ -33,7 +33,8 @@ fn words(path: &Path, top: f64) -> String {
 /// All sheets of a design with their pieces.
 pub(super) fn sheets(forecast: &Forecast) -> Value {
     let sheet = |layout: &SheetLayout| {
-        let pieces = forecast.design.on_sheet(layout.index).map(|placed| piece(forecast, placed, layout.height));
+        let pieces =
+            forecast.design.on_sheet(layout.index).map(|placed| piece(forecast, placed, layout.height));
         json!({ "width": layout.width, "height": layout.height, "pieces": pieces.collect::<Vec<_>>() })
     };
     forecast.design.sheets.iter().map(sheet).collect()
@@ -56,7 +57,8 @@ fn piece(forecast: &Forecast, placed: &PlacedPart, top: f64) -> Value {
             "length_mm": seam.center_line.length(), "time_s": report.map(|own| own.time),
         })
     };
-    let holes = cut.holes.iter().map(|hole| json!([seen(placed.placement.point(hole.center), top), hole.diameter]));
+    let holes =
+        cut.holes.iter().map(|hole| json!([seen(placed.placement.point(hole.center), top), hole.diameter]));
     json!({
         "name": name.to_string(),
         "middle": seen(placed.placement.point(part.middle()), top),

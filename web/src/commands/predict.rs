@@ -27,7 +27,8 @@ pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)], tell: Tell)
     if let Some(model) = text(question, "model").and_then(model) {
         spec.accuracy.model = model;
     }
-    let refused = |refusals: Refusals| json!({ "faults": of_design(&given.source, &given.reading, refusals) });
+    let refused =
+        |refusals: Refusals| json!({ "faults": of_design(&given.source, &given.reading, refusals) });
     let design = Design::new(&spec, &given.machine).map_err(refused)?;
     let (text, prediction) = answer(&spec, &design, tell).map_err(|refusal| match refusal {
         ShellRefusal::Fault(fault) => refused(no_prediction(&fault).into()),
