@@ -3,78 +3,22 @@
 import { execFileSync, spawnSync } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
-import { createRequire } from "node:module";
 import { extname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { deflateRawSync, inflateRawSync } from "node:zlib";
+import { ORDINARY, beside, dropped, ended, fits, fitsAlways, holds, launched, must, noted, onDisk, opened, packages, ready } from "./web_page.mjs";
 
-const packages = createRequire(resolve(process.env.NODE_PATH) + "/");
-const { chromium } = packages("playwright-core");
-const axe = readFileSync(packages.resolve("axe-core/axe.min.js"), "utf8");
 const jsQR = packages("jsqr");
 const [pages, tool, out] = process.argv.slice(2);
-const ORDINARY = 30_000;
-/** Most of the window that may move unasked: while the page opens, and while one works with it, which browsers call good below 0.1. */
-const SHIFT = 0.02, SHIFT_AT_WORK = 0.1;
-const ONE_FILE = pathToFileURL(resolve(pages, "stargrip-cam.html")).href;
-
-const problems = [], times = {};
-function must(holds, what) {
-    if (!holds) problems.push(what);
-}
-
-/** A page on which every complaint of the browser is a problem, and so is what moves unasked. */
-async function opened(browser, what, viewport, url, { ready = "#zip:not([disabled])", offline = true, colorScheme = "light" } = {}) {
-    const context = await browser.newContext({ viewport, acceptDownloads: true, hasTouch: viewport.width < 500, offline, colorScheme, reducedMotion: "reduce" });
-    await context.addInitScript(() => {
-        window.shift = 0;
-        window.shifts = new PerformanceObserver((list) => list.getEntries().forEach((entry) => (window.shift += entry.hadRecentInput ? 0 : entry.value)));
-        window.shifts.observe({ type: "layout-shift", buffered: true });
-    });
-    const page = await context.newPage();
-    page.on("console", (message) => must(!["error", "warning"].includes(message.type()) || message.text().includes("GPU stall"), `${what}: console says ${message.text()}`));
-    page.on("pageerror", (error) => must(false, `${what}: ${error}`));
-    page.on("dialog", (dialog) => must(false, `${what}: a dialog says ${dialog.message()}`));
-    page.on("request", (request) => must(!offline || /^(file|blob|data):/.test(request.url()), `${what}: asks for ${request.url().slice(0, 80)}`));
-    page.setDefaultTimeout(ORDINARY);
-    await page.goto(url);
-    await page.waitForSelector(ready);
-    return page;
-}
-
-const ready = (page) => page.waitForSelector("#zip:not([disabled])");
-const noted = (page, text) => page.waitForFunction((start) => document.getElementById("note").textContent.startsWith(start), text);
-
-async function fits(page, what, most = SHIFT) {
-    const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-    must(over <= 0, `${what}: ${over} px too wide`);
-    const shift = await page.evaluate(() => window.shift);
-    must(shift <= most, `${what}: the layout shifts by ${shift}`);
-    await page.evaluate(axe);
-    const { violations } = await page.evaluate(() => window.axe.run(document, { iframes: false }));
-    const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
-    for (const { id, nodes } of serious) must(false, `${what}: axe finds ${id} at ${nodes.slice(0, 3).map(({ html }) => html.slice(0, 120)).join(" | ")}`);
-}
-
-/** The same by night; and nothing moves for who wants no motion. */
-async function fitsAlways(page, what) {
-    for (const colorScheme of ["light", "dark"]) {
-        await page.emulateMedia({ colorScheme });
-        await fits(page, `${what}, ${colorScheme}`, SHIFT_AT_WORK);
-        await page.screenshot({ path: join(out, `${what}-${colorScheme}.png`), fullPage: true });
-    }
-    await page.emulateMedia({ colorScheme: "light" });
-    const moving = await page.evaluate(() => document.getAnimations().length);
-    must(moving === 0, `${what}: ${moving} things move in spite of reduced motion`);
-}
+const ONE_FILE = onDisk(pages);
+const times = {};
 
 /** Every control can be reached by the Tab key, and none holds it. */
 async function keyboard(page, what) {
-    const wanted = ["copy-link", "show-qr", "forget", "designs", "spec", "machine", "shell-start", "zip"], reached = new Set();
-    await page.evaluate(() => document.querySelectorAll("details").forEach((box) => (box.open = true)));
-    await page.evaluate(() => (document.getElementById("report-box").open = false));
+    const wanted = ["undo", "copy-link", "show-qr", "tab-text", "spec", "canvas", "zoom-in", "zip"], reached = new Set();
+    await beside(page, "text");
     await page.locator("h1").click();
-    for (let i = 0; i < 400 && !wanted.every((id) => reached.has(id)); i++) {
+    for (let i = 0; i < 100 && !wanted.every((id) => reached.has(id)); i++) {
         await page.keyboard.press("Tab");
         reached.add(await page.evaluate(() => document.activeElement.id));
     }
@@ -85,6 +29,7 @@ async function keyboard(page, what) {
 
 /** Downloads the ZIP; the command proves what is in it. */
 async function zipped(page, what, folder, least) {
+    await beside(page, "result");
     const [download] = await Promise.all([page.waitForEvent("download"), page.click("#zip")]);
     const file = join(out, `${what}.zip`), dir = join(out, what);
     await download.saveAs(file);
@@ -97,6 +42,7 @@ async function zipped(page, what, folder, least) {
 
 /** From the object to the ZIP, which the command accepts, and the page as well. */
 async function bottle(page, what) {
+    await beside(page, "start");
     await page.getByLabel("Width across").fill("75 mm");
     await page.getByLabel("Mass").first().fill("1.2 kg");
     await page.getByText("More about the task").click();
@@ -106,48 +52,69 @@ async function bottle(page, what) {
     await page.keyboard.press("Enter");
     await page.waitForFunction(() => document.getElementById("spec").value.includes("bottle"));
     await ready(page);
-    must((await page.innerText("#verdict")).startsWith("holds the object"), `${what}: the bottle's verdict is ${await page.innerText("#verdict")}`);
+    must((await page.innerText("#verdict")).startsWith("Holds the object"), `${what}: the bottle's verdict is ${await page.innerText("#verdict")}`);
     const file = await zipped(page, `${what}-bottle`, "bottle", 15);
     await page.setInputFiles("#open", file);
     await noted(page, "Proven, no findings");
 }
 
-/** A typo is told at its place and mended from its message; a slider changes the text and keeps its comments. */
+/** A typo is told at its place and at the picture, and mended by its button; a slider changes the text and keeps its comments; both can be undone. */
 async function mended(page, what) {
     const spec = page.locator("#spec");
+    await beside(page, "text");
     await spec.fill((await spec.inputValue()).replace(/^tube_width/m, "tube_wdith") + "\n# my own words\n");
-    await page.waitForSelector("#faults button:text('write tube_width')");
+    await page.waitForSelector("#fault .remedy:text('write tube_width')");
     must(await page.isDisabled("#zip"), `${what}: files of a refused spec can be had`);
+    must(await page.evaluate(() => Number(getComputedStyle(document.getElementById("rows")).opacity) < 0.6), `${what}: numbers of before look like new ones`);
     await page.click("[aria-label='explain unknown-key']");
     await page.waitForSelector("#faults span:text('No key has this name here')");
-    await page.click("#faults button:text('write tube_width')");
+    await page.click("#fault .remedy:text('write tube_width')");
     await ready(page);
+    await beside(page, "values");
     const points = page.getByLabel("points, slider");
     const before = await points.inputValue();
     await points.focus();
     await page.keyboard.press("ArrowRight");
-    const after = String(Number(before) + 1);
-    await page.waitForFunction((number) => document.getElementById("spec").value.includes(`points = ${number}`), after);
+    await holds(page, `points = ${Number(before) + 1}`);
     must((await spec.inputValue()).includes("# my own words"), `${what}: a comment is lost`);
+    await page.keyboard.press("Control+z");
+    await holds(page, `points = ${before}`);
+    await page.keyboard.press("Control+Shift+z");
+    await holds(page, `points = ${Number(before) + 1}`);
 }
 
 /** A link holds the spec as it stands. */
 async function reopened(browser, page, what, viewport) {
-    await page.evaluate(() => history.replaceState(null, "", location.pathname));
     await page.click("#copy-link");
     await page.waitForFunction(() => location.hash.startsWith("#spec="));
-    const other = await opened(browser, `${what}, link`, viewport, page.url(), { ready: "#preview:not([hidden])" }); // nine points no longer hold the bottle
+    const other = await opened(browser, `${what}, link`, viewport, page.url(), { waits: (other) => other.waitForSelector("#canvas path") }); // nine points no longer hold the bottle
     must((await other.inputValue("#spec")) === (await page.inputValue("#spec")), `${what}: the link holds another spec`);
     await other.close();
 }
 
-/** The report: its player, pressure slider, charts and scene. */
+/** The report: its player, pressure slider, charts and scene; it keeps its place and sliders after an edit. */
 async function report(page, what) {
-    await page.getByText("Report: player").click();
-    const frame = page.frameLocator("#report");
+    await page.click("#view-report");
+    const frame = page.frameLocator("#report-box iframe:not(.next)");
     await frame.locator("#name").filter({ hasText: "bottle" }).waitFor();
     for (const part of ["canvas", "svg", "input[type=range]"]) must((await frame.locator(part).count()) > 0, `${what}: the report has no ${part}`);
-    await page.getByText("Report: player").click();
+    await frame.locator("#job-time").evaluate((slider) => {
+        slider.value = String(Number(slider.max) / 2);
+        slider.dispatchEvent(new Event("input", { bubbles: true }));
+        slider.scrollIntoView({ behavior: "instant" });
+    });
+    await page.waitForTimeout(400);
+    const place = () => frame.locator("#job-time").evaluate((slider) => [window.scrollY, Math.round((100 * Number(slider.value)) / Number(slider.max)), document.getElementById("name").textContent]);
+    const [scroll, time] = await place();
+    const spec = await page.inputValue("#spec");
+    await beside(page, "text");
+    await page.fill("#spec", spec.replace(/^name = .*/m, 'name = "bottle again"'));
+    await frame.locator("#name").filter({ hasText: "bottle again" }).waitFor();
+    const [scrollNow, timeNow] = await place();
+    must(scroll > 0 && Math.abs(scroll - scrollNow) < 60 && time === timeNow, `${what}: after an edit the report is at ${scrollNow} px, ${timeNow} %, not at ${scroll} px, ${time} %`);
+    await page.click("#undo");
+    await page.click("#view-sheet");
+    await ready(page);
 }
 
 /** The QR code, as saved, holds a link to the spec, as someone else's reader finds it. */
@@ -169,62 +136,63 @@ async function coded(page, what) {
     await page.click("#qr-hide");
 }
 
-/** The shell tells how far it is, can be stopped, and answers; a code is explained. */
+/** The shell of a drawing tells how far it is, can be stopped, and is shown in three dimensions, with its size as the verdict. */
 async function shell(page, what) {
-    await page.fill("#spec", readFileSync("designs/paper-gripper.toml", "utf8"));
+    await beside(page, "start");
+    await page.selectOption("#designs", "hand-rest");
+    await holds(page, "hand rest");
+    await page.fill("#field-load\\.pressure", "10 kPa");
+    await page.keyboard.press("Enter");
     await ready(page);
-    await page.evaluate(() => (document.getElementById("shell-box").open = true));
     await page.click("#shell-start");
     await page.waitForFunction(() => /^\d+ %/.test(document.getElementById("busy-text").textContent));
     await page.click("#stop");
     await page.waitForFunction(() => document.getElementById("shell-note").textContent === "Stopped.");
     await page.click("#shell-start");
-    await page.waitForSelector("#shell-answer:not([hidden])", { timeout: 4 * ORDINARY });
-    must((await page.innerText("#shell-answer")).includes("shell"), `${what}: the shell says ${await page.innerText("#shell-answer")}`);
+    await page.waitForFunction(() => document.getElementById("shell-note").textContent.startsWith("Computed"), null, { timeout: 4 * ORDINARY });
+    must(/^Inflates to 166 x 73/.test(await page.innerText("#verdict")), `${what}: the inflated drawing's verdict is ${await page.innerText("#verdict")}`);
+    const frame = page.frameLocator("#report-box iframe:not(.next)");
+    await frame.locator("body.only-solid #solid-view").waitFor();
+    must(await frame.locator("#solid-inflate").isEnabled(), `${what}: the scene of the shell does not inflate`);
+    await page.click("#view-sheet");
 }
 
 /** Masks are printed from a PDF, which opens beside the page. */
 async function printed(page, what) {
+    await beside(page, "result");
     const [opened] = await Promise.all([page.context().waitForEvent("page"), page.locator("#files .print").first().click()]);
     must(opened.url() === "" || /^(blob|about):/.test(opened.url()), `${what}: the PDF opens as ${opened.url()}`);
     await opened.close();
     const shift = await page.evaluate(() => window.shift);
     await page.emulateMedia({ media: "print" });
-    must(await page.isVisible("#preview") && !(await page.isVisible("#spec")), `${what}: the printed page is not the result`);
+    must((await page.isVisible("#canvas")) && !(await page.isVisible("#side")), `${what}: the printed page is not the result`);
     await page.emulateMedia({ media: "screen" });
     // That the printed page is another one is no shift.
     await page.evaluate(() => new Promise((painted) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(painted, 100)))));
     await page.evaluate((shift) => [window.shifts.takeRecords(), (window.shift = shift)], shift);
 }
 
-async function dropped(page, name, content) {
-    await page.evaluate(([file, text]) => {
-        const dataTransfer = new DataTransfer();
-        dataTransfer.items.add(new File([text], file));
-        window.dispatchEvent(new DragEvent("drop", { dataTransfer, cancelable: true }));
-    }, [name, content]);
-}
-
 /** A profile that is dropped alone serves the spec as it stands. */
 async function profiled(page, what) {
+    await beside(page, "text");
     await page.fill("#spec", readFileSync("designs/paper-five-points.toml", "utf8").replace(/^profile = .*\n/m, "").replace(/^\[machine\].*\n/m, "") + '\n[machine]\nprofile = "mine.toml"\n');
-    await page.waitForSelector("[aria-label='explain unknown-machine']");
-    await dropped(page, "mine.toml", readFileSync("templates/machines/generic.toml", "utf8"));
+    await page.waitForSelector("#faults [aria-label='explain unknown-machine']");
+    await dropped(page, ["mine.toml", readFileSync("templates/machines/generic.toml", "utf8")]);
     await ready(page);
     await reopened(page.context().browser(), page, `${what}, profile`, page.viewportSize());
 }
 
 /** A drawing that is dropped becomes a spec, and then files that the command accepts. */
 async function drawn(browser, page, what, viewport) {
-    await dropped(page, "hand-rest.svg", readFileSync("designs/drawings/hand-rest.svg", "utf8"));
-    await noted(page, "A spec of hand-rest.svg: 3 layers");
+    await dropped(page, ["hand-rest.svg", readFileSync("designs/drawings/hand-rest.svg", "utf8")]);
+    await noted(page, "hand-rest.svg has 3 layers");
     must((await page.inputValue("#spec")).includes("[drawing.layers]"), `${what}: no spec of the drawing`);
     await ready(page);
     await zipped(page, `${what}-drawing`, "hand-rest", 5);
     await reopened(browser, page, `${what}, drawing`, viewport);
     for (const bad of ["<svg", "<svg xmlns='http://www.w3.org/2000/svg'><script>alert(1)</script><path id='\"><img src=x onerror=alert(1)>' d='M0 0 h1e308 z'/></svg>", "\0".repeat(9)]) {
-        await dropped(page, "</script><img src=x onerror=alert(1)>.svg", bad);
-        await page.waitForFunction(() => /cannot be read|A spec of/.test(document.getElementById("note").textContent));
+        await dropped(page, ["</script><img src=x onerror=alert(1)>.svg", bad]);
+        await page.waitForFunction(() => /cannot be read|has \d+ layer/.test(document.getElementById("note").textContent));
         await page.evaluate(() => (document.getElementById("note").textContent = ""));
     }
 }
@@ -241,12 +209,13 @@ function names() {
 /** Names that would do something if they were taken for more than text; broken links; an instance that dies. */
 async function hostile(page, what) {
     const shipped = readFileSync("designs/paper-five-points.toml", "utf8");
+    await beside(page, "text");
     for (const name of [...names(), "<img src=x onerror=alert(1)>", "${alert(1)}", "javascript:alert(1)", "a\\\" onload=\\\"alert(1)"]) {
         await page.fill("#spec", shipped.replace(/^name = .*/m, () => `name = ${JSON.stringify(name)}`));
-        await page.waitForFunction(() => !document.getElementById("zip").disabled || document.querySelector("[aria-label='explain name']"));
+        await page.waitForFunction(() => !document.getElementById("zip").disabled || document.querySelector("#faults [aria-label='explain name']"));
     }
     const alive = await page.evaluate(() => [document.querySelectorAll("img").length, document.querySelectorAll("script, iframe").length, window.hit]);
-    must(alive[2] === undefined && alive[0] === 2, `${what}: names made elements: ${alive}`);
+    must(alive[2] === undefined && alive[0] === 1, `${what}: names made elements: ${alive}`);
     const bomb = deflateRawSync(Buffer.alloc(1 << 26)).toString("base64url");
     for (const link of ["%", "AAAA", bomb]) {
         await page.evaluate((fragment) => (location.hash = fragment), `spec=${link}`);
@@ -259,8 +228,7 @@ async function hostile(page, what) {
     await noted(page, "Stopped by an error");
     must((await page.inputValue("#spec")).endsWith("# more\n"), `${what}: the text is lost with the instance`);
     await page.fill("#spec", shipped);
-    await page.waitForSelector("#preview:not([hidden])");
-    await ready(page);
+        await ready(page);
 }
 
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json" };
@@ -299,7 +267,7 @@ async function linked(browser) {
     writeFileSync(join(book, "index.html"), `<!DOCTYPE html><html lang="en"><head><link rel="icon" href="data:,"/><title>book</title></head><body><pre><code class="language-toml">${spec}</code></pre></body></html>`);
     execFileSync("web/make-site", [book, pages, site], { stdio: "ignore" });
     const server = await serving(site);
-    const page = await opened(browser, "book", { width: 1280, height: 900 }, server.address, { offline: false, ready: "text=Open in the page" });
+    const page = await opened(browser, "book", { width: 1280, height: 900 }, server.address, { offline: false, waits: (book) => book.waitForSelector("text=Open in the page") });
     await page.click("text=Open in the page");
     await ready(page);
     must((await page.inputValue("#spec")).includes('name = "a & b"'), "book: the link opens another spec");
@@ -360,6 +328,7 @@ async function waits(browser, page) {
         await other.context().close();
     }
     const text = readFileSync("designs/paper-gripper.toml", "utf8");
+    await beside(page, "text");
     for (let i = 0; i < 9; i++) {
         await page.fill("#spec", text.replace('tip_angle = "30 deg"', `tip_angle = "${30 + (i + 1) / 10} deg"`));
         await ready(page);
@@ -371,7 +340,7 @@ async function waits(browser, page) {
 }
 
 mkdirSync(out, { recursive: true });
-const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox"] });
+const browser = await launched();
 for (const [what, viewport] of [["desktop", { width: 1280, height: 900 }], ["phone", { width: 360, height: 740 }]]) {
     try {
         const page = await opened(browser, what, viewport, ONE_FILE);
@@ -384,7 +353,7 @@ for (const [what, viewport] of [["desktop", { width: 1280, height: 900 }], ["pho
         await reopened(browser, page, what, viewport);
         await coded(page, what);
         await report(page, what);
-        await fitsAlways(page, `${what}-worked`);
+        await fitsAlways(page, `${what}-worked`, (scheme) => join(out, `${what}-worked-${scheme}.png`));
         await drawn(browser, page, what, viewport);
         await page.screenshot({ path: join(out, `${what}-drawn.png`), fullPage: true });
         if (what === "phone") continue;
@@ -398,6 +367,4 @@ for (const [what, viewport] of [["desktop", { width: 1280, height: 900 }], ["pho
 }
 for (const [what, work] of [["server", served], ["book", linked], ["files", returned]]) await work(browser).catch((error) => must(false, `${what}: ${error.message.split("\n")[0]}`));
 await browser.close();
-for (const problem of problems) console.error(problem);
-console.log(`web: least (most) ms: first preview ${times.first}, preview after an edit ${times.edit}, files proven ${times.build}; ${problems.length} problems`);
-process.exit(problems.length ? 1 : 0);
+ended("web", `least (most) ms: first preview ${times.first}, preview after an edit ${times.edit}, files proven ${times.build}`);

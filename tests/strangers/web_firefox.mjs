@@ -1,4 +1,4 @@
-// The page in Firefox, from a disk: an object, a typo, a drawing. Usage: node web_firefox.mjs PAGES OUT, with NODE_PATH at puppeteer-core.
+// The page in Firefox, from a disk: an object, a typo and undo, a drawing that is kept. Usage: node web_firefox.mjs PAGES OUT, with NODE_PATH at puppeteer-core.
 import { mkdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
@@ -24,12 +24,14 @@ const holds = (text) => page.waitForFunction((wanted) => document.getElementById
 try {
     await page.goto(pathToFileURL(resolve(pages, "stargrip-cam.html")).href);
     await ready();
+    await page.click("#tab-start");
     await page.locator("#object-form [name=object]").fill("75 mm");
     await page.locator("#object-form [name=mass]").fill("200 g");
     await page.keyboard.press("Enter");
     await holds('name = "gripper"');
     await ready();
-    must((await page.$eval("#verdict", (verdict) => verdict.textContent)).startsWith("holds the object"), "the object is not held");
+    must((await page.$eval("#verdict", (verdict) => verdict.textContent)).startsWith("Holds the object"), "the object is not held");
+    await page.click("#tab-text");
     await page.evaluate(() => {
         const area = document.getElementById("spec");
         area.value = area.value.replace(/^tube_width/m, "tube_wdith");
@@ -38,9 +40,19 @@ try {
     const mend = await page.waitForSelector("::-p-text(write tube_width)");
     await mend.click();
     await ready();
+    await page.click("#undo");
+    await holds("tube_wdith");
+    await page.keyboard.down("Control");
+    await page.keyboard.press("y");
+    await page.keyboard.up("Control");
+    await ready();
     await (await page.$("#open")).uploadFile(resolve("designs/drawings/hand-rest.svg"));
     await holds("[drawing.layers]");
     await ready();
+    await page.reload();
+    await holds("[drawing.layers]");
+    await ready();
+    must((await page.$eval("#verdict", (verdict) => verdict.textContent)).startsWith("Can be sealed: 5 seams"), "after a reload the drawing is lost");
     await page.screenshot({ path: join(out, "firefox.png"), fullPage: true });
 } catch (error) {
     const said = await page.evaluate(() => ["note", "object-answer", "verdict", "proof"].map((id) => document.getElementById(id).textContent).join(" | "));

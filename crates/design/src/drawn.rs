@@ -241,7 +241,7 @@ pub struct RoledFigure {
 pub fn roled_figures(spec: &Spec) -> Vec<RoledFigure> {
     let Some(drawing) = &spec.drawing else { return Vec::new() };
     let Ok(artwork) = read(spec, drawing) else { return Vec::new() };
-    let roled = |element: &drawings::Element| {
+    let roled = |element: &artwork::Element| {
         let layers: Vec<String> =
             element.layers.iter().filter(|name| !artwork.root.contains(name)).cloned().collect();
         let decides = |name: &&String| drawing.layers.iter().any(|(known, _)| known == *name);

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::forecast::drawn::prediction::DrawnPrediction;
-use crate::forecast::prediction::{Holds, Prediction};
+use crate::drawn::prediction::DrawnPrediction;
+use crate::prediction::{Holds, Prediction};
 
 /// How a verdict is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -48,5 +48,28 @@ impl DrawnPrediction {
         } else {
             Tone::Good
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_drawing_is_good_only_below_the_whole_range_of_its_burst_pressure() {
+        let tone = |pressure: f64, range: Option<[f64; 2]>, warnings: &[&str]| {
+            let mut prediction = DrawnPrediction { model: "shell", ..DrawnPrediction::default() };
+            prediction.pressure_kPa = Some(pressure);
+            prediction.burst_range_kPa = range;
+            prediction.evidence.warnings = warnings.iter().map(ToString::to_string).collect();
+            prediction.tone()
+        };
+        let range = Some([20.0, 30.0]);
+        assert_eq!(tone(10.0, range, &[]), Tone::Good);
+        assert_eq!(tone(10.0, range, &["leaves-plane: it may bend"]), Tone::Fair);
+        assert_eq!(tone(10.0, None, &[]), Tone::Fair);
+        assert_eq!(tone(25.0, range, &[]), Tone::Fair);
+        assert_eq!(tone(31.0, range, &[]), Tone::Bad);
+        assert_eq!(DrawnPrediction { model: "none", ..DrawnPrediction::default() }.tone(), Tone::Plain);
     }
 }

@@ -226,6 +226,14 @@ mod tests {
                         tube_width = \"30 mm\"\ntip_angle = \"30 deg\"\n\n# the end\n[stack]\ncount = 2\n";
 
     #[test]
+    fn a_section_goes_with_its_last_key() {
+        let text = "name = \"a\"\n[mask]\nkind = \"separator\"\n[load]\npressure = \"5 kPa\"\nmass = \"1 kg\"\n";
+        let keys = [(key::mask::KIND, None), (key::load::PRESSURE, None)];
+        let rest = edited(&Source::new("x", text), &keys).expect("TOML");
+        assert_eq!(rest, "name = \"a\"\n[load]\nmass = \"1 kg\"\n");
+    }
+
+    #[test]
     fn single_values_are_set_wherever_they_stand() {
         let source = |text: &str| Source::new("x", text);
         let more = with_value(&source(TEXT), key::stack::COUNT, "4").expect("a count");

@@ -47,3 +47,28 @@ pub(super) fn role(question: &Value) -> Result<Value, Value> {
     let edited = text_edit::edited(&source, &[(key::drawing::LAYERS, Some(&value))]);
     Ok(json!({ "spec": edited.map_err(|faults| refused(&faults))? }))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_layer_changes_its_role_and_the_others_stay() {
+        let spec = "schema = 1\nname = \"x\"\n# mine\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\nport = [\"b\", \"c\"]\n";
+        let with = |layer: &str, role: &str| role_of(spec, layer, role);
+        for (layer, word, lists) in [
+            ("b", "ignore", r#"layers = { air = ["a"], port = ["c"], ignore = ["b"] }"#),
+            ("a", "port", r#"layers = { port = ["a", "b", "c"] }"#),
+            ("a \"new\" one", "seam", r#"layers = { air = ["a"], seam = ["a \"new\" one"], port = ["b", "c"] }"#),
+        ] {
+            let text = with(layer, word).expect(word);
+            assert!(text.contains(lists) && text.contains("# mine"), "{text}");
+        }
+        assert!(with("a", "glue").is_err());
+    }
+
+    fn role_of(spec: &str, layer: &str, role: &str) -> Result<String, Value> {
+        let answer = super::role(&json!({ "spec": spec, "layer": layer, "role": role }))?;
+        Ok(answer["spec"].as_str().unwrap_or_default().to_owned())
+    }
+}

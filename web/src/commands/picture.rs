@@ -7,7 +7,7 @@ use stargrip_cam::design::{CutEdge, PlacedPart, SheetLayout, roled_figures};
 use stargrip_cam::emit::chords;
 use stargrip_cam::geom::{Bounds, Path, Point};
 use stargrip_cam::pipeline::Forecast;
-use stargrip_cam::plan::Program;
+use stargrip_cam::sealed::Seam;
 use stargrip_cam::spec::{LayerRole, Spec};
 
 /// Largest distance between a curve and its picture, mm.
@@ -40,34 +40,40 @@ pub(super) fn sheets(forecast: &Forecast) -> Value {
     forecast.design.sheets.iter().map(sheet).collect()
 }
 
-/// A piece on a sheet that is `top` mm high: cut, air, ports, and each seam with its order in its program, its length and its time.
+/// A piece on a sheet that is `top` mm high: cut, air, ports and seams.
 fn piece(forecast: &Forecast, placed: &PlacedPart, top: f64) -> Value {
     let part = forecast.design.part(placed);
     let (shape, cut) = (part.shape(), part.cut(CutEdge::Part));
     let lay = |path: &Path| words(&placed.placement.path(path), top);
-    let name = placed.name();
-    let seam = |(order, seam): (usize, &stargrip_cam::shape::Seam)| {
-        let line = placed.placement.path(&seam.center_line);
-        let report = forecast.programs.iter().flat_map(|program: &Program| &program.seams);
-        let report = report.into_iter().find(|own| own.name.piece == name && own.name.seam == seam.name);
-        json!({
-            "name": seam.name, "order": order, "path": words(&line, top),
-            "start": line.start().map(|point| seen(point, top)),
-            "middle": line.point_at(0.5 * line.length()).map(|point| seen(point, top)),
-            "length_mm": seam.center_line.length(), "time_s": report.map(|own| own.time),
-        })
-    };
-    let holes =
-        cut.holes.iter().map(|hole| json!([seen(placed.placement.point(hole.center), top), hole.diameter]));
+    let place = |point: Point| seen(placed.placement.point(point), top);
+    let holes = cut.holes.iter().map(|hole| json!([place(hole.center), hole.diameter]));
+    let seams = (1..).zip(&shape.seams).map(|(order, own)| seam(forecast, placed, own, order, top));
     json!({
-        "name": name.to_string(),
-        "middle": seen(placed.placement.point(part.middle()), top),
+        "name": placed.name().to_string(),
+        "middle": place(part.middle()),
         "cut": std::iter::once(cut.outside).chain(cut.inside).map(lay).collect::<String>(),
         "air": part.tube().iter().map(lay).collect::<String>(),
         "band_mm": shape.band,
-        "seams": (1..).zip(&shape.seams).map(seam).collect::<Vec<_>>(),
-        "ports": shape.ports.iter().map(|port| seen(placed.placement.point(port.at), top)).collect::<Vec<_>>(),
+        "seams": seams.collect::<Vec<_>>(),
+        "ports": shape.ports.iter().map(|port| place(port.at)).collect::<Vec<_>>(),
         "holes": holes.collect::<Vec<_>>(),
+    })
+}
+
+/// A seam of a piece, the `order`-th that is sealed, with its length and its time (null if no program seals it).
+fn seam(forecast: &Forecast, placed: &PlacedPart, seam: &Seam, order: usize, top: f64) -> Value {
+    let line = placed.placement.path(&seam.center_line);
+    let piece = placed.name();
+    let mut reports = forecast.programs.iter().flat_map(|program| &program.seams);
+    let report = reports.find(|report| report.name.piece == piece && report.name.seam == seam.name);
+    json!({
+        "name": seam.name,
+        "order": order,
+        "path": words(&line, top),
+        "start": line.start().map(|point| seen(point, top)),
+        "middle": line.point_at(0.5 * line.length()).map(|point| seen(point, top)),
+        "length_mm": line.length(),
+        "time_s": report.map(|report| report.time),
     })
 }
 

@@ -9,7 +9,9 @@ use crate::prediction::distinct;
 use crate::ranges::Interval;
 use crate::seal_load::{Bursting, burst_of_drawn, bursts_at};
 use design::{Refusal, RefusalCode};
+use geom::Point;
 use inflatable::shell::cases::{InflatedRegion, RegionSeam, SeamPull, Value, Wrinkles};
+use sealed::{SealedShape, Seam};
 use serde::Serialize;
 use spec::key;
 use spec::units::{Length, LineForce, Most, Pressure};
@@ -66,7 +68,7 @@ pub struct DrawnEvidence {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct SeamPrediction {
-    /// Which: outline, hole 1, island 1, weld 1.
+    /// Its name, as on drawings and in programs.
     pub seam: String,
     /// The largest pull.
     pub pull_N_per_mm: MeshedPlace,
@@ -149,8 +151,14 @@ impl ChamberPrediction {
     }
 
     /// Adds the shell's values.
-    pub(super) fn fill(&mut self, found: &InflatedRegion, pressure: Pressure, peel: Option<LineForce>) {
-        let seams = seams(found);
+    pub(super) fn fill(
+        &mut self,
+        found: &InflatedRegion,
+        shape: &SealedShape,
+        pressure: Pressure,
+        peel: Option<LineForce>,
+    ) {
+        let seams = seams(found, shape);
         let largest = seams.iter().map(|seam| seam.pull_N_per_mm).max_by(|a, b| a.value.total_cmp(&b.value));
         let is_averaged = found.wrinkles == Wrinkles::Averaged;
         // Folds may pull harder than their mean.
@@ -309,19 +317,35 @@ impl DrawnPrediction {
     }
 }
 
-/// The seams in their order, each with its largest pull.
-fn seams(found: &InflatedRegion) -> Vec<SeamPrediction> {
-    let of_seam = |(seam, numbers): (RegionSeam, Vec<usize>)| {
-        let pulls: Vec<&SeamPull> = numbers.iter().map(|number| &found.seams[number - 1]).collect();
-        of_seam(seam, &pulls)
-    };
-    distinct(found.seams.iter().map(|pull| pull.seam)).into_iter().filter_map(of_seam).collect()
+/// The seams of `shape` that bound the region, in the order in which they are met, each with its largest pull.
+///
+/// The shell knows edges and welds of the region only. A pull belongs to the seam whose centre line is nearest to its place.
+fn seams(region: &InflatedRegion, shape: &SealedShape) -> Vec<SeamPrediction> {
+    let names = distinct(region.seams.iter().map(|pull| seam_name(pull, shape)));
+    let of_name = names.into_iter().filter_map(|(name, numbers)| {
+        let pulls: Vec<&SeamPull> = numbers.iter().map(|number| &region.seams[number - 1]).collect();
+        of_seam(name, &pulls)
+    });
+    of_name.collect()
 }
 
-fn of_seam(seam: RegionSeam, pulls: &[&SeamPull]) -> Option<SeamPrediction> {
+/// The name of the seam of `shape` whose centre line is nearest to a pull; "seam" for the only one.
+fn seam_name(pull: &SeamPull, shape: &SealedShape) -> String {
+    let [x, y] = pull.at.map(|length| Length::from_metres(length).0);
+    let distance = |seam: &Seam| {
+        let segments = seam.center_line.segments.iter();
+        segments.map(|segment| segment.distance(Point::new(x, y))).fold(f64::INFINITY, f64::min)
+    };
+    let nearest = shape.seams.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    nearest.map(|seam| seam.name.clone()).filter(|name| !name.is_empty()).unwrap_or_else(|| "seam".to_owned())
+}
+
+fn of_seam(seam: String, pulls: &[&SeamPull]) -> Option<SeamPrediction> {
     // Each edge of a weld's band bears the pull of its own side.
-    let share = if matches!(seam, RegionSeam::Weld(_)) { 0.5 } else { 1.0 };
-    let here = |pull: &SeamPull| at(pull.pull.scaled(share * 1e-3), pull.at);
+    let here = |pull: &SeamPull| {
+        let share = if matches!(pull.seam, RegionSeam::Weld(_)) { 0.5 } else { 1.0 };
+        at(pull.pull.scaled(share * 1e-3), pull.at)
+    };
     // Compared on the finest mesh, as in the shell.
     let largest = pulls.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]))?;
     let row = |pull: &&SeamPull| {
@@ -329,12 +353,7 @@ fn of_seam(seam: RegionSeam, pulls: &[&SeamPull]) -> Option<SeamPrediction> {
         [x, y, value, mesh_error]
     };
     Some(SeamPrediction {
-        seam: match seam {
-            RegionSeam::Outline => "outline".to_owned(),
-            RegionSeam::Hole(i) => format!("hole {}", i + 1),
-            RegionSeam::Island(i) => format!("island {}", i + 1),
-            RegionSeam::Weld(i) => format!("weld {}", i + 1),
-        },
+        seam,
         pull_N_per_mm: here(largest),
         along: pulls.iter().step_by(pulls.len().div_ceil(MOST_ROWS).max(1)).map(row).collect(),
     })
