@@ -77,6 +77,7 @@ function take(spec, options) {
     byId("anyway").checked = false;
     desk.take(spec, options);
     if (!byId("panel-start").hidden) beside("values");
+    window.scrollTo(0, 0);
 }
 
 /** Takes a shipped design { spec, drawing: { name, letters } }. */

@@ -92,8 +92,38 @@ impl Paper {
         overview.into_iter().chain(tiles.iter().map(|tile| grid.page(drawing, tile))).collect()
     }
 
-    /// The pages of `drawing` without a caption.
+    /// The pages of `drawing` without a caption: on paper that stands or lies, from the drawing's corner or from that of what is drawn, as it
+    /// takes the fewest pages. Of equals the first is taken.
     fn cut(self, drawing: &Drawing) -> TileGrid<'static> {
+        let whole = Bounds {
+            min: drawing.corner(),
+            max: drawing.corner() + Vec2::new(drawing.width, drawing.height),
+        };
+        let upright = self.grid(drawing, whole, false);
+        if upright.columns * upright.rows <= 1.0 {
+            return upright;
+        }
+        let part = extent(drawing);
+        let others = [
+            self.grid(drawing, whole, true),
+            self.grid(drawing, part, false),
+            self.grid(drawing, part, true),
+        ];
+        let pages = |grid: &TileGrid<'_>| {
+            if grid.columns * grid.rows > MOST_TILES { usize::MAX } else { grid.tiles(drawing).len() }
+        };
+        let (mut best, mut fewest) = (pages(&upright), upright);
+        for grid in others {
+            let count = pages(&grid);
+            if count < best {
+                (best, fewest) = (count, grid);
+            }
+        }
+        fewest
+    }
+
+    /// The division of the part `of` a drawing into pages; `lies` turns the paper.
+    fn grid(self, drawing: &Drawing, of: Bounds, lies: bool) -> TileGrid<'static> {
         let (width, height) = match self {
             Self::Large => {
                 let beside = 2.0 * (WHITE + MARKS);
@@ -102,6 +132,7 @@ impl Paper {
             Self::A4 => (210.0, 297.0),
             Self::Letter => (215.9, 279.4),
         };
+        let (width, height) = if lies { (height, width) } else { (width, height) };
         let beside = WHITE + MARKS;
         let corner = Point::new(beside, WHITE + FOOT);
         let window = Bounds { min: corner, max: Point::new(width - beside, height - beside) };
@@ -109,15 +140,28 @@ impl Paper {
         let count = |extent: f64, step: f64| ((extent - OVERLAP) / step - 1e-9).ceil().max(1.0);
         let (columns, rows) = match self {
             Self::Large => (1.0, 1.0),
-            _ => (count(drawing.width, steps.x), count(drawing.height, steps.y)),
+            _ => (count(of.width(), steps.x), count(of.height(), steps.y)),
         };
-        TileGrid { paper: self, width, height, window, steps, columns, rows, alone: false, caption: "" }
+        TileGrid {
+            paper: self,
+            corner: of.min,
+            width,
+            height,
+            window,
+            steps,
+            columns,
+            rows,
+            alone: false,
+            caption: "",
+        }
     }
 }
 
 /// The division of a drawing into pages.
 pub(super) struct TileGrid<'a> {
     paper: Paper,
+    /// Where the lowest tile at the left begins, in the drawing.
+    corner: Point,
     pub(super) width: f64,
     pub(super) height: f64,
     pub(super) window: Bounds,
@@ -148,7 +192,7 @@ impl TileGrid<'_> {
             let mut column = 0.0;
             while column < self.columns {
                 let shift = Vec2::new(column * self.steps.x, row * self.steps.y);
-                let min = drawing.corner() + shift;
+                let min = self.corner + shift;
                 let shown = Bounds { min, max: min + (self.window.max - self.window.min) };
                 let inner = |is: bool| if is { OVERLAP / 2.0 } else { 0.0 };
                 let low = Vec2::new(inner(column > 0.0), inner(row > 0.0));
@@ -247,6 +291,16 @@ pub(super) fn at(x: f64, y: f64) -> Point {
     Point::new(WHITE + x, WHITE + y)
 }
 
+/// Room around what is drawn, mm: a line on the edge of a page is not printed.
+const ROOM: f64 = 1.0;
+
+/// The box of what is drawn, labels left out, with some room around it.
+fn extent(drawing: &Drawing) -> Bounds {
+    let parts = drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label);
+    let shapes = parts.flat_map(|(_, shapes)| shapes);
+    shapes.map(Shape::bounds).fold(Bounds::EMPTY, Bounds::union).grown(ROOM)
+}
+
 /// Whether a line of the part crosses `cell`, or the part fills it. Every closed path except labels is an edge of it.
 fn holds(drawing: &Drawing, cell: &Bounds) -> bool {
     let frame = Path::rectangle(cell);
@@ -314,6 +368,23 @@ mod tests {
         let last = pages[1..].iter().rev().find(with_opening).expect("a page");
         assert!(opening(first).y < first.window.min.y && opening(last).y > last.window.max.y);
         assert_eq!(Paper::Large.pages(&ring(), "RING").len(), 1);
+    }
+
+    /// A strip that needs two pages on upright A4 needs one that lies, wherever it lies on its sheet.
+    #[test]
+    fn paper_is_turned_and_moved_where_that_saves_pages() {
+        let strip = |width: f64, x: f64, y: f64| {
+            let edge = Bounds { min: Point::new(x, y), max: Point::new(x + width, y + 100.0) };
+            let layers = vec![(Layer::CutOutside, vec![Shape::Figure(vec![Path::rectangle(&edge)])])];
+            Drawing { origin: Origin::LowerLeft, width: 700.0, height: 400.0, layers }
+        };
+        for (width, x, y, pages, is_turned) in
+            [(242.0, 15.0, 12.0, 1, true), (242.0, 333.0, 171.0, 1, true), (150.0, 100.0, 200.0, 1, false)]
+        {
+            let pages_of = Paper::A4.pages(&strip(width, x, y), "STRIP");
+            assert_eq!(pages_of.len(), pages, "{width} {x} {y}");
+            assert_eq!(pages_of[0].drawing.width > pages_of[0].drawing.height, is_turned, "{width} {x} {y}");
+        }
     }
 
     #[test]

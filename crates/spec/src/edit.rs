@@ -227,7 +227,8 @@ mod tests {
 
     #[test]
     fn a_section_goes_with_its_last_key() {
-        let text = "name = \"a\"\n[mask]\nkind = \"separator\"\n[load]\npressure = \"5 kPa\"\nmass = \"1 kg\"\n";
+        let text =
+            "name = \"a\"\n[mask]\nkind = \"separator\"\n[load]\npressure = \"5 kPa\"\nmass = \"1 kg\"\n";
         let keys = [(key::mask::KIND, None), (key::load::PRESSURE, None)];
         let rest = edited(&Source::new("x", text), &keys).expect("TOML");
         assert_eq!(rest, "name = \"a\"\n[load]\nmass = \"1 kg\"\n");

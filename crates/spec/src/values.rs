@@ -208,11 +208,26 @@ mod tests {
     fn a_drawing_has_its_own_keys_and_none_of_stars() {
         let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\n[load]\npressure = \"5 kPa\"\n";
         let all = drawing_settings(&Source::new("x", text));
-        let has = |section: &str, key: &str| all.iter().any(|one| (one.section.as_str(), one.key.as_str()) == (section, key));
-        for (section, key) in [("drawing", "file"), ("drawing", "layers"), ("load", "pressure"), ("seal", "band"), ("inlet", "tube_diameter")] {
+        let has = |section: &str, key: &str| {
+            all.iter().any(|one| (one.section.as_str(), one.key.as_str()) == (section, key))
+        };
+        for (section, key) in [
+            ("drawing", "file"),
+            ("drawing", "layers"),
+            ("load", "pressure"),
+            ("seal", "band"),
+            ("inlet", "tube_diameter"),
+        ] {
             assert!(has(section, key), "[{section}] {key}");
         }
-        for (section, key) in [("star", "tip_radius"), ("stack", "count"), ("frame", "posts"), ("mask", "border"), ("inlet", "tip"), ("machine", "program")] {
+        for (section, key) in [
+            ("star", "tip_radius"),
+            ("stack", "count"),
+            ("frame", "posts"),
+            ("mask", "border"),
+            ("inlet", "tip"),
+            ("machine", "program"),
+        ] {
             assert!(!has(section, key), "[{section}] {key}");
         }
     }

@@ -59,7 +59,11 @@ mod tests {
         for (layer, word, lists) in [
             ("b", "ignore", r#"layers = { air = ["a"], port = ["c"], ignore = ["b"] }"#),
             ("a", "port", r#"layers = { port = ["a", "b", "c"] }"#),
-            ("a \"new\" one", "seam", r#"layers = { air = ["a"], seam = ["a \"new\" one"], port = ["b", "c"] }"#),
+            (
+                "a \"new\" one",
+                "seam",
+                r#"layers = { air = ["a"], seam = ["a \"new\" one"], port = ["b", "c"] }"#,
+            ),
         ] {
             let text = with(layer, word).expect(word);
             assert!(text.contains(lists) && text.contains("# mine"), "{text}");
