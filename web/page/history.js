@@ -37,7 +37,7 @@ export class History {
 
     /** Adds `state`. Changes of one `kind` (not null) that follow each other are one step. Returns whether anything changed. */
     push(state, kind = null) {
-        if (isSame(state, this.state) && state.id === this.state.id) return false;
+        if (isSame(state, this.state)) return false;
         const isLast = !this.canRedo;
         if (isLast && kind !== null && kind === this.#kind) this.#states[this.#index] = state;
         else {

@@ -79,6 +79,7 @@ export class Stage {
         byId("picture").setAttribute("aria-labelledby", `view-${view}`);
         byId("report-box").hidden = isPicture;
         byId("sheets").hidden = view !== "sheet" || this.#sheets.length < 2;
+        document.body.classList.toggle("reading", view === "report");
         closeRoles();
         if (!isPicture) return;
         const hover = (line, text) => this.#canvas.hover(line, text), sheet = this.#sheets[byId("sheets").value || 0];
