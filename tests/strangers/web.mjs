@@ -228,7 +228,7 @@ async function hostile(page, what) {
     await noted(page, "Stopped by an error");
     must((await page.inputValue("#spec")).endsWith("# more\n"), `${what}: the text is lost with the instance`);
     await page.fill("#spec", shipped);
-        await ready(page);
+    await ready(page);
 }
 
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json" };

@@ -89,10 +89,12 @@ export class Program {
         return worker;
     }
 
-    #replace() {
+    /** Ends the worker; the spare one takes its place, or a new one if what broke it may have broken that, too. */
+    #replace(isBroken = false) {
         this.#running = null;
         this.#worker.terminate();
-        this.#worker = this.#spare;
+        if (isBroken) this.#spare.terminate();
+        this.#worker = isBroken ? this.#made() : this.#spare;
         this.#spare = this.#made();
     }
 
@@ -114,7 +116,7 @@ export class Program {
             this.#running = null;
             running.resolve(answer);
         } else {
-            this.#replace();
+            this.#replace(true);
             running.reject(new Error(broken));
         }
         this.#next();
