@@ -138,7 +138,7 @@ export class Desk {
 
     /** The address no longer names a link: the spec is another one. */
     #leaveLink() {
-        if (this.#link === null) return;
+        if (this.#link === null && !location.hash.startsWith("#spec=")) return;
         this.#link = null;
         window.history.replaceState(null, "", location.href.split("#")[0]);
     }
