@@ -23,6 +23,7 @@ pub use label::DrawnLabels;
 
 use crate::drawn::clearance::Clearance;
 use crate::drawn::inner::within_air;
+use crate::drawn::layer_name::layer_names;
 use crate::drawn::proposal::LeftOut;
 use crate::placement::{SheetLayout, footprint, place};
 use crate::star_seam::MOUTH_OVERRUN;
@@ -229,7 +230,7 @@ pub struct RoledFigure {
     pub id: String,
     /// Its names, innermost first.
     pub layers: Vec<String>,
-    /// The name that decides its role; without a role the outermost one below the file's own.
+    /// The name that decides its role; without a role the one that a proposal takes.
     pub layer: String,
     /// Its role; `None` if the spec gives it none.
     pub role: Option<LayerRole>,
@@ -241,18 +242,22 @@ pub struct RoledFigure {
 pub fn roled_figures(spec: &Spec) -> Vec<RoledFigure> {
     let Some(drawing) = &spec.drawing else { return Vec::new() };
     let Ok(artwork) = read(spec, drawing) else { return Vec::new() };
-    let roled = |element: &artwork::Element| {
-        let layers: Vec<String> =
-            element.layers.iter().filter(|name| !artwork.root.contains(name)).cloned().collect();
-        let decides = |name: &&String| drawing.layers.iter().any(|(known, _)| known == *name);
-        let layer = element.layers.iter().find(decides).or(layers.last()).cloned().unwrap_or_default();
+    let names = layer_names(&artwork, drawing.is_dxf());
+    let figures = artwork.elements.iter().zip(names).map(|(element, name)| {
+        let entry = drawing.entry(element.names());
         let path = match &element.figure {
             Figure::Path(path) => path.clone(),
-            Figure::Point(point) => Path::through(&[*point, *point]),
+            Figure::Point(point) => Path::through(&[*point; 2]),
         };
-        RoledFigure { id: element.id.clone(), layers, layer, role: drawing.role(&element.layers), path }
-    };
-    artwork.elements.iter().map(roled).collect()
+        RoledFigure {
+            id: element.id.clone(),
+            layers: element.names().filter(|name| artwork.root.iter().all(|root| root != name)).map(str::to_owned).collect(),
+            layer: entry.map_or(name, |(layer, _)| layer.as_str()).to_owned(),
+            role: entry.map(|(_, role)| *role),
+            path,
+        }
+    });
+    figures.collect()
 }
 
 /// The figures of a drawing without its points.
