@@ -230,7 +230,7 @@ mod tests {
         let text =
             "name = \"a\"\n[mask]\nkind = \"separator\"\n[load]\npressure = \"5 kPa\"\nmass = \"1 kg\"\n";
         let keys = [(key::mask::KIND, None), (key::load::PRESSURE, None)];
-        let rest = edited(&Source::new("x", text), &keys).expect("TOML");
+        let rest = super::edited(&Source::new("x", text), &keys).expect("TOML");
         assert_eq!(rest, "name = \"a\"\n[load]\nmass = \"1 kg\"\n");
     }
 
