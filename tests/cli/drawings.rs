@@ -250,7 +250,13 @@ fn lost_text_is_ignored_by_its_layer_or_its_name() {
     let said = stderr(&run(dir, &["check", "a.toml"]));
     let name = said.split_once("name \"").and_then(|(_, rest)| rest.split('"').next()).expect("a name");
     assert!(said.contains("lost-geometry") && name.starts_with("text at line 1, column "), "{said}");
-    assert_eq!(said.matches("Text is not read").count(), 1, "{said}");
+    assert_eq!(said.matches("is not read, and its layer has no curves").count(), 1, "{said}");
+    // On a layer of edges it is left out.
+    let beside = NOTCH.replacen("</g>", &text.replacen("</svg>", "</g>", 1), 1);
+    fs::write(dir.join("d.svg"), beside).expect("written");
+    let output = run(dir, &["check", "a.toml"]);
+    assert!(output.status.success() && stdout(&output).contains("Text is not read"), "{}", stderr(&output));
+    fs::write(dir.join("d.svg"), NOTCH.replacen("</svg>", text, 1)).expect("written");
     fs::write(dir.join("a.toml"), spec(&format!("ignore = [\"{name}\"]\n"))).expect("written");
     assert!(!stderr(&run(dir, &["check", "a.toml"])).contains("lost-geometry"));
     let grouped =

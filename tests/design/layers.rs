@@ -236,6 +236,9 @@ fn proposals_can_be_sealed() {
         &roles("a.dxf", &one_layer(&own, "")),
         &[("cut-outside", LayerRole::Air), ("registration", LayerRole::Ignore), ("cut-hole", LayerRole::Air)],
     );
+    // White is a background only where there is anything else.
+    let white = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9in\" height=\"9in\" viewBox=\"0 0 9 9\"><path fill=\"#fff\" d=\"M1 1h6v6z\"/></svg>";
+    same(&roles("a.svg", white), &[("fill #ffffff", LayerRole::Air)]);
     // The centre of a hole is no port, and a point on the edge is one.
     let holes =
         layer(CLOSED_EDGE, "outer") + "0|CIRCLE|8|inner|10|60|20|50|40|5|0|POINT|8|centres|10|60|20|50|";

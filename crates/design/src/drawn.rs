@@ -28,7 +28,7 @@ use crate::drawn::proposal::LeftOut;
 use crate::placement::{SheetLayout, footprint, place};
 use crate::star_seam::MOUTH_OVERRUN;
 use crate::{Circle, PlacedPart, Refusal, RefusalCode, Refusals, Warning};
-use artwork::{Drawing, Figure, Format, Options, Unit};
+use artwork::{Drawing, Fault, Figure, Format, Options, Place, Unit};
 use geom::{Bounds, Path};
 use sealed::{Rules, SealedShape, Sealing, ShapeCode, Sketch, sealed_shape};
 use spec::units::Readable;
@@ -195,7 +195,13 @@ pub fn propose_layers(name: &str, bytes: &[u8], unit: Option<Unit>) -> Result<La
     let read = read.map_err(|faults| faults.iter().map(faults::unreadable).collect::<Refusals>())?;
     let is_dxf = Format::of_name(name) == Some(Format::Dxf);
     if read.elements.is_empty() && !read.faults.is_empty() {
-        return Err(read.faults.iter().take(LISTED_FAULTS).map(faults::unreadable).collect());
+        let unit = read.assumed.map(|assumed| Fault {
+            place: Place::default(),
+            text: assumed.reason,
+            remedy: "Give the unit.".to_owned(),
+        });
+        let faults = unit.iter().chain(read.faults.iter().take(LISTED_FAULTS));
+        return Err(faults.map(faults::unreadable).collect());
     }
     if read.elements.is_empty() {
         return Err(nothing_drawn(&read, is_dxf).into());

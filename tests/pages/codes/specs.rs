@@ -277,7 +277,7 @@ const DRAWINGS: &[(&str, &str, &str)] = &[
         "lost-geometry",
         "air = [\"a\"]\nport = [\"p\"]",
         "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/>\
-        <text id=\"t\" x=\"9\" y=\"9\">air</text></g><g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>",
+        <image id=\"t\" x=\"9\" y=\"9\" href=\"a.png\"/></g><g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>",
     ),
 ];
 

@@ -14,6 +14,9 @@ use crate::affine::Affine;
 use crate::collector::{Collector, Stop};
 use crate::{Place, Weight};
 
+/// The text of the note on texts.
+const TEXT: &str = "Text is not read. Convert it to paths to have its outlines.";
+
 /// The state that an element inherits.
 #[derive(Clone)]
 struct Context<'a> {
@@ -148,7 +151,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             _ if shapes::TAGS.contains(&tag) => self.shape(node, context),
             _ => {
                 let text = match tag {
-                    "text" => "Text is not read. Convert it to paths to have its outlines.".to_owned(),
+                    "text" => TEXT.to_owned(),
                     "image" => "Pictures are not read. Trace it to have outlines.".to_owned(),
                     "script" => "Scripts are not run.".to_owned(),
                     "animate" | "set" | "animateTransform" | "animateMotion" => {
@@ -164,7 +167,11 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
                     place.at = Some(context.map.after(&own).point(Point::new(x, y)))
                         .filter(|at| (at.x + at.y).is_finite());
                 }
-                self.out.note(Weight::Lost, place, text);
+                if tag == "text" {
+                    self.out.note_alike(Weight::Annotation, place, TEXT);
+                } else {
+                    self.out.note(Weight::Lost, place, text);
+                }
                 Ok(())
             }
         }

@@ -157,7 +157,8 @@ fn lost_geometry_is_noted_with_its_layers() {
         let notes = drawing.notes.iter().filter(|note: &&Note| note.weight == weight);
         notes.map(|note| note.place.element.as_deref().unwrap_or_default()).collect()
     };
-    assert_eq!(found(Weight::Lost), ["t", "i", "s", "u", "v", "f"]);
+    assert_eq!(found(Weight::Annotation), ["t"]);
+    assert_eq!(found(Weight::Lost), ["i", "s", "u", "v", "f"]);
     assert_eq!(found(Weight::Information), ["r", "z", "y"]);
     assert_eq!(found(Weight::Hidden), ["h"]);
     assert_eq!(found(Weight::Changed), ["r", "m"]);

@@ -116,7 +116,9 @@ fn suited(
     let is_point = |number: &usize| matches!(figure(number), Figure::Point(_));
     match named {
         Some(role) => (role, format!("by its name; {figures}")),
-        None if layer.name == "fill #ffffff" => (LayerRole::Ignore, format!("a white background; {figures}")),
+        None if layer.name == "fill #ffffff" && !is_alone => {
+            (LayerRole::Ignore, format!("a white background; {figures}"))
+        }
         None if layer.elements.iter().all(|number| edges.is_port(*number, figure(number))) => {
             (LayerRole::Port, format!("points or short lines across an edge; {figures}"))
         }

@@ -152,7 +152,7 @@ fn lacks_curves<'n>(
 
 /// A text or a hatch on a layer that should have curves and has none.
 fn annotation(place: &Place) -> Refusal {
-    let found = format!("{place}: texts, dimensions and hatches are not read, and its layer has no curves");
+    let found = format!("{place}: a text, dimension or hatch is not read, and its layer has no curves");
     lost_at(place, found, &format!("convert it to curves, or {}", to_ignore(place)))
 }
 
