@@ -114,8 +114,8 @@ impl NewGripper {
     pub fn in_words(&self) -> String {
         let verdict = self.forecast.verdict();
         let mut lines: Vec<String> = verdict.iter().map(Verdict::line).collect();
-        let more = |verdict: &Verdict| verdict.one_star().into_iter().chain(verdict.assumed_in_words());
-        let reasons = verdict.iter().flat_map(|verdict| verdict.reasons.iter().cloned().chain(more(verdict)));
+        let reasons =
+            verdict.iter().flat_map(|verdict| verdict.reasons.iter().cloned().chain(verdict.remarks()));
         lines.extend(reasons.map(|reason| format!("  {reason}")));
         lines.extend(self.star_in_words());
         let days = sealing_time(&self.forecast) / DAY;

@@ -38,8 +38,7 @@ pub fn in_words(forecast: &Forecast) -> String {
     });
     let why =
         if verdict.reasons.is_empty() { String::new() } else { format!(": {}", verdict.reasons.join("; ")) };
-    let more = verdict.one_star().into_iter().chain(verdict.assumed_in_words());
-    let more: String = more.flat_map(|text| ["; ".to_owned(), text]).collect();
+    let more: String = verdict.remarks().into_iter().flat_map(|text| ["; ".to_owned(), text]).collect();
     format!("{}{object}{pressure}{payload}{more}{why}", verdict.line())
 }
 

@@ -81,13 +81,13 @@ fn of_star(spec: &Spec, index: usize, part: &StarDesign) -> String {
     format!(
         "star {index}: arms {:.2} mm long\n  \
          realised radius: tips {:.2} mm (cusp {:.2} mm), corners {:.2} mm (cusp {:.2} mm)\n  \
-         clear radius at the flap {:.2} mm, fabric {:.0} cm2 in both sheets{}\n",
+         clear hole {:.2} mm across, fabric {:.0} cm2 in both sheets{}\n",
         part.star.l,
         tip.radius,
         tip.cusp,
         corner.radius,
         corner.cusp,
-        part.clear_radius(),
+        2.0 * part.clear_radius(),
         part.fabric() / 100.0,
         FlatPiece::Star(part).mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g")),
     )
@@ -115,11 +115,11 @@ fn materials(spec: &Spec, design: &StarAssembly) -> String {
     let (frame, stack) = (&design.frame, &design.stack);
     let _ = writeln!(
         out,
-        "frame: {} posts of {:.2} mm, diameter {} mm, on a circle of radius {:.2} mm",
+        "frame: {} posts of {:.2} mm, diameter {} mm, on a circle {:.2} mm across",
         frame.posts.len(),
         frame.post_length,
         Readable(frame.post_diameter),
-        frame.radius - frame.post_diameter,
+        2.0 * (frame.radius - frame.post_diameter),
     );
     for placed in &design.stars {
         // The plates below and above it.
@@ -140,9 +140,9 @@ fn materials(spec: &Spec, design: &StarAssembly) -> String {
         let heights = plate.numbers.iter().map(|number| format!("{:.2}", stack.plates[number - 1]));
         let _ = writeln!(
             out,
-            "  plate {}: opening {:.2} mm in radius, {:.0} cm2, middle at a height of {} mm",
+            "  plate {}: opening {:.2} mm across, {:.0} cm2, middle at a height of {} mm",
             list(plate.numbers.iter().map(ToString::to_string).collect()),
-            plate.opening,
+            2.0 * plate.opening,
             frame.area(plate) / 100.0,
             list(heights.collect()),
         );

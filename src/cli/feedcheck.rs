@@ -59,7 +59,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let seconds = plan::CHECK_LENGTH / spec.seal.speed.0;
     let remedy = match spec.machine.feed_floor {
         FeedFloor::Chop => "correct `chop_feed` and `acceleration` in the profile's [motion]",
-        FeedFloor::Refuse => "use `feed_floor = \"chop\"`",
+        FeedFloor::Refuse if plan::Chop::new(spec, machine).is_some() => {
+            "use `feed_floor = \"chop\"` in [machine]"
+        }
+        FeedFloor::Refuse => {
+            "name your controller with `profile` in [machine] (`stargrip-cam machines` lists them), and use `feed_floor = \"chop\"`"
+        }
     };
     let length = plan::CHECK_LENGTH;
     let ways = if machine.controller.arcs {

@@ -11,14 +11,14 @@ use forecast::verdict::{Holds, Verdict, refusals, verdict};
 impl Forecast {
     /// The verdict on the object; `None` without an object in the spec.
     pub fn verdict(&self) -> Option<Verdict> {
-        verdict(&self.spec, &self.prediction.as_ref()?.stars)
+        verdict(&self.spec, self.prediction.as_ref()?)
     }
 
     /// The reasons why the gripper is unfit, star by star; empty if it is fit, if it has no requirement, or if the result is uncertain.
     pub fn unfit(&self) -> Refusals {
-        let stars = self.prediction.as_ref().map_or(&[][..], |prediction| &prediction.stars);
+        let of_stars = self.prediction.as_ref().map(|prediction| refusals(&self.spec, prediction));
         let drawn = self.drawn.as_ref().and_then(|drawn| drawn.prediction.bursts());
-        refusals(&self.spec, stars).into_iter().chain(drawn).collect()
+        of_stars.into_iter().flatten().chain(drawn).collect()
     }
 
     /// A warning that it may not hold the object, with the reasons; `None` if the result is certain.

@@ -71,7 +71,7 @@ function showChambers() {
     meshedAt(one.height_mm, "mm"),
     meshed(one.volume_mm3, "cm³", 0.001),
     one.seams ? places(one.seams) : UNKNOWN,
-    one.leaves_plane === null ? UNKNOWN : one.leaves_plane ? "may leave it" : "stays in it",
+    { stays: "stays in it", leaves: "leaves it", unsure: "not sure" }[one.plane] || UNKNOWN,
   ]);
   at("chambers-lead").textContent = drawn.model === "none" ? "Flat sizes only: the inflated shape is not computed." : "Each number with its mesh error; places in the frame of the drawing, mm.";
   table("chambers", ["Chamber", "Flat", "Inflated", "Height", "Volume", "Largest pull on its seams", "Plane"], rows);

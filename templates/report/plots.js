@@ -133,20 +133,22 @@ function showPlots() {
   const percent = (range) => (range ? range.map((end) => 100 * end) : null);
   const banded = (rows, x, range) => rows.filter((row) => row[range]).map((row) => [row[x], ...row[range]]);
   const rangeF = rangeOf(own, "object_force_N");
-  const rangeR = rangeOf(own, "final_radius_mm");
+  const across = (ends) => ends.map((end) => 2 * end);
+  const closed = rangeOf(own, "final_radius_mm");
+  const rangeR = closed ? across(closed) : null;
   const rangeC = percent(rangeOf(own, "contraction"));
   const known = own.final_radius_mm !== null;
   const plots = [
     chart.by_radius.length > 1 && plot({
-      title: "Force by the object's radius", x: { label: "radius of the object, mm" }, y: { label: "radial force, N" },
-      line: runsOf(chart.by_radius.map((row) => [row.radius_mm, row.force_N])), band: runsOf(banded(chart.by_radius, "radius_mm", "force_range_N")),
-      own: held ? { x: object, y: force, range: rangeF, says: figure(force, "N") } : null,
+      title: "Force by the object's width", x: { label: "object, mm across" }, y: { label: "radial force, N" },
+      line: runsOf(chart.by_radius.map((row) => [2 * row.radius_mm, row.force_N])), band: runsOf(banded(chart.by_radius, "radius_mm", "force_range_N").map(([x, ...ends]) => [2 * x, ...ends])),
+      own: held ? { x: 2 * object, y: force, range: rangeF, says: figure(force, "N") } : null,
       note: held ? says(rangeF, "N") : "This design's object is not on the curve.",
     }),
     chart.by_pressure.length > 1 && plot({
-      title: "Closed radius by pressure", x: { label: "pressure, kPa", from: 0 }, y: { label: "inner radius, mm" },
-      line: runsOf(chart.by_pressure.map((row) => [row.pressure_kPa, row.final_radius_mm]), 1.5 * stepOf()), band: runsOf(banded(chart.by_pressure, "pressure_kPa", "radius_range_mm"), 1.5 * stepOf()),
-      own: known ? { x: load.pressure_kPa, y: own.final_radius_mm, range: rangeR, says: figure(own.final_radius_mm, "mm") } : null,
+      title: "Closed width by pressure", x: { label: "pressure, kPa", from: 0 }, y: { label: "closes to, mm across" },
+      line: runsOf(chart.by_pressure.map((row) => [row.pressure_kPa, 2 * row.final_radius_mm]), 1.5 * stepOf()), band: runsOf(banded(chart.by_pressure, "pressure_kPa", "radius_range_mm").map(([x, ...ends]) => [x, ...across(ends)]), 1.5 * stepOf()),
+      own: known ? { x: load.pressure_kPa, y: 2 * own.final_radius_mm, range: rangeR, says: figure(2 * own.final_radius_mm, "mm") } : null,
       note: says(rangeR, "mm"),
     }),
     chart.by_points.length > 1 && plot({

@@ -41,9 +41,9 @@ function drawStar(svg, pose, full, says, extent) {
   shapes.push(draw("path", { class: "rim", d: tubeOf(pose, points, [0, 1]), "fill-rule": "evenodd" }));
   const radius = pose.inner_radius_mm;
   shapes.push(
-    draw("path", { class: "measure", d: `M0 0H${radius.toFixed(2)}` }),
+    draw("path", { class: "measure", d: `M${(-radius).toFixed(2)} 0H${radius.toFixed(2)}` }),
     draw("circle", { class: "axis", r: extent / 90 }),
-    draw("text", { class: "size", x: radius / 2, y: -extent / 45, "font-size": Math.min(extent / 12, Math.max(radius / 3.9, extent / 26)) }, figure(radius, "mm")),
+    draw("text", { class: "size", x: 0, y: -extent / 45, "font-size": Math.min(extent / 12, Math.max(radius / 2, extent / 26)) }, figure(2 * radius, "mm")),
   );
   svg.setAttribute("viewBox", [-extent, -extent, 2 * extent, 2 * extent].map((x) => x.toFixed(1)).join(" "));
   svg.replaceChildren(...shapes);
@@ -73,7 +73,7 @@ function showStar(which) {
   star.which = which;
   const flat = data.flat[which];
   const extent = reachOf(flat) * 1.04;
-  drawStar(at("star-flat"), flat, 0, `Flat star with an inner radius of ${figure(flat.inner_radius_mm, "mm")}`, extent);
+  drawStar(at("star-flat"), flat, 0, `Flat star, ${figure(2 * flat.inner_radius_mm, "mm")} across inside`, extent);
   at("star-flat-says").textContent = `flat: tube ${figure(flat.width_mm, "mm")} wide, arms ${figure(data.parts[which].arm_length_mm, "mm")} long, tips of ${number(flat.tip_angle_deg)}°`;
   const chart = chartOf(which);
   at("star-controls").hidden = !chart;

@@ -14,10 +14,10 @@ function showBill() {
     }
     const own = bill.stars.find((other) => other.index === alike[0]);
     const mass = own.mass_g === undefined ? "" : `${figure(own.mass_g, "g")} each, `;
-    row(`Fabric of ${stars(alike)}`, alike.length, `${figure(own.fabric_mm2 / 100, "cm²")} each`, `${mass}two sheets, hole ${figure(own.clear_radius_mm, "mm")} in radius stays free`);
+    row(`Fabric of ${stars(alike)}`, alike.length, `${figure(own.fabric_mm2 / 100, "cm²")} each`, `${mass}two sheets, hole ${figure(2 * own.clear_radius_mm, "mm")} across stays free`);
   });
   for (const sheet of data.sheets) row(`Sheet ${sheet.sheet}`, 2, `${figure(sheet.width_mm, "mm", 4)} × ${figure(sheet.height_mm, "mm", 4)}`, "coated sides face each other");
-  for (const plates of bill.plates) row(`Plates ${listed(plates.plates.map(String))}`, plates.plates.length, `radius ${figure(plates.radius_mm, "mm", 4)}, ${figure(plates.thickness_mm, "mm")} thick`, `opening ${figure(plates.opening_mm, "mm")} in radius; middle ${listed(plates.heights_mm.map((height) => number(height, 4)))} mm high`);
+  for (const plates of bill.plates) row(`Plates ${listed(plates.plates.map(String))}`, plates.plates.length, `${figure(2 * plates.radius_mm, "mm", 4)} across, ${figure(plates.thickness_mm, "mm")} thick`, `opening ${figure(2 * plates.opening_mm, "mm")} across; middle ${listed(plates.heights_mm.map((height) => number(height, 4)))} mm high`);
   for (const posts of bill.posts) row("Posts", posts.count, `${figure(posts.length_mm, "mm", 4)} long`, `diameter ${figure(data.post_diameter_mm, "mm")}`);
   if (hose && KIND === "star") row("Hose", bill.stars.length, `outer diameter ${figure(hose.diameter_mm, "mm")}`, `one for each inlet, which is ${figure(hose.length_mm, "mm")} long`);
   for (const mask of bill.masks) {
@@ -67,11 +67,11 @@ function showEvidence() {
       return range ? `${span(range.map((end) => scale * end), unit)} in 95 of 100 simulated grippers` : other;
     };
     rows.push(
-      ["Closed radius", model, sure("final_radius_mm", "mm", prediction.final_radius_mm === null ? evidence.choice : "range unknown")],
-      ["Contraction", "closed radius over that of the flat star", sure("contraction", "%", "range unknown", 100)],
+      ["Closes to, across", model, sure("final_radius_mm", "mm", prediction.final_radius_mm === null ? evidence.choice : "range unknown", 2)],
+      ["Contraction", "closed width over that of the flat star", sure("contraction", "%", "range unknown", 100)],
       ["Force on the object", model, sure("object_force_N", "N", "range unknown")],
       ["Radial stiffness", model, sure("radial_stiffness_N_per_m", "N/m", "range unknown")],
-      ["Payload", "friction times force, all stars", sure("payload_kg", "kg", "as accurate as the force and the given friction")],
+      ["Payload", "friction times force of all stars on the object's slopes, until arms fold", payloadRange(prediction, load)],
       ["Bursting", "membrane ring at the realised radius", prediction.burst_pressure_kPa === null ? "unknown: peel coupons (`stargrip-cam coupon`) and set seal_strength" : sure("burst_pressure_kPa", "kPa", "conservative: a sharp corner yields before it peels")],
       ["Mass", "areal_density times fabric", prediction.mass_g === null ? "needs an areal_density" : "as accurate as the given areal density"],
     );
@@ -85,16 +85,28 @@ function showEvidence() {
   table("sources", ["Figure", "Comes from", "Accuracy"], rows.map((row) => row.map(prose)));
 }
 
+/** The range of the payload, and of what it is made: no simulated gripper varies friction. */
+function payloadRange(prediction, load) {
+  const range = rangeOf(prediction, "payload_kg");
+  if (!range) return "as accurate as the force and the given friction";
+  const [least, most] = [load.friction_least, load.friction_most].map((end) => (end === null || end === undefined ? load.friction : end));
+  const friction = least < most ? `friction from ${number(least)} to ${number(most)}` : `a friction of ${number(load.friction)}`;
+  return `${span(range, "kg")} from the force's range and ${friction}`;
+}
+
 /** The checklists' texts for this design. */
 function sayings() {
   const { bill, seal, hose, load, machine, prediction } = data;
   const speed = Number.parseFloat(seal.speed);
-  const plates = bill.plates.map((plate) => `${listed(plate.plates.map(String))} with the opening of ${figure(plate.opening_mm, "mm")} at ${listed(plate.heights_mm.map((height) => number(height, 4)))} mm`);
+  const plates = bill.plates.map((plate) => `${listed(plate.plates.map(String))} with the opening of ${figure(2 * plate.opening_mm, "mm")} across at ${listed(plate.heights_mm.map((height) => number(height, 4)))} mm`);
   const coating = bill.masks.map((mask) => span(mask.coating_um, "µm"));
   const angles = data.stack ? data.stack.turns_deg : [];
   const turns = angles.map((turn, i) => `${number(turn)}°${angles.length > 1 ? ` (star ${i + 1})` : ""}`);
   const same = new Set(angles).size === 1;
-  const closes = prediction ? span(rangeOf(prediction, "final_radius_mm"), "mm") || (prediction.final_radius_mm === null ? null : figure(prediction.final_radius_mm, "mm")) : null;
+  const across = (radius) => 2 * radius;
+  const range = rangeOf(prediction, "final_radius_mm");
+  const closed = prediction ? prediction.final_radius_mm : null;
+  const closes = range ? span(range.map(across), "mm") : closed === null ? null : figure(across(closed), "mm");
   const flap = data.settings.find((setting) => setting.section === "seal" && setting.key === "hole_allowance");
   return {
     "check-time": Number.isFinite(speed) && speed > 0 && seal.speed.includes("mm/s") ? `${number(10 / speed)} s` : "10 mm over the seal's speed",

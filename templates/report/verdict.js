@@ -44,7 +44,7 @@ function verdict() {
     const title = closed === null ? "No prediction at this pressure" : `Closes to ${figure(2 * closed, "mm")} across`;
     return [title, `At ${figure(pressure, "kPa")}. Set an \`object_diameter\` in [load] to see here whether it is held.`];
   }
-  const reasons = found.reasons.map((reason) => `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`).join(" ");
+  const reasons = [...found.reasons, ...data.remarks].map((reason) => `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`).join(" ");
   const friction = load.friction === null ? "" : `Computed with a friction of ${number(load.friction)}. `;
   if (bursts(1)) return ["The seal bursts at this pressure", `${friction}${reasons}`];
   if (found.holds === "no") return ["Does not hold the object", `${reasons} ${friction}`];

@@ -11,7 +11,7 @@ fn judged(change: impl Fn(&mut Spec)) -> Verdict {
     spec.fabric.seal_strength = Some(LineForce(60.0));
     change(&mut spec);
     let prediction = predict(&spec);
-    let found = verdict(&spec, &prediction.stars).expect("an object and a pressure");
+    let found = verdict(&spec, &prediction).expect("an object and a pressure");
     assert_eq!(prediction.verdict.as_ref(), Some(&found));
     found
 }
@@ -117,8 +117,8 @@ fn what_is_proposed_for_too_much_mass_holds() {
     let mut refused = |kilograms: f64, friction: f64| {
         let load = spec.load.as_mut().expect("given");
         (load.mass, load.friction) = (Some(Mass(kilograms)), Some(friction));
-        let stars = predict(&spec).stars;
-        (refusals(&spec, &stars), verdict(&spec, &stars).expect("an object").holds)
+        let prediction = predict(&spec);
+        (refusals(&spec, &prediction), verdict(&spec, &prediction).expect("an object").holds)
     };
     let number = |text: &str, after: &str| -> f64 {
         let rest = text.split_once(after).unwrap_or_else(|| panic!("{text}")).1;
@@ -147,18 +147,24 @@ fn a_star_that_breaks_its_object_is_refused_by_each_star_s_force() {
         let mut spec = gripper(5);
         spec.fabric.seal_strength = Some(LineForce(60.0));
         spec.load.as_mut().expect("given").largest_force = Some(Force(newtons));
-        let stars = predict(&spec).stars;
-        let verdict = verdict(&spec, &stars).expect("an object");
-        (refusals(&spec, &stars), verdict)
+        let prediction = predict(&spec);
+        let verdict = verdict(&spec, &prediction).expect("an object");
+        (refusals(&spec, &prediction), verdict)
     };
     let (_, free) = with(1e3);
     let [low, high] = free.star_force_range_N.expect("known");
     assert!(free.force_N > free.star_force_N && free.one_star().is_some_and(|text| text.contains("1000 N")));
     let (found, verdict) = with(0.9 * low);
     assert_eq!((found.len(), verdict.code, verdict.holds), (1, Some("too-hard"), Holds::No));
-    let (found, verdict) = with(0.5 * (low + high));
-    assert_eq!((found.len(), verdict.code, verdict.holds), (0, Some("may-not-hold"), Holds::Unknown));
-    assert_eq!(with(1.1 * high).1.holds, Holds::Yes);
+    // A flap that stays straight presses harder than the tube.
+    let straight = free.star_flap_force_N.expect("known");
+    assert!(straight > high, "{straight} {high}");
+    for (newtons, why) in [(0.5 * (low + high), "it may press with"), (0.5 * (high + straight), "flap")] {
+        let (found, verdict) = with(newtons);
+        assert_eq!((found.len(), verdict.code, verdict.holds), (0, Some("may-not-hold"), Holds::Unknown));
+        assert!(verdict.reasons[0].contains(why), "{verdict:?}");
+    }
+    assert_eq!(with(1.01 * straight).1.holds, Holds::Yes);
 }
 
 #[test]
@@ -167,9 +173,9 @@ fn a_pressure_outside_of_every_model_is_refused_with_those_inside() {
         let mut spec = gripper(5);
         spec.fabric.seal_strength = None;
         spec.load.as_mut().expect("given").pressure = Some(Pressure(kilopascals));
-        let stars = predict(&spec).stars;
+        let prediction = predict(&spec);
         // At its lowest pressures a star does not close so far.
-        let all = refusals(&spec, &stars).into_iter();
+        let all = refusals(&spec, &prediction).into_iter();
         all.filter(|one| one.code.as_str() != "object-too-thin").collect::<Vec<_>>()
     };
     assert!(with(37.0).is_empty());
@@ -199,13 +205,13 @@ fn stars_that_pass_above_and_below_the_object_do_not_hold_it() {
     spec.stars.truncate(2);
     let load = spec.load.as_mut().expect("given");
     (load.object_radius, load.object_height, load.object_shape) = (Some(Length(19.0)), None, None);
-    let stars = predict(&spec).stars;
-    let found = refusals(&spec, &stars);
+    let prediction = predict(&spec);
+    let found = refusals(&spec, &prediction);
     assert!(
         found.iter().all(|one| one.code.as_str() == "object-too-short") && !found.is_empty(),
         "{found:?}"
     );
-    let verdict = verdict(&spec, &stars).expect("an object");
+    let verdict = verdict(&spec, &prediction).expect("an object");
     assert_eq!((verdict.holds, verdict.code), (Holds::No, Some("object-too-short")));
     assert!(verdict.assumed.is_some_and(|text| text.contains("ball 38 mm tall")));
 }
@@ -268,9 +274,9 @@ fn alone(radius: f64, change: impl Fn(&mut Spec)) -> Spec {
 
 /// The sizes, mm across, that refusals and reasons about `spec` name as surely held; whether one says that there are none.
 fn remedies(spec: &Spec) -> (Verdict, Vec<f64>, bool) {
-    let stars = predict(spec).stars;
-    let found = verdict(spec, &stars).expect("an object");
-    let texts = refusals(spec, &stars).into_iter().map(|one| one.remedy).chain(found.reasons.clone());
+    let prediction = predict(spec);
+    let found = verdict(spec, &prediction).expect("an object");
+    let texts = refusals(spec, &prediction).into_iter().map(|one| one.remedy).chain(found.reasons.clone());
     let (mut sizes, mut none) = (Vec::new(), false);
     for text in texts {
         none |= text.contains("surely holds no object")
@@ -345,4 +351,53 @@ fn an_object_is_held_with_a_force_and_the_size_that_is_named_is_held() {
         }
         assert_eq!(named > 0, is_held, "{i}");
     }
+}
+
+/// A star alone whose corners are coated, on arms far from the plates: what it carries is limited by the arms.
+#[test]
+fn arms_that_fold_cap_the_payload_and_are_warned_of_from_wrinkling_on() {
+    let mut spec = alone(30.0, |spec| spec.load.as_mut().expect("given").friction = Some(8.0));
+    let first = predict(&spec).first;
+    let (wrinkling, folding) =
+        first.arm_wrinkling_kg.zip(first.arm_folding_kg).expect("a plate and an object");
+    assert!((folding / wrinkling - 2.0).abs() < 1e-12);
+    assert_eq!(first.ranges.payload_kg.map(|[_, high]| high), Some(folding), "{first:?}");
+    let mut with = |kilograms: f64| {
+        spec.load.as_mut().expect("given").mass = Some(Mass(kilograms));
+        let prediction = predict(&spec);
+        let warned = prediction.first.evidence.warnings.iter().any(|text| text.contains("the arms wrinkle"));
+        (warned, prediction.verdict.expect("an object"))
+    };
+    let ((light, held), (heavy, _), (_, folded)) =
+        (with(0.99 * wrinkling), with(1.01 * wrinkling), with(1.01 * folding));
+    assert!(!light && heavy && held.holds == Holds::Yes, "{held:?}");
+    assert_eq!((folded.holds, folded.code), (Holds::No, Some("too-heavy")));
+    assert!(folded.reasons[0].contains("arms fold"), "{folded:?}");
+}
+
+/// A ball in a stack whose stars press harder above its middle.
+#[test]
+fn a_ball_slides_out_of_stars_that_press_hardest_above_its_middle() {
+    let judge = |narrow: usize| {
+        let mut spec = gripper(5);
+        spec.fabric.seal_strength = Some(LineForce(60.0));
+        spec.stars.truncate(2);
+        // The narrower star presses harder.
+        spec.stars[narrow].inner_radius = Length(44.0);
+        let load = spec.load.as_mut().expect("given");
+        (load.object_radius, load.object_height, load.object_shape) =
+            (Some(Length(35.0)), Some(Length(100.0)), None);
+        load.friction = Some(0.3);
+        let prediction = predict(&spec);
+        let upright: f64 = prediction.stars.iter().filter_map(|star| star.payload_kg).sum();
+        let payload = prediction.payload().kg.expect("known");
+        let load = spec.load.as_mut().expect("given");
+        load.mass = Some(Mass(prediction.payload().range_kg.expect("known")[1] * 1.01));
+        (payload / upright, predict(&spec).verdict.expect("an object"))
+    };
+    let (below, _) = judge(0);
+    let (above, verdict) = judge(1);
+    assert!((below - 1.0).abs() < 1e-12 && above < 0.9, "{below} {above}");
+    assert_eq!(verdict.holds, Holds::No);
+    assert!(verdict.reasons.iter().any(|reason| reason.contains("slope")), "{verdict:?}");
 }

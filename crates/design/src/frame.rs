@@ -60,8 +60,7 @@ impl Frame {
         let mut plates: Vec<Plate> = Vec::new();
         for i in 0..=stars.len() {
             let beside = &stars[i.saturating_sub(1)..(i + 1).min(stars.len())];
-            let rho = beside.iter().map(|part| part.star.rho_0).fold(0.0, f64::max);
-            let opening = rho + clearance;
+            let opening = opening(beside.iter().map(|part| part.star.rho_0), clearance);
             let falling = beside.iter().find(|part| !part.star.lies_on(opening));
             if let (Some(part), true) = (falling, refusals.is_empty()) {
                 refusals.push(falls_through(i + 1, part.star.d_t, opening));
@@ -99,11 +98,22 @@ impl Frame {
         })
     }
 
+    /// Radius of the opening of the plate below star `index`, 1 = bottom.
+    pub fn opening_below(&self, index: usize) -> Option<f64> {
+        let plate = self.plates.iter().find(|plate| plate.numbers.contains(&index))?;
+        Some(plate.opening)
+    }
+
     /// Area of a plate without its opening and holes, as it is after cutting, mm^2.
     pub fn area(&self, plate: &Plate) -> f64 {
         let posts: f64 = self.posts.iter().map(|_| (self.post_diameter / 2.0).powi(2)).sum();
         PI * (self.radius.powi(2) - plate.opening.powi(2) - posts)
     }
+}
+
+/// Radius of the opening of a plate, mm, beside stars of these inner radii, with this `clearance`.
+pub fn opening(inner_radii: impl IntoIterator<Item = f64>, clearance: f64) -> f64 {
+    inner_radii.into_iter().fold(0.0, f64::max) + clearance
 }
 
 /// Radius of the tips when the star is closed as far as possible: arms inflated to 2 W / pi, side by side.

@@ -34,6 +34,15 @@ pub struct Meeting {
     pub radius: f64,
     /// Radius of the part that must pass the star's hole until the object is in its place.
     pub entering: f64,
+    /// Angle of the object's surface against the axis at the star's height, rad: above 0 where it leans inwards, above the widest part.
+    pub slope: f64,
+}
+
+impl Meeting {
+    /// Whether a star presses equally hard in both: all but the slope is equal.
+    pub fn is_like(&self, other: &Self) -> bool {
+        (self.radius, self.entering) == (other.radius, other.entering)
+    }
 }
 
 impl Object {
@@ -61,13 +70,31 @@ impl Object {
         Length(self.height)
     }
 
+    /// Its shape.
+    pub fn shape(&self) -> ObjectShape {
+        self.shape
+    }
+
     /// Its radius `z` above its middle; 0 above and below it.
-    fn radius_at(&self, z: f64) -> f64 {
+    pub fn radius_at(&self, z: f64) -> f64 {
         let part = 2.0 * z / self.height;
         match self.shape {
             _ if part.abs() > 1.0 => 0.0,
             ObjectShape::Cylinder => self.radius,
-            ObjectShape::Ball => self.radius * (1.0 - part * part).sqrt(),
+            ObjectShape::Ball => self.radius * (1.0 - part * part).max(0.0).sqrt(),
+        }
+    }
+
+    /// Angle of its surface against the axis `z` above its middle, rad; above 0 where it leans inwards.
+    fn slope_at(&self, z: f64) -> f64 {
+        let part = 2.0 * z / self.height;
+        match self.shape {
+            _ if part.abs() > 1.0 => 0.0,
+            ObjectShape::Cylinder => 0.0,
+            // -dr/dz = 2 R/h part / sqrt(1 - part^2)
+            ObjectShape::Ball => {
+                libm::atan2(2.0 * self.radius * part, self.height * (1.0 - part * part).sqrt())
+            }
         }
     }
 
@@ -83,7 +110,8 @@ impl Object {
                 let z = height - middle;
                 let radius = self.radius_at(z);
                 // A star that it has to go through with its widest part, or only with its end.
-                Meeting { radius, entering: if below * z <= 0.0 { self.radius } else { radius } }
+                let entering = if below * z <= 0.0 { self.radius } else { radius };
+                Meeting { radius, entering, slope: self.slope_at(z) }
             };
             heights.iter().map(meeting).collect()
         };
@@ -218,11 +246,23 @@ mod tests {
         );
     }
 
+    /// The slope is that of a fine chord, and opposite below the middle.
+    #[test]
+    fn a_ball_leans_as_its_profile_does() {
+        let ball = object(35.0, Some(120.0), None);
+        for z in [-50.0, -20.0, 0.0, 10.0, 40.0, 55.0] {
+            let chord = (ball.radius_at(z - 1e-5) - ball.radius_at(z + 1e-5)) / 2e-5;
+            assert!((libm::tan(ball.slope_at(z)) - chord).abs() < 1e-6 * (1.0 + chord.abs()), "{z}");
+            assert_eq!(ball.slope_at(z), -ball.slope_at(-z));
+        }
+        assert_eq!(object(35.0, Some(120.0), Some(ObjectShape::Cylinder)).slope_at(30.0), 0.0);
+    }
+
     #[test]
     fn one_star_alone_grips_the_middle_whatever_the_shape() {
         for shape in [None, Some(ObjectShape::Ball), Some(ObjectShape::Cylinder)] {
             let of = object(30.0, Some(1.0), shape).equal_meetings(1, 40.0, 50.0);
-            assert_eq!(of, [Meeting { radius: 30.0, entering: 30.0 }]);
+            assert_eq!(of, [Meeting { radius: 30.0, entering: 30.0, slope: 0.0 }]);
         }
     }
 

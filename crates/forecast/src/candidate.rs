@@ -3,10 +3,10 @@
 use crate::case::Case;
 use crate::model_selection::tabled;
 use crate::outcome::Outcome;
-use crate::prediction::distinct;
-use crate::ranges::{Interval, scaled, sum};
+use crate::payload::{Bearers, StackPayload, stack_payload};
+use crate::ranges::{Interval, scaled};
 use crate::seal_load::burst;
-use design::{Meeting, Object, Refusal, RefusalCode, SHEETS, Star, cut_area};
+use design::{Meeting, Object, Refusal, RefusalCode, SHEETS, Star, cut_area, opening};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::fit::Fit;
 use inflatable::mechanics::hinge::ring::RingTable;
@@ -35,6 +35,8 @@ pub struct Candidate {
     pub stars: u32,
     /// Thickness of the frame's plates, between which they lie.
     pub plate: Length,
+    /// Room between the flat star and the opening of a plate.
+    pub clearance: Length,
     /// The model: `ring` and `fit` as limits, for all others `section`.
     pub model: ModelChoice,
 }
@@ -119,6 +121,7 @@ impl Candidate {
             load: spec.load.clone().unwrap_or_default(),
             stars: u32::try_from(spec.stars.len()).unwrap_or(u32::MAX),
             plate: spec.frame.plate_thickness,
+            clearance: spec.frame.clearance,
             model: spec.accuracy.model,
         })
     }
@@ -147,22 +150,24 @@ impl Candidate {
         known: impl Fn(&mut Case) -> Result<Option<Outcome>, StarFault>,
     ) -> Result<Answer, RefusedDesign> {
         let star = Star::for_band(&self.star, self.seal.band)?;
-        let asked = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?;
+        let asked = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?
+            .above_plate(Some(opening([self.star.inner_radius.0], self.clearance.0)));
         let met = self.different_cases(&star, &asked)?;
         let mut case = met.first().map_or(asked, |(case, _)| *case);
         let outcome = known(&mut case)?;
         let mut grip = outcome;
-        let mut held = held(outcome.as_ref(), self.stars);
+        let mut payload = payload_of_equal(outcome.as_ref(), self.stars);
         if !met.is_empty() {
-            let met = met.into_iter().map(|(mut case, count)| {
-                Ok((case.object.unwrap_or(0.0), f64::from(count), known(&mut case)?))
-            });
+            let met = met
+                .into_iter()
+                .map(|(mut case, slopes)| Ok((case.object.unwrap_or(0.0), slopes, known(&mut case)?)));
             let all = met.collect::<Result<Vec<_>, StarFault>>()?;
             grip = all.iter().max_by(|a, b| a.0.total_cmp(&b.0)).and_then(|widest| widest.2);
-            held = (
-                all.iter().map(|(_, count, own)| Some(count * own.as_ref()?.payload?)).sum(),
-                sum(all.iter().map(|(_, count, own)| Some(scaled(own.as_ref()?.payload_range?, *count)))),
-            );
+            let bearers: Vec<Bearers> = all
+                .into_iter()
+                .map(|(_, slopes, outcome)| Bearers::of_outcome(outcome.as_ref(), slopes))
+                .collect();
+            payload = stack_payload(&self.load, &bearers);
         }
         let area =
             cut_area(&star, &self.seal, self.inlet.as_ref(), self.star.inlet_tip, self.hole_diameter.0);
@@ -173,21 +178,21 @@ impl Candidate {
             case,
             outcome,
             grip,
-            payload: held.0,
-            payload_range: held.1,
+            payload: payload.kg,
+            payload_range: payload.range_kg,
             fabric: area.map(|area| SHEETS * area),
         })
     }
 
-    /// The cases of its stars, each with the number of such stars, the lowest star's first; empty where all are as `asked`, the case of
-    /// `star`.
-    fn different_cases(&self, star: &Star, asked: &Case) -> Result<Vec<(Case, u32)>, RefusedDesign> {
+    /// The cases of its stars, each with the slopes of the object at such stars, the lowest star's first; empty where all are as `asked`, the
+    /// case of `star`.
+    fn different_cases(&self, star: &Star, asked: &Case) -> Result<Vec<(Case, Vec<f64>)>, RefusedDesign> {
         let object = Object::of(&self.load).filter(|_| self.stars > 1);
         if self.unequal.is_empty() {
             let met = object.map_or_else(Vec::new, |object| self.different_meetings(&object, star));
             return Ok(met
                 .into_iter()
-                .map(|(meeting, count)| (asked.meeting(Some(meeting)), count))
+                .map(|(meeting, slopes)| (asked.meeting(Some(meeting)), slopes))
                 .collect());
         }
         let made = |(i, one): (usize, &StarSpec)| {
@@ -201,18 +206,26 @@ impl Candidate {
         let holes: Vec<f64> = stars.iter().map(|star| star.hole(&self.seal)).collect();
         let met = object.map(|object| object.meetings(&heights, &holes));
         let case = |(i, star): (usize, &Star)| {
-            let own = Case::new(star, &self.fabric, &self.seal, Some(&self.load))?;
-            Ok((own.meeting(met.as_ref().and_then(|met| met.get(i)).copied()), 1))
+            let beside = self.unequal.iter().take(i + 1).skip(i.saturating_sub(1));
+            let opening = opening(beside.map(|star| star.inner_radius.0), self.clearance.0);
+            let meeting = met.as_ref().and_then(|met| met.get(i)).copied();
+            let case =
+                Case::new(star, &self.fabric, &self.seal, Some(&self.load))?.above_plate(Some(opening));
+            Ok((case.meeting(meeting), vec![meeting.map_or(0.0, |meeting| meeting.slope)]))
         };
         stars.iter().enumerate().map(case).collect()
     }
 
-    /// The contacts of its equal stars with `object`, each with the number of such stars, the lowest star's first; empty where all meet its
-    /// middle.
-    fn different_meetings(&self, object: &Object, star: &Star) -> Vec<(Meeting, u32)> {
-        let all = object.equal_meetings(self.stars, self.star.pitch.0, star.hole(&self.seal));
-        let count = |numbers: Vec<usize>| u32::try_from(numbers.len()).unwrap_or(u32::MAX);
-        let met: Vec<_> = distinct(all).into_iter().map(|(met, numbers)| (met, count(numbers))).collect();
+    /// The contacts of its equal stars with `object`, each with the slopes of the object at such stars, the lowest star's first; empty where
+    /// all meet its middle.
+    fn different_meetings(&self, object: &Object, star: &Star) -> Vec<(Meeting, Vec<f64>)> {
+        let mut met: Vec<(Meeting, Vec<f64>)> = Vec::new();
+        for meeting in object.equal_meetings(self.stars, self.star.pitch.0, star.hole(&self.seal)) {
+            match met.iter_mut().find(|(like, _)| like.is_like(&meeting)) {
+                Some((_, slopes)) => slopes.push(meeting.slope),
+                None => met.push((meeting, vec![meeting.slope])),
+            }
+        }
         if met.len() > 1 || met.iter().any(|(meeting, _)| meeting.radius < meeting.entering) {
             met
         } else {
@@ -240,16 +253,19 @@ impl Answer {
     /// The same of a stack of `count` stars that all meet the object as this one does.
     #[must_use]
     pub fn of_stars(mut self, count: u32) -> Self {
-        (self.payload, self.payload_range) = held(self.grip.as_ref(), count);
+        let payload = payload_of_equal(self.grip.as_ref(), count);
+        (self.payload, self.payload_range) = (payload.kg, payload.range_kg);
         self
     }
 }
 
-/// The payload (kg) of `stars` stars that all meet the object as the star of the outcome `own` does, with its range.
-fn held(own: Option<&Outcome>, stars: u32) -> (Option<f64>, Option<Interval>) {
+/// The payload of `stars` stars that all meet the middle of the object, as the star of `outcome` does.
+fn payload_of_equal(outcome: Option<&Outcome>, stars: u32) -> StackPayload {
     let count = f64::from(stars);
-    let payload = own.and_then(|own| own.payload).map(|of_one| count * of_one);
-    (payload, own.and_then(|own| own.payload_range).map(|of_one| scaled(of_one, count)))
+    StackPayload {
+        kg: outcome.and_then(|outcome| outcome.payload).map(|of_one| count * of_one),
+        range_kg: outcome.and_then(|outcome| outcome.payload_range).map(|of_one| scaled(of_one, count)),
+    }
 }
 
 /// The outcome of the star of `case` by `section`, with whose corrections it is left; `None` where `section` does not cover the star.

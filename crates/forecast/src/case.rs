@@ -4,7 +4,7 @@ use crate::ranges::Interval;
 use design::{Meeting, Star};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::star::{Correction, Mechanism};
-use inflatable::mechanics::strength::ElasticSheet;
+use inflatable::mechanics::strength::{ElasticSheet, GRAVITY};
 use inflatable::shell::element::Weave;
 use serde::Serialize;
 use spec::units::{BendingStiffness, Length, LineForce, Pressure};
@@ -46,6 +46,10 @@ pub struct Case {
     pub friction: Option<f64>,
     /// Within which it lies.
     pub friction_range: Option<Interval>,
+    /// Radius of the opening of the plate below, from whose edge on arms are supported, m; `None` without a frame.
+    pub opening: Option<f64>,
+    /// Largest radial force that the object bears of one star, N.
+    pub largest_force: Option<f64>,
 }
 
 impl Case {
@@ -70,6 +74,8 @@ impl Case {
             entering: load.and_then(|load| load.object_radius).map(Length::metres),
             friction: load.and_then(|load| load.friction),
             friction_range: load.and_then(Load::friction_range),
+            opening: None,
+            largest_force: load.and_then(|load| load.largest_force).map(|force| force.0),
         })
     }
 
@@ -89,6 +95,8 @@ impl Case {
             entering: None,
             friction: None,
             friction_range: None,
+            opening: None,
+            largest_force: None,
         }
     }
 
@@ -111,6 +119,20 @@ impl Case {
     pub fn meeting(self, meeting: Option<Meeting>) -> Self {
         let metres = |of: fn(&Meeting) -> f64| meeting.as_ref().map(|one| Length(of(one)).metres());
         Self { object: metres(|one| one.radius), entering: metres(|one| one.entering), ..self }
+    }
+
+    /// The same star above a plate with an `opening` of this radius, mm.
+    #[must_use]
+    pub fn above_plate(self, opening: Option<f64>) -> Self {
+        Self { opening: opening.map(|radius| Length(radius).metres()), ..self }
+    }
+
+    /// Mass on the star, kg, at which its arms wrinkle between plate and object; `rest` is the tips' angle of the empty star, rad. `None` without
+    /// a pressure, an object, or a plate whose opening is wider than it.
+    pub fn wrinkling_mass(&self, rest: f64) -> Option<f64> {
+        let object = self.object.filter(|object| *object > 0.0)?;
+        let weight = self.mechanism.wrinkling_weight(self.pressure?, [object, self.opening?], rest);
+        weight.is_finite().then_some(weight / GRAVITY)
     }
 
     /// Depth of the flap in front of the gripping corners, m: band and `hole_allowance`.

@@ -41,6 +41,7 @@ pub mod model_search;
 pub mod model_selection;
 pub mod optimize;
 pub mod outcome;
+pub mod payload;
 pub mod pose;
 pub mod predict;
 pub mod prediction;

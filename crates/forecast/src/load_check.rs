@@ -1,5 +1,6 @@
 //! Reasons why a gripper does not suit the load of its own spec: the found value, the allowed value, and the remedy.
 
+use crate::payload::{StackPayload, limit_in_words};
 use crate::prediction::StarPrediction;
 use crate::ranges::Interval;
 use crate::ranges::shown::{apart, or_unknown};
@@ -176,17 +177,13 @@ pub(super) fn too_hard([low, high]: Interval, bears: f64) -> Refusal {
     )
 }
 
-/// All stars press with `low` to `high` N together, and friction needs `needed` N to hold the mass of `load`.
-pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64) -> Refusal {
+/// All stars press with `low` to `high` N together and carry `payload`, and friction needs `needed` N to hold the mass of `load`.
+pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64, payload: StackPayload) -> Refusal {
     let [needed, high] = apart(needed, high);
     let found = format!("friction needs {needed} N, but at most {high} N are predicted");
     let mut ways = Vec::new();
-    if let Some(([friction, _], mass)) = load.friction_range().zip(load.mass) {
-        // What is rounded to the gram still holds.
-        let grams = (1e3 * low * friction / GRAVITY).floor();
-        if grams > 0.0 {
-            ways.push(format!("a mass of at most {}", Mass(grams / 1e3)));
-        }
+    if let Some((_, mass)) = load.friction_range().zip(load.mass) {
+        ways.extend(lighter(payload));
         let wanted = if low > 0.0 { (100.0 * mass.0 * GRAVITY / low).ceil() / 100.0 } else { f64::INFINITY };
         if wanted <= COATED {
             let ends = [(load.friction_least, "friction_least"), (load.friction_most, "friction_most")];
@@ -199,6 +196,34 @@ pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64) -> Refu
     }
     ways.push("more stars, or a wider star with more pressure".to_owned());
     Refusal::new(key::load::MASS, RefusalCode::TooHeavy, found, ways.join("; or "))
+}
+
+/// `stars` press hard enough for friction, but carry only `payload`, which is less than the mass of `load`.
+pub(super) fn too_heavy_for_stars(load: &Load, stars: &[StarPrediction], payload: StackPayload) -> Refusal {
+    let [mass, most] =
+        apart(load.mass.map_or(0.0, |mass| mass.0), payload.range_kg.map_or(0.0, |range| range[1]));
+    let why = limit_in_words(load, stars, payload, 1).unwrap_or_default();
+    let found = format!("they carry at most {most} kg of the {mass} kg: {why}");
+    let other = "more stars, of which those at and below the object's middle press hardest; a wider tube with more pressure; or a smaller \
+                 clearance in [frame]";
+    let ways: Vec<String> = lighter(payload).into_iter().chain([other.to_owned()]).collect();
+    Refusal::new(key::load::MASS, RefusalCode::TooHeavy, found, ways.join("; or "))
+}
+
+/// `stars` press hard enough for friction, but may carry less than the mass of `load`: `payload`. In words.
+pub(super) fn may_be_too_heavy(load: &Load, stars: &[StarPrediction], payload: StackPayload) -> String {
+    let [mass, least] =
+        apart(load.mass.map_or(0.0, |mass| mass.0), payload.range_kg.map_or(0.0, |range| range[0]));
+    let why = limit_in_words(load, stars, payload, 0).unwrap_or_default();
+    format!("they may carry only {least} kg of the {mass} kg: {why}")
+}
+
+/// The mass that stars of this `payload` surely carry, rounded down to the gram, as a remedy; `None` below a gram.
+fn lighter(payload: StackPayload) -> Option<String> {
+    let [sure, _] = payload.range_kg?;
+    // Rounded values still hold.
+    let grams = (1e3 * sure).floor();
+    (grams > 0.0).then(|| format!("a mass of at most {}", Mass(grams / 1e3)))
 }
 
 /// No model covers `star`, of the fabric of `spec`, at the pressure of `load`.

@@ -2,6 +2,7 @@
 
 use crate::case::Case;
 use crate::model_selection::{correct, tabled};
+use crate::payload::until_arms_fold;
 use crate::ranges::errors::OPENING_REACHED;
 use crate::ranges::{Domain, Interval, Ranges, grown, pressure_edge};
 use inflatable::mechanics::fault::StarFault;
@@ -38,14 +39,28 @@ pub struct Outcome {
     pub preload: Option<f64>,
     /// The object's state; needs a pressure.
     pub hold: Option<Grip>,
-    /// Mass that friction holds with this star alone, kg.
+    /// Mass that friction holds on an upright surface with this star alone, until its arms fold, kg.
     pub payload: Option<f64>,
+    /// Mass on this star at which its arms wrinkle between plate and object, kg; `None` without both.
+    pub wrinkling: Option<f64>,
     /// Intervals that contain a shell's values; none for a limit, and none with the model's own V_bar.
     pub ranges: Ranges,
     /// Range of the force on the object, N.
     pub force_range: Option<Interval>,
     /// Range of the payload of this star alone, kg.
     pub payload_range: Option<Interval>,
+    /// The force while the flap stays straight, if the case has a largest force.
+    pub flap: Option<FlapForce>,
+}
+
+/// Radial force of one star while the flap in front of its corners stays straight, N: that on an object wider by the flap's depth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlapForce {
+    /// The predicted force; `None` where a star that is opened so far locks.
+    pub force: Option<f64>,
+    /// Range of the force on the object: from that of a flap which gives way to that of a straight one; `None` where no shell was opened so
+    /// far.
+    pub range: Option<Interval>,
 }
 
 /// Rounds of halving an interval of radii: its ends then differ by less than is printed.
@@ -111,12 +126,36 @@ impl Outcome {
             edge.map_or(ranges, |edge| ranges.bounded(&edge.ranges, [own.rest.radius, edge.rest.radius]));
         let force_range = own.force_range(case, (grasp.as_ref(), edge.as_ref()), &ranges);
         // The friction does not depend on the force, and either may be at its end: at least what the lower ends hold, at most what the upper.
-        let payload_range = case
-            .friction_range
-            .zip(force_range)
-            .map(|(friction, force)| [0, 1].map(|end: usize| payload(friction[end], [1.0]) * force[end]));
+        let payload_range = case.friction_range.zip(force_range).map(|(friction, force)| {
+            [0, 1]
+                .map(|end: usize| until_arms_fold(payload(friction[end], [1.0]) * force[end], own.wrinkling))
+        });
         let own = Self { ranges, force_range, payload_range, ..own };
+        let flap = case.largest_force.and_then(|_| own.flap_force(case, inflated, grasp.as_ref()));
+        let own = Self { flap, ..own };
         if case.mechanism.correction.corner_compliance { own.as_far_as_known() } else { own }
+    }
+
+    /// The force while the flap stays straight, by `grasp`; `None` without an object that the star presses on or may reach.
+    pub fn flap_force(
+        &self,
+        case: &Case,
+        inflated: &Inflated<'_>,
+        grasp: Option<&Grasp>,
+    ) -> Option<FlapForce> {
+        let _ = self.object_force()?;
+        let radius = case.object.filter(|object| *object > 0.0)? + case.flap();
+        let [low, yielding] = self.force_range.map_or([None; 2], |range| range.map(Some));
+        if radius <= self.rest.radius {
+            // The closest star in its range may reach further.
+            return Some(FlapForce { force: Some(0.0), range: self.force_range });
+        }
+        let force = inflated.linear_force_by(grasp, radius, &self.rest).ok();
+        let straight =
+            force.zip(grasp).and_then(|(force, grasp)| self.ranges.force(grasp, force, radius, &self.rest));
+        let range =
+            low.zip(yielding).zip(straight).map(|((low, yielding), [_, high])| [low, high.max(yielding)]);
+        Some(FlapForce { force, range })
     }
 
     /// The range of the force on the object by `grasp`; `None` for a limit, or without a force. `edge` is the star at the edge of the
@@ -189,6 +228,7 @@ impl Outcome {
             preload: self.preload.filter(|_| self.ranges.stiffness.is_some()),
             hold: if untried || !known { self.hold.map(|_| Grip::Untried) } else { self.hold },
             payload: self.payload.filter(|_| known && !untried),
+            flap: self.flap.filter(|_| known && !untried),
             ..self
         }
     }
@@ -212,6 +252,7 @@ impl Outcome {
         });
         let with_pressure = |value: f64| case.pressure.map(|_| value);
         let object_force = hold.and_then(Grip::force);
+        let wrinkling = object_force.and_then(|_| case.wrinkling_mass(rest.angle));
         Self {
             rest,
             known: true,
@@ -220,10 +261,15 @@ impl Outcome {
             stiffness: with_pressure(rest.stiffness),
             preload: with_pressure(rest.preload),
             hold,
-            payload: case.friction.zip(object_force).map(|(mu, force)| payload(mu, [force])),
+            payload: case
+                .friction
+                .zip(object_force)
+                .map(|(friction, force)| until_arms_fold(payload(friction, [force]), wrinkling)),
+            wrinkling,
             ranges: Ranges::default(),
             force_range: None,
             payload_range: None,
+            flap: None,
         }
     }
 

@@ -3,9 +3,10 @@
 use crate::case::{Case, weave};
 use crate::model_selection::{bvp, corrected, hinge_model, limits_of_validity, named_limit, tabled};
 use crate::outcome::{Grip, Outcome};
+use crate::payload::{Bearers, StackPayload, stack_payload, wrinkling_warnings};
 use crate::prediction::{ForceAt, ModelEvidence, Prediction, StarPrediction};
 use crate::pressures::{LEAST, MOST, modelled, rows};
-use crate::ranges::{Domain, Interval, Ranges, errors, mm, outside, sum};
+use crate::ranges::{Domain, Interval, Ranges, errors, mm, outside};
 use crate::remembered::Remembered;
 use crate::seal_forecast::{SealForecast, per_mm};
 use crate::seal_load::Bursting;
@@ -13,7 +14,7 @@ use crate::shell::by_shell;
 use crate::star_answer::{bare, fill, nonlinear, of_the_shape};
 pub use crate::star_refusal::PredictFault;
 use crate::star_refusal::located;
-use crate::verdict::{Verdict, refusals, verdict};
+use crate::verdict::{refusals, verdict};
 use design::{Design, Meeting, StarAssembly, StarDesign};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::bvp::Bvp;
@@ -21,6 +22,7 @@ use inflatable::mechanics::hinge::{HingeModel, Level};
 use inflatable::mechanics::star::response::Inflated;
 use spec::units::{Length, Pressure};
 use spec::{Fabric, ModelChoice, ObjectShape, Spec, key};
+use std::iter::repeat;
 
 /// Predicts the stars of `design`, made from `spec`, by `accuracy.model`.
 ///
@@ -34,22 +36,37 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
     for star in &mut stars {
         star.evidence.safe_pressure_kPa = safe;
     }
-    let verdict = verdict(spec, &stars);
-    whole(stars, verdict)
+    let mut prediction = whole(spec, design, stars)?;
+    prediction.verdict = verdict(spec, &prediction);
+    Ok(prediction)
 }
 
-/// The prediction of a gripper with these stars, bottom first.
+/// The payload of `stars`, the predicted ones of `design`, on the object of `spec`.
+fn payload_of(spec: &Spec, design: &StarAssembly, stars: &[StarPrediction]) -> StackPayload {
+    let meetings = design.meetings(spec).unwrap_or_default();
+    let slopes = meetings.iter().map(|meeting| meeting.slope).chain(repeat(0.0));
+    let bearers: Vec<Bearers> =
+        stars.iter().zip(slopes).map(|(star, slope)| Bearers::of_star(star, slope)).collect();
+    spec.load.as_ref().map_or_else(StackPayload::default, |load| stack_payload(load, &bearers))
+}
+
+/// The prediction of the gripper of `spec` with these stars of `design`, bottom first, without a verdict.
 pub(super) fn whole(
-    stars: Vec<StarPrediction>,
-    verdict: Option<Verdict>,
+    spec: &Spec,
+    design: &StarAssembly,
+    mut stars: Vec<StarPrediction>,
 ) -> Result<Prediction, PredictFault> {
+    let payload = payload_of(spec, design, &stars);
+    let warnings = spec.load.as_ref().map_or_else(Vec::new, |load| wrinkling_warnings(load, &stars));
+    for (star, warning) in stars.iter_mut().zip(warnings) {
+        star.evidence.warnings.extend(warning);
+    }
     let Some(mut first) = stars.first().cloned() else {
         return Err(PredictFault::new(key::stack::COUNT, "there is no star".to_owned()));
     };
-    first.payload_kg = stars.iter().map(|star| star.payload_kg).sum();
-    first.ranges.payload_kg = sum(stars.iter().map(|star| star.ranges.payload_kg));
+    (first.payload_kg, first.ranges.payload_kg) = (payload.kg, payload.range_kg);
     let stack_mass_g = stars.iter().map(|star| star.mass_g).sum();
-    Ok(Prediction { first, verdict, stack_mass_g, stars })
+    Ok(Prediction { first, verdict: None, stack_mass_g, stars })
 }
 
 /// The largest pressure, kPa, at which none of the seals that burst may do so; `None` if none bursts, or the gripper does not meet its load
@@ -63,8 +80,8 @@ fn safe_pressure(
     let safe = bursting.filter_map(|own| own.safe_pressure_kPa).reduce(f64::min)?;
     let mut at = spec.clone();
     at.load.get_or_insert_default().pressure = Some(Pressure(safe));
-    let found = predict_stars(&at, design, models).ok()?;
-    refusals(&at, &found).is_empty().then_some(safe)
+    let prediction = whole(&at, design, predict_stars(&at, design, models).ok()?).ok()?;
+    refusals(&at, &prediction).is_empty().then_some(safe)
 }
 
 /// All stars of `design`, bottom first.
@@ -79,11 +96,20 @@ fn predict_stars(
     for (i, placed) in design.stars.iter().enumerate() {
         // Stars of a stack are often equal; a slow model then answers once.
         let mut before = design.stars.iter().take(i).enumerate();
-        let twin = before.find(|(j, other)| other.distinct == placed.distinct && meeting(*j) == meeting(i));
+        let opening = design.frame.opening_below(placed.index);
+        let like = |j: usize| match (meeting(j), meeting(i)) {
+            (Some(there), Some(here)) => there.is_like(here),
+            (there, here) => there == here,
+        };
+        let twin = before.find(|(j, other)| {
+            other.distinct == placed.distinct
+                && like(*j)
+                && design.frame.opening_below(other.index) == opening
+        });
         let part = design.part(placed);
         stars.push(match twin {
             Some((twin, _)) => stars[twin].clone(),
-            None => predict_star(spec, part, meeting(i).copied(), models)
+            None => predict_star(spec, part, (meeting(i).copied(), opening), models)
                 .map_err(|fault| located(placed.index, (spec, part), &fault))?,
         });
     }
@@ -149,13 +175,14 @@ struct PlacedCase<'a> {
     seal: SealForecast,
 }
 
+/// The star of `part` that meets the object as `meeting` specifies, above a plate with an opening of this radius, mm.
 fn predict_star(
     spec: &Spec,
     part: &StarDesign,
-    meeting: Option<Meeting>,
+    (meeting, opening): (Option<Meeting>, Option<f64>),
     models: &StarModels,
 ) -> Result<StarPrediction, StarFault> {
-    let case = Case::of(spec, &part.star)?.meeting(meeting);
+    let case = Case::of(spec, &part.star)?.meeting(meeting).above_plate(opening);
     let placed = PlacedCase { spec, part, case, seal: SealForecast::new(spec, &case, &part.star) };
     let width = case.mechanism.width;
     let Some(level) = named_limit(spec.accuracy.model) else { return placed.by_table() };

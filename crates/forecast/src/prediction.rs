@@ -5,10 +5,12 @@ pub use crate::evidence::{MeshErrors, ModelEvidence};
 use crate::keys::{Key, keyed, kinds};
 use crate::meshed::MeshedPlace;
 use crate::outcome::Grip;
+use crate::payload::StackPayload;
 use crate::pressures::PressureRow;
 use crate::ranges::{Interval, StarRanges, shown};
 use inflatable::mechanics::star::Correction;
 use serde::Serialize;
+use spec::units::tenths_up;
 
 /// The prediction of a gripper. The keys at the top describe star 1, `stars` each star.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -66,8 +68,12 @@ pub struct Verdict {
     pub star_force_N: Option<f64>,
     /// Its range.
     pub star_force_range_N: Option<Interval>,
+    /// The largest radial force of one star, if its flap stays straight; `None` if unknown.
+    pub star_flap_force_N: Option<f64>,
     /// Radial force of one star that the object bears.
     pub largest_force_N: Option<f64>,
+    /// Height of the gripper's base above the table on which the object stands, mm. Below 0 the object must be lifted.
+    pub base_height_mm: Option<f64>,
     /// Number of stars.
     pub stars: usize,
     /// Assumptions about the object that the stars of a stack depend on and the spec leaves open.
@@ -111,6 +117,32 @@ impl Verdict {
             "of these {} stars the hardest presses with {force}; the object bears {bears} N of one star",
             self.stars
         ))
+    }
+
+    /// The force of a star whose flap stays straight, if a limit is set.
+    pub fn flap_in_words(&self) -> Option<String> {
+        let (bears, most) = (self.largest_force_N?, self.star_flap_force_N?);
+        Some(format!(
+            "a star whose flap stays straight presses with at most {:.1} N; the object bears {bears} N",
+            tenths_up(most)
+        ))
+    }
+
+    /// The place of the gripper, as a sentence.
+    pub fn base_in_words(&self) -> Option<String> {
+        let base = self.base_height_mm.filter(|base| *base >= 0.0)?;
+        Some(format!(
+            "the gripper's base is {} mm above the table on which the object stands",
+            shown::rounded(base)
+        ))
+    }
+
+    /// The sentences beside the verdict that are no reasons: forces of one star, the place of the gripper, assumptions.
+    pub fn remarks(&self) -> Vec<String> {
+        [self.one_star(), self.flap_in_words(), self.base_in_words(), self.assumed_in_words()]
+            .into_iter()
+            .flatten()
+            .collect()
     }
 
     /// The assumption about the object, as a sentence.
@@ -213,8 +245,13 @@ keyed! {
         pub seal_tension: Option<MeshedPlace>,
         /// Mass of the fabric of one star, both sheets, g. Needs `areal_density`.
         pub mass_g: Option<f64>,
-        /// Mass that friction holds, kg: of the whole stack, in `stars` of each star. Needs a pressure, an object and friction.
+        /// Mass that friction holds until arms fold, kg: of the whole stack on the object's slopes, in `stars` of each star on an upright
+        /// surface. Needs a pressure, an object and friction.
         pub payload_kg: Option<f64>,
+        /// Mass on one star at which its arms wrinkle between plate and object, kg. Needs a pressure and an object.
+        pub arm_wrinkling_kg: Option<f64>,
+        /// Mass on one star at which its arms fold, kg: the most that it carries.
+        pub arm_folding_kg: Option<f64>,
         /// Stretch p W / Y of the fabric. By the shell the largest principal stretch with mesh error and place. Needs a pressure.
         pub stretch: Option<FabricStretch>,
         /// Burst pressure over the pressure. Needs both.
@@ -325,6 +362,11 @@ impl Prediction {
             ),
         ],
     ];
+
+    /// The payload of the whole stack.
+    pub fn payload(&self) -> StackPayload {
+        StackPayload { kg: self.first.payload_kg, range_kg: self.first.ranges.payload_kg }
+    }
 
     /// The answer as one JSON object with a trailing newline.
     ///

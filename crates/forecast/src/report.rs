@@ -61,7 +61,7 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
     }
     if let Some(verdict) = &prediction.verdict {
         let _ = writeln!(out, "\nverdict: {}", verdict.line());
-        for reason in verdict.reasons.iter().chain(&verdict.one_star()).chain(&verdict.assumed_in_words()) {
+        for reason in verdict.reasons.iter().chain(&verdict.remarks()) {
             let _ = writeln!(out, "  {reason}");
         }
     }
@@ -172,6 +172,12 @@ fn grip_lines(out: &mut String, star: &StarPrediction) {
         format!("up to {force}{}", load.unwrap_or_default())
     });
     line(out, "force if the flap holds", force);
+    let bending = star.arm_wrinkling_kg.zip(star.arm_folding_kg);
+    let bending = bending.map(|(wrinkling, folding)| {
+        let [wrinkling, folding] = [wrinkling, folding].map(shown::rounded);
+        format!("wrinkle under {wrinkling} kg on this star, fold under {folding} kg")
+    });
+    line(out, "arms beside the plates", bending);
     line(out, "room around the object", star.object_gap_mm.map(|gap| show(gap, "mm")));
 }
 

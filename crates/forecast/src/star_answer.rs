@@ -7,6 +7,7 @@ use crate::ranges::{StarRanges, scaled};
 use design::{FlatPiece, StarDesign};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::{HingeState, Level};
+use inflatable::mechanics::star::bearing::FOLDING;
 use inflatable::mechanics::star::response::Inflated;
 use spec::Spec;
 use spec::units::{Length, Percent, Pressure, Readable};
@@ -47,7 +48,12 @@ pub(super) fn fill(
         star.object_force_N = outcome.object_force();
         star.payload_kg = outcome.payload;
         star.flap_edge_radius_mm = Some(mm(outcome.rest.radius - case.flap()));
-        star.flap_force_N = flap_force(case, inflated, outcome);
+        let grasp = inflated.grasp(&outcome.rest);
+        let flap = outcome.flap_force(case, inflated, grasp.as_ref());
+        star.flap_force_N = flap.and_then(|flap| flap.force);
+        star.ranges.flap_force_N = flap.and_then(|flap| flap.range);
+        star.arm_wrinkling_kg = outcome.wrinkling;
+        star.arm_folding_kg = outcome.wrinkling.map(|wrinkling| FOLDING * wrinkling);
     }
     let evidence = &mut star.evidence;
     evidence.residual = tip.effort.residual.max(corner.effort.residual);
@@ -55,19 +61,6 @@ pub(super) fn fill(
     evidence.numerical_error = Some(tip.effort.error.max(corner.effort.error));
     evidence.hinge_width = Hinges { tip: width_of(tip), corner: width_of(corner) };
     Ok(())
-}
-
-/// The force on the object while the flap between it and the tube stays straight, N: that on an object wider by the flap's depth. `None`
-/// where the force is not known, or where a star that is opened so far locks.
-fn flap_force(case: &Case, inflated: &Inflated<'_>, outcome: &Outcome) -> Option<f64> {
-    let rest = &outcome.rest;
-    let _ = outcome.object_force()?;
-    let radius = case.object.filter(|object| *object > 0.0)? + case.flap();
-    match radius {
-        _ if radius <= rest.radius => Some(0.0),
-        _ if radius > rest.widest.radius => None,
-        _ => inflated.linear_force(radius, rest).ok(),
-    }
 }
 
 /// The star with the model's own V_bar; `None` for the fit, whose hinges are linear, for the section, whose linear hinges are nearer to

@@ -1,24 +1,26 @@
 //! The verdict on the object of a gripper's `[load]`, with its reasons; and the refusal of a gripper that cannot hold it.
 
 use crate::load_check::{
-    ROUNDING, bursts, held, may_burst, may_not_press, outside_models, too_hard, too_heavy, too_short,
-    too_thin, too_wide_to_enter, too_wide_to_open,
+    ROUNDING, bursts, held, may_be_too_heavy, may_burst, may_not_press, outside_models, too_hard, too_heavy,
+    too_heavy_for_stars, too_short, too_thin, too_wide_to_enter, too_wide_to_open,
 };
 use crate::outcome::Grip;
+use crate::payload::StackPayload;
 pub use crate::prediction::{Holds, Verdict};
-use crate::prediction::{StarPrediction, distinct};
+use crate::prediction::{Prediction, StarPrediction, distinct};
 use crate::ranges::shown::{apart, listed};
 use crate::ranges::{Interval, sum};
-use design::{Object, Refusal, RefusalCode};
+use design::{Object, Refusal, RefusalCode, Stand};
 use inflatable::mechanics::strength::GRAVITY;
 use spec::units::{Force, Mass, tenths_up};
 use spec::{Code, Load, Spec, key};
 
-/// The verdict on the object of `spec` between `stars`; `None` without an object or a pressure.
-pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
+/// The verdict on the object of `spec` between the predicted stars; `None` without an object or a pressure.
+pub fn verdict(spec: &Spec, prediction: &Prediction) -> Option<Verdict> {
+    let stars = &prediction.stars[..];
     let load = spec.load.as_ref()?;
     let _ = load.object_radius.filter(|_| load.pressure.is_some())?;
-    let judged = VerdictLines::of(spec, load, stars);
+    let judged = VerdictLines::of(spec, load, prediction);
     let hardest = stars
         .iter()
         .filter(|star| star.object_force_N.is_some())
@@ -31,6 +33,8 @@ pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
         needed_N: needed_force(load),
         star_force_N: hardest.and_then(|star| star.object_force_N),
         star_force_range_N: hardest.and_then(|star| star.ranges.object_force_N),
+        star_flap_force_N: largest_flap_force(stars),
+        base_height_mm: Stand::of(spec).map(|stand| stand.base),
         largest_force_N: load.largest_force.map(|force| force.0),
         stars: stars.len(),
         assumed: Object::assumed(load, stars.len()),
@@ -40,9 +44,9 @@ pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
 
 /// The reasons of `check` and `build` to refuse the gripper of `spec`: it bursts, no star of it can hold the object, it cannot carry the
 /// mass, breaks the object, or no model covers it. Empty if none of this is certain, or without a load.
-pub fn refusals(spec: &Spec, stars: &[StarPrediction]) -> Vec<Refusal> {
+pub fn refusals(spec: &Spec, prediction: &Prediction) -> Vec<Refusal> {
     let Some(load) = spec.load.as_ref().filter(|load| load.pressure.is_some()) else { return Vec::new() };
-    let judged = VerdictLines::of(spec, load, stars);
+    let judged = VerdictLines::of(spec, load, prediction);
     // One star that holds the object will do.
     let idle = judged.is_idle();
     let counts = |finding: &&VerdictLine| match finding.weight {
@@ -58,6 +62,12 @@ fn force(stars: &[StarPrediction]) -> Option<f64> {
 
 fn force_range(stars: &[StarPrediction]) -> Option<Interval> {
     sum(stars.iter().map(|star| star.ranges.object_force_N))
+}
+
+/// The largest force of one of `stars` whose flap stays straight, N; `None` if that of any of them is unknown.
+fn largest_flap_force(stars: &[StarPrediction]) -> Option<f64> {
+    let touching = stars.iter().filter(|star| star.object_radius_mm.is_some_and(|radius| radius > 0.0));
+    touching.map(|star| star.ranges.flap_force_N.map(|[_, most]| most)).reduce(|a, b| Some(a?.max(b?)))?
 }
 
 /// `text` about the stars with `numbers`; without numbers about all of them.
@@ -124,7 +134,8 @@ struct VerdictLines {
 }
 
 impl VerdictLines {
-    fn of(spec: &Spec, load: &Load, stars: &[StarPrediction]) -> Self {
+    fn of(spec: &Spec, load: &Load, prediction: &Prediction) -> Self {
+        let stars = &prediction.stars[..];
         // Equal stars are judged together.
         let distinct = distinct(stars);
         let several = distinct.len() > 1;
@@ -137,7 +148,10 @@ impl VerdictLines {
             judged.star(spec, load, (numbers[0], star), if several { &numbers } else { &[] });
         }
         if load.object_radius.is_some() && !judged.is_refuted() {
-            judged.mass(load, stars);
+            judged.mass(load, stars, prediction.payload());
+        }
+        if let Some(stand) = Stand::of(spec) {
+            stand.doubts().into_iter().for_each(|text| judged.doubt(&[], text));
         }
         judged
     }
@@ -214,6 +228,7 @@ impl VerdictLines {
         for reason in doubts(load, star, object) {
             self.doubt(numbers, reason);
         }
+        // A flap that folds at once adds nothing: only the tube's own force is sure.
         if let Some((Force(bears), range)) = load.largest_force.zip(star.ranges.object_force_N)
             && range[0] > bears
         {
@@ -231,20 +246,28 @@ impl VerdictLines {
         }
     }
 
-    fn mass(&mut self, load: &Load, stars: &[StarPrediction]) {
+    /// Compares the mass with `payload`, and names what limits that: friction, the object's slope, or the arms.
+    fn mass(&mut self, load: &Load, stars: &[StarPrediction], payload: StackPayload) {
         let needed = needed_force(load);
         // The least friction needs most.
         let ends = load.friction_range().map(|range| range.map(|friction| needed_at(load, friction)));
         let ends = ends.and_then(|[most, least]| Some([least?, most?]));
+        let carried = load.mass.map(|mass| mass.0).zip(payload.range_kg);
         let doubt = match (ends, force_range(stars), force(stars)) {
             (Some([needed, _]), Some(range), _) if range[1] < needed => {
-                return self.add(Weight::Refuted, &[], too_heavy(load, range, needed));
+                return self.add(Weight::Refuted, &[], too_heavy(load, range, needed, payload));
+            }
+            (Some(_), Some(_), _) if carried.is_some_and(|(mass, [_, most])| most < mass) => {
+                return self.add(Weight::Refuted, &[], too_heavy_for_stars(load, stars, payload));
             }
             (Some([_, needed]), Some([low, _]), _) if low < needed => {
                 let least = load.friction_range().map_or(0.0, |[least, _]| least);
                 let of = if load.friction == Some(least) { String::new() } else { format!(" of {least}") };
                 let [needed, low] = apart(needed, low);
                 format!("friction{of} needs {needed} N, but there may be only {low} N")
+            }
+            (Some(_), Some(_), _) if carried.is_some_and(|(mass, [least, _])| least < mass) => {
+                may_be_too_heavy(load, stars, payload)
             }
             // A mass is carried by friction only.
             (None, ..) if load.mass.is_some() => {
@@ -279,6 +302,26 @@ fn idle(load: &Load, star: &StarPrediction, object: f64) -> Option<Refusal> {
     (object > most + ROUNDING).then(|| too_wide_to_open(load, object, most, held(star)))
 }
 
+/// The doubt that `star`, whose tube presses no harder than the object bears, `bears` N, does so while its flap stays straight.
+fn flap_doubt(star: &StarPrediction, bears: f64) -> Option<String> {
+    let folds = star.flap_load_N_per_mm?;
+    let folds = format!("which folds at {folds:.2} N per mm of contact");
+    match star.ranges.flap_force_N {
+        Some([_, most]) if most <= bears => None,
+        Some([_, most]) => Some(format!(
+            "while the flap, {folds}, stays straight, it may press with {:.1} N, but the object bears {bears} N; a smaller \
+             hole_allowance in [seal] or less pressure presses less",
+            tenths_up(most)
+        )),
+        None if star.flap_force_N.is_some_and(|force| force <= bears)
+            && star.ranges.object_force_N.is_none() =>
+        {
+            None
+        }
+        None => Some(format!("how hard it presses while the flap, {folds}, stays straight is unknown")),
+    }
+}
+
 /// The reasons why it is not certain that a star holds the object of radius `object` (mm).
 fn doubts(load: &Load, star: &StarPrediction, object: f64) -> Vec<String> {
     let mut reasons = Vec::new();
@@ -304,6 +347,7 @@ fn doubts(load: &Load, star: &StarPrediction, object: f64) -> Vec<String> {
             reasons
                 .push(format!("by the model it presses with {force:.1} N, but the object bears {bears} N"));
         }
+        (Some(Force(bears)), _, Some(_)) => reasons.extend(flap_doubt(star, bears)),
         _ => {}
     }
     reasons

@@ -1,13 +1,14 @@
 //! The whole stack: from above, flat and shut, and from the side, to scale, beside the first sheet.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use crate::emit::picture::{Anchor, Group, Text};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{GREY, IRON, OBJECT, Style, TEXT, circle, star_ink, straight};
 use crate::emit::preview::subject::Preview;
-use design::{Side, Star, StarAssembly, StarDesign, round_tube, tube_height};
+use design::{Object, Side, Stand, Star, StarAssembly, StarDesign, round_tube, tube_height};
 use geom::{Bounds, Isometry, Path, Point, Vec2};
+use spec::Spec;
 use spec::units::Length;
 
 /// The two views, and how much room they need to the right of the sheet.
@@ -16,6 +17,17 @@ pub(super) struct StackView<'a> {
     assembly: &'a StarAssembly,
     /// Largest distance from the axis that anything reaches.
     reach: f64,
+    /// The object beside the stars.
+    side: Option<SideObject>,
+}
+
+/// The object as it is seen from the side: heights in mm above the bottom of the lowest plate.
+struct SideObject {
+    profile: Path,
+    /// From the lowest to the highest point that is shown.
+    shown: [f64; 2],
+    /// The table on which it stands, or the top of what it must be lifted by.
+    table: f64,
 }
 
 /// Stars that lie alike, seen from above.
@@ -30,13 +42,15 @@ impl<'a> StackView<'a> {
     pub(super) fn new(preview: &'a Preview<'a>) -> Option<Self> {
         let assembly = preview.design.assembly()?;
         let mouths = assembly.distinct.iter().filter_map(|part| Some(part.channel?.mouth));
-        Some(Self { preview, assembly, reach: mouths.fold(assembly.frame.radius, f64::max) })
+        let reach = mouths.fold(assembly.frame.radius, f64::max);
+        Some(Self { preview, assembly, reach, side: SideObject::of(preview.spec, assembly.stack.height) })
     }
 
     /// Width and height that the views need, one above the other, with labels at both sides, where type is of the size `unit`.
     pub(super) fn size(&self, unit: f64) -> (f64, f64) {
         let wide = 2.0 * self.reach;
-        (wide + 20.0 * unit, wide + self.assembly.stack.height + 12.0 * unit)
+        let [low, high] = self.side_extent();
+        (wide + 20.0 * unit, wide + (high - low) + 12.0 * unit)
     }
 
     /// The views, in the middle of a strip whose top is at ordinate `top`.
@@ -44,9 +58,15 @@ impl<'a> StackView<'a> {
         let mut group = Group::new("stack");
         let axis = Point::new(middle, top - self.reach - 3.0 * style.unit);
         self.seen_from_above(&mut group, axis, style);
-        let foot = Point::new(middle, axis.y - self.reach - 6.0 * style.unit - self.assembly.stack.height);
+        let foot = Point::new(middle, axis.y - self.reach - 6.0 * style.unit - self.side_extent()[1]);
         self.seen_from_the_side(&mut group, foot, style);
         group
+    }
+
+    /// From the lowest to the highest point that is seen from the side, mm above the bottom of the lowest plate.
+    fn side_extent(&self) -> [f64; 2] {
+        let [low, high] = self.side.as_ref().map_or([0.0; 2], |object| object.shown);
+        [low.min(0.0), high.max(self.assembly.stack.height)]
     }
 
     fn seen_from_above(&self, group: &mut Group, axis: Point, style: Style) {
@@ -156,6 +176,13 @@ impl<'a> StackView<'a> {
         let block = |half: f64, from: f64, to: f64| {
             Path::rectangle(&Bounds { min: at(-half, from), max: at(half, to) })
         };
+        if let Some(SideObject { profile, table, .. }) = &self.side {
+            let profile = Isometry { shift: foot - Point::ORIGIN, ..Isometry::rotation(0.0) }.path(profile);
+            group.area(vec![profile.clone()], OBJECT);
+            group.line(profile, style.pen(GREY, 0.7));
+            let [from, to] = [-frame.radius, frame.radius].map(|x| at(x, *table));
+            group.line(straight(from, to), style.pen(TEXT, 0.7));
+        }
         let plates: Vec<(usize, f64, f64)> = frame
             .plates
             .iter()
@@ -193,6 +220,31 @@ impl<'a> StackView<'a> {
         }
     }
 }
+
+impl SideObject {
+    /// The object of `spec` beside a stack that is `stack` mm high; `None` without one. What lies further than that from the stack is cut off.
+    fn of(spec: &Spec, stack: f64) -> Option<Self> {
+        let object = Object::of(spec.load.as_ref()?)?;
+        let stand = Stand::of(spec)?;
+        let (low, top) = (stand.object, stand.object + object.height().0);
+        let shown = [low.max(-stack), top.min(2.0 * stack)];
+        let middle = f64::midpoint(low, top);
+        let points = (0..=CHORDS).map(|i| {
+            // Chords of equal angle, so that the poles of a ball are round.
+            let z = middle - (middle - low) * libm::cos(PI * f64::from(i) / f64::from(CHORDS));
+            z.clamp(shown[0], shown[1])
+        });
+        let heights: Vec<f64> = points.collect();
+        let right = heights.iter().map(|z| Point::new(object.radius_at(z - middle), *z));
+        let left = heights.iter().rev().map(|z| Point::new(-object.radius_at(z - middle), *z));
+        let mut around: Vec<Point> = right.chain(left).collect();
+        around.dedup_by(|a, b| a.distance(*b) < 1e-9);
+        Some(Self { profile: Path::polygon(&around), shown, table: shown[0] })
+    }
+}
+
+/// Chords of half of an object's profile.
+const CHORDS: u32 = 36;
 
 /// The labels, bottom to top, without those that would touch the one before.
 fn spaced(mut labels: Vec<(String, f64)>, style: Style) -> Vec<(String, f64)> {

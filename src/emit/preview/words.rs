@@ -153,15 +153,16 @@ fn stack(preview: &Preview<'_>, design: &StarAssembly, style: Style) -> Block<'s
     if let Some(first) = shut.first() {
         let held = object.is_some_and(|object| object.0 >= first.rho_0 * (1.0 - 1e-9));
         let on = if held { " on the object" } else { "" };
-        let radii: Vec<String> = shut.iter().map(|star| format!("{:.1}", star.rho_0)).collect();
-        let same = radii.iter().all(|radius| *radius == radii[0]);
-        let radii = if same { radii[0].clone() } else { radii.join(", ") };
-        block.explain(line(star_ink(1), 2.8), format!("shut{on}: {radii} mm"));
+        let mut widths: Vec<String> = shut.iter().map(|star| format!("{:.1}", 2.0 * star.rho_0)).collect();
+        if widths.iter().all(|width| *width == widths[0]) {
+            widths.truncate(1);
+        }
+        block.explain(line(star_ink(1), 2.8), format!("shut{on}: {} mm across", widths.join(", ")));
     }
     if let Some(object) = object {
-        block.explain(Swatch::Area(OBJECT), format!("object, radius {} mm", Readable(object.0)));
+        block.explain(Swatch::Area(OBJECT), format!("object, {} mm across", Readable(2.0 * object.0)));
     }
-    block.explain(line(GREY, 1.2), format!("plates, radius {:.1} mm", design.frame.radius));
+    block.explain(line(GREY, 1.2), format!("plates, {:.1} mm across", 2.0 * design.frame.radius));
     block.explain(Swatch::Line(style.dashes(GREY, 1.0)), "their openings");
     block.explain(Swatch::Dot(IRON), format!("{} posts", design.frame.posts.len()));
     block

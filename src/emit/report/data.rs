@@ -9,7 +9,7 @@ use forecast::case::Case;
 use forecast::drawn::HOW;
 use forecast::drawn::prediction::DrawnPrediction;
 use forecast::pose::Pose;
-use forecast::prediction::Prediction;
+use forecast::prediction::{Prediction, Verdict};
 use forecast::seal_load::{SealLoad, seal_loads};
 use forecast::tone::Tone;
 use spec::{Heating, Machine, Setting, Source, drawing_settings, settings};
@@ -33,6 +33,8 @@ pub(super) fn data(report: &Report<'_>) -> Value {
             "pressure_kPa": load.pressure.map(|p| p.0),
             "object_radius_mm": load.object_radius.map(|radius| radius.0),
             "friction": load.friction,
+            "friction_least": load.friction_least,
+            "friction_most": load.friction_most,
             "mass_kg": load.mass.map(|mass| mass.0),
             "largest_force_N": load.largest_force.map(|force| force.0),
         })
@@ -41,6 +43,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         "name": spec.name,
         "bill": bill,
         "prediction": prediction,
+        "remarks": prediction.and_then(|all| all.verdict.as_ref()).map_or_else(Vec::new, Verdict::remarks),
         "load": load,
         "tone": tone(report),
         "settings": own_settings(report),

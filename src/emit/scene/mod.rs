@@ -15,9 +15,9 @@ use crate::emit::palette::{SURFACES, SceneSurface};
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, quarters};
 use crate::emit::scene::pose::{PoseMotion, ScenePose, tube};
-use design::{CutEdge, Design, Drawing, Layer, Side, Star, StarAssembly, StarDesign};
+use design::{CutEdge, Design, Drawing, Layer, Side, Stand, Star, StarAssembly, StarDesign};
 use geom::{Arc, Bounds, Path, Point};
-use spec::{Load, ObjectShape, Spec};
+use spec::{ObjectShape, Spec};
 
 pub use drawn::drawn_scene;
 
@@ -32,8 +32,7 @@ pub fn scene(spec: &Spec, design: &Design, inflated: &[Star]) -> Option<Vec<u8>>
     let mut glb = Glb::new(&SURFACES.map(|(surface, ..)| surface));
     let assembly = design.assembly()?;
     let stack = stack(&mut glb, assembly, inflated)?;
-    let object: Vec<Node> =
-        spec.load.as_ref().and_then(|load| object(&mut glb, assembly, load)).into_iter().collect();
+    let object: Vec<Node> = object(&mut glb, spec).unwrap_or_default();
     let bands = [(SceneSurface::InnerBand, Layer::SealInner), (SceneSurface::OuterBand, Layer::SealOuter)];
     let sheets = sheets(&mut glb, design, (reach(assembly), band_of(assembly)), &bands)?;
     let masks = masks(&mut glb, spec, assembly)?;
@@ -83,8 +82,9 @@ fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[Star]) -> Option<Vec<
     Some(nodes)
 }
 
-/// The spec's object half way between the lowest and the highest star, its axis that of the stars; `None` without one.
-fn object(glb: &mut Glb, design: &StarAssembly, load: &Load) -> Option<Node> {
+/// The spec's object where the stars meet it, its axis that of the stars, on a support where it must be lifted; empty without one.
+fn object(glb: &mut Glb, spec: &Spec) -> Option<Vec<Node>> {
+    let (load, stand) = (spec.load.as_ref()?, Stand::of(spec)?);
     let radius = load.object_radius?.0;
     let half = load.object_height.map_or(radius, |height| height.0 / 2.0);
     let curve = match load.object_shape {
@@ -100,10 +100,18 @@ fn object(glb: &mut Glb, design: &StarAssembly, load: &Load) -> Option<Node> {
         }
     };
     let mesh = glb.mesh("surface of the object", &[(SceneSurface::Object, Mesh::turned(&curve))]);
-    let stars = &design.stack.stars;
-    let middle = f64::midpoint(*stars.first()?, *stars.last()?);
-    Some(Node { name: "object".to_owned(), mesh, at: [0.0, 0.0, middle], turn: 0.0 })
+    let mut nodes =
+        vec![Node { name: "object".to_owned(), mesh, at: [0.0, 0.0, stand.object + half], turn: 0.0 }];
+    if stand.object > 0.0 {
+        let support = Mesh::extruded(&[circle(Point::ORIGIN, SUPPORT * radius)], [0.0, stand.object])?;
+        let mesh = glb.mesh("support of the object", &[(SceneSurface::Object, support)]);
+        nodes.push(Node { name: "support".to_owned(), mesh, at: [0.0; 3], turn: 0.0 });
+    }
+    Some(nodes)
 }
+
+/// Radius of the support below an object over that of the object.
+const SUPPORT: f64 = 0.5;
 
 /// A star of the stack: tube, flaps, bands, and where they go if it inflates.
 fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<&Star>, name: &str) -> Option<usize> {

@@ -10,7 +10,7 @@ use crate::ranges::Interval;
 use crate::seal_load::{Bursting, burst_of_drawn, bursts_at};
 use design::{Refusal, RefusalCode};
 use geom::Point;
-use inflatable::shell::cases::{InflatedRegion, RegionSeam, SeamPull, Value, Wrinkles};
+use inflatable::shell::cases::{InflatedRegion, PlaneState, RegionSeam, SeamPull, Value, Wrinkles};
 use sealed::{SealedShape, Seam};
 use serde::Serialize;
 use spec::key;
@@ -116,7 +116,9 @@ pub struct ChamberPrediction {
     pub largest_tension_N_per_mm: Option<MeshedPlace>,
     /// Lowest eigenvalue by p / W for leaving the plane of the drawing.
     pub plane_eigenvalue: Option<MeshedValue>,
-    /// Whether it leaves that plane, within the mesh errors.
+    /// Whether it stays in that plane.
+    pub plane: Option<Plane>,
+    /// Whether it may leave that plane: it leaves it, or the mesh error is too large to tell.
     pub leaves_plane: Option<bool>,
     /// Its seams.
     pub seams: Option<Vec<SeamPrediction>>,
@@ -124,6 +126,29 @@ pub struct ChamberPrediction {
     pub unknowns: Option<Vec<usize>>,
     /// Newton steps of all meshes.
     pub iterations: Option<u32>,
+}
+
+/// Whether a chamber stays in the plane of the drawing, by the lowest eigenvalue and two of its mesh errors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Plane {
+    /// It stays in the plane.
+    Stays,
+    /// It leaves the plane.
+    Leaves,
+    /// The mesh error is too large to tell.
+    Unsure,
+}
+
+impl Plane {
+    /// The answer to "stays in its plane".
+    pub fn answer(self) -> &'static str {
+        match self {
+            Self::Stays => "yes",
+            Self::Leaves => "no",
+            Self::Unsure => "not sure",
+        }
+    }
 }
 
 /// Rows of one seam at most.
@@ -184,7 +209,12 @@ impl ChamberPrediction {
         self.largest_stretch = Some(at(found.stretch, found.stretch_at));
         self.largest_tension_N_per_mm = Some(at(found.tension.scaled(1e-3), found.tension_at));
         self.plane_eigenvalue = Some(open(found.antisymmetric_eigenvalue));
-        self.leaves_plane = Some(found.may_leave_its_plane());
+        self.plane = Some(match found.plane() {
+            PlaneState::Stays => Plane::Stays,
+            PlaneState::Leaves => Plane::Leaves,
+            PlaneState::Unsure => Plane::Unsure,
+        });
+        self.leaves_plane = self.plane.map(|plane| plane != Plane::Stays);
         self.seams = Some(seams);
         self.unknowns = Some(found.evidence.unknowns.clone());
         self.iterations = Some(found.evidence.efforts.iter().map(|effort| effort.iterations).sum());

@@ -64,8 +64,8 @@ fn of_chamber(out: &mut String, chamber: &ChamberPrediction) {
     );
     line(out, "largest stretch", place(chamber.largest_stretch, None, ""));
     line(out, "largest tension", place(chamber.largest_tension_N_per_mm, None, "N/mm"));
-    let stays = chamber.plane_eigenvalue.zip(chamber.leaves_plane).map(|(value, leaves)| {
-        let word = if leaves { "not sure" } else { "yes" };
+    let stays = chamber.plane_eigenvalue.zip(chamber.plane).map(|(value, plane)| {
+        let word = plane.answer();
         format!("{word}: lowest eigenvalue {} p/W", number(value, None, ""))
     });
     line(out, "stays in its plane", stays);

@@ -2,7 +2,7 @@
 //! the places where a model is most optimistic.
 
 use crate::candidate::{Answer, Candidate};
-use crate::outcome::{Grip, Outcome, SHORTEST_ARM};
+use crate::outcome::{FlapForce, Grip, Outcome, SHORTEST_ARM};
 use crate::ranges::{Domain, outside_by};
 use spec::ModelChoice;
 use spec::units::Length;
@@ -72,8 +72,8 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
             all.push(("inner_radius", short(Some(star.hole(&point.seal)), entering)));
         }
         if let Some(most) = constraints.largest_force {
-            // An unknown force may be too large.
-            let unknown = if own.hold == Some(Grip::Untried) { 1.0 } else { 0.0 };
+            // An unknown force may be too large; an object that is not held has a shortfall of its own.
+            let unknown = if matches!(own.hold, Some(Grip::Untried | Grip::Held(_))) { 1.0 } else { 0.0 };
             all.push(("pressing", most_force(point, own).map_or(unknown, |force| over(force, most))));
         }
         match own.hold {
@@ -106,11 +106,14 @@ pub fn is_at_pressure(model: ModelChoice) -> bool {
     !matches!(model, ModelChoice::Ring | ModelChoice::Fit)
 }
 
-/// The largest force with which it may press, N, beyond the upper end of its range; `None` if unknown.
+/// The largest force with which it may press while its flap stays straight, N, beyond the upper end of its range; `None` if unknown.
 fn most_force(point: &Candidate, own: &Outcome) -> Option<f64> {
-    match own.force_range {
-        Some([_, high]) => Some(high / SEARCHED),
-        None => own.object_force().filter(|_| !is_at_pressure(point.model)),
+    match (own.flap, own.object_force()) {
+        (Some(FlapForce { range: Some([_, high]), .. }), _) => Some(high / SEARCHED),
+        (Some(FlapForce { force: Some(force), .. }), _) if !is_at_pressure(point.model) => Some(force),
+        // The star passes above or below the object.
+        (None, Some(0.0)) => Some(0.0),
+        _ => None,
     }
 }
 

@@ -305,6 +305,8 @@ pub struct StarRanges {
     pub radial_stiffness_N_per_m: Option<Interval>,
     /// Range of the force on the object.
     pub object_force_N: Option<Interval>,
+    /// Range of the force on the object from a flap that gives way to one that stays straight.
+    pub flap_force_N: Option<Interval>,
     /// Range of the payload.
     pub payload_kg: Option<Interval>,
     /// Range of the largest pull on the seal.

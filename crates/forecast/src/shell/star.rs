@@ -3,6 +3,7 @@
 
 use crate::case::{Case, weave};
 use crate::meshed::MeshedPlace;
+use crate::payload::until_arms_fold;
 use crate::predict::{PredictFault, stars_of, whole};
 use crate::prediction::{FabricStretch, ForceAt, MeshErrors, ModelEvidence, Prediction, StarPrediction};
 use crate::ranges::shown::meshed;
@@ -10,6 +11,7 @@ use crate::shell::request::{Measurements, ask, entered, fault};
 use crate::shell::{Detail, SHELL};
 use crate::star_answer::{bare, mm};
 use design::{Design, Meeting, PlacedPart, StarDesign};
+use inflatable::mechanics::star::bearing::FOLDING;
 use inflatable::mechanics::strength::payload;
 use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, StarPart, Value, Watch};
 use spec::units::Readable;
@@ -51,11 +53,12 @@ pub fn predict(
     }
     let answer = |placed: &PlacedPart| {
         let one = computed.get(placed.distinct)?;
-        Some(one.star((spec, design.part(placed)), meeting(placed), radii))
+        let opening = design.frame.opening_below(placed.index);
+        Some(one.star((spec, design.part(placed)), (meeting(placed), opening), radii))
     };
     let stars: Vec<StarPrediction> = design.stars.iter().filter_map(answer).collect();
     let shape = computed.into_iter().next().map(|one| one.found.shape).unwrap_or_default();
-    Ok((whole(stars, None)?, shape))
+    Ok((whole(spec, design, stars)?, shape))
 }
 
 impl ShellRefusal {
@@ -91,14 +94,14 @@ fn compute(
 }
 
 impl ShellRun {
-    /// The prediction of a star that meets the object as `meeting` specifies.
+    /// The prediction of a star that meets the object as `meeting` specifies, above a plate with an opening of this radius, mm.
     fn star(
         &self,
         (spec, part): (&Spec, &StarDesign),
-        meeting: Option<Meeting>,
+        (meeting, opening): (Option<Meeting>, Option<f64>),
         radii: &[f64],
     ) -> StarPrediction {
-        let case = self.case.meeting(meeting);
+        let case = self.case.meeting(meeting).above_plate(opening);
         let measured = Measurements { object: entered(&case), ..self.measured.clone() };
         let Self { flat, found, .. } = self;
         let on_object = measured.object_force();
@@ -109,6 +112,7 @@ impl ShellRun {
         let [pull, pull_error] = measured.seal_tension();
         let force = on_object.map(|force| force.value).or(beside.then_some(0.0));
         let curve_of = |of: fn(&Value) -> f64| curve.iter().map(|(_, force)| of(force)).collect::<Vec<f64>>();
+        let wrinkling = case.wrinkling_mass(measured.tip_angle.value.to_radians());
         let bare = bare(spec, part, &case);
         StarPrediction {
             model: SHELL,
@@ -139,7 +143,12 @@ impl ShellRun {
                 mesh_error: pull_error,
                 at_mm: extremes.seal_at.map(mm),
             }),
-            payload_kg: case.friction.zip(force).map(|(mu, force)| payload(mu, [force])),
+            payload_kg: case
+                .friction
+                .zip(force)
+                .map(|(friction, force)| until_arms_fold(payload(friction, [force]), wrinkling)),
+            arm_wrinkling_kg: wrinkling,
+            arm_folding_kg: wrinkling.map(|wrinkling| FOLDING * wrinkling),
             stretch: Some(FabricStretch::Largest(MeshedPlace {
                 value: extremes.stretch.value,
                 mesh_error: extremes.stretch.error,

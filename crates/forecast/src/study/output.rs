@@ -3,6 +3,7 @@
 use crate::candidate::{Answer, Candidate};
 use crate::case::Case;
 use crate::outcome::Outcome;
+use crate::payload::until_arms_fold;
 use crate::ranges::Interval;
 use crate::shell::request::Measurements;
 use inflatable::mechanics::strength::payload;
@@ -45,7 +46,10 @@ impl StudyRow<'_> {
         if !self.point.are_alike(&self.answer.star, &self.answer.case) {
             return None;
         }
-        Some(f64::from(self.point.stars) * payload(self.point.load.friction?, [force]))
+        let rest = self.shell.map(|shell| shell.tip_angle.value.to_radians())?;
+        let of_one = payload(self.point.load.friction?, [force]);
+        let of_one = until_arms_fold(of_one, self.answer.case.wrinkling_mass(rest));
+        Some(f64::from(self.point.stars) * of_one)
     }
 }
 

@@ -50,7 +50,7 @@ pub fn stepper(motion: &Motion) -> Option<Stepper> {
 
 impl Chop {
     /// The chop of a seal of `spec` on `machine`; `None` where too little is known of the machine.
-    pub(super) fn new(spec: &Spec, machine: &Machine) -> Option<Self> {
+    pub fn new(spec: &Spec, machine: &Machine) -> Option<Self> {
         let (motion, speed, band) = (&machine.motion, spec.seal.speed.0, spec.seal.band.0);
         let least = motion.least_move();
         let strokes = if least > 0.0 { SHORT_STROKES } else { STROKES };

@@ -16,6 +16,7 @@
 //! means of a falling cosine over an interval. So rho has one maximum, at which the arms lock:
 //! no force on the corners opens the star any further.
 
+pub mod bearing;
 pub mod correction;
 pub mod grasp;
 pub mod residuals;

@@ -67,7 +67,15 @@ fn a_disc_closes_to_a_balloon() {
     let mean = mean / found.seams.len() as f64;
     let area = PI * (0.7627 * 0.05_f64).powi(2);
     assert!((mean * TAU * 0.05 / area - 1.0).abs() < 0.05, "{}", mean * TAU * 0.05 / area);
-    assert!(!found.may_leave_its_plane(), "{:?}", found.antisymmetric_eigenvalue);
+    assert_eq!(found.plane(), PlaneState::Stays, "{:?}", found.antisymmetric_eigenvalue);
+    let with = |value: f64, error: f64, meshes: [f64; 3]| {
+        let antisymmetric_eigenvalue = Value { value, error, meshes };
+        InflatedRegion { antisymmetric_eigenvalue, ..found.clone() }.plane()
+    };
+    assert_eq!(with(0.0034, 0.0284, [0.05, 0.03, 0.01]), PlaneState::Unsure);
+    assert_eq!(with(-6.1, 3.1, [-12.0, -9.0, -7.0]), PlaneState::Unsure);
+    assert_eq!(with(-6.1, 0.5, [-8.0, -7.0, -6.5]), PlaneState::Leaves);
+    assert_eq!(with(f64::NAN, 0.1, [1.0; 3]), PlaneState::Unsure);
     // Both sheets as one closed surface: each side of a triangle belongs to another one in the opposite direction.
     let mut sides = std::collections::BTreeSet::new();
     for [a, b, c] in &found.surface.triangles {
