@@ -41,7 +41,8 @@ pub use objects::{MOST_OBJECTS, Objects};
 pub use pressures::{Inflation, inflations};
 pub use refinement::{Evidence, OnProgress, Watch};
 pub use region::{
-    FlatRegion, InflatedRegion, MOST_RESOLVED, PlaneState, RegionSeam, SeamPull, Surface, Wrinkles, chambers, region,
+    FlatRegion, InflatedRegion, MOST_RESOLVED, PlaneState, RegionSeam, SeamPull, Surface, Wrinkles, chambers,
+    region,
 };
 pub use shape::InflatedShape;
 pub use star::{FlatStar, InflatedStar, star, star_by_sizes};
