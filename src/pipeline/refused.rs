@@ -104,7 +104,7 @@ pub fn unfit_besides(spec: &Spec, machine: &Machine) -> Refusals {
     let is_fast = !matches!(spec.accuracy.model, ModelChoice::Shell | ModelChoice::Bvp);
     let stars = design.filter(|design| design.assembly().is_some() && spec.load.is_some() && is_fast);
     stars.map_or_else(Refusals::new, |design| match predict(&spec, &design) {
-        Ok(prediction) => verdict::refusals(&spec, &prediction.stars).into_iter().collect(),
+        Ok(prediction) => verdict::refusals(&spec, &prediction).into_iter().collect(),
         Err(fault) => no_prediction(&fault).into(),
     })
 }
