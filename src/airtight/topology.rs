@@ -188,7 +188,8 @@ impl fmt::Display for Passage {
             writeln!(f, "    {starts}tube {channel:.2} mm wide between the bands at its narrowest")?;
         } else {
             let least = Readable(self.least_passage.unwrap_or(0.0));
-            writeln!(f, "    no passage is narrower than {least} mm")?;
+            let hose = if self.inlet.is_some() { " but the hose's channel" } else { "" };
+            writeln!(f, "    no passage{hose} is narrower than {least} mm")?;
         }
         if let Some(inlet) = self.inlet {
             writeln!(f, "    inlet {inlet:.2} mm wide between its bands")?;

@@ -97,6 +97,9 @@ function keyFigures() {
   return out;
 }
 
+// Warnings of the design on the page: more than a printed sheet has room for are counted.
+const MOST_NOTES = 12;
+
 function showVerdict() {
   const [title, why] = verdict();
   at("banner").classList.add(data.tone);
@@ -107,7 +110,10 @@ function showVerdict() {
   );
   at("figures").append(...cards);
   at("ranges-say").hidden = !data.prediction || !data.prediction.ranges.final_radius_mm;
-  const watched = [...data.watch, ...data.notes.map((text) => ({ code: "design", text }))];
+  const notes = data.notes.slice(0, MOST_NOTES);
+  const more = data.notes.length - notes.length;
+  if (more > 0) notes.push(`${more} more warnings: \`check --json\` lists them`);
+  const watched = [...data.watch, ...notes.map((text) => ({ code: "design", text }))];
   at("watch").hidden = watched.length === 0;
   at("watch-list").append(...watched.map(({ code, text }) => make("li", { "data-code": code }, ...prose(text))));
 }

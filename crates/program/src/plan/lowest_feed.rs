@@ -50,7 +50,7 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
         flatness = flatness.max(ramp_flatness(&program.steps));
         if let Pace::Chopped(chop) = program.pace {
             let refusal = too_fast_to_chop(spec, machine, &chop).or_else(|| slow_chop_feed(machine, program));
-            let refusal = refusal.or_else(|| long_rest(machine, &chop, program));
+            let refusal = refusal.or_else(|| long_rest(spec, machine, &chop, program));
             if refusal.is_some() {
                 return refusal;
             }
@@ -195,22 +195,26 @@ fn slower_strokes(machine: &Machine, chop: &Chop) -> &'static str {
 
 /// The refusal of a rest that is too long in one place: around a corner, where the controller joins moves of few steps, or after
 /// every stroke, where strokes are long because the axes speed up slowly.
-fn long_rest(machine: &Machine, chop: &Chop, program: &Program) -> Option<Refusal> {
+fn long_rest(spec: &Spec, machine: &Machine, chop: &Chop, program: &Program) -> Option<Refusal> {
     if program.overdue <= 0.0 {
         return None;
     }
     let (rest, overdue) = (chop.rest, program.overdue);
     let (key, found, remedy) = if chop.least > 0.0 {
+        let (key, rounder) = if spec.drawing.is_some() {
+            (key::drawing::FILE, "round the drawn corners")
+        } else {
+            (key::star::CORNER_RADIUS, "make the arms longer, round tips and corners")
+        };
         (
-            key::star::CORNER_RADIUS,
+            key,
             format!(
                 "beside a sharp corner the controller joins moves below {:.3} mm, and the iron would rest \
                  for {:.2} s in one place; up to {rest:.2} s leave no scar",
                 chop.least,
                 rest + overdue
             ),
-            "make the arms longer, round tips and corners, or use a machine with more steps per mm"
-                .to_owned(),
+            format!("{rounder}, or use a machine with more steps per mm"),
         )
     } else {
         (
