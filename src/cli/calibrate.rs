@@ -171,9 +171,9 @@ impl Need {
                 loads.push((load.load, load.place.to_owned()));
             }
         }
-        if let Some(piece) = design.drawn() {
+        if let Some(pieces) = design.drawn() {
             let found = watched_by(args.verbosity, true, |watch| {
-                inflate(spec, piece, Detail::Coarse, watch).map_err(|refusal| not_computed(loaded, refusal))
+                inflate(spec, pieces, Detail::Coarse, watch).map_err(|refusal| not_computed(loaded, refusal))
             })?;
             loads.extend(found.prediction.seam_loads());
         }

@@ -6,7 +6,7 @@ use crate::airtight;
 use crate::answer::hours;
 use crate::cli::words::beyond;
 use crate::pipeline::{Forecast, Proven};
-use design::{COATING_ASSUMES, Design, DrawnPiece, FlatPiece, Plate, StarAssembly, StarDesign};
+use design::{COATING_ASSUMES, Design, DrawnPiece, DrawnPieces, FlatPiece, Plate, StarAssembly, StarDesign};
 use forecast::drawn::text::text as drawn_text;
 use forecast::report;
 use proof::artifact::Output;
@@ -25,18 +25,12 @@ const MOST_NOTES: usize = 100;
 /// The design: geometry, seams, fabric, and the realised radii of tips and corners. Of equal stars only the first is listed.
 fn design(forecast: &Forecast) -> String {
     let Forecast { spec, design, programs, .. } = forecast;
-    let mut out = String::new();
+    let mut out = design.drawn().map_or_else(String::new, notes);
     for placed in design.firsts() {
         let part = design.part(placed);
         match part {
             FlatPiece::Star(star) => out += &of_star(spec, placed.index, star),
-            FlatPiece::Drawn(drawn) => {
-                for note in drawn.notes.iter().take(MOST_NOTES) {
-                    let _ = writeln!(out, "drawing: {note}");
-                }
-                if let Some(more) = beyond(drawn.notes.len(), MOST_NOTES) {
-                    let _ = writeln!(out, "drawing: and {more} more, by --json");
-                }
+            FlatPiece::Drawn(_) => {
                 let mass = part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g"));
                 let fabric = part.fabric() / 100.0;
                 let _ = writeln!(out, "{}: fabric {fabric:.0} cm2 in both sheets{mass}", placed.name());
@@ -60,10 +54,22 @@ fn design(forecast: &Forecast) -> String {
             writeln!(out, "sheet {}: {} x {} mm", sheet.index, Readable(sheet.width), Readable(sheet.height));
     }
     out += &design.assembly().map_or_else(String::new, |assembly| materials(spec, assembly));
-    out += &design.drawn().map_or_else(String::new, paper);
+    out.extend(design.drawn().iter().flat_map(|drawn| drawn.pieces.iter().map(paper)));
     let time: f64 = programs.iter().map(|program| program.time).sum();
     let length: f64 = programs.iter().flat_map(|program| &program.seams).map(|seam| seam.length).sum();
     let _ = writeln!(out, "in total {length:.1} mm of seam, {} at {}", hours(time), spec.seal.speed);
+    out
+}
+
+/// The notes on a drawing.
+fn notes(drawn: &DrawnPieces) -> String {
+    let mut out = String::new();
+    for note in drawn.notes.iter().take(MOST_NOTES) {
+        let _ = writeln!(out, "drawing: {note}");
+    }
+    if let Some(more) = beyond(drawn.notes.len(), MOST_NOTES) {
+        let _ = writeln!(out, "drawing: and {more} more, by --json");
+    }
     out
 }
 

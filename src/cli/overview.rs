@@ -77,9 +77,9 @@ fn head(forecast: &Forecast) -> Vec<OverviewRow> {
         rows.push(("", verdict::in_words(forecast)));
         rows.extend(verdict::rows(forecast));
     }
-    if let Some(piece) = forecast.design.drawn() {
-        rows.extend(piece.notes.iter().take(NOTES).map(|note| ("drawing", note.clone())));
-        let more = beyond(piece.notes.len(), NOTES);
+    if let Some(drawn) = forecast.design.drawn() {
+        rows.extend(drawn.notes.iter().take(NOTES).map(|note| ("drawing", note.clone())));
+        let more = beyond(drawn.notes.len(), NOTES);
         rows.extend(more.map(|more| ("drawing", format!("{more} more notes by -v"))));
     }
     rows.extend(verdict::of_drawing(forecast));

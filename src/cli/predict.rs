@@ -222,8 +222,8 @@ impl StarQuestion {
         (spec, design): (&Spec, &Design),
         watch: &Watch<'_>,
     ) -> Result<(GripperAnswer, Option<InflatedShape>), ShellRefusal> {
-        if let Some(piece) = design.drawn() {
-            let found = drawn::inflate(spec, piece, self.detail.unwrap_or(Detail::Coarse), watch)?;
+        if let Some(pieces) = design.drawn() {
+            let found = drawn::inflate(spec, pieces, self.detail.unwrap_or(Detail::Coarse), watch)?;
             let shape = InflatedShape::joined(&found.shapes);
             return Ok((GripperAnswer::Drawn(Box::new(found.prediction)), Some(shape)));
         }
@@ -253,11 +253,14 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             question.answer((&spec, &design), watch).map_err(|refusal| not_computed(&loaded, refusal))?;
         Ok((answer.json(), answer.text(&spec), shape))
     };
-    let inputs = if let Some(piece) = design.drawn() {
+    let inputs = if let Some(pieces) = design.drawn() {
         args.refuse_those_of_stars()?;
         format!(
             "predict {spec:?} {:?} {:?} {:?} {:?}",
-            piece.air, piece.inner, piece.part.inside, question.accuracy
+            pieces.air(),
+            pieces.inner(),
+            pieces.holes(),
+            question.accuracy
         )
     } else if question.accuracy.is_some() || spec.accuracy.model == ModelChoice::Shell {
         format!("predict {spec:?} {:?} {:?}", question.radii, question.accuracy)

@@ -73,9 +73,9 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
 fn scene(forecast: &Forecast) -> Option<Vec<u8>> {
     let Forecast { spec, design, drawn, .. } = forecast;
     match design.drawn() {
-        Some(piece) => {
+        Some(pieces) => {
             let surfaces = drawn.as_ref().map_or(&[][..], |drawn| &drawn.surfaces);
-            emit::drawn_scene(spec, design, piece, surfaces)
+            emit::drawn_scene(spec, design, pieces, surfaces)
         }
         None => emit::scene(spec, design, &inflated(forecast)),
     }

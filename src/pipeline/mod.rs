@@ -90,7 +90,7 @@ impl Planned {
         }
     }
 
-    /// Predicts the behaviour, if the spec has a load; `watch` receives the progress of the shell computation of a drawn piece.
+    /// Predicts the behaviour, if the spec has a load; `watch` receives the progress of the shell computation of drawn pieces.
     ///
     /// # Errors
     /// If the model that the spec requests has no answer, or if the shell computation was cancelled.
@@ -100,7 +100,7 @@ impl Planned {
         let prediction = asked.map(|_| predict(&spec, &design)).transpose();
         let prediction = prediction.map_err(|fault| no_prediction(&fault))?;
         let drawn = design.drawn().filter(|_| spec.load.is_some());
-        let drawn = drawn.map(|piece| of_spec(&spec, piece, watch)).transpose();
+        let drawn = drawn.map(|pieces| of_spec(&spec, pieces, watch)).transpose();
         let drawn = drawn.map_err(|fault| no_prediction(&fault))?;
         Ok(Forecast { spec, machine, design, programs, traces, prediction, drawn })
     }

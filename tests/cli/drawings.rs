@@ -119,16 +119,33 @@ fn refused(layers: &str) -> Vec<Value> {
     json(folder.path(), &["check", "a.toml", "--json"])["refused"].as_array().expect("refusals").clone()
 }
 
-/// No allowance keeps the cut around one shape off the band of another.
+/// The flaps of the two would lie on each other where they are drawn: each is a piece, and is cut by itself.
 #[test]
-fn two_shapes_need_a_drawn_cut_around_both() {
-    let found = refused(
-        "<g id=\"air\"><rect x=\"20\" y=\"20\" width=\"120\" height=\"60\"/><rect x=\"145\" y=\"20\" width=\"40\" height=\"60\"/></g>\
-         <g id=\"port\"><path d=\"M15 50H25M180 50H190\"/></g>",
+fn separate_shapes_are_pieces() {
+    let folder = folder(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"220mm\" height=\"100mm\" viewBox=\"0 0 220 100\">\
+         <g id=\"air\"><rect x=\"20\" y=\"20\" width=\"120\" height=\"60\"/><rect x=\"145\" y=\"20\" width=\"40\" height=\"60\"/></g>\
+         <g id=\"port\"><path d=\"M15 50H25M180 50H190\"/></g></svg>",
     );
-    assert!(found.iter().all(|one| one["code"] != "cut-in-band"), "{found:?}");
-    let outlines = found.iter().find(|one| one["code"] == "wrong-outlines").expect("two of them");
-    assert!(outlines["allowed"].as_str().is_some_and(|text| text.contains("role `cut`")), "{outlines}");
+    let dir = folder.path();
+    let _ = run(dir, &["new", "a", "--drawing", "d.svg"]);
+    let spec = fs::read_to_string(dir.join("a.toml")).expect("a spec");
+    fs::write(
+        dir.join("a.toml"),
+        spec.replacen("# copies = 1", "copies = 2", 1) + "\n[mask]\nkind = \"separator\"\n",
+    )
+    .expect("written");
+    let output = run(dir, &["check", "a.toml"]);
+    let screen = stdout(&output);
+    for piece in ["pieces 1, 3: 140 x 80 mm, 1 chamber, 1 port", "pieces 2, 4: 60 x 80 mm, 1 chamber, 1 port"]
+    {
+        assert!(screen.contains(piece), "{screen}{}", stderr(&output));
+    }
+    assert!(run(dir, &["build", "a.toml"]).status.success());
+    assert!(run(dir, &["verify", "out/a"]).status.success());
+    for file in ["piece-1-mask.svg", "piece-2-mask.svg", "piece-4-seal.gcode"] {
+        assert!(dir.join("out/a").join(file).exists(), "{file}");
+    }
 }
 
 #[test]

@@ -13,7 +13,9 @@ fn proposed(name: &str, text: &str) -> Vec<(String, LayerRole)> {
     let spec = reading.with_drawing(text.as_bytes()).spec;
     let design = Design::new(&spec, &support::machine());
     let design = design.unwrap_or_else(|refusals| panic!("{name}: {:?}: {refusals}", found.layers));
-    let ports = design.drawn().map_or(0, |piece| piece.shape.ports.len());
+    let ports = design
+        .drawn()
+        .map_or(0, |drawn| drawn.pieces.iter().map(|piece| piece.shape.ports.len()).sum::<usize>());
     assert!(ports > 0, "{name}: no port");
     found.layers.into_iter().map(|(layer, role, _)| (layer, role)).collect()
 }

@@ -1,6 +1,6 @@
 //! Drawn pieces under pressure: shapes of known size, walls and islands, and refused inputs.
 
-use stargrip_cam::design::{Design, DrawnPiece};
+use stargrip_cam::design::{Design, DrawnPieces};
 use stargrip_cam::forecast::drawn::chambers::drawn_chambers;
 use stargrip_cam::forecast::drawn::prediction::ChamberPrediction;
 use stargrip_cam::forecast::drawn::prediction::{DrawnPrediction, Plane};
@@ -20,7 +20,7 @@ const DISC: &str = r#"<circle id="c" cx="80" cy="80" r="50"/>"#;
 /// The inlet for its hose.
 const HOSE: &str = r#"<g id="p"><line id="q" x1="25" y1="80" x2="35" y2="80"/></g>"#;
 
-fn spec(air: &str, more: &str) -> (Spec, DrawnPiece) {
+fn spec(air: &str, more: &str) -> (Spec, DrawnPieces) {
     let text = format!(
         "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = {{ air = [\"a\"], port = [\"p\"] }}\n\
          [inlet]\ntube_diameter = \"3 mm\"\n[fabric]\nthickness = \"0.1 mm\"\nyoung_modulus = \"128 MPa\"\npoisson_ratio = 0.39\n{more}"
@@ -32,16 +32,16 @@ fn spec(air: &str, more: &str) -> (Spec, DrawnPiece) {
     of_text(&text, svg.as_bytes())
 }
 
-fn of_text(text: &str, drawing: &[u8]) -> (Spec, DrawnPiece) {
+fn of_text(text: &str, drawing: &[u8]) -> (Spec, DrawnPieces) {
     let reading = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}"));
     let spec = reading.with_drawing(drawing).spec;
     let machine = Machine::builtin("generic").expect("built in");
     let design = Design::new(&spec, &machine).unwrap_or_else(|refusals| panic!("{refusals}"));
-    let piece = design.drawn().expect("a drawing").clone();
-    (spec, piece)
+    let pieces = design.drawn().expect("a drawing").clone();
+    (spec, pieces)
 }
 
-fn coarse(asked: &(Spec, DrawnPiece)) -> InflatedDrawing {
+fn coarse(asked: &(Spec, DrawnPieces)) -> InflatedDrawing {
     inflate(&asked.0, &asked.1, Detail::Coarse, &Watch::default()).unwrap_or_else(|why| panic!("{why:?}"))
 }
 
@@ -139,7 +139,7 @@ fn walls_welds_and_islands_are_the_drawings() {
     }
     let text = include_str!("../../designs/drawings/bending-finger.toml");
     let (spec, piece) = of_text(text, include_bytes!("../../designs/drawings/bending-finger.svg"));
-    assert_eq!(piece.shape.topology().chambers.len(), 2);
+    assert_eq!(piece.pieces[0].shape.topology().chambers.len(), 2);
     let found = drawn_chambers(&spec, &piece).expect("chambers");
     assert_eq!((found.len(), found[0].flat.islands.len(), found[0].flat.welds.len()), (1, 0, 7));
     let text = include_str!("../../designs/drawings/letters.toml");

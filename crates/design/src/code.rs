@@ -58,7 +58,6 @@ codes! {
         SharpCorner "sharp-corner" "A corner of a drawing is sharper than a round iron can seal; round it, or make the band narrower.",
         SheetTooSmall "sheet-too-small" "A part does not fit on the sheet; make the sheet larger, or allow parts to turn.",
         ShortInlet "short-inlet" "The inlet's mouth would lie inside the flap; make its length larger.",
-        ShortSeam "short-seam" "A closed seam of a drawing is shorter than twice its overlap; make overlap shorter.",
         ShortWindow "short-window" "A warning: the default coating windows had to be cut; write extent to accept it, or make room.",
         SmallBed "small-bed" "A piece of a printed mask is larger than the bed; name a larger bed, or none.",
         StarsOverlap "stars-overlap" "A leak: the bands of two stars on one sheet overlap; make gap larger.",

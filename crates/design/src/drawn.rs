@@ -11,6 +11,7 @@ mod label;
 mod layer_name;
 mod loops;
 mod marks;
+mod pieces;
 mod proposal;
 mod roles;
 mod words;
@@ -20,19 +21,19 @@ use std::sync::Arc;
 
 pub use cut::{DrawnCut, DrawnSeparator};
 pub use label::DrawnLabels;
+pub use pieces::DrawnPieces;
 
 use crate::drawn::clearance::Clearance;
 use crate::drawn::inner::within_air;
 use crate::drawn::layer_name::layer_names;
 use crate::drawn::proposal::LeftOut;
-use crate::placement::{SheetLayout, footprint, place};
 use crate::star_seam::MOUTH_OVERRUN;
-use crate::{Circle, PlacedPart, Refusal, RefusalCode, Refusals, Warning};
+use crate::{Circle, Refusal, RefusalCode, Refusals, Warning};
 use artwork::{Drawing, Fault, Figure, Format, Options, Place, Unit};
 use geom::{Bounds, Path};
 use sealed::{Rules, SealedShape, Sealing, ShapeCode, Sketch, sealed_shape};
 use spec::units::Readable;
-use spec::{DrawingSpec, LayerRole, Machine, MaskKind, Spec, key};
+use spec::{DrawingSpec, LayerRole, MaskKind, Spec, key};
 
 /// Width of the tube by which labels are sized where no passage is narrow, mm.
 const LABEL_WIDTH: f64 = 15.0;
@@ -42,7 +43,7 @@ const LISTED_FAULTS: usize = 100;
 /// Larger sides of drawings for which the unit is not asked, mm.
 const USUAL_SIZES: std::ops::RangeInclusive<f64> = 10.0..=3000.0;
 
-/// A drawn piece, and its copies on sheets.
+/// A drawn piece.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnPiece {
     /// Seams, cut and ports.
@@ -67,10 +68,6 @@ pub struct DrawnPiece {
     pub passage: Option<f64>,
     /// A narrower passage is warned of, mm.
     pub least_passage: f64,
-    /// The repairs and choices made as the drawing was read, a sentence each.
-    pub notes: Vec<String>,
-    /// Its copies where they lie.
-    pub copies: Vec<PlacedPart>,
 }
 
 impl DrawnPiece {
@@ -79,25 +76,21 @@ impl DrawnPiece {
         inner::share_a_band(&self.air, self.shape.band)
     }
 
-    /// The kind of its copies.
-    const KIND: &'static str = "piece";
-
-    /// The piece that `drawing` of `spec` shows, laid on sheets for `machine`, and the warnings about it.
+    /// The piece that `sketch` of `spec` shows, the warnings about it, and the repairs.
     ///
     /// # Errors
-    /// Every reason for which it cannot be read, made, or laid on a sheet.
-    pub(super) fn new(
+    /// Every reason for which it cannot be made.
+    fn new(
         spec: &Spec,
         drawing: &DrawingSpec,
-        machine: &Machine,
-    ) -> Result<(Self, Vec<SheetLayout>, Vec<Warning>), Refusals> {
-        let (sketch, mut notes) = sketch(spec, drawing)?;
+        sketch: &Sketch,
+    ) -> Result<(Self, Vec<Warning>, Vec<String>), Refusals> {
         let rules = rules(spec, drawing);
-        let sealing = sealed_shape(&sketch, &rules);
+        let sealing = sealed_shape(sketch, &rules);
         let Sealing { shape, air, inner, holes, repairs, warnings: warned } =
             sealing.map_err(|faults| faults.iter().map(faults::refusal).collect::<Refusals>())?;
         let inner = inner.iter().flat_map(|path| within_air(path, air.closed(), drawing.join.0)).collect();
-        notes.extend(repairs.iter().map(|repair| faults::found_at(&repair.what, repair.place)));
+        let repairs = repairs.iter().map(|repair| faults::found_at(&repair.what, repair.place)).collect();
         let narrow = warned.iter().filter(|warning| warning.code == ShapeCode::NarrowPassage);
         let passage = narrow.map(|warning| warning.found).reduce(f64::min);
         let mut warnings: Vec<Warning> = warned.iter().map(faults::refusal).collect();
@@ -113,10 +106,6 @@ impl DrawnPiece {
         let is_separated = spec.mask.kind == MaskKind::Separator;
         let separator = is_separated.then(|| DrawnSeparator::new(spec, &shape, &air)).transpose()?;
         let edges = air.edges_to_mouths(shape.band);
-        let bounds = footprint(&shape, &tool.outside, machine.process.ramp.0);
-        let number = usize::try_from(spec.sheet.copies).unwrap_or(1);
-        let (places, sheets) = place(&vec![bounds; number], &spec.sheet, machine)?;
-        let copies = PlacedPart::all(Self::KIND, &vec![0; number], places);
         let air = air.closed().to_vec();
         let piece = Self {
             shape,
@@ -130,10 +119,8 @@ impl DrawnPiece {
             separator,
             passage,
             least_passage: rules.least_passage,
-            notes,
-            copies,
         };
-        Ok((piece, sheets, warnings))
+        Ok((piece, warnings, repairs))
     }
 
     /// Width of the tube by which labels are sized, mm.

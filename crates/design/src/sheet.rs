@@ -1,7 +1,7 @@
 //! Sheets: the whole design, its pieces placed side by side on fabric.
 
 use crate::placement::SheetLayout;
-use crate::{DrawnPiece, FlatPiece, PlacedPart, Refusals, StarAssembly, Warning};
+use crate::{DrawnPieces, FlatPiece, PlacedPart, Refusals, StarAssembly, Warning};
 use geom::Point;
 use sealed::PlacedPiece;
 use spec::{Machine, Spec};
@@ -22,8 +22,8 @@ pub struct Design {
 pub enum Product {
     /// A gripper of stars.
     Stars(Box<StarAssembly>),
-    /// Pieces that are all alike, by a person's own drawing.
-    Drawing(Box<DrawnPiece>),
+    /// Pieces by a person's own drawing.
+    Drawing(Box<DrawnPieces>),
 }
 
 impl Design {
@@ -33,8 +33,8 @@ impl Design {
     /// Every reason for which a piece cannot be made or does not fit on a sheet.
     pub fn new(spec: &Spec, machine: &Machine) -> Result<Self, Refusals> {
         if let Some(drawing) = &spec.drawing {
-            let (piece, sheets, warnings) = DrawnPiece::new(spec, drawing, machine)?;
-            return Ok(Self { product: Product::Drawing(Box::new(piece)), sheets, warnings });
+            let (drawn, sheets, warnings) = DrawnPieces::new(spec, drawing, machine)?;
+            return Ok(Self { product: Product::Drawing(Box::new(drawn)), sheets, warnings });
         }
         let (assembly, sheets, warnings) = StarAssembly::new(spec, machine)?;
         Ok(Self { product: Product::Stars(Box::new(assembly)), sheets, warnings })
@@ -48,11 +48,11 @@ impl Design {
         }
     }
 
-    /// The piece by a drawing; `None` for another product.
-    pub fn drawn(&self) -> Option<&DrawnPiece> {
+    /// The pieces by a drawing; `None` for another product.
+    pub fn drawn(&self) -> Option<&DrawnPieces> {
         match &self.product {
             Product::Stars(_) => None,
-            Product::Drawing(piece) => Some(piece),
+            Product::Drawing(drawn) => Some(drawn),
         }
     }
 
@@ -60,7 +60,7 @@ impl Design {
     pub fn placed(&self) -> &[PlacedPart] {
         match &self.product {
             Product::Stars(assembly) => &assembly.stars,
-            Product::Drawing(piece) => &piece.copies,
+            Product::Drawing(drawn) => &drawn.copies,
         }
     }
 
@@ -68,7 +68,7 @@ impl Design {
     pub fn part(&self, placed: &PlacedPart) -> FlatPiece<'_> {
         match &self.product {
             Product::Stars(assembly) => FlatPiece::Star(assembly.part(placed)),
-            Product::Drawing(piece) => FlatPiece::Drawn(piece),
+            Product::Drawing(drawn) => FlatPiece::Drawn(&drawn.pieces[placed.distinct]),
         }
     }
 

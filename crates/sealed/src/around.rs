@@ -2,17 +2,18 @@
 
 use crate::AirSide;
 use crate::air::{Air, Boundary, Wall, air};
-use crate::bottleneck::{GapCurve, bottlenecks};
 use crate::clean::{NOTHING, Piece, without_doubles};
+use crate::fabric::necks;
 use crate::fault::{ShapeCode, quoted};
-use crate::join::{Network, network};
+use crate::join::network;
 use crate::loose::{crossings, loose_ends};
-use crate::mouth::{Mouth, cap};
+use crate::mouth::Mouth;
 use crate::notes::{SealingNotes, named};
 use crate::offset::offset_right;
+use crate::open_ends::closed_at_ports;
 use crate::ports::{Opening, open_ports};
 use crate::sketch::{Rules, Sketch};
-use geom::{Path, Point, Vec2};
+use geom::{Path, Point};
 
 /// A band's centre line before it is a seam.
 #[derive(Clone, Debug)]
@@ -57,12 +58,13 @@ pub(super) fn around_air(
     notes: &mut SealingNotes,
 ) -> Layout {
     let (mut pieces, mut edges, names) = notes.mended(&sketch.air, rules.join);
-    let mut mouths = caps(sketch, rules, &edges, &mut pieces);
-    if !mouths.is_empty() {
+    let before = notes.faults.len();
+    let piece_count = pieces.len();
+    let mut mouths = closed_at_ports(sketch, rules, &edges, &mut pieces, &names, notes);
+    if pieces.len() > piece_count {
         edges = network(&pieces, rules.join);
         taken.extend(mouths.iter().map(|mouth| mouth.port));
     }
-    let before = notes.faults.len();
     let weld = "close it, or put it on a layer of seams if it is a weld that ends in the air";
     loose_ends((&pieces, &edges), &names, rules.join, weld, notes);
     crossings(&edges, &names, rules.join, notes);
@@ -114,100 +116,6 @@ pub(super) fn around_air(
         lines.push(Line { path, names: named(&sources, &names), kind: LineUse::Wall, joined: [true; 2] });
     }
     Layout { lines, closed, edges, mouths, air: side }
-}
-
-/// Closes the edge over each port that lies between two free ends.
-fn caps(sketch: &Sketch, rules: &Rules, edges: &Network, pieces: &mut Vec<Piece>) -> Vec<Mouth> {
-    let mut free: Vec<(Point, Vec2, usize)> = Vec::new();
-    for (node, edge, which) in edges.free_ends() {
-        let edge = &edges.edges[edge];
-        let path = if which == 0 { edge.path.reversed() } else { edge.path.clone() };
-        let tangent = path.tangent_at(path.length()).unwrap_or(Vec2::new(1.0, 0.0));
-        free.push((edges.nodes[node], tangent, edge.sources[0]));
-    }
-    let mut mouths = Vec::new();
-    for (port, drawn) in sketch.ports.iter().enumerate() {
-        let place = drawn.place.middle();
-        let Some([first, second]) = nearest_two(free.iter().map(|end| end.0.distance(place))) else { break };
-        let [a, b] = [&free[first], &free[second]];
-        let gap = a.0.distance(b.0);
-        // Wider than the hose the mouth leaks, narrower it has no room: both are found by the port's width.
-        let near =
-            a.0.midpoint(b.0).distance(place) <= gap / 2.0 && gap <= 2.0 * rules.port_width + rules.band;
-        if near && gap > rules.join {
-            let (path, mouth) = cap(port, [a.0, b.0], [a.1, b.1], rules.overrun + 1.0);
-            pieces.push(Piece { path, source: a.2 });
-            mouths.push(mouth);
-            let _ = free.remove(first.max(second));
-            let _ = free.remove(first.min(second));
-        }
-    }
-    mouths
-}
-
-/// The numbers of the two least distances, the least first; `None` of fewer than two.
-fn nearest_two(distances: impl Iterator<Item = f64>) -> Option<[usize; 2]> {
-    let mut least = [(f64::INFINITY, usize::MAX); 2];
-    for (number, far) in distances.enumerate() {
-        if far < least[0].0 {
-            least = [(far, number), least[0]];
-        } else if far < least[1].0 {
-            least[1] = (far, number);
-        }
-    }
-    (least[1].1 != usize::MAX).then_some(least.map(|(_, number)| number))
-}
-
-/// Faults where fabric between two edges has no room for their bands.
-fn necks(
-    (air, mouths): (&Air, &[Mouth]),
-    sketch: &Sketch,
-    rules: &Rules,
-    names: &[String],
-    notes: &mut SealingNotes,
-) {
-    let curves: Vec<GapCurve<'_>> =
-        air.boundaries.iter().map(|edge| GapCurve { path: &edge.path, joined: [false; 2] }).collect();
-    let closed = geom::Enclosures::new(air.boundaries.iter().map(|edge| &edge.path));
-    let both = 2.0 * rules.band;
-    for neck in notes.unless_crowded(bottlenecks(&curves, both - 1e-6)) {
-        let in_air = closed.around(neck.middle()).len() % 2 == 1;
-        let is_wall = (neck.width - rules.band).abs() <= rules.join;
-        let in_front = mouths.iter().find(|mouth| mouth.is_in_front(neck.middle(), both));
-        if in_air || is_wall && in_front.is_none() {
-            continue;
-        }
-        let mut sources: Vec<usize> =
-            neck.curves.iter().flat_map(|i| air.boundaries[*i].sources.clone()).collect();
-        sources.dedup();
-        let mut own = named(&sources, names);
-        let near = mouths.iter().filter(|mouth| mouth.is_beside(neck.middle(), both));
-        let name = |mouth: &Mouth| sketch.ports[mouth.port].name.clone();
-        let (ports, front): (Vec<String>, _) = (near.map(name).collect(), in_front.map(name));
-        let told = if ports.len() > 1 {
-            let place = format!("between the channels of ports {}", quoted(&ports));
-            Some((place, ports, rules.ports_apart()))
-        } else {
-            let place = |port: &str| format!("in front of the channel of port '{port}'");
-            front.map(|port| (place(&port), vec![port], rules.room_in_front()))
-        };
-        if let Some((place, ports, remedy)) = told {
-            own.extend(ports);
-            let text = (format!("{:.3} mm of fabric {place}", neck.width), remedy);
-            notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), text, [neck.width, both]);
-            continue;
-        }
-        let fabric = format!("{:.3} mm of fabric between edges of {}", neck.width, quoted(&own));
-        let what = format!("{fabric} are too narrow for two bands");
-        let [a, b] = neck.curves;
-        let apart = a != b && air.boundaries[a].outer && air.boundaries[b].outer;
-        let cut = if apart && sketch.cuts.is_empty() { ", with a drawn cut around both" } else { "" };
-        let remedy = format!(
-            "make it {} mm, for a wall that is sealed once, or at least {both} mm, for two bands{cut}",
-            rules.band
-        );
-        notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), (what, remedy), [neck.width, both]);
-    }
 }
 
 /// The centre lines of the boundaries' bands.

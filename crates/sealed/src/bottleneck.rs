@@ -3,8 +3,6 @@
 //! A pair of points p, q is a bottleneck if no neighbour of p on its curve is nearer to q, and no neighbour of q nearer to p: the line
 //! between them is normal to both curves, or within the cone of normals of a corner or an end.
 
-use std::collections::BTreeMap;
-
 use crate::clean::{Crowd, quarters};
 use geom::{Arc, BoxIndex, Line, Path, Point, Segment, Vec2, intersections};
 
@@ -15,8 +13,6 @@ const ONE: f64 = 1e-7;
 
 /// Widths that differ by less are alike, mm.
 const ALIKE: f64 = 1e-6;
-/// Distance, mm, within which only one of several bottlenecks of the same curves is reported.
-const APART: f64 = 50.0;
 /// Pairs of stretches that are compared at most: a hundred thousand of them with a thousand others within reach of each.
 const MOST_PAIRS: usize = 100_000_000;
 
@@ -27,6 +23,8 @@ pub(super) struct Bottleneck {
     pub curves: [usize; 2],
     /// A point on each.
     pub points: [Point; 2],
+    /// Lengths of the curves before these points, mm.
+    pub stations: [f64; 2],
     /// The distance between the points, mm.
     pub width: f64,
     /// Whether a point is a corner or an end.
@@ -51,6 +49,8 @@ struct CurvePart {
     curve: usize,
     /// Number of the part in its curve.
     at: usize,
+    /// Length of the curve before it, mm.
+    before: f64,
     segment: Segment,
     ends: [Point; 2],
     middle: Point,
@@ -68,8 +68,7 @@ struct TurnPoint {
     bends: [Option<Arc>; 2],
 }
 
-/// The bottlenecks of `curves` narrower than `limit` mm that no other curve passes through, the narrowest first; of those of the same
-/// curves near to each other only the narrowest.
+/// The bottlenecks of `curves` narrower than `limit` mm that no other curve passes through, the narrowest first.
 ///
 /// # Errors
 /// If more than [`MOST_PAIRS`] stretches would have to be compared.
@@ -102,7 +101,8 @@ pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bot
             pairs(a, b, &mut |p, q, at_corner| {
                 let width = p.distance(q);
                 if width < limit && width > ONE {
-                    found.push(Bottleneck { curves: [a.curve, b.curve], points: [p, q], width, at_corner });
+                    let (curves, stations) = ([a.curve, b.curve], [a.station(p), b.station(q)]);
+                    found.push(Bottleneck { curves, points: [p, q], stations, width, at_corner });
                 }
             });
         });
@@ -114,24 +114,15 @@ pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bot
         let place = || p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
         width.then(a.at_corner.cmp(&b.at_corner)).then(a.curves.cmp(&b.curves)).then_with(place)
     });
-    let mut kept: Vec<Bottleneck> = Vec::new();
-    let mut of_curves: BTreeMap<[usize; 2], Vec<Point>> = BTreeMap::new();
-    for bottleneck in found {
-        let middle = bottleneck.middle();
-        let known = of_curves.entry(bottleneck.curves).or_default();
-        let is_far = known.iter().all(|other| other.distance(middle) > APART);
-        if is_far && is_clear(&parts, &index, &bottleneck) {
-            known.push(middle);
-            kept.push(bottleneck);
-        }
-    }
-    Ok(kept)
+    found.retain(|bottleneck| is_clear(&parts, &index, bottleneck));
+    Ok(found)
 }
 
 fn add_parts(parts: &mut Vec<CurvePart>, curve: usize, GapCurve { path, joined }: &GapCurve<'_>) {
     let pieces: Vec<Segment> = path.segments.iter().flat_map(quarters).map(|(part, ..)| part).collect();
     let count = pieces.len();
     let arc = |segment: &Segment| if let Segment::Arc(arc) = segment { Some(*arc) } else { None };
+    let mut length_before = 0.0;
     for (at, segment) in pieces.iter().enumerate() {
         let before = if at > 0 { Some(at - 1) } else { path.closed.then_some(count - 1) };
         let before = before.map(|before| &pieces[before]);
@@ -156,7 +147,27 @@ fn add_parts(parts: &mut Vec<CurvePart>, curve: usize, GapCurve { path, joined }
         let at_end = corners.iter().any(|corner| corner.arriving.is_none() || corner.leaving.is_none());
         let turn = if at_end || cosine <= 0.0 { 1.0 } else { (1.0 - cosine * cosine).max(0.0).sqrt() };
         let (middle, half) = (segment.point(0.5), segment.length() / 2.0);
-        parts.push(CurvePart { curve, at, segment: *segment, ends, middle, half, tangent, turn, corners });
+        let segment = *segment;
+        parts.push(CurvePart {
+            curve,
+            at,
+            before: length_before,
+            segment,
+            ends,
+            middle,
+            half,
+            tangent,
+            turn,
+            corners,
+        });
+        length_before += 2.0 * half;
+    }
+}
+
+impl CurvePart {
+    /// Length of the curve before the point `p` of the part, mm.
+    fn station(&self, p: Point) -> f64 {
+        self.before + self.segment.nearest_fraction(p) * 2.0 * self.half
     }
 }
 

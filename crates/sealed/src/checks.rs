@@ -1,11 +1,14 @@
 //! Requirements of bands and tubes, with numbers and places.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::around::{Layout, Line, LineUse};
 use crate::bottleneck::{Bottleneck, GapCurve, bottlenecks};
-use crate::fault::{ShapeCode, quoted};
+use crate::channel::ChannelSides;
+use crate::fault::{ShapeCode, ShapeFault, quoted};
+use crate::flanks::Flanks;
 use crate::hairpins::hairpins;
+use crate::narrow_places::narrow_places;
 use crate::notes::SealingNotes;
 use crate::segments::Segments;
 use crate::sketch::{Rules, Sketch, thousandths_up};
@@ -14,40 +17,103 @@ use geom::{Enclosures, Path, Point, Segment, intersections};
 /// Lengths that differ by less are alike, mm.
 const ALIKE: f64 = 1e-6;
 
+/// The finding about two bands beside each other.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum NeckKind {
+    /// Their bands overlap.
+    Overlap,
+    /// The air between them is narrower than two bands.
+    Tube,
+    /// The air between them is narrower than the least passage.
+    Passage,
+}
+
 /// Faults where bands overlap or a tube is too narrow, and warnings of narrow passages.
+///
+/// Every bottleneck gets its kind first. Then those of one kind that are one narrow place are told once, where it is narrowest.
 pub(super) fn checked(lines: &Layout, sketch: &Sketch, rules: &Rules, notes: &mut SealingNotes) {
-    crossing_bands(&lines.lines, rules.band, notes);
+    let channels = ChannelSides::all(lines, rules);
+    let crossed = crossing_bands(lines, &channels, sketch, rules.band, notes);
     hairpins(&lines.lines, rules.band, notes);
     let curves: Vec<GapCurve<'_>> =
         lines.lines.iter().map(|line| GapCurve { path: &line.path, joined: line.joined }).collect();
-    let both = 2.0 * rules.band;
-    let limit = rules.band + rules.least_passage.max(both);
+    let widest = rules.least_passage.max(2.0 * rules.band);
     let air = Enclosures::new(&lines.closed);
-    for neck in notes.unless_crowded(bottlenecks(&curves, limit)) {
-        let in_air = air.around(neck.middle()).len() % 2 == 1;
-        let tube = neck.width - rules.band;
-        if is_mouth(lines, &neck, tube) {
-            continue;
+    let necks = notes.unless_crowded(bottlenecks(&curves, rules.band + widest));
+    let kinds: Vec<Option<NeckKind>> = necks
+        .iter()
+        .map(|neck| {
+            // Where bands cross, inside and outside are undefined.
+            let is_defined = neck.curves.iter().all(|curve| !crossed.contains(curve));
+            neck_kind(neck, &channels, &air, rules).filter(|_| is_defined)
+        })
+        .collect();
+    let limits = [
+        (NeckKind::Overlap, rules.band),
+        (NeckKind::Tube, 3.0 * rules.band),
+        (NeckKind::Passage, rules.band + widest),
+    ];
+    for (kind, limit) in limits {
+        let of_kind = necks.iter().zip(&kinds).filter(|(_, other)| **other == Some(kind));
+        for neck in narrow_places(of_kind.map(|(neck, _)| *neck).collect(), &curves, limit) {
+            let is_at_foot = kind != NeckKind::Passage && port_at_foot(lines, sketch, &neck, rules, notes);
+            if !is_at_foot {
+                narrow(kind, &neck, &Flanks::of(&neck, lines, &channels, sketch), rules, notes);
+            }
         }
-        let mut names: Vec<String> = neck.curves.iter().flat_map(|i| lines.lines[*i].names.clone()).collect();
-        names.dedup();
-        if tube < both - ALIKE && port_at_foot(lines, sketch, &neck, rules, notes) {
-            continue;
+    }
+}
+
+/// The kind of a neck between centre lines; `None` if its width is right, or it is a port's own channel.
+fn neck_kind(
+    neck: &Bottleneck,
+    channels: &[ChannelSides<'_>],
+    air: &Enclosures,
+    rules: &Rules,
+) -> Option<NeckKind> {
+    if channels.iter().any(|channel| channel.are_around(neck)) {
+        return None;
+    }
+    let tube = neck.width - rules.band;
+    if tube < -ALIKE {
+        return Some(NeckKind::Overlap);
+    }
+    let is_past_mouth = neck.points.iter().any(|p| channels.iter().any(|channel| channel.has_past_mouth(*p)));
+    let in_air = !is_past_mouth && air.around(neck.middle()).len() % 2 == 1;
+    match () {
+        () if !in_air => None,
+        () if tube < 2.0 * rules.band - ALIKE => Some(NeckKind::Tube),
+        () if tube < rules.least_passage - ALIKE => Some(NeckKind::Passage),
+        () => None,
+    }
+}
+
+/// Notes a neck of this kind between `flanks`.
+fn narrow(kind: NeckKind, neck: &Bottleneck, flanks: &Flanks, rules: &Rules, notes: &mut SealingNotes) {
+    let (tube, place) = (neck.width - rules.band, neck.middle());
+    let Flanks { names, text, .. } = flanks;
+    match kind {
+        NeckKind::Overlap => {
+            let least = rules.band;
+            let what = format!("an overlap of {:.3} mm between {text}", -tube);
+            let remedy = match &flanks.ports[..] {
+                [] => format!("move the centre lines to at least {least} mm from each other"),
+                [_] => format!("move the port, so that its bands lie at least {least} mm from the other"),
+                [..] => rules.ports_apart(),
+            };
+            notes.fault(ShapeCode::BandsOverlap, names, place, (what, remedy), [neck.width, least]);
         }
-        let (least, passage) = (rules.band, rules.least_passage);
-        let what = |found: String| format!("{found} between the bands of {}", quoted(&names));
-        if tube < -ALIKE {
-            let what = what(format!("an overlap of {:.3} mm", -tube));
-            let text = (what, format!("move the centre lines to at least {least} mm from each other"));
-            notes.fault(ShapeCode::BandsOverlap, &names, neck.middle(), text, [neck.width, least]);
-        } else if in_air && tube < both - ALIKE {
-            let what = what(format!("a tube of {tube:.3} mm"));
-            let text = (what, format!("make it at least {both} mm wide, twice the band"));
-            notes.fault(ShapeCode::NarrowTube, &names, neck.middle(), text, [tube, both]);
-        } else if in_air && tube < passage - ALIKE {
-            let what = what(format!("a passage of {tube:.3} mm"));
-            let text = (what, format!("air may flow slowly; make it at least {passage} mm (`passage`)"));
-            notes.warning(ShapeCode::NarrowPassage, &names, neck.middle(), text, [tube, passage]);
+        NeckKind::Tube => {
+            let both = 2.0 * rules.band;
+            let what = format!("a tube of {tube:.3} mm between {text}");
+            let remedy = format!("make it at least {both} mm wide, twice the band");
+            notes.fault(ShapeCode::NarrowTube, names, place, (what, remedy), [tube, both]);
+        }
+        NeckKind::Passage => {
+            let least = rules.least_passage;
+            let what = format!("a passage of {tube:.3} mm between {text}");
+            let remedy = format!("air may flow slowly; make it at least {least} mm (`passage`)");
+            notes.warning(ShapeCode::NarrowPassage, names, place, (what, remedy), [tube, least]);
         }
     }
 }
@@ -91,45 +157,52 @@ fn port_at_foot(
     false
 }
 
-/// Whether a narrow place is the channel of a port, whose width is that of its hose.
-fn is_mouth(lines: &Layout, neck: &Bottleneck, tube: f64) -> bool {
-    lines.mouths.iter().any(|mouth| {
-        let (along, across) = mouth.local(neck.middle());
-        along <= mouth.beyond + 1.0
-            && along > -mouth.depth.max(100.0)
-            && across.abs() <= mouth.half / 2.0
-            && tube >= 2.0 * mouth.half - ALIKE
-    })
-}
-
-/// Faults where centre lines cross, except where one ends on the other.
-fn crossing_bands(lines: &[Line], band: f64, notes: &mut SealingNotes) {
+/// Faults where centre lines cross, except where one ends on the other; the numbers of the lines that do. A channel that a band closes
+/// is told there.
+fn crossing_bands(
+    layout: &Layout,
+    channels: &[ChannelSides<'_>],
+    sketch: &Sketch,
+    band: f64,
+    notes: &mut SealingNotes,
+) -> BTreeSet<usize> {
+    let lines = &layout.lines;
     let segments = Segments::of(lines.iter().map(|line| &line.path));
     let is_end = |number: usize, p: Point| {
         let Line { path, joined, .. } = &lines[number];
         let mut ends = [path.start(), path.end()].into_iter().zip(joined);
         ends.any(|(end, joined)| *joined && end.is_some_and(|end| end.distance(p) <= band / 2.0 + ALIKE))
     };
-    let mut told: BTreeMap<[usize; 2], Point> = BTreeMap::new();
+    let mut crossings: BTreeMap<[usize; 2], Point> = BTreeMap::new();
     for (i, one) in segments.list.iter().enumerate() {
         for j in segments.index.overlapping(&one.bounds).into_iter().filter(|j| *j < i) {
             let other = &segments.list[j];
             let pair = [other.path, one.path];
-            if one.path == other.path || told.contains_key(&pair) {
+            if one.path == other.path || crossings.contains_key(&pair) {
                 continue;
             }
             let met = intersections(&one.segment, &other.segment).into_iter();
             if let Some(p) = met.into_iter().find(|p| pair.iter().all(|line| !is_end(*line, *p))) {
-                let _ = told.insert(pair, p);
+                let _ = crossings.insert(pair, p);
             }
         }
     }
-    for ([a, b], place) in told {
-        let names = [lines[a].names.clone(), lines[b].names.clone()].concat();
-        let what = format!("the bands of {} cross", quoted(&names));
-        let remedy = "end one on the other, or move them apart";
-        notes.fault(ShapeCode::Crossing, &names, place, (what, remedy), [0.0, band]);
+    for (pair, place) in &crossings {
+        let Flanks { names, text, ports } = Flanks::at(*pair, [*place; 2], lines, channels, sketch);
+        let is_closed = |fault: &ShapeFault| {
+            fault.code == ShapeCode::BandsOverlap && ports.iter().any(|port| fault.names.contains(port))
+        };
+        if notes.faults.iter().any(is_closed) {
+            continue;
+        }
+        let remedy = if ports.is_empty() {
+            "end one on the other, or move them apart"
+        } else {
+            "move the port to where its channel leads straight out"
+        };
+        notes.fault(ShapeCode::Crossing, &names, *place, (format!("{text} cross"), remedy), [0.0, band]);
     }
+    crossings.into_keys().flatten().collect()
 }
 
 /// Distance below which only one of the unsealed places of an edge is reported, mm.

@@ -48,8 +48,6 @@ pub enum ShapeCode {
     LostPort,
     /// An edge too short for the port.
     PortTooWide,
-    /// A closed seam shorter than twice its overlap.
-    ShortSeam,
     /// Several outlines, or none.
     Outlines,
     /// A cut or a hole in a band, in the air, or across another cut.

@@ -37,6 +37,14 @@ impl Mouth {
             && (-self.depth..=self.beyond + half + 1e-6).contains(&along)
     }
 
+    /// Whether the point `p` of the air's edge lies on the channel outside the drawn edge: on one of its sides, or its end.
+    pub(super) fn has_edge(&self, p: Point) -> bool {
+        let (along, across) = self.local(p);
+        let is_within = along > 1e-6 - self.length && along < self.beyond + 1e-6;
+        let is_on = (across.abs() - self.half).abs() < 1e-6 || (along - self.beyond).abs() < 1e-6;
+        is_within && is_on && across.abs() < self.half + 1e-6
+    }
+
     /// Whether `p` lies beside the channel, at most `aside` mm from it.
     pub(super) fn is_beside(&self, p: Point, aside: f64) -> bool {
         let (along, across) = self.local(p);

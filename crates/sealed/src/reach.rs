@@ -30,26 +30,40 @@ pub(super) fn unreached<'a>(
             let way = [start, far].map(|along| mouth.point(along, across));
             [&cuts, &bands].map(|segments| first(mouth, way, segments))
         });
-        let is_closed = first.iter().any(|[cut, band]| cut >= band);
-        let ahead = first[1][0];
-        if !is_closed && ahead <= most {
+        let closing = first.iter().find(|[cut, band]| cut.0 >= band.0).map(|[_, band]| *band);
+        let (ahead, _) = first[1][0];
+        if closing.is_none() && ahead <= most {
             continue;
         }
-        let names = [sketch.ports[mouth.port].name.clone()];
+        let mut names = vec![sketch.ports[mouth.port].name.clone()];
         let port = quoted(&names);
-        let (what, numbers) = if is_closed {
-            (format!("a band lies between the mouth of port {port} and the cut"), [f64::NAN; 2])
-        } else {
-            (format!("the cut passes {ahead:.3} mm in front of the mouth of port {port}"), [ahead, most])
+        let (what, place, numbers) = match closing {
+            Some((along, Some(line))) => {
+                let band = &lines.lines[line].names;
+                let what = format!("the band of {} closes the way out of port {port}", quoted(band));
+                names.extend(band.clone());
+                (what, mouth.point(along, 0.0), [f64::NAN; 2])
+            }
+            Some((_, None)) => {
+                (format!("no cut lies in front of the mouth of port {port}"), mouth.at, [f64::NAN; 2])
+            }
+            None => {
+                let what = format!("the cut passes {ahead:.3} mm in front of the mouth of port {port}");
+                (what, mouth.at, [ahead, most])
+            }
         };
         let text = (what, rules.room_in_front());
-        notes.fault(ShapeCode::BandsOverlap, &names, mouth.at, text, numbers);
+        notes.fault(ShapeCode::BandsOverlap, &names, place, text, numbers);
     }
 }
 
-/// The distance past the mouth at which the `way` out first meets one of the `segments`; infinite if it does not.
-fn first(mouth: &Mouth, way: [Point; 2], segments: &Segments) -> f64 {
+/// The distance past the mouth at which the `way` out first meets one of the `segments`, and the number of its path; infinite if it does
+/// not.
+fn first(mouth: &Mouth, way: [Point; 2], segments: &Segments) -> (f64, Option<usize>) {
     let way = Segment::Line(Chord::new(way[0], way[1]));
-    let met = segments.near(way.bounds()).flat_map(|near| intersections(&near.segment, &way));
-    met.map(|p| mouth.local(p).0).fold(f64::INFINITY, f64::min)
+    let met = segments.near(way.bounds()).flat_map(|near| {
+        let places = intersections(&near.segment, &way).into_iter();
+        places.map(|p| (mouth.local(p).0, Some(near.path)))
+    });
+    met.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, None))
 }

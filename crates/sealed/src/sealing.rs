@@ -73,22 +73,26 @@ fn ports(lines: &Layout) -> Vec<Port> {
     mouths.iter().map(|mouth| Port { at: mouth.at, width: 2.0 * mouth.half }).collect()
 }
 
+/// The seams along `lines`. A closed seam is sealed twice along half of its length at most.
 fn seams(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) -> Vec<Seam> {
     let named = lines.lines.iter().zip(seam_names(&lines.lines));
     let seam = |(line, name): (&Line, String)| {
-        let closed = line.path.closed;
-        let (length, least) = (line.path.length(), 2.0 * rules.overlap);
-        if closed && length < least {
-            let place = line.path.start().unwrap_or(Point::ORIGIN);
-            let own = quoted(&line.names);
-            let what = format!("the seam of {own} is {length:.3} mm long, shorter than twice its overlap");
-            let most = (length * 500.0).floor() / 1000.0;
-            let text = (what, format!("make the overlap at most {most:.3} mm"));
-            notes.fault(ShapeCode::ShortSeam, &line.names, place, text, [length, least]);
-        }
+        let overlap = if line.path.closed { rules.overlap.min(0.5 * line.path.length()) } else { 0.0 };
         let role = if line.kind == LineUse::Weld { Role::Weld } else { Role::Boundary };
-        let overlap = if closed { rules.overlap } else { 0.0 };
         Seam { name, role, center_line: line.path.clone(), overlap }
     };
-    named.map(seam).collect()
+    let seams: Vec<Seam> = named.map(seam).collect();
+    let is_short = |seam: &&Seam| seam.center_line.closed && seam.overlap < rules.overlap;
+    let least = seams.iter().filter(is_short).min_by(|a, b| a.overlap.total_cmp(&b.overlap));
+    if let Some((least, place)) = least.and_then(|seam| seam.center_line.start().map(|start| (seam, start))) {
+        let names: Vec<String> = seams.iter().filter(is_short).map(|seam| seam.name.clone()).collect();
+        let what = format!(
+            "closed seams shorter than twice the overlap of {} mm overlap by half their length, at least {:.3} mm: {}",
+            rules.overlap,
+            least.overlap,
+            quoted(&names)
+        );
+        notes.repairs.push(Repair { names, place, what });
+    }
+    seams
 }

@@ -1,12 +1,12 @@
 //! Leaks of a sealed shape, and chambers without ports, as faults of the sketch.
 
-use crate::SealedShape;
 use crate::around::Layout;
 use crate::fault::{ShapeCode, ShapeFault, quoted};
 use crate::leak::Leak;
 use crate::mouth::Mouth;
 use crate::notes::SealingNotes;
 use crate::sketch::{Rules, Sketch};
+use crate::{Chamber, SealedShape};
 use geom::{Line as Chord, Point, Segment, intersections};
 
 /// Faults of leaks, and of chambers that no port leads into.
@@ -22,7 +22,17 @@ pub(super) fn unsound_chambers(
         leaking(leak, shape, lines, sketch, rules, notes);
     }
     let chambers = topology.chambers.iter().zip(&topology.insides);
-    for (chamber, inside) in chambers.filter(|(chamber, _)| chamber.ports.is_empty()) {
+    // A leak may be the reason why a port is not recognised as that of its chamber.
+    let has_mouth = |chamber: &Chamber| {
+        let path = &lines.lines[chamber.outside].path;
+        lines.mouths.iter().any(|mouth| {
+            let across = mouth.half + rules.band / 2.0;
+            [across, -across].iter().any(|side| path.distance(mouth.point(rules.overrun, *side)) < 1e-6)
+        })
+    };
+    let is_closed =
+        |chamber: &Chamber| chamber.ports.is_empty() && (topology.leaks.is_empty() || !has_mouth(chamber));
+    for (chamber, inside) in chambers.filter(|(chamber, _)| is_closed(chamber)) {
         let names = &lines.lines[chamber.outside].names;
         let what = format!("the chamber inside of {} has no port", quoted(names));
         let remedy = "draw a port on its outer edge, or open a wall to a chamber with a port";

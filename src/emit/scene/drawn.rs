@@ -1,10 +1,10 @@
-//! The scene of a drawn piece: one piece, flat or as the shell inflates it, and the sheets beside it.
+//! The scene of drawn pieces: each once, flat or as the shell inflates it, where it is drawn, and the sheets beside them.
 
 use crate::emit::palette::SceneSurface;
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, index};
 use crate::emit::scene::sheets;
-use design::{Design, DrawnPiece, Layer};
+use design::{Design, DrawnPieces, Layer};
 use forecast::drawn::Surface;
 use geom::Path;
 use spec::Spec;
@@ -14,41 +14,46 @@ use spec::units::Length;
 const DRAWN: [SceneSurface; 4] =
     [SceneSurface::Fabric, SceneSurface::Tube, SceneSurface::OuterBand, SceneSurface::Cut];
 
-/// `piece` of `design`, its chambers `inflated` to these surfaces, or flat if there are none, and the sheets; `None` where lyon has no
-/// triangles for it. An inflated piece is shown without its flaps and bands, which the shell does not model.
+/// `pieces` of `design`, their chambers `inflated` to these surfaces, or flat if there are none, and the sheets; `None` where lyon has no
+/// triangles for them. An inflated piece is shown without its flaps and bands, which the shell does not model.
 pub fn drawn_scene(
     spec: &Spec,
     design: &Design,
-    piece: &DrawnPiece,
+    pieces: &DrawnPieces,
     inflated: &[Surface],
 ) -> Option<Vec<u8>> {
     let mut glb = Glb::new(&DRAWN);
-    let bounds = piece.part.outside.bounds();
+    let bounds = pieces.bounds();
     let middle = bounds.center();
     let rise =
         inflated.iter().flat_map(|surface| &surface.points).map(|[_, _, z]| mm(*z)).fold(0.0, f64::max);
-    let parts =
-        if inflated.is_empty() { flat(piece)? } else { vec![(SceneSurface::Tube, surface(inflated))] };
+    let parts = if inflated.is_empty() {
+        flat(pieces, spec.seal.band.0)?
+    } else {
+        vec![(SceneSurface::Tube, surface(inflated))]
+    };
     let mesh = glb.mesh("fabric of a piece", &parts);
     let node = Node { name: "piece".to_owned(), mesh, at: [-middle.x, -middle.y, rise], turn: 0.0 };
     let reach = 0.5 * bounds.width().max(bounds.height());
     let bands = [(SceneSurface::OuterBand, Layer::Seal)];
-    let sheets = sheets(&mut glb, design, (reach, piece.shape.band), &bands)?;
+    let sheets = sheets(&mut glb, design, (reach, spec.seal.band.0), &bands)?;
     // Validators remark on a material without use.
     let used = if inflated.is_empty() || !sheets.is_empty() { DRAWN.len() } else { 2 };
     Some(glb.finish(&spec.name, &[("pieces", vec![node]), ("sheets", sheets)], used))
 }
 
-/// The piece as it is cut: fabric around the air, the air, and bands.
-fn flat(piece: &DrawnPiece) -> Option<Vec<(SceneSurface, Mesh)>> {
-    let around: Vec<Path> =
-        [&piece.part.outside].into_iter().chain(&piece.part.inside).chain(&piece.air).cloned().collect();
-    let seams: Vec<Path> = piece.shape.seams.iter().map(|seam| seam.center_line.clone()).collect();
-    Some(vec![
-        (SceneSurface::Fabric, Mesh::fill(&around, 0.0)?),
-        (SceneSurface::Tube, Mesh::fill(&piece.air, 0.0)?),
-        (SceneSurface::OuterBand, Mesh::ribbons(&seams, piece.shape.band)?),
-    ])
+/// The pieces as they are cut: fabric around the air, the air, and bands.
+fn flat(pieces: &DrawnPieces, band: f64) -> Option<Vec<(SceneSurface, Mesh)>> {
+    let (mut fabric, mut air, mut bands) = (Mesh::default(), Mesh::default(), Mesh::default());
+    for piece in &pieces.pieces {
+        let around: Vec<Path> =
+            [&piece.part.outside].into_iter().chain(&piece.part.inside).chain(&piece.air).cloned().collect();
+        let seams: Vec<Path> = piece.shape.seams.iter().map(|seam| seam.center_line.clone()).collect();
+        fabric.append(Mesh::fill(&around, 0.0)?);
+        air.append(Mesh::fill(&piece.air, 0.0)?);
+        bands.append(Mesh::ribbons(&seams, band)?);
+    }
+    Some(vec![(SceneSurface::Fabric, fabric), (SceneSurface::Tube, air), (SceneSurface::OuterBand, bands)])
 }
 
 fn mm(metres: f64) -> f64 {

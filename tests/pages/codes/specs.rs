@@ -231,12 +231,6 @@ const DRAWINGS: &[(&str, &str, &str)] = &[
         "<g id=\"a\"><path id=\"r\" d=\"M 0 0 H 80 V 40 H 40 V 80 H 0 Z\"/></g><g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>",
     ),
     (
-        "short-seam",
-        "air = [\"a\"]\nport = [\"p\"]",
-        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/><circle id=\"s\" cx=\"30\" cy=\"30\" r=\"2.5\"/></g>\
-        <g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>",
-    ),
-    (
         "wall-outside",
         "air = [\"a\"]\nport = [\"p\"]",
         "<g id=\"a\"><rect id=\"r\" width=\"40\" height=\"40\"/><rect id=\"s\" x=\"60\" width=\"40\" height=\"40\"/>\

@@ -41,8 +41,8 @@ pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)], tell: Tell)
 /// The prediction as text and as JSON.
 fn answer(spec: &Spec, design: &Design, tell: Tell) -> Result<(String, Value), ShellRefusal> {
     let watch = Watch { progress: Some(&tell), ..Watch::default() };
-    if let Some(piece) = design.drawn() {
-        let found = drawn::inflate(spec, piece, DETAIL, &watch)?.prediction;
+    if let Some(pieces) = design.drawn() {
+        let found = drawn::inflate(spec, pieces, DETAIL, &watch)?.prediction;
         return Ok((drawn::text::text(spec, &found), json!(found)));
     }
     let found = if spec.accuracy.model == ModelChoice::Shell {

@@ -60,7 +60,6 @@ fn of(fault: &ShapeFault) -> (KeyPath, RefusalCode) {
         ShapeCode::NoPort => (LAYERS, RefusalCode::ChamberWithoutPort),
         ShapeCode::LostPort => (LAYERS, RefusalCode::PortOffEdge),
         ShapeCode::PortTooWide => (key::inlet::TUBE_DIAMETER, RefusalCode::PortTooWide),
-        ShapeCode::ShortSeam => (key::seal::OVERLAP, RefusalCode::ShortSeam),
         ShapeCode::Outlines => (LAYERS, RefusalCode::WrongOutlines),
         // A cut that follows the bands has no name, and no allowance keeps it off the bands of others.
         ShapeCode::CutInBand if fault.names.is_empty() => (LAYERS, RefusalCode::CutInBand),

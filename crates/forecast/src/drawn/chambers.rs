@@ -3,7 +3,7 @@
 use crate::case::{sheet, weave};
 use crate::predict::PredictFault;
 use crate::shell::{Detail, fabric};
-use design::DrawnPiece;
+use design::DrawnPieces;
 use inflatable::shell::cases::{Fineness, FlatRegion, chambers};
 use inflatable::shell::mesh::FlatChamber;
 use spec::{Spec, key};
@@ -30,16 +30,16 @@ impl DrawnChamber {
     }
 }
 
-/// The chambers of `piece` in the order of their outlines; each wall and weld belongs to the chamber that contains it.
+/// The chambers of `pieces` in the order of their outlines; each wall and weld belongs to the chamber that contains it.
 ///
 /// # Errors
 /// If the edges enclose no chamber, or the fabric is invalid.
-pub fn drawn_chambers(spec: &Spec, piece: &DrawnPiece) -> Result<Vec<DrawnChamber>, PredictFault> {
+pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnChamber>, PredictFault> {
     let refused = |why: String| PredictFault::new(key::drawing::FILE, why);
     let sheet = sheet(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
     let weave = weave(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
-    let found =
-        chambers(&piece.air, &piece.inner, &piece.part.inside).map_err(|fault| refused(fault.to_string()))?;
+    let found = chambers(&pieces.air(), &pieces.inner(), &pieces.holes())
+        .map_err(|fault| refused(fault.to_string()))?;
     if found.is_empty() {
         return Err(refused("the drawing's edges enclose no air".to_owned()));
     }

@@ -13,7 +13,7 @@ use crate::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction
 use crate::predict::PredictFault;
 use crate::shell::request::{ShellRefusal, no_pressure, refused};
 use crate::shell::{Detail, SHELL};
-use design::DrawnPiece;
+use design::{DrawnPiece, DrawnPieces};
 use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Wrinkles, region};
 use spec::units::{Pressure, Readable};
 use spec::{ModelChoice, Spec, key};
@@ -38,41 +38,45 @@ pub struct InflatedDrawing {
     pub shapes: Vec<InflatedShape>,
 }
 
-/// The prediction of `piece`, made from `spec`, for `check` and `build`: the shell's on coarse meshes if the spec selects the shell by
+/// The prediction of `pieces`, made from `spec`, for `check` and `build`: the shell's on coarse meshes if the spec selects the shell by
 /// name, else the flat quantities only. `watch` receives the shell's progress.
 ///
 /// # Errors
 /// If the spec selects a model of stars, or the shell refuses or is cancelled.
-pub fn of_spec(spec: &Spec, piece: &DrawnPiece, watch: &Watch<'_>) -> Result<InflatedDrawing, PredictFault> {
+pub fn of_spec(
+    spec: &Spec,
+    pieces: &DrawnPieces,
+    watch: &Watch<'_>,
+) -> Result<InflatedDrawing, PredictFault> {
     let asked = spec.accuracy.model == ModelChoice::Shell;
     if asked && spec.load.as_ref().is_some_and(|load| load.pressure.is_some()) {
-        return inflate(spec, piece, Detail::Coarse, watch).map_err(|refusal| match refusal {
+        return inflate(spec, pieces, Detail::Coarse, watch).map_err(|refusal| match refusal {
             ShellRefusal::Fault(fault) => fault,
             ShellRefusal::Cancelled => {
                 PredictFault::new(key::accuracy::MODEL, "the computation of the shell was stopped".to_owned())
             }
         });
     }
-    let found = drawn_chambers(spec, piece)?;
-    flat(spec, piece, &found).map(|prediction| InflatedDrawing {
+    let found = drawn_chambers(spec, pieces)?;
+    flat(spec, pieces, &found).map(|prediction| InflatedDrawing {
         prediction,
         surfaces: Vec::new(),
         shapes: Vec::new(),
     })
 }
 
-/// `piece`, made from `spec`, by the shell at the spec's pressure.
+/// `pieces`, made from `spec`, by the shell at the spec's pressure.
 ///
 /// # Errors
 /// If no pressure is given, the spec selects a model of stars, or the shell refuses a chamber or is cancelled.
 pub fn inflate(
     spec: &Spec,
-    piece: &DrawnPiece,
+    pieces: &DrawnPieces,
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<InflatedDrawing, ShellRefusal> {
-    let found = drawn_chambers(spec, piece)?;
-    let mut prediction = flat(spec, piece, &found)?;
+    let found = drawn_chambers(spec, pieces)?;
+    let mut prediction = flat(spec, pieces, &found)?;
     let pressure = spec.load.as_ref().and_then(|load| load.pressure).ok_or_else(no_pressure)?;
     refuse_large(&found, detail, pressure, watch)?;
     let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
@@ -97,7 +101,7 @@ pub fn inflate(
     prediction.model = SHELL;
     "only the shell models drawn shapes".clone_into(&mut prediction.evidence.choice);
     prediction.of_all(pressure);
-    let parted = piece.shape.topology().chambers.len();
+    let parted: usize = pieces.pieces.iter().map(|piece| piece.shape.topology().chambers.len()).sum();
     let warnings = [
         is_weave_left_out.then(|| {
             "shear_modulus is left out where wrinkles are averaged: the sheet is computed as isotropic".to_owned()
@@ -107,7 +111,7 @@ pub fn inflate(
                 "walls divide the air into {parted} chambers, which are computed as {count}: all are at the same pressure"
             )
         }),
-        piece.shares_a_band().then(|| {
+        pieces.pieces.iter().any(DrawnPiece::shares_a_band).then(|| {
             "chambers share a band, or their bands lie within a band's width of each other: each chamber is computed \
              alone, without the pull of the other on this band"
                 .to_owned()
@@ -165,7 +169,7 @@ fn duration(seconds: f64) -> String {
 }
 
 /// The prediction without a model: flat sizes only.
-fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<DrawnPrediction, PredictFault> {
+fn flat(spec: &Spec, pieces: &DrawnPieces, found: &[DrawnChamber]) -> Result<DrawnPrediction, PredictFault> {
     let model = spec.accuracy.model;
     if !matches!(model, ModelChoice::Shell | ModelChoice::Auto) {
         let word = ModelChoice::ALL.iter().find(|(_, own)| *own == model).map_or("this", |(word, _)| word);
@@ -185,7 +189,7 @@ fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<Drawn
     Ok(DrawnPrediction {
         model: NONE,
         pressure_kPa: pressure.map(|pressure: Pressure| pressure.0),
-        mass_g: design::FlatPiece::Drawn(piece).mass(&spec.fabric),
+        mass_g: pieces.mass(&spec.fabric),
         chambers: chambers.collect(),
         evidence: DrawnEvidence { choice, ..DrawnEvidence::default() },
         ..DrawnPrediction::default()

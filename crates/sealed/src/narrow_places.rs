@@ -1,0 +1,102 @@
+//! **Narrow places**: bottlenecks between which the curves stay narrow all along are one place, told where it is narrowest.
+
+use crate::bottleneck::{Bottleneck, GapCurve};
+use crate::join::root;
+use crate::segments::Segments;
+use geom::{Line, Point, Segment, Vec2, intersections};
+
+/// How much longer than the limit the way across may be, along a normal of one curve, where the place is narrower than the limit:
+/// normals of the other curve are shorter.
+const SLANT: f64 = 1.1;
+/// Looks across a narrow stretch, for each of its limits in length: a pouch shorter than an eighth of the limit does not part two places.
+const LOOKS: f64 = 8.0;
+
+/// Where a bottleneck touches a curve.
+struct Contact {
+    curve: usize,
+    /// Whether the bottleneck lies on the curve's left.
+    is_left: bool,
+    /// Length of the curve before it, mm.
+    station: f64,
+    bottleneck: usize,
+}
+
+/// The narrowest bottleneck of each narrow place of `curves`. `bottlenecks` come with the narrowest first; a place is a stretch that is
+/// narrower than `limit` mm.
+///
+/// Two bottlenecks that follow each other on one side of a curve are in one place if the way across is short all along between them.
+pub(super) fn narrow_places(
+    bottlenecks: Vec<Bottleneck>,
+    curves: &[GapCurve<'_>],
+    limit: f64,
+) -> Vec<Bottleneck> {
+    if bottlenecks.len() < 2 {
+        return bottlenecks;
+    }
+    let segments = Segments::of(curves.iter().map(|curve| curve.path));
+    let mut contacts: Vec<Contact> = bottlenecks
+        .iter()
+        .enumerate()
+        .flat_map(|(number, bottleneck)| contacts(number, bottleneck, &segments))
+        .collect();
+    contacts.sort_by(|a, b| {
+        (a.curve, a.is_left).cmp(&(b.curve, b.is_left)).then(a.station.total_cmp(&b.station))
+    });
+    let mut place: Vec<usize> = (0..bottlenecks.len()).collect();
+    for side in contacts.chunk_by(|a, b| (a.curve, a.is_left) == (b.curve, b.is_left)) {
+        let Contact { curve, .. } = side[0];
+        let path = curves[curve].path;
+        let round = side.last().zip(side.first()).filter(|_| path.closed && side.len() > 1);
+        let around = round.map(|(last, first)| (last, first, path.length()));
+        for (a, b, more) in side.windows(2).map(|pair| (&pair[0], &pair[1], 0.0)).chain(around) {
+            let (first, second) = (root(&mut place, a.bottleneck), root(&mut place, b.bottleneck));
+            if first != second && is_narrow(&segments, a, b.station + more, limit * SLANT) {
+                place[first.max(second)] = first.min(second);
+            }
+        }
+    }
+    let is_first = |number: &usize| place[*number] == *number;
+    let firsts: Vec<usize> = (0..bottlenecks.len()).filter(is_first).collect();
+    firsts.into_iter().map(|number| bottlenecks[number]).collect()
+}
+
+/// The two contacts of a bottleneck.
+fn contacts(number: usize, bottleneck: &Bottleneck, segments: &Segments) -> [Contact; 2] {
+    let [p, q] = bottleneck.points;
+    [(0, q - p), (1, p - q)].map(|(which, across)| {
+        let (curve, station) = (bottleneck.curves[which], bottleneck.stations[which]);
+        let (_, along) = segments.place(curve, station);
+        Contact { curve, is_left: along.cross(across) > 0.0, station, bottleneck: number }
+    })
+}
+
+/// Whether the way across is at most `most` mm long all along a curve, from a contact to the station `end`.
+fn is_narrow(segments: &Segments, from: &Contact, end: f64, most: f64) -> bool {
+    let length = end - from.station;
+    let looks = (length * LOOKS / most).ceil().clamp(1.0, 1e6);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count up to a million")]
+    let looks = looks as u32;
+    (0..looks).all(|look| {
+        let station = from.station + length * (f64::from(look) + 0.5) / f64::from(looks);
+        let (p, along) = segments.place(from.curve, station);
+        let across = if from.is_left { along.perp() } else { -along.perp() };
+        let way = Segment::Line(Line::new(p + across * 1e-6, p + across * most));
+        segments.near(way.bounds()).any(|other| !intersections(&other.segment, &way).is_empty())
+    })
+}
+
+impl Segments {
+    /// The point and the direction at a station of path number `path`; past its end it goes on from its start.
+    fn place(&self, path: usize, station: f64) -> (Point, Vec2) {
+        let begin = self.list.partition_point(|part| part.path < path);
+        let end = self.list.partition_point(|part| part.path <= path);
+        let parts = &self.list[begin..end];
+        let Some(last) = parts.last() else { return (Point::ORIGIN, Vec2::new(1.0, 0.0)) };
+        let length = last.before + last.segment.length();
+        let station = if station > length { station - length } else { station };
+        let number = parts.partition_point(|part| part.before <= station).saturating_sub(1);
+        let part = &parts[number];
+        let fraction = ((station - part.before) / part.segment.length().max(1e-12)).clamp(0.0, 1.0);
+        (part.segment.point(fraction), part.segment.tangent(fraction))
+    }
+}

@@ -1,0 +1,169 @@
+//! **Separate pieces** of a sketch: what is cut out by itself is a sketch of its own.
+//!
+//! With drawn cuts a piece is everything within an outermost cut. Without, it is all that lies within two bands of each other, or inside one
+//! another: fabric that narrow is a wall, or a fault.
+
+use std::collections::BTreeMap;
+
+use crate::air::depth;
+use crate::faces::{walk_path, walks};
+use crate::join::{Network, NetworkEdge, root};
+use crate::notes::SealingNotes;
+use crate::segments::Segments;
+use crate::sketch::{DrawnCurve, Rules, Sketch};
+use geom::{Enclosures, Line, Path, Point, segment_distance};
+
+/// The pieces of `sketch`, in the order in which they are drawn; the sketch itself where it is one piece, or a cut has no air inside.
+pub fn separate(sketch: &Sketch, rules: &Rules) -> Vec<Sketch> {
+    let pieces = if sketch.cuts.is_empty() { by_air(sketch, rules) } else { by_cuts(sketch, rules) };
+    let have_bands = pieces.iter().all(|piece| !piece.air.is_empty() || !piece.seams.is_empty());
+    if pieces.len() > 1 && have_bands { pieces } else { vec![sketch.clone()] }
+}
+
+/// A piece by the curves that bound it.
+struct PieceOutline {
+    /// Around it.
+    rings: Enclosures,
+    curves: Segments,
+}
+
+impl PieceOutline {
+    fn new(rings: &[Path], curves: &[&Path]) -> Self {
+        Self { rings: Enclosures::new(rings), curves: Segments::of(curves.iter().copied()) }
+    }
+
+    /// Distance of `p` from the piece, mm; 0 inside.
+    fn distance(&self, p: Point) -> f64 {
+        if !self.rings.around(p).is_empty() {
+            return 0.0;
+        }
+        self.curves.index.least(p, |number| self.curves.list[number].segment.distance(p))
+    }
+}
+
+/// The parts of `sketch`, each figure at the nearest of the `outlines`.
+fn shared_out(sketch: &Sketch, outlines: &[PieceOutline]) -> Vec<Sketch> {
+    let nearest = |p: Point| {
+        let distances = outlines.iter().map(|outline| outline.distance(p)).enumerate();
+        distances.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(number, _)| number)
+    };
+    let mut pieces = vec![Sketch::default(); outlines.len()];
+    let mut add = |curves: &[DrawnCurve], list: fn(&mut Sketch) -> &mut Vec<DrawnCurve>| {
+        for curve in curves {
+            list(&mut pieces[nearest(middle(&curve.path))]).push(curve.clone());
+        }
+    };
+    add(&sketch.air, |piece| &mut piece.air);
+    add(&sketch.seams, |piece| &mut piece.seams);
+    add(&sketch.cuts, |piece| &mut piece.cuts);
+    add(&sketch.holes, |piece| &mut piece.holes);
+    for port in &sketch.ports {
+        pieces[nearest(port.place.middle())].ports.push(port.clone());
+    }
+    pieces
+}
+
+/// A point of a path.
+fn middle(path: &Path) -> Point {
+    path.segments.get(path.segments.len() / 2).map_or(Point::ORIGIN, |segment| segment.point(0.5))
+}
+
+/// The parts within the outermost drawn cuts.
+fn by_cuts(sketch: &Sketch, rules: &Rules) -> Vec<Sketch> {
+    let (_, network, _) = SealingNotes::default().mended(&sketch.cuts, rules.join);
+    let closed = network.edges.iter().filter(|edge| edge.nodes.is_none()).map(|edge| &edge.path);
+    let closed: Vec<&Path> = closed.collect();
+    let around = Enclosures::new(closed.iter().copied());
+    let outermost = closed.into_iter().filter(|path| depth(&around, path) == 0);
+    let outlines = outermost.map(|path| PieceOutline::new(std::slice::from_ref(path), &[path]));
+    shared_out(sketch, &outlines.collect::<Vec<_>>())
+}
+
+/// The parts that lie more than two bands from each other, and not within each other.
+///
+/// Curves near each other are one cluster. A cluster inside the rings of another belongs to it. A cluster without a ring is no piece: its
+/// curves go to the nearest.
+fn by_air(sketch: &Sketch, rules: &Rules) -> Vec<Sketch> {
+    let drawn: Vec<&DrawnCurve> = sketch.air.iter().chain(&sketch.seams).collect();
+    let mut cluster = clusters(&drawn, 2.0 * rules.band);
+    let roots = |cluster: &mut Vec<usize>| (0..drawn.len()).map(|i| root(cluster, i)).collect::<Vec<_>>();
+    if roots(&mut cluster).iter().all(|root| *root == 0) {
+        return Vec::new();
+    }
+    let curves: Vec<DrawnCurve> = drawn.iter().map(|curve| (*curve).clone()).collect();
+    let (_, network, _) = SealingNotes::default().mended(&curves, rules.join);
+    let mut rings = rings(&network);
+    rings.extend(open_outlines(&network, sketch.air.len()));
+    let around = Enclosures::new(rings.iter().map(|(path, _)| path));
+    for (number, curve) in drawn.iter().enumerate() {
+        for ring in around.around(middle(&curve.path)) {
+            let (a, b) = (root(&mut cluster, number), root(&mut cluster, rings[ring].1));
+            cluster[a.max(b)] = a.min(b);
+        }
+    }
+    let roots = roots(&mut cluster);
+    let mut of_cluster: BTreeMap<usize, (Vec<Path>, Vec<&Path>)> = BTreeMap::new();
+    for (path, source) in rings {
+        of_cluster.entry(roots[source]).or_default().0.push(path);
+    }
+    for (curve, root) in drawn.iter().zip(&roots) {
+        if let Some((_, curves)) = of_cluster.get_mut(root) {
+            curves.push(&curve.path);
+        }
+    }
+    let outlines = of_cluster.values().map(|(rings, curves)| PieceOutline::new(rings, curves));
+    shared_out(sketch, &outlines.collect::<Vec<_>>())
+}
+
+/// The cluster of each curve, by the number of one of its curves: those nearer to each other than `reach` mm.
+fn clusters(drawn: &[&DrawnCurve], reach: f64) -> Vec<usize> {
+    let segments = Segments::of(drawn.iter().map(|curve| &curve.path));
+    let mut cluster: Vec<usize> = (0..drawn.len()).collect();
+    for part in &segments.list {
+        segments.index.visit(&part.bounds.grown(reach), |other| {
+            let other = &segments.list[other];
+            let (a, b) = (root(&mut cluster, part.path), root(&mut cluster, other.path));
+            if a != b && segment_distance(&part.segment, &other.segment) < reach {
+                cluster[a.max(b)] = a.min(b);
+            }
+        });
+    }
+    cluster
+}
+
+/// The closed curves of a network and the outer edges of its connected parts, each with the number of one of its curves.
+fn rings(network: &Network) -> Vec<(Path, usize)> {
+    let mut rings = Vec::new();
+    let mut meeting: Vec<(&Path, [usize; 2])> = Vec::new();
+    let mut sources = Vec::new();
+    for edge in &network.edges {
+        match edge.nodes {
+            None => rings.push((edge.path.clone(), edge.sources[0])),
+            Some(nodes) => {
+                meeting.push((&edge.path, nodes));
+                sources.push(edge.sources[0]);
+            }
+        }
+    }
+    for walk in walks(&meeting) {
+        let path = walk_path(&meeting, &walk);
+        // Clockwise around a connected part; free ends alone enclose nothing.
+        if path.area() < -1e-6 {
+            rings.push((path, sources[walk[0].0]));
+        }
+    }
+    rings
+}
+
+/// The open edges of the air that meet no other, closed by a straight line: a port may lie in their gap. The first `air` curves are air.
+fn open_outlines(network: &Network, air: usize) -> Vec<(Path, usize)> {
+    let free: Vec<usize> = network.free_ends().into_iter().map(|(node, ..)| node).collect();
+    let is_free = |nodes: &[usize; 2]| nodes.iter().all(|node| free.contains(node));
+    let outline = |edge: &NetworkEdge| {
+        let source = *edge.sources.first().filter(|source| **source < air)?;
+        let _ = edge.nodes.as_ref().filter(|nodes| is_free(nodes))?;
+        let chord = Line::new(edge.path.end()?, edge.path.start()?).into();
+        Some((Path::closed(edge.path.segments.iter().copied().chain([chord]).collect()), source))
+    };
+    network.edges.iter().filter_map(outline).collect()
+}
