@@ -206,7 +206,7 @@ fn chambers_that_a_wall_parts_are_computed_as_one_with_a_warning() {
         <rect id=\"r\" x=\"40\" y=\"40\" width=\"80\" height=\"50\"/><path id=\"w\" d=\"M80 40V90\"/></g>\
         <g id=\"p\"><path id=\"q\" d=\"M36 65H44\"/><path id=\"s\" d=\"M116 65H124\"/></g></svg>";
     let asked = of_text(text, svg.as_bytes());
-    assert_eq!(asked.1.shape.topology().chambers.len(), 2);
+    assert_eq!(asked.1.pieces[0].shape.topology().chambers.len(), 2);
     let warnings = coarse(&asked).prediction.evidence.warnings;
     assert!(
         warnings.iter().any(|warning| warning.contains("2 chambers, which are computed as 1")),
@@ -257,7 +257,7 @@ fn chambers_that_share_a_band_are_warned_of() {
         );
         of_text(text, svg.as_bytes())
     };
-    assert!(two(2.0).1.shares_a_band() && !two(8.0).1.shares_a_band());
+    assert!(two(2.0).1.pieces[0].shares_a_band() && !two(8.0).1.pieces[0].shares_a_band());
     let found = coarse(&two(4.0)).prediction;
     assert_eq!(found.chambers.len(), 2);
     let warnings = &found.evidence.warnings;

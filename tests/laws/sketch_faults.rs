@@ -459,11 +459,13 @@ fn channels_are_named_where_they_are_one_side() {
             across("p", (20.0 + d, 26.0), (20.0 + d, 34.0)),
             across("q", (16.0, 30.0 + d), (24.0, 30.0 + d)),
         ];
-        faults(&sketch(vec![("r", rectangle(20.0, 30.0, 120.0, 80.0))], ports))
+        let sketch = sketch(vec![("r", rectangle(20.0, 30.0, 120.0, 80.0))], ports);
+        sealed_shape(&sketch, &RULES).err().unwrap_or_default()
     };
-    for d in [3.5, 4.0, 5.0] {
+    for d in [1.0, 2.0, 3.5, 4.0, 5.0] {
         assert!(corner(d).iter().all(|fault| fault.code != ShapeCode::NoPort), "{:#?}", corner(d));
     }
+    assert!(!corner(1.0).is_empty(), "the channels meet");
 }
 
 /// A gap at the hose is closed, and the hose opens the edge there; one that is no mouth is told with both ends.

@@ -6,6 +6,7 @@ use crate::clean::{NOTHING, Piece, without_doubles};
 use crate::fabric::necks;
 use crate::fault::{ShapeCode, quoted};
 use crate::join::network;
+use crate::layout::{Layout, Line, LineUse};
 use crate::loose::{crossings, loose_ends};
 use crate::mouth::Mouth;
 use crate::notes::{SealingNotes, named};
@@ -14,41 +15,6 @@ use crate::open_ends::closed_at_ports;
 use crate::ports::{Opening, open_ports};
 use crate::sketch::{Rules, Sketch};
 use geom::{Path, Point};
-
-/// A band's centre line before it is a seam.
-#[derive(Clone, Debug)]
-pub(super) struct Line {
-    pub path: Path,
-    /// The names of the drawn curves that it comes from.
-    pub names: Vec<String>,
-    pub kind: LineUse,
-    /// Whether its start and end lie on another band.
-    pub joined: [bool; 2],
-}
-
-/// The purpose of a centre line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum LineUse {
-    /// An open weld that ends in the air.
-    Weld,
-    /// A wall between chambers.
-    Wall,
-    /// The edge of an island.
-    Island,
-    /// The outer edge of the air.
-    Outer,
-}
-
-/// Centre lines, the closed ones before ports open them, the closed edges that the cut follows (with their distance from it),
-/// mouths, and the region that the lines enclose.
-#[derive(Default)]
-pub(super) struct Layout {
-    pub lines: Vec<Line>,
-    pub closed: Vec<Path>,
-    pub edges: Vec<(Path, f64)>,
-    pub mouths: Vec<Mouth>,
-    pub air: AirSide,
-}
 
 /// The centre lines of the bands around the drawn air. Empty where the drawing has faults.
 pub(super) fn around_air(

@@ -1,7 +1,7 @@
 //! The two **sides** of a port's channel, as stretches of centre lines: they run straight back from the two ends at its mouth.
 
-use crate::around::{Layout, Line};
 use crate::bottleneck::Bottleneck;
+use crate::layout::{Layout, Line};
 use crate::mouth::Mouth;
 use crate::sketch::Rules;
 use geom::{Path, Point, Segment};

@@ -2,12 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::around::{Layout, Line, LineUse};
 use crate::bottleneck::{Bottleneck, GapCurve, bottlenecks};
 use crate::channel::ChannelSides;
 use crate::fault::{ShapeCode, ShapeFault, quoted};
 use crate::flanks::Flanks;
 use crate::hairpins::hairpins;
+use crate::layout::{Layout, Line, LineUse};
 use crate::narrow_places::narrow_places;
 use crate::notes::SealingNotes;
 use crate::segments::Segments;

@@ -1,10 +1,11 @@
 //! Seams that are drawn as centre lines.
 
 use crate::air::depth;
-use crate::around::{Layout, Line, LineUse, opened};
+use crate::around::opened;
 use crate::edge_gaps::close_edge_gaps;
 use crate::fault::ShapeCode;
 use crate::join::NetworkEdge;
+use crate::layout::{Layout, Line, LineUse};
 use crate::loose::crossings;
 use crate::mouth::NoChannel;
 use crate::notes::{SealingNotes, named};

@@ -1,7 +1,7 @@
 //! Ends of drawn welds that miss an edge of the air by a gap: it is closed as one between two ends is.
 
-use crate::around::Layout;
 use crate::clean::{NOTHING, with_end};
+use crate::layout::Layout;
 use crate::notes::SealingNotes;
 use crate::segments::Segments;
 use crate::sketch::Rules;

@@ -1,10 +1,10 @@
 //! **Flanks**: the two bands beside a place, by the words of a message. A channel's band belongs to its port, not to a drawn curve.
 
-use crate::around::Layout;
-use crate::around::Line;
 use crate::bottleneck::Bottleneck;
 use crate::channel::ChannelSides;
 use crate::fault::quoted;
+use crate::layout::Layout;
+use crate::layout::Line;
 use crate::sketch::Sketch;
 use geom::Point;
 

@@ -1,8 +1,8 @@
 //! **Hairpins**: corners of a weld whose legs lie on each other. The search for bottlenecks leaves out neighbours, which are near each
 //! other at every corner.
 
-use crate::around::{Line, LineUse};
 use crate::fault::{ShapeCode, quoted};
+use crate::layout::{Line, LineUse};
 use crate::notes::SealingNotes;
 use geom::{Path, Point};
 

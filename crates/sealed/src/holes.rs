@@ -2,8 +2,8 @@
 //! is too narrow.
 
 use crate::air::beside;
-use crate::around::Layout;
 use crate::fault::{ShapeCode, quoted};
+use crate::layout::Layout;
 use crate::notes::SealingNotes;
 use crate::segments::{PathSegment, Segments};
 use crate::sketch::Rules;

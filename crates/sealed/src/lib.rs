@@ -22,6 +22,7 @@ mod hairpins;
 mod holes;
 mod join;
 mod joints;
+mod layout;
 mod leak;
 mod loose;
 mod mouth;

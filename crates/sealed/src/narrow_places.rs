@@ -12,7 +12,7 @@ const SLANT: f64 = 1.1;
 const LOOKS: f64 = 8.0;
 
 /// Where a bottleneck touches a curve.
-struct Contact {
+struct NarrowContact {
     curve: usize,
     /// Whether the bottleneck lies on the curve's left.
     is_left: bool,
@@ -34,7 +34,7 @@ pub(super) fn narrow_places(
         return bottlenecks;
     }
     let segments = Segments::of(curves.iter().map(|curve| curve.path));
-    let mut contacts: Vec<Contact> = bottlenecks
+    let mut contacts: Vec<NarrowContact> = bottlenecks
         .iter()
         .enumerate()
         .flat_map(|(number, bottleneck)| contacts(number, bottleneck, &segments))
@@ -44,7 +44,7 @@ pub(super) fn narrow_places(
     });
     let mut place: Vec<usize> = (0..bottlenecks.len()).collect();
     for side in contacts.chunk_by(|a, b| (a.curve, a.is_left) == (b.curve, b.is_left)) {
-        let Contact { curve, .. } = side[0];
+        let NarrowContact { curve, .. } = side[0];
         let path = curves[curve].path;
         let round = side.last().zip(side.first()).filter(|_| path.closed && side.len() > 1);
         let around = round.map(|(last, first)| (last, first, path.length()));
@@ -61,17 +61,17 @@ pub(super) fn narrow_places(
 }
 
 /// The two contacts of a bottleneck.
-fn contacts(number: usize, bottleneck: &Bottleneck, segments: &Segments) -> [Contact; 2] {
+fn contacts(number: usize, bottleneck: &Bottleneck, segments: &Segments) -> [NarrowContact; 2] {
     let [p, q] = bottleneck.points;
     [(0, q - p), (1, p - q)].map(|(which, across)| {
         let (curve, station) = (bottleneck.curves[which], bottleneck.stations[which]);
         let (_, along) = segments.place(curve, station);
-        Contact { curve, is_left: along.cross(across) > 0.0, station, bottleneck: number }
+        NarrowContact { curve, is_left: along.cross(across) > 0.0, station, bottleneck: number }
     })
 }
 
 /// Whether the way across is at most `most` mm long all along a curve, from a contact to the station `end`.
-fn is_narrow(segments: &Segments, from: &Contact, end: f64, most: f64) -> bool {
+fn is_narrow(segments: &Segments, from: &NarrowContact, end: f64, most: f64) -> bool {
     let length = end - from.station;
     let looks = (length * LOOKS / most).ceil().clamp(1.0, 1e6);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count up to a million")]

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::around::{Line, LineUse};
+use crate::layout::{Line, LineUse};
 use geom::{Path, Point, Segment};
 
 /// The lines in the order of sealing: inner ones first, the outer edges last, so that the iron seldom passes over finished bands;

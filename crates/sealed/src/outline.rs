@@ -1,9 +1,9 @@
 //! The cut around a sealed shape, and the cuts inside it.
 
 use crate::air::{beside, depth};
-use crate::around::Layout;
 use crate::fault::{ShapeCode, quoted};
 use crate::holes::{around_bands, webs};
+use crate::layout::Layout;
 use crate::loose::{crossings, loose_ends};
 use crate::mouth::Mouth;
 use crate::notes::{SealingNotes, named};

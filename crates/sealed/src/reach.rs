@@ -1,7 +1,7 @@
 //! Mouths that no cut reaches: the sheets stay one piece in front of them, and no hose goes in.
 
-use crate::around::Layout;
 use crate::fault::{ShapeCode, quoted};
+use crate::layout::Layout;
 use crate::mouth::Mouth;
 use crate::notes::SealingNotes;
 use crate::segments::Segments;

@@ -1,9 +1,10 @@
 //! A sketch as a sealed shape, or all its faults.
 
-use crate::around::{Layout, Line, LineUse, around_air};
+use crate::around::around_air;
 use crate::checks::{checked, sharp_corners};
 use crate::drawn_seams::{drawn_seams, join_ends, lost_ports};
 use crate::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning, quoted};
+use crate::layout::{Layout, Line, LineUse};
 use crate::notes::SealingNotes;
 use crate::order::{ordered, seam_names};
 use crate::outline::outline;

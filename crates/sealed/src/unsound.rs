@@ -1,7 +1,7 @@
 //! Leaks of a sealed shape, and chambers without ports, as faults of the sketch.
 
-use crate::around::Layout;
 use crate::fault::{ShapeCode, ShapeFault, quoted};
+use crate::layout::Layout;
 use crate::leak::Leak;
 use crate::mouth::Mouth;
 use crate::notes::SealingNotes;
