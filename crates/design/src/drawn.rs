@@ -244,7 +244,11 @@ pub fn roled_figures(spec: &Spec) -> Vec<RoledFigure> {
         };
         RoledFigure {
             id: element.id.clone(),
-            layers: element.names().filter(|name| artwork.root.iter().all(|root| root != name)).map(str::to_owned).collect(),
+            layers: element
+                .names()
+                .filter(|name| artwork.root.iter().all(|root| root != name))
+                .map(str::to_owned)
+                .collect(),
             layer: entry.map_or(name, |(layer, _)| layer.as_str()).to_owned(),
             role: entry.map(|(_, role)| *role),
             path,

@@ -94,7 +94,7 @@ pub fn inflate(
         let inflated =
             region(&case, chamber.fineness(detail), &own).map_err(|why| not_inflated(&why, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles == Wrinkles::Averaged;
-        answer.fill(&inflated, &piece.shape, pressure, spec.fabric.seal_strength);
+        answer.fill(&inflated, pieces, pressure, spec.fabric.seal_strength);
         surfaces.push(inflated.surface);
         shapes.push(inflated.shape);
     }

@@ -8,10 +8,10 @@ use crate::model_search::AccuracySearch;
 use crate::prediction::distinct;
 use crate::ranges::Interval;
 use crate::seal_load::{Bursting, burst_of_drawn, bursts_at};
-use design::{Refusal, RefusalCode};
+use design::{DrawnPieces, Refusal, RefusalCode};
 use geom::Point;
 use inflatable::shell::cases::{InflatedRegion, PlaneState, RegionSeam, SeamPull, Value, Wrinkles};
-use sealed::{SealedShape, Seam};
+use sealed::Seam;
 use serde::Serialize;
 use spec::key;
 use spec::units::{Length, LineForce, Most, Pressure};
@@ -179,11 +179,11 @@ impl ChamberPrediction {
     pub(super) fn fill(
         &mut self,
         found: &InflatedRegion,
-        shape: &SealedShape,
+        pieces: &DrawnPieces,
         pressure: Pressure,
         peel: Option<LineForce>,
     ) {
-        let seams = seams(found, shape);
+        let seams = seams(found, pieces);
         let largest = seams.iter().map(|seam| seam.pull_N_per_mm).max_by(|a, b| a.value.total_cmp(&b.value));
         let is_averaged = found.wrinkles == Wrinkles::Averaged;
         // Folds may pull harder than their mean.
@@ -347,11 +347,11 @@ impl DrawnPrediction {
     }
 }
 
-/// The seams of `shape` that bound the region, in the order in which they are met, each with its largest pull.
+/// The seams of `pieces` that bound the region, in the order in which they are met, each with its largest pull.
 ///
 /// The shell knows edges and welds of the region only. A pull belongs to the seam whose centre line is nearest to its place.
-fn seams(region: &InflatedRegion, shape: &SealedShape) -> Vec<SeamPrediction> {
-    let names = distinct(region.seams.iter().map(|pull| seam_name(pull, shape)));
+fn seams(region: &InflatedRegion, pieces: &DrawnPieces) -> Vec<SeamPrediction> {
+    let names = distinct(region.seams.iter().map(|pull| seam_name(pull, pieces)));
     let of_name = names.into_iter().filter_map(|(name, numbers)| {
         let pulls: Vec<&SeamPull> = numbers.iter().map(|number| &region.seams[number - 1]).collect();
         of_seam(name, &pulls)
@@ -359,14 +359,15 @@ fn seams(region: &InflatedRegion, shape: &SealedShape) -> Vec<SeamPrediction> {
     of_name.collect()
 }
 
-/// The name of the seam of `shape` whose centre line is nearest to a pull; "seam" for the only one.
-fn seam_name(pull: &SeamPull, shape: &SealedShape) -> String {
+/// The name of the seam of `pieces` whose centre line is nearest to a pull; "seam" for the only one.
+fn seam_name(pull: &SeamPull, pieces: &DrawnPieces) -> String {
     let [x, y] = pull.at.map(|length| Length::from_metres(length).0);
     let distance = |seam: &Seam| {
         let segments = seam.center_line.segments.iter();
         segments.map(|segment| segment.distance(Point::new(x, y))).fold(f64::INFINITY, f64::min)
     };
-    let nearest = shape.seams.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let seams = pieces.pieces.iter().flat_map(|piece| &piece.shape.seams);
+    let nearest = seams.min_by(|a, b| distance(a).total_cmp(&distance(b)));
     nearest.map(|seam| seam.name.clone()).filter(|name| !name.is_empty()).unwrap_or_else(|| "seam".to_owned())
 }
 
