@@ -1,6 +1,7 @@
 //! The commands' answers as text and as JSON, for all front ends: terminal, Python, page. This module touches no file and no terminal.
 
 pub mod codes;
+mod duration;
 pub mod object;
 pub mod proof;
 pub mod quantity;
@@ -12,16 +13,7 @@ use serde_json::{Value, json};
 use crate::pipeline::{Forecast, Precaution};
 use spec::Code;
 
-/// Time of all programs, s, without heating and pauses.
-pub fn sealing_time(forecast: &Forecast) -> f64 {
-    forecast.programs.iter().map(|program| program.time).sum()
-}
-
-/// "13 h 02 min"
-pub fn hours(seconds: f64) -> String {
-    let minutes = (seconds / 60.0).round();
-    format!("{} h {:02} min", (minutes / 60.0).floor(), minutes % 60.0)
-}
+pub use duration::{hours, sealing_time};
 
 /// The overview as JSON, without the time of day.
 pub fn overview_json(forecast: &Forecast, list: &[Precaution]) -> Value {

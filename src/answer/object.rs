@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
+use crate::answer::duration::{hours, sealing_time};
 use crate::answer::quantity::SIZE;
-use crate::answer::{hours, sealing_time};
 use crate::pipeline::Forecast;
 use design::{RefusalCode, Refusals};
 use forecast::candidate::Candidate;

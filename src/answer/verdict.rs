@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::answer::{hours, sealing_time};
+use crate::answer::duration::{hours, sealing_time};
 use crate::pipeline::Forecast;
 use design::CutEdge;
 use forecast::drawn::prediction::ChamberPrediction;
