@@ -204,11 +204,11 @@ fn clamps_work_area_object_and_the_closed_star_are_shown() {
         "clamp",
         "end of the work area",
         "work area 345 x 900 mm",
-        "object, radius 30 mm",
+        "object, 60 mm across",
     ] {
         assert!(has(word), "{word}: {said:?}");
     }
-    assert!(has("shut on the object: 30.0 mm") && has("sealed twice"), "{said:?}");
+    assert!(has("shut on the object: 60.0 mm across") && has("sealed twice"), "{said:?}");
 }
 
 /// The colours of a preview, as docs/pictures.md lists them.
