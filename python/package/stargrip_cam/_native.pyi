@@ -148,14 +148,8 @@ class Star:
     def corner_angle_deg(self) -> float:
         """External angle phi_e0 of the reentrant corners, degrees."""
     @property
-    def arm_folding_kg(self) -> float | None:
-        """Mass on one star at which its arms fold, kg: the most that it carries."""
-    @property
     def arm_length_mm(self) -> float:
         """Arm length l, mm."""
-    @property
-    def arm_wrinkling_kg(self) -> float | None:
-        """Mass on one star at which its arms wrinkle between plate and object, kg. Needs a pressure and an object."""
     @property
     def fabric_mm2(self) -> float:
         """Fabric of both sheets, mm^2."""
@@ -354,6 +348,12 @@ class Prediction:
     @property
     def payload_kg(self) -> float | None:
         """Mass that friction holds until arms fold, kg: of the whole stack on the object's slopes, in `stars` of each star on an upright surface. Needs a pressure, an object and friction."""
+    @property
+    def arm_wrinkling_kg(self) -> float | None:
+        """Mass on one star at which its arms wrinkle between plate and object, kg. Needs a pressure and an object."""
+    @property
+    def arm_folding_kg(self) -> float | None:
+        """Mass on one star at which its arms fold, kg: the most that it carries."""
     @property
     def stretch(self) -> Any:
         """Stretch p W / Y of the fabric. By the shell the largest principal stretch with mesh error and place. Needs a pressure."""
