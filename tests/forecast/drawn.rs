@@ -3,7 +3,7 @@
 use stargrip_cam::design::{Design, DrawnPieces};
 use stargrip_cam::forecast::drawn::chambers::drawn_chambers;
 use stargrip_cam::forecast::drawn::prediction::ChamberPrediction;
-use stargrip_cam::forecast::drawn::prediction::{DrawnPrediction, Plane};
+use stargrip_cam::forecast::drawn::prediction::{DrawnPrediction, PlaneAnswer};
 use stargrip_cam::forecast::drawn::{InflatedDrawing, inflate, of_spec};
 use stargrip_cam::forecast::shell::Detail;
 use stargrip_cam::forecast::shell::star::ShellRefusal;
@@ -67,7 +67,7 @@ fn a_drawn_disc_is_a_balloon_each_time() {
     }
     assert!(near(one.height_mm.expect("known").value, 45.69), "{:?}", one.height_mm);
     assert!(near(one.volume_mm3.expect("known").value, 152_300.0), "{:?}", one.volume_mm3);
-    assert_eq!((one.plane, one.leaves_plane), (Some(Plane::Stays), Some(false)));
+    assert_eq!((one.plane, one.leaves_plane), (Some(PlaneAnswer::Stays), Some(false)));
     // The whole rim bears the pressure on the sheet's area seen from above: in the mean p D'^2 / 4 D.
     let pull = one.seal_pull_N_per_mm.expect("known");
     let mean = 3e-3 * 76.27_f64.powi(2) / 400.0;

@@ -3,7 +3,8 @@
 use crate::case::Case;
 use crate::model_selection::tabled;
 use crate::outcome::Outcome;
-use crate::payload::{Bearers, StackPayload, stack_payload};
+use crate::payload::{Bearers, stack_payload};
+use crate::prediction::StackPayload;
 use crate::ranges::{Interval, scaled};
 use crate::seal_load::burst;
 use design::{Meeting, Object, Refusal, RefusalCode, SHEETS, Star, cut_area, opening};

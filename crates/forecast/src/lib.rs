@@ -34,6 +34,7 @@ pub mod case;
 pub mod charts;
 pub mod drawn;
 mod evidence;
+mod folding;
 pub mod keys;
 mod load_check;
 pub mod meshed;

@@ -1,6 +1,7 @@
 //! Reasons why a gripper does not suit the load of its own spec: the found value, the allowed value, and the remedy.
 
-use crate::payload::{StackPayload, limit_in_words};
+use crate::payload::limit_in_words;
+use crate::prediction::StackPayload;
 use crate::prediction::StarPrediction;
 use crate::ranges::Interval;
 use crate::ranges::shown::{apart, or_unknown};

@@ -1,8 +1,8 @@
 //! The response of an inflated star under load: one set of closed forms, with their ranges, for predictions, sweeps and searches.
 
 use crate::case::Case;
+use crate::folding::until_arms_fold;
 use crate::model_selection::{correct, tabled};
-use crate::payload::until_arms_fold;
 use crate::ranges::errors::OPENING_REACHED;
 use crate::ranges::{Domain, Interval, Ranges, grown, pressure_edge};
 use inflatable::mechanics::fault::StarFault;

@@ -4,8 +4,9 @@
 //! bear less than on an upright surface, and those below bear more. What the whole stack gains so is not counted: the payload is at most that on
 //! an upright surface, which equal stars reach.
 
+use crate::folding::until_arms_fold;
 use crate::outcome::Outcome;
-use crate::prediction::StarPrediction;
+use crate::prediction::{StackPayload, StarPrediction};
 use crate::ranges::shown::rounded;
 use crate::ranges::{Interval, sum};
 use inflatable::mechanics::star::bearing::{FOLDING, lift};
@@ -24,20 +25,6 @@ pub(super) struct Bearers {
     pub(super) payload: (Option<f64>, Option<Interval>),
     /// Mass on each at which its arms wrinkle, kg.
     pub(super) wrinkling: Option<f64>,
-}
-
-/// The payload of a stack, kg, with its range; `None` if unknown.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StackPayload {
-    /// Predicted value.
-    pub kg: Option<f64>,
-    /// Range, from the ranges of force and friction.
-    pub range_kg: Option<Interval>,
-}
-
-/// The mass that friction holds on an upright surface, `upright`, kg, as far as arms that wrinkle under `wrinkling` kg do not fold.
-pub(super) fn until_arms_fold(upright: f64, wrinkling: Option<f64>) -> f64 {
-    wrinkling.map_or(upright, |wrinkling| upright.min(FOLDING * wrinkling))
 }
 
 impl Bearers {

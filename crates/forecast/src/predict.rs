@@ -3,7 +3,8 @@
 use crate::case::{Case, weave};
 use crate::model_selection::{bvp, corrected, hinge_model, limits_of_validity, named_limit, tabled};
 use crate::outcome::{Grip, Outcome};
-use crate::payload::{Bearers, StackPayload, stack_payload, wrinkling_warnings};
+use crate::payload::{Bearers, stack_payload, wrinkling_warnings};
+use crate::prediction::StackPayload;
 use crate::prediction::{ForceAt, ModelEvidence, Prediction, StarPrediction};
 use crate::pressures::{LEAST, MOST, modelled, rows};
 use crate::ranges::{Domain, Interval, Ranges, errors, mm, outside};

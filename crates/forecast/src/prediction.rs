@@ -5,12 +5,20 @@ pub use crate::evidence::{MeshErrors, ModelEvidence};
 use crate::keys::{Key, keyed, kinds};
 use crate::meshed::MeshedPlace;
 use crate::outcome::Grip;
-use crate::payload::StackPayload;
 use crate::pressures::PressureRow;
 use crate::ranges::{Interval, StarRanges, shown};
 use inflatable::mechanics::star::Correction;
 use serde::Serialize;
 use spec::units::tenths_up;
+
+/// The payload of a stack, kg, with its range; `None` if unknown.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StackPayload {
+    /// Predicted value.
+    pub kg: Option<f64>,
+    /// Range, from the ranges of force and friction.
+    pub range_kg: Option<Interval>,
+}
 
 /// The prediction of a gripper. The keys at the top describe star 1, `stars` each star.
 #[derive(Clone, Debug, PartialEq, Serialize)]

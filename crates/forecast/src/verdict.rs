@@ -5,7 +5,7 @@ use crate::load_check::{
     too_heavy_for_stars, too_short, too_thin, too_wide_to_enter, too_wide_to_open,
 };
 use crate::outcome::Grip;
-use crate::payload::StackPayload;
+use crate::prediction::StackPayload;
 pub use crate::prediction::{Holds, Verdict};
 use crate::prediction::{Prediction, StarPrediction, distinct};
 use crate::ranges::shown::{apart, listed};

@@ -117,7 +117,7 @@ pub struct ChamberPrediction {
     /// Lowest eigenvalue by p / W for leaving the plane of the drawing.
     pub plane_eigenvalue: Option<MeshedValue>,
     /// Whether it stays in that plane.
-    pub plane: Option<Plane>,
+    pub plane: Option<PlaneAnswer>,
     /// Whether it may leave that plane: it leaves it, or the mesh error is too large to tell.
     pub leaves_plane: Option<bool>,
     /// Its seams.
@@ -131,7 +131,7 @@ pub struct ChamberPrediction {
 /// Whether a chamber stays in the plane of the drawing, by the lowest eigenvalue and two of its mesh errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Plane {
+pub enum PlaneAnswer {
     /// It stays in the plane.
     Stays,
     /// It leaves the plane.
@@ -140,7 +140,7 @@ pub enum Plane {
     Unsure,
 }
 
-impl Plane {
+impl PlaneAnswer {
     /// The answer to "stays in its plane".
     pub fn answer(self) -> &'static str {
         match self {
@@ -210,11 +210,11 @@ impl ChamberPrediction {
         self.largest_tension_N_per_mm = Some(at(found.tension.scaled(1e-3), found.tension_at));
         self.plane_eigenvalue = Some(open(found.antisymmetric_eigenvalue));
         self.plane = Some(match found.plane() {
-            PlaneState::Stays => Plane::Stays,
-            PlaneState::Leaves => Plane::Leaves,
-            PlaneState::Unsure => Plane::Unsure,
+            PlaneState::Stays => PlaneAnswer::Stays,
+            PlaneState::Leaves => PlaneAnswer::Leaves,
+            PlaneState::Unsure => PlaneAnswer::Unsure,
         });
-        self.leaves_plane = self.plane.map(|plane| plane != Plane::Stays);
+        self.leaves_plane = self.plane.map(|plane| plane != PlaneAnswer::Stays);
         self.seams = Some(seams);
         self.unknowns = Some(found.evidence.unknowns.clone());
         self.iterations = Some(found.evidence.efforts.iter().map(|effort| effort.iterations).sum());

@@ -2,8 +2,8 @@
 //! models.
 
 use crate::case::{Case, weave};
+use crate::folding::until_arms_fold;
 use crate::meshed::MeshedPlace;
-use crate::payload::until_arms_fold;
 use crate::predict::{PredictFault, stars_of, whole};
 use crate::prediction::{FabricStretch, ForceAt, MeshErrors, ModelEvidence, Prediction, StarPrediction};
 use crate::ranges::shown::meshed;

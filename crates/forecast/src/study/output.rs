@@ -2,8 +2,8 @@
 
 use crate::candidate::{Answer, Candidate};
 use crate::case::Case;
+use crate::folding::until_arms_fold;
 use crate::outcome::Outcome;
-use crate::payload::until_arms_fold;
 use crate::ranges::Interval;
 use crate::shell::request::Measurements;
 use inflatable::mechanics::strength::payload;
