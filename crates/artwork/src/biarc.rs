@@ -7,6 +7,8 @@
 
 use geom::{Arc, Line, Point, Segment, Vec2};
 
+use crate::straight::{is_straight, push_arc, push_line};
+
 /// A curve over the parameter 0 to 1.
 pub(crate) trait Curve {
     /// The point at `t`.
@@ -42,12 +44,17 @@ pub(crate) fn fit(curve: &impl Curve, tolerance: f64, limit: usize, out: &mut Ve
     while at < 1.0 {
         let end = if at + step > 1.0 - SHORTEST { 1.0 } else { at + step };
         let piece = Span::new(curve, at, end);
-        let biarc = piece.biarc();
+        // A straight piece is a line, although arcs would be nearer: their radius would be kilometres.
+        let biarc = if piece.is_straight(allowed) { None } else { piece.biarc() };
         let error = biarc.map_or(f64::INFINITY, |arcs| piece.distance(&arcs, straight));
         let accepted = error <= allowed || piece.is_line(allowed) || step <= SHORTEST;
         if accepted {
             match biarc.filter(|_| error <= allowed) {
-                Some(arcs) => arcs.append(straight, first, out),
+                Some(arcs) => {
+                    if !arcs.append(straight, first, (tolerance - allowed, limit), out) {
+                        return false;
+                    }
+                }
                 None => push_line(Line::new(piece.ends[0], piece.ends[1]), out),
             }
             if out.len() > limit {
@@ -144,6 +151,14 @@ impl Span {
                 && self.samples.iter().all(|p| direction.cross(*p - a).abs() <= allowed)
     }
 
+    /// Whether the piece is straight: within `allowed` of its chord, and without a turn.
+    fn is_straight(&self, allowed: f64) -> bool {
+        let chord = self.ends[1] - self.ends[0];
+        let turn = |tangent: &Vec2| libm::atan2(tangent.cross(chord), tangent.dot(chord)).abs();
+        let largest = self.tangents.iter().map(turn).fold(0.0, f64::max);
+        is_straight(0.0, largest, allowed) && self.is_line(allowed)
+    }
+
     /// Whether the samples advance along the chord.
     fn advances(&self) -> bool {
         let [a, b] = self.ends;
@@ -163,17 +178,26 @@ struct Biarc {
 }
 
 impl Biarc {
-    /// Appends its arcs; arcs of one circle become one, also with the arc before it (from index `first` on).
-    fn append(&self, straight: f64, first: usize, out: &mut Vec<Segment>) {
-        for segment in self.segments(straight) {
+    /// Appends its arcs, those of a too large radius as chords within `chordal`; arcs of one circle become one, also with the arc before it
+    /// (from index `first` on). `false` if `out` would exceed `limit` segments.
+    fn append(
+        &self,
+        straight: f64,
+        first: usize,
+        (chordal, limit): (f64, usize),
+        out: &mut Vec<Segment>,
+    ) -> bool {
+        let ends = [[self.points[0], self.points[1]], [self.points[1], self.points[2]]];
+        self.segments(straight).iter().zip(ends).all(|(segment, ends)| {
             match (segment, out[first..].last_mut()) {
-                (Segment::Arc(arc), Some(Segment::Arc(before))) if same_circle(before, &arc) => {
+                (Segment::Arc(arc), Some(Segment::Arc(before))) if same_circle(before, arc) => {
                     before.sweep += arc.sweep;
                 }
-                (Segment::Arc(_), _) => out.push(segment),
-                (Segment::Line(line), _) => push_line(line, out),
+                (Segment::Arc(arc), _) => return push_arc(arc, ends, chordal, limit, out),
+                (Segment::Line(line), _) => push_line(*line, out),
             }
-        }
+            true
+        })
     }
 
     /// Its arcs; a line in place of one that leaves its chord by less than `straight`.
@@ -206,11 +230,4 @@ fn arc_from(start: Point, end: Point, tangent: Vec2, straight: f64) -> Option<Ar
     let radius = chord.dot(chord) / (2.0 * across);
     let center = start + tangent.perp() * radius;
     Some(Arc::new(center, radius.abs(), (start - center).angle(), 2.0 * half))
-}
-
-/// Appends a line unless it is too short.
-pub(crate) fn push_line(line: Line, out: &mut Vec<Segment>) {
-    if line.length() > SHORT {
-        out.push(line.into());
-    }
 }

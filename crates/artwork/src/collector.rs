@@ -252,10 +252,10 @@ fn turns(segments: &[Segment]) -> bool {
 
 /// The arc from `start` to `end` with a bulge, tan(sweep / 4), as a piece.
 ///
-/// A bulge below 1e-8 is a line: it errs by at most 5e-9 of the chord, and the end of so large an arc would err by more.
+/// A bulge below 1e-12 is a line: it errs by at most 5e-13 of the chord.
 pub(crate) fn bulged(start: Point, end: Point, bulge: f64) -> Piece {
-    match geom::Arc::from_bulge(start, end, bulge).filter(|_| bulge.abs() >= 1e-8) {
-        Some(arc) => Piece::arc(arc.center, arc.radius, arc.start_angle, arc.sweep),
+    match geom::Arc::from_bulge(start, end, bulge).filter(|_| bulge.abs() >= 1e-12) {
+        Some(arc) => Piece::arc(arc.center, arc.radius, arc.start_angle, arc.sweep).between([start, end]),
         None => Piece::Line(start, end),
     }
 }

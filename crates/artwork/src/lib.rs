@@ -27,6 +27,8 @@ mod options;
 
 mod affine;
 
+mod straight;
+
 mod biarc;
 
 mod piece;

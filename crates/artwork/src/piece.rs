@@ -1,11 +1,12 @@
 //! Pieces of which files make their figures, closed under affine maps.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use geom::{Arc, Line, Point, Segment, Vec2};
 
 use crate::affine::Affine;
-use crate::biarc::{Curve, SHORT, fit, push_line};
+use crate::biarc::{Curve, SHORT, fit};
+use crate::straight::{is_straight, push_arc, push_line};
 
 /// Relative difference of the two radii, and cosine between them, up to which an ellipse is a circle. Transforms of a
 /// file have 5 to 17 digits; at 1e-9 and a radius of 1 m the error is 1 nm.
@@ -17,7 +18,8 @@ pub(crate) enum Piece {
     /// A straight line.
     Line(Point, Point),
     /// The points `center + u cos t + v sin t` for t from `start`, over `sweep` (rad, |sweep| <= 2 pi).
-    Ellipse { center: Point, u: Vec2, v: Vec2, start: f64, sweep: f64 },
+    /// Its `ends` are exact however far away the centre is.
+    Ellipse { center: Point, u: Vec2, v: Vec2, start: f64, sweep: f64, ends: [Point; 2] },
     /// A cubic Bezier.
     Cubic([Point; 4]),
     /// A rational Bezier with control points (w x, w y, w), w > 0.
@@ -27,14 +29,31 @@ pub(crate) enum Piece {
 impl Piece {
     /// A circular arc of radius `r`.
     pub(crate) fn arc(center: Point, r: f64, start: f64, sweep: f64) -> Self {
-        Self::Ellipse { center, u: Vec2::new(r, 0.0), v: Vec2::new(0.0, r), start, sweep }
+        Self::ellipse(center, [Vec2::new(r, 0.0), Vec2::new(0.0, r)], start, sweep)
+    }
+
+    /// An elliptical arc with two conjugate half axes.
+    pub(crate) fn ellipse(center: Point, [u, v]: [Vec2; 2], start: f64, sweep: f64) -> Self {
+        let ends = [start, start + sweep].map(|t| EllipsePart { center, u, v, start: t, end: t }.point(0.0));
+        Self::Ellipse { center, u, v, start, sweep, ends }
+    }
+
+    /// The elliptical arc, between these ends.
+    pub(crate) fn between(self, ends: [Point; 2]) -> Self {
+        match self {
+            Self::Ellipse { center, u, v, start, sweep, .. } => {
+                Self::Ellipse { center, u, v, start, sweep, ends }
+            }
+            Self::Line(..) | Self::Cubic(_) | Self::Rational(_) => self,
+        }
     }
 
     /// The image under an affine map.
     pub(crate) fn mapped(&self, map: &Affine) -> Self {
         match self {
             Self::Line(a, b) => Self::Line(map.point(*a), map.point(*b)),
-            Self::Ellipse { center, u, v, start, sweep } => Self::Ellipse {
+            Self::Ellipse { center, u, v, start, sweep, ends } => Self::Ellipse {
+                ends: ends.map(|end| map.point(end)),
                 center: map.point(*center),
                 u: map.vector(*u),
                 v: map.vector(*v),
@@ -54,13 +73,17 @@ impl Piece {
         }
     }
 
-    /// Largest absolute coordinate of the points that span the piece; NaN counts as infinite.
+    /// Largest absolute coordinate of the points that span the piece; NaN counts as infinite. The centre of an arc that turns by half a
+    /// circle at most is no point of it.
     pub(crate) fn extent(&self) -> f64 {
         let point = |p: &Point| p.x.abs().max(p.y.abs()) + 0.0 * (p.x + p.y);
         let largest = match self {
             Self::Line(a, b) => [point(a), point(b)].into_iter().fold(0.0, worse),
-            Self::Ellipse { center, u, v, start, sweep } => {
-                point(center) + u.length() + v.length() + 0.0 * (start + sweep)
+            Self::Ellipse { center, u, v, start, sweep, ends } => {
+                let far = if sweep.abs() <= PI { rise(*u, *v, *sweep) } else { u.length() + v.length() };
+                let from =
+                    if sweep.abs() <= PI { ends.iter().map(point).fold(0.0, worse) } else { point(center) };
+                from + far + 0.0 * (start + sweep)
             }
             Self::Cubic(points) => points.iter().map(point).fold(0.0, worse),
             Self::Rational(points) => {
@@ -78,10 +101,13 @@ impl Piece {
                 push_line(Line::new(*a, *b), out);
                 out.len() <= limit
             }
-            Self::Ellipse { center, u, v, start, sweep } => {
-                if let Some(arc) = circular(*center, *u, *v, *start, *sweep) {
-                    out.push(arc.into());
+            Self::Ellipse { center, u, v, start, sweep, ends } => {
+                if sweep.abs() <= PI && is_straight(rise(*u, *v, *sweep), sweep.abs(), tolerance) {
+                    push_line(Line::new(ends[0], ends[1]), out);
                     return out.len() <= limit;
+                }
+                if let Some(arc) = circular(*center, *u, *v, *start, *sweep) {
+                    return push_arc(&arc, *ends, 0.5 * tolerance, limit, out);
                 }
                 quarters(*u, *v, *start, *sweep).windows(2).all(|ends| {
                     let part = EllipsePart { center: *center, u: *u, v: *v, start: ends[0], end: ends[1] };
@@ -92,6 +118,11 @@ impl Piece {
             Self::Rational(points) => fit(points, tolerance, limit, out),
         }
     }
+}
+
+/// Upper bound of how far an elliptical arc that turns by half a circle at most leaves its chord.
+fn rise(u: Vec2, v: Vec2, sweep: f64) -> f64 {
+    libm::hypot(u.length(), v.length()) * 2.0 * libm::sin(0.25 * sweep).powi(2)
 }
 
 /// The larger of two numbers, NaN if one is.

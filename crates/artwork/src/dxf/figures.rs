@@ -126,7 +126,7 @@ fn ellipse(record: &Record<'_, '_>) -> Result<Geometry, Flaw> {
     // Ends are written with some digits of 2 pi; a gap below a millionth of a turn does not count.
     let closed = !(1e-6..=TAU - 1e-6).contains(&turn);
     let sweep = if closed { TAU } else { turn };
-    let piece = Piece::Ellipse { center, u: major, v: major.perp() * (ratio * sign), start, sweep };
+    let piece = Piece::ellipse(center, [major, major.perp() * (ratio * sign)], start, sweep);
     let mut heights = record.numbers(30)?;
     let rise = record.number_or(31, 0.0)?;
     heights.extend(heights.first().copied().map(|z| z + rise));

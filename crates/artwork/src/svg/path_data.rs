@@ -113,6 +113,9 @@ fn elliptical(
     // Half the chord in units of the radii, in the ellipse's frame: there the arc is on a unit circle.
     let p = Vec2::new((cos * half.x + sin * half.y) / rx, (cos * half.y - sin * half.x) / ry);
     let square = p.dot(p);
+    if square.sqrt() < 1e-12 && !large {
+        return Piece::Line(from, to); // see `bulged`
+    }
     let grow = square.sqrt().max(1.0);
     let away = ((1.0 - square).max(0.0) / square).sqrt() * if large == positive { -1.0 } else { 1.0 };
     let q = Vec2::new(p.y, -p.x) * away; // centre in that frame, from the middle of the chord
@@ -125,11 +128,8 @@ fn elliptical(
         _ => turn,
     };
     let (u, v) = (Vec2::new(cos, sin) * (rx * grow), Vec2::new(-sin, cos) * (ry * grow));
-    if sweep.abs() < 4e-8 {
-        return Piece::Line(from, to); // see `bulged`
-    }
     let center = from.midpoint(to) + u * (q.x / grow) + v * (q.y / grow);
-    Piece::Ellipse { center, u, v, start, sweep }
+    Piece::ellipse(center, [u, v], start, sweep).between([from, to])
 }
 
 /// Excess of a radius over half the chord, relative, that the rounding of a file explains.
@@ -140,8 +140,8 @@ const ROUNDED: f64 = 2e-3;
 /// A radius that is too long by 0.1 % moves the centre of a half turn by 4 % of the radius, to opposite sides in both halves.
 pub(super) fn full_turn(chain: &Chain) -> Option<Chain> {
     let [
-        Piece::Ellipse { center, u, v, start, sweep },
-        Piece::Ellipse { center: second, u: u2, v: v2, start: begin, sweep: turn },
+        Piece::Ellipse { center, u, v, start, sweep, .. },
+        Piece::Ellipse { center: second, u: u2, v: v2, start: begin, sweep: turn, .. },
     ] = &chain.pieces[..]
     else {
         return None;
@@ -160,13 +160,12 @@ pub(super) fn full_turn(chain: &Chain) -> Option<Chain> {
     let is_rounded =
         center.distance(*second) > 1e-9 * near && factor > 1.0 - ROUNDED && from.distance(back) <= near;
     (alike && is_rounded).then(|| Chain {
-        pieces: vec![Piece::Ellipse {
-            center: from.midpoint(to),
-            u: *u * factor,
-            v: *v * factor,
-            start: libm::atan2(across, along),
-            sweep: sweep.signum() * std::f64::consts::TAU,
-        }],
+        pieces: vec![Piece::ellipse(
+            from.midpoint(to),
+            [*u * factor, *v * factor],
+            libm::atan2(across, along),
+            sweep.signum() * std::f64::consts::TAU,
+        )],
         closed: true,
         start: from,
     })

@@ -84,8 +84,7 @@ impl Shape<'_, '_> {
         if (rx == 0.0) != (ry == 0.0) {
             return Ok(Vec::new());
         }
-        let piece =
-            Piece::Ellipse { center, u: Vec2::new(rx, 0.0), v: Vec2::new(0.0, ry), start: 0.0, sweep: TAU };
+        let piece = Piece::ellipse(center, [Vec2::new(rx, 0.0), Vec2::new(0.0, ry)], 0.0, TAU);
         Ok(vec![Chain { pieces: vec![piece], closed: true, start: center }])
     }
 
@@ -112,7 +111,7 @@ impl Shape<'_, '_> {
         for ([a, b], center, start) in sides {
             pieces.push(Piece::Line(corner(a), corner(b)));
             if rx > 0.0 {
-                pieces.push(Piece::Ellipse { center: corner(center), u, v, start, sweep: FRAC_PI_2 });
+                pieces.push(Piece::ellipse(corner(center), [u, v], start, FRAC_PI_2));
             }
         }
         Ok(vec![Chain { pieces, closed: true, start: corner((rx, 0.0)) }])

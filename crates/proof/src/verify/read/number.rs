@@ -21,6 +21,13 @@ pub(super) struct Number<'a> {
     pub(super) rest: &'a str,
 }
 
+impl Number<'_> {
+    /// Its value as the radius of an arc, which is no coordinate and may be as large as it likes; `None` if it is not finite.
+    pub(super) fn radius(&self) -> Option<f64> {
+        self.value.or_else(|| self.text.parse().ok().filter(|radius: &f64| radius.is_finite()))
+    }
+}
+
 /// Reads `[+-] digits [. digits] [e [+-] digits]` (the exponent only if allowed) off the front of `text`.
 ///
 /// At least one digit must come before or after the point. The text is passed once: up to [`EXACT`] digits and the power of ten

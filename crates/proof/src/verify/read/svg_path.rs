@@ -2,7 +2,7 @@
 
 use crate::verify::finding::quote;
 use crate::verify::read::drawing::{JOIN, PathPen};
-use crate::verify::read::number;
+use crate::verify::read::number::{self, Number};
 use crate::verify::{Finding, FindingCode};
 use geom::{Arc, Line, Path, Point, Segment};
 
@@ -30,7 +30,7 @@ fn draw(scan: &mut PathScan<'_>, pen: &mut PathPen) -> Result<(), Finding> {
                 'H' => line(pen, Point::new(scan.number()?, pen.here.y))?,
                 'V' => line(pen, Point::new(pen.here.x, scan.number()?))?,
                 'A' => {
-                    let (rx, ry, turned) = (scan.number()?, scan.number()?, scan.number()?);
+                    let (rx, ry, turned) = (scan.radius()?, scan.radius()?, scan.number()?);
                     if turned != 0.0 {
                         let found = format!("an arc turned by {turned} deg");
                         return Err(Finding::new(
@@ -104,10 +104,19 @@ impl PathScan<'_> {
     }
 
     fn number(&mut self) -> Result<f64, Finding> {
+        self.value(|number| number.value)
+    }
+
+    fn radius(&mut self) -> Result<f64, Finding> {
+        self.value(|number| number.radius())
+    }
+
+    /// The `value` of the next number.
+    fn value(&mut self, value: impl Fn(&Number<'_>) -> Option<f64>) -> Result<f64, Finding> {
         let number = number::read(self.rest, true).ok_or_else(|| self.fault("a number"))?;
         let allowed = || format!("at most {}", number::LARGEST);
         let beyond = || Finding::new(FindingCode::BadNumber, quote(number.text), allowed());
-        let value = number.value.ok_or_else(beyond)?;
+        let value = value(&number).ok_or_else(beyond)?;
         self.rest = number.rest;
         self.skip(true);
         Ok(value)

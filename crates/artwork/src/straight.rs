@@ -1,0 +1,59 @@
+//! Nearly straight is straight: curves that leave their chord by less than the tolerance are lines, and arcs of kilometres are chords.
+//!
+//! An arc of so large a radius states its ends to few decimals, and crosses its neighbours far from where they meet.
+
+use geom::{Arc, Line, Point, Segment};
+
+use crate::biarc::SHORT;
+
+/// Largest turn of a straight curve, rad: the corners that its chord leaves with its neighbours are smaller than the finest step of an
+/// offset by a band.
+const STRAIGHT_TURN: f64 = 2e-4;
+/// Arcs of a larger radius are written as chords, mm: 100 m. Firmwares compute arcs to seven digits, which are 0.01 mm here.
+const LARGEST_RADIUS: f64 = 1e5;
+
+/// Whether a curve that leaves its chord by `rise` and turns by `turn` is straight.
+pub(crate) fn is_straight(rise: f64, turn: f64, tolerance: f64) -> bool {
+    rise <= tolerance && turn <= STRAIGHT_TURN
+}
+
+/// Appends an arc between `ends`: as it is, or as chords within `tolerance` where its radius is too large. `false` if `out` would exceed
+/// `limit` segments.
+pub(crate) fn push_arc(
+    arc: &Arc,
+    ends: [Point; 2],
+    tolerance: f64,
+    limit: usize,
+    out: &mut Vec<Segment>,
+) -> bool {
+    if arc.radius <= LARGEST_RADIUS {
+        out.push((*arc).into());
+        return out.len() <= limit;
+    }
+    let widest = 2.0 * (2.0 * tolerance / arc.radius).sqrt();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a positive count; a cast saturates"
+    )]
+    let count = ((arc.sweep.abs() / widest).ceil() as usize).max(1);
+    if count > limit.saturating_sub(out.len()) {
+        return false;
+    }
+    #[expect(clippy::cast_precision_loss, reason = "below the limit of segments")]
+    let angle = |i: usize| arc.start_angle + arc.sweep * (i as f64 / count as f64);
+    let mut start = ends[0];
+    for i in 1..=count {
+        let end = if i == count { ends[1] } else { arc.at_angle(angle(i)) };
+        push_line(Line::new(start, end), out);
+        start = end;
+    }
+    true
+}
+
+/// Appends a line unless it is too short.
+pub(crate) fn push_line(line: Line, out: &mut Vec<Segment>) {
+    if line.length() > SHORT {
+        out.push(line.into());
+    }
+}
