@@ -386,12 +386,12 @@ fn a_narrow_slit_is_told_with_its_depth() {
     }
 }
 
-/// Every point of a seam is half a band from the nearest edge of the air, to rounding, for any outline and island.
+/// Every point of a seam is half a band from the nearest edge of the air, to the rounding of joints, for any outline and island.
 fn check_offset(edges: &[&Path], lines: &[&Path]) {
     for line in lines {
         for at in samples(line) {
             let near = edges.iter().map(|edge| edge.distance(at)).fold(f64::INFINITY, f64::min);
-            assert!((near - 1.0).abs() < 1e-9, "{near} at {at:?}");
+            assert!((near - 1.0).abs() < 1e-5, "{near} at {at:?}");
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::layout::{Layout, Line, LineUse};
 use crate::loose::{crossings, loose_ends};
 use crate::mouth::Mouth;
 use crate::notes::{SealingNotes, named};
-use crate::offset::offset_right;
+use crate::offset::{CenterLines, center_lines};
 use crate::open_ends::closed_at_ports;
 use crate::ports::{Opening, open_ports};
 use crate::sketch::{Rules, Sketch};
@@ -52,7 +52,7 @@ pub(super) fn around_air(
     if notes.faults.iter().any(|fault| fault.code == ShapeCode::Crowded) {
         return Layout::default();
     }
-    let offset = offsets(&air, rules, &names, notes);
+    let (offset, spines) = offsets(&air, rules, &names, notes);
     if notes.faults.len() > before {
         return Layout::default();
     }
@@ -81,22 +81,34 @@ pub(super) fn around_air(
     for Wall { path, sources, .. } in drawn.into_iter().chain(walls) {
         lines.push(Line { path, names: named(&sources, &names), kind: LineUse::Wall, joined: [true; 2] });
     }
+    for Wall { path, sources, .. } in spines {
+        lines.push(Line { path, names: named(&sources, &names), kind: LineUse::Weld, joined: [false; 2] });
+    }
     Layout { lines, closed, edges, mouths, air: side }
 }
 
-/// The centre lines of the boundaries' bands.
-fn offsets(air: &Air, rules: &Rules, names: &[String], notes: &mut SealingNotes) -> Vec<Boundary> {
+/// The centre lines of the boundaries' bands, and the spines of slots and islands that are as wide as a band.
+fn offsets(
+    air: &Air,
+    rules: &Rules,
+    names: &[String],
+    notes: &mut SealingNotes,
+) -> (Vec<Boundary>, Vec<Wall>) {
     let (half, both) = (rules.band / 2.0, 2.0 * rules.band);
-    let mut lines = Vec::new();
+    let (mut lines, mut walls) = (Vec::new(), Vec::new());
     for Boundary { path, sources, outer } in &air.boundaries {
         let own = named(sources, names);
         let place = path.start().unwrap_or(Point::ORIGIN);
-        let loops = offset_right(path, half);
+        let CenterLines { loops, spines } = center_lines(path, half, rules.join);
+        let is_spine = loops.is_empty() && !spines.is_empty();
+        let spine = |path| Wall { path, sources: sources.clone(), on_boundary: [false; 2] };
+        walls.extend(spines.into_iter().map(spine));
         let same_turn = loops.iter().filter(|line| (line.area() > 0.0) == *outer).count();
         match loops.as_slice() {
             [one] if same_turn == 1 => {
                 lines.push(Boundary { path: one.clone(), sources: sources.clone(), outer: *outer });
             }
+            [] if is_spine => {}
             [] => {
                 let bounds = path.bounds();
                 let size = bounds.width().min(bounds.height());
@@ -116,7 +128,7 @@ fn offsets(air: &Air, rules: &Rules, names: &[String], notes: &mut SealingNotes)
             }
         }
     }
-    lines
+    (lines, walls)
 }
 
 /// Boundaries and walls where two bands lie on each other: that stretch is one wall.

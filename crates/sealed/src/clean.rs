@@ -228,7 +228,7 @@ pub(super) fn quarters(segment: &Segment) -> impl Iterator<Item = (Segment, f64,
 }
 
 /// The fractions of `s` between which it runs within `join` of `t`.
-fn shared(s: &Segment, t: &Segment, join: f64) -> Option<(f64, f64)> {
+pub(super) fn shared(s: &Segment, t: &Segment, join: f64) -> Option<(f64, f64)> {
     let (a, b) = (s.nearest_fraction(t.start()), s.nearest_fraction(t.end()));
     let (a, b) = (a.min(b), a.max(b));
     let length = (b - a) * s.length();

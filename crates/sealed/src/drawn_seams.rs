@@ -13,7 +13,7 @@ use crate::offset::offset_right;
 use crate::ports::{Opening, no_channel, open_ports};
 use crate::segments::Segments;
 use crate::sketch::{Rules, Sketch};
-use geom::{Bounds, Enclosures, Path, Point};
+use geom::{Enclosures, Path, Point};
 
 /// The drawn seams beside `lines`: closed ones are edges of the air, open ones walls if both ends lie on bands, else welds.
 pub(super) fn drawn_seams(
@@ -26,7 +26,9 @@ pub(super) fn drawn_seams(
     if sketch.seams.is_empty() {
         return;
     }
-    let (_, network, names) = notes.mended(&sketch.seams, rules.join);
+    let (pieces, names) = notes.mended_pieces(&sketch.seams, rules.join);
+    let pieces = notes.split_at_crossings(pieces, &names, rules.join);
+    let network = notes.joined(&pieces, &names, rules.join);
     crossings(&network, &names, rules.join, notes);
     let (closed, welds): (Vec<NetworkEdge>, _) =
         network.edges.into_iter().partition(|edge| edge.nodes.is_none());
@@ -75,12 +77,8 @@ pub(super) fn join_ends(lines: &mut [Line], band: f64) {
     let reach = band / 2.0 + 1e-6;
     for (number, line) in lines.iter_mut().enumerate().filter(|(_, line)| line.kind == LineUse::Weld) {
         let ends = [line.path.start(), line.path.end()].map(|end| end.unwrap_or(Point::ORIGIN));
-        let on = |end: Point, own: usize| {
-            segments.near(Bounds::of_points([end]).grown(reach)).any(|near| {
-                (near.path != number || near.at.abs_diff(own) > 2) && near.segment.distance(end) <= reach
-            })
-        };
-        line.joined = [on(ends[0], 0), on(ends[1], line.path.segments.len().saturating_sub(1))];
+        line.joined =
+            [0, 1].map(|which| segments.has_joint((number, &line.path), ends[which], which == 0, reach));
         if line.joined == [true; 2] {
             line.kind = LineUse::Wall;
         }

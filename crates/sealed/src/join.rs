@@ -5,6 +5,9 @@ use crate::clean::{NOTHING, Piece, with_end, with_start};
 use crate::segments::{PathSegment, Segments};
 use geom::{Bounds, BoxIndex, Path, Point};
 
+/// Ends nearer than this meet exactly, mm.
+const EXACT: f64 = 1e-6;
+
 /// A run of curves from node to node.
 #[derive(Clone, Debug)]
 pub(super) struct NetworkEdge {
@@ -52,8 +55,20 @@ struct PieceEnd {
     at: Point,
 }
 
-/// The pieces, joined where they come within `join` of each other: end to end, or an end to the side of another.
+/// The pieces, joined where they come within `join` of each other: end to end, or an end to the side of another. Short ones are first
+/// joined to those that they meet exactly: their own ends may be nearer to each other than `join`.
 pub(super) fn network(pieces: &[Piece], join: f64) -> Network {
+    let is_short = |piece: &Piece| !piece.path.closed && piece.path.length() <= 4.0 * join;
+    if !pieces.iter().any(is_short) || join <= EXACT {
+        return network_within(pieces, join);
+    }
+    let exact = |edge: NetworkEdge| Piece { path: edge.path, source: edge.sources[0] };
+    let chains: Vec<Piece> = network_within(pieces, EXACT).edges.into_iter().map(exact).collect();
+    network_within(&chains, join)
+}
+
+/// The pieces, joined where they come within `join` of each other.
+fn network_within(pieces: &[Piece], join: f64) -> Network {
     let ends: Vec<PieceEnd> = pieces
         .iter()
         .enumerate()

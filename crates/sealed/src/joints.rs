@@ -2,12 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use crate::segments::{PathSegment, Segments};
+use crate::segments::Segments;
 use crate::{Port, Role, SealedShape};
 use geom::{Bounds, BoxIndex, Point, intersections};
 
 /// Slack of the reach of a band, mm.
 const SLACK: f64 = 1e-6;
+
+/// Farthest that the bands beside a port run past the middle of its mouth, mm: however thin the hose is.
+const LONGEST_OVERRUN: f64 = 2.0;
 
 /// The two ends of seams at a port.
 pub(super) struct MouthEnds {
@@ -38,15 +41,8 @@ impl Joints {
         if ends.len() > 2 || shape.seams.len() > 1 {
             let segments = Segments::of(shape.seams.iter().map(|seam| &seam.center_line));
             for (seam, which, end) in &ends {
-                let length = shape.seams[*seam].center_line.length();
-                let mut near = segments.near(Bounds::of_points([*end]).grown(reach));
-                joined[*seam][*which] = near.any(|PathSegment { path: other, before, segment, .. }| {
-                    let t = segment.nearest_fraction(*end);
-                    let s = before + t * segment.length();
-                    let along = if *which == 0 { s } else { length - s };
-                    // Beside its own end a seam is near to itself.
-                    (other != seam || along > 4.0 * reach) && segment.point(t).distance(*end) <= reach
-                });
+                let path = &shape.seams[*seam].center_line;
+                joined[*seam][*which] = segments.has_joint((*seam, path), *end, *which == 0, reach);
             }
         }
         let free = ends
@@ -77,7 +73,8 @@ fn mouths(shape: &SealedShape, free: &[(usize, usize, Point)]) -> Vec<MouthEnds>
     let mut used = vec![false; free.len()];
     let mut mouths = Vec::new();
     for (number, Port { at, width }) in shape.ports.iter().enumerate() {
-        let reach = width + shape.band;
+        let across = width + shape.band;
+        let reach = across.max(LONGEST_OVERRUN);
         let zone = Bounds::of_points([*at]).grown(reach);
         let same = own.overlapping(&zone).into_iter().map(|i| (i, i + 1));
         let same: Vec<_> = same.filter(|(i, j)| free[*i].0 == free[*j].0).collect();
@@ -85,7 +82,7 @@ fn mouths(shape: &SealedShape, free: &[(usize, usize, Point)]) -> Vec<MouthEnds>
         let pairs = near.iter().flat_map(|i| near.iter().map(move |j| (*i, *j))).filter(|(i, j)| i < j);
         let far = |(i, j): (usize, usize)| free[i].2.midpoint(free[j].2).distance(*at);
         // Where ports are near each other, the seam between two of them has its own middle near to both.
-        let off = |(i, j): (usize, usize)| far((i, j)) + (free[i].2.distance(free[j].2) - reach).abs();
+        let off = |(i, j): (usize, usize)| far((i, j)) + (free[i].2.distance(free[j].2) - across).abs();
         let best = same
             .into_iter()
             .chain(pairs)

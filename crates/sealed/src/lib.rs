@@ -12,6 +12,7 @@ mod chambers;
 mod channel;
 mod checks;
 mod clean;
+mod crossings;
 mod drawn_seams;
 mod edge_gaps;
 mod fabric;
@@ -41,6 +42,7 @@ mod segments;
 mod separate;
 mod separator;
 mod sketch;
+mod spine;
 mod unsound;
 
 pub use chambers::{Chamber, Topology};

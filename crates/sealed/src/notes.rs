@@ -1,6 +1,7 @@
 //! Faults, warnings and repairs on the way from a sketch to a shape.
 
 use crate::clean::{Crowd, Piece, pieces, without_doubles};
+use crate::crossings::{PieceCrossing, crossings_of_open, split_pieces};
 use crate::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning, quoted};
 use crate::join::{Network, network};
 use crate::sketch::DrawnCurve;
@@ -58,6 +59,13 @@ impl SealingNotes {
 
     /// The network of drawn curves, mended, and the names of the curves.
     pub(super) fn mended(&mut self, drawn: &[DrawnCurve], join: f64) -> (Vec<Piece>, Network, Vec<String>) {
+        let (pieces, names) = self.mended_pieces(drawn, join);
+        let network = self.joined(&pieces, &names, join);
+        (pieces, network, names)
+    }
+
+    /// The pieces of drawn curves, each stretch once, and the names of the curves.
+    pub(super) fn mended_pieces(&mut self, drawn: &[DrawnCurve], join: f64) -> (Vec<Piece>, Vec<String>) {
         let names: Vec<String> = drawn.iter().map(|drawn| drawn.name.clone()).collect();
         let pieces = pieces(drawn, &mut self.repairs, &mut self.faults);
         let (pieces, doubled) = self.unless_crowded(without_doubles(pieces, join));
@@ -66,11 +74,33 @@ impl SealingNotes {
             let what = format!("a curve drawn twice in {} merged", quoted(&names));
             self.repairs.push(Repair { names, place, what });
         }
-        let network = network(&pieces, join);
+        (pieces, names)
+    }
+
+    /// The network of `pieces` of curves with `names`.
+    pub(super) fn joined(&mut self, pieces: &[Piece], names: &[String], join: f64) -> Network {
+        let network = network(pieces, join);
         for (sources, place, gap) in &network.closed_gaps {
-            self.gap_closed(named(sources, &names), *place, *gap);
+            self.gap_closed(named(sources, names), *place, *gap);
         }
-        (pieces, network, names)
+        network
+    }
+
+    /// The pieces, of which open ones that cross are split there: welds that cross are sealed as welds that meet.
+    pub(super) fn split_at_crossings(
+        &mut self,
+        pieces: Vec<Piece>,
+        names: &[String],
+        join: f64,
+    ) -> Vec<Piece> {
+        let crossings = crossings_of_open(&pieces, join);
+        for PieceCrossing { pieces: [a, b], place, .. } in &crossings {
+            let mut names = named(&[pieces[*a].source, pieces[*b].source], names);
+            names.dedup();
+            let what = format!("{} split at a crossing", quoted(&names));
+            self.repairs.push(Repair { names, place: *place, what });
+        }
+        split_pieces(pieces, &crossings, join)
     }
 }
 

@@ -1,6 +1,6 @@
 //! All segments of several paths, with a search for those near a place.
 
-use geom::{Bounds, BoxIndex, Path, Segment};
+use geom::{Bounds, BoxIndex, Path, Point, Segment};
 
 /// A segment of one of several paths.
 pub(super) struct PathSegment {
@@ -37,5 +37,27 @@ impl Segments {
     /// Those whose boxes overlap `zone`, in their order.
     pub(super) fn near(&self, zone: Bounds) -> impl Iterator<Item = &PathSegment> {
         self.index.overlapping(&zone).into_iter().map(|i| &self.list[i])
+    }
+
+    /// Whether an end of the path number `number` lies within `reach` of another path, or of its own where it closes a loop. A path is
+    /// near to itself beside its own end, and a loop no wider than twice the `reach` is a hairpin.
+    pub(super) fn has_joint(
+        &self,
+        (number, path): (usize, &Path),
+        end: Point,
+        is_start: bool,
+        reach: f64,
+    ) -> bool {
+        let length = path.length();
+        self.near(Bounds::of_points([end]).grown(reach)).any(|near| {
+            let t = near.segment.nearest_fraction(end);
+            let s = near.before + t * near.segment.length();
+            let ends = if is_start { [0.0, s] } else { [s, length] };
+            let closes_loop = || {
+                let area = Path::closed(path.part(ends[0], ends[1]).segments).area().abs();
+                ends[1] - ends[0] > 4.0 * reach && 2.0 * area > reach * (ends[1] - ends[0])
+            };
+            near.segment.point(t).distance(end) <= reach && (near.path != number || closes_loop())
+        })
     }
 }

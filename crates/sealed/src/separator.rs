@@ -3,14 +3,12 @@
 //! It covers the air, and runs as a tongue through each port to the edge of the cut. It spares islands and the bands of seams that lie in
 //! the air. Everything that it does not cover is welded.
 
-use cavalier_contours::polyline::{
-    BooleanOp, BooleanResultInfo, PlineOffsetOptions, PlineSource, PlineSourceMut, Polyline,
-};
+use cavalier_contours::polyline::{BooleanOp, BooleanResultInfo, PlineSource, Polyline};
 
 use crate::mouth::Mouth;
-use crate::offset::{SLACKS, merged};
+use crate::offset::merged;
 use crate::{SealedShape, Seam, of_polyline, offset_right, polyline};
-use geom::{Arc, Line, Path, Point, Segment, SegmentIndex, intersections};
+use geom::{Line, Path, Point, Segment, SegmentIndex, intersections};
 
 /// The air of a sketch: its edges and the seams inside.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -209,33 +207,11 @@ fn combined(a: &Polyline<f64>, b: &Polyline<f64>, operation: BooleanOp) -> Optio
     is_valid.then(|| (lines(result.pos_plines), lines(result.neg_plines)))
 }
 
-/// The region within `half` mm of an open path; `None` where it bends too sharply for that.
+/// The region within `half` mm of an open path; `None` where the path comes so near to itself that the region has a hole.
 fn strip(path: &Path, half: f64) -> Option<Polyline<f64>> {
-    // The sides of a weld of many arcs may fall apart with one slack and be whole with another.
-    SLACKS.into_iter().rev().find_map(|slack| strip_with(path, half, slack))
-}
-
-/// The same with this slack of the offset.
-fn strip_with(path: &Path, half: f64, (same, slack): (f64, f64)) -> Option<Polyline<f64>> {
-    let mut line = polyline(path);
-    line.set_is_closed(false);
-    let end = path.end()?;
-    line.add(end.x, end.y, 0.0);
-    let options =
-        PlineOffsetOptions { pos_equal_eps: same, offset_dist_eps: slack, ..PlineOffsetOptions::new() };
-    let side = |by: f64| -> Option<Path> {
-        let [one] = <[Polyline<f64>; 1]>::try_from(line.parallel_offset_opt(by, &options)).ok()?;
-        Some(Path { closed: false, ..of_polyline(&one) })
-    };
-    let (right, left) = (side(-half)?, side(half)?.reversed());
-    let cap = |center: Point, from: Option<Point>, to: Option<Point>| -> Option<Segment> {
-        let arc = Arc::new(center, half, (from? - center).angle(), std::f64::consts::PI);
-        (arc.start().distance(from?) < ALIKE && arc.end().distance(to?) < ALIKE).then(|| arc.into())
-    };
-    let head = cap(end, right.end(), left.start())?;
-    let foot = cap(path.start()?, left.end(), right.start())?;
-    let around = right.segments.into_iter().chain([head]).chain(left.segments).chain([foot]);
-    Some(polyline(&Path::closed(around.collect())))
+    let there_and_back = Path::closed(path.clone().then(path.reversed()).segments);
+    let [around] = <[Path; 1]>::try_from(offset_right(&there_and_back, half)).ok()?;
+    Some(polyline(&around))
 }
 
 fn counterclockwise(path: &Path) -> Path {

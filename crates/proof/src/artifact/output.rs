@@ -1,7 +1,7 @@
 //! Outputs: the list of a design's files, which both the builder and the verifier use.
 
 use crate::artifact::kind::{Format, Kind, KindRequest, Subject};
-use design::{CutEdge, Design, Drawing, MaskPlate, Paper, StarAssembly};
+use design::{CutEdge, Design, Drawing, DrawnPiece, FlatPiece, MaskPlate, Paper, StarAssembly};
 use spec::{Dialect, ProgramScope, Spec};
 
 /// The ending of programs for LinuxCNC.
@@ -132,7 +132,11 @@ impl Output {
                 self.mirrored,
                 self.piece.map_or(0, |piece| piece - 1),
             ),
-            Subject::Mask if self.copy.is_some() => Drawing::separator(design.drawn()?, self.edge()),
+            Subject::Mask if self.copy.is_some() => {
+                let placed = design.placed().iter().find(|placed| self.copy == Some(placed.index))?;
+                let FlatPiece::Drawn(piece) = design.part(placed) else { return None };
+                Drawing::separator(piece, self.edge())
+            }
             Subject::Mask => Drawing::mask(design.assembly()?, self.star?, self.mirrored, self.edge()),
             Subject::Pieces => Drawing::pieces(design.assembly()?, self.star?, self.mirrored),
             Subject::Frame => {
@@ -199,11 +203,12 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
     if let Some(assembly) = design.assembly() {
         of_assembly(spec, assembly, &mut out);
     }
-    // The separator of a drawn piece is one file, because all copies are equal.
-    if design.drawn().is_some_and(|piece| piece.separator.is_some()) {
-        let copy = design.firsts().next().map(|first| first.index);
-        let of_mask = |kind| Output { copy, ..Output::of(kind) };
-        out.extend([Kind::MaskSvg, Kind::MaskDxf, Kind::MaskPdf].map(of_mask));
+    // Equal copies have one separator.
+    for first in design.firsts() {
+        if let FlatPiece::Drawn(DrawnPiece { separator: Some(_), .. }) = design.part(first) {
+            let of_mask = |kind| Output { copy: Some(first.index), ..Output::of(kind) };
+            out.extend([Kind::MaskSvg, Kind::MaskDxf, Kind::MaskPdf].map(of_mask));
+        }
     }
     if spec.load.is_some() {
         out.push(Output::of(Kind::Prediction));
