@@ -150,10 +150,8 @@ fn dense_polylines_are_proven_on_every_chopping_profile() {
             path.join("L")
         )
     };
-    let text = format!(
-        "schema = 1\nname = \"dense\"\n[drawing]\nfile = \"d.svg\"\n[drawing.layers]\nair = [\"air\"]\nport = [\"port\"]\n[machine]\n\
-         profile = \"own.toml\"\nfeed_floor = \"chop\"\n"
-    );
+    let text = "schema = 1\nname = \"dense\"\n[drawing]\nfile = \"d.svg\"\n[drawing.layers]\nair = [\"air\"]\nport = [\"port\"]\n[machine]\n\
+         profile = \"own.toml\"\nfeed_floor = \"chop\"\n".to_string();
     let reading = read(&Source::new("spec", text.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
     for name in crate::WITH_FLOOR {
         for (count, radius, waves) in [(1000, 40.0, 3.0), (1500, 25.0, 5.0), (2000, 55.0, 2.0)] {

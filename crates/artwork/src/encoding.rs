@@ -85,7 +85,7 @@ fn with_line_feeds(text: Cow<'_, str>) -> Cow<'_, str> {
     let bytes = text.as_bytes();
     let is_alone = |place: &usize| bytes[*place] == b'\r' && bytes.get(place + 1) != Some(&b'\n');
     let returns = (0..bytes.len()).filter(is_alone).count();
-    if returns <= bytes.iter().filter(|byte| **byte == b'\n').count() {
+    if returns <= text.matches('\n').count() {
         return text;
     }
     Cow::Owned(text.replace("\r\n", "\n").replace('\r', "\n"))

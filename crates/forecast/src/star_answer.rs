@@ -35,7 +35,7 @@ pub(super) fn fill(
     star.corner_target_angle_deg = Some(corner_target.to_degrees());
     star.hinge_stiffness_Nm = stiffness;
     // The seal's ranges do not depend on the hinge's model.
-    star.ranges = ranges(case, outcome, stiffness, star.ranges);
+    fill_ranges(&mut star.ranges, case, outcome, stiffness);
     star.correction = case.mechanism.correction;
     star.hold = outcome.hold;
     if outcome.known {
@@ -108,26 +108,18 @@ pub(super) fn nonlinear(
     })
 }
 
-/// The ranges of `outcome` in the units of a prediction, beside `those_of_the_seal`; `stiffness` is that of the hinges.
-fn ranges(
-    case: &Case,
-    outcome: &Outcome,
-    stiffness: Option<Hinges<f64>>,
-    those_of_the_seal: StarRanges,
-) -> StarRanges {
-    let own = &outcome.ranges;
-    let factors = own.hinge(case);
+/// Fills the ranges of `outcome` in the units of a prediction into `ranges`, which has those of the seal; `stiffness` is that of the hinges.
+fn fill_ranges(ranges: &mut StarRanges, case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) {
+    let predicted = &outcome.ranges;
+    let factors = predicted.hinge(case);
     let hinge = |of: fn(&Hinges<f64>) -> f64| Some(scaled(factors?, of(stiffness.as_ref()?)));
-    StarRanges {
-        final_radius_mm: own.radius.map(|range| range.map(mm)),
-        contraction: outcome.contraction_range(case),
-        tip_equilibrium_angle_deg: own.angle.map(|range| range.map(f64::to_degrees)),
-        hinge_stiffness_Nm: Hinges { tip: hinge(|of| of.tip), corner: hinge(|of| of.corner) },
-        radial_stiffness_N_per_m: own.stiffness,
-        object_force_N: outcome.force_range,
-        payload_kg: outcome.payload_range,
-        ..those_of_the_seal
-    }
+    ranges.final_radius_mm = predicted.radius.map(|range| range.map(mm));
+    ranges.contraction = outcome.contraction_range(case);
+    ranges.tip_equilibrium_angle_deg = predicted.angle.map(|range| range.map(f64::to_degrees));
+    ranges.hinge_stiffness_Nm = Hinges { tip: hinge(|of| of.tip), corner: hinge(|of| of.corner) };
+    ranges.radial_stiffness_N_per_m = predicted.stiffness;
+    ranges.object_force_N = outcome.force_range;
+    ranges.payload_kg = outcome.payload_range;
 }
 
 /// Use of a shear modulus by hinge models.

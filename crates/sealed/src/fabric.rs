@@ -26,7 +26,7 @@ pub(super) fn necks(
     fabric.retain(|neck| {
         let is_wall = (neck.width - rules.band).abs() <= rules.join;
         let is_in_front = || mouths.iter().any(|mouth| mouth.is_in_front(neck.middle(), both));
-        closed.around(neck.middle()).len() % 2 == 0 && (!is_wall || is_in_front())
+        closed.around(neck.middle()).len().is_multiple_of(2) && (!is_wall || is_in_front())
     });
     for neck in narrow_places(fabric, &curves, both) {
         let fault = thin_fabric(&neck, (air, mouths), sketch, rules, names);

@@ -17,6 +17,10 @@ pub(super) enum Paint {
 impl Paint {
     /// The paint that a `value` of the property `name` ("stroke" or "fill") declares, where `current` is the colour of the text:
     /// `Some(None)` for the parent's, `None` if the value is not understood.
+    #[expect(
+        clippy::option_option,
+        reason = "not understood, the parent's, and a paint are three answers of CSS"
+    )]
     pub(super) fn declared(name: &str, value: &str, current: [u8; 3]) -> Option<Option<Self>> {
         let value = value.trim();
         let lower = value.to_ascii_lowercase();

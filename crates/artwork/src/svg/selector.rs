@@ -246,7 +246,7 @@ fn name_length(text: &str) -> usize {
     text.find(|c| !is_name(c)).unwrap_or(text.len())
 }
 
-/// The condition on an attribute in `text`, which starts behind "[", and the rest behind "]".
+/// The condition on an attribute in `text`, which starts behind the opening bracket, and the rest behind the closing one.
 fn attribute(text: &str) -> Option<(Condition, &str)> {
     let end = text.find(']')?;
     let (inner, rest) = (text[..end].trim(), &text[end + 1..]);

@@ -216,12 +216,11 @@ fn find_outside(text: &str, wanted: char) -> Option<usize> {
     for (place, c) in text.char_indices() {
         match (quote, c) {
             (Some(open), _) if open == c => quote = None,
-            (Some(_), _) => {}
             (None, '"' | '\'') => quote = Some(c),
             (None, _) if c == wanted && depth == 0 => return Some(place),
             (None, '(' | '[') => depth += 1,
             (None, ')' | ']') => depth = depth.saturating_sub(1),
-            (None, _) => {}
+            _ => {}
         }
     }
     None
@@ -244,12 +243,11 @@ fn block_end(text: &str) -> usize {
     for (place, byte) in text.bytes().enumerate() {
         match (quote, byte) {
             (Some(open), _) if open == byte => quote = None,
-            (Some(_), _) => {}
             (None, b'"' | b'\'') => quote = Some(byte),
             (None, b'{') => depth += 1,
             (None, b'}') if depth == 1 => return place + 1,
             (None, b'}') => depth -= 1,
-            (None, _) => {}
+            _ => {}
         }
     }
     text.len()

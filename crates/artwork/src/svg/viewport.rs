@@ -133,7 +133,7 @@ fn measured(root: Node<'_, '_>, head: &str, out: &mut Collector<'_>) -> Result<(
     let stated = sizes(lengths, from, &millimetres);
     let given = match out.options.unit {
         Some(unit) => Some(unit),
-        None => unstated(&Writer::of(root, head), lengths, from, stated.is_some(), out)?,
+        None => unstated(Writer::of(root, head), lengths, from, stated.is_some(), out)?,
     };
     let size = match given {
         Some(unit) => sizes(lengths, from, &|length| by_unit(length, unit, from.is_some())),
@@ -233,7 +233,7 @@ impl Writer {
 /// A unit that follows from the program is taken with a note where plain numbers have no other meaning, and left to the caller where
 /// the file could mean 1/96 in as well.
 fn unstated(
-    writer: &Writer,
+    writer: Writer,
     lengths: [Option<Length>; 2],
     from: Option<ViewBox>,
     is_stated: bool,

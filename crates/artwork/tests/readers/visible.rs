@@ -109,7 +109,9 @@ fn hidden_by_selectors_of_every_kind() {
 #[test]
 fn style_sheets_cannot_multiply_work() {
     let rules = |number: usize| {
-        (0..number).map(|i| format!("g path ~ path.a{}{{stroke:red}}", i % 7)).collect::<String>()
+        let rules: Vec<String> =
+            (0..number).map(|i| format!("g path ~ path.a{}{{stroke:red}}", i % 7)).collect();
+        rules.concat()
     };
     let paths = "<path class='a0 a1 a2 a3 a4 a5 a6' d='M0 0h9'/>".repeat(5000);
     assert_eq!(svg(&format!("<style>{}</style><g>{paths}</g>", rules(7))).elements.len(), 5000);
@@ -163,7 +165,8 @@ fn transforms_have_origins() {
 #[test]
 fn annotations_are_one_note() {
     let kinds = ["TEXT", "MTEXT", "DIMENSION", "LEADER", "HATCH", "ATTRIB", "XLINE", "RAY", "MULTILEADER"];
-    let entities: String = kinds.iter().map(|kind| format!("0|{kind}|8|0|10|1|20|2|")).collect();
+    let entities: Vec<String> = kinds.iter().map(|kind| format!("0|{kind}|8|0|10|1|20|2|")).collect();
+    let entities = entities.concat();
     let text = format!(
         "0|SECTION|2|HEADER|9|$INSUNITS|70|4|0|ENDSEC|0|SECTION|2|BLOCKS|0|BLOCK|2|b|10|0|20|0|{entities}0|ENDBLK|0|ENDSEC|\
          0|SECTION|2|ENTITIES|{entities}0|INSERT|8|edge|2|b|10|0|20|0|0|CIRCLE|8|edge|10|0|20|0|40|9|0|ENDSEC|0|EOF|"

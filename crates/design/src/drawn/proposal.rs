@@ -18,8 +18,8 @@ const MARK_OF_ALL: f64 = 0.1;
 const MARK_AT_MOST: f64 = 0.4;
 /// Longest figure that may be a speck beside an edge, mm.
 const SPECK: f64 = 5.0;
-/// Largest distance of a point for a port from an edge, mm: the width of the channel of the default hose.
-const POINT_REACH: f64 = 6.28;
+/// Largest distance of a point for a port from an edge, mm: the flat width of the default hose of 4 mm.
+const POINT_REACH: f64 = 2.0 * std::f64::consts::PI;
 /// A point that lies farther than this part of a curve's smaller side from it is in its middle, as the centre of a hole is.
 const MIDDLE: f64 = 0.2;
 /// Ends of a mark lie at least this far from the edge, mm: a weld that ends on the edge is no mark.

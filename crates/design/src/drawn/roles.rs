@@ -161,7 +161,7 @@ fn faulty(fault: &Fault, spec: &DrawingSpec) -> Option<Refusal> {
     let is_ignored = spec.role(fault.place.names()) == Some(LayerRole::Ignore);
     let refusal = unreadable(fault);
     let remedy = format!("{}; or {}", refusal.remedy, to_ignore(&fault.place));
-    (!is_ignored).then(|| Refusal { remedy, ..refusal })
+    (!is_ignored).then_some(Refusal { remedy, ..refusal })
 }
 
 /// The advice to ignore what lies at `place`, by a name that it has.

@@ -69,7 +69,7 @@ fn text(out: &mut Vec<u8>, text: Option<&str>) {
     for c in text.chars() {
         let _ = match c {
             '"' => write!(out, "\"\""),
-            '\n' => write!(out, "\n"),
+            '\n' => writeln!(out),
             _ if misleads(c) => write!(out, "\\u{:04x}", u32::from(c)),
             _ => write!(out, "{c}"),
         };
