@@ -74,7 +74,7 @@ fn parallels(path: &Path, by: f64) -> Vec<Segment> {
         let (arriving, leaving) = (halves[i].tangent(1.0), halves[next].tangent(0.0));
         let turn = libm::atan2(arriving.cross(leaving), arriving.dot(leaving));
         // Half a turn is the end of a path that leads there and back.
-        if turn > 0.0 || turn < FOLDED - PI {
+        if !(FOLDED - PI..=0.0).contains(&turn) {
             let corner = halves[i].end();
             rounds[i] = Some(Arc::new(corner, by, (end - corner).angle(), turn.rem_euclid(TAU)).into());
         }
