@@ -79,7 +79,7 @@ struct PathScan<'a> {
     rest: &'a str,
 }
 
-impl PathScan<'_> {
+impl<'a> PathScan<'a> {
     fn skip(&mut self, comma: bool) {
         let blank = |c: char| matches!(c, ' ' | '\t' | '\r' | '\n' | '\u{c}');
         self.rest = self.rest.trim_start_matches(blank);
@@ -104,20 +104,24 @@ impl PathScan<'_> {
     }
 
     fn number(&mut self) -> Result<f64, Finding> {
-        self.value(|number| number.value)
+        let number = self.next_number()?;
+        self.pass(number.rest, number.text, number.value)
     }
 
     fn radius(&mut self) -> Result<f64, Finding> {
-        self.value(|number| number.radius())
+        let number = self.next_number()?;
+        self.pass(number.rest, number.text, number.radius())
     }
 
-    /// The `value` of the next number.
-    fn value(&mut self, value: impl Fn(&Number<'_>) -> Option<f64>) -> Result<f64, Finding> {
-        let number = number::read(self.rest, true).ok_or_else(|| self.fault("a number"))?;
+    fn next_number(&self) -> Result<Number<'a>, Finding> {
+        number::read(self.rest, true).ok_or_else(|| self.fault("a number"))
+    }
+
+    /// The `value` of a number's `text`, with the path read on from its `rest`; `None` is a value beyond the limit.
+    fn pass(&mut self, rest: &'a str, text: &str, value: Option<f64>) -> Result<f64, Finding> {
         let allowed = || format!("at most {}", number::LARGEST);
-        let beyond = || Finding::new(FindingCode::BadNumber, quote(number.text), allowed());
-        let value = value(&number).ok_or_else(beyond)?;
-        self.rest = number.rest;
+        let value = value.ok_or_else(|| Finding::new(FindingCode::BadNumber, quote(text), allowed()))?;
+        self.rest = rest;
         self.skip(true);
         Ok(value)
     }
