@@ -15,6 +15,7 @@ mod published;
 mod readers;
 mod remedies;
 mod report;
+mod roundings;
 mod scene;
 #[path = "../support/mod.rs"]
 mod support;

@@ -525,3 +525,58 @@ fn what_is_no_number_or_far_away_is_refused() {
     }
     assert!(refused(&Sketch::default()).iter().any(|fault| fault.code == ShapeCode::Empty));
 }
+
+/// Straight and bent welds of steps from a fortieth of the band up, drawn as one curve or as lines that meet.
+#[test]
+fn a_weld_may_have_steps_of_any_length() {
+    for (step, count) in [(0.005, 1600), (0.05, 160), (0.085, 94), (0.3, 27), (0.35, 23), (2.0, 4)] {
+        for bend in [0.0, 0.05, -0.2] {
+            let mut points = vec![p(40.0, 30.0)];
+            for i in 0..count {
+                points.push(points[points.len() - 1] + Vec2::unit(bend * step * f64::from(i)) * step);
+            }
+            let whole = vec![drawn("w", open(&points))];
+            let chain = points.windows(2).map(|ends| drawn("w", open(ends))).collect();
+            for seams in [whole, chain] {
+                let pillow = sketch(vec![("r", rectangle(0.0, 0.0, 100.0, 60.0))], vec![port(0.0, 30.0)]);
+                let sealing = sealed(&Sketch { seams, ..pillow });
+                let welds: Vec<_> =
+                    sealing.shape.seams.iter().filter(|seam| seam.role == Role::Weld).collect();
+                let [weld] = welds[..] else { panic!("{step} {bend}: {} welds", welds.len()) };
+                assert!((weld.center_line.length() - step * f64::from(count)).abs() < 1e-6, "{step} {bend}");
+            }
+        }
+    }
+}
+
+/// A cross and a grid in the air.
+#[test]
+fn welds_that_cross_are_split_there() {
+    let with = |lines: &[[(f64, f64); 2]]| {
+        let pillow = sketch(vec![("r", rectangle(0.0, 0.0, 100.0, 60.0))], vec![port(0.0, 30.0)]);
+        let seam = |[a, b]: &[(f64, f64); 2]| drawn("w", open(&[p(a.0, a.1), p(b.0, b.1)]));
+        Sketch { seams: lines.iter().map(seam).collect(), ..pillow }
+    };
+    let cross = sealed(&with(&[[(40.0, 30.0), (70.0, 30.0)], [(55.0, 15.0), (52.0, 45.0)]]));
+    assert_eq!((cross.shape.seams.len(), cross.repairs.len()), (5, 1), "{:?}", cross.repairs);
+    assert_eq!(cross.shape.topology().chambers.len(), 1);
+    // Two welds across two others close a chamber without a port.
+    let grid = [
+        [(35.0, 20.0), (75.0, 20.0)],
+        [(35.0, 40.0), (75.0, 40.0)],
+        [(45.0, 12.0), (45.0, 48.0)],
+        [(65.0, 12.0), (65.0, 48.0)],
+    ];
+    let faults = refused(&with(&grid));
+    assert!(faults.iter().all(|fault| fault.code == ShapeCode::NoPort) && faults.len() == 1, "{faults:?}");
+}
+
+#[test]
+fn a_thin_hose_has_a_mouth() {
+    let pillow = sketch(vec![("r", rectangle(0.0, 0.0, 100.0, 60.0))], vec![port(0.0, 30.0)]);
+    for port_width in [0.05, 0.3, 0.63, 2.0] {
+        let rules = Rules { band: 0.3 * port_width, port_width, ..RULES };
+        let sealing = sealed_shape(&pillow, &rules).unwrap_or_else(|faults| panic!("{faults:?}"));
+        assert!((sealing.shape.port_width(0).unwrap() - port_width).abs() < 1e-9, "{port_width}");
+    }
+}

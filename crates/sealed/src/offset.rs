@@ -19,6 +19,8 @@ const ONE: f64 = 1e-5;
 const SLACK: f64 = 3e-5;
 /// Turns that differ from half a turn by less are half a turn, rad.
 const FOLDED: f64 = 1e-9;
+/// A shared stretch that begins within this of the end of a parallel begins there, mm.
+const CRUMB: f64 = 1e-3;
 /// Segments shorter than this have no length, mm.
 const SAME: f64 = 1e-9;
 /// Neighbours that differ by less from one line or circle are one segment, mm: below the largest gap of a seam.
@@ -53,7 +55,12 @@ pub(super) fn center_lines(edge: &Path, half: f64, join: f64) -> CenterLines {
     let is_nearly_free = |p: Point| !edge_index.has_within(p, half - 1.05 * join);
     let spines = Spines::of(&parallels, half, join, is_nearly_free);
     let graph = OffsetGraph::of(&parallels, &spines.shared, |p| !edge_index.has_within(p, half - SLACK));
-    CenterLines { loops: graph.cycles(), spines: spines.paths }
+    let mut loops = graph.cycles();
+    if !spines.paths.is_empty() {
+        // At the round end of a slot that is a little wider than the band a crumb is left.
+        loops.retain(|cycle| cycle.area().abs() > join * cycle.length());
+    }
+    CenterLines { loops, spines: spines.paths }
 }
 
 /// The parallels `by` mm to the right of the segments of a closed path, each that turns away joined to the next by an arc.
@@ -118,20 +125,27 @@ struct OffsetGraph {
     edges: Vec<OffsetEdge>,
 }
 
-impl OffsetGraph {
-    /// The stretches of `parallels` whose middle `is_free`, without those that are `shared`.
-    ///
-    /// Parallels are cut at their ends, where they meet, and at the ends of what is shared. Cuts at one place are one node, and the
-    /// stretches are moved to it.
-    fn of(parallels: &[Segment], shared: &[SharedStretch], is_free: impl Fn(Point) -> bool) -> Self {
-        let mut cuts: Vec<Vec<(f64, Point)>> =
-            parallels.iter().map(|line| vec![(0.0, line.start()), (1.0, line.end())]).collect();
-        let mut removed: Vec<Vec<[f64; 2]>> = vec![Vec::new(); parallels.len()];
-        for SharedStretch { lines, fractions, ends } in shared {
-            for (line, fractions) in lines.iter().zip(fractions) {
-                cuts[*line].extend(fractions.iter().copied().zip(*ends));
-                removed[*line].push([fractions[0].min(fractions[1]), fractions[0].max(fractions[1])]);
-            }
+/// Where parallels are cut.
+struct Cuts {
+    /// Fraction and place of each cut of each parallel: its start, its end, then those between.
+    places: Vec<Vec<(f64, Point)>>,
+    /// Pairs of cuts that are one although they may lie apart, each by the number of its parallel and its own.
+    alike: Vec<[[usize; 2]; 2]>,
+    /// The stretches of each parallel that are left out, by fractions.
+    removed: Vec<Vec<[f64; 2]>>,
+}
+
+impl Cuts {
+    /// The cuts of `parallels` at their ends, where they meet or one ends on another, and at the ends of what is shared.
+    fn of(parallels: &[Segment], shared: &[SharedStretch]) -> Self {
+        let ends = |line: &Segment| vec![(0.0, line.start()), (1.0, line.end())];
+        let mut cuts = Self {
+            places: parallels.iter().map(ends).collect(),
+            alike: Vec::new(),
+            removed: vec![Vec::new(); parallels.len()],
+        };
+        for stretch in shared {
+            cuts.add_shared(stretch, parallels);
         }
         let boxes: Vec<Bounds> = parallels.iter().map(Segment::bounds).collect();
         let index = BoxIndex::new(boxes.iter().copied());
@@ -139,30 +153,62 @@ impl OffsetGraph {
             index.visit(&boxes[i], |j| {
                 let met = if j < i { intersections(line, &parallels[j]) } else { Vec::new() };
                 for p in met {
-                    cuts[i].push((line.nearest_fraction(p), p));
-                    cuts[j].push((parallels[j].nearest_fraction(p), p));
+                    cuts.places[i].push((line.nearest_fraction(p), p));
+                    cuts.places[j].push((parallels[j].nearest_fraction(p), p));
                 }
             });
-        }
-        // An end that misses another parallel by rounding lies on it.
-        for (i, line) in parallels.iter().enumerate() {
+            // An end that misses another parallel by rounding lies on it.
             for end in [line.start(), line.end()] {
                 index.visit(&Bounds::of_points([end]).grown(ONE), |j| {
                     let fraction = parallels[j].nearest_fraction(end);
                     if i != j && parallels[j].point(fraction).distance(end) <= ONE {
-                        cuts[j].push((fraction, end));
+                        cuts.places[j].push((fraction, end));
                     }
                 });
             }
         }
-        let places: Vec<Point> = cuts.iter().flatten().map(|(_, place)| *place).collect();
-        let nodes = clusters(&places);
-        let (mut edges, mut first) = (Vec::new(), 0);
-        for ((line, cuts), removed) in parallels.iter().zip(&cuts).zip(&removed) {
-            let own_nodes = &nodes[first..first + cuts.len()];
+        cuts
+    }
+
+    /// Adds the ends of a shared stretch. Where both parallels begin or end there, what leads to one goes on from the other.
+    fn add_shared(
+        &mut self,
+        SharedStretch { lines, fractions, ends }: &SharedStretch,
+        parallels: &[Segment],
+    ) {
+        for (line, fractions) in lines.iter().zip(fractions) {
+            for (fraction, place) in fractions.iter().zip(ends) {
+                let number = self.places[*line].len();
+                self.places[*line].push((*fraction, *place));
+                let end = usize::from(*fraction > 0.5);
+                if fraction.min(1.0 - fraction) * parallels[*line].length() < CRUMB {
+                    self.alike.push([[*line, end], [*line, number]]);
+                }
+            }
+            self.removed[*line].push([fractions[0].min(fractions[1]), fractions[0].max(fractions[1])]);
+        }
+    }
+}
+
+impl OffsetGraph {
+    /// The stretches of `parallels` whose middle `is_free`, without those that are `shared`. Cuts at one place are one node, and the
+    /// stretches are moved to it.
+    fn of(parallels: &[Segment], shared: &[SharedStretch], is_free: impl Fn(Point) -> bool) -> Self {
+        let cuts = Cuts::of(parallels, shared);
+        let places: Vec<Point> = cuts.places.iter().flatten().map(|(_, place)| *place).collect();
+        let firsts: Vec<usize> = cuts
+            .places
+            .iter()
+            .scan(0, |next, cuts| Some(std::mem::replace(next, *next + cuts.len())))
+            .collect();
+        let alike: Vec<[usize; 2]> =
+            cuts.alike.iter().map(|pair| pair.map(|[line, number]| firsts[line] + number)).collect();
+        let nodes = clusters(&places, &alike);
+        let mut edges = Vec::new();
+        for (number, line) in parallels.iter().enumerate() {
+            let own_nodes = &nodes[firsts[number]..];
             let stop = |(cut, node): (&(f64, Point), &usize)| (cut.0, *node);
-            let mut stops: Vec<(f64, usize)> = cuts.iter().zip(own_nodes).map(stop).collect();
-            first += cuts.len();
+            let mut stops: Vec<(f64, usize)> = cuts.places[number].iter().zip(own_nodes).map(stop).collect();
             // Of cuts at an end of the parallel the end itself is the outermost, and those in its node add nothing.
             let [start, end] = [stops[0], stops[1]];
             let mut between = stops.split_off(2);
@@ -172,7 +218,8 @@ impl OffsetGraph {
             for pair in stops.windows(2) {
                 let [(from, a), (to, b)] = [pair[0], pair[1]];
                 let middle = f64::midpoint(from, to);
-                let is_removed = removed.iter().any(|[low, high]| *low < middle && middle < *high);
+                let is_removed =
+                    cuts.removed[number].iter().any(|[low, high]| *low < middle && middle < *high);
                 if a != b && !is_removed && is_free(line.point(middle)) {
                     edges.push(OffsetEdge {
                         segment: moved(line.part(from, to), places[a], places[b]),
@@ -250,10 +297,14 @@ fn moved(stretch: Segment, start: Point, end: Point) -> Segment {
     with_end(&with_start(&stretch, start), end)
 }
 
-/// The number of the first place of those that lie together with each of `places`.
-fn clusters(places: &[Point]) -> Vec<usize> {
+/// The number of the first place of those that lie together with each of `places`, or are `alike`.
+fn clusters(places: &[Point], alike: &[[usize; 2]]) -> Vec<usize> {
     let index = BoxIndex::new(places.iter().map(|place| Bounds::of_points([*place])));
     let mut parent: Vec<usize> = (0..places.len()).collect();
+    for [i, j] in alike {
+        let (a, b) = (root(&mut parent, *i), root(&mut parent, *j));
+        parent[a.max(b)] = a.min(b);
+    }
     for (i, place) in places.iter().enumerate() {
         index.visit(&Bounds::of_points([*place]).grown(ONE), |j| {
             if j < i && places[j].distance(*place) <= ONE {

@@ -238,3 +238,59 @@ fn cusps_loops_and_flat_curves_are_read() {
         assert!(path.segments.len() < 80, "{case:?}: {}", path.segments.len());
     }
 }
+
+/// A side that rises by less than the tolerance is a line, from a millimetre to ten metres, and arcs of kilometres are chords.
+#[test]
+fn nearly_straight_curves_are_lines() {
+    let dxf = |length: f64, bulge: f64| {
+        format!(
+            "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\na\n90\n2\n70\n0\n\
+             10\n20\n20\n20\n42\n{bulge:.18}\n10\n{}\n20\n20\n0\nENDSEC\n0\nEOF\n",
+            20.0 + length
+        )
+    };
+    for length in [1.0, 200.0, 10_000.0] {
+        // A bulge is twice the rise over the length.
+        for rise in [1e-12, 1e-9, 1e-6, 2e-5] {
+            let read = read_dxf(dxf(length, 2.0 * rise / length).as_bytes(), &Options::new(5e-4))
+                .expect("a polyline");
+            let drawn = [
+                paths(&read)[0].clone(),
+                only(
+                    &svg(&format!(
+                        "<path d='M20 20C{} {y} {} {y} {} 20'/>",
+                        20.0 + length / 3.0,
+                        20.0 + length / 1.5,
+                        20.0 + length,
+                        y = 20.0 + rise
+                    )),
+                    5e-4,
+                ),
+                only(
+                    &svg(&format!(
+                        "<path d='M20 20A{r} {r} 0 0 1 {} 20'/>",
+                        20.0 + length,
+                        r = length * length / (8.0 * rise)
+                    )),
+                    5e-4,
+                ),
+            ];
+            for path in drawn {
+                assert!(matches!(path.segments[..], [Segment::Line(_)]), "{length} {rise}: {path:?}");
+                assert!((path.length() - length).abs() < 1e-6, "{length} {rise}: {path:?}");
+            }
+        }
+        for rise in [1e-3, 0.01] {
+            let read = read_dxf(dxf(length, 2.0 * rise / length).as_bytes(), &Options::new(5e-4))
+                .expect("a polyline");
+            let path = paths(&read)[0];
+            let top = Point::new(20.0 + length / 2.0, 20.0 - rise);
+            assert!(path.distance(top) < 5e-4 && path.largest_gap() < 1e-9, "{length} {rise}: {path:?}");
+            let is_small = |segment: &Segment| !matches!(segment, Segment::Arc(arc) if arc.radius > 1e5);
+            assert!(
+                path.segments.iter().all(is_small) && path.segments.len() < 100,
+                "{length} {rise}: {path:?}"
+            );
+        }
+    }
+}
