@@ -70,7 +70,7 @@ fn data(path: &Path, decimals: usize, form: Form) -> String {
         while i < count {
             let part = segment.part(i / count, (i + 1.0) / count);
             i += 1.0;
-            out += &match (part, form) {
+            let command = match (part, form) {
                 (Segment::Line(line), Form::Exact) => format!("L{}", place(line.end)),
                 (Segment::Arc(arc), Form::Exact) => {
                     let (r, flag) = (arc.radius, u8::from(arc.sweep < 0.0));
@@ -86,6 +86,7 @@ fn data(path: &Path, decimals: usize, form: Form) -> String {
                     format!("C{}{}{}", place(first), place(second), place(part.end()))
                 }
             };
+            out.push_str(&command);
         }
     }
     out + if path.closed { "Z" } else { "" }

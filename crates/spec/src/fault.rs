@@ -90,15 +90,18 @@ pub fn shortened(text: &str) -> Cow<'_, str> {
     if text.len() <= LONGEST_WORD {
         return Cow::Borrowed(text);
     }
-    let (mut out, mut word) = (String::with_capacity(text.len().min(LONGEST_MESSAGE)), 0);
-    for (i, c) in text.chars().enumerate() {
+    let (mut out, mut word, mut length) = (String::with_capacity(text.len().min(LONGEST_MESSAGE)), 0, 0);
+    for c in text.chars() {
         word = if c.is_whitespace() { 0 } else { word + 1 };
-        if i >= LONGEST_MESSAGE {
+        if length >= LONGEST_MESSAGE {
             out.push_str(" ...");
             break;
         }
         match word {
-            ..=LONGEST_WORD => out.push(c),
+            ..=LONGEST_WORD => {
+                out.push(c);
+                length += 1;
+            }
             _ if word == LONGEST_WORD + 1 => out.push_str("..."),
             _ => {}
         }
