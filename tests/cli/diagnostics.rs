@@ -379,15 +379,8 @@ fn faults_of_all_stages_are_told_at_once() {
         codes
     };
     let said = check(rest, &[]);
-    let all = [
-        "feed-floor",
-        "long-extent",
-        "object-too-wide",
-        "post-meets-hose",
-        "sheet-too-small",
-        "wide-kerf",
-        "wide-kerf",
-    ];
+    let all =
+        ["feed-floor", "long-extent", "object-too-wide", "post-meets-hose", "sheet-too-small", "wide-kerf"];
     assert_eq!(codes(&said), all, "{said}");
     assert!(said.contains("the margins leave ") && !said.contains("0.00000"), "{said}");
     let accepted = codes(&check(rest, &["--anyway"]));

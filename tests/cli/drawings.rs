@@ -151,7 +151,7 @@ fn separate_shapes_are_pieces() {
 #[test]
 fn elements_of_one_line_are_told_apart_and_open_curves_have_no_areas() {
     let found = refused(
-        "<g id=\"seam\"><line x1=\"20\" y1=\"20\" x2=\"80\" y2=\"80\"/><line x1=\"20\" y1=\"80\" x2=\"80\" y2=\"20\"/></g>",
+        "<g id=\"seam\"><line x1=\"20\" y1=\"20\" x2=\"80\" y2=\"80\"/><rect x=\"40\" y=\"40\" width=\"20\" height=\"20\"/></g>",
     );
     let cross = found.iter().find(|one| one["code"] == "curves-cross").expect("they do");
     let elements = cross["elements"].as_array().expect("both");

@@ -732,7 +732,8 @@ fn calibrate_takes_the_need_of_a_drawing_from_its_shell() {
         let args: Vec<&str> = command.split(' ').chain(["--json"]).collect();
         let found = json_of(&done(dir.path(), &args));
         let predicted = json_of(&done(dir.path(), &["predict", name, "--json"]));
-        let pull = &predicted["chambers"][0]["seal_pull_N_per_mm"]["value"];
+        // Its wrinkles are averaged: folds may pull as hard as the upper end of the range.
+        let pull = &predicted["chambers"][0]["ranges"]["seal_pull_N_per_mm"][1];
         assert_eq!(&found["needed_N_mm"], pull);
         assert!(pull.as_f64().is_some_and(|pull| pull > 0.1), "{pull}");
         assert_eq!(found["chosen"]["speed_mm_s"], 0.1);

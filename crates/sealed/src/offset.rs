@@ -126,7 +126,7 @@ struct OffsetGraph {
 }
 
 /// Where parallels are cut.
-struct Cuts {
+struct ParallelCuts {
     /// Fraction and place of each cut of each parallel: its start, its end, then those between.
     places: Vec<Vec<(f64, Point)>>,
     /// Pairs of cuts that are one although they may lie apart, each by the number of its parallel and its own.
@@ -135,7 +135,7 @@ struct Cuts {
     removed: Vec<Vec<[f64; 2]>>,
 }
 
-impl Cuts {
+impl ParallelCuts {
     /// The cuts of `parallels` at their ends, where they meet or one ends on another, and at the ends of what is shared.
     fn of(parallels: &[Segment], shared: &[SharedStretch]) -> Self {
         let ends = |line: &Segment| vec![(0.0, line.start()), (1.0, line.end())];
@@ -194,7 +194,7 @@ impl OffsetGraph {
     /// The stretches of `parallels` whose middle `is_free`, without those that are `shared`. Cuts at one place are one node, and the
     /// stretches are moved to it.
     fn of(parallels: &[Segment], shared: &[SharedStretch], is_free: impl Fn(Point) -> bool) -> Self {
-        let cuts = Cuts::of(parallels, shared);
+        let cuts = ParallelCuts::of(parallels, shared);
         let places: Vec<Point> = cuts.places.iter().flatten().map(|(_, place)| *place).collect();
         let firsts: Vec<usize> = cuts
             .places

@@ -65,8 +65,9 @@ fn judged(count: u64, seed: u64) -> (BTreeMap<(String, Unit), Row>, Vec<String>)
             row.harmless += usize::from(!read);
             continue;
         }
-        // The content of a picture is not read, nor are comments without effect.
-        let unread = kind == "preview" || kind == "gcode" && same_facts(bytes, after);
+        // The content of pictures and pages is not read, nor are comments without effect.
+        let unread =
+            ["preview", "pdf"].contains(&kind.as_str()) || kind == "gcode" && same_facts(bytes, after);
         for (by, found) in [("reading", read || unread), ("bytes", made)] {
             if !found {
                 missed.push(format!("by {by}: {name} {unit:?} {what}"));

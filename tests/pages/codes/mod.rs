@@ -32,7 +32,6 @@ const WITHOUT: &[&str] = &[
     "stars-overlap",
     "wrong-opening",
     "leaves-plane",
-    "prediction",
     "failed",
     "infeasible",
     "not-published",
