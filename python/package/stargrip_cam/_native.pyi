@@ -495,8 +495,8 @@ def predict(
     model: "fit", "ring", "bvp", "section", "shell" or "auto"; default: the spec's own.
     radii: also the force on round objects of these radii, "20 mm..40 mm/5".
     fineness: of the shell's meshes: "coarse" (default for drawings), "medium" (default for stars) or "fine".
-    accuracy: the cheapest model with an error of at most this, "2 %"; without model and fineness.
     The answer about a drawing has its own keys, `chambers` among them: read it by to_dict().
+    accuracy: the cheapest model with an error of at most this, "2 %"; without model and fineness.
     progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
 
     Raises DesignError if there is no such gripper, PredictionError if the model has no answer, UsageError for wrong arguments.
