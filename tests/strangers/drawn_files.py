@@ -40,7 +40,7 @@ def element(rng, name, loop, closed):
     corners = [segment.a for segment in loop] + ([] if closed else [loop[-1].b])
     if all(isinstance(segment, Line) for segment in loop) and rng.random() < 0.4:
         points = " ".join(map(pair, corners))
-        return f'<{"polygon" if closed else "polyline"} id="{name}" points="{points}" fill="none"/>'
+        return f'<{"polygon" if closed else "polyline"} id="{name}" points="{points}" fill="none" stroke="black"/>'
     if closed and all(isinstance(segment, Arc) and segment.c == loop[0].c for segment in loop) and rng.random() < 0.5:
         c = loop[0].c
         return f'<circle id="{name}" cx="{number(c.real)}" cy="{number(c.imag)}" r="{number(loop[0].r)}"/>'
