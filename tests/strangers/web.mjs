@@ -296,7 +296,8 @@ async function read(browser, url, viewport) {
 
 /** The codes of a preview and of a report that the command made lead back to their spec, drawing included. */
 async function returned(browser) {
-    const server = await serving(pages), link = `${server.address}index.html`;
+    // A spec takes a public address; the page that opens is this machine's.
+    const server = await serving(pages), link = "https://example.org/stargrip-cam/index.html";
     for (const [name, drawing] of [["paper-gripper"], ["drawings/pillow", "pillow.dxf"]]) {
         const text = `${readFileSync(`designs/${name}.toml`, "utf8")}\n[build]\nwith = ["report", "preview-png"]\nlink = "${link}"\n`;
         const spec = join(out, "returned.toml"), dir = join(out, "returned");
@@ -311,7 +312,7 @@ async function returned(browser) {
         for (const file of names) links.add(await read(browser, pathToFileURL(resolve(dir, file)).href, { width: 1920, height: 1920 }));
         const [found] = links;
         must(links.size === 1 && found.startsWith(`${link}#spec=`), `${name}: the codes of its files hold ${[...links]}`);
-        const page = await opened(browser, `${name}, returned`, { width: 1280, height: 900 }, found, { offline: false });
+        const page = await opened(browser, `${name}, returned`, { width: 1280, height: 900 }, found.replace(link, `${server.address}index.html`), { offline: false });
         const bare = (spec) => spec.split("\n").filter((line) => !/^\s*(#|$)/.test(line)).join("\n");
         must(bare(await page.inputValue("#spec")) === bare(text), `${name}: its code opens another spec`);
         await page.context().close();
