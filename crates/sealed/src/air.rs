@@ -7,7 +7,8 @@ use std::collections::BTreeSet;
 
 use crate::faces::{walk_path, walks};
 use crate::fault::{ShapeCode, ShapeFault, quoted};
-use crate::join::{Network, NetworkEdge, root};
+use crate::join::{Network, NetworkEdge};
+use crate::sets::DisjointSets;
 use geom::{Enclosures, Path, Point, Segment};
 
 /// A closed edge of the air.
@@ -134,17 +135,16 @@ fn misplaced(code: ShapeCode, names: &[String], place: Point, what: String) -> S
 /// The connected part of each edge that meets a node, by the number of its first edge.
 fn parts(network: &Network) -> Vec<usize> {
     let mut first: Vec<usize> = vec![usize::MAX; network.nodes.len()];
-    let mut part: Vec<usize> = (0..network.edges.len()).collect();
+    let mut parts = DisjointSets::new(network.edges.len());
     for (number, edge) in network.edges.iter().enumerate() {
         for node in edge.nodes.into_iter().flatten() {
             if first[node] == usize::MAX {
                 first[node] = number;
             }
-            let (a, b) = (root(&mut part, number), root(&mut part, first[node]));
-            part[a.max(b)] = a.min(b);
+            parts.unite(number, first[node]);
         }
     }
-    (0..part.len()).map(|i| root(&mut part, i)).collect()
+    parts.all()
 }
 
 fn depths(network: &Network, drawn: &[(usize, &Path)], part: &[usize]) -> Depth {

@@ -3,8 +3,7 @@
 use crate::bottleneck::Bottleneck;
 use crate::channel::ChannelSides;
 use crate::fault::quoted;
-use crate::layout::Layout;
-use crate::layout::Line;
+use crate::layout::{Layout, Line};
 use crate::sketch::Sketch;
 use geom::Point;
 

@@ -3,6 +3,7 @@
 
 use crate::clean::{NOTHING, Piece, with_end, with_start};
 use crate::segments::{PathSegment, Segments};
+use crate::sets::DisjointSets;
 use geom::{Bounds, BoxIndex, Path, Point};
 
 /// Ends nearer than this meet exactly, mm.
@@ -115,12 +116,11 @@ struct Groups {
 impl Groups {
     fn of(ends: &[PieceEnd], join: f64) -> Self {
         let index = BoxIndex::new(ends.iter().map(|end| Bounds::of_points([end.at])));
-        let mut parent: Vec<usize> = (0..ends.len()).collect();
+        let mut near_ends = DisjointSets::new(ends.len());
         for (i, end) in ends.iter().enumerate() {
             for j in index.overlapping(&Bounds::of_points([end.at]).grown(join)) {
                 if j < i && ends[j].at.distance(end.at) <= join {
-                    let (a, b) = (root(&mut parent, i), root(&mut parent, j));
-                    parent[a.max(b)] = a.min(b);
+                    near_ends.unite(i, j);
                 }
             }
         }
@@ -128,13 +128,13 @@ impl Groups {
         let mut members: Vec<Vec<usize>> = Vec::new();
         let mut of = Vec::with_capacity(ends.len());
         for i in 0..ends.len() {
-            let root = root(&mut parent, i);
-            if number[root] == usize::MAX {
-                number[root] = members.len();
+            let least = near_ends.least(i);
+            if number[least] == usize::MAX {
+                number[least] = members.len();
                 members.push(Vec::new());
             }
-            members[number[root]].push(i);
-            of.push(number[root]);
+            members[number[least]].push(i);
+            of.push(number[least]);
         }
         Self { of, members }
     }
@@ -157,15 +157,6 @@ impl Groups {
         };
         self.members.iter().zip(nodes).filter_map(gap).collect()
     }
-}
-
-/// The first member of the set of `i`.
-pub(super) fn root(parent: &mut [usize], mut i: usize) -> usize {
-    while parent[i] != i {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    i
 }
 
 /// A group of ends that lies at the side of a piece.

@@ -41,6 +41,7 @@ mod seam;
 mod segments;
 mod separate;
 mod separator;
+mod sets;
 mod sketch;
 mod spine;
 mod unsound;

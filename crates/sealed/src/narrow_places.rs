@@ -1,8 +1,8 @@
 //! **Narrow places**: bottlenecks between which the curves stay narrow all along are one place, told where it is narrowest.
 
 use crate::bottleneck::{Bottleneck, GapCurve};
-use crate::join::root;
 use crate::segments::Segments;
+use crate::sets::DisjointSets;
 use geom::{Line, Point, Segment, Vec2, intersections};
 
 /// How much longer than the limit the way across may be, along a normal of one curve, where the place is narrower than the limit:
@@ -42,22 +42,21 @@ pub(super) fn narrow_places(
     contacts.sort_by(|a, b| {
         (a.curve, a.is_left).cmp(&(b.curve, b.is_left)).then(a.station.total_cmp(&b.station))
     });
-    let mut place: Vec<usize> = (0..bottlenecks.len()).collect();
+    let mut places = DisjointSets::new(bottlenecks.len());
     for side in contacts.chunk_by(|a, b| (a.curve, a.is_left) == (b.curve, b.is_left)) {
         let NarrowContact { curve, .. } = side[0];
         let path = curves[curve].path;
         let round = side.last().zip(side.first()).filter(|_| path.closed && side.len() > 1);
         let around = round.map(|(last, first)| (last, first, path.length()));
         for (a, b, more) in side.windows(2).map(|pair| (&pair[0], &pair[1], 0.0)).chain(around) {
-            let (first, second) = (root(&mut place, a.bottleneck), root(&mut place, b.bottleneck));
-            if first != second && is_narrow(&segments, a, b.station + more, limit * SLANT) {
-                place[first.max(second)] = first.min(second);
+            let is_apart = !places.are_united(a.bottleneck, b.bottleneck);
+            if is_apart && is_narrow(&segments, a, b.station + more, limit * SLANT) {
+                places.unite(a.bottleneck, b.bottleneck);
             }
         }
     }
-    let is_first = |number: &usize| place[*number] == *number;
-    let firsts: Vec<usize> = (0..bottlenecks.len()).filter(is_first).collect();
-    firsts.into_iter().map(|number| bottlenecks[number]).collect()
+    let narrowest = places.all().into_iter().enumerate().filter(|(number, least)| number == least);
+    narrowest.map(|(number, _)| bottlenecks[number]).collect()
 }
 
 /// The two contacts of a bottleneck.

@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
 
 use crate::clean::{with_end, with_start};
-use crate::join::root;
+use crate::sets::DisjointSets;
 use crate::spine::{SharedStretch, Spines};
 use geom::{Arc, Bounds, BoxIndex, Line, Path, Point, Segment, SegmentIndex, intersections};
 
@@ -300,20 +300,18 @@ fn moved(stretch: Segment, start: Point, end: Point) -> Segment {
 /// The number of the first place of those that lie together with each of `places`, or are `alike`.
 fn clusters(places: &[Point], alike: &[[usize; 2]]) -> Vec<usize> {
     let index = BoxIndex::new(places.iter().map(|place| Bounds::of_points([*place])));
-    let mut parent: Vec<usize> = (0..places.len()).collect();
+    let mut nodes = DisjointSets::new(places.len());
     for [i, j] in alike {
-        let (a, b) = (root(&mut parent, *i), root(&mut parent, *j));
-        parent[a.max(b)] = a.min(b);
+        nodes.unite(*i, *j);
     }
     for (i, place) in places.iter().enumerate() {
         index.visit(&Bounds::of_points([*place]).grown(ONE), |j| {
             if j < i && places[j].distance(*place) <= ONE {
-                let (a, b) = (root(&mut parent, i), root(&mut parent, j));
-                parent[a.max(b)] = a.min(b);
+                nodes.unite(i, j);
             }
         });
     }
-    (0..places.len()).map(|i| root(&mut parent, i)).collect()
+    nodes.all()
 }
 
 /// A path as vertices and bulges, arcs above half a turn in two.
@@ -321,12 +319,7 @@ pub fn polyline(path: &Path) -> Polyline<f64> {
     let mut line: Polyline<f64> = Polyline::new_closed();
     for segment in &path.segments {
         // A bulge can express up to half a turn.
-        let pieces = match segment {
-            Segment::Arc(arc) if arc.sweep.abs() > 3.0 => 2,
-            _ => 1,
-        };
-        for i in 0..pieces {
-            let part = segment.part(f64::from(i) / f64::from(pieces), f64::from(i + 1) / f64::from(pieces));
+        for part in halves(segment) {
             let bulge = if let Segment::Arc(arc) = part { arc.bulge() } else { 0.0 };
             let start = part.start();
             line.add(start.x, start.y, bulge);

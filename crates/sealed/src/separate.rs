@@ -7,9 +7,10 @@ use std::collections::BTreeMap;
 
 use crate::air::depth;
 use crate::faces::{walk_path, walks};
-use crate::join::{Network, NetworkEdge, root};
+use crate::join::{Network, NetworkEdge};
 use crate::notes::SealingNotes;
 use crate::segments::Segments;
+use crate::sets::DisjointSets;
 use crate::sketch::{DrawnCurve, Rules, Sketch};
 use geom::{Enclosures, Line, Path, Point, segment_distance};
 
@@ -85,9 +86,8 @@ fn by_cuts(sketch: &Sketch, rules: &Rules) -> Vec<Sketch> {
 /// curves go to the nearest.
 fn by_air(sketch: &Sketch, rules: &Rules) -> Vec<Sketch> {
     let drawn: Vec<&DrawnCurve> = sketch.air.iter().chain(&sketch.seams).collect();
-    let mut cluster = clusters(&drawn, 2.0 * rules.band);
-    let roots = |cluster: &mut Vec<usize>| (0..drawn.len()).map(|i| root(cluster, i)).collect::<Vec<_>>();
-    if roots(&mut cluster).iter().all(|root| *root == 0) {
+    let mut clusters = clusters(&drawn, 2.0 * rules.band);
+    if clusters.all().iter().all(|least| *least == 0) {
         return Vec::new();
     }
     let curves: Vec<DrawnCurve> = drawn.iter().map(|curve| (*curve).clone()).collect();
@@ -97,17 +97,16 @@ fn by_air(sketch: &Sketch, rules: &Rules) -> Vec<Sketch> {
     let around = Enclosures::new(rings.iter().map(|(path, _)| path));
     for (number, curve) in drawn.iter().enumerate() {
         for ring in around.around(middle(&curve.path)) {
-            let (a, b) = (root(&mut cluster, number), root(&mut cluster, rings[ring].1));
-            cluster[a.max(b)] = a.min(b);
+            clusters.unite(number, rings[ring].1);
         }
     }
-    let roots = roots(&mut cluster);
+    let cluster_of = clusters.all();
     let mut of_cluster: BTreeMap<usize, (Vec<Path>, Vec<&Path>)> = BTreeMap::new();
     for (path, source) in rings {
-        of_cluster.entry(roots[source]).or_default().0.push(path);
+        of_cluster.entry(cluster_of[source]).or_default().0.push(path);
     }
-    for (curve, root) in drawn.iter().zip(&roots) {
-        if let Some((_, curves)) = of_cluster.get_mut(root) {
+    for (curve, cluster) in drawn.iter().zip(&cluster_of) {
+        if let Some((_, curves)) = of_cluster.get_mut(cluster) {
             curves.push(&curve.path);
         }
     }
@@ -115,20 +114,20 @@ fn by_air(sketch: &Sketch, rules: &Rules) -> Vec<Sketch> {
     shared_out(sketch, &outlines.collect::<Vec<_>>())
 }
 
-/// The cluster of each curve, by the number of one of its curves: those nearer to each other than `reach` mm.
-fn clusters(drawn: &[&DrawnCurve], reach: f64) -> Vec<usize> {
+/// The curves in clusters, by their numbers: those nearer to each other than `reach` mm.
+fn clusters(drawn: &[&DrawnCurve], reach: f64) -> DisjointSets {
     let segments = Segments::of(drawn.iter().map(|curve| &curve.path));
-    let mut cluster: Vec<usize> = (0..drawn.len()).collect();
+    let mut clusters = DisjointSets::new(drawn.len());
     for part in &segments.list {
         segments.index.visit(&part.bounds.grown(reach), |other| {
             let other = &segments.list[other];
-            let (a, b) = (root(&mut cluster, part.path), root(&mut cluster, other.path));
-            if a != b && segment_distance(&part.segment, &other.segment) < reach {
-                cluster[a.max(b)] = a.min(b);
+            let is_apart = !clusters.are_united(part.path, other.path);
+            if is_apart && segment_distance(&part.segment, &other.segment) < reach {
+                clusters.unite(part.path, other.path);
             }
         });
     }
-    cluster
+    clusters
 }
 
 /// The closed curves of a network and the outer edges of its connected parts, each with the number of one of its curves.
