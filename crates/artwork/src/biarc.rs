@@ -32,9 +32,6 @@ const STRAIGHT: f64 = 1e-3;
 /// below 1e-6 mm.
 const SHORTEST: f64 = 1e-13;
 
-/// Length up to which a segment is left out, mm: rounding, far below the resolution of a machine or a later step.
-pub(crate) const SHORT: f64 = 1e-9;
-
 /// Appends arcs and lines within `tolerance` of the curve; `false` if `out` would exceed `limit` segments.
 pub(crate) fn fit(curve: &impl Curve, tolerance: f64, limit: usize, out: &mut Vec<Segment>) -> bool {
     let (allowed, straight) = (SHARE * tolerance, STRAIGHT * tolerance);

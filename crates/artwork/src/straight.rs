@@ -4,7 +4,8 @@
 
 use geom::{Arc, Line, Point, Segment};
 
-use crate::biarc::SHORT;
+/// Length up to which a segment is left out, mm: rounding, far below the resolution of a machine or a later step.
+pub(crate) const SHORT: f64 = 1e-9;
 
 /// Largest turn of a straight curve, rad: the corners that its chord leaves with its neighbours are smaller than the finest step of an
 /// offset by a band.

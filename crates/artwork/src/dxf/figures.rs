@@ -4,30 +4,12 @@ use std::f64::consts::TAU;
 
 use geom::{Point, Vec2};
 
+use super::geometry::{Geometry, Shape, flat};
 use super::group::{Flaw, Record};
 use super::polyline;
 use crate::collector::Chain;
 use crate::piece::Piece;
 use crate::spline::{Nurbs, through};
-
-/// The geometry of an entity.
-#[derive(Debug)]
-pub(super) struct Geometry {
-    pub(super) shape: Shape,
-    /// Smallest and largest z.
-    pub(super) heights: [f64; 2],
-    /// Whether x is mirrored, by an extrusion along -z.
-    pub(super) mirrored: bool,
-    /// The detail that was resolved, for a note.
-    pub(super) remark: Option<&'static str>,
-}
-
-/// A point or a chain.
-#[derive(Debug)]
-pub(super) enum Shape {
-    Point(Point),
-    Chain(Chain),
-}
 
 /// Reads an entity; `parts` are the vertices that follow a POLYLINE.
 pub(super) fn read(record: &Record<'_, '_>, parts: &[Record<'_, '_>]) -> Result<Geometry, Flaw> {
@@ -67,14 +49,6 @@ pub(super) fn mirrored(record: &Record<'_, '_>) -> Result<bool, Flaw> {
     } else {
         Err(Flaw::Lost("It lies in another plane than the drawing and is left out.".into()))
     }
-}
-
-/// Geometry in the drawing's plane.
-pub(super) fn flat(shape: Shape, heights: &[f64]) -> Geometry {
-    let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let heights = if low <= high { [low, high] } else { [0.0, 0.0] };
-    Geometry { shape, heights, mirrored: false, remark: None }
 }
 
 fn place(record: &Record<'_, '_>, code: i32) -> Result<Point, Flaw> {

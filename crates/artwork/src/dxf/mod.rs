@@ -4,6 +4,7 @@
 //! coordinates mirrored where the plane faces down. All else is in [`figures`].
 
 mod figures;
+mod geometry;
 mod group;
 mod polyline;
 mod tables;

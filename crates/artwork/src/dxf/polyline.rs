@@ -2,7 +2,7 @@
 
 use geom::Point;
 
-use super::figures::{Geometry, Shape, flat};
+use super::geometry::{Geometry, Shape, flat};
 use super::group::{Flaw, Record};
 use crate::collector::{Chain, bulged};
 use crate::piece::Piece;

@@ -2,7 +2,8 @@
 
 use geom::Point;
 
-use super::figures::{Geometry, Shape, mirrored, read};
+use super::figures::{mirrored, read};
+use super::geometry::{Geometry, Shape};
 use super::group::{Flaw, Record};
 use super::tables::{Block, Layer, Sections};
 use crate::affine::Affine;

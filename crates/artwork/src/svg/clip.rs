@@ -3,8 +3,9 @@
 use geom::{Path, Point};
 use roxmltree::Node;
 
+use super::document::is_svg;
 use super::viewport::Viewport;
-use super::{is_svg, shapes, transform};
+use super::{shapes, transform};
 use crate::affine::Affine;
 use crate::piece::Piece;
 use crate::{Element, Figure};

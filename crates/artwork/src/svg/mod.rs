@@ -5,9 +5,11 @@
 
 mod clip;
 mod conditions;
+mod document;
 mod guard;
 mod paint;
 mod path_data;
+mod properties;
 mod selector;
 mod shapes;
 mod sheet;
@@ -18,11 +20,9 @@ mod walk;
 
 use roxmltree::{Document, Node, NodeType, ParsingOptions};
 
+use self::document::{Source, is_svg, shortened};
 use crate::collector::Collector;
 use crate::{Drawing, Fault, Options, Place, Weight};
-
-/// Namespace of SVG.
-const SVG: &str = "http://www.w3.org/2000/svg";
 
 /// Reads an SVG file.
 ///
@@ -40,43 +40,12 @@ pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> 
         out.refuse(Place::line(1), text, "Export the drawing as SVG.");
         return out.finish();
     }
-    let source = Source { lines: line_starts(text), sheet: sheet(&document, &mut out) };
+    let source = Source::new(text, sheet(&document, &mut out));
     if let Some((map, viewport)) = viewport::page(root, head(text), &mut out) {
         // A limit that is exceeded is among the faults.
         let _ = walk::Walk::new(&document, &source, &mut out).run(&map, viewport);
     }
     out.finish()
-}
-
-/// Facts about a file that its tree does not hold.
-struct Source {
-    /// Offsets at which lines start, and those of the first character in each that is no blank.
-    lines: Vec<(usize, usize)>,
-    sheet: sheet::Sheet,
-}
-
-impl Source {
-    /// The line of a node, from 1.
-    fn line(&self, node: Node<'_, '_>) -> usize {
-        self.lines.partition_point(|(start, _)| *start <= node.range().start)
-    }
-
-    /// The place of a node in words: "line 12", and if it is not the first there, "line 12, column 40".
-    fn place_in_words(&self, node: Node<'_, '_>) -> String {
-        let (line, at) = (self.line(node), node.range().start);
-        match self.lines.get(line.saturating_sub(1)) {
-            Some((start, first)) if at > *first => format!("line {line}, column {}", at - start + 1),
-            _ => format!("line {line}"),
-        }
-    }
-}
-
-fn line_starts(text: &str) -> Vec<(usize, usize)> {
-    let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1));
-    let blanks = |start: usize| {
-        text.as_bytes()[start..].iter().take_while(|byte| matches!(byte, b' ' | b'\t' | b'\r')).count()
-    };
-    starts.map(|start| (start, start + blanks(start))).collect()
 }
 
 /// The first text of a file, where programs name themselves.
@@ -129,28 +98,4 @@ fn sheet(document: &Document<'_>, out: &mut Collector<'_>) -> sheet::Sheet {
         out.note(weight, Place::default(), text);
     }
     sheet
-}
-
-/// Whether an element is of SVG; files without a namespace are taken as such.
-fn is_svg(node: Node<'_, '_>) -> bool {
-    node.is_element() && node.tag_name().namespace().is_none_or(|namespace| namespace == SVG)
-}
-
-/// The user's names for an element, the label of its program before the id.
-fn names<'a>(node: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
-    // Inkscape writes inkscape:label, Illustrator data-name, Affinity serif:id.
-    let label = |name: &str, namespace: Option<&str>| match (name, namespace) {
-        ("label", Some(namespace)) => namespace.contains("inkscape"),
-        ("data-name", None) => true,
-        ("id", Some(namespace)) => namespace.contains("serif"),
-        _ => false,
-    };
-    let label =
-        node.attributes().find(|attribute| label(attribute.name(), attribute.namespace())).map(|a| a.value());
-    label.into_iter().chain(node.attribute("id")).filter(|name| !name.is_empty())
-}
-
-/// The beginning of a text of the drawing, as messages show it.
-fn shortened(text: &str) -> String {
-    text.chars().take(60).collect()
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use roxmltree::Node;
 
 use super::paint::Paint;
+use super::properties::{GEOMETRY, is_zero};
 use super::selector::{Selector, Work};
-use super::style::{GEOMETRY, is_zero};
 
 /// Steps of matching rules with elements of a file. A file of 100,000 elements with a hundred rules for each needs half of them.
 const MOST_WORK: usize = 20_000_000;

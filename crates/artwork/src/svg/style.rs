@@ -3,33 +3,8 @@
 use roxmltree::Node;
 
 use super::paint::Paint;
+use super::properties::is_zero;
 use super::sheet::{Declaration, Sheet, declared};
-
-/// Properties by which a style sheet of SVG 2 can change geometry.
-pub(super) const GEOMETRY: [&str; 16] = [
-    "transform",
-    "translate",
-    "rotate",
-    "scale",
-    "offset-path",
-    "zoom",
-    "d",
-    "x",
-    "y",
-    "cx",
-    "cy",
-    "r",
-    "rx",
-    "ry",
-    "width",
-    "height",
-];
-
-/// Whether a value of an opacity or a width is 0 or less.
-pub(super) fn is_zero(value: &str) -> bool {
-    let number = value.trim_end_matches(|c: char| c == '%' || c.is_ascii_alphabetic()).trim();
-    number.parse::<f64>().is_ok_and(|number| number <= 0.0)
-}
 
 /// Whether a reader of SVG takes `value` for the property `name`; one that it does not take leaves others in force.
 fn is_understood(name: &str, value: &str) -> bool {

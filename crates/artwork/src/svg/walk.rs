@@ -4,10 +4,12 @@ use std::collections::BTreeMap;
 
 use roxmltree::{Document, Node, NodeId};
 
+use super::document::{Source, is_svg, names, shortened};
 use super::paint::Paint;
-use super::style::{Cascade, GEOMETRY, Style, is_zero};
+use super::properties::{GEOMETRY, is_zero};
+use super::style::{Cascade, Style};
 use super::viewport::{Viewport, fitted, view_box};
-use super::{Source, clip, conditions, is_svg, names, path_data, shapes, shortened, transform};
+use super::{clip, conditions, path_data, shapes, transform};
 use geom::Point;
 
 use crate::affine::Affine;
