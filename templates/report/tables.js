@@ -51,7 +51,7 @@ const KNOWN = {
 };
 
 function showEvidence() {
-  const { prediction } = data;
+  const { prediction, load } = data;
   const rows = [
     ["Lengths, areas, seams", "exact geometry", "lines and arcs of the design; every file was read back and compared with it"],
     ["Times", "the programs, step by step", "lengths over speeds, travels with their acceleration; heating and pauses not counted"],
