@@ -20,6 +20,8 @@ export class Stage {
     #drawing = null;
     #faults = [];
     #isRefused = false;
+    /** The drawing with its faults as it is shown, as text; empty in other views. */
+    #shownDrawing = "";
     #setRole;
     #wantReport;
 
@@ -80,6 +82,10 @@ export class Stage {
         byId("report-box").hidden = isPicture;
         byId("sheets").hidden = view !== "sheet" || this.#sheets.length < 2;
         document.body.classList.toggle("reading", view === "report");
+        // A drawing that stays the same is not drawn again: a menu over it stays open while files are made.
+        const drawing = view === "drawing" ? JSON.stringify([this.#drawing, this.#faults]) : "";
+        if (drawing && drawing === this.#shownDrawing) return;
+        this.#shownDrawing = drawing;
         closeRoles();
         if (!isPicture) return;
         const hover = (line, text) => this.#canvas.hover(line, text), sheet = this.#sheets[byId("sheets").value || 0];
