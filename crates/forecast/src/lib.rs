@@ -1,6 +1,6 @@
 //! The prediction of a spec's gripper: from the exact design to values with their evidence.
 //!
-//! It applies [`crate::mechanics`] to the stars of [`design`]; each stage uses the ones above it:
+//! It applies [`inflatable::mechanics`] to the stars of [`design`]; each stage uses the ones above it:
 //!
 //! | stage | subject |
 //! |---|---|
