@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::cli::terminal::width;
 use forecast::optimize::{
-    Confirmation, Constraints, Evaluation, SEARCHED, SearchResult, is_at_pressure, shortfalls, thinned,
+    Constraints, Evaluation, SEARCHED, SearchResult, is_at_pressure, shortfalls, thinned,
 };
 use forecast::outcome::{Grip, Outcome};
 use forecast::ranges::{mm, shown};
@@ -16,14 +16,6 @@ use spec::units::Length;
 
 /// Number of rows of the front in the printed table.
 const SHOWN: usize = 12;
-
-/// The winner.
-pub(super) struct Best {
-    /// Its spec.
-    pub(super) spec: String,
-    /// The shell's result for it, with --confirm.
-    pub(super) confirmed: Option<Confirmation>,
-}
 
 /// The printed text; every line begins with "# ", so that it can precede a spec in one file.
 pub(super) fn text(found: &SearchResult, constraints: &Constraints) -> String {
@@ -64,15 +56,14 @@ pub(super) fn text(found: &SearchResult, constraints: &Constraints) -> String {
     out
 }
 
-/// The JSON answer.
-pub(super) fn json(found: &SearchResult, constraints: &Constraints, winner: Option<&Best>) -> Value {
+/// The JSON answer; `spec` is the text of the winner's spec.
+pub(super) fn json(found: &SearchResult, constraints: &Constraints, spec: Option<&str>) -> Value {
     let all = |list: &[Evaluation]| list.iter().map(|one| row(one, constraints)).collect::<Vec<_>>();
     json!({
         "computed": found.computed,
         "best": all(&found.best),
         "front": all(&found.front),
-        "spec": winner.map(|winner| &winner.spec),
-        "confirmed": winner.and_then(|winner| winner.confirmed.as_ref()),
+        "spec": spec,
     })
 }
 

@@ -56,10 +56,10 @@ pub fn optimum(given: &Loaded, options: &[String], cancel: &AtomicBool) -> Resul
     if cancel.load(Ordering::Relaxed) {
         return Err(Failure::Interrupted);
     }
-    let best = optimize::best(&args, given, &found, &constraints)?;
+    let spec = optimize::best_spec(&args, given, &found);
     let short =
         found.best.iter().map(|Evaluation { point, answer, .. }| shortfalls(point, answer, &constraints));
-    Ok(Optimum { short: short.collect(), best: best.map(|best| best.spec), found })
+    Ok(Optimum { short: short.collect(), best: spec, found })
 }
 
 /// The question that the options of `predict` describe ("--model", "ring"), without the spec.
@@ -107,8 +107,8 @@ pub fn nearest<'k>(name: &str, keywords: &'k [String]) -> Option<&'k str> {
     spec::nearest(name, keywords.iter().map(String::as_str))
 }
 
-/// Options about the output and the cache, and the option that runs a second model.
-const OF_THE_SCREEN: [&str; 6] = ["verbose", "quiet", "json", "vtu", "no-cache", "confirm"];
+/// Options about the output and the cache.
+const OF_THE_SCREEN: [&str; 5] = ["verbose", "quiet", "json", "vtu", "no-cache"];
 
 /// The arguments of a command from its options and the spec's path, if it takes one.
 fn parsed<A: clap::Args>(options: &[String], spec: Option<&Path>) -> Result<A, Failure> {

@@ -4,26 +4,21 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use crate::answer::quantity::{EXTRA, SIZE, number, quantity_or_number, range};
-use crate::cli::candidates::Best;
 use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
-use crate::cli::shell::watched_by;
 use crate::cli::verbosity::{Verbosity, pretty};
 use crate::cli::{candidates, progress};
 use design::{Design, room};
 use forecast::candidate::Candidate;
 use forecast::optimize::{
-    Confirmation, Constraints, DesignSearch, Evaluation, Goal, ROUNDING, SearchBounds, SearchResult,
+    Constraints, DesignSearch, Evaluation, Goal, ROUNDING, SearchBounds, SearchResult,
     is_at_pressure, thousandths,
 };
-use forecast::shell::Detail;
-use forecast::shell::star;
-use forecast::shell::star::ShellRefusal;
 use forecast::sizing::{BURST_MARGIN, is_result};
 use inflatable::mechanics::hinge::ring::RingTable;
 use spec::edit::{StarEdit, with_comments, with_star, with_value};
 use spec::units::{Angle, Force, Length, Mass, Pressure};
-use spec::{Allowed, Setting, Source, Spec, key, settings};
+use spec::{Allowed, Setting, Source, key, settings};
 
 /// Arguments of `optimize`.
 #[derive(clap::Args, Debug)]
@@ -69,9 +64,6 @@ pub(super) struct Args {
     /// Least burst pressure over pressure; default: 1.5 if the seal's strength is given, as for `new`.
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
     burst_margin: Option<f64>,
-    /// Also compute the best star with the shell: seconds to minutes.
-    #[arg(long)]
-    confirm: bool,
     #[command(flatten)]
     verbosity: Verbosity,
 }
@@ -122,7 +114,7 @@ pub(super) fn answer(
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?.with_stars("optimize")?;
     let (found, constraints) = answer(args, &loaded, None)?;
-    let Some(best) = best(args, &loaded, &found, &constraints)? else {
+    let Some(spec) = best_spec(args, &loaded, &found) else {
         if args.verbosity.is_heard() {
             tell(&candidates::text(&found, &constraints));
         }
@@ -138,38 +130,27 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         });
     };
     if args.verbosity.json {
-        return say(&pretty(&candidates::json(&found, &constraints, Some(&best))));
+        return say(&pretty(&candidates::json(&found, &constraints, Some(&spec))));
     }
-    let Best { spec, confirmed } = best;
     if args.verbosity.quiet {
         return say(&spec);
     }
-    let comment = |line: String| format!("# {line}\n");
-    let lines: String = confirmed.iter().flat_map(Confirmation::lines).map(comment).collect();
     let table = candidates::text(&found, &constraints);
-    say(&format!("{table}{lines}# the best that can be built:\n{spec}\n"))
+    say(&format!("{table}# the best that can be built:\n{spec}\n"))
 }
 
-/// The best candidate that can be built; `None` if there is none.
-pub(super) fn best(
-    args: &Args,
-    loaded: &Loaded,
-    found: &SearchResult,
-    constraints: &Constraints,
-) -> Result<Option<Best>, Failure> {
-    if found.front.is_empty() {
-        return Ok(None);
+/// The spec of the best candidate that meets all constraints and can be built; `None` if there is none.
+pub(super) fn best_spec(args: &Args, loaded: &Loaded, result: &SearchResult) -> Option<String> {
+    if result.front.is_empty() {
+        return None;
     }
-    for candidate in found.best.iter().filter(|candidate| candidate.violation == 0.0) {
-        // Other values in the spec may forbid this star: four points have no inlet at tip 5.
-        let Ok(spec) = edited(args, loaded, candidate) else { continue };
-        let Ok(reading) = spec::read(&Source::new("optimised", spec.as_str())) else { continue };
-        let Ok(design) = Design::new(&reading.spec, &loaded.machine) else { continue };
-        let shell = || confirmed(args.verbosity, (&reading.spec, &design), candidate, constraints);
-        let confirmed = args.confirm.then(shell).transpose()?;
-        return Ok(Some(Best { spec, confirmed }));
-    }
-    Ok(None)
+    let feasible = result.best.iter().filter(|candidate| candidate.violation == 0.0);
+    // Other values in the spec may forbid a star: four points have no inlet at tip 5.
+    let mut specs = feasible.filter_map(|candidate| edited(args, loaded, candidate).ok());
+    specs.find(|spec| {
+        let reading = spec::read(&Source::new("optimised", spec.as_str()));
+        reading.is_ok_and(|reading| Design::new(&reading.spec, &loaded.machine).is_ok())
+    })
 }
 
 /// The goal of the search and its constraints.
@@ -310,22 +291,4 @@ fn recommented(loaded: &Loaded, text: &str) -> Result<String, Failure> {
     })?;
     let lines = text.lines().filter(|line| !line.strip_prefix("# ").is_some_and(is_result));
     Ok(lines.flat_map(|line| [line, "\n"]).collect())
-}
-
-/// The shell's result for the best candidate.
-fn confirmed(
-    verbosity: Verbosity,
-    own: (&Spec, &Design),
-    candidate: &Evaluation,
-    constraints: &Constraints,
-) -> Result<Confirmation, Failure> {
-    let (found, _) = watched_by(verbosity, true, |watch| {
-        star::predict(own, &[], Detail::Medium, watch).map_err(|refusal| match refusal {
-            ShellRefusal::Cancelled => Failure::Interrupted,
-            ShellRefusal::Fault(fault) => {
-                Failure::Message(format!("--confirm: the shell refuses the best design: {fault}"))
-            }
-        })
-    })?;
-    Ok(Confirmation::new(candidate, constraints, &found))
 }

@@ -4,12 +4,10 @@
 //! doubled, one that does not is halved. Designs are compared by their violation of the constraints, and feasible ones
 //! by the goal. Constraints hold at the bad end of the ranges, and a design without a prediction never wins.
 
-mod confirmation;
 mod constraints;
 mod front;
 mod poll;
 
-pub use self::confirmation::{Confirmation, Judgement, ShellComparison};
 pub use self::constraints::{
     Constraints, ROUNDING, SEARCHED, Short, is_at_pressure, shortfalls, sure_payload,
 };
