@@ -6,6 +6,8 @@
 mod circles;
 mod names;
 mod portable;
+mod source;
+mod words;
 
 use std::fs;
 use std::path::{Path, PathBuf};
