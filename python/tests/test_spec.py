@@ -32,7 +32,7 @@ def test_specs_travel_between_processes(gripper: sg.Spec) -> None:
 
 
 def test_a_profile_named_by_path_is_found_beside_its_spec(tmp_path: Path, root: Path) -> None:
-    (tmp_path / "own.toml").write_text((root / "templates" / "machines" / "grbl.toml").read_text())
+    (tmp_path / "own.toml").write_text((root / "crates" / "spec" / "templates" / "machines" / "grbl.toml").read_text())
     sections = STARTER.to_dict()
     sections["machine"] = {"profile": "own.toml"}
     with pytest.raises(sg.SpecError) as caught:

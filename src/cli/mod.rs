@@ -45,6 +45,7 @@ mod text_file;
 mod trade;
 mod verbosity;
 mod verify;
+mod version;
 mod watch;
 mod whole_file;
 mod words;
@@ -61,10 +62,13 @@ pub use publish::{PublishFault, Published, publish};
 
 /// Fabrication CAM for fabric-based star soft grippers.
 #[derive(Parser, Debug)]
-#[command(version, about, after_help = "Start with `stargrip-cam new`, then `stargrip-cam build spec.toml`.")]
+#[command(version, disable_version_flag = true, about, after_help = "Start with `stargrip-cam new`, then `stargrip-cam build spec.toml`.")]
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    /// Print the version; with -v also the build: commit, target, features.
+    #[arg(short = 'V', long, action = clap::ArgAction::Version)]
+    version: Option<bool>,
 }
 
 /// The commands in the groups of `--help`; a command without a group is an old name of `study run`.
@@ -143,6 +147,9 @@ pub fn main() -> ExitCode {
 /// Runs the program with `args`, of which the first is its name, and returns the exit code. `build --watch` does not return: Ctrl-C ends
 /// it.
 pub fn run(args: Vec<OsString>) -> u8 {
+    if version::wants_build(&args) {
+        return failure::say(&version::build()).map_or_else(failure::Failure::report, |()| 0);
+    }
     let parsed = program().try_get_matches_from(&args);
     let parsed = parsed.and_then(|matches| Ok((Cli::from_arg_matches(&matches)?, wants_json(&matches))));
     let (cli, json) = match parsed {

@@ -22,13 +22,13 @@ This page is generated from `stargrip-cam schema --machine`. `stargrip-cam machi
 
 #[test]
 fn the_reference_of_the_spec_is_its_schema() {
-    let template = include_str!("../../templates/spec.toml");
+    let template = include_str!("../../crates/spec/templates/spec.toml");
     holds("docs/spec.md", &page(SPEC, &stargrip_cam::spec::schema(), template));
 }
 
 #[test]
 fn the_reference_of_profiles_is_their_schema() {
-    let template = include_str!("../../templates/machines/generic.toml");
+    let template = include_str!("../../crates/spec/templates/machines/generic.toml");
     holds("docs/profile.md", &page(PROFILE, &stargrip_cam::spec::machine_schema(), template));
 }
 

@@ -177,7 +177,7 @@ async function profiled(page, what) {
     await beside(page, "text");
     await page.fill("#spec", readFileSync("designs/paper-five-points.toml", "utf8").replace(/^profile = .*\n/m, "").replace(/^\[machine\].*\n/m, "") + '\n[machine]\nprofile = "mine.toml"\n');
     await page.waitForSelector("#faults [aria-label='explain unknown-machine']");
-    await dropped(page, ["mine.toml", readFileSync("templates/machines/generic.toml", "utf8")]);
+    await dropped(page, ["mine.toml", readFileSync("crates/spec/templates/machines/generic.toml", "utf8")]);
     await ready(page);
     await reopened(page.context().browser(), page, `${what}, profile`, page.viewportSize());
 }

@@ -1,4 +1,4 @@
-//! The machine: the settings of one controller, from a profile in `templates/machines/` or the user's own.
+//! The machine: the settings of one controller, from a profile in `crates/spec/templates/machines/` or the user's own.
 
 use crate::motion::Motion;
 use crate::units::{Acceleration, Duration, Length, Speed};

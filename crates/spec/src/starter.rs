@@ -7,12 +7,12 @@ use crate::name::check_name;
 use artwork::Unit;
 
 /// The starter, with a placeholder for the name.
-pub(super) const TEMPLATE: &str = include_str!("../../../templates/spec.toml");
+pub(super) const TEMPLATE: &str = include_str!("../templates/spec.toml");
 /// The placeholder, a whole TOML string so that nothing else in the text can match it.
 const PLACEHOLDER: &str = "\"NAME\"";
 
 /// The starter of a drawing.
-const DRAWING: &str = include_str!("../../../templates/drawing.toml");
+const DRAWING: &str = include_str!("../templates/drawing.toml");
 
 /// A valid spec called `name`, commented, with every key and its default: the paper's star.
 ///
