@@ -6,6 +6,7 @@
 
 mod arc;
 mod bounds;
+mod circle_fit;
 mod enclosure;
 mod grid;
 mod index;
@@ -21,6 +22,7 @@ mod transform;
 
 pub use arc::Arc;
 pub use bounds::Bounds;
+pub use circle_fit::fitted_circle;
 pub use enclosure::Enclosures;
 pub use grid::Grid;
 pub use index::{BoxIndex, GrowingIndex, SegmentIndex};
