@@ -49,6 +49,7 @@ pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnCham
             fabric: fabric(&sheet, weave),
             pressure: 0.0,
             band: spec.seal.band.metres(),
+            probes: Vec::new(),
         },
         flat,
     };

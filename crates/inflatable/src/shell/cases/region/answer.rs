@@ -110,6 +110,8 @@ pub struct InflatedRegion {
     pub shape: InflatedShape,
     /// Both sheets.
     pub surface: Surface,
+    /// The positions of the probes on the upper sheet, m, where the inflated chamber lies best on the flat one; of each mesh, coarse to fine.
+    pub probed: Vec<Vec<[f64; 3]>>,
     /// The evidence for these values.
     pub evidence: Evidence,
 }
@@ -178,6 +180,7 @@ pub(super) fn answer(
         antisymmetric_eigenvalue: antisymmetric,
         shape,
         surface,
+        probed: Vec::new(),
         evidence,
     }
 }

@@ -15,6 +15,8 @@ pub struct FlatRegion {
     pub pressure: f64,
     /// Width of the band that seals it, m: over so long a piece of seam the pull is the mean.
     pub band: f64,
+    /// Places of the flat sheet whose positions after inflation are wanted, m.
+    pub probes: Vec<[f64; 2]>,
 }
 
 /// The chambers that `loops` enclose, in the order of their outlines, each with its islands and with those of the open `welds` that begin in

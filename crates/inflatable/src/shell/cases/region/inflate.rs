@@ -7,6 +7,7 @@ use crate::shell::cases::refinement::{Family, Watch};
 use crate::shell::cases::region::answer::{InflatedRegion, Wrinkles, answer};
 use crate::shell::cases::region::chambers::FlatRegion;
 use crate::shell::cases::region::measure::{self, Measured, NUMBERS};
+use crate::shell::cases::region::probes;
 use crate::shell::cases::region::seams::{self, Station};
 use crate::shell::cases::region::supports::{self, SealedNodes};
 use crate::shell::cases::region::surface::Surface;
@@ -114,6 +115,8 @@ fn on_meshes(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<Inf
     };
     let family = Family { tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
     let mut pulls: Vec<Vec<Station>> = Vec::new();
+    let probed_places: Vec<[f64; 2]> = case.probes.iter().map(|place| place.map(|x| x / width)).collect();
+    let mut probed: Vec<Vec<[f64; 3]>> = Vec::new();
     let mut last = (Measured::default(), InflatedShape::default(), Surface::default());
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
         let sealed = SealedNodes::new(&chamber, meshed);
@@ -125,12 +128,15 @@ fn on_meshes(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<Inf
         let mut numbers = measured.numbers;
         numbers[NUMBERS - 1] = stations.iter().map(|station| station.pull).fold(0.0, f64::max);
         pulls.push(stations);
+        let positions = probes::positions(&meshed.mesh, &state, &probed_places);
+        probed.push(positions.into_iter().map(|position| position.map(|x| x * width)).collect());
         let shape = InflatedShape::new(&tube, solver, &meshed.mesh, &state);
         let surface = Surface::new(&shape, &sealed);
         last = (measured, shape, surface);
         Ok(numbers)
     })?;
-    Ok(answer(case, &tube, (values, evidence), &pulls, last))
+    let inflated = answer(case, &tube, (values, evidence), &pulls, last);
+    Ok(InflatedRegion { probed, ..inflated })
 }
 
 /// p W/Y below which a sheet that bears no compression is computed as if it stretched as much: some 0.1 % of its lengths. Stiffer ones come

@@ -10,6 +10,7 @@ mod answer;
 mod chambers;
 mod inflate;
 mod measure;
+mod probes;
 mod seams;
 mod stability;
 mod supports;
