@@ -61,6 +61,7 @@ function showChambers() {
   if (!drawn) {
     at("chambers-lead").textContent = "The spec has no pressure.";
     at("chambers").parentElement.remove();
+    at("measures").parentElement.remove();
     return;
   }
   const places = (seams) => seams.map((seam) => `${seam.seam}: ${meshedAt(seam.pull_N_per_mm, "N/mm")}`).join("; ");
@@ -75,6 +76,20 @@ function showChambers() {
   ]);
   at("chambers-lead").textContent = drawn.model === "none" ? "Flat sizes only: the inflated shape is not computed." : "Each number with its mesh error; places in the frame of the drawing, mm.";
   table("chambers", ["Chamber", "Flat", "Inflated", "Height", "Volume", "Largest pull on its seams", "Plane"], rows);
+  showMeasures();
+}
+
+/** The quantities of the drawing's measures, a row each. */
+function showMeasures() {
+  const words = { radius_mm: "radius", angle_deg: "angle", distance_mm: "distance", direction_deg: "direction", x_mm: "x", y_mm: "y", height_mm: "height" };
+  const rows = drawn.measures.flatMap((measure) =>
+    Object.entries(words).filter(([key]) => measure[key]).map(([key, word]) => {
+      const unit = key.endsWith("deg") ? "°" : "mm";
+      return [measure.measure, word, figure(measure[key].flat, unit), meshed(measure[key].inflated, unit)];
+    }),
+  );
+  if (rows.length) table("measures", ["Measure", "Quantity", "Flat", "Inflated"], rows);
+  else at("measures").parentElement.remove();
 }
 
 function drawingEvidence() {

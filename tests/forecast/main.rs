@@ -2,6 +2,7 @@
 
 mod choice;
 mod drawn;
+mod measures;
 mod optimize;
 mod outcome;
 mod page;

@@ -11,6 +11,7 @@ mod label;
 mod layer_name;
 mod loops;
 mod marks;
+mod measure;
 mod pieces;
 mod proposal;
 mod roles;
@@ -21,6 +22,7 @@ use std::sync::Arc;
 
 pub use cut::{DrawnCut, DrawnSeparator};
 pub use label::DrawnLabels;
+pub use measure::{Measure, MeasureForm};
 pub use pieces::DrawnPieces;
 
 use crate::drawn::clearance::Clearance;
@@ -308,8 +310,8 @@ pub fn unit_question([width, height]: [f64; 2]) -> Option<String> {
     })
 }
 
-/// The sketch of `drawing` by its roles, and the notes on its repairs.
-fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<String>), Refusals> {
+/// The sketch of `drawing` by its roles, its measures, and the notes on its repairs.
+fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<Measure>, Vec<String>), Refusals> {
     let read = read(spec, drawing)?;
     roles::refusals(&read, drawing).or(())?;
     let sketch = roles::sketch(&read, drawing);
@@ -318,5 +320,5 @@ fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<String>), R
     }
     let mut notes = roles::notes(&read, drawing);
     notes.extend(unusual_size(&sketch));
-    Ok((sketch, notes))
+    Ok((sketch, measure::measures(&read, drawing), notes))
 }

@@ -45,8 +45,8 @@ pub use contour::{Contour, Part, Side};
 pub use cut::{CutEdge, CutLines};
 pub use drawing::{Drawing, Layer, Origin, Shape};
 pub use drawn::{
-    DrawnCut, DrawnLabels, DrawnPiece, DrawnPieces, DrawnSeparator, LayerProposal, RoledFigure,
-    drawing_notes, figures, propose_layers, roled_figures, unit_question,
+    DrawnCut, DrawnLabels, DrawnPiece, DrawnPieces, DrawnSeparator, LayerProposal, Measure, MeasureForm,
+    RoledFigure, drawing_notes, figures, propose_layers, roled_figures, unit_question,
 };
 pub use engraving::engraved_depth;
 pub use flat::{FlatPiece, PieceCut};

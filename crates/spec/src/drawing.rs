@@ -86,18 +86,21 @@ pub enum LayerRole {
     Cut,
     /// Holes.
     Hole,
+    /// Points and lines that are measured after inflation; nothing is made of them.
+    Measure,
     /// No role: the figures are ignored.
     Ignore,
 }
 
 impl LayerRole {
     /// All of them with the words that specs write.
-    pub const ALL: [(&'static str, Self); 6] = [
+    pub const ALL: [(&'static str, Self); 7] = [
         ("air", Self::Air),
         ("seam", Self::Seam),
         ("port", Self::Port),
         ("cut", Self::Cut),
         ("hole", Self::Hole),
+        ("measure", Self::Measure),
         ("ignore", Self::Ignore),
     ];
 

@@ -1,6 +1,6 @@
 //! All pieces of a drawing, and their copies on sheets.
 
-use crate::drawn::{DrawnPiece, rules, sketch};
+use crate::drawn::{DrawnPiece, Measure, rules, sketch};
 use crate::placement::{SheetLayout, footprint, place};
 use crate::{FlatPiece, PlacedPart, Refusals, Warning};
 use geom::{Bounds, Path};
@@ -14,6 +14,8 @@ pub struct DrawnPieces {
     pub pieces: Vec<DrawnPiece>,
     /// The repairs and choices made as the drawing was read, a sentence each.
     pub notes: Vec<String>,
+    /// The points and lines that are measured after inflation, in the order of the file.
+    pub measures: Vec<Measure>,
     /// Every piece where it lies; the copies of the drawing one after another.
     pub copies: Vec<PlacedPart>,
 }
@@ -31,7 +33,7 @@ impl DrawnPieces {
         drawing: &DrawingSpec,
         machine: &Machine,
     ) -> Result<(Self, Vec<SheetLayout>, Vec<Warning>), Refusals> {
-        let (sketch, mut notes) = sketch(spec, drawing)?;
+        let (sketch, measures, mut notes) = sketch(spec, drawing)?;
         let (mut pieces, mut warnings, mut refusals) = (Vec::new(), Vec::new(), Refusals::new());
         for sketch in separate(&sketch, &rules(spec, drawing)) {
             if let Some((piece, warned, repairs)) = refusals.keep(DrawnPiece::new(spec, drawing, &sketch)) {
@@ -49,7 +51,7 @@ impl DrawnPieces {
         let boxes: Vec<Bounds> = distinct.iter().map(|number| bounds[*number]).collect();
         let (places, sheets) = place(&boxes, &spec.sheet, machine)?;
         let copies = PlacedPart::all(Self::KIND, &distinct, places);
-        Ok((Self { pieces, notes, copies }, sheets, warnings))
+        Ok((Self { pieces, notes, measures, copies }, sheets, warnings))
     }
 
     /// The closed boundaries of the air of all pieces.

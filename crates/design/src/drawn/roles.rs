@@ -31,7 +31,7 @@ pub(super) fn sketch(drawing: &Drawing, spec: &DrawingSpec) -> Sketch {
             Some(LayerRole::Seam) => &mut sketch.seams,
             Some(LayerRole::Cut) => &mut sketch.cuts,
             Some(LayerRole::Hole) => &mut sketch.holes,
-            None | Some(LayerRole::Ignore) => continue,
+            None | Some(LayerRole::Ignore | LayerRole::Measure) => continue,
         };
         // A point is not a curve: it is left out with a note, or `refusals` names it.
         if let Figure::Path(path) = &element.figure {
@@ -103,7 +103,10 @@ fn points<'d>(drawing: &'d Drawing, spec: &'d DrawingSpec) -> impl Iterator<Item
         .collect();
     let is_curve = move |element: &&Element| {
         matches!(element.figure, Figure::Point(_))
-            && !matches!(spec.role(element.names()), None | Some(LayerRole::Port | LayerRole::Ignore))
+            && !matches!(
+                spec.role(element.names()),
+                None | Some(LayerRole::Port | LayerRole::Measure | LayerRole::Ignore)
+            )
             && !nothing.contains(element.id.as_str())
     };
     drawing.elements.iter().filter(is_curve)
@@ -131,7 +134,8 @@ fn points_on_marks<'d>(drawing: &'d Drawing, spec: &DrawingSpec) -> Vec<&'d Elem
 fn names_of_curves<'s>(drawing: &Drawing, spec: &'s DrawingSpec) -> BTreeSet<&'s str> {
     let entries = drawing.elements.iter().filter_map(|element| {
         let (name, role) = spec.entry(element.names())?;
-        let counts = matches!(element.figure, Figure::Path(_)) || *role == LayerRole::Port;
+        let counts =
+            matches!(element.figure, Figure::Path(_)) || matches!(role, LayerRole::Port | LayerRole::Measure);
         counts.then_some(name.as_str())
     });
     entries.collect()

@@ -4,11 +4,12 @@ use artwork::Element;
 use spec::LayerRole;
 
 /// Words by role. A name has the role of the first row with one of its words.
-const WORDS: [(LayerRole, &[&str]); 6] = [
+const WORDS: [(LayerRole, &[&str]); 7] = [
     (
         LayerRole::Ignore,
         &["note", "text", "dim", "guide", "construction", "ignore", "label", "background", "registration"],
     ),
+    (LayerRole::Measure, &["measure"]),
     (LayerRole::Port, &["port", "inlet", "hose", "valve"]),
     (LayerRole::Hole, &["hole", "punch", "drill"]),
     (LayerRole::Cut, &["cut", "outline", "contour"]),

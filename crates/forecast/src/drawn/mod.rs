@@ -5,10 +5,12 @@
 
 pub mod averaged;
 pub mod chambers;
+pub mod measures;
 pub mod prediction;
 pub mod text;
 
 use crate::drawn::chambers::{DrawnChamber, drawn_chambers};
+use crate::drawn::measures::PlacedMeasure;
 use crate::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction};
 use crate::predict::PredictFault;
 use crate::shell::request::{ShellRefusal, no_pressure, refused};
@@ -57,8 +59,7 @@ pub fn of_spec(
             }
         });
     }
-    let found = drawn_chambers(spec, pieces)?;
-    flat(spec, pieces, &found).map(|prediction| InflatedDrawing {
+    flat(spec, pieces, &drawn_chambers(spec, pieces)?).map(|prediction| InflatedDrawing {
         prediction,
         surfaces: Vec::new(),
         shapes: Vec::new(),
@@ -77,13 +78,15 @@ pub fn inflate(
 ) -> Result<InflatedDrawing, ShellRefusal> {
     let found = drawn_chambers(spec, pieces)?;
     let mut prediction = flat(spec, pieces, &found)?;
+    let placed = measures::placed(spec, &pieces.measures, &found)?;
     let pressure = spec.load.as_ref().and_then(|load| load.pressure).ok_or_else(no_pressure)?;
     refuse_large(&found, detail, pressure, watch)?;
     let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
     let mut is_weave_left_out = false;
     let count = found.len();
     for (number, (chamber, answer)) in found.iter().zip(&mut prediction.chambers).enumerate() {
-        let case = FlatRegion { pressure: pressure.pascals(), ..chamber.region.clone() };
+        let probes = measures::probes(&placed, number);
+        let case = FlatRegion { pressure: pressure.pascals(), probes, ..chamber.region.clone() };
         let within = |part: f64, what: &str| {
             if let Some(progress) = watch.progress {
                 #[expect(clippy::cast_precision_loss, reason = "few chambers")]
@@ -95,6 +98,7 @@ pub fn inflate(
             region(&case, chamber.fineness(detail), &own).map_err(|why| not_inflated(&why, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles == Wrinkles::Averaged;
         answer.fill(&inflated, pieces, pressure, spec.fabric.seal_strength);
+        measures::fill(&placed, &mut prediction.measures, number, &inflated);
         surfaces.push(inflated.surface);
         shapes.push(inflated.shape);
     }
@@ -186,11 +190,13 @@ fn flat(spec: &Spec, pieces: &DrawnPieces, found: &[DrawnChamber]) -> Result<Dra
     };
     let chambers =
         (1..).zip(found).map(|(number, chamber)| ChamberPrediction::flat(number, chamber, pressure));
+    let measures = measures::placed(spec, &pieces.measures, found)?;
     Ok(DrawnPrediction {
         model: NONE,
         pressure_kPa: pressure.map(|pressure: Pressure| pressure.0),
         mass_g: pieces.mass(&spec.fabric),
         chambers: chambers.collect(),
+        measures: measures.iter().map(PlacedMeasure::flat).collect(),
         evidence: DrawnEvidence { choice, ..DrawnEvidence::default() },
         ..DrawnPrediction::default()
     })

@@ -2,6 +2,7 @@
 
 use crate::drawn::averaged::{AveragedRanges, pull_range, warning};
 use crate::drawn::chambers::DrawnChamber;
+use crate::drawn::measures::MeasurePrediction;
 use crate::keys::{keyed, kinds};
 use crate::meshed::{MeshedPlace, MeshedValue};
 use crate::model_search::AccuracySearch;
@@ -42,6 +43,8 @@ keyed! {
         /// `wrinkles` are averaged, `ranges` of height, extents, volume and pull;
         /// `seams`: the largest pull on each, with rows of x, y, pull and mesh error along it.
         pub chambers: Vec<ChamberPrediction>,
+        /// Measures of the drawing's role `measure`: distances, directions, angles, radii, positions and heights, flat and by the shell.
+        pub measures: Vec<MeasurePrediction>,
         /// Why this model was used, and `warnings`.
         pub evidence: DrawnEvidence,
     }
@@ -49,7 +52,7 @@ keyed! {
 
 kinds! {
     Object: MeshedValue, DrawnEvidence;
-    List: Vec<ChamberPrediction>;
+    List: Vec<ChamberPrediction>, Vec<MeasurePrediction>;
 }
 
 /// Model, choice and warnings behind a prediction.
@@ -313,6 +316,12 @@ impl DrawnPrediction {
         let names: Vec<String> = averaged.map(|one| one.name(count)).collect();
         if !names.is_empty() {
             list.push(warning(&names.join(", ")));
+            if !self.measures.is_empty() {
+                list.push(
+                    "measures have mesh errors only: where wrinkles are averaged, a shape with folds may differ by more"
+                        .to_owned(),
+                );
+            }
         }
         for one in &self.chambers {
             let coarse = [

@@ -1,6 +1,7 @@
 //! The prediction of a drawn piece as a text for people: each number with its mesh error.
 
 use crate::drawn::averaged::pull_range;
+use crate::drawn::measures::{MeasurePrediction, MeasuredQuantity};
 use crate::drawn::prediction::{ChamberPrediction, DrawnPrediction};
 use crate::meshed::{MeshedPlace, MeshedValue};
 use crate::ranges::shown::{self, line, listed};
@@ -10,7 +11,8 @@ use spec::Spec;
 use spec::units::Readable;
 use std::fmt::Write;
 
-/// A page about `prediction`.
+/// A page about `prediction`. The lines about the whole piece come first, then those of each chamber, then a line for each quantity that is
+/// measured. A line whose value is unknown is left out.
 pub fn text(spec: &Spec, prediction: &DrawnPrediction) -> String {
     let mut out = format!("{}\n", spec.name);
     let (evidence, count) = (&prediction.evidence, prediction.chambers.len());
@@ -39,7 +41,23 @@ pub fn text(spec: &Spec, prediction: &DrawnPrediction) -> String {
         let _ = writeln!(out, "\nchamber {number} of {count}, around X {x:.1} Y {y:.1} mm:");
         of_chamber(&mut out, chamber);
     }
+    if !prediction.measures.is_empty() {
+        out.push_str("\nmeasures:\n");
+    }
+    for measure in &prediction.measures {
+        of_measure(&mut out, measure);
+    }
     out
+}
+
+/// A line for each quantity of a measure: flat, and inflated with its mesh error.
+fn of_measure(out: &mut String, measure: &MeasurePrediction) {
+    for (word, unit, MeasuredQuantity { flat, inflated, .. }) in measure.quantities() {
+        let flat = format!("flat {} {unit}", shown::rounded(flat));
+        let value =
+            inflated.map_or(flat.clone(), |inflated| format!("{}; {flat}", number(inflated, None, unit)));
+        line(out, &format!("{}, {word}", measure.measure), value);
+    }
 }
 
 fn of_chamber(out: &mut String, chamber: &ChamberPrediction) {

@@ -1,0 +1,310 @@
+//! Measures of a drawn piece: distances, angles, radii, shifts and heights of its marked points, flat and inflated.
+//!
+//! The points of a measure are material points of one chamber. The shell gives their positions on its three meshes, where the inflated
+//! chamber lies best on the flat one; each quantity is computed on each mesh, and so has a mesh error of its own.
+
+use crate::drawn::chambers::DrawnChamber;
+use crate::meshed::MeshedValue;
+use crate::predict::PredictFault;
+use design::{Measure, MeasureForm};
+use geom::{Nearest, Point, fitted_circle};
+use inflatable::shell::cases::{InflatedRegion, Value};
+use inflatable::shell::mesh::FlatChamber;
+use serde::Serialize;
+use spec::units::{Length, Readable};
+use spec::{Spec, key};
+
+/// A quantity of a measure.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct MeasuredQuantity {
+    /// On the flat piece.
+    pub flat: f64,
+    /// After inflation; `None` without the shell, or where it has no value.
+    pub inflated: Option<MeshedValue>,
+    /// On the finest mesh, as its VTU file has it.
+    pub finest_mesh: Option<f64>,
+}
+
+/// One measure: the quantities that its form has, flat and inflated.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+pub struct MeasurePrediction {
+    /// The name of the figure in the drawing.
+    pub measure: String,
+    /// The number of its chamber, from 1.
+    pub chamber: usize,
+    /// The largest distance by which a point was moved to the edge of the air.
+    pub moved_mm: f64,
+    /// Distance of its ends, straight in space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub distance_mm: Option<MeasuredQuantity>,
+    /// Direction from its first to its last point in the plane, counterclockwise from x; inflated within half a turn of flat.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub direction_deg: Option<MeasuredQuantity>,
+    /// Angle between its two lines, in the plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle_deg: Option<MeasuredQuantity>,
+    /// Radius of the circle that fits its points best, in the plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radius_mm: Option<MeasuredQuantity>,
+    /// Position along x.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub x_mm: Option<MeasuredQuantity>,
+    /// Position along y.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub y_mm: Option<MeasuredQuantity>,
+    /// Distance between the sheets.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub height_mm: Option<MeasuredQuantity>,
+}
+
+/// The quantities of a measure, in the order in which they are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum MeasuredKind {
+    /// Distance of the ends.
+    Distance,
+    /// Direction from the first to the last point.
+    Direction,
+    /// Angle at the corner.
+    Angle,
+    /// Radius of the fitted circle.
+    Radius,
+    /// Position along an axis of the drawing.
+    Position(usize),
+    /// Distance between the sheets.
+    Height,
+}
+
+impl MeasuredKind {
+    /// The quantities that a form has.
+    fn of_form(form: &MeasureForm) -> &'static [Self] {
+        match form {
+            MeasureForm::Point(_) => &[Self::Position(0), Self::Position(1), Self::Height],
+            MeasureForm::Line(_) => &[Self::Distance, Self::Direction],
+            MeasureForm::Corner(_) => &[Self::Angle, Self::Distance],
+            MeasureForm::Curve(_) => &[Self::Radius, Self::Distance],
+        }
+    }
+
+    /// The value in mm or degrees for points in mm; `None` where there is none, as for the radius of points on a line.
+    fn value(self, points: &[[f64; 3]]) -> Option<f64> {
+        let ([first, last], plane) =
+            ([*points.first()?, *points.last()?], |[x, y, _]: [f64; 3]| Point::new(x, y));
+        match self {
+            Self::Distance => Some(libm::hypot(plane(first).distance(plane(last)), last[2] - first[2])),
+            Self::Direction => Some((plane(last) - plane(first)).angle().to_degrees()),
+            Self::Angle => {
+                let corner = plane(*points.get(1)?);
+                let [to_first, to_last] = [plane(first) - corner, plane(last) - corner];
+                Some(libm::atan2(to_first.cross(to_last), to_first.dot(to_last)).abs().to_degrees())
+            }
+            Self::Radius => {
+                let points: Vec<Point> = points.iter().map(|point| plane(*point)).collect();
+                fitted_circle(&points).map(|(_, radius)| radius)
+            }
+            Self::Position(axis) => first.get(axis).copied(),
+            Self::Height => Some(2.0 * first[2]),
+        }
+    }
+}
+
+/// A measure with its place: the chamber, and its points on the chamber's flat sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct PlacedMeasure {
+    name: String,
+    kinds: &'static [MeasuredKind],
+    /// Index of its chamber.
+    pub(super) chamber: usize,
+    points: Vec<Point>,
+    moved: f64,
+}
+
+impl PlacedMeasure {
+    /// The quantities on the flat sheet.
+    pub(super) fn flat(&self) -> MeasurePrediction {
+        let flat: Vec<[f64; 3]> = self.points.iter().map(|point| [point.x, point.y, 0.0]).collect();
+        let mut answer = MeasurePrediction {
+            measure: self.name.clone(),
+            chamber: self.chamber + 1,
+            moved_mm: six(self.moved),
+            ..MeasurePrediction::default()
+        };
+        for kind in self.kinds {
+            let quantity = kind.value(&flat).map(|value| MeasuredQuantity {
+                flat: six(value),
+                inflated: None,
+                finest_mesh: None,
+            });
+            *answer.quantity_mut(*kind) = quantity;
+        }
+        answer
+    }
+
+    /// Adds to `answer` its quantities after inflation, from the positions of its points on each mesh, coarse to fine, mm.
+    fn fill(&self, answer: &mut MeasurePrediction, meshes: &[Vec<[f64; 3]>]) {
+        for kind in self.kinds {
+            let Some(quantity) = answer.quantity_mut(*kind) else { continue };
+            let values: Option<Vec<f64>> = meshes.iter().map(|points| kind.value(points)).collect();
+            let Some(mut values) = values.filter(|values| !values.is_empty()) else { continue };
+            if *kind == MeasuredKind::Direction {
+                for value in &mut values {
+                    *value = unwrapped(*value, quantity.flat);
+                }
+            }
+            let last = values.len() - 1;
+            let value = Value::new(std::array::from_fn(|mesh| values[mesh.min(last)]));
+            quantity.inflated = Some(MeshedValue { value: six(value.value), mesh_error: six(value.error) });
+            quantity.finest_mesh = Some(values[last]);
+        }
+    }
+}
+
+/// `degrees` within half a turn of `reference`.
+fn unwrapped(degrees: f64, reference: f64) -> f64 {
+    degrees - 360.0 * ((degrees - reference) / 360.0).round()
+}
+
+impl MeasurePrediction {
+    /// The place of a quantity.
+    fn quantity_mut(&mut self, kind: MeasuredKind) -> &mut Option<MeasuredQuantity> {
+        match kind {
+            MeasuredKind::Distance => &mut self.distance_mm,
+            MeasuredKind::Direction => &mut self.direction_deg,
+            MeasuredKind::Angle => &mut self.angle_deg,
+            MeasuredKind::Radius => &mut self.radius_mm,
+            MeasuredKind::Position(0) => &mut self.x_mm,
+            MeasuredKind::Position(_) => &mut self.y_mm,
+            MeasuredKind::Height => &mut self.height_mm,
+        }
+    }
+
+    /// The quantities with their words and units, in the order in which they are written.
+    pub fn quantities(&self) -> impl Iterator<Item = (&'static str, &'static str, MeasuredQuantity)> {
+        let named = [
+            ("radius", "mm", self.radius_mm),
+            ("angle", "deg", self.angle_deg),
+            ("distance", "mm", self.distance_mm),
+            ("direction", "deg", self.direction_deg),
+            ("x", "mm", self.x_mm),
+            ("y", "mm", self.y_mm),
+            ("height", "mm", self.height_mm),
+        ];
+        named.into_iter().filter_map(|(word, unit, quantity)| Some((word, unit, quantity?)))
+    }
+}
+
+/// The `measures` of `spec`, each in the chamber that has all of its points. A point beside the air, on the band or its allowance, is moved to
+/// the nearest edge of the air: sealed fabric moves with its edge.
+///
+/// # Errors
+/// If the points of a measure lie in no chamber, or in several.
+pub(super) fn placed(
+    spec: &Spec,
+    measures: &[Measure],
+    chambers: &[DrawnChamber],
+) -> Result<Vec<PlacedMeasure>, PredictFault> {
+    let reach = spec.seal.band.0 + spec.seal.allowance.0;
+    measures.iter().map(|measure| place(measure, chambers, reach)).collect()
+}
+
+fn place(measure: &Measure, chambers: &[DrawnChamber], reach: f64) -> Result<PlacedMeasure, PredictFault> {
+    let points = measure.form.points();
+    let places_by_chamber = chambers.iter().map(|chamber| nearest_air(chamber, points));
+    let nearest = places_by_chamber
+        .enumerate()
+        .filter(|(_, places)| places.len() == points.len())
+        .min_by(|(_, a), (_, b)| furthest(a).total_cmp(&furthest(b)));
+    match nearest {
+        Some((chamber, places)) if furthest(&places) <= reach => Ok(PlacedMeasure {
+            name: measure.name.clone(),
+            kinds: MeasuredKind::of_form(&measure.form),
+            chamber,
+            moved: furthest(&places),
+            points: places.iter().map(|place| place.point).collect(),
+        }),
+        _ => Err(misplaced(measure, chambers, reach)),
+    }
+}
+
+/// The largest distance of a point from its place in the air.
+fn furthest(places: &[Nearest]) -> f64 {
+    places.iter().map(|place| place.distance).fold(0.0, f64::max)
+}
+
+/// The fault of a measure that no chamber has whole: a point of it lies beside all air, or it goes from one chamber to another.
+fn misplaced(measure: &Measure, chambers: &[DrawnChamber], reach: f64) -> PredictFault {
+    let name = &measure.name;
+    let points = measure.form.points();
+    let (problem, remedy) = match points.iter().find(|point| is_beside_air(**point, chambers, reach)) {
+        Some(Point { x, y }) => (
+            format!(
+                "measure {name:?} has a point at X {x:.3} Y {y:.3} mm, more than {} mm from the air",
+                Readable(reach)
+            ),
+            "end it on the air, or on the band and the allowance beside it",
+        ),
+        None => (
+            format!("measure {name:?} goes from one chamber to another, and each chamber is computed alone"),
+            "draw a measure within one chamber",
+        ),
+    };
+    PredictFault { remedy: Some(remedy.to_owned()), ..PredictFault::new(key::drawing::LAYERS, problem) }
+}
+
+/// Whether `point` lies further than `reach` from the air of every chamber.
+fn is_beside_air(point: Point, chambers: &[DrawnChamber], reach: f64) -> bool {
+    let mut places = chambers.iter().filter_map(|chamber| place_in_air(&chamber.flat, point));
+    places.all(|place| place.distance > reach)
+}
+
+/// The places of a chamber's air that are nearest to `points`.
+fn nearest_air(chamber: &DrawnChamber, points: &[Point]) -> Vec<Nearest> {
+    points.iter().filter_map(|point| place_in_air(&chamber.flat, *point)).collect()
+}
+
+/// The place of a chamber's air that is nearest to `point`: the point itself if it lies in the air.
+fn place_in_air(flat: &FlatChamber, point: Point) -> Option<Nearest> {
+    let mut sealed = flat.holes.iter().chain(&flat.islands);
+    if flat.outline.encloses(point) && !sealed.any(|curve| curve.encloses(point)) {
+        return Some(Nearest { distance: 0.0, point, segment: 0, s: 0.0 });
+    }
+    let edges = flat.holes.iter().chain(&flat.islands).chain([&flat.outline]);
+    let nearest = edges.filter_map(|curve| curve.nearest(point));
+    nearest.min_by(|a, b| a.distance.total_cmp(&b.distance))
+}
+
+/// The points of chamber `index` whose positions the shell must give, m: those of its measures, one after another.
+pub(super) fn probes(measures: &[PlacedMeasure], index: usize) -> Vec<[f64; 2]> {
+    let of_chamber = measures.iter().filter(|measure| measure.chamber == index);
+    of_chamber
+        .flat_map(|measure| &measure.points)
+        .map(|point| [point.x, point.y].map(|x| Length(x).metres()))
+        .collect()
+}
+
+/// Fills `answers`, those of `measures`, from chamber `index` after inflation.
+pub(super) fn fill(
+    measures: &[PlacedMeasure],
+    answers: &mut [MeasurePrediction],
+    index: usize,
+    inflated: &InflatedRegion,
+) {
+    let mut first = 0;
+    for (measure, answer) in measures.iter().zip(answers).filter(|(measure, _)| measure.chamber == index) {
+        let end = first + measure.points.len();
+        let meshes: Vec<Vec<[f64; 3]>> =
+            inflated.probed.iter().map(|probes| in_mm(&probes[first..end])).collect();
+        measure.fill(answer, &meshes);
+        first = end;
+    }
+}
+
+/// Points in m as points in mm.
+fn in_mm(points: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    points.iter().map(|point| point.map(|x| Length::from_metres(x).0)).collect()
+}
+
+/// Six digits, as those of the chambers.
+fn six(x: f64) -> f64 {
+    format!("{:.5e}", x + 0.0).parse().unwrap_or(x)
+}

@@ -1,0 +1,120 @@
+//! Measures of a drawing: points and lines whose places after inflation are asked for.
+
+use stargrip_cam::design::{Design, DrawnPieces};
+use stargrip_cam::forecast::drawn::measures::{MeasurePrediction, MeasuredQuantity};
+use stargrip_cam::forecast::drawn::{InflatedDrawing, inflate, of_spec};
+use stargrip_cam::forecast::predict::PredictFault;
+use stargrip_cam::forecast::shell::Detail;
+use stargrip_cam::shell::cases::Watch;
+use stargrip_cam::spec::{Machine, Source, Spec, read};
+
+/// A spec and the pieces of its drawing.
+struct Drawn {
+    spec: Spec,
+    pieces: DrawnPieces,
+}
+
+/// Two pouches of 40 x 100 mm, 40 mm apart, and `measures`, as a drawing at `kilopascals`.
+fn pouches(measures: &str, kilopascals: &str) -> Drawn {
+    drawing(
+        "<rect x=\"30\" y=\"30\" width=\"40\" height=\"100\"/><rect x=\"110\" y=\"30\" width=\"40\" height=\"100\"/>",
+        "<path d=\"M50 26V34\"/><path d=\"M130 26V34\"/>",
+        measures,
+        kilopascals,
+    )
+}
+
+/// A drawing on a page of 200 x 160 mm.
+fn drawing(air: &str, ports: &str, measures: &str, kilopascals: &str) -> Drawn {
+    let layer = if measures.is_empty() { "" } else { "\"m\"" };
+    let text = format!(
+        "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\nport = [\"p\"]\nmeasure = [{layer}]\n\
+         [load]\npressure = \"{kilopascals} kPa\"\n"
+    );
+    let svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"160mm\" viewBox=\"0 0 200 160\">\
+         <g id=\"a\">{air}</g><g id=\"p\">{ports}</g><g id=\"m\">{measures}</g></svg>"
+    );
+    let reading = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}"));
+    let spec = reading.with_drawing(svg.as_bytes()).spec;
+    let design = Design::new(&spec, &Machine::builtin("generic").expect("built in"))
+        .unwrap_or_else(|refusals| panic!("{refusals}"));
+    let pieces = design.drawn().expect("a drawing").clone();
+    Drawn { spec, pieces }
+}
+
+fn inflated(Drawn { spec, pieces }: &Drawn) -> InflatedDrawing {
+    inflate(spec, pieces, Detail::Coarse, &Watch::default()).unwrap_or_else(|why| panic!("{why:?}"))
+}
+
+fn by_name<'d>(drawing: &'d InflatedDrawing, name: &str) -> &'d MeasurePrediction {
+    drawing.prediction.measures.iter().find(|measure| measure.measure == name).expect(name)
+}
+
+/// Asserts the flat value exactly and the inflated one within `range`.
+#[track_caller]
+fn assert_within(quantity: Option<MeasuredQuantity>, flat: f64, range: std::ops::RangeInclusive<f64>) {
+    let quantity = quantity.expect("measured");
+    let value = quantity.inflated.expect("inflated").value;
+    assert!((quantity.flat - flat).abs() < 1e-3 * flat.abs() && range.contains(&value), "{quantity:?}");
+}
+
+/// The middle of a pouch contracts by 35.8 %, its corners stay: extents hide the answer. A tube as long as wide without ends has 36.34 %.
+#[test]
+fn the_middle_of_a_pouch_contracts() {
+    let measures = "<path id=\"middle\" d=\"M30 80H70\"/><path id=\"end\" d=\"M110 130H150\"/>\
+        <path id=\"hook\" d=\"M50 50V80H70\"/><circle id=\"top\" cx=\"130\" cy=\"80\" r=\"1\"/>";
+    let drawing = inflated(&pouches(measures, "14"));
+    assert_within(by_name(&drawing, "middle").distance_mm, 40.0, 25.5..=25.9);
+    assert_within(by_name(&drawing, "end").distance_mm, 40.0, 34.0..=35.0);
+    assert_within(by_name(&drawing, "hook").angle_deg, 90.0, 88.0..=92.0);
+    assert_eq!(["middle", "end", "top"].map(|name| by_name(&drawing, name).chamber), [1, 2, 2]);
+    let (top, chamber) = (by_name(&drawing, "top"), &drawing.prediction.chambers[1]);
+    let height = top.height_mm.and_then(|height| height.inflated).expect("inflated").value;
+    assert!((height / chamber.height_mm.expect("inflated").value - 1.0).abs() < 0.02, "{height}");
+    // The chamber lies best on its flat place, so its middle does not move.
+    assert_within(top.x_mm, 130.0, 129.9..=130.1);
+    assert_within(top.y_mm, 80.0, 79.9..=80.1);
+}
+
+/// A bent tube of flat inner radius 60.11 mm and 20 mm between its seams, at 14 kPa.
+#[test]
+fn a_bent_tube_has_a_radius() {
+    let air = "<path d=\"M 180.11 100 A 80.11 80.11 0 0 0 38.632 48.506 L 53.953 61.362 A 60.11 60.11 0 0 1 160.11 100 Z\"/>";
+    let curve = "<path id=\"inside\" d=\"M 156.118 78.459 A 60.11 60.11 0 0 0 70.858 47.427\"/>";
+    let drawing = inflated(&drawing(air, "<path d=\"M170.11 96V104\"/>", curve, "14"));
+    assert_within(by_name(&drawing, "inside").radius_mm, 60.11, 50.0..=51.0);
+}
+
+/// Measures change no other number, and without a shell they have their flat values.
+#[test]
+fn measures_only_look() {
+    let line = "<path id=\"middle\" d=\"M30 80H70\"/>";
+    let Drawn { spec, pieces } = pouches(line, "1");
+    let flat = of_spec(&spec, &pieces, &Watch::default()).expect("flat");
+    let distance = by_name(&flat, "middle").distance_mm.expect("measured");
+    assert_eq!((distance.flat, distance.inflated), (40.0, None));
+    let measured = inflated(&Drawn { spec, pieces }).prediction;
+    let unmeasured = inflated(&pouches("", "1")).prediction;
+    assert_eq!((measured.chambers, unmeasured.measures), (unmeasured.chambers, Vec::new()));
+}
+
+/// The flat values of `measure` on two pouches.
+fn flat_measure(measure: &str) -> Result<MeasurePrediction, PredictFault> {
+    let Drawn { spec, pieces } = pouches(measure, "1");
+    of_spec(&spec, &pieces, &Watch::default()).map(|drawing| drawing.prediction.measures[0].clone())
+}
+
+/// A point on a band is taken at the edge; one beside the piece, and a measure of two chambers, are refused by name.
+#[test]
+fn measures_lie_in_one_chamber() {
+    let moved = flat_measure("<path id=\"wide\" d=\"M29 80H71\"/>").expect("on the band");
+    assert_eq!((moved.moved_mm, moved.distance_mm.map(|distance| distance.flat)), (1.0, Some(40.0)));
+    for (measure, word) in [
+        ("<path id=\"far\" d=\"M50 80H90\"/>", "more than 10 mm from the air"),
+        ("<path id=\"both\" d=\"M50 80H130\"/>", "from one chamber to another"),
+    ] {
+        let fault = flat_measure(measure).expect_err("refused");
+        assert!(fault.what.contains(word) && fault.remedy.is_some(), "{fault}");
+    }
+}
