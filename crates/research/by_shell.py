@@ -3,10 +3,12 @@
 
     python3 crates/research/by_shell.py target/release/stargrip-cam crates/forecast/src/trade/by_shell.txt
 
-What stands in the file is not computed again. Time is the user's, over all threads; memory is the largest resident set.
+Rows of the file are not computed again, if the file's commit is this one: else delete it first. Time is the user's, over all threads;
+memory is the largest resident set. The program must be built from the commit that is checked out.
 """
-import json, pathlib, subprocess, sys, tempfile
+import datetime, json, pathlib, subprocess, sys, tempfile
 
+COMPUTED_BY = "# Computed by commit {commit} on {date}.\n"
 HEAD = """\
 # Shells of every fineness, by crates/research/by_shell.py; one computation a line.
 # Stars: W 30 mm, rho_0 50 mm, phi_i0 30 deg, R 0; V-actuator: W 20 mm, R 2 mm, arms 80 mm, 60 deg; both t 0.3 mm, E 128 MPa, nu 0.39.
@@ -58,7 +60,11 @@ def compute(program, fineness, n, p, radius):
 
 def main():
     program, path = sys.argv[1], pathlib.Path(sys.argv[2])
-    known = path.read_text() if path.exists() else HEAD
+    commit = ["git", "-C", str(pathlib.Path(__file__).parent), "rev-parse", "--short=8", "HEAD"]
+    commit = subprocess.run(commit, check=True, capture_output=True, text=True).stdout.strip()
+    known = path.read_text() if path.exists() else HEAD + COMPUTED_BY.format(commit=commit, date=datetime.date.today())
+    if f" commit {commit} on " not in known:
+        sys.exit(f"{path} is of another commit than {commit}: delete it to compute all rows anew")
     path.write_text(known)
     at = objects()
     work = [("coarse", n, p) for p in (14, 37, 60) for n in range(3, 9)]

@@ -107,7 +107,7 @@ enum Command {
     Optimize(optimize::Args),
     /// Compute many designs at once: a row for each of a study file, or for every combination of values; show or join studies.
     Study(study::Args),
-    /// Measure time and error of every model on this machine.
+    /// Compare cost and error of every model: shells are stored, the others are measured on this machine.
     Trade(trade::Args),
     /// Reduce a cone test to radial force against radius.
     Cone(cone::Args),

@@ -13,6 +13,7 @@ use crate::cli::text_file::{refuse_foreign, replace};
 use crate::cli::verbosity::Verbosity;
 use forecast::trade;
 use forecast::trade::TradeRow;
+use forecast::trade::computed::provenance;
 use forecast::trade::picture;
 use forecast::trade::shells::{ShellRow, StarErrors, against_shells};
 use forecast::trade::shown;
@@ -27,14 +28,14 @@ pub(super) struct Args {
     /// Write the table as CSV.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Write a plot of error against time as SVG, and beside it FILE-shells.svg: the same against shells.
+    /// Write the choice of a model as SVG: question, model, error, cost. Beside it FILE-shells.svg: error against time.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
     #[command(flatten)]
     verbosity: Verbosity,
 }
 
-/// Measures on this machine, and prints the table.
+/// Measures the models but shells on this machine, and prints the tables.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = args.spec.as_ref().map(|path| Loaded::spoken(path, args.verbosity)?.with_stars("trade"));
     let star = loaded.transpose()?.and_then(|loaded| loaded.reading.spec.stars.first().cloned());
@@ -56,7 +57,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         .map_err(|fault: StarFault| Failure::message(fault))?;
     for (path, text) in [
         (&args.csv, trade::csv(&rows)),
-        (&args.svg, picture::against_ring(&rows)),
+        (&args.svg, picture::of_choice(&shells, &rows)),
         (&beside, picture::against_shells(&shells)),
     ] {
         if let Some(path) = path {
@@ -65,15 +66,18 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     }
     let list = |values: &[f64]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
     let text = format!(
-        "Largest relative error against the exact ring, over R* = {} and stars of {:?} points.\n\n{}\n{}",
+        "{}.\n\nLargest relative error against the exact ring, over R* = {} and stars of {:?} points.\n\n{}\n{}",
+        shown::sources(&shells),
         list(&trade::R_STARS),
         trade::POINTS,
         trade::table(&rows),
         shown::tables(&shells)
     );
+    let program = provenance();
     args.verbosity.report(
         &text,
         &json!({
+            "stored_shells": { "commit": program.commit, "date": program.date },
             "models": rows.iter().map(row).collect::<Vec<_>>(),
             "against_shells": shells.iter().map(shell_row).collect::<Vec<_>>(),
         }),
@@ -102,6 +106,7 @@ fn shell_row(row: &ShellRow) -> Value {
     json!({
         "model": row.model,
         "pressure_kPa": row.pressure,
+        "measured_here": row.is_measured,
         "time_s": row.time,
         "actuator": { "angle_error_deg": row.actuator.map(|own| own[0]), "stiffness_error": row.actuator.map(|own| own[1]) },
         "relative_error": {

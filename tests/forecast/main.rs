@@ -12,6 +12,7 @@ mod seal_load;
 mod study;
 #[path = "../support/mod.rs"]
 mod support;
+mod trade;
 mod verdict;
 mod weave;
 

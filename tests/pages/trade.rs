@@ -2,60 +2,101 @@
 //! one run.
 
 /// Position of a value on a logarithmic axis: pixels at 1, and a decade.
-fn at(value: f64, (one, decade): (f64, f64)) -> f64 {
+fn position(value: f64, one: f64, decade: f64) -> f64 {
     one + decade * value.log10()
 }
 
-/// The centres of the circles of `picture`, without those of its legend.
-fn circles(picture: &str) -> Vec<(f64, f64)> {
-    let numbers = |line: &str, name: &str| -> Option<f64> {
+/// A circle of a picture by its centre, pixels.
+#[derive(Clone, Copy)]
+struct Circle {
+    x: f64,
+    y: f64,
+}
+
+fn circles(picture: &str) -> Vec<Circle> {
+    let number = |line: &str, name: &str| -> Option<f64> {
         line.split_once(&format!(" {name}=\"")).and_then(|(_, rest)| rest.split('"').next()?.parse().ok())
     };
     picture
         .lines()
-        .filter(|line| line.starts_with("<circle") && !line.contains("cx=\"730\""))
-        .filter_map(|line| numbers(line, "cx").zip(numbers(line, "cy")))
+        .filter(|line| line.starts_with("<circle"))
+        .filter_map(|line| Some(Circle { x: number(line, "cx")?, y: number(line, "cy")? }))
         .collect()
 }
 
-fn is_shown(circles: &[(f64, f64)], (x, y): (f64, f64), (dx, dy): (f64, f64)) -> bool {
-    circles.iter().any(|(cx, cy)| (cx - x).abs() < dx && (cy - y).abs() < dy)
+fn is_shown(circles: &[Circle], place: Circle, off: Circle) -> bool {
+    circles.iter().any(|circle| (circle.x - place.x).abs() < off.x && (circle.y - place.y).abs() < off.y)
 }
 
 const PAGE: &str = include_str!("../../docs/trade.md");
 
+/// The rows of the table of the page that begins with `head`.
+fn rows(head: &str) -> Vec<&'static str> {
+    let lines = PAGE.lines().skip_while(|line| !line.starts_with(head)).skip(1);
+    lines.take_while(|line| line.contains(" kPa")).collect()
+}
+
+/// The last word of a row, a root of the mean square in %.
+fn last(row: &str) -> f64 {
+    row.split_whitespace().last().and_then(|word| word.parse::<f64>().ok()).expect("an rms")
+}
+
+/// The first columns of the picture's second panel: rows 24 pixels apart from 400 on, an error of 1 at 890 and a decade in 41.25 pixels.
 #[test]
-fn the_picture_of_the_trade_is_that_of_its_table() {
-    let circles = circles(include_str!("../../docs/trade.svg"));
+fn the_limits_in_the_picture_are_those_of_their_table() {
+    let circles: Vec<Circle> =
+        circles(include_str!("../../docs/trade.svg")).into_iter().filter(|circle| circle.y > 390.0).collect();
+    let table =
+        PAGE.lines().filter(|line| line.contains(" us ") && !line.contains(" kPa") && !line.starts_with('|'));
     let mut compared = 0;
-    for row in
-        PAGE.lines().filter(|line| line.contains(" us ") && !line.contains(" kPa") && !line.starts_with('|'))
-    {
+    for (row, place) in table.zip(0_u8..) {
         let (name, rest) = row.split_at(20);
-        let (time, errors) = rest.split_once(" us ").expect("a time");
-        let x = at(time.trim().parse::<f64>().expect("a number") * 1e-6, (710.0, 80.0));
+        let (_, errors) = rest.split_once(" us ").expect("a time");
         for error in errors.split_whitespace().filter_map(|word| word.parse::<f64>().ok()) {
-            let y = at(error.max(1e-16), (30.0, -25.0));
-            assert!(
-                is_shown(&circles, (x, y), (4.0, 1.5)),
-                "{}: {error} is not at {x:.1}, {y:.1}",
-                name.trim()
-            );
+            let place =
+                Circle { x: position(error.max(1e-16), 890.0, 41.25), y: 400.0 + 24.0 * f64::from(place) };
+            // The table has two digits.
+            assert!(is_shown(&circles, place, Circle { x: 1.5, y: 1.0 }), "{}: {error}", name.trim());
             compared += 1;
         }
     }
     assert!(compared > 30 && compared == circles.len(), "{compared} of {}", circles.len());
 }
 
+/// The picture's first panel has the root of the mean square over three pressures, the table that of each.
+#[test]
+fn the_choice_in_the_picture_lies_between_the_pressures_of_its_table() {
+    let picture = include_str!("../../docs/trade.svg");
+    let circles: Vec<Circle> = circles(picture).into_iter().filter(|circle| circle.y < 300.0).collect();
+    let (closing, forces) = (rows("rho_f "), rows("K | F "));
+    let mut models: Vec<&str> = closing.iter().map(|row| row[..15].trim()).collect();
+    models.dedup();
+    assert_eq!((models.len(), circles.len()), (8, 24));
+    for model in models {
+        let label = format!("text-anchor=\"start\">{model}</text>");
+        let line = picture.lines().find(|line| line.ends_with(&label)).expect(model);
+        let y: f64 =
+            line.split("y=\"").nth(1).and_then(|rest| rest.split('"').next()?.parse().ok()).expect("a place");
+        for (table, left) in [(&closing, 230.0), (&forces, 730.0)] {
+            let errors: Vec<f64> =
+                table.iter().filter(|row| row[..15].trim() == model).map(|row| 0.01 * last(row)).collect();
+            let [least, most] =
+                [f64::min, f64::max].map(|pick| errors.iter().copied().reduce(pick).expect(model));
+            let x = |error: f64| position(error.clamp(1e-3, 10.0), left + 127.5, 42.5);
+            let circle = circles.iter().find(|circle| {
+                (circle.y - (y - 4.0)).abs() < 0.1 && (left - 0.1..left + 170.1).contains(&circle.x)
+            });
+            let circle = circle.expect(model);
+            // The table rounds to a tenth of a percent.
+            let ends = x((least - 5e-4).max(1e-3))..x(most + 5e-4);
+            assert!(ends.contains(&circle.x), "{model}: {} outside {ends:?}", circle.x);
+        }
+    }
+}
+
 #[test]
 fn the_picture_of_shells_is_that_of_its_tables() {
     let circles = circles(include_str!("../../docs/trade-shells.svg"));
-    let rows = |head: &str| {
-        let lines = PAGE.lines().skip_while(|line| !line.starts_with(head)).skip(1);
-        lines.take_while(|line| line.contains(" kPa")).collect::<Vec<_>>()
-    };
-    let last =
-        |row: &str| row.split_whitespace().last().and_then(|word| word.parse::<f64>().ok()).expect("an rms");
     let (closing, forces) = (rows("rho_f "), rows("K | F "));
     assert!(closing.len() == forces.len() && closing.len() > 20);
     let mut compared = 0;
@@ -66,12 +107,13 @@ fn the_picture_of_shells_is_that_of_its_tables() {
         let time = if words[1] == "us" { 1e-6 * time } else { time };
         for (row, left) in [(closing, 70.0), (force, 520.0)] {
             // 45 pixels for a decade of time from 100 ns, 90 for one of error from 1000 % down.
-            let x = at(time.max(1e-7), (left + 315.0, 45.0));
+            let x = position(time.max(1e-7), left + 315.0, 45.0);
             let error = last(row);
-            let y = at((0.01 * error).max(1e-3), (130.0, -90.0));
+            let y = position((0.01 * error).max(1e-3), 130.0, -90.0);
             // The table rounds to a tenth of a percent, which is much for a small number.
             let rounded = 1.0 + 90.0 * (1.0 - 0.05 / error.max(0.1)).log10().abs();
-            assert!(is_shown(&circles, (x, y), (6.0, rounded.max(6.0))), "{row}: not at {x:.1}, {y:.1}");
+            let off = Circle { x: 6.0, y: rounded.max(6.0) };
+            assert!(is_shown(&circles, Circle { x, y }, off), "{row}: not at {x:.1}, {y:.1}");
             compared += 1;
         }
     }

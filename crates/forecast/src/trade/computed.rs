@@ -61,6 +61,26 @@ pub struct Finest {
     pub force: MeshedValue,
 }
 
+/// The program that computed the shells of every fineness.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Provenance {
+    /// Abbreviated commit of the program.
+    pub commit: &'static str,
+    /// The day, `2026-11-27`.
+    pub date: &'static str,
+}
+
+/// The words of `by_shell.txt` before the commit, and between it and the date.
+const COMPUTED_BY: &str = "# Computed by commit ";
+const ON: &str = " on ";
+
+/// The program that computed [`shells`]; its parts are empty if the table does not say.
+pub fn provenance() -> Provenance {
+    let line = SHIPPED.lines().find_map(|line| line.strip_prefix(COMPUTED_BY)).unwrap_or_default();
+    let (commit, date) = line.trim_end_matches('.').split_once(ON).unwrap_or_default();
+    Provenance { commit, date }
+}
+
 /// The lines of a table that are no comments.
 fn rows(table: &'static str) -> impl Iterator<Item = &'static str> {
     table.lines().filter(|line| !line.starts_with('#'))
@@ -121,6 +141,9 @@ mod tests {
         let lines = SHIPPED.lines().filter(|line| !line.starts_with('#')).count();
         assert_eq!(shells().len(), lines);
         assert_eq!(finest().len(), 24);
+        let Provenance { commit, date } = provenance();
+        assert!(commit.len() >= 7 && commit.chars().all(|digit| digit.is_ascii_hexdigit()), "{commit}");
+        assert!(date.len() == 10 && date.starts_with("20"), "{date}");
         for pressure in [14.0, 37.0, 60.0] {
             let of = |fineness: &str, points: Option<u32>| {
                 let found = shells().into_iter().find(|shell| {

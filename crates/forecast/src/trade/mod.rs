@@ -198,6 +198,6 @@ mod tests {
         assert!(coarse.iter().zip(fine).all(|(a, b)| b < *a), "{coarse:?} {fine:?}");
         assert!(of("ring, table").iter().all(|e| *e < 1e-9));
         assert_eq!(csv(&rows).lines().count(), rows.len() + 1);
-        assert!(table(&rows).contains("ring") && picture::against_ring(&rows).ends_with("</svg>\n"));
+        assert!(table(&rows).contains("ring") && picture::of_choice(&[], &rows).ends_with("</svg>\n"));
     }
 }

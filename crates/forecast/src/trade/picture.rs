@@ -1,15 +1,71 @@
-//! Error against time, both logarithmic: the limits against the exact ring, and every model against the shells.
+//! Pictures of the comparison: which model to take for which question, with its cost, and below it the limits against the exact ring; and
+//! error against time, of every model against the shells.
 
-use crate::trade::shells::{ShellRow, rms};
+use crate::trade::shells::{ShellRow, StarErrors, mean, rms};
+use crate::trade::shown;
 use crate::trade::{QUANTITIES, TradeRow};
 use std::fmt::Write;
 
-/// Widths of the pictures, pixels.
-const RING_WIDTH: u32 = 860;
-const SHELLS_WIDTH: u32 = 1090;
+/// Sizes of the pictures, pixels.
+const CHOICE: [u32; 2] = [980, 600];
+const SHELLS: [u32; 2] = [1090, 480];
+/// Sizes of pictures of earlier versions, which are replaced, too.
+const EARLIER: [[u32; 2]; 1] = [[860, 480]];
 /// Colours, one a model.
 const COLOURS: [&str; 8] =
     ["#b7791f", "#1b6ca8", "#8e44ad", "#c0392b", "#e67e22", "#7fb3a0", "#27865c", "#0b3d2e"];
+/// Colours, one a quantity of the limits.
+const QUANTITY_COLOURS: [&str; 5] = ["#1b6ca8", "#c0392b", "#27865c", "#8e44ad", "#b7791f"];
+
+/// Distance between two rows, pixels.
+const ROW: f64 = 24.0;
+/// First rows of the choice and of the limits.
+const CHOICE_TOP: f64 = 100.0;
+const RING_TOP: f64 = 400.0;
+/// Columns of names (left), and of times (right).
+const NAMES: f64 = 16.0;
+const TIMES: f64 = 205.0;
+
+/// A logarithmic axis of errors, rising to the right: its ends in pixels and in decades.
+struct Axis {
+    left: f64,
+    width: f64,
+    decades: [i32; 2],
+}
+
+/// The questions: 0.1 % to 1000 %.
+const QUESTIONS: [Axis; 3] = [question(230.0), question(480.0), question(730.0)];
+/// The limits: 1e-16 to 1.
+const RING: Axis = Axis { left: 230.0, width: 660.0, decades: [-16, 0] };
+
+const fn question(left: f64) -> Axis {
+    Axis { left, width: 170.0, decades: [-3, 1] }
+}
+
+/// The errors by which a question is answered, and its words.
+type Errors = fn(&StarErrors) -> Option<f64>;
+const ANSWERS: [(&str, Errors); 3] = [
+    ("How far does it close?", |star| Some(star.radius)),
+    ("How stiff is it?", |star| star.stiffness),
+    ("How hard does it grip?", |star| star.force),
+];
+
+impl Axis {
+    fn x(&self, error: f64) -> f64 {
+        let [first, last] = self.decades.map(f64::from);
+        self.left + (libm::log10(error).clamp(first, last) - first) / (last - first) * self.width
+    }
+
+    /// Upright lines through `rows` rows below `top`, each with the name of its decade below.
+    fn lines(&self, out: &mut String, top: f64, rows: u8, decades: impl Iterator<Item = (i32, String)>) {
+        let bottom = top + f64::from(rows) * ROW;
+        for (decade, name) in decades {
+            let x = format!("{:.1}", self.x(10_f64.powi(decade)));
+            let _ = writeln!(out, "<path d=\"M{x} {top}V{bottom}\" stroke=\"#ddd\"/>");
+            text(out, &x, bottom + 16.0, "middle", &name);
+        }
+    }
+}
 
 /// A panel: its box in pixels; the decades of time from its left edge, and of the error from its top.
 struct Panel {
@@ -21,9 +77,6 @@ struct Panel {
     errors: [i32; 2],
 }
 
-/// The limits: 10 ns to 1 s, 1 to 1e-16.
-const RING: Panel =
-    Panel { left: 70.0, top: 30.0, width: 640.0, height: 400.0, times: [-8, 0], errors: [0, -16] };
 /// Closing and force: 100 ns to 100 s, 1000 % to 0.1 %.
 const CLOSING: Panel =
     Panel { left: 70.0, top: 40.0, width: 405.0, height: 360.0, times: [-7, 2], errors: [1, -3] };
@@ -49,14 +102,14 @@ impl Panel {
         let Self { left, top, width, .. } = self;
         let bottom = self.bottom();
         for decade in (self.times[0]..=self.times[1]).step_by(2) {
-            let at = format!("{:.1}", self.x(10_f64.powi(decade)));
-            let _ = writeln!(out, "<path d=\"M{at} {top}V{bottom}\" stroke=\"#ddd\"/>");
-            text(out, &at, bottom + 18.0, "middle", &format!("1e{decade} s"));
+            let x = format!("{:.1}", self.x(10_f64.powi(decade)));
+            let _ = writeln!(out, "<path d=\"M{x} {top}V{bottom}\" stroke=\"#ddd\"/>");
+            text(out, &x, bottom + 18.0, "middle", &format!("1e{decade} s"));
         }
         for (decade, name) in errors {
-            let at = self.y(10_f64.powi(decade));
-            let _ = writeln!(out, "<path d=\"M{left} {at:.1}h{width}\" stroke=\"#ddd\"/>");
-            text(out, left - 8.0, format!("{:.1}", at + 4.0), "end", &name);
+            let y = self.y(10_f64.powi(decade));
+            let _ = writeln!(out, "<path d=\"M{left} {y:.1}h{width}\" stroke=\"#ddd\"/>");
+            text(out, left - 8.0, format!("{:.1}", y + 4.0), "end", &name);
         }
     }
 }
@@ -66,52 +119,146 @@ fn text(out: &mut String, x: impl std::fmt::Display, y: impl std::fmt::Display, 
     let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\">{words}</text>");
 }
 
-/// The beginning of a picture `width` pixels wide.
-fn head(width: u32) -> String {
+/// A heading.
+fn title(out: &mut String, y: f64, words: &str) {
+    let _ =
+        writeln!(out, "<text x=\"{NAMES}\" y=\"{y}\" font-size=\"15\" font-weight=\"bold\">{words}</text>");
+}
+
+fn dot(out: &mut String, [x, y]: [f64; 2], colour: &str) {
+    let _ = writeln!(out, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" fill=\"{colour}\"/>");
+}
+
+/// The beginning of a picture.
+fn head([width, height]: [u32; 2]) -> String {
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} 480\" width=\"{width}\" height=\"480\" \
-         font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{width}\" height=\"480\" fill=\"white\"/>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
+         font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"white\"/>\n"
     )
 }
 
 /// Whether `text` begins as one of these pictures.
 pub fn is_picture(text: &str) -> bool {
-    [RING_WIDTH, SHELLS_WIDTH].iter().any(|width| text.starts_with(&head(*width)))
+    [CHOICE, SHELLS].iter().chain(&EARLIER).any(|size| text.starts_with(&head(*size)))
 }
 
-/// The errors of the limits against the exact ring.
-pub fn against_ring(rows: &[TradeRow]) -> String {
-    let colours = ["#1b6ca8", "#c0392b", "#27865c", "#8e44ad", "#b7791f"];
-    let mut out = head(RING_WIDTH);
-    RING.axes(&mut out, (-16..=0).step_by(4).map(|decade| (decade, format!("1e{decade}"))));
-    for row in rows {
-        let x = RING.x(row.time);
-        for (error, colour) in row.errors.iter().zip(colours) {
-            if let Some(error) = error {
-                let y = RING.y(*error);
-                let _ = writeln!(out, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" fill=\"{colour}\"/>");
-            }
-        }
-        let above = RING.top - 6.0;
+/// One model against the shells, over all pressures: its cost, s, and the roots of the mean square errors of the three questions.
+struct ModelChoice<'a> {
+    model: &'a str,
+    time: f64,
+    errors: [f64; 3],
+}
+
+/// Every model of `rows`, the cheapest first.
+fn choices(rows: &[ShellRow]) -> Vec<ModelChoice<'_>> {
+    let mut models: Vec<&str> = rows.iter().map(|row| row.model.as_str()).collect();
+    models.dedup();
+    let mut choices: Vec<ModelChoice<'_>> = models
+        .into_iter()
+        .map(|model| {
+            let alike: Vec<&ShellRow> =
+                rows.iter().filter(|row| row.model == model && !row.stars.is_empty()).collect();
+            let times: Vec<f64> = alike.iter().map(|row| row.time).collect();
+            let errors =
+                ANSWERS.map(|(_, errors)| rms(alike.iter().flat_map(|row| &row.stars).filter_map(errors)));
+            ModelChoice { model, time: mean(&times), errors }
+        })
+        .collect();
+    choices.sort_by(|a, b| a.time.total_cmp(&b.time));
+    choices
+}
+
+/// The choice of a model: a row a model, the cheapest first, with its error of each question; below it the errors of the limits against the
+/// exact ring, a row a limit.
+pub fn of_choice(rows: &[ShellRow], limits: &[TradeRow]) -> String {
+    let mut out = head(CHOICE);
+    title(&mut out, 26.0, "Which model for which question? Take the first row whose error is small enough.");
+    text(
+        &mut out,
+        NAMES,
+        48,
+        "start",
+        "Errors against the finest shells of the paper's stars at 14, 37 and 60 kPa, root of the mean square.",
+    );
+    text(&mut out, NAMES, CHOICE_TOP - 20.0, "start", "model");
+    text(&mut out, TIMES, CHOICE_TOP - 20.0, "end", "cost of a star");
+    let choices = choices(rows);
+    let count = u8::try_from(choices.len()).unwrap_or(u8::MAX);
+    for (axis, (words, _)) in QUESTIONS.iter().zip(ANSWERS) {
+        let names = ["0.1 %", "1 %", "10 %", "100 %", "1000 %"].map(str::to_owned);
+        axis.lines(&mut out, CHOICE_TOP - 10.0, count, (-3..).zip(names));
         let _ = writeln!(
             out,
-            "<text x=\"{x:.1}\" y=\"{above}\" text-anchor=\"start\" transform=\"rotate(-50 {x:.1} {above})\">{}</text>",
-            row.model
+            "<text x=\"{:.1}\" y=\"{}\" text-anchor=\"middle\" font-weight=\"bold\">{words}</text>",
+            axis.left + axis.width / 2.0,
+            CHOICE_TOP - 20.0
         );
     }
-    for ((quantity, colour), i) in QUANTITIES.iter().zip(colours).zip(0_u8..) {
-        let at = RING.top + 20.0 * f64::from(i) + 20.0;
-        let _ = writeln!(out, "<circle cx=\"730\" cy=\"{}\" r=\"4\" fill=\"{colour}\"/>", at - 4.0);
-        let _ = writeln!(out, "<text x=\"740\" y=\"{at}\">{quantity}</text>");
+    for ((choice, colour), place) in choices.iter().zip(COLOURS).zip(0_u8..) {
+        let y = CHOICE_TOP + ROW * f64::from(place);
+        row(&mut out, y, choice.model, choice.time);
+        for (axis, error) in QUESTIONS.iter().zip(choice.errors) {
+            let x = axis.x(error);
+            dot(&mut out, [x, y], colour);
+            text(&mut out, format!("{:.1}", x + 8.0), y + 4.0, "start", &percent(error));
+        }
     }
-    text(&mut out, 390, 475, "middle", "time of one hinge's target");
+    let bottom = CHOICE_TOP + ROW * f64::from(count);
+    let notes = [
+        format!("{}.", shown::sources(rows)),
+        "section was fitted to these stars: docs/ranges.md has its errors on others. shell, fine: its own mesh errors.".to_owned(),
+    ];
+    for (note, line) in notes.iter().zip(0_u8..) {
+        text(&mut out, NAMES, bottom + 32.0 + 18.0 * f64::from(line), "start", note);
+    }
+    add_limits(&mut out, limits);
     out + "</svg>\n"
+}
+
+/// Name and time of a row.
+fn row(out: &mut String, y: f64, model: &str, time: f64) {
+    text(out, NAMES, y + 4.0, "start", model);
+    text(out, TIMES, y + 4.0, "end", shown::time(time).trim_end());
+}
+
+/// An error for people: two digits.
+fn percent(error: f64) -> String {
+    let percent = 100.0 * error;
+    if percent < 10.0 { format!("{percent:.1} %") } else { format!("{percent:.0} %") }
+}
+
+/// The errors of the limits of high pressure against the exact ring.
+fn add_limits(out: &mut String, rows: &[TradeRow]) {
+    title(out, RING_TOP - 58.0, "The limits of high pressure against the exact ring");
+    text(out, NAMES, RING_TOP - 20.0, "start", "limit");
+    text(out, TIMES, RING_TOP - 20.0, "end", "time of one hinge");
+    for ((quantity, colour), place) in QUANTITIES.iter().zip(QUANTITY_COLOURS).zip(0_u8..) {
+        let x = RING.left + 100.0 * f64::from(place);
+        let _ = writeln!(
+            out,
+            "<rect x=\"{x}\" y=\"{}\" width=\"8\" height=\"8\" fill=\"{colour}\"/>",
+            RING_TOP - 28.0
+        );
+        text(out, x + 12.0, RING_TOP - 20.0, "start", quantity);
+    }
+    let count = u8::try_from(rows.len()).unwrap_or(u8::MAX);
+    let names = (-16..=0).step_by(4).map(|decade| (decade, format!("1e{decade}")));
+    RING.lines(out, RING_TOP - 10.0, count, names);
+    for (limit, place) in rows.iter().zip(0_u8..) {
+        let y = RING_TOP + ROW * f64::from(place);
+        row(out, y, &limit.model, limit.time);
+        for (error, colour) in limit.errors.iter().zip(QUANTITY_COLOURS) {
+            if let Some(error) = error {
+                dot(out, [RING.x(*error), y], colour);
+            }
+        }
+    }
 }
 
 /// The errors of every model against the shells, the root of the mean square over the stars: a circle a pressure, a panel for closing
 /// and one for force.
 pub fn against_shells(rows: &[ShellRow]) -> String {
-    let mut out = head(SHELLS_WIDTH);
+    let mut out = head(SHELLS);
     let names = ["0.1 %", "1 %", "10 %", "100 %", "1000 %"].map(str::to_owned);
     for (panel, title) in [(CLOSING, "closing: rho_f"), (FORCE, "force on an object")] {
         panel.axes(&mut out, (-3..).zip(names.clone()));
@@ -134,12 +281,76 @@ pub fn against_shells(rows: &[ShellRow]) -> String {
         }
     }
     for ((model, colour), place) in models.iter().zip(COLOURS).zip(0_u8..) {
-        let at = CLOSING.top + 20.0 * f64::from(place) + 20.0;
+        let y = CLOSING.top + 20.0 * f64::from(place) + 20.0;
         let _ =
-            writeln!(out, "<rect x=\"946\" y=\"{}\" width=\"8\" height=\"8\" fill=\"{colour}\"/>", at - 8.0);
-        let _ = writeln!(out, "<text x=\"960\" y=\"{at}\">{model}</text>");
+            writeln!(out, "<rect x=\"946\" y=\"{}\" width=\"8\" height=\"8\" fill=\"{colour}\"/>", y - 8.0);
+        let _ = writeln!(out, "<text x=\"960\" y=\"{y}\">{model}</text>");
     }
     let about = "time of a star; circles of rising size: 14, 37, 60 kPa; of shell, fine its own mesh error";
     text(&mut out, 500, CLOSING.bottom() + 45.0, "middle", about);
     out + "</svg>\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trade::shells::against_shells as compared;
+
+    /// A label of a picture: its ends along x, and its base line, pixels.
+    struct Label<'a> {
+        ends: [f64; 2],
+        base: f64,
+        words: &'a str,
+    }
+
+    /// The labels of `picture`, as wide as a wide font makes them.
+    fn labels(picture: &str) -> Vec<Label<'_>> {
+        let attribute = |line: &str, name: &str| -> Option<String> {
+            let (_, rest) = line.split_once(&format!(" {name}=\""))?;
+            rest.split('"').next().map(str::to_owned)
+        };
+        let number = |line: &str, name: &str| attribute(line, name)?.parse::<f64>().ok();
+        let label = |line: &'_ str| -> Option<([f64; 2], f64)> {
+            let words = line.split_once('>')?.1.strip_suffix("</text>")?;
+            let size = number(line, "font-size").unwrap_or(12.0);
+            let width = 0.58 * size * f64::from(u32::try_from(words.chars().count()).ok()?);
+            let left = match attribute(line, "text-anchor").as_deref() {
+                Some("middle") => width / 2.0,
+                Some("end") => width,
+                _ => 0.0,
+            };
+            let x = number(line, "x")?;
+            Some(([x - left, x - left + width], number(line, "y")?))
+        };
+        let lines = picture.lines().filter(|line| line.starts_with("<text"));
+        lines
+            .map(|line| {
+                let (ends, base) = label(line).expect(line);
+                Label { ends, base, words: line }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn every_label_lies_inside_its_picture_and_beside_the_others() {
+        let limit = |model: &str| TradeRow { model: model.to_owned(), time: 0.123, errors: [Some(0.5); 5] };
+        let limits: Vec<TradeRow> = (0..7).map(|_| limit("bvp, beta = 100000")).collect();
+        let rows = compared(&|| 0.0).expect("all models answer");
+        for (picture, size) in [(of_choice(&rows, &limits), CHOICE), (against_shells(&rows), SHELLS)] {
+            assert!(is_picture(&picture));
+            let [width, height] = size.map(f64::from);
+            let labels = labels(&picture);
+            assert!(labels.len() > 20);
+            for (index, label) in labels.iter().enumerate() {
+                assert!(label.ends[0] >= 0.0 && label.ends[1] <= width, "{} {:?}", label.words, label.ends);
+                assert!(label.base >= 12.0 && label.base <= height - 3.0, "{}", label.words);
+                for other in &labels[index + 1..] {
+                    let is_clear = (label.base - other.base).abs() >= 10.0
+                        || label.ends[1] <= other.ends[0]
+                        || other.ends[1] <= label.ends[0];
+                    assert!(is_clear, "{} over {}", label.words, other.words);
+                }
+            }
+        }
+    }
 }

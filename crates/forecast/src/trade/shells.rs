@@ -50,12 +50,14 @@ pub struct ShellRow {
     pub model: String,
     /// Gauge pressure, kPa.
     pub pressure: f64,
+    /// Whether the model is computed and timed by the call; shells are stored.
+    pub is_measured: bool,
     /// Time for a star, s: at rest, its hinges included; of shells the mean user time, the force included; 0 if none was timed.
     pub time: f64,
     /// Error of the V-actuator's angle at rest, deg, and relative error of its stiffness, against the finest shell; `None` for the table,
     /// which is for stars only.
     pub actuator: Option<[f64; 2]>,
-    /// Its stars.
+    /// Errors of each star.
     pub stars: Vec<StarErrors>,
 }
 
@@ -88,6 +90,7 @@ pub fn against_shells(clock: &dyn Fn() -> f64) -> Result<Vec<ShellRow>, StarFaul
             let mut row = ShellRow {
                 model: name.to_owned(),
                 pressure,
+                is_measured: true,
                 time: f64::INFINITY,
                 actuator: None,
                 stars: Vec::new(),
@@ -132,6 +135,7 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
     let mut row = ShellRow {
         model: format!("shell, {fineness}"),
         pressure,
+        is_measured: false,
         time: 0.0,
         actuator: own.map(|(own, known)| {
             if fineness == "fine" {
@@ -225,7 +229,7 @@ pub fn costs() -> Vec<(&'static str, usize, f64, f64, u32)> {
 }
 
 #[expect(clippy::cast_precision_loss, reason = "a dozen")]
-fn mean(values: &[f64]) -> f64 {
+pub(super) fn mean(values: &[f64]) -> f64 {
     if values.is_empty() { 0.0 } else { values.iter().sum::<f64>() / values.len() as f64 }
 }
 
@@ -269,6 +273,7 @@ impl ShellRow {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shell::{Detail, least_errors};
 
     #[test]
     fn at_work_the_section_is_nearer_to_shells_than_any_limit() {
@@ -289,6 +294,18 @@ mod tests {
             assert!((radii(&section) - radii(&fast)).abs() < 0.02, "{pressure}");
             let angle = |row: &ShellRow| row.actuator.expect("asked")[0];
             assert!(angle(&section).abs() < 1.0 && angle(&ring) < -3.0, "{pressure}");
+        }
+        for (word, detail) in Detail::ALL {
+            let rows = rows.iter().filter(|row| row.model == format!("shell, {word}") && word != "fine");
+            let [mut radius, mut force] = [0.0_f64; 2];
+            for row in rows {
+                radius = radius.max(rms(row.stars.iter().map(|star| star.radius)));
+                force = force.max(rms(row.stars.iter().filter_map(|star| star.force)));
+            }
+            let stated = least_errors(detail);
+            for (stated, largest) in [(stated.radius, radius), (stated.force, force)] {
+                assert!((largest..=1.2 * largest + 1e-9).contains(&stated), "{word}: {stated} of {largest}");
+            }
         }
         assert!(mesh_errors().iter().all(|row| row.held <= row.of) && costs()[0].1 == 18);
     }

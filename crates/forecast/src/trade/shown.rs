@@ -1,7 +1,20 @@
 //! The comparison with shells as tables for a terminal: closing, force, the V-actuator, mesh errors, cost.
 
+use crate::trade::computed::{Provenance, provenance};
 use crate::trade::shells::{STARS, ShellRow, StarErrors, costs, mesh_errors, rms};
 use std::fmt::Write;
+
+/// Which models are measured where the program runs, and which are stored with it.
+pub fn sources(rows: &[ShellRow]) -> String {
+    let mut measured: Vec<&str> =
+        rows.iter().filter(|row| row.is_measured).map(|row| row.model.as_str()).collect();
+    measured.dedup();
+    let Provenance { commit, date } = provenance();
+    format!(
+        "Measured on this machine: {}. Stored: shells, computed on {date} by commit {commit}",
+        measured.join("; ")
+    )
+}
 
 /// All tables.
 pub fn tables(rows: &[ShellRow]) -> String {
@@ -19,7 +32,7 @@ pub fn tables(rows: &[ShellRow]) -> String {
 }
 
 /// A time in the unit for people.
-fn time(seconds: f64) -> String {
+pub(super) fn time(seconds: f64) -> String {
     if seconds == 0.0 {
         return "- us".to_owned();
     }
