@@ -3,8 +3,8 @@
 use crate::{case, close, design, paper};
 use stargrip_cam::forecast::case::{Case, Hinges};
 use stargrip_cam::forecast::seal_load::{
-    Bursting, LoadedHinge, RANGE, SealLoad, burst, burst_range, factor, largest_pull, pull, safe_radius,
-    seal_loads,
+    Bursting, LoadedHinge, SealLoad, burst, burst_range, factor, largest_pull, pull, safe_radius, seal_loads,
+    tried_range,
 };
 use stargrip_cam::mechanics::hinge::HingeModel;
 use stargrip_cam::mechanics::hinge::ring::Ring;
@@ -60,7 +60,8 @@ fn the_safe_radius_is_the_least() {
         let safe = safe_radius(&case, LoadedHinge::Tip).expect("round enough").0;
         let load = |mm: f64| {
             let k = factor(&Ring, mm * 1e-3 / width).expect("in range");
-            RANGE[1] * pull(&case, k, (LoadedHinge::Tip, mm * 1e-3), pressure)
+            let [_, most] = tried_range(case.band / (mm * 1e-3));
+            most * pull(&case, k, (LoadedHinge::Tip, mm * 1e-3), pressure)
         };
         assert!(load(safe) <= 1e3, "{safe} mm: {}", load(safe));
         // The whole range of the burst pressure lies above the pressure.
@@ -188,8 +189,9 @@ fn the_range_of_the_pull_widens_with_the_distance() {
         range.map(|range| range.map(|end| end / pull))
     };
     let [low, high] = at(5000.0).expect("tried");
-    close(low, RANGE[0], 1e-9);
-    close(high, RANGE[1], 1e-9);
+    let [least, most] = tried_range(case.band / case.realised.tip.min(case.realised.corner));
+    close(low, least, 1e-9);
+    close(high, most, 1e-9);
     let all: Vec<[f64; 2]> = (0..=1000).map(|i| at(5000.0 + 2.499 * f64::from(i)).expect("near")).collect();
     let steps = all.windows(2).all(|pair| pair[1][0] <= pair[0][0] && pair[1][1] / pair[0][1] < 1.01);
     assert!(steps && all[1000][1] > 2.0 * high && at(7501.0).is_none(), "{all:?}");

@@ -10,13 +10,13 @@ mod pull;
 
 pub(super) use self::burst::hardest_bounds;
 pub use self::burst::{Bursting, burst, burst_of_drawn, burst_range, bursts_at};
-pub use self::pull::{LoadedHinge, RANGE, factor, largest_pull, pull};
+pub use self::pull::{LoadedHinge, RANGE, factor, largest_pull, pull, tried_range};
 
 use self::burst::{burst_bounds, bursting, sure_strength};
 use self::pull::{R_STAR, is_tried, range};
 use crate::case::{Case, mechanism};
+use crate::interval::scaled;
 use crate::pressures::is_modelled;
-use crate::ranges::scaled;
 use design::{Star, StarDesign};
 use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::numerics::last_holding;
@@ -80,13 +80,13 @@ pub struct SealLoad {
     pub factor: Option<f64>,
     /// Pull at the pressure of `[load]`; `None` without one.
     pub load: Option<LineForce>,
-    /// Its range; a straight tube's is exact.
+    /// Range of the value; a straight tube's is exact.
     pub range: Option<[LineForce; 2]>,
     /// Peel strength with which the seal surely holds that pressure, also where the range is too uncertain to be printed.
     pub sure_strength: Option<LineForce>,
     /// Pressure at which the peel strength is reached; `None` without a `seal_strength`.
     pub burst: Option<Pressure>,
-    /// Its range; a straight tube's is exact.
+    /// Range of the value; a straight tube's is exact.
     pub burst_range: Option<[Pressure; 2]>,
     /// Whether it bursts at the pressure of `[load]`.
     pub bursting: Option<Bursting>,

@@ -1,7 +1,8 @@
 //! The pressure at which a seal peels, with its range, and what that says at another pressure.
 
 use crate::case::Case;
-use crate::ranges::{Interval, shown};
+use crate::interval::Interval;
+use crate::ranges::shown;
 use crate::seal_load::pull::{BENDABILITY, LoadedHinge, bounds, edge, hardest, is_tried, pull, widest};
 use inflatable::mechanics::hinge::HingeModel;
 use inflatable::mechanics::hinge::ring::Ring;
@@ -52,7 +53,7 @@ pub fn burst_range(case: &Case) -> Option<Interval> {
     if is_tried(case, hinge.1) { burst_bounds(case, k, hinge) } else { None }
 }
 
-/// The same for any hinge, to judge the seal by.
+/// The burst range of any hinge, to judge the seal by.
 pub(crate) fn hardest_bounds(case: &Case) -> Option<Interval> {
     let (k, hinge) = hardest(case, &Ring)?;
     burst_bounds(case, k, hinge)
@@ -65,13 +66,13 @@ pub(crate) fn hardest_bounds(case: &Case) -> Option<Interval> {
 /// pressure lies above the range if the seal bears nothing of the range of the pull there.
 pub(super) fn burst_bounds(case: &Case, k: f64, hinge: (LoadedHinge, f64)) -> Option<Interval> {
     let peel = case.peel?;
-    let at = |part: f64| bursting(case, k, hinge, peel / part);
+    let burst_at = |part: f64| bursting(case, k, hinge, peel / part);
     let range =
         |pressure: f64| bounds(case, k, hinge, pressure).unwrap_or_else(|| widest(case, k, hinge, pressure));
-    let predicted = at(1.0);
+    let predicted = burst_at(1.0);
     let [_, high] = range(predicted);
     // The pull is known best at the shells' pressures, which may lie between the two. After 50 rounds they differ by rounding.
-    let sure = last_holding(at(high), predicted, 50, |pressure| {
+    let sure = last_holding(burst_at(high), predicted, 50, |pressure| {
         let most = bounds(case, k, hinge, pressure).map_or(high, |[_, own]| high.min(own));
         most * pull(case, k, hinge, pressure) <= peel
     });
@@ -79,7 +80,7 @@ pub(super) fn burst_bounds(case: &Case, k: f64, hinge: (LoadedHinge, f64)) -> Op
     let least = |pressure: f64| range(pressure)[0] * pull(case, k, hinge, pressure);
     let edge = edge(case, hinge.1);
     let [low, _] = widest(case, k, hinge, predicted);
-    let certain = last_holding(at(low), predicted, 50, |pressure| {
+    let certain = last_holding(burst_at(low), predicted, 50, |pressure| {
         least(pressure).max(least(pressure.min(edge))) >= peel
     });
     Some([sure, certain])
@@ -100,9 +101,9 @@ pub(super) fn bursting(case: &Case, k: f64, hinge: (LoadedHinge, f64), peel: f64
     let mut pressure = peel / tube;
     for _ in 0..6 {
         let bent = bent * libm::pow(pressure, 1.0 - BENDABILITY);
-        let both = tube * pressure + bent;
-        let slope = (tube * pressure + (1.0 - BENDABILITY) * bent) / both;
-        let next = pressure * libm::pow(peel / both, slope.recip());
+        let load = tube * pressure + bent;
+        let slope = (tube * pressure + (1.0 - BENDABILITY) * bent) / load;
+        let next = pressure * libm::pow(peel / load, slope.recip());
         // Every further step would find the same.
         if next == pressure {
             break;

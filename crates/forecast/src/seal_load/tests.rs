@@ -1,5 +1,6 @@
 use super::*;
 use crate::case::Hinges;
+use crate::interval::Interval;
 use crate::seal_load::pull::bounds;
 use design::Star;
 use spec::{Load, Source, Spec, StarSpec, read, starter};
@@ -82,6 +83,18 @@ fn shells_pull_as_much_as_predicted() {
         let ratio = found / part;
         assert!((RANGE[0]..=RANGE[1]).contains(&ratio), "{width} mm: {found} and {part:.2} p W");
     }
+}
+
+#[test]
+fn the_range_of_the_pull_is_wider_for_narrow_bands() {
+    assert_eq!((tried_range(0.8), tried_range(3.0)), (RANGE, RANGE));
+    assert_eq!(tried_range(0.5), tried_range(0.01));
+    let ranges: Vec<Interval> = (50..=80).map(|part| tried_range(0.01 * f64::from(part))).collect();
+    // No jump, and no end that turns back.
+    let steps = ranges.windows(2).all(|pair| {
+        (1.0..1.01).contains(&(pair[1][0] / pair[0][0])) && (0.99..1.0).contains(&(pair[1][1] / pair[0][1]))
+    });
+    assert!(steps && ranges[0][1] > 1.5 && ranges[0][0] < 0.65, "{ranges:?}");
 }
 
 #[test]
