@@ -1,12 +1,13 @@
 //! One star as a shell: the question that its case puts, and the numbers of the answer in the units of predictions.
 
 use crate::case::Case;
+use crate::interval::Interval;
 use crate::predict::PredictFault;
 use crate::pressures::outside;
-use crate::ranges::Interval;
 use crate::shell::{Detail, MOST_POINTS, SHELL, fineness_of, flat_star};
 use inflatable::shell::cases::{
-    Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Objects, ShellFault, Value, Watch, star,
+    Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Objects, OpeningStep, ShellFault, Value, Watch,
+    star,
 };
 use inflatable::shell::element::Weave;
 use spec::{KeyPath, key};
@@ -65,6 +66,8 @@ pub(crate) struct Measurements {
     pub(crate) forces: Vec<(f64, Value)>,
     /// For each of them how far the corners slide along the object, by the growth of its radius.
     pub(crate) slips: Vec<Value>,
+    /// The force on a growing object in small steps, on a coarse mesh.
+    pub(crate) opening: Vec<OpeningStep>,
     /// Radius of the object of the load, m; `None` if there is none, it does not enter, or the star does not meet it.
     pub(crate) object: Option<f64>,
     /// The hardest loaded places, SI.
@@ -158,6 +161,7 @@ impl Measurements {
             volume: found.volume.scaled(1e9),
             forces: found.forces.iter().map(pressing).collect(),
             slips: found.slips.clone(),
+            opening: found.opening.clone(),
             object,
             extremes: found.extremes,
         }

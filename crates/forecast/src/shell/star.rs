@@ -13,7 +13,7 @@ use crate::star_answer::{bare, mm};
 use design::{Design, Meeting, PlacedPart, StarDesign};
 use inflatable::mechanics::star::bearing::FOLDING;
 use inflatable::mechanics::strength::payload;
-use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, StarPart, Value, Watch};
+use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, OpeningStep, StarPart, Value, Watch};
 use spec::units::Readable;
 use spec::{Spec, key};
 
@@ -103,15 +103,13 @@ impl ShellRun {
     ) -> StarPrediction {
         let case = self.case.meeting(meeting).above_plate(opening);
         let measured = Measurements { object: entered(&case), ..self.measured.clone() };
-        let Self { flat, found, .. } = self;
         let on_object = measured.object_force();
-        let beside = case.object.is_some_and(|radius| radius <= 0.0);
+        let is_beside = case.object.is_some_and(|radius| radius <= 0.0);
         let curve: Vec<(f64, Value)> =
             radii.iter().filter_map(|radius| Some((mm(*radius), measured.force_at(*radius)?))).collect();
         let extremes = &measured.extremes;
         let [pull, pull_error] = measured.seal_tension();
-        let force = on_object.map(|force| force.value).or(beside.then_some(0.0));
-        let curve_of = |of: fn(&Value) -> f64| curve.iter().map(|(_, force)| of(force)).collect::<Vec<f64>>();
+        let force = on_object.map(|force| force.value).or(is_beside.then_some(0.0));
         let wrinkling = case.wrinkling_mass(measured.tip_angle.value.to_radians());
         let bare = bare(spec, part, &case);
         StarPrediction {
@@ -155,27 +153,44 @@ impl ShellRun {
                 at_mm: extremes.stretch_at.map(mm),
             })),
             evidence: ModelEvidence {
-                choice: format!("{SHELL} was requested"),
-                residual: found.evidence.residual,
-                iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
                 weave: spec.fabric.shear_modulus.map(|_| IN_THE_MESH),
-                unknowns: Some(found.evidence.unknowns.clone()),
-                mesh_errors: Some(MeshErrors {
-                    final_radius_mm: measured.radius.error,
-                    contraction: measured.contraction.error,
-                    tip_angle_deg: measured.tip_angle.error,
-                    radial_stiffness_N_per_m: measured.stiffness.error,
-                    arm_contact_N: measured.contact.error,
-                    arm_contact_mm2: measured.contact_area.error,
-                    volume_mm3: measured.volume.error,
-                    seal_pull_N_per_mm: 1e-3 * extremes.seal_pull.error,
-                    object_force_N: on_object.map(|force| force.error),
-                    force_curve: (!radii.is_empty()).then(|| curve_of(|force| force.error)),
-                }),
-                warnings: warnings(&case, (flat, found), &measured).into_iter().chain(snap(&curve)).collect(),
-                ..bare.evidence.clone()
+                ..self.evidence(&case, &measured, &curve, &bare.evidence)
             },
             ..bare
+        }
+    }
+
+    /// Meshes, effort and warnings behind the numbers `measured` of a star of `case`, with the force on each requested object, `curve` (radius in
+    /// mm, N); the rest is that of `bare`, a prediction without a model.
+    fn evidence(
+        &self,
+        case: &Case,
+        measured: &Measurements,
+        curve: &[(f64, Value)],
+        bare: &ModelEvidence,
+    ) -> ModelEvidence {
+        let Self { flat, found, .. } = self;
+        let snap = snap(curve).or_else(|| snap_on_the_way(&measured.opening));
+        ModelEvidence {
+            choice: format!("{SHELL} was requested"),
+            residual: found.evidence.residual,
+            iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
+            unknowns: Some(found.evidence.unknowns.clone()),
+            mesh_errors: Some(MeshErrors {
+                final_radius_mm: measured.radius.error,
+                contraction: measured.contraction.error,
+                tip_angle_deg: measured.tip_angle.error,
+                radial_stiffness_N_per_m: measured.stiffness.error,
+                arm_contact_N: measured.contact.error,
+                arm_contact_mm2: measured.contact_area.error,
+                volume_mm3: measured.volume.error,
+                seal_pull_N_per_mm: 1e-3 * measured.extremes.seal_pull.error,
+                object_force_N: measured.object_force().map(|force| force.error),
+                force_curve: (!curve.is_empty())
+                    .then(|| curve.iter().map(|(_, force)| force.error).collect()),
+            }),
+            warnings: warnings(case, (flat, found), measured).into_iter().chain(snap).collect(),
+            ..bare.clone()
         }
     }
 }
@@ -257,6 +272,38 @@ fn snap(curve: &[(f64, Value)]) -> Option<String> {
     ))
 }
 
+/// Least fall of the force on a growing object, by its largest before: less is the noise of single points of contact.
+const LEAST_FALL: f64 = 0.02;
+
+/// A warning where the force on a growing object falls on a coarse mesh, `opening`: other objects than the requested ones show the snap.
+fn snap_on_the_way(opening: &[OpeningStep]) -> Option<String> {
+    let first = opening.first()?;
+    let (mut largest, mut peak, mut trough) = (first, first, first);
+    for step in opening {
+        if step.force > largest.force {
+            largest = step;
+        }
+        if fall(largest, step) > fall(peak, trough) {
+            (peak, trough) = (largest, step);
+        }
+    }
+    let part = fall(peak, trough);
+    (part > LEAST_FALL).then(|| {
+        format!(
+            "the corners' rims may snap inwards: on a coarse mesh the force falls by {:.0} % while the object widens from {:.2} to {:.2} mm \
+             across, and meshes may differ on where; the force may be so much lower than the given one",
+            100.0 * part,
+            2.0 * mm(peak.radius),
+            2.0 * mm(trough.radius)
+        )
+    })
+}
+
+/// By which part the force is lower at `trough` than at `peak`; 0 where nothing touches.
+fn fall(peak: &OpeningStep, trough: &OpeningStep) -> f64 {
+    (peak.force - trough.force) / peak.force.max(f64::MIN_POSITIVE)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -271,5 +318,18 @@ mod tests {
         let falling = [(24.0, force(10.9)), (22.0, force(11.1)), (20.0, force(1.0))];
         let said = snap(&falling).expect("it falls");
         assert!(said.contains("from 11.10 to 10.90 N") && said.contains("from 44.00 to 48.00 mm"), "{said}");
+    }
+
+    #[test]
+    fn a_snap_between_the_objects_is_reported() {
+        let curve = |forces: &[f64]| -> Vec<OpeningStep> {
+            let radii = (20_u32..).map(|radius| 1e-3 * f64::from(radius));
+            radii.zip(forces).map(|(radius, force)| OpeningStep { radius, force: *force }).collect()
+        };
+        assert_eq!(snap_on_the_way(&[]), None);
+        // Noise, and an object that does not touch yet.
+        assert_eq!(snap_on_the_way(&curve(&[0.0, 1.0, 2.0, 1.99, 3.0])), None);
+        let warning = snap_on_the_way(&curve(&[0.0, 1.0, 2.0, 1.99, 3.0, 2.7, 2.4, 3.5])).expect("it falls");
+        assert!(warning.contains("by 20 %") && warning.contains("from 48.00 to 52.00 mm"), "{warning}");
     }
 }

@@ -37,7 +37,7 @@ pub use around::{StarAround, Touch, around};
 pub use extremes::Extremes;
 pub use fault::{Input, ShellFault};
 pub use margin::{Margin, MarginLaw};
-pub use objects::{MOST_OBJECTS, Objects};
+pub use objects::{MOST_OBJECTS, Objects, OpeningStep};
 pub use pressures::{Inflation, inflations};
 pub use refinement::{Evidence, OnProgress, Watch};
 pub use region::{

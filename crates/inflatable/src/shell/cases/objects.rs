@@ -13,6 +13,63 @@ pub const MOST_OBJECTS: usize = 8;
 const GROWTH: f64 = 0.15;
 const MOST_HALVINGS: i32 = 4;
 
+/// Growth of an object from one step of an [`opening_curve`] to the next, and how far beyond the largest object it goes, by W.
+const STEP: f64 = 0.05;
+const BEYOND: f64 = 0.15;
+/// Unknowns of the finest mesh whose opening is followed in steps: half a second on one processor.
+const MOST_UNKNOWNS: usize = 6000;
+
+/// One step of an [`opening_curve`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OpeningStep {
+    /// Radius of the object.
+    pub radius: f64,
+    /// The radial force on it.
+    pub force: f64,
+}
+
+/// Whether the opening on the mesh of `solver` replaces `coarser`, that on a coarser one.
+pub(super) fn is_followed(solver: &Solver, coarser: &[OpeningStep]) -> bool {
+    coarser.is_empty() || solver.assembly.unknowns() <= MOST_UNKNOWNS
+}
+
+/// Opens the star by an object that grows in small steps, from where it first touches to somewhat more than the largest of `objects`; the
+/// curve ends where a step finds no equilibrium, and is empty without objects. The solver's contact is as before.
+pub(super) fn opening_curve(
+    tube: &Tube,
+    objects: Objects<'_>,
+    (solver, post): (&mut Solver, usize),
+    equilibrium: &Equilibrium,
+) -> Result<Vec<OpeningStep>, ShellFault> {
+    let mut curve = Vec::new();
+    let Some(size) = objects.sizes().last() else { return Ok(curve) };
+    let alone = solver.contact.clone();
+    let mut state = equilibrium.state.clone();
+    let nearest = nearest(&state);
+    let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
+    let last = origin + size / tube.width + BEYOND;
+    let aim = tube.continuation().aim(equilibrium.pressure);
+    let mut radius = nearest;
+    while radius < last {
+        let next = radius + STEP;
+        match open((solver, post), &mut state, aim, [radius, next]) {
+            Ok(()) => {}
+            Err(Stop::Cancelled) => return Err(tube.stopped(Stop::Cancelled, solver.triangles())),
+            Err(_) => break,
+        }
+        radius = next;
+        let force = solver.contact.as_ref().map_or(0.0, |contact| contact.force(post));
+        curve.push(OpeningStep { radius, force });
+    }
+    solver.contact = alone;
+    Ok(curve)
+}
+
+/// Distance of the star's innermost point from the axis.
+fn nearest(state: &State) -> f64 {
+    state.points.iter().map(|x| libm::hypot(x[0], x[1])).fold(f64::INFINITY, f64::min)
+}
+
 /// Round objects that a star is pressed against, smallest first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Objects<'a> {
@@ -43,7 +100,7 @@ pub(super) fn press(
     let (forces, slips) = numbers.split_at_mut(MOST_OBJECTS);
     let mut starts = std::mem::take(beside).into_iter();
     let mut state = equilibrium.state.clone();
-    let nearest = state.points.iter().map(|x| libm::hypot(x[0], x[1])).fold(f64::INFINITY, f64::min);
+    let nearest = nearest(&state);
     let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
     let mut radius = nearest;
     let aim = tube.continuation().aim(equilibrium.pressure);

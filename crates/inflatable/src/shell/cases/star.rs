@@ -6,7 +6,7 @@ use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::extremes::{self, Extremes};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::margin::Margin;
-use crate::shell::cases::objects::{MOST_OBJECTS, Objects, press};
+use crate::shell::cases::objects::{MOST_OBJECTS, Objects, OpeningStep, is_followed, opening_curve, press};
 use crate::shell::cases::refinement::{Evidence, Family, Watch};
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::star_part::{ModelledPart, StarPart};
@@ -18,7 +18,7 @@ use crate::shell::solver::{Equilibrium, Solver};
 /// A flat star, SI units and radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlatStar {
-    /// Its tube; the warp's angle is that to the ray of its first corner.
+    /// The star's tube; the warp's angle is that to the ray of its first corner.
     pub tube: Tube,
     /// Number of points n.
     pub points: u32,
@@ -65,9 +65,12 @@ pub struct InflatedStar {
     /// For each of them how far the corners slide along the object for each unit by which its radius grows, the mean by force: friction mu
     /// changes the force by at most mu times that part of it, to first order.
     pub slips: Vec<Value>,
+    /// The force on a growing object in small steps (radius m, force N) to somewhat more than the largest requested one, on a coarse mesh:
+    /// where it falls, the rims of the corners snap inwards.
+    pub opening: Vec<OpeningStep>,
     /// The hardest loaded places; on the finest mesh.
     pub extremes: Extremes,
-    /// Its modelled sheet at rest.
+    /// The modelled sheet at rest.
     pub shape: InflatedShape,
     /// The evidence for these values.
     pub evidence: Evidence,
@@ -105,7 +108,7 @@ impl FlatStar {
         }
     }
 
-    /// Its `part`, scaled.
+    /// The `part` of the star, scaled.
     pub(super) fn modelled(&self, part: StarPart) -> Result<ModelledPart, ShellFault> {
         Ok(ModelledPart { part, sector: self.sector()?, margin: self.margin.widths(self.tube.width) })
     }
@@ -169,6 +172,7 @@ pub fn star_by_sizes(
     let hold = case.hold(&modelled);
     let family = Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles };
     let (mut places, mut shape) = ([[0.0; 2]; 3], InflatedShape::default());
+    let mut opening = Vec::new();
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, beside| {
         let mut numbers = [0.0; NUMBERS + 2 * MOST_OBJECTS];
         let [tension, stretch] = extremes::extremes(&solver.assembly.sheet, meshed, &equilibrium.state);
@@ -188,6 +192,9 @@ pub fn star_by_sizes(
         }
         press(&case.tube, objects, (solver, post), &centered, (beside, &mut numbers[NUMBERS..]))?;
         solver.contact = alone;
+        if is_followed(solver, &opening) {
+            opening = opening_curve(&case.tube, objects, (solver, post), &centered)?;
+        }
         Ok(numbers)
     })?;
     let w = case.tube.width;
@@ -212,6 +219,10 @@ pub fn star_by_sizes(
             .map(|(r, f)| (*r, f.scaled(sheets * force)))
             .collect(),
         slips: values[NUMBERS + MOST_OBJECTS..][..count].to_vec(),
+        opening: opening
+            .into_iter()
+            .map(|step| OpeningStep { radius: w * step.radius, force: sheets * force * step.force })
+            .collect(),
         extremes: Extremes {
             seal_tension: values[WHOLE].scaled(case.tube.fabric.stretch),
             seal_at,
