@@ -34,13 +34,38 @@ pub struct Piece {
     pub size: [f64; 2],
 }
 
+/// A path with its bounds at each of [`turns`], which are compared with many beds.
+struct TurnedPath {
+    path: Path,
+    bounds: Vec<Bounds>,
+}
+
+impl TurnedPath {
+    fn new(path: Path) -> Self {
+        let bounds = turns().map(|turn| Isometry::rotation(turn).path(&path).bounds()).collect();
+        Self { path, bounds }
+    }
+
+    /// The turn at which the path leaves most of the bed free; of equal ones the first.
+    fn lie(&self, bed: Bed) -> Lie {
+        let mut best: Option<Lie> = None;
+        for (turn, bounds) in turns().zip(&self.bounds) {
+            let spare = spare(bounds, bed);
+            if best.as_ref().is_none_or(|lie| spare > lie.spare + 1e-6) {
+                best = Some(Lie { turn, size: [bounds.width(), bounds.height()], spare });
+            }
+        }
+        best.unwrap_or(Lie { turn: 0.0, size: [0.0; 2], spare: f64::NEG_INFINITY })
+    }
+}
+
 /// A plate with all of its tips cut off, which does not depend on the bed.
 struct Division {
     cuts: Vec<JointCut>,
-    /// What the cuts leave, with all windows.
-    core: Path,
+    /// The middle with all windows, without any tip.
+    core: TurnedPath,
     /// The edges of the tips; fewer than the cuts if one does not cut the plate.
-    tips: Vec<Path>,
+    tips: Vec<TurnedPath>,
 }
 
 impl Division {
@@ -49,9 +74,9 @@ impl Division {
         for cut in &cuts {
             let Some((tip, rest)) = cut.split(&core) else { break };
             core = rest;
-            tips.push(tip);
+            tips.push(TurnedPath::new(tip));
         }
-        Self { cuts, core, tips }
+        Self { cuts, core: TurnedPath::new(core), tips }
     }
 }
 
@@ -77,20 +102,27 @@ impl Pieces {
             let bounds = mask.plate.bounds();
             return Ok(whole(Lie { turn: 0.0, size: [bounds.width(), bounds.height()], spare: 0.0 }));
         };
-        let lie = lie(&mask.plate, bed);
-        if lie.spare >= 0.0 {
-            return Ok(whole(lie));
+        let plate = TurnedPath::new(mask.plate.clone());
+        let pose = plate.lie(bed);
+        if pose.spare >= 0.0 {
+            return Ok(whole(pose));
         }
         let tips = |most| (1..=star.n).filter_map(move |tip| JointCut::new(star, outline, mask, tip, most));
         let divisions: Vec<Division> =
             RADII.into_iter().map(|most| Division::new(tips(most).collect(), &mask.plate)).collect();
-        Self::fitted(&divisions, mask, bed).map_err(|large| large.refusal(bed_for_all(&divisions, mask, bed)))
+        Self::fitted(&divisions, &plate, mask, bed)
+            .map_err(|large| large.refusal(bed_for_all(&divisions, &plate, mask, bed)))
     }
 
     /// The pieces with the largest knobs with which all fit on `bed`, of the divisions with each largest radius.
-    fn fitted(divisions: &[Division], mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
+    fn fitted(
+        divisions: &[Division],
+        plate: &TurnedPath,
+        mask: &MaskPlate,
+        bed: Bed,
+    ) -> Result<Self, TooLarge> {
         // Knobs take room, too: with smaller ones the middle may fit.
-        let mut large = TooLarge { what: "the plate", size: lie(&mask.plate, bed).size };
+        let mut large = TooLarge { what: "the plate", size: plate.lie(bed).size };
         for division in divisions {
             match Self::cut_up(division, mask, bed) {
                 Ok(pieces) => return Ok(pieces),
@@ -102,7 +134,7 @@ impl Pieces {
 
     fn cut_up(division: &Division, mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
         let Division { cuts, core, tips } = division;
-        let too_large = |what, edge: &Path| TooLarge { what, size: lie(edge, bed).size };
+        let too_large = |what, edge: &TurnedPath| TooLarge { what, size: edge.lie(bed).size };
         if tips.len() < cuts.len() {
             return Err(too_large("a tip", core));
         }
@@ -111,19 +143,19 @@ impl Pieces {
         let mut pieces = Self { list: Vec::new(), joints: Vec::new() };
         let mut middle = mask.plate.clone();
         for ((cut, edge), _) in cuts.iter().zip(tips).zip(&kept).filter(|(_, kept)| !**kept) {
-            let lie = lie(edge, bed);
-            if lie.spare < 0.0 {
-                return Err(TooLarge { what: "a tip", size: lie.size });
+            let pose = edge.lie(bed);
+            if pose.spare < 0.0 {
+                return Err(TooLarge { what: "a tip", size: pose.size });
             }
             if let Some((_, rest)) = cut.split(&middle) {
                 middle = rest;
             }
             pieces.joints.extend(cut.joint(&mask.plate));
             pieces.list.push(Piece {
-                edge: edge.clone(),
+                edge: edge.path.clone(),
                 tip: Some(cut.tip),
-                turn: lie.turn,
-                size: lie.size,
+                turn: pose.turn,
+                size: pose.size,
             });
         }
         let bounds = Isometry::rotation(turn).path(&middle).bounds();
@@ -178,32 +210,18 @@ fn spare(bounds: &Bounds, bed: Bed) -> f64 {
     (bed.width.0 - bounds.width()).min(bed.depth.0 - bounds.height())
 }
 
-/// The turn at which `path` leaves most of the bed free; of equal ones the first.
-fn lie(path: &Path, bed: Bed) -> Lie {
-    let mut best: Option<Lie> = None;
-    for turn in turns() {
-        let bounds = Isometry::rotation(turn).path(path).bounds();
-        let spare = spare(&bounds, bed);
-        if best.as_ref().is_none_or(|lie| spare > lie.spare + 1e-6) {
-            best = Some(Lie { turn, size: [bounds.width(), bounds.height()], spare });
-        }
-    }
-    best.unwrap_or(Lie { turn: 0.0, size: [0.0; 2], spare: f64::NEG_INFINITY })
-}
-
 /// The turn at which most tips can stay on the middle, and which; `None` if it does not even fit without any.
-fn most_kept(core: &Path, tips: &[Path], bed: Bed) -> Option<(f64, Vec<bool>)> {
+fn most_kept(core: &TurnedPath, tips: &[TurnedPath], bed: Bed) -> Option<(f64, Vec<bool>)> {
     let mut best: Option<(usize, f64, f64, Vec<bool>)> = None;
-    for turn in turns() {
-        let motion = Isometry::rotation(turn);
-        let mut bounds = motion.path(core).bounds();
+    for (index, (turn, alone)) in turns().zip(&core.bounds).enumerate() {
+        let mut bounds = *alone;
         if spare(&bounds, bed) < 0.0 {
             continue;
         }
         let kept: Vec<bool> = tips
             .iter()
             .map(|tip| {
-                let both = bounds.union(motion.path(tip).bounds());
+                let both = bounds.union(tip.bounds[index]);
                 let fits = spare(&both, bed) >= 0.0;
                 if fits {
                     bounds = both;
@@ -244,14 +262,14 @@ impl TooLarge {
 }
 
 /// A bed on which all pieces fit: `bed`, grown by each piece that is too large for it until none is, or the whole plate fits.
-fn bed_for_all(divisions: &[Division], mask: &MaskPlate, bed: Bed) -> Bed {
+fn bed_for_all(divisions: &[Division], plate: &TurnedPath, mask: &MaskPlate, bed: Bed) -> Bed {
     let mut bed = bed;
     loop {
-        let whole = lie(&mask.plate, bed);
+        let whole = plate.lie(bed);
         if whole.spare >= 0.0 {
             return bed;
         }
-        let Err(TooLarge { size, .. }) = Pieces::fitted(divisions, mask, bed) else { return bed };
+        let Err(TooLarge { size, .. }) = Pieces::fitted(divisions, plate, mask, bed) else { return bed };
         let larger = grown(bed, size);
         // A plate that no joint cuts must fit as a whole, whatever rounding takes.
         bed = if larger == bed { grown(bed, whole.size.map(|side| side + 0.1)) } else { larger };
