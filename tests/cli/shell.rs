@@ -166,6 +166,41 @@ fn a_star_is_a_shell_with_its_mesh_errors() {
 }
 
 #[test]
+fn an_accuracy_selects_the_cheapest_model_that_states_it() {
+    let dir = folder();
+    let search = |accuracy: &str| {
+        let found = json(&run(dir.path(), &["predict", "spec.toml", "--accuracy", accuracy, "--json"]));
+        (found["model"].clone(), found["evidence"]["accuracy"].clone())
+    };
+    let (model, evidence) = search("90 %");
+    assert!(model == "section" && evidence["met"] == true, "{evidence}");
+    assert_eq!(evidence["trials"].as_array().map(Vec::len), Some(1), "no shell is computed: {evidence}");
+    let error = evidence["trials"][0]["error"].as_f64().expect("a range");
+    assert!((0.05..0.9).contains(&error), "{evidence}");
+    // The table does not reach these arms; the shell has no force to state.
+    let far = SPEC
+        .replace("points = 5", "points = 11")
+        .replace("50 mm", "400 mm")
+        .replace("= \"40 deg\"", "= \"10 deg\"");
+    let (free, _) = far.split_once("object_radius").expect("an object");
+    fs::write(dir.path().join("spec.toml"), free).expect("written");
+    let (model, evidence) = search("30 %");
+    assert!(model == "shell" && evidence["met"] == true, "{evidence}");
+    let trials = evidence["trials"].as_array().expect("a list");
+    assert!(trials.len() == 2 && trials[0]["error"].is_null(), "{evidence}");
+    assert!(trials[1]["fineness"] == "coarse" && trials[1]["error"].as_f64() >= Some(0.05), "{evidence}");
+    // Without a pressure there is no error to compare.
+    fs::write(dir.path().join("spec.toml"), free.split_once("[load]").expect("a load").0).expect("written");
+    let refused = run(dir.path(), &["predict", "spec.toml", "--accuracy", "30 %"]);
+    assert!(refused.status.code() == Some(1) && text(&refused.stderr).contains("set `pressure` in [load]"));
+    for options in [["--model", "ring"], ["--fineness", "coarse"], ["--accuracy", "0 %"]] {
+        let mut args = vec!["predict", "spec.toml", "--accuracy", "30 %"];
+        args.extend(options);
+        assert_eq!(run(dir.path(), &args).status.code(), Some(2), "{options:?}");
+    }
+}
+
+#[test]
 fn what_no_shell_answers_is_refused_in_words() {
     let dir = folder();
     let predict = |from: &str, to: &str| {
@@ -187,6 +222,46 @@ fn what_no_shell_answers_is_refused_in_words() {
     assert!(kept(dir.path()).is_empty(), "refusals are not kept");
     let fine = run(dir.path(), &["predict", "spec.toml", "--vtu", "sheet.vtu"]);
     assert_eq!(fine.status.code(), Some(2));
+}
+
+/// A square pillow with `rows` times `rows` islands, 24 mm apart.
+fn islands(rows: u32) -> String {
+    let side = 24 * rows + 24;
+    let mut circles = String::new();
+    for x in 0..rows {
+        for y in 0..rows {
+            let [x, y] = [x, y].map(|place| 42 + 24 * place);
+            circles += &format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"4\"/>");
+        }
+    }
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300mm\" height=\"300mm\" viewBox=\"0 0 300 300\">\
+         <g id=\"air\" fill=\"none\" stroke=\"black\"><rect x=\"20\" y=\"20\" width=\"{side}\" height=\"{side}\"/>{circles}</g>\
+         <g id=\"port\" stroke=\"red\"><path d=\"M16 50h8\"/></g></svg>"
+    )
+}
+
+#[test]
+fn a_large_shell_is_refused_before_it_is_computed() {
+    let dir = folder();
+    let spec = "schema = 1\nname = \"islands\"\n[drawing]\nfile = \"islands.svg\"\n[drawing.layers]\nair = [\"air\"]\n\
+                port = [\"port\"]\n[load]\npressure = \"10 kPa\"\n[accuracy]\nmodel = \"shell\"\n";
+    fs::write(dir.path().join("spec.toml"), spec).expect("written");
+    fs::write(dir.path().join("islands.svg"), islands(6)).expect("written");
+    for command in
+        [&["check", "spec.toml"][..], &["build", "spec.toml", "-o", "out"], &["predict", "spec.toml"]]
+    {
+        let refused = run(dir.path(), command);
+        let message = text(&refused.stderr);
+        assert_eq!(refused.status.code(), Some(1), "{command:?}: {message}");
+        for words in ["unknowns and ", " s; at most 80000 are computed unasked", "--anyway", "--fineness"] {
+            assert!(message.contains(words), "{command:?}: {message}");
+        }
+    }
+    assert!(!dir.path().join("out").exists());
+    // `auto` leaves the shell out, of any size.
+    fs::write(dir.path().join("spec.toml"), spec.replace("\"shell\"", "\"auto\"")).expect("written");
+    assert_eq!(run(dir.path(), &["check", "spec.toml"]).status.code(), Some(0));
 }
 
 #[test]

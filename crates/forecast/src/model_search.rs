@@ -13,7 +13,7 @@ pub struct ModelTrial {
     pub model: &'static str,
     /// Fineness of a shell's meshes.
     pub fineness: Option<&'static str>,
-    /// Its stated error; `None` where it has no answer, or states none.
+    /// Stated error; `None` where it has no answer, or states none.
     pub error: Option<f64>,
 }
 
@@ -71,4 +71,26 @@ impl fmt::Display for AccuracySearch {
 /// A relative error in percent, rounded up to a tenth.
 fn percent(error: f64) -> String {
     rounded((1e3 * error - 1e-9).ceil() / 10.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_search_in_vain_warns_with_the_least_error() {
+        let mut search = AccuracySearch::new(Percent(2.0));
+        assert!(search.warning().expect("not met").ends_with("the least is unknown"));
+        assert!(!search.record("section", None, None));
+        assert!(!search.record("shell", Some(Detail::Coarse), Some(0.3)));
+        assert!(!search.record("shell", Some(Detail::Medium), Some(0.1004)));
+        let warning = search.warning().expect("not met");
+        assert!(warning.contains("at most 2 %") && warning.ends_with("the least is 10.1 %"), "{warning}");
+        assert_eq!(
+            search.to_string(),
+            "for an error of at most 2 %: section unknown, shell coarse 30 %, shell medium 10.1 %"
+        );
+        assert!(search.record("shell", Some(Detail::Fine), Some(0.02)));
+        assert_eq!(search.warning(), None);
+    }
 }

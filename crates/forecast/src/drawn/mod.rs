@@ -36,7 +36,7 @@ pub struct InflatedDrawing {
     /// Both sheets of each chamber on its finest mesh, in m and in the frame of the drawing, in the order of the chambers; empty without the
     /// shell.
     pub surfaces: Vec<Surface>,
-    /// The same upper sheets, with stretch and tension.
+    /// The upper sheets of the chambers, with stretch and tension.
     pub shapes: Vec<InflatedShape>,
 }
 
@@ -50,8 +50,8 @@ pub fn of_spec(
     pieces: &DrawnPieces,
     watch: &Watch<'_>,
 ) -> Result<InflatedDrawing, PredictFault> {
-    let asked = spec.accuracy.model == ModelChoice::Shell;
-    if asked && spec.load.as_ref().is_some_and(|load| load.pressure.is_some()) {
+    let is_requested = spec.accuracy.model == ModelChoice::Shell;
+    if is_requested && spec.load.as_ref().is_some_and(|load| load.pressure.is_some()) {
         return inflate(spec, pieces, Detail::Coarse, watch).map_err(|refusal| match refusal {
             ShellRefusal::Fault(fault) => fault,
             ShellRefusal::Cancelled => {
@@ -76,15 +76,15 @@ pub fn inflate(
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<InflatedDrawing, ShellRefusal> {
-    let found = drawn_chambers(spec, pieces)?;
-    let mut prediction = flat(spec, pieces, &found)?;
-    let placed = measures::placed(spec, &pieces.measures, &found)?;
+    let chambers = drawn_chambers(spec, pieces)?;
+    let mut prediction = flat(spec, pieces, &chambers)?;
+    let placed = measures::placed(spec, &pieces.measures, &chambers)?;
     let pressure = spec.load.as_ref().and_then(|load| load.pressure).ok_or_else(no_pressure)?;
-    refuse_large(&found, detail, pressure, watch)?;
+    refuse_large(&chambers, detail, pressure, watch)?;
     let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
     let mut is_weave_left_out = false;
-    let count = found.len();
-    for (number, (chamber, answer)) in found.iter().zip(&mut prediction.chambers).enumerate() {
+    let count = chambers.len();
+    for (number, (chamber, answer)) in chambers.iter().zip(&mut prediction.chambers).enumerate() {
         let probes = measures::probes(&placed, number);
         let case = FlatRegion { pressure: pressure.pascals(), probes, ..chamber.region.clone() };
         let within = |part: f64, what: &str| {
@@ -93,9 +93,9 @@ pub fn inflate(
                 progress((number as f64 + part) / count as f64, what);
             }
         };
-        let own = Watch { progress: Some(&within), ..watch.clone() };
-        let inflated =
-            region(&case, chamber.fineness(detail), &own).map_err(|why| not_inflated(&why, answer, count))?;
+        let chamber_watch = Watch { progress: Some(&within), ..watch.clone() };
+        let inflated = region(&case, chamber.fineness(detail), &chamber_watch)
+            .map_err(|why| not_inflated(&why, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles == Wrinkles::Averaged;
         answer.fill(&inflated, pieces, pressure, spec.fabric.seal_strength);
         measures::fill(&placed, &mut prediction.measures, number, &inflated);
@@ -146,7 +146,7 @@ fn refuse_large(
         region.unknowns(chamber.fineness(detail))
     });
     let unknowns: f64 = sizes.sum();
-    let size = format!("about {} unknowns and {}", Readable(unknowns.round()), duration(seconds(unknowns)));
+    let size = format!("about {} unknowns and {}", thousands(unknowns), duration(seconds(unknowns)));
     let most = watch.most_unknowns.unwrap_or(f64::INFINITY);
     if unknowns <= most {
         if let Some(progress) = watch.progress {
@@ -156,11 +156,16 @@ fn refuse_large(
     }
     let what = format!(
         "the shell of this drawing is large: {size}; at most {} are computed unasked",
-        Readable(most)
+        thousands(most)
     );
-    let remedy = "`check --anyway`, or `predict` with a `--fineness`, computes it; fewer islands need less; `model = \"auto\"` leaves the \
-                  shell out";
+    let remedy = "`check` and `build` compute it with `--anyway`, `predict` with a `--fineness`; fewer islands need less; \
+                  `model = \"auto\"` leaves the shell out";
     Err(PredictFault { remedy: Some(remedy.to_owned()), ..PredictFault::new(key::accuracy::MODEL, what) })
+}
+
+/// A number of unknowns, rounded to thousands.
+fn thousands(unknowns: f64) -> Readable {
+    Readable(1e3 * (unknowns / 1e3).round())
 }
 
 /// `seconds` in words: "40 s", "7 min", "3 h".
