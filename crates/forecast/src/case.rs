@@ -1,6 +1,6 @@
 //! The inputs of a spec for one star, in SI units: the only conversion from mm to m and from kPa to Pa.
 
-use crate::ranges::Interval;
+use crate::interval::Interval;
 use design::{Meeting, Star};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::star::{Correction, Mechanism};
@@ -103,25 +103,25 @@ impl Case {
     /// The case of `star`, one of the stars of `spec`.
     ///
     /// # Errors
-    /// As for [`Case::new`].
+    /// The errors of [`Case::new`].
     pub fn of(spec: &Spec, star: &Star) -> Result<Self, StarFault> {
         Self::new(star, &spec.fabric, &spec.seal, spec.load.as_ref())
     }
 
-    /// The same star around a cylinder of `radius`, m.
+    /// This star around a cylinder of `radius`, m.
     #[must_use]
     pub fn around(self, radius: f64) -> Self {
         Self { object: Some(radius), entering: Some(radius), ..self }
     }
 
-    /// The same star meeting the object as `meeting` specifies; unchanged for `None`.
+    /// This star meeting the object as `meeting` specifies; unchanged for `None`.
     #[must_use]
     pub fn meeting(self, meeting: Option<Meeting>) -> Self {
         let metres = |of: fn(&Meeting) -> f64| meeting.as_ref().map(|one| Length(of(one)).metres());
         Self { object: metres(|one| one.radius), entering: metres(|one| one.entering), ..self }
     }
 
-    /// The same star above a plate with an `opening` of this radius, mm.
+    /// This star above a plate with an `opening` of this radius, mm.
     #[must_use]
     pub fn above_plate(self, opening: Option<f64>) -> Self {
         Self { opening: opening.map(|radius| Length(radius).metres()), ..self }

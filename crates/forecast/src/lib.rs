@@ -35,6 +35,7 @@ pub mod charts;
 pub mod drawn;
 mod evidence;
 mod folding;
+pub mod interval;
 pub mod keys;
 mod load_check;
 pub mod meshed;

@@ -4,7 +4,7 @@
 //! `test` gave the pairs, all strictly, without the shells' mesh errors: the ranges hold 98 % of the radii, angles, stiffnesses and forces, and
 //! 93 % at each n, of the forces at each n and opening. The hinges' are of single hinges that the table of arms does not hold (docs/models.md).
 
-use crate::ranges::Interval;
+use crate::interval::Interval;
 use inflatable::mechanics::star::correction;
 
 /// The shell's radius less the predicted one, over W / sin(pi/n) and [`radius_unit`].
@@ -92,9 +92,9 @@ fn from_middle(points: u32) -> f64 {
 /// By how much ranges are wider where they end: it grows in proportion to the logarithm of the factor by which a star lies outside of what was
 /// tried.
 pub const BEYOND: f64 = 4.0;
-/// The same for thin fabric, of which half of the stars of the set `wide` are.
+/// The factor for thin fabric, of which half of the stars of the set `wide` are.
 pub const BEYOND_THIN: f64 = 3.0;
-/// The same for points, arms and holes. With both, 95 % of the radii, angles and stiffnesses of stars 1 to 40 of the set `wide` lie strictly in
+/// The factor for points, arms and holes. With both, 95 % of the radii, angles and stiffnesses of stars 1 to 40 of the set `wide` lie strictly in
 /// their ranges, each star predicted from all others.
 pub const BEYOND_SIZES: f64 = 2.5;
 /// Where ranges end in a quantity without computed stars further out: outside of what was tried by this factor.

@@ -6,12 +6,10 @@
 //! of high pressure, `fit`, `ring` and `bvp`, have no range: no gripper works there.
 
 pub mod errors;
-mod interval;
 pub mod shown;
 
-pub use interval::{Interval, mm, scaled, sum};
-
 use crate::case::{Case, Hinges};
+use crate::interval::Interval;
 use inflatable::mechanics::hinge::Level;
 use inflatable::mechanics::star::grasp::Grasp;
 use inflatable::mechanics::star::response::{Inflated, Rest};
@@ -86,7 +84,7 @@ impl Ranges {
         Some([low.min(thin[0]), high.max(thin[1])])
     }
 
-    /// The same bounded by `edge`, the ranges of the star at its [`pressure_edge`]; `rests` are the final
+    /// These ranges bounded by `edge`, the ranges of the star at its [`pressure_edge`]; `rests` are the final
     /// radii at the star's own pressure and at the edge, m.
     ///
     /// If the model closes the star further than at the edge, a shell closes it at least as far; if the model opens it,
@@ -119,7 +117,7 @@ impl Ranges {
         Some([floors.fold(low, f64::max), high])
     }
 
-    /// The same of this object alone.
+    /// The range of the force on this object alone, without the edge.
     fn force_alone(&self, grasp: &Grasp, force: f64, rho: f64, rest: &Rest) -> Option<Interval> {
         let [near, far] = self.radius?;
         let opened = (rho - rest.radius) / grasp.width();
@@ -152,8 +150,8 @@ pub(super) fn grown(floor: f64, there: f64, here: f64) -> f64 {
 
 /// Whether stars like `case` were computed as shells, and the factor on the width of its ranges; `None` if too far outside.
 fn domain(case: &Case, inflated: &Inflated<'_>) -> Option<(Domain, f64)> {
-    let known = inflated.has_arms() && inflated.level() == Level::Section;
-    let pressure = case.pressure.filter(|_| known)?;
+    let is_sectioned = inflated.has_arms() && inflated.level() == Level::Section;
+    let pressure = case.pressure.filter(|_| is_sectioned)?;
     let wider = widening(&places(case, pressure))?;
     Some((if wider > 1.0 { Domain::Extrapolated } else { Domain::Validated }, wider))
 }
@@ -203,7 +201,7 @@ impl TriedRatio {
         (self.far() <= EXACT).then(|| self.widens_on())
     }
 
-    /// The same, which widens on at that rate further out.
+    /// A ratio that widens on at that rate further out.
     pub(super) fn widens_on(&self) -> f64 {
         1.0 + (self.wider - 1.0) * self.far()
     }
@@ -223,11 +221,11 @@ pub(super) fn widening<'a>(places: impl IntoIterator<Item = &'a TriedRatio>) -> 
 pub fn pressure_edge(case: &Case) -> Option<f64> {
     let pressure = case.pressure?;
     let places = places(case, pressure);
-    let own = places.iter().find(|place| place.what == BENDABILITY && place.x > place.tried[1])?;
+    let place = places.iter().find(|place| place.what == BENDABILITY && place.x > place.tried[1])?;
     let by_sizes = places.iter().filter(|place| place.what != BENDABILITY);
-    let far = (widening(by_sizes)? - 1.0) / (own.wider - 1.0);
-    let edge = own.tried[1] * libm::pow(own.reached[1] / own.tried[1], far);
-    (own.x > EXACT * edge && own.x.is_finite()).then(|| pressure * edge / own.x)
+    let distance = (widening(by_sizes)? - 1.0) / (place.wider - 1.0);
+    let edge = place.tried[1] * libm::pow(place.reached[1] / place.tried[1], distance);
+    (place.x > EXACT * edge && place.x.is_finite()).then(|| pressure * edge / place.x)
 }
 
 /// The name of 1/eps among the numbers by which a star lies inside or outside.

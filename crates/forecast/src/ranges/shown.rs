@@ -1,6 +1,6 @@
 //! Values with their ranges or mesh errors as a person reads them: "12 N, 9 to 15", with as many digits as those leave.
 
-use crate::ranges::Interval;
+use crate::interval::Interval;
 use spec::units::Readable;
 use std::fmt::Write;
 
@@ -50,23 +50,24 @@ pub fn with_limit(value: f64, [low, high]: Interval, unit: &str, limit: Option<f
     let fine = if low < step && low >= 0.1 * step { 0.1 * step } else { step };
     let ends = [end(low, fine, f64::floor, limit), end(high, step, f64::ceil, limit)];
     let [low, high] = ends.map(|(end, step)| text(end, step));
-    let own = step_of(value, fine);
+    let step_of_value = step_of(value, fine);
     let inside = |step: f64| {
         let (value, slack) = ((value / step).round() * step, 1e-6 * step);
         ends[0].0 <= value + slack && value <= ends[1].0 + slack
     };
-    let own = finer(own).find(|step| inside(*step)).unwrap_or(own);
-    format!("{}{gap}{unit}, {low} to {high}", text(value, own))
+    let step_of_value = finer(step_of_value).find(|step| inside(*step)).unwrap_or(step_of_value);
+    format!("{}{gap}{unit}, {low} to {high}", text(value, step_of_value))
 }
 
 /// The end `x` of a range, rounded by `round` to `step`, or to a finer one that leaves it on its side of `limit`; and that step.
 fn end(x: f64, step: f64, round: fn(f64) -> f64, limit: Option<f64>) -> (f64, f64) {
-    let at = |step: f64| round(x / step) * step;
-    let is_kept =
-        |step: f64| limit.is_none_or(|limit| (at(step) < limit, at(step) > limit) == (x < limit, x > limit));
+    let rounded = |step: f64| round(x / step) * step;
+    let is_kept = |step: f64| {
+        limit.is_none_or(|limit| (rounded(step) < limit, rounded(step) > limit) == (x < limit, x > limit))
+    };
     // An end within a millionth of a step of the limit is printed as any other.
     let step = finer(step).find(|step| is_kept(*step)).unwrap_or(step);
-    (at(step), step)
+    (rounded(step), step)
 }
 
 /// `step`, and up to six digits more.
