@@ -6,11 +6,12 @@ use std::io::stdout;
 use serde_json::{Value, json};
 
 use crate::cli::terminal::width;
+use forecast::interval::mm;
 use forecast::optimize::{
     Constraints, Evaluation, SEARCHED, SearchResult, is_at_pressure, shortfalls, thinned,
 };
 use forecast::outcome::{Grip, Outcome};
-use forecast::ranges::{mm, shown};
+use forecast::ranges::shown;
 use spec::ModelChoice;
 use spec::units::Length;
 

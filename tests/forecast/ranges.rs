@@ -3,9 +3,10 @@
 use crate::{case, close, gripper};
 use stargrip_cam::design::Star;
 use stargrip_cam::forecast::case::{Case, mechanism};
+use stargrip_cam::forecast::interval::sum;
 use stargrip_cam::forecast::model_selection::{corrected, tabled};
 use stargrip_cam::forecast::outcome::Outcome;
-use stargrip_cam::forecast::ranges::{Domain, errors, pressure_edge, sum};
+use stargrip_cam::forecast::ranges::{Domain, errors, pressure_edge};
 use stargrip_cam::mechanics::star::response::Inflated;
 use stargrip_cam::spec::StarSpec;
 use stargrip_cam::units::{Angle, Length};

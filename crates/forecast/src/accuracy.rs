@@ -6,9 +6,9 @@
 //! a wrong number, so its shells state at least their typical distance from the finest ones (docs/trade.md).
 
 use crate::drawn::prediction::{ChamberPrediction, DrawnPrediction};
+use crate::interval::Interval;
 use crate::meshed::MeshedValue;
 use crate::prediction::{Prediction, StarPrediction};
-use crate::ranges::Interval;
 use crate::shell::{Detail, least_errors};
 
 /// The stated error of `prediction`, by shells with meshes of `detail`; `None` where one of the requested numbers has none.

@@ -3,9 +3,10 @@
 //! All models of a hinge answer here through [`HingeModel`]. They have no arms, so the volume of the whole
 //! actuator is `None`.
 
+use crate::interval::{Interval, scaled};
 use crate::keys::{keyed, kinds};
 use crate::model_selection::{ARMS_LET_OUT, hinge_model};
-use crate::ranges::{Interval, errors, scaled, shown};
+use crate::ranges::{errors, shown};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::{Hinge, HingeModel, HingeState, Level};
 use inflatable::mechanics::strength::ElasticSheet;
@@ -29,7 +30,7 @@ pub struct Actuator {
 }
 
 impl Actuator {
-    /// Its hinge.
+    /// The hinge between the arms.
     fn hinge(&self) -> Hinge {
         Hinge { r_star: self.radius / self.width, width: self.width, rest_angle: self.angle }
     }
@@ -185,11 +186,11 @@ pub fn actuate(actuator: &Actuator, level: Level, angles: &[f64]) -> Result<Actu
     let rest = hinge.rest(model)?;
     let angle = hinge.angle_of(model, &rest);
     let ranges = ranges(actuator, model, &rest, angle);
-    let held = angles.iter().map(|phi| {
+    let moments = angles.iter().map(|phi| {
         let state = hinge.state_at(model, *phi)?;
         Ok([phi.to_degrees(), -hinge.moment(pressure, &state)])
     });
-    let held = held.collect::<Result<Vec<_>, StarFault>>()?;
+    let moments = moments.collect::<Result<Vec<_>, StarFault>>()?;
     Ok(ActuatorPrediction {
         model: model.level().name(),
         bendability: sheet.bendability(pressure, width),
@@ -198,7 +199,7 @@ pub fn actuate(actuator: &Actuator, level: Level, angles: &[f64]) -> Result<Actu
         coiling: hinge.coiling(angle),
         volume_mm3: None,
         stiffness_Nm: hinge.stiffness(pressure, &rest),
-        moment: (!angles.is_empty()).then_some(held),
+        moment: (!angles.is_empty()).then_some(moments),
         ranges: ranges.unwrap_or_default(),
         evidence: ActuatorEvidence {
             residual: rest.effort.residual,
@@ -247,7 +248,7 @@ fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64, has_ranges:
     let limit = model.level() != Level::Section;
     let hinge = actuator.hinge();
     let without_arms = format!("the hinge is computed without arms, with which it would coil {ARMS_LET_OUT}");
-    let known = [
+    let conditions = [
         (
             limit,
             "the model is the limit of a membrane that neither bends nor stretches: a hinge at this pressure is stiffer",
@@ -259,8 +260,8 @@ fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64, has_ranges:
         ),
         (angle < 0.0, "the arms touch before the hinge reaches its rest angle"),
     ];
-    let known = known.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned());
-    let mut warnings: Vec<String> = known.chain(short_arms(actuator)).collect();
+    let conditions = conditions.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned());
+    let mut warnings: Vec<String> = conditions.chain(short_arms(actuator)).collect();
     if !has_ranges && warnings.is_empty() {
         let ([arm_least, arm_most], [arc_least, arc_most]) = (errors::ACTUATOR_ARM, errors::ARC);
         warnings.push(format!(

@@ -1,11 +1,11 @@
 //! One design among many: the same closed forms as a prediction's, by the section's table, in a few microseconds.
 
 use crate::case::Case;
+use crate::interval::{Interval, scaled};
 use crate::model_selection::tabled;
 use crate::outcome::Outcome;
 use crate::payload::{Bearers, stack_payload};
 use crate::prediction::StackPayload;
-use crate::ranges::{Interval, scaled};
 use crate::seal_load::burst;
 use design::{Meeting, Object, Refusal, RefusalCode, SHEETS, Star, cut_area, opening};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
@@ -141,20 +141,20 @@ impl Candidate {
         })
     }
 
-    /// The same, with the outcome from `known`, which gives the case its model's corrections; `None` where the model does not cover it.
+    /// The answer with the outcome from `known`, which gives the case its model's corrections; `None` where the model does not cover it.
     ///
     /// # Errors
-    /// As for [`Candidate::answer`].
+    /// The errors of [`Candidate::answer`].
     pub(super) fn answer_by(
         &self,
         ring: &RingTable,
         known: impl Fn(&mut Case) -> Result<Option<Outcome>, StarFault>,
     ) -> Result<Answer, RefusedDesign> {
         let star = Star::for_band(&self.star, self.seal.band)?;
-        let asked = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?
+        let case = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?
             .above_plate(Some(opening([self.star.inner_radius.0], self.clearance.0)));
-        let met = self.different_cases(&star, &asked)?;
-        let mut case = met.first().map_or(asked, |(case, _)| *case);
+        let met = self.different_cases(&star, &case)?;
+        let mut case = met.first().map_or(case, |(case, _)| *case);
         let outcome = known(&mut case)?;
         let mut grip = outcome;
         let mut payload = payload_of_equal(outcome.as_ref(), self.stars);
@@ -190,8 +190,8 @@ impl Candidate {
     fn different_cases(&self, star: &Star, asked: &Case) -> Result<Vec<(Case, Vec<f64>)>, RefusedDesign> {
         let object = Object::of(&self.load).filter(|_| self.stars > 1);
         if self.unequal.is_empty() {
-            let met = object.map_or_else(Vec::new, |object| self.different_meetings(&object, star));
-            return Ok(met
+            let meetings = object.map_or_else(Vec::new, |object| self.different_meetings(&object, star));
+            return Ok(meetings
                 .into_iter()
                 .map(|(meeting, slopes)| (asked.meeting(Some(meeting)), slopes))
                 .collect());
@@ -205,11 +205,11 @@ impl Candidate {
             heights.push(heights[heights.len() - 1] + star.pitch.0);
         }
         let holes: Vec<f64> = stars.iter().map(|star| star.hole(&self.seal)).collect();
-        let met = object.map(|object| object.meetings(&heights, &holes));
+        let meetings = object.map(|object| object.meetings(&heights, &holes));
         let case = |(i, star): (usize, &Star)| {
-            let beside = self.unequal.iter().take(i + 1).skip(i.saturating_sub(1));
-            let opening = opening(beside.map(|star| star.inner_radius.0), self.clearance.0);
-            let meeting = met.as_ref().and_then(|met| met.get(i)).copied();
+            let neighbours = self.unequal.iter().take(i + 1).skip(i.saturating_sub(1));
+            let opening = opening(neighbours.map(|star| star.inner_radius.0), self.clearance.0);
+            let meeting = meetings.as_ref().and_then(|meetings| meetings.get(i)).copied();
             let case =
                 Case::new(star, &self.fabric, &self.seal, Some(&self.load))?.above_plate(Some(opening));
             Ok((case.meeting(meeting), vec![meeting.map_or(0.0, |meeting| meeting.slope)]))
@@ -220,15 +220,15 @@ impl Candidate {
     /// The contacts of its equal stars with `object`, each with the slopes of the object at such stars, the lowest star's first; empty where
     /// all meet its middle.
     fn different_meetings(&self, object: &Object, star: &Star) -> Vec<(Meeting, Vec<f64>)> {
-        let mut met: Vec<(Meeting, Vec<f64>)> = Vec::new();
+        let mut meetings: Vec<(Meeting, Vec<f64>)> = Vec::new();
         for meeting in object.equal_meetings(self.stars, self.star.pitch.0, star.hole(&self.seal)) {
-            match met.iter_mut().find(|(like, _)| like.is_like(&meeting)) {
+            match meetings.iter_mut().find(|(like, _)| like.is_like(&meeting)) {
                 Some((_, slopes)) => slopes.push(meeting.slope),
-                None => met.push((meeting, vec![meeting.slope])),
+                None => meetings.push((meeting, vec![meeting.slope])),
             }
         }
-        if met.len() > 1 || met.iter().any(|(meeting, _)| meeting.radius < meeting.entering) {
-            met
+        if meetings.len() > 1 || meetings.iter().any(|(meeting, _)| meeting.radius < meeting.entering) {
+            meetings
         } else {
             Vec::new()
         }
@@ -251,7 +251,7 @@ impl Candidate {
 }
 
 impl Answer {
-    /// The same of a stack of `count` stars that all meet the object as this one does.
+    /// The answer of a stack of `count` stars that all meet the object as this one does.
     #[must_use]
     pub fn of_stars(mut self, count: u32) -> Self {
         let payload = payload_of_equal(self.grip.as_ref(), count);
@@ -388,11 +388,11 @@ mod tests {
             let design = Design::new(&spec, &machine).expect("makeable");
             let full = predict(&spec, &design).expect("predictable");
             let fast = Candidate::of(&spec).expect("a star").answer(&table).expect("feasible");
-            let met: Vec<f64> = full.stars.iter().filter_map(|star| star.object_radius_mm).collect();
+            let radii: Vec<f64> = full.stars.iter().filter_map(|star| star.object_radius_mm).collect();
             let end = f64::max(radius * radius - pitch * pitch, 0.0).sqrt();
             assert!(
-                (met[0] - end).abs() < 1e-9 && (met[1] - radius).abs() < 1e-9 && met[2] == met[0],
-                "{met:?}"
+                (radii[0] - end).abs() < 1e-9 && (radii[1] - radius).abs() < 1e-9 && radii[2] == radii[0],
+                "{radii:?}"
             );
             let forces: Vec<f64> = full.stars.iter().filter_map(|star| star.object_force_N).collect();
             assert!(forces[0] < forces[1] && forces[2] == forces[0], "{forces:?}");

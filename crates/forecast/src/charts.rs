@@ -6,10 +6,10 @@
 use serde::Serialize;
 
 use crate::case::Case;
+use crate::interval::{Interval, mm};
 use crate::model_selection::{corrected, named_limit, of_spec};
 use crate::outcome::Outcome;
 use crate::pose::{Pose, at_angle, held};
-use crate::ranges::{Interval, mm};
 use design::{Design, Meeting, PlacedPart, Star};
 use inflatable::mechanics::fault::HingeFault;
 use inflatable::mechanics::hinge::{Arms, HingeModel, HingeState, Level};
@@ -95,17 +95,17 @@ pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
     let meetings = design.meetings(spec);
     let of_star = |placed: &PlacedPart| {
         let star = &design.part(placed).star;
-        let asked = spec.stars.get(placed.index - 1)?;
+        let star_spec = spec.stars.get(placed.index - 1)?;
         // The object's radius that this star meets, as in its prediction.
         let meeting = meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();
         let case = Case::of(spec, star).ok()?.meeting(meeting);
-        let own = Question { chosen: spec.accuracy.model, case, star };
+        let question = Question { chosen: spec.accuracy.model, case, star };
         Some(Charts {
             star: placed.index,
-            model: named_limit(own.chosen).unwrap_or(Level::Section).name(),
-            by_pressure: (1..=PRESSURES).filter_map(|k| own.at_pressure(k)).collect(),
-            by_radius: own.by_radius().unwrap_or_default(),
-            by_points: own.by_points(spec, asked, meeting).unwrap_or_default(),
+            model: named_limit(question.chosen).unwrap_or(Level::Section).name(),
+            by_pressure: (1..=PRESSURES).filter_map(|k| question.at_pressure(k)).collect(),
+            by_radius: question.by_radius().unwrap_or_default(),
+            by_points: question.by_points(spec, star_spec, meeting).unwrap_or_default(),
         })
     };
     design.firsts().filter_map(of_star).collect()
@@ -157,11 +157,11 @@ impl Question<'_> {
         let model = self.model(pressure)?;
         let case = corrected(&self.case, &*model).ok()?;
         let inflated = Inflated::new(&case.mechanism, &*model, pressure).ok()?;
-        let own = Outcome::linear(&case, &inflated);
-        let [least, most] = own.graspable;
+        let linear = Outcome::linear(&case, &inflated);
+        let [least, most] = linear.graspable;
         // The arms lock where the star opens widest.
-        let most = if most < own.rest.widest.radius { most } else { least + SHOWN * (most - least) };
-        let at = |k: u32| {
+        let most = if most < linear.rest.widest.radius { most } else { least + SHOWN * (most - least) };
+        let with_radius = |k: u32| {
             let rho = least + (most - least) * f64::from(k) / f64::from(RADII);
             let outcome = Outcome::linear(&case.around(rho.min(most)), &inflated);
             Some(AtRadius {
@@ -170,14 +170,14 @@ impl Question<'_> {
                 force_range_N: outcome.force_range,
             })
         };
-        Some((0..=RADII).filter_map(at).collect())
+        Some((0..=RADII).filter_map(with_radius).collect())
     }
 
     fn by_points(&self, spec: &Spec, asked: &StarSpec, meeting: Option<Meeting>) -> Option<Vec<AtPoints>> {
         let pressure = self.case.pressure?;
         // Targets hang on R*, the pressure and the width, not on how many hinges there are.
         let model = self.model(pressure)?;
-        let at = |points: u32| {
+        let with_points = |points: u32| {
             let star = Star::new(&StarSpec { points, inlet_tip: 1, ..asked.clone() }).ok()?;
             let (case, outcome) = Outcome::of(&Case::of(spec, &star).ok()?.meeting(meeting), &*model).ok()?;
             outcome.known.then(|| AtPoints {
@@ -187,8 +187,8 @@ impl Question<'_> {
                 object_force_N: outcome.object_force(),
             })
         };
-        let own = std::iter::once(asked.points).filter(|points| !POINTS.contains(points));
-        Some(POINTS.chain(own).filter_map(at).collect())
+        let further = std::iter::once(asked.points).filter(|points| !POINTS.contains(points));
+        Some(POINTS.chain(further).filter_map(with_points).collect())
     }
 }
 
@@ -208,8 +208,8 @@ impl HingeModel for ModelTargets {
     }
 
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
-        let known = self.targets.iter().find(|(own, _)| *own == r_star);
-        known.map_or_else(|| self.model.target(r_star), |(_, state)| Ok(*state))
+        let target = self.targets.iter().find(|(own, _)| *own == r_star);
+        target.map_or_else(|| self.model.target(r_star), |(_, state)| Ok(*state))
     }
 
     fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {

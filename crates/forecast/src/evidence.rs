@@ -1,8 +1,8 @@
 //! The evidence for a prediction: the model, its numerical errors, and what was found about the seal and the object.
 
 use crate::case::Hinges;
+use crate::interval::Interval;
 use crate::model_search::AccuracySearch;
-use crate::ranges::Interval;
 use crate::seal_load::Bursting;
 use serde::Serialize;
 

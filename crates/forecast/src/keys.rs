@@ -26,13 +26,13 @@ pub enum KeyKind {
 /// One key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Key {
-    /// Its name, with the unit.
+    /// Name of the key, with the unit.
     pub name: &'static str,
-    /// Its type.
+    /// Type of the value.
     pub kind: KeyKind,
     /// Whether every answer has this key. Otherwise it may be null or absent.
     pub always: bool,
-    /// Its meaning, in sentences.
+    /// Meaning of the value, in sentences.
     pub about: &'static str,
 }
 

@@ -1,9 +1,9 @@
 //! Reasons why a gripper does not suit the load of its own spec: the found value, the allowed value, and the remedy.
 
+use crate::interval::Interval;
 use crate::payload::limit_in_words;
 use crate::prediction::StackPayload;
 use crate::prediction::StarPrediction;
-use crate::ranges::Interval;
 use crate::ranges::shown::{apart, or_unknown};
 use crate::seal_load::{Bursting, bursts_at};
 use design::{Object, Refusal, RefusalCode, does_not_enter};
@@ -158,10 +158,10 @@ pub(super) fn bursts(load: &Load, star: &StarPrediction) -> Option<Refusal> {
     let less = star.evidence.safe_pressure_kPa.map(|kpa| format!("at most {} kPa", Most(kpa)));
     let round = star.evidence.safe_radius_mm;
     let round = round.map(|mm| format!("tip_radius and corner_radius of at least {}", Length(mm)));
-    let found = bursts_at(pressure, burst, range);
+    let finding = bursts_at(pressure, burst, range);
     let other = "a stronger seal or a smaller tube_width".to_owned();
     let remedy = [less, round, Some(other)].into_iter().flatten().collect::<Vec<_>>().join(", or ");
-    Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, found, remedy))
+    Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, finding, remedy))
 }
 
 /// A star presses with `low` to `high` N, and the object bears `bears` N.
@@ -181,7 +181,7 @@ pub(super) fn too_hard([low, high]: Interval, bears: f64) -> Refusal {
 /// All stars press with `low` to `high` N together and carry `payload`, and friction needs `needed` N to hold the mass of `load`.
 pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64, payload: StackPayload) -> Refusal {
     let [needed, high] = apart(needed, high);
-    let found = format!("friction needs {needed} N, but at most {high} N are predicted");
+    let finding = format!("friction needs {needed} N, but at most {high} N are predicted");
     let mut ways = Vec::new();
     if let Some((_, mass)) = load.friction_range().zip(load.mass) {
         ways.extend(lighter(payload));
@@ -196,7 +196,7 @@ pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64, payload
         }
     }
     ways.push("more stars, or a wider star with more pressure".to_owned());
-    Refusal::new(key::load::MASS, RefusalCode::TooHeavy, found, ways.join("; or "))
+    Refusal::new(key::load::MASS, RefusalCode::TooHeavy, finding, ways.join("; or "))
 }
 
 /// `stars` press hard enough for friction, but carry only `payload`, which is less than the mass of `load`.
@@ -204,11 +204,11 @@ pub(super) fn too_heavy_for_stars(load: &Load, stars: &[StarPrediction], payload
     let [mass, most] =
         apart(load.mass.map_or(0.0, |mass| mass.0), payload.range_kg.map_or(0.0, |range| range[1]));
     let why = limit_in_words(load, stars, payload, 1).unwrap_or_default();
-    let found = format!("they carry at most {most} kg of the {mass} kg: {why}");
+    let finding = format!("they carry at most {most} kg of the {mass} kg: {why}");
     let other = "more stars, of which those at and below the object's middle press hardest; a wider tube with more pressure; or a smaller \
                  clearance in [frame]";
     let ways: Vec<String> = lighter(payload).into_iter().chain([other.to_owned()]).collect();
-    Refusal::new(key::load::MASS, RefusalCode::TooHeavy, found, ways.join("; or "))
+    Refusal::new(key::load::MASS, RefusalCode::TooHeavy, finding, ways.join("; or "))
 }
 
 /// `stars` press hard enough for friction, but may carry less than the mass of `load`: `payload`. In words.

@@ -45,10 +45,10 @@ pub(super) fn correct(case: &mut Case, model: &dyn HingeModel) -> Result<(), Hin
     correct_by(case, model, Correction::new)
 }
 
-/// The same with the correction that `make` makes of the star, its hinges' inflated width over W, and its ratios.
+/// The case with the correction that `make` makes of the star, its hinges' inflated width over W, and its ratios.
 ///
 /// # Errors
-/// As for [`corrected`].
+/// The errors of [`corrected`].
 pub fn correct_by(
     case: &mut Case,
     model: &dyn HingeModel,

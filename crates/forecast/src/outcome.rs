@@ -2,9 +2,10 @@
 
 use crate::case::Case;
 use crate::folding::until_arms_fold;
+use crate::interval::Interval;
 use crate::model_selection::{correct, tabled};
 use crate::ranges::errors::OPENING_REACHED;
-use crate::ranges::{Domain, Interval, Ranges, grown, pressure_edge};
+use crate::ranges::{Domain, Ranges, grown, pressure_edge};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::HingeModel;
 use inflatable::mechanics::star::grasp::Grasp;
@@ -99,10 +100,10 @@ impl Outcome {
         Ok((case, outcome))
     }
 
-    /// The same; `case` gets the model's corrections.
+    /// The outcome of `case`, which gets the model's corrections.
     ///
     /// # Errors
-    /// As for [`Outcome::of`].
+    /// The errors of [`Outcome::of`].
     pub fn correcting(case: &mut Case, model: &dyn HingeModel) -> Result<Self, StarFault> {
         correct(case, model)?;
         // Angles and radii of a limit do not depend on the pressure: without one, any will do.
@@ -119,21 +120,22 @@ impl Outcome {
     pub fn linear(case: &Case, inflated: &Inflated<'_>) -> Self {
         let rest = inflated.linear_rest();
         let grasp = case.object.and_then(|_| inflated.grasp(&rest));
-        let own = Self::at(case, rest, |rho, rest| inflated.linear_force_by(grasp.as_ref(), rho, rest));
-        let ranges = Ranges::new(case, inflated, &own.rest);
+        let outcome = Self::at(case, rest, |rho, rest| inflated.linear_force_by(grasp.as_ref(), rho, rest));
+        let ranges = Ranges::new(case, inflated, &outcome.rest);
         let edge = if ranges.domain == Domain::Extrapolated { at_the_edge(case) } else { None };
         let ranges =
-            edge.map_or(ranges, |edge| ranges.bounded(&edge.ranges, [own.rest.radius, edge.rest.radius]));
-        let force_range = own.force_range(case, (grasp.as_ref(), edge.as_ref()), &ranges);
+            edge.map_or(ranges, |edge| ranges.bounded(&edge.ranges, [outcome.rest.radius, edge.rest.radius]));
+        let force_range = outcome.force_range(case, (grasp.as_ref(), edge.as_ref()), &ranges);
         // The friction does not depend on the force, and either may be at its end: at least what the lower ends hold, at most what the upper.
         let payload_range = case.friction_range.zip(force_range).map(|(friction, force)| {
-            [0, 1]
-                .map(|end: usize| until_arms_fold(payload(friction[end], [1.0]) * force[end], own.wrinkling))
+            [0, 1].map(|end: usize| {
+                until_arms_fold(payload(friction[end], [1.0]) * force[end], outcome.wrinkling)
+            })
         });
-        let own = Self { ranges, force_range, payload_range, ..own };
-        let flap = case.largest_force.and_then(|_| own.flap_force(case, inflated, grasp.as_ref()));
-        let own = Self { flap, ..own };
-        if case.mechanism.correction.corner_compliance { own.as_far_as_known() } else { own }
+        let outcome = Self { ranges, force_range, payload_range, ..outcome };
+        let flap = case.largest_force.and_then(|_| outcome.flap_force(case, inflated, grasp.as_ref()));
+        let outcome = Self { flap, ..outcome };
+        if case.mechanism.correction.corner_compliance { outcome.as_far_as_known() } else { outcome }
     }
 
     /// The force while the flap stays straight, by `grasp`; `None` without an object that the star presses on or may reach.
@@ -210,25 +212,25 @@ impl Outcome {
         [low, high]: Interval,
     ) -> Interval {
         let floor = || {
-            let (edge, here) = (edge?, self.object_force()?);
+            let (edge, force) = (edge?, self.object_force()?);
             let ([floor, _], there) = (edge.force_range?, edge.object_force()?);
-            let left = (edge.rest.radius + OPENING_REACHED * width).min(edge.rest.widest.radius) - rho;
-            Some(grown(floor, there, here) * (left / (FADING * width)).clamp(0.0, 1.0))
+            let room = (edge.rest.radius + OPENING_REACHED * width).min(edge.rest.widest.radius) - rho;
+            Some(grown(floor, there, force) * (room / (FADING * width)).clamp(0.0, 1.0))
         };
         [low.max(floor().unwrap_or(0.0)), high]
     }
 
     /// Removes the values without a range: the ranges are those of a star at its pressure, not of a limit.
     fn as_far_as_known(self) -> Self {
-        let known = self.ranges.domain != Domain::Unknown;
+        let is_known = self.ranges.domain != Domain::Unknown;
         let untried = matches!(self.hold, Some(Grip::Held(_))) && self.force_range.is_none();
         Self {
-            known,
+            is_known,
             stiffness: self.stiffness.filter(|_| self.ranges.stiffness.is_some()),
             preload: self.preload.filter(|_| self.ranges.stiffness.is_some()),
-            hold: if untried || !known { self.hold.map(|_| Grip::Untried) } else { self.hold },
-            payload: self.payload.filter(|_| known && !untried),
-            flap: self.flap.filter(|_| known && !untried),
+            hold: if untried || !is_known { self.hold.map(|_| Grip::Untried) } else { self.hold },
+            payload: self.payload.filter(|_| is_known && !untried),
+            flap: self.flap.filter(|_| is_known && !untried),
             ..self
         }
     }
@@ -320,12 +322,12 @@ impl Outcome {
         }
         let (least, most) = (self.rest.radius, self.rest.widest.radius);
         let slope = |phi: f64| case.mechanism.radius(phi).slope;
-        let near = case.object.is_some_and(|rho| most - rho < LOCKING * (most - least));
-        near && slope(self.rest.widest.angle) < LOCKING.sqrt() * slope(self.rest.angle)
+        let is_near = case.object.is_some_and(|rho| most - rho < LOCKING * (most - least));
+        is_near && slope(self.rest.widest.angle) < LOCKING.sqrt() * slope(self.rest.angle)
     }
 }
 
-/// The same star at the largest pressure at which its ranges are not wider for the pressure; `None` where its
+/// The star at the largest pressure at which its ranges are not wider for the pressure; `None` where its
 /// own is not above that.
 fn at_the_edge(case: &Case) -> Option<Outcome> {
     let pressure = pressure_edge(case)?;

@@ -5,10 +5,10 @@
 //! an upright surface, which equal stars reach.
 
 use crate::folding::until_arms_fold;
+use crate::interval::{Interval, sum};
 use crate::outcome::Outcome;
 use crate::prediction::{StackPayload, StarPrediction};
 use crate::ranges::shown::rounded;
-use crate::ranges::{Interval, sum};
 use inflatable::mechanics::star::bearing::{FOLDING, lift};
 use inflatable::mechanics::strength::GRAVITY;
 use spec::Load;
@@ -130,8 +130,8 @@ pub(super) fn wrinkling_warnings(load: &Load, stars: &[StarPrediction]) -> Vec<O
     let force: f64 = stars.iter().filter_map(|star| star.object_force_N).sum();
     let warning = |star: &StarPrediction| {
         let Mass(mass) = load.mass?;
-        let (own, wrinkling) = (star.object_force_N?, star.arm_wrinkling_kg?);
-        let share = mass * own / force;
+        let (force_here, wrinkling) = (star.object_force_N?, star.arm_wrinkling_kg?);
+        let share = mass * force_here / force;
         (share > wrinkling).then(|| {
             let [wrinkling, share, folding] = [wrinkling, share, FOLDING * wrinkling].map(rounded);
             format!(
@@ -197,22 +197,22 @@ mod tests {
             slope in 0.0..1.5_f64, friction in 0.05..1.5_f64, arms in 0.01..2.0_f64,
         ) {
             let slopes = [-slope, 0.0, slope];
-            let at = |forces: [f64; 3], slopes: [f64; 3], friction: f64, arms: f64| kg(&forces, &slopes, friction, Some(arms));
-            let here = at(forces, slopes, friction, arms);
+            let payload_of = |forces: [f64; 3], slopes: [f64; 3], friction: f64, arms: f64| kg(&forces, &slopes, friction, Some(arms));
+            let payload = payload_of(forces, slopes, friction, arms);
             let step = 1e-7;
-            prop_assert!(at(forces, slopes, friction + step, arms) >= here - 1e-12);
-            prop_assert!(at(forces, slopes, friction, arms + step) >= here - 1e-12);
-            prop_assert!(at([forces[0] + step, forces[1] + step, forces[2]], slopes, friction, arms) >= here - 1e-12);
-            let near = [
-                at(forces.map(|force| force + step), slopes, friction, arms),
-                at(forces, [-slope - step, step, slope + step], friction, arms),
-                at(forces, slopes, friction + step, arms + step),
+            prop_assert!(payload_of(forces, slopes, friction + step, arms) >= payload - 1e-12);
+            prop_assert!(payload_of(forces, slopes, friction, arms + step) >= payload - 1e-12);
+            prop_assert!(payload_of([forces[0] + step, forces[1] + step, forces[2]], slopes, friction, arms) >= payload - 1e-12);
+            let neighbours = [
+                payload_of(forces.map(|force| force + step), slopes, friction, arms),
+                payload_of(forces, [-slope - step, step, slope + step], friction, arms),
+                payload_of(forces, slopes, friction + step, arms + step),
             ];
-            for value in near {
-                prop_assert!((value - here).abs() < 1e-2, "{value} {here}");
+            for value in neighbours {
+                prop_assert!((value - payload).abs() < 1e-2, "{value} {payload}");
             }
             // No more than on an upright surface, and none is lost by three equal stars.
-            prop_assert!(here <= at(forces, [0.0; 3], friction, arms) + 1e-12);
+            prop_assert!(payload <= payload_of(forces, [0.0; 3], friction, arms) + 1e-12);
         }
     }
 }

@@ -1,13 +1,14 @@
 //! From a spec to the prediction: selects the model, evaluates every star, and adds the evidence.
 
 use crate::case::{Case, weave};
+use crate::interval::{Interval, mm};
 use crate::model_selection::{bvp, corrected, hinge_model, limits_of_validity, named_limit, tabled};
 use crate::outcome::{Grip, Outcome};
 use crate::payload::{Bearers, stack_payload, wrinkling_warnings};
 use crate::prediction::StackPayload;
 use crate::prediction::{ForceAt, ModelEvidence, Prediction, StarPrediction};
 use crate::pressures::{LEAST, MOST, modelled, rows};
-use crate::ranges::{Domain, Interval, Ranges, errors, mm, outside};
+use crate::ranges::{Domain, Ranges, errors, outside};
 use crate::remembered::Remembered;
 use crate::seal_forecast::{SealForecast, per_mm};
 use crate::seal_load::Bursting;
@@ -79,10 +80,10 @@ fn safe_pressure(
 ) -> Option<f64> {
     let bursting = stars.iter().map(|star| &star.evidence).filter(|own| own.bursting == Some(Bursting::Yes));
     let safe = bursting.filter_map(|own| own.safe_pressure_kPa).reduce(f64::min)?;
-    let mut at = spec.clone();
-    at.load.get_or_insert_default().pressure = Some(Pressure(safe));
-    let prediction = whole(&at, design, predict_stars(&at, design, models).ok()?).ok()?;
-    refusals(&at, &prediction).is_empty().then_some(safe)
+    let mut safer = spec.clone();
+    safer.load.get_or_insert_default().pressure = Some(Pressure(safe));
+    let prediction = whole(&safer, design, predict_stars(&safer, design, models).ok()?).ok()?;
+    refusals(&safer, &prediction).is_empty().then_some(safe)
 }
 
 /// All stars of `design`, bottom first.
@@ -127,20 +128,20 @@ pub(super) fn stars_of(design: &Design) -> Result<&StarAssembly, PredictFault> {
 /// Adds to `prediction`, which is that of `spec` and `design`, the forces on round objects of `radii`.
 ///
 /// # Errors
-/// As for [`predict`].
+/// The errors of [`predict`].
 pub fn add_curve(
     (spec, design): (&Spec, &Design),
     radii: &[Length],
     prediction: &mut Prediction,
 ) -> Result<(), PredictFault> {
-    let mut at = spec.clone();
+    let mut around = spec.clone();
     let mut curves = vec![Vec::new(); prediction.stars.len()];
     for radius in radii {
-        let load = at.load.get_or_insert_default();
+        let load = around.load.get_or_insert_default();
         load.object_radius = Some(*radius);
         // Each star around a cylinder that no star ends above or below.
         (load.object_height, load.object_shape) = (Some(ENDLESS), Some(ObjectShape::Cylinder));
-        let stars = predict(&at, design)?.stars;
+        let stars = predict(&around, design)?.stars;
         for (curve, star) in curves.iter_mut().zip(&stars) {
             let [low, high] = star.ranges.object_force_N.map_or([None; 2], |range| range.map(Some));
             curve.push(ForceAt(radius.0, star.object_force_N, low, high));
@@ -247,7 +248,7 @@ impl PlacedCase<'_> {
         let outcome = Outcome::linear(case, &inflated);
         // Needed for a remedy only.
         let presses = outcome.force_range.is_some_and(|[low, _]| low > 0.0);
-        let held =
+        let object =
             if presses || outcome.hold.is_none() { None } else { outcome.surely_held(case, &inflated) };
         let mut star = self.unknown(if outcome.known { choice } else { unlike(case) });
         let warnings = &mut star.evidence.warnings;
@@ -257,7 +258,7 @@ impl PlacedCase<'_> {
             warnings.extend(of_the_shape(case, &outcome));
             star.evidence.of_object = outcome.object_warning(case);
             warnings.extend(star.evidence.of_object.clone());
-            star.evidence.surely_held_mm = held.map(mm);
+            star.evidence.surely_held_mm = object.map(mm);
         }
         star.nonlinear = nonlinear(case, (&inflated, &outcome), self.spec.accuracy.response, warnings);
         fill(&mut star, case, &inflated, &outcome)?;
@@ -313,7 +314,7 @@ impl PlacedCase<'_> {
     /// A warning about ranges that are wide, or based on no computed star.
     fn of_the_ranges(&self, outcome: &Outcome) -> Option<String> {
         let Ranges { domain, radius, .. } = outcome.ranges;
-        let (accepted, found) = (self.spec.accuracy.response, outcome.rest.radius);
+        let (accepted, rest_radius) = (self.spec.accuracy.response, outcome.rest.radius);
         match domain {
             // What is printed as 1.0 is no reason to warn.
             Domain::Extrapolated if outcome.ranges.wider >= 1.05 => {
@@ -329,11 +330,11 @@ impl PlacedCase<'_> {
                 let part = |range: Interval, value: f64| (range[1] - value).max(value - range[0]) / value;
                 // The requested quantity: the force where there is an object, else the final radius.
                 let force = outcome.object_force().filter(|force| *force > 0.0).zip(outcome.force_range);
-                let asked = [
-                    ("the final radius", radius.map(|range| part(range, found))),
+                let parts = [
+                    ("the final radius", radius.map(|range| part(range, rest_radius))),
                     ("the force on the object", force.map(|(force, range)| part(range, force))),
                 ];
-                let wide = asked.into_iter().filter_map(|(what, part)| Some((what, part?)));
+                let wide = parts.into_iter().filter_map(|(what, part)| Some((what, part?)));
                 let wide: Vec<String> = wide
                     .filter(|(_, part)| *part > accepted.ratio())
                     .map(|(what, part)| format!("{what} may be off by {:.0} %", (100.0 * part).ceil()))

@@ -2,11 +2,12 @@
 
 pub use crate::case::Hinges;
 pub use crate::evidence::{MeshErrors, ModelEvidence};
+use crate::interval::Interval;
 use crate::keys::{Key, keyed, kinds};
 use crate::meshed::MeshedPlace;
 use crate::outcome::Grip;
 use crate::pressures::PressureRow;
-use crate::ranges::{Interval, StarRanges, shown};
+use crate::ranges::{StarRanges, shown};
 use inflatable::mechanics::star::Correction;
 use serde::Serialize;
 use spec::units::tenths_up;

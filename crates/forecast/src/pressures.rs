@@ -1,9 +1,10 @@
 //! Predictions of a star at several pressures: the answer to a spec without a pressure.
 
 use crate::case::Case;
+use crate::interval::{Interval, mm};
 use crate::model_selection::tabled;
 use crate::outcome::Outcome;
-use crate::ranges::{Domain, Interval, mm};
+use crate::ranges::Domain;
 use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::section::{BENDABILITY, MOST_STRETCH};
 use inflatable::mechanics::strength::ElasticSheet;
@@ -69,9 +70,9 @@ pub fn rows(case: &Case, burst: Option<f64>, sure: Option<f64>) -> Vec<PressureR
 /// The finding that nothing of this width and fabric is computed by `model` at `pressure`, Pa, and the remedy: the pressures, Pa, at which
 /// it is.
 pub fn outside(model: &str, pressure: f64, [least, most]: Interval) -> (String, String) {
-    let found =
+    let finding =
         format!("{model} covers no tube of this width and fabric at {}", Pressure::from_pascals(pressure));
-    (found, pressures([least, most].map(|pascals| Pressure::from_pascals(pascals).0)))
+    (finding, pressures([least, most].map(|pascals| Pressure::from_pascals(pascals).0)))
 }
 
 /// The remedy that names pressures, kPa.
@@ -112,8 +113,8 @@ pub(super) fn is_modelled(case: &Case, pressure: f64) -> bool {
 pub fn modelled(case: &Case) -> Option<Interval> {
     let is_known = |kpa: f64| is_modelled(case, Pressure(kpa).pascals());
     let tried = |k: u32| ALL[0] * libm::pow(ALL[1] / ALL[0], f64::from(k) / f64::from(TRIED - 1));
-    let known: Vec<u32> = (0..TRIED).filter(|k| is_known(tried(*k))).collect();
-    let (first, last) = (*known.first()?, *known.last()?);
+    let modelled: Vec<u32> = (0..TRIED).filter(|k| is_known(tried(*k))).collect();
+    let (first, last) = (*modelled.first()?, *modelled.last()?);
     // From a pressure with a prediction towards its neighbour without one.
     let end = |inside: u32, outside: Option<u32>| {
         outside.map_or(tried(inside), |outside| last_holding(tried(inside), tried(outside), 20, is_known))

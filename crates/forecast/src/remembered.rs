@@ -29,8 +29,8 @@ fn answer<K: Ord>(
     question: K,
     solve: impl FnOnce() -> Result<HingeState, HingeFault>,
 ) -> Result<HingeState, HingeFault> {
-    let known = answers.lock().ok().and_then(|answers| answers.get(&question).copied());
-    known.unwrap_or_else(|| {
+    let answer = answers.lock().ok().and_then(|answers| answers.get(&question).copied());
+    answer.unwrap_or_else(|| {
         let solved = solve();
         if let Ok(mut answers) = answers.lock() {
             let _ = answers.insert(question, solved);

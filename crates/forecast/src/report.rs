@@ -1,10 +1,10 @@
 //! The prediction as a text for people: values, assumptions and warnings.
 
+use crate::interval::{Interval, scaled};
 use crate::outcome::Grip;
 use crate::prediction::{FabricStretch, ForceAt, Hinges, Prediction, StarPrediction, distinct};
 use crate::pressures::PressureRow;
 use crate::ranges::shown::{self, line, listed};
-use crate::ranges::{Interval, scaled};
 use crate::shell::SHELL;
 use crate::shell::result::{self, payload_mesh_error};
 use inflatable::mechanics::hinge::Level;
@@ -87,16 +87,13 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
             |lambda: f64| if is_limit { Readable(lambda).to_string() } else { format!("{lambda:.3}") };
         line(out, "target coiling tip, corner", format!("{}, {}", digits(tip), digits(corner)));
     }
-    let unknown = |value: f64, unit: &str| {
-        if is_limit { shown::or_unknown(value, None, unit) } else { "unknown".to_owned() }
-    };
     // What the spec requires is listed also when unknown.
     let mut quantity =
         |what: &str, value: Option<f64>, range: Option<Interval>, unit: &str, is_asked: bool| {
             let text = match value.zip(range) {
                 Some((value, range)) => Some(shown::with(value, range, unit)),
                 None if is_asked && !is_limit => Some("unknown".to_owned()),
-                None => value.map(|value| unknown(value, unit)),
+                None => value.map(|value| without_range(value, unit, is_limit)),
             };
             line(out, what, text);
         };
@@ -117,13 +114,7 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     quantity("force on the object", star.object_force_N, ranges.object_force_N, "N", is_untried);
     quantity("payload of this star", star.payload_kg, ranges.payload_kg, "kg", false);
     grip_lines(out, star);
-    let pull = star.seal_pull_N_per_mm.map(|pull| shown::or_unknown(pull, ranges.seal_pull_N_per_mm, "N/mm"));
-    line(out, "largest pull on the seal", pull);
-    let burst = star.burst_pressure_kPa.map(|burst| match ranges.burst_pressure_kPa {
-        Some(range) => shown::with_limit(burst, range, "kPa", pressure),
-        None => shown::or_unknown(burst, None, "kPa"),
-    });
-    line(out, "burst pressure", burst);
+    seal_lines(out, star, pressure);
     line(out, "full actuation from", show(star.operating_pressure_kPa, "kPa"));
     line(out, "bendability", star.bendability.map(|bendability| show(bendability, "")));
     let stretch = star.stretch.and_then(FabricStretch::ratio).map(|stretch| show(100.0 * stretch, "%"));
@@ -131,21 +122,43 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     line(out, "preload of arms", star.preload_N.filter(|f| *f > 0.0).map(|force| show(force, "N")));
     line(out, "burst margin", star.burst_margin.map(|margin| show(margin, "")));
     line(out, "mass", star.mass_g.map(|mass| show(mass, "g")));
+    force_lines(out, star, is_limit);
+    for warning in &star.evidence.warnings {
+        line(out, "warning", warning.clone());
+    }
+    pressure_table(out, star.pressures.as_deref().unwrap_or_default());
+}
+
+/// A value without a range: that of a limit, whose error is unknown, else none.
+fn without_range(value: f64, unit: &str, is_limit: bool) -> String {
+    if is_limit { shown::or_unknown(value, None, unit) } else { "unknown".to_owned() }
+}
+
+/// The pull on the seal, and the pressure at which the seal bursts, beside `pressure`, kPa.
+fn seal_lines(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
+    let ranges = &star.ranges;
+    let pull = star.seal_pull_N_per_mm.map(|pull| shown::or_unknown(pull, ranges.seal_pull_N_per_mm, "N/mm"));
+    line(out, "largest pull on the seal", pull);
+    let burst = star.burst_pressure_kPa.map(|burst| match ranges.burst_pressure_kPa {
+        Some(range) => shown::with_limit(burst, range, "kPa", pressure),
+        None => shown::or_unknown(burst, None, "kPa"),
+    });
+    line(out, "burst pressure", burst);
+}
+
+/// The forces on the objects of the requested radii.
+fn force_lines(out: &mut String, star: &StarPrediction, is_limit: bool) {
     for ForceAt(radius, force, low, high) in star.force_curve.iter().flatten() {
         let range = low.zip(*high).map(|(low, high)| [low, high]);
         let is_held = star.graspable_radius_mm.is_none_or(|[least, most]| (least..=most).contains(radius));
         let text = match (*force, range) {
             (None, _) if !is_held => "not held".to_owned(),
             (Some(force), Some(range)) => shown::with(force, range, "N"),
-            (Some(force), None) => unknown(force, "N"),
+            (Some(force), None) => without_range(force, "N", is_limit),
             (None, _) => "unknown".to_owned(),
         };
         line(out, &format!("force at {} mm", Readable(*radius)), text);
     }
-    for warning in &star.evidence.warnings {
-        line(out, "warning", warning.clone());
-    }
-    pressure_table(out, star.pressures.as_deref().unwrap_or_default());
 }
 
 fn show(value: f64, unit: &str) -> String {
@@ -183,19 +196,20 @@ fn grip_lines(out: &mut String, star: &StarPrediction) {
 
 /// The table of pressures, if there are any.
 fn pressure_table(out: &mut String, rows: &[PressureRow]) {
-    let held = rows.iter().any(|row| row.object_force_N.is_some());
+    let has_force = rows.iter().any(|row| row.object_force_N.is_some());
     if !rows.is_empty() {
-        let force = if held { "force on the object       " } else { "" };
+        let force = if has_force { "force on the object       " } else { "" };
         let _ = writeln!(
             out,
             "\n  at the pressure        final radius              {force}stretch   burst margin"
         );
     }
     for row in rows {
-        pressure_text(out, row, held);
+        pressure_text(out, row, has_force);
     }
     if let Some(best) = rows.iter().position(|row| row.best) {
-        let most = if held { "the largest lower end of the force's range" } else { "the least final radius" };
+        let most =
+            if has_force { "the largest lower end of the force's range" } else { "the least final radius" };
         let end = if best + 1 == rows.len() { "; higher pressures have no prediction" } else { "" };
         let _ = writeln!(out, "  best: {most}, without bursting{end}");
     }
@@ -203,8 +217,8 @@ fn pressure_table(out: &mut String, rows: &[PressureRow]) {
 
 /// `row`, with a force where some row has one: `held`.
 fn pressure_text(out: &mut String, row: &PressureRow, held: bool) {
-    let known = || format!("{:26}", shown::known(row.object_force_N, row.force_range_N, "N"));
-    let force = if held { known() } else { String::new() };
+    let force_text = || format!("{:26}", shown::force_text(row.object_force_N, row.force_range_N, "N"));
+    let force = if held { force_text() } else { String::new() };
     let note = match (row.best, row.tried) {
         (true, _) => "   <- best",
         (_, false) => "   outside the validated range",
@@ -214,7 +228,7 @@ fn pressure_text(out: &mut String, row: &PressureRow, held: bool) {
         out,
         "  {:8} kPa           {:26}{force}{:5.1} %   {}{note}",
         Readable(row.pressure_kPa).to_string(),
-        shown::known(Some(row.final_radius_mm), row.radius_range_mm, "mm"),
+        shown::force_text(Some(row.final_radius_mm), row.radius_range_mm, "mm"),
         100.0 * row.stretch,
         row.burst_margin.map_or("unknown".to_owned(), |margin| format!("{margin:.2}")),
     );

@@ -1,8 +1,9 @@
 //! The forecast of one star's seal, for any model of the star.
 
 use crate::case::Case;
+use crate::interval::Interval;
 use crate::prediction::Hinges;
-use crate::ranges::{Interval, StarRanges};
+use crate::ranges::StarRanges;
 use crate::seal_load::{
     Bursting, LoadedHinge, burst, burst_range, factor, hardest_bounds, largest_pull, possible_radius, remedy,
 };

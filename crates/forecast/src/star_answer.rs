@@ -1,9 +1,10 @@
 //! One model's values of a star, for a prediction.
 
 use crate::case::{Case, measured_stiffnesses};
+use crate::interval::scaled;
 use crate::outcome::{Outcome, SHORTEST_ARM};
 use crate::prediction::{FabricStretch, Hinges, ModelEvidence, Nonlinear, StarPrediction};
-use crate::ranges::{StarRanges, scaled};
+use crate::ranges::StarRanges;
 use design::{FlatPiece, StarDesign};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::{HingeState, Level};
@@ -75,21 +76,21 @@ pub(super) fn nonlinear(
         return None;
     }
     // The linear star's warnings about the object are enough.
-    let own = match Outcome::nonlinear(case, inflated) {
-        Ok(own) => own,
+    let outcome = match Outcome::nonlinear(case, inflated) {
+        Ok(outcome) => outcome,
         Err(fault) => {
             warnings.push(format!("no equilibrium of the nonlinear hinges: {fault}"));
             return None;
         }
     };
-    if inflated.rim_pushes(own.rest.angle) {
+    if inflated.rim_pushes(outcome.rest.angle) {
         warnings.push(
                 "the nonlinear star coils a hinge so far that its inner rim would be compressed: a real rim wrinkles, \
                  and the hinge is softer than predicted"
                     .to_owned(),
             );
     }
-    let (own_radius, linear_radius) = (own.rest.radius, linear.rest.radius);
+    let (own_radius, linear_radius) = (outcome.rest.radius, linear.rest.radius);
     if (own_radius - linear_radius).abs() > accepted.ratio() * linear_radius {
         warnings.push(format!(
             "with the membrane's own, asymmetric hinges it would close to {:.2} mm instead of {:.2} mm: the corner's hinge \
@@ -99,12 +100,12 @@ pub(super) fn nonlinear(
         ));
     }
     Some(Nonlinear {
-        tip_equilibrium_angle_deg: own.rest.equilibrium.to_degrees(),
+        tip_equilibrium_angle_deg: outcome.rest.equilibrium.to_degrees(),
         final_radius_mm: mm(own_radius),
-        contraction: own.contraction,
-        radial_stiffness_N_per_m: own.stiffness,
-        preload_N: own.preload,
-        object_force_N: own.object_force(),
+        contraction: outcome.contraction,
+        radial_stiffness_N_per_m: outcome.stiffness,
+        preload_N: outcome.preload,
+        object_force_N: outcome.object_force(),
     })
 }
 

@@ -34,7 +34,7 @@ pub fn least_angle(flat: f64) -> f64 {
 /// A V-actuator on the bench; SI units, angles in rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VBench {
-    /// Its hinge, flat.
+    /// The flat hinge.
     pub hinge: Hinge,
     /// Gauge pressure, Pa.
     pub pressure: f64,

@@ -1,5 +1,6 @@
 //! The verdict on the object of a gripper's `[load]`, with its reasons; and the refusal of a gripper that cannot hold it.
 
+use crate::interval::{Interval, sum};
 use crate::load_check::{
     ROUNDING, bursts, held, may_be_too_heavy, may_burst, may_not_press, outside_models, too_hard, too_heavy,
     too_heavy_for_stars, too_short, too_thin, too_wide_to_enter, too_wide_to_open,
@@ -9,7 +10,6 @@ use crate::prediction::StackPayload;
 pub use crate::prediction::{Holds, Verdict};
 use crate::prediction::{Prediction, StarPrediction, distinct};
 use crate::ranges::shown::{apart, listed};
-use crate::ranges::{Interval, sum};
 use design::{Object, Refusal, RefusalCode, Stand};
 use inflatable::mechanics::strength::GRAVITY;
 use spec::units::{Force, Mass, tenths_up};

@@ -10,8 +10,8 @@ use inflatable::mechanics::star::residuals::Ratios;
 use inflatable::mechanics::star::response::Inflated;
 use inflatable::mechanics::star::{Correction, Mechanism};
 use stargrip_cam::forecast::case::Case;
+use stargrip_cam::forecast::interval::Interval;
 use stargrip_cam::forecast::outcome::Outcome;
-use stargrip_cam::forecast::ranges::Interval;
 use std::f64::consts::PI;
 
 /// A number of the shell beside the predicted one.

@@ -5,8 +5,8 @@
 //! from 1,000 to 30,000 (docs/drawings.md). There the difference falls as the root of 1/eps. Pouches have two stable shapes up to some
 //! 10,000; the bounds contain both.
 
+use crate::interval::Interval;
 use crate::meshed::{MeshedPlace, MeshedValue};
-use crate::ranges::Interval;
 use inflatable::shell::cases::MOST_RESOLVED;
 use serde::Serialize;
 

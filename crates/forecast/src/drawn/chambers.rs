@@ -38,9 +38,9 @@ pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnCham
     let refused = |why: String| PredictFault::new(key::drawing::FILE, why);
     let sheet = sheet(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
     let weave = weave(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
-    let found = chambers(&pieces.air(), &pieces.inner(), &pieces.holes())
+    let flats = chambers(&pieces.air(), &pieces.inner(), &pieces.holes())
         .map_err(|fault| refused(fault.to_string()))?;
-    if found.is_empty() {
+    if flats.is_empty() {
         return Err(refused("the drawing's edges enclose no air".to_owned()));
     }
     let chamber = |flat: FlatChamber| DrawnChamber {
@@ -53,7 +53,7 @@ pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnCham
         },
         flat,
     };
-    Ok(found.into_iter().map(chamber).collect())
+    Ok(flats.into_iter().map(chamber).collect())
 }
 
 /// mm in a metre.

@@ -3,11 +3,11 @@
 use crate::drawn::averaged::{AveragedRanges, pull_range, warning};
 use crate::drawn::chambers::DrawnChamber;
 use crate::drawn::measures::MeasurePrediction;
+use crate::interval::Interval;
 use crate::keys::{keyed, kinds};
 use crate::meshed::{MeshedPlace, MeshedValue};
 use crate::model_search::AccuracySearch;
 use crate::prediction::distinct;
-use crate::ranges::Interval;
 use crate::seal_load::{Bursting, burst_of_drawn, bursts_at};
 use design::{DrawnPieces, Refusal, RefusalCode};
 use geom::Point;
@@ -266,9 +266,9 @@ impl DrawnPrediction {
                 Some(_) => pull_range(pull)[1],
                 None => pull.value,
             };
-            let known = seams
+            let pulls = seams
                 .map(|seam| (Some(LineForce(largest(seam.pull_N_per_mm))), format!("{}{of}", seam.seam)));
-            let mut loads: Vec<_> = known.collect();
+            let mut loads: Vec<_> = pulls.collect();
             if loads.is_empty() {
                 loads.push((None, format!("seams{of}")));
             }
@@ -286,9 +286,9 @@ impl DrawnPrediction {
     pub fn bursts(&self) -> Option<Refusal> {
         let _ = self.bursting().filter(|one| *one == Bursting::Yes)?;
         let [sure, _] = self.burst_range_kPa?;
-        let found = bursts_at(Pressure(self.pressure_kPa?), self.burst_pressure_kPa?, self.burst_range_kPa);
+        let finding = bursts_at(Pressure(self.pressure_kPa?), self.burst_pressure_kPa?, self.burst_range_kPa);
         let remedy = format!("at most {} kPa, or a stronger seal or narrower chambers", Most(sure));
-        Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, found, remedy))
+        Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, finding, remedy))
     }
 
     /// Which chambers leave their plane, in words; `None` if none does.
@@ -382,19 +382,19 @@ fn seam_name(pull: &SeamPull, pieces: &DrawnPieces) -> String {
 
 fn of_seam(seam: String, pulls: &[&SeamPull]) -> Option<SeamPrediction> {
     // Each edge of a weld's band bears the pull of its own side.
-    let here = |pull: &SeamPull| {
+    let place = |pull: &SeamPull| {
         let share = if matches!(pull.seam, RegionSeam::Weld(_)) { 0.5 } else { 1.0 };
         at(pull.pull.scaled(share * 1e-3), pull.at)
     };
     // Compared on the finest mesh, as in the shell.
     let largest = pulls.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]))?;
     let row = |pull: &&SeamPull| {
-        let MeshedPlace { value, mesh_error, at_mm: [x, y] } = here(pull);
+        let MeshedPlace { value, mesh_error, at_mm: [x, y] } = place(pull);
         [x, y, value, mesh_error]
     };
     Some(SeamPrediction {
         seam,
-        pull_N_per_mm: here(largest),
+        pull_N_per_mm: place(largest),
         along: pulls.iter().step_by(pulls.len().div_ceil(MOST_ROWS).max(1)).map(row).collect(),
     })
 }

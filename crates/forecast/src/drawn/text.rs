@@ -3,9 +3,9 @@
 use crate::drawn::averaged::pull_range;
 use crate::drawn::measures::{MeasurePrediction, MeasuredQuantity};
 use crate::drawn::prediction::{ChamberPrediction, DrawnPrediction};
+use crate::interval::{Interval, scaled};
 use crate::meshed::{MeshedPlace, MeshedValue};
 use crate::ranges::shown::{self, line, listed};
-use crate::ranges::{Interval, scaled};
 use crate::shell::SHELL;
 use spec::Spec;
 use spec::units::Readable;

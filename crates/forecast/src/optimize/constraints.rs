@@ -37,18 +37,38 @@ pub struct Constraints {
 /// A constraint that a design misses, and its relative shortfall.
 pub type Short = (&'static str, f64);
 
+/// Shortfall relative to `least`; a missing value counts as zero.
+fn short(value: Option<f64>, least: f64) -> f64 {
+    ((least - value.unwrap_or(0.0)) / least).max(0.0)
+}
+
+/// Excess relative to `most`.
+fn over(value: f64, most: f64) -> f64 {
+    ((value - most) / most).max(0.0)
+}
+
+/// Relative shortfall of a star with `grip` that does not hold the object of `point`.
+fn object_shortfall(point: &Candidate, grip: &Outcome) -> Option<f64> {
+    match grip.hold? {
+        Grip::TooWideToEnter | Grip::TooWideToOpen => Some(0.1),
+        Grip::TooThin => {
+            let object = point.load.object_radius.map_or(grip.rest.radius, Length::metres);
+            Some(over(grip.rest.radius, object))
+        }
+        Grip::Beside => Some(1.0),
+        Grip::Held(_) | Grip::Unknown(_) | Grip::Untried => None,
+    }
+}
+
 /// All constraints that `point`, with the values `answer`, violates.
 pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints) -> Vec<Short> {
-    // Shortfall relative to `least`; a missing value counts as zero.
-    let short = |value: Option<f64>, least: f64| ((least - value.unwrap_or(0.0)) / least).max(0.0);
-    let over = |value: f64, most: f64| ((value - most) / most).max(0.0);
     let star = &answer.star;
     let mut all = vec![("arms", short(Some(star.l), SHORTEST_ARM * star.w))];
     if answer.outcome.is_none() {
         all.push(("no model", 10.0));
     }
-    if let Some(own) = &answer.grip {
-        if is_at_pressure(point.model) && own.ranges.domain != Domain::Validated {
+    if let Some(grip) = &answer.grip {
+        if is_at_pressure(point.model) && grip.ranges.domain != Domain::Validated {
             // The more the further out: so that a search finds its way in.
             all.push(("untried", LEAST_UNTRIED + outside_by(&answer.case)));
         }
@@ -56,13 +76,13 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
             constraints.apart || constraints.payload.is_some() || constraints.largest_force.is_some();
         if is_at_pressure(point.model) && forceful {
             // The overlap of the arms, as the tips' angle by which they pass contact, rad.
-            let depth = answer.case.mechanism.correction.contact_angle - own.rest.equilibrium;
+            let depth = answer.case.mechanism.correction.contact_angle - grip.rest.equilibrium;
             all.push(("touching", if depth >= 0.0 { LEAST_UNTRIED + depth } else { 0.0 }));
         }
         if let Some([close, open]) = constraints.grasp {
             let mm = |metres: f64| Length::from_metres(metres).0;
-            let widest = mm(own.rest.widest.radius);
-            let least_sure = own.ranges.radius.map_or(own.rest.radius, |[_, high]| high);
+            let widest = mm(grip.rest.widest.radius);
+            let least_sure = grip.ranges.radius.map_or(grip.rest.radius, |[_, high]| high);
             all.push(("closing", over(mm(least_sure), close.0)));
             all.push(("opening", short(Some(widest), open.0 * (1.0 + ROUNDING))));
         }
@@ -72,19 +92,11 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
             all.push(("inner_radius", short(Some(star.hole(&point.seal)), entering)));
         }
         if let Some(most) = constraints.largest_force {
-            // An unknown force may be too large; an object that is not held has a shortfall of its own.
-            let unknown = if matches!(own.hold, Some(Grip::Untried | Grip::Held(_))) { 1.0 } else { 0.0 };
-            all.push(("pressing", most_force(point, own).map_or(unknown, |force| over(force, most))));
+            // An unknown force may be too large; an object that is not held has a shortfall of its grip.
+            let unknown = if matches!(grip.hold, Some(Grip::Untried | Grip::Held(_))) { 1.0 } else { 0.0 };
+            all.push(("pressing", most_force(point, grip).map_or(unknown, |force| over(force, most))));
         }
-        match own.hold {
-            Some(Grip::TooWideToEnter | Grip::TooWideToOpen) => all.push(("object", 0.1)),
-            Some(Grip::TooThin) => {
-                let object = point.load.object_radius.map_or(own.rest.radius, Length::metres);
-                all.push(("object", over(own.rest.radius, object)));
-            }
-            Some(Grip::Beside) => all.push(("object", 1.0)),
-            Some(Grip::Held(_) | Grip::Unknown(_) | Grip::Untried) | None => {}
-        }
+        all.extend(object_shortfall(point, grip).map(|shortfall| ("object", shortfall)));
     }
     if let Some(payload) = constraints.payload {
         all.push(("payload", short(sure_payload(point, answer), payload)));

@@ -5,9 +5,9 @@ use crate::optimize::Evaluation;
 /// The candidates that no other beats in all three goals at once.
 pub(super) fn front(mut candidates: Vec<Evaluation>) -> Vec<Evaluation> {
     let goals = |c: &Evaluation| {
-        let own = c.answer.outcome.as_ref();
-        let stiffness = own.and_then(|own| own.stiffness).unwrap_or(0.0);
-        [-own.map_or(0.0, |own| own.contraction), -stiffness, c.fabric()]
+        let outcome = c.answer.outcome.as_ref();
+        let stiffness = outcome.and_then(|outcome| outcome.stiffness).unwrap_or(0.0);
+        [-outcome.map_or(0.0, |outcome| outcome.contraction), -stiffness, c.fabric()]
     };
     candidates.sort_by(|a, b| {
         let (a, b) = (goals(a), goals(b));
@@ -15,9 +15,9 @@ pub(super) fn front(mut candidates: Vec<Evaluation>) -> Vec<Evaluation> {
     });
     let mut front: Vec<Evaluation> = Vec::new();
     for candidate in candidates {
-        let own = goals(&candidate);
+        let reached = goals(&candidate);
         // Sorted by contraction: only candidates already kept can beat or equal this one.
-        let beaten = front.iter().map(goals).any(|other| (0..3).all(|k| other[k] <= own[k]));
+        let beaten = front.iter().map(goals).any(|other| (0..3).all(|k| other[k] <= reached[k]));
         if !beaten {
             front.push(candidate);
         }

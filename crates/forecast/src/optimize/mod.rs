@@ -81,7 +81,7 @@ impl SearchBounds {
 pub struct Evaluation {
     /// The design.
     pub point: Candidate,
-    /// Its predicted values.
+    /// Predicted values of the candidate.
     pub answer: Answer,
     /// Sum of its violations of the constraints: 0 if it meets all.
     pub violation: f64,
@@ -161,26 +161,26 @@ impl<'a> DesignSearch<'a> {
     /// Searches.
     pub fn run(&self) -> SearchResult {
         let all: Vec<u32> = self.bounds.points.clone().collect();
-        let found: Vec<Vec<Evaluation>> =
+        let evaluations: Vec<Vec<Evaluation>> =
             all.into_par_iter().map(|points| self.with_points(points)).collect();
-        let computed = found.iter().map(Vec::len).sum();
+        let computed = evaluations.iter().map(Vec::len).sum();
         let better = |a: &&Evaluation, b: &&Evaluation| compare(a, b, self.goal);
         let mut best: Vec<Evaluation> =
-            found.iter().filter_map(|of| of.iter().min_by(better)).cloned().collect();
+            evaluations.iter().filter_map(|of| of.iter().min_by(better)).cloned().collect();
         best.sort_by(|a, b| compare(a, b, self.goal));
-        let met = found.into_iter().flatten().filter(|candidate| candidate.violation == 0.0);
-        SearchResult { best, front: front(met.collect()), computed }
+        let feasible = evaluations.into_iter().flatten().filter(|candidate| candidate.violation == 0.0);
+        SearchResult { best, front: front(feasible.collect()), computed }
     }
 
     /// The ends of the box along each axis, deg, mm and kPa.
     fn sides(&self) -> [[f64; 2]; AXES] {
         let SearchBounds { tip_angle, width, tip_radius, corner_radius, inner_radius, pressure, .. } =
             self.bounds;
-        let own = self.base.load.pressure.unwrap_or_default();
+        let spec_pressure = self.base.load.pressure.unwrap_or_default();
         let lengths =
             [width, tip_radius, corner_radius, inner_radius].map(|ends| ends.map(|length| length.0));
         let [width, tip_radius, corner_radius, inner_radius] = lengths;
-        let pressure = pressure.unwrap_or([own; 2]).map(|pressure| pressure.0);
+        let pressure = pressure.unwrap_or([spec_pressure; 2]).map(|pressure| pressure.0);
         [tip_angle.map(|end| end.0), width, tip_radius, corner_radius, inner_radius, pressure]
     }
 
@@ -238,8 +238,8 @@ impl<'a> DesignSearch<'a> {
             return Some(answer);
         }
         // No star presses harder than one at the object's middle: fewer than these do not hold it.
-        let one = sure_payload(point, &answer.of_stars(1)).unwrap_or(0.0);
-        let least = (from + 1..=to).find(|count| f64::from(*count) * one >= needed).unwrap_or(to);
+        let of_one_star = sure_payload(point, &answer.of_stars(1)).unwrap_or(0.0);
+        let least = (from + 1..=to).find(|count| f64::from(*count) * of_one_star >= needed).unwrap_or(to);
         for count in least..=to {
             point.stars = count;
             let answer = point.answer(self.table).ok()?;
@@ -302,15 +302,15 @@ impl<'a> DesignSearch<'a> {
         varied: &[usize],
         all: &mut Vec<Evaluation>,
     ) {
-        let (mut place, mut here) = start;
+        let (mut place, mut best) = start;
         let (mut step, mut failed) = (0.1, 0);
         for round in 0..self.effort.polls {
             let mut moved = false;
             for trial in polled(place, step, varied, round) {
                 let Some(next) = self.at(points, &trial) else { continue };
                 all.push(next.clone());
-                if compare(&next, &here, self.goal).is_lt() {
-                    (place, here, moved) = (trial, next, true);
+                if compare(&next, &best, self.goal).is_lt() {
+                    (place, best, moved) = (trial, next, true);
                     break;
                 }
             }
@@ -335,10 +335,10 @@ pub fn thousandths(value: f64) -> f64 {
 /// Less is better: first the violation, then the goal, then the smaller fabric so that ties are decided.
 fn compare(a: &Evaluation, b: &Evaluation, goal: Goal) -> Ordering {
     let cost = |candidate: &Evaluation| {
-        let own = candidate.answer.outcome.as_ref();
+        let outcome = candidate.answer.outcome.as_ref();
         match goal {
-            Goal::Contraction => -own.map_or(0.0, |own| own.contraction),
-            Goal::Stiffness => -own.and_then(|own| own.stiffness).unwrap_or(0.0),
+            Goal::Contraction => -outcome.map_or(0.0, |outcome| outcome.contraction),
+            Goal::Stiffness => -outcome.and_then(|outcome| outcome.stiffness).unwrap_or(0.0),
             Goal::Payload => -sure_payload(&candidate.point, &candidate.answer).unwrap_or(0.0),
             Goal::Fabric => candidate.fabric(),
         }

@@ -37,10 +37,10 @@ pub(super) fn polled(place: UnitPoint, step: f64, varied: &[usize], round: u32) 
     let normal: Vec<f64> = if round.is_multiple_of(2) {
         vec![0.0; varied.len()]
     } else {
-        let own: Vec<f64> =
+        let direction: Vec<f64> =
             BASES.iter().take(varied.len()).map(|base| mirrored(round, *base) - 0.5).collect();
-        let length = own.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if length > 0.0 { own.iter().map(|x| x / length).collect() } else { own }
+        let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if length > 0.0 { direction.iter().map(|x| x / length).collect() } else { direction }
     };
     let direction = |k: usize, i: usize| f64::from(u8::from(i == k)) - 2.0 * normal[i] * normal[k];
     let towards = |k: usize, sign: f64| {

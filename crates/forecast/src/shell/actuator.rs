@@ -10,7 +10,7 @@ use inflatable::shell::element::Weave;
 /// The prediction of `asked` as a shell, with the moments at `angles` (rad) if there are any, and its sheet at rest.
 ///
 /// # Errors
-/// As for [`actuator`].
+/// The errors of [`actuator`].
 pub fn actuate(
     asked: &Actuator,
     angles: &[f64],
@@ -25,10 +25,10 @@ pub fn actuate(
         angle,
         margin: Margin::NONE,
     };
-    let found = actuator(&case, angles, fineness(detail), watch)?;
+    let inflated = actuator(&case, angles, fineness(detail), watch)?;
     let degrees = 1.0_f64.to_degrees();
-    let (at_rest, volume) = (found.angle.scaled(degrees), found.volume.scaled(1e9));
-    let touches = found.angle.value < 0.0 || angles.iter().any(|angle| *angle < 0.0);
+    let (at_rest, volume) = (inflated.angle.scaled(degrees), inflated.volume.scaled(1e9));
+    let touches = inflated.angle.value < 0.0 || angles.iter().any(|angle| *angle < 0.0);
     let warnings = [
         short_arms(asked),
         touches.then(|| "the arms would touch, and this shell has no contact between them".to_owned()),
@@ -38,29 +38,29 @@ pub fn actuate(
         bendability: case.tube.bendability(),
         stretch: case.tube.stretch(),
         angle_deg: at_rest.value,
-        coiling: found.coiling.value,
+        coiling: inflated.coiling.value,
         volume_mm3: Some(volume.value),
-        stiffness_Nm: found.stiffness.value,
+        stiffness_Nm: inflated.stiffness.value,
         moment: (!angles.is_empty()).then(|| {
-            found.moments.iter().map(|(angle, moment)| [angle.to_degrees(), moment.value]).collect()
+            inflated.moments.iter().map(|(angle, moment)| [angle.to_degrees(), moment.value]).collect()
         }),
         ranges: ActuatorRanges::default(),
         evidence: ActuatorEvidence {
-            residual: found.evidence.residual,
-            iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
-            numerical_error: largest([found.coiling, found.volume, found.stiffness]),
+            residual: inflated.evidence.residual,
+            iterations: inflated.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
+            numerical_error: largest([inflated.coiling, inflated.volume, inflated.stiffness]),
             mesh_errors: Some(ActuatorMeshErrors {
                 angle_deg: at_rest.error,
-                coiling: found.coiling.error,
+                coiling: inflated.coiling.error,
                 volume_mm3: volume.error,
-                stiffness_Nm: found.stiffness.error,
-                moment_Nm: found.moments.iter().map(|(_, moment)| moment.error).collect(),
+                stiffness_Nm: inflated.stiffness.error,
+                moment_Nm: inflated.moments.iter().map(|(_, moment)| moment.error).collect(),
             }),
-            unknowns: Some(found.evidence.unknowns),
+            unknowns: Some(inflated.evidence.unknowns),
             warnings: warnings.into_iter().flatten().collect(),
         },
     };
-    Ok((prediction, found.shape))
+    Ok((prediction, inflated.shape))
 }
 
 /// The largest relative mesh error.

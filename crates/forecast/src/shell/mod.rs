@@ -49,7 +49,7 @@ pub fn fineness(detail: Detail) -> Fineness {
 }
 
 /// The meshes that `detail` means for a star of which `part` is modelled: a whole one has 2 n times the triangles, so it gets larger ones.
-/// Those of five points have up to 150,000, 200,000 and 350,000 unknowns.
+/// Whole stars of five points have up to 150,000, 200,000 and 350,000 unknowns.
 pub fn fineness_of(part: StarPart, detail: Detail) -> Fineness {
     match (part, detail) {
         (StarPart::HalfSector, _) => fineness(detail),

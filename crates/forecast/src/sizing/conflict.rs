@@ -128,8 +128,8 @@ impl Finder<'_> {
             }
         }
         for k in 0..conflicts.len() {
-            let others = conflicts.iter().enumerate().filter(|(other, _)| *other != k);
-            let limits: Vec<Easing> = others.flat_map(|(_, other)| other.limits.clone()).collect();
+            let rivals = conflicts.iter().enumerate().filter(|(other, _)| *other != k);
+            let limits: Vec<Easing> = rivals.flat_map(|(_, other)| other.limits.clone()).collect();
             let context = limits.iter().try_fold(*required, |context, limit| limit.given_up(&context));
             conflicts[k].context = context.unwrap_or(*required);
         }
@@ -202,8 +202,9 @@ impl Conflict {
     fn reasons(&self, limit: Option<&NearestRequirements>) -> Vec<String> {
         let Some(subject) = self.subject() else { return Vec::new() };
         let required = &self.context;
-        let others = SUBJECTS.into_iter().filter(|other| *other != subject && self.limits.contains(other));
-        let conditions: String = others.filter_map(|other| other.condition(required)).collect();
+        let companions =
+            SUBJECTS.into_iter().filter(|other| *other != subject && self.limits.contains(other));
+        let conditions: String = companions.filter_map(|other| other.condition(required)).collect();
         let eased = limit.map(|nearest| &nearest.requirements);
         let mut reasons = vec![subject.shortfall(required, eased) + &conditions];
         if subject == Easing::Mass && required.height.is_none() && required.shape.is_none() {

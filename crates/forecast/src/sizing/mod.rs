@@ -14,10 +14,11 @@ pub use self::text::{is_result, spec_text};
 
 use crate::candidate::Candidate;
 use crate::case::sheet;
+use crate::interval::Interval;
 use crate::optimize::{
     Constraints, DesignSearch, Evaluation, Goal, SearchBounds, SearchEffort, SearchResult, shortfalls,
 };
-use crate::ranges::{Interval, errors};
+use crate::ranges::errors;
 use design::{pitch_for, room};
 use inflatable::mechanics::hinge::ring::RingTable;
 use inflatable::mechanics::hinge::section::arms;
@@ -30,11 +31,11 @@ use std::ops::RangeInclusive;
 pub struct Requirements {
     /// Radius of the object where it is gripped.
     pub object: Length,
-    /// Its height along the axis, if it is given; otherwise it is as tall as wide.
+    /// Height of the object along the axis; `None` if the object is as tall as wide.
     pub height: Option<Length>,
-    /// Its shape, if it is given; otherwise a ball.
+    /// Shape of the object; `None` is taken as a ball.
     pub shape: Option<ObjectShape>,
-    /// Its mass.
+    /// Mass of the object.
     pub mass: Mass,
     /// Pressure, if it is given.
     pub pressure: Option<Pressure>,
@@ -135,7 +136,7 @@ pub const FRICTION_RANGE: [f64; 2] = [0.2, 0.42];
 /// The payload that can be counted on, over the mass. As a search counts on 80 % of a payload's lower end, it has 1.5 times the mass there, and
 /// the mass if friction is at the lower end of [`FRICTION_RANGE`].
 pub const MARGIN: f64 = 1.2;
-/// The same for the search, whose values are rounded afterwards. With 1.2 here, too, 10 of the 78 grippers for 120 random requests are not found,
+/// The margin of the search, whose values are rounded afterwards. With 1.2 here, too, 10 of the 78 grippers for 120 random requests are not found,
 /// and the others take 22 % more fabric; with 1.21 or 1.3 the number is the same within one, and the fabric within 1 %.
 const SEARCHED_MARGIN: f64 = 1.25;
 /// Required ratio of burst pressure to pressure, where the seal's strength is known.
@@ -172,34 +173,38 @@ pub struct Choice {
 fn feasible(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> Vec<Choice> {
     let base = requirements.candidate(base);
     let Some(bounds) = requirements.bounds(&base) else { return Vec::new() };
-    let kept = requirements.constraints(&base, MARGIN);
+    let constraints = requirements.constraints(&base, MARGIN);
     let round = |found: &SearchResult| -> Vec<Evaluation> {
-        let met = found.best.iter().filter(|one| one.violation == 0.0);
-        met.filter_map(|one| rounded(one, &kept, requirements.pressure, ring)).collect()
+        let feasible = found.best.iter().filter(|one| one.violation == 0.0);
+        feasible.filter_map(|one| rounded(one, &constraints, requirements.pressure, ring)).collect()
     };
-    let asked = requirements.constraints(&base, SEARCHED_MARGIN);
+    let searched = requirements.constraints(&base, SEARCHED_MARGIN);
     let (base, bounds) = (&base, &bounds);
     let search = |constraints: &Constraints| {
         let search = DesignSearch::new(base, bounds, constraints, Goal::Fabric, ring);
         DesignSearch { effort: SearchEffort::QUICK, ..search }.run()
     };
-    let found = search(&asked);
-    let mut met = round(&found);
-    if met.is_empty() && found.best.first().is_some_and(|best| best.violation == 0.0) {
+    let result = search(&searched);
+    let mut choices = round(&result);
+    if choices.is_empty() && result.best.first().is_some_and(|best| best.violation == 0.0) {
         // The best lies where an object just fits in: rounded values may violate the constraint there. In a slightly smaller box they meet
         // it.
         let inside = Constraints {
-            grasp: asked
+            grasp: searched
                 .grasp
                 .map(|[least, most]| [Length(least.0 * (1.0 - INSIDE)), Length(most.0 * (1.0 + INSIDE))]),
-            ..asked
+            ..searched
         };
-        met = round(&search(&inside));
+        choices = round(&search(&inside));
     }
-    met.sort_by(|a, b| a.fabric().total_cmp(&b.fabric()));
-    let mut others: Vec<(u32, f64)> = met.iter().map(|one| (one.point.star.points, one.fabric())).collect();
-    others.sort_by_key(|(points, _)| *points);
-    met.into_iter().map(|best| Choice { requirements: *requirements, best, others: others.clone() }).collect()
+    choices.sort_by(|a, b| a.fabric().total_cmp(&b.fabric()));
+    let mut areas: Vec<(u32, f64)> =
+        choices.iter().map(|one| (one.point.star.points, one.fabric())).collect();
+    areas.sort_by_key(|(points, _)| *points);
+    choices
+        .into_iter()
+        .map(|best| Choice { requirements: *requirements, best, others: areas.clone() })
+        .collect()
 }
 
 impl Requirements {
@@ -285,7 +290,7 @@ fn no_tube(base: &Candidate) -> String {
 /// Values that are rounded: tube width, inner radius, tip angle, and the pressure if it is free.
 const ROUNDED: u32 = 4;
 
-/// The same in rounded values, if it still meets the requirements: the nearest tenths, or, where the best lies on an edge, those of the
+/// The star in rounded values, if it still meets the requirements: the nearest tenths, or, where the best lies on an edge, those of the
 /// tenths around it that take the least fabric. A pressure that was requested stays `fixed`.
 fn rounded(
     found: &Evaluation,

@@ -1,9 +1,10 @@
 //! A sized gripper as a spec, each value with its reason.
 
 use crate::case::sheet;
+use crate::interval::{mm, scaled};
 use crate::optimize::{SEARCHED, sure_payload};
 use crate::outcome::Outcome;
-use crate::ranges::{mm, scaled, shown};
+use crate::ranges::shown;
 use crate::sizing::{Choice, FRICTION, FRICTION_RANGE, MARGIN};
 use design::inflated_height;
 use inflatable::mechanics::strength::GRAVITY;
@@ -114,15 +115,15 @@ impl Lines {
     }
 
     fn star(&mut self, choice: &Choice) {
-        let (star, own) = (&choice.best.point.star, choice.best.answer.outcome.as_ref());
-        let across = own.map(|own| 2.0 * Length::from_metres(own.rest.radius).0);
-        let range = own.and_then(|own| own.ranges.radius).map(|range| scaled(mm(range), 2.0));
+        let (star, outcome) = (&choice.best.point.star, choice.best.answer.outcome.as_ref());
+        let across = outcome.map(|outcome| 2.0 * Length::from_metres(outcome.rest.radius).0);
+        let range = outcome.and_then(|outcome| outcome.ranges.radius).map(|range| scaled(mm(range), 2.0));
         let closes = shown::known(across, range, "mm across");
-        let opens = own.map_or(0.0, |own| 2e3 * own.graspable[1]);
-        let others: Vec<String> =
+        let opens = outcome.map_or(0.0, |outcome| 2e3 * outcome.graspable[1]);
+        let areas: Vec<String> =
             choice.others.iter().map(|(points, area)| format!("{points}: {:.0} cm2", area / 100.0)).collect();
         self.text += "[star]\n";
-        self.value("points", star.points, &format!("the least fabric ({})", others.join(", ")));
+        self.value("points", star.points, &format!("the least fabric ({})", areas.join(", ")));
         let object = choice.requirements.width_in_words();
         let room = format!(
             "the object, {object} across, enters with room; the inflated star opens to {opens:.1} mm across"
@@ -145,19 +146,19 @@ impl Lines {
 
     fn stack(&mut self, choice: &Choice) {
         let (point, answer) = (&choice.best.point, &choice.best.answer);
-        let own = answer.grip.as_ref();
-        let force = own.and_then(Outcome::object_force);
-        let one = match own.and_then(|own| own.force_range) {
+        let outcome = answer.grip.as_ref();
+        let force = outcome.and_then(Outcome::object_force);
+        let force_text = match outcome.and_then(|outcome| outcome.force_range) {
             Some(range) => shown::known(force, Some(range), "N"),
             None => force.map_or("unknown".to_owned(), |force| format!("{force:.1} N by the model")),
         };
         let needed = choice.requirements.mass.0 * GRAVITY / choice.requirements.friction;
         self.text += "[stack]\n";
-        let stars = if point.stars == 1 { "one star presses" } else { "each star presses" };
+        let stars = if point.stars == 1 { "force_text star presses" } else { "each star presses" };
         self.value(
             "count",
             point.stars,
-            &format!("{stars} with {one}; {} in all are needed", in_newtons(needed)),
+            &format!("{stars} with {force_text}; {} in all are needed", in_newtons(needed)),
         );
         let tube = inflated_height(point.star.tube_width).0;
         let why = format!("the inflated tube is {tube:.1} mm high, a plate {} thick", point.plate);
@@ -191,8 +192,8 @@ impl Lines {
     fn load(&mut self, choice: &Choice) {
         let (requirements, point, answer) = (&choice.requirements, &choice.best.point, &choice.best.answer);
         self.text += "[load]\n";
-        let own = answer.outcome.as_ref();
-        let stretch = own.and(answer.case.stretch()).unwrap_or(0.0);
+        let outcome = answer.outcome.as_ref();
+        let stretch = outcome.and(answer.case.stretch()).unwrap_or(0.0);
         let least =
             if requirements.pressure.is_some() { "" } else { "; less fabric than at other pressures" };
         let burst = answer
@@ -218,11 +219,12 @@ impl Lines {
             self.value("friction_most", most, "highest expected friction");
         }
         // The range of an assumed friction, which widens that of `predict`, comes on top.
-        let at = if is_assumed { format!(" at friction {FRICTION}") } else { String::new() };
+        let friction_text =
+            if is_assumed { format!(" friction_text friction {FRICTION}") } else { String::new() };
         let sure = sure_payload(point, answer).map_or_else(|| "unknown".to_owned(), |kg| payload(&[kg]));
         let range = answer.payload_range.map(|range| format!("; predicted {}", payload(&range)));
-        let held = format!("safe payload {sure}{at}{}", range.unwrap_or_default());
-        self.quantity("mass", requirements.mass_in_words(), &held);
+        let mass_text = format!("safe payload {sure}{friction_text}{}", range.unwrap_or_default());
+        self.quantity("mass", requirements.mass_in_words(), &mass_text);
         let bears = "that the object bears from one star, all corners together";
         self.optional("largest_force", requirements.force_in_words(), bears);
     }

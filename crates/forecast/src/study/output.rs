@@ -3,8 +3,8 @@
 use crate::candidate::{Answer, Candidate};
 use crate::case::Case;
 use crate::folding::until_arms_fold;
+use crate::interval::Interval;
 use crate::outcome::Outcome;
-use crate::ranges::Interval;
 use crate::shell::request::Measurements;
 use inflatable::mechanics::strength::payload;
 use spec::ModelChoice;

@@ -1,7 +1,7 @@
 //! The columns of answers: values by hinge models, values that need no model, and values by shells alone.
 
+use crate::interval::Interval;
 use crate::outcome::Outcome;
-use crate::ranges::Interval;
 use crate::shell::request::Measurements;
 use crate::star_answer::mm;
 use crate::study::output::{Of, OutputColumn, RangeOf, StudyRow, ValueOf};

@@ -60,8 +60,8 @@ impl Banded {
                 let factor = self.entries[place] / diagonal;
                 self.entries[place] = factor;
                 if factor != 0.0 {
-                    let (top, own) = (self.place(column, column), place);
-                    let (head, tail) = self.entries.split_at_mut(own);
+                    let (top, pivot_row) = (self.place(column, column), place);
+                    let (head, tail) = self.entries.split_at_mut(pivot_row);
                     let source = &head[top + 1..top + reach - column];
                     for (entry, above) in tail[1..].iter_mut().zip(source) {
                         *entry -= factor * above;

@@ -71,16 +71,15 @@ pub fn bracketed_root<E: From<RootFault>>(
         } else {
             (high, at_high) = (point, at_point);
         }
-        if (point - middle).abs() <= tolerance && (high - low).abs() > tolerance {
-            // Converged from one side: step over the root to close the bracket.
-            let beyond = if low == point { point + tolerance } else { point - tolerance };
-            if beyond > low.min(high) && beyond < low.max(high) {
-                let at_beyond = value(beyond)?;
-                if at_beyond.signum() == at_low.signum() {
-                    (low, at_low) = (beyond, at_beyond);
-                } else {
-                    (high, at_high) = (beyond, at_beyond);
-                }
+        // Converged from one side: step over the root to close the bracket.
+        let beyond = if low == point { point + tolerance } else { point - tolerance };
+        let is_one_sided = (point - middle).abs() <= tolerance && (high - low).abs() > tolerance;
+        if is_one_sided && beyond > low.min(high) && beyond < low.max(high) {
+            let at_beyond = value(beyond)?;
+            if at_beyond.signum() == at_low.signum() {
+                (low, at_low) = (beyond, at_beyond);
+            } else {
+                (high, at_high) = (beyond, at_beyond);
             }
         }
     }

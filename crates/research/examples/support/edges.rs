@@ -4,10 +4,11 @@ use std::fmt::Write;
 
 use stargrip_cam::design::Star;
 use stargrip_cam::forecast::case::Case;
+use stargrip_cam::forecast::interval::mm;
 use stargrip_cam::forecast::model_selection::tabled;
 use stargrip_cam::forecast::outcome::Outcome;
+use stargrip_cam::forecast::ranges::Domain;
 use stargrip_cam::forecast::ranges::shown::known;
-use stargrip_cam::forecast::ranges::{Domain, mm};
 use stargrip_cam::spec::{Source, read};
 
 /// Keys and values in place of the paper's.

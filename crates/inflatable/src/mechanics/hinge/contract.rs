@@ -19,14 +19,14 @@ fn target(model: &dyn HingeModel, r_star: f64) -> HingeState {
 /// The target is where the moment vanishes, it overcoils, and it is stable.
 fn target_is_a_stable_rest(model: &dyn HingeModel, tolerance: f64) {
     for r_star in R_STARS {
-        let at = target(model, r_star);
-        assert!(at.lambda > 1.2 && at.lambda < 1.4, "R* {r_star}: {}", at.lambda);
-        assert!(at.slope.abs() <= tolerance * (1.0 + r_star), "R* {r_star}: {}", at.slope);
-        assert!(at.curvature < -0.3, "R* {r_star}: {}", at.curvature);
+        let rest = target(model, r_star);
+        assert!(rest.lambda > 1.2 && rest.lambda < 1.4, "R* {r_star}: {}", rest.lambda);
+        assert!(rest.slope.abs() <= tolerance * (1.0 + r_star), "R* {r_star}: {}", rest.slope);
+        assert!(rest.curvature < -0.3, "R* {r_star}: {}", rest.curvature);
         let hinge = Hinge { r_star, width: 0.02, rest_angle: 1.0 };
-        assert!(hinge.moment(1e4, &state(model, r_star, at.lambda - 0.02)) < 0.0, "open hinges close");
-        assert!(hinge.moment(1e4, &state(model, r_star, at.lambda + 0.02)) > 0.0, "closed hinges open");
-        assert!(hinge.stiffness(1e4, &at) > 0.0);
+        assert!(hinge.moment(1e4, &state(model, r_star, rest.lambda - 0.02)) < 0.0, "open hinges close");
+        assert!(hinge.moment(1e4, &state(model, r_star, rest.lambda + 0.02)) > 0.0, "closed hinges open");
+        assert!(hinge.stiffness(1e4, &rest) > 0.0);
     }
 }
 
@@ -66,20 +66,20 @@ fn everything_is_finite(model: &dyn HingeModel) {
             let state = state(model, r_star, 1.0 + 0.05 * f64::from(i));
             let edges = state.edges.map_or([0.0; 4], |e| [e.tension, e.angle, e.width, e.rim_force]);
             let effort = [state.effort.residual, state.effort.error];
-            let own = [state.lambda, state.volume.unwrap_or(0.0), state.slope, state.curvature];
-            assert!(own.iter().chain(&edges).chain(&effort).all(|x| x.is_finite()), "{state:?}");
+            let numbers = [state.lambda, state.volume.unwrap_or(0.0), state.slope, state.curvature];
+            assert!(numbers.iter().chain(&edges).chain(&effort).all(|x| x.is_finite()), "{state:?}");
         }
     }
 }
 
-/// The same hinge, ten times as large at a thousandth of the pressure, has the same moment and stiffness.
+/// A hinge, ten times as large at a thousandth of the pressure, has the same moment and stiffness.
 fn moments_scale_with_pressure_and_volume(model: &dyn HingeModel) {
     let (small, large) = (0.02, 0.2);
-    let at = state(model, 0.1, 1.2);
+    let hinge_state = state(model, 0.1, 1.2);
     let hinge = |width| Hinge { r_star: 0.1, width, rest_angle: 1.0 };
     let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");
-    close(hinge(small).moment(1e4, &at), hinge(large).moment(10.0, &at));
-    close(hinge(small).stiffness(1e4, &at), hinge(large).stiffness(10.0, &at));
+    close(hinge(small).moment(1e4, &hinge_state), hinge(large).moment(10.0, &hinge_state));
+    close(hinge(small).stiffness(1e4, &hinge_state), hinge(large).stiffness(10.0, &hinge_state));
 }
 
 /// Invalid hinges are refused.
@@ -100,10 +100,10 @@ fn nonsense_is_refused(model: &dyn HingeModel) {
 /// exists; below its onset the opening moment is nearly constant.
 fn opening_is_stiffer_than_closing(model: &dyn HingeModel) {
     for r_star in R_STARS {
-        let at = target(model, r_star).lambda;
-        let step = 0.8 * (at - model.onset(r_star).expect("in range").expect("has an onset"));
-        let opened = state(model, r_star, at - step).slope;
-        let closed = -state(model, r_star, at + step).slope;
+        let rest = target(model, r_star).lambda;
+        let step = 0.8 * (rest - model.onset(r_star).expect("in range").expect("has an onset"));
+        let opened = state(model, r_star, rest - step).slope;
+        let closed = -state(model, r_star, rest + step).slope;
         assert!(opened > closed && closed > 0.0, "R* {r_star}: {opened} {closed}");
     }
 }

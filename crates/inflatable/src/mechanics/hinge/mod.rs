@@ -28,7 +28,7 @@ pub enum Level {
 }
 
 impl Level {
-    /// Its name in specs and reports.
+    /// Name in specs and reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Fit => "fit",
@@ -55,7 +55,7 @@ pub trait HingeModel: Sync {
     /// The hinge at its target, where the volume is largest: `V_bar'(lambda_t) = 0`.
     ///
     /// # Errors
-    /// As for [`HingeModel::state`].
+    /// The errors of [`HingeModel::state`].
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault>;
 
     /// The coiling factor `lambda_c` at which hoop tension sets in away from the rim, and V_bar'' jumps;
@@ -170,7 +170,7 @@ impl Hinge {
         self.angle_between(self.arms(model), state)
     }
 
-    /// The same with the effect of the arms given.
+    /// The angle with a given effect of the arms.
     pub(super) fn angle_between(&self, arms: Option<Arms>, state: &HingeState) -> f64 {
         self.angle(state.lambda) - let_out(arms)
     }
@@ -178,7 +178,7 @@ impl Hinge {
     /// `model`'s state at the angle `phi` (rad), arms included.
     ///
     /// # Errors
-    /// As for [`HingeModel::state`].
+    /// The errors of [`HingeModel::state`].
     pub fn state_at(&self, model: &dyn HingeModel, phi: f64) -> Result<HingeState, HingeFault> {
         let arms = self.arms(model);
         let alone = model.state(self.r_star, self.coiling(phi + let_out(arms)))?;
@@ -188,12 +188,12 @@ impl Hinge {
     /// `model`'s state at rest, arms included.
     ///
     /// # Errors
-    /// As for [`HingeModel::target`].
+    /// The errors of [`HingeModel::target`].
     pub fn rest(&self, model: &dyn HingeModel) -> Result<HingeState, HingeFault> {
         self.rest_between(self.arms(model), model)
     }
 
-    /// The same with the effect of the arms given.
+    /// The state at rest with a given effect of the arms.
     pub(super) fn rest_between(
         &self,
         arms: Option<Arms>,

@@ -110,8 +110,8 @@ impl Correction {
     /// The closed forms alone, without what shells give beyond them.
     pub fn trend(star: &Mechanism, width: f64, ratios: Ratios) -> Self {
         let Ratios { thickness, stretch, bendability } = ratios;
-        let own = |arc: f64| FRAC_2_PI + (width - FRAC_2_PI) * libm::tanh(arc / OWN_WIDTH);
-        let (tip, corner) = (own(star.tip().arc()), own(star.corner().arc()));
+        let hinge_width = |arc: f64| FRAC_2_PI + (width - FRAC_2_PI) * libm::tanh(arc / OWN_WIDTH);
+        let (tip, corner) = (hinge_width(star.tip().arc()), hinge_width(star.corner().arc()));
         let width = 0.5 * (tip + corner);
         let long = star.arm / star.width;
         // A coiled tip keeps the length of its inner arc, between parallel arms nearly as much as between touching ones.
@@ -193,8 +193,8 @@ impl Correction {
         if !self.corner_compliance {
             return 1.0;
         }
-        let own = LEVER * star.width / star.sector_sine();
-        self.stiffness_factor * slope * slope / (slope * slope + own * own)
+        let lever = LEVER * star.width / star.sector_sine();
+        self.stiffness_factor * slope * slope / (slope * slope + lever * lever)
     }
 }
 

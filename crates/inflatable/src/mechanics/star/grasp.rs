@@ -76,15 +76,15 @@ impl Grasp {
         let c = CURVED * star.correction.hinge_nonlinearity;
         let HingePair { stiffness: [tip, corner], target: [of_tip, of_corner] } = hinges;
         let pull = tip * (1.0 + 2.0 * c * (angle - of_tip)) + corner * (1.0 + 2.0 * c * (angle - of_corner));
-        let both = tip + corner;
+        let total = tip + corner;
         let lever = LEVER * star.width / star.sector_sine();
-        let at = star.radius(angle);
+        let arms = star.radius(angle);
         Self {
             star: *star,
             angles: [angle, (widest - angle).max(0.0)],
             stiffness,
-            growth: c * both / pull.max(LEAST_LEFT * both),
-            rest: [at.value, at.slope],
+            growth: c * total / pull.max(LEAST_LEFT * total),
+            rest: [arms.value, arms.slope],
             lever: lever * lever,
         }
     }
@@ -121,7 +121,7 @@ impl Grasp {
             return 1.0;
         }
         // Force over k(0), and the opening by that force, with its derivative.
-        let at = |turned: f64| {
+        let opened_by = |turned: f64| {
             let open = self.star.radius(angle + turned);
             let moment = turned * (1.0 + self.growth * turned);
             let force = moment / open.slope;
@@ -133,17 +133,17 @@ impl Grasp {
         let [mut force, mut found] = [0.0, opening];
         for _ in 0..STEPS {
             let rises;
-            (found, rises, force) = at(turned);
-            let left = opening - found;
-            if left.abs() <= TOLERANCE * opening {
+            (found, rises, force) = opened_by(turned);
+            let remaining = opening - found;
+            if remaining.abs() <= TOLERANCE * opening {
                 break;
             }
-            if left > 0.0 {
+            if remaining > 0.0 {
                 low = turned;
             } else {
                 high = turned;
             }
-            let next = turned + left / rises;
+            let next = turned + remaining / rises;
             turned = if next > low && next < high { next } else { 0.5 * (low + high) };
         }
         // Where corners are straight before the arms lock, the last secant is extended.

@@ -82,12 +82,12 @@ impl Mechanism {
 
     /// `sin(pi / n)`.
     pub fn sector_sine(&self) -> f64 {
-        /// Those of as many points as a spec may have, for designs in millions.
+        /// Sines for as many points as a spec may have, for designs in millions.
         #[expect(clippy::cast_precision_loss, reason = "a few points")]
         static KNOWN: LazyLock<[f64; 65]> =
             LazyLock::new(|| std::array::from_fn(|n| libm::sin(PI / n as f64)));
-        let known = usize::try_from(self.points).ok().and_then(|points| KNOWN.get(points));
-        known.copied().unwrap_or_else(|| libm::sin(0.5 * self.turn()))
+        let sine = usize::try_from(self.points).ok().and_then(|points| KNOWN.get(points));
+        sine.copied().unwrap_or_else(|| libm::sin(0.5 * self.turn()))
     }
 
     /// The hinge at a tip.

@@ -75,7 +75,7 @@ struct LaneBlock {
 /// The last star of a thread.
 #[derive(Debug, Default)]
 struct LastStar {
-    /// Its slow ratios; none before the first star.
+    /// Slow ratios of the last star; none before the first star.
     slow: Option<[f32; SLOW.len()]>,
     /// 1 and its distances from the blocks in these ratios, squared.
     apart: Vec<f32x8>,
@@ -103,8 +103,8 @@ impl Residuals {
         let mut sums = [f32x8::ZERO; WEIGHTS];
         for (block, apart) in table.iter().zip(&last.apart) {
             let root = further(*apart, &fast, &block.fast);
-            let near = f32x8::ONE / (root * root);
-            sums = from_fn(|i| sums[i] + block.weights[i] * near);
+            let kernel = f32x8::ONE / (root * root);
+            sums = from_fn(|i| sums[i] + block.weights[i] * kernel);
         }
         let [angle, radius, stiffness, force @ ..] =
             sums.map(|sum| sum.to_array().iter().map(|lane| f64::from(*lane)).sum());

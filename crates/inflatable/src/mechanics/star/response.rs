@@ -168,13 +168,13 @@ impl<'a> Inflated<'a> {
         let at_start = torque(start)?;
         let (low, high) = (one.min(other), one.max(other));
         let bound = if at_start > 0.0 { low } else { high };
-        let mut near = start;
+        let mut last = start;
         for part in [0.25, 0.5, 0.75, 1.0] {
-            let far = start + part * (bound - start);
-            if torque(far)? * at_start <= 0.0 {
-                return bracketed_root(near, far, ANGLE_TOLERANCE, torque);
+            let next = start + part * (bound - start);
+            if torque(next)? * at_start <= 0.0 {
+                return bracketed_root(last, next, ANGLE_TOLERANCE, torque);
             }
-            near = far;
+            last = next;
         }
         // At the bound itself one hinge is at rest and the other pulls on; only rounding hides the sign.
         Ok(bound)
@@ -194,8 +194,8 @@ impl<'a> Inflated<'a> {
         let points = f64::from(self.star.points);
         let (tip, corner) = (self.star.tip(), self.star.corner());
         let phi = phi - self.star.correction.angle_offset;
-        let at = |hinge: Hinge, phi: f64| hinge.state_at(self.model, phi);
-        let (of_tip, of_corner) = (at(tip, phi)?, at(corner, phi + self.star.turn())?);
+        let state_at = |hinge: Hinge, phi: f64| hinge.state_at(self.model, phi);
+        let (of_tip, of_corner) = (state_at(tip, phi)?, state_at(corner, phi + self.star.turn())?);
         let spring = -of_tip.curvature / tip.arc() - of_corner.curvature / corner.arc();
         Ok((points * (of_tip.slope + of_corner.slope), points * spring))
     }
@@ -212,7 +212,7 @@ impl<'a> Inflated<'a> {
     /// Radial force F (N, all corners together) on an object of radius `rho` (m) that keeps the star open.
     ///
     /// # Errors
-    /// As for [`Inflated::angle_at`], or if the model refuses.
+    /// The errors of [`Inflated::angle_at`], or if the model refuses.
     pub fn force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
         let phi = self.angle_at(rho, rest)?;
         let (torque, _) = self.torque(phi)?;
@@ -223,7 +223,7 @@ impl<'a> Inflated<'a> {
     /// correction that of [`Grasp`].
     ///
     /// # Errors
-    /// As for [`Inflated::angle_at`].
+    /// The errors of [`Inflated::angle_at`].
     pub fn linear_force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
         self.linear_force_by(self.grasp(rest).as_ref(), rho, rest)
     }
@@ -231,7 +231,7 @@ impl<'a> Inflated<'a> {
     /// [`Inflated::linear_force`] with [`Inflated::grasp`] given: a prediction and its range use the same.
     ///
     /// # Errors
-    /// As for [`Inflated::angle_at`].
+    /// The errors of [`Inflated::angle_at`].
     pub fn linear_force_by(&self, grasp: Option<&Grasp>, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
         if let Some(grasp) = grasp {
             check_reach(rho, rest)?;

@@ -29,7 +29,7 @@ use crate::numerics::band::{Banded, Factors};
 pub trait Problem<const N: usize> {
     /// The right-hand side f(x, y).
     fn slope(&self, x: f64, y: &[f64; N]) -> [f64; N];
-    /// Its Jacobian: row by row, by component of y.
+    /// Jacobian of the right side: row by row, by component of y.
     fn jacobian(&self, x: f64, y: &[f64; N]) -> [[f64; N]; N];
     /// Components fixed at the left end, with their values.
     fn left(&self) -> &[(usize, f64)];
@@ -125,7 +125,7 @@ impl<const N: usize> Profile<N> {
         })
     }
 
-    /// The same profile with every interval halved.
+    /// This profile with every interval halved.
     pub fn halved(&self, problem: &impl Problem<N>) -> Self {
         let mut finer = Self { mesh: vec![self.mesh[0]], values: vec![self.values[0]] };
         for i in 0..self.mesh.len() - 1 {

@@ -46,7 +46,7 @@ impl Slopes {
         slopes
     }
 
-    /// The same in the axes in which the points move.
+    /// Turns the derivatives into the axes in which the points move.
     fn turn(&mut self, piece: &Piece, supports: &Supports) {
         for i in 0..3 {
             for k in 0..3 {
@@ -89,7 +89,7 @@ fn own(sheet: &Sheet, piece: &Piece, x: [Vector; 3], facet: &Facet, loads: Loads
 pub enum Tangent {
     /// The energy's.
     Exact,
-    /// The same as if compressive stresses did not make the sheet buckle.
+    /// The derivatives as if compressive stresses did not make the sheet buckle.
     Tensile,
 }
 

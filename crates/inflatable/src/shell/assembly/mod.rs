@@ -52,7 +52,7 @@ impl Energy {
 pub struct Assembly {
     /// The sheet.
     pub sheet: Sheet,
-    /// Its supports.
+    /// Supports of the sheet.
     pub supports: Supports,
     numbering: Numbering,
     pattern: Pattern,
@@ -68,7 +68,7 @@ pub struct Assembly {
     gradient: Vec<f64>,
     /// The lower triangle's values, and a last one that collects the unused entries.
     values: Vec<f64>,
-    /// The same of the second half of the triangles.
+    /// The sums of the second half of the triangles.
     second_values: Vec<f64>,
 }
 

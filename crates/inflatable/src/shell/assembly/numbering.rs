@@ -93,7 +93,7 @@ pub(crate) struct Pattern {
     pub(crate) rows: Vec<u32>,
     /// For each triangle the places of its pairs; unused pairs go to the place after the last.
     pub(crate) places: Vec<[u32; PAIRS]>,
-    /// The same for each kink.
+    /// Positions for each kink.
     pub(crate) kinks: Vec<[u32; KINK_PAIRS]>,
     /// For each point the places of its pairs of axes 00, 10, 11, 20, 21, 22.
     pub(crate) point_places: Vec<[u32; 6]>,

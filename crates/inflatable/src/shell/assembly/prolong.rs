@@ -54,10 +54,10 @@ impl Assembly {
                 let aside =
                     [0, 1].map(|c| finer.sheet.points[middle][c] - f64::midpoint(flat_a[c], flat_b[c]));
                 let chord = times(0.5, minus(state.points[b], state.points[a]));
-                let mut at = along(along(state.points[a], 1.0, chord), -bow, facet.normal);
-                at = along(at, 1.0, [aside[0], aside[1], 0.0]);
+                let mut place = along(along(state.points[a], 1.0, chord), -bow, facet.normal);
+                place = along(place, 1.0, [aside[0], aside[1], 0.0]);
                 let part = 1.0 / sides[piece.edges[i]];
-                fine.points[middle] = along(fine.points[middle], part, at);
+                fine.points[middle] = along(fine.points[middle], part, place);
             }
         }
         finer.hold(&mut fine);

@@ -62,7 +62,7 @@ pub struct Sheet {
     pub(crate) edge_count: usize,
     /// Points, then edges, in an order in which little fills in as they are eliminated.
     pub(crate) order: Vec<usize>,
-    /// Its response to compression within its plane.
+    /// Response to compression within its plane.
     pub(crate) compression: Compression,
     /// The edges whose kinks stand for the bending of a wrinkled sheet.
     pub(crate) kinks: Vec<Kink>,
@@ -71,7 +71,7 @@ pub struct Sheet {
 /// Response of a sheet to compression within its plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Compression {
-    /// The same as to tension, until it buckles in wrinkles that the mesh must resolve.
+    /// It responds as to tension, until it buckles in wrinkles that the mesh must resolve.
     #[default]
     Elastic,
     /// Almost none: it buckles in wrinkles that are too fine for the mesh, and the shape is their mean. The value is the part of its
@@ -231,15 +231,15 @@ fn piece(mesh: &Mesh, fabric: Fabric, t: usize) -> Piece {
     for i in 0..3 {
         let edge = &mesh.edges[edges[i]];
         debug_assert!(edge.ends.contains(&corners[NEXT[i]]) && edge.ends.contains(&corners[LAST[i]]));
-        let left = edge.sides[0] == Some(t);
-        beyond[i] = match (edge.sides[usize::from(left)], edge.border) {
+        let is_left = edge.sides[0] == Some(t);
+        beyond[i] = match (edge.sides[usize::from(is_left)], edge.border) {
             (Some(other), _) => neighbour(mesh, other, edges[i]),
             (None, Some(Border::Mirror(plane))) => Beyond::Image(usize::from(plane)),
             (None, _) => Beyond::Nothing,
         };
         lean[i] = match beyond[i] {
             Beyond::Image(_) => 0.0,
-            _ if left => 1.0,
+            _ if is_left => 1.0,
             _ => -1.0,
         };
     }
@@ -258,13 +258,13 @@ fn piece(mesh: &Mesh, fabric: Fabric, t: usize) -> Piece {
 }
 
 fn twins(beyond: &[Beyond; 3]) -> [bool; 3] {
-    let far =
+    let corners =
         beyond.map(|beyond| if let Beyond::Neighbour { corner, .. } = beyond { Some(corner) } else { None });
-    std::array::from_fn(|i| far[NEXT[i]].is_some() && far[NEXT[i]] == far[LAST[i]])
+    std::array::from_fn(|i| corners[NEXT[i]].is_some() && corners[NEXT[i]] == corners[LAST[i]])
 }
 
 fn neighbour(mesh: &Mesh, triangle: usize, edge: usize) -> Beyond {
-    let own = mesh.triangle_edges[triangle].iter().position(|&other| other == edge);
-    let edge = own.unwrap_or_default();
+    let side = mesh.triangle_edges[triangle].iter().position(|&other| other == edge);
+    let edge = side.unwrap_or_default();
     Beyond::Neighbour { triangle, edge, corner: mesh.triangles[triangle][edge] }
 }

@@ -8,7 +8,7 @@ use crate::shell::mesh::{Border, Mesh};
 pub struct Plane {
     /// A point of it, in plan view.
     pub point: [f64; 2],
-    /// Its unit normal, out of the sheet.
+    /// Unit normal, out of the sheet.
     pub normal: [f64; 2],
 }
 

@@ -25,7 +25,7 @@ fn crumpled(fabric: Fabric, diagonal: Diagonal, turn: f64) -> Result<(Assembly, 
     with_margin(fabric, diagonal, turn, None)
 }
 
-/// The same with its upper row as a margin.
+/// The mesh with its upper row as a margin.
 fn with_margin(
     fabric: Fabric,
     diagonal: Diagonal,

@@ -62,13 +62,13 @@ impl Assembly {
     }
 
     fn by_area(&self, of: impl Fn(f64) -> f64) -> Vec<f64> {
-        let mut found = vec![0.0; self.numbering.count];
+        let mut values = vec![0.0; self.numbering.count];
         for (numbers, area) in self.numbering.points.iter().zip(&self.sheet.areas) {
             for number in numbers.iter().filter(|number| **number != NONE) {
-                found[*number as usize] = of(*area);
+                values[*number as usize] = of(*area);
             }
         }
-        found
+        values
     }
 
     /// Flat area of each point, 0 for those that are held in the plane of which `is_wall` is true; a margin that bears no compression gives
@@ -76,17 +76,17 @@ impl Assembly {
     pub(crate) fn contact_areas(&self, is_wall: impl Fn(Plane) -> bool) -> Vec<f64> {
         let Sheet { pieces, points, areas, .. } = &self.sheet;
         let gives_way = |piece: &Piece| matches!(piece.margin, Some(Compression::Wrinkled(_)));
-        let mut found = if pieces.iter().any(gives_way) {
+        let mut tributary = if pieces.iter().any(gives_way) {
             sheet::areas(points.len(), pieces.iter().filter(|piece| piece.margin.is_none()))
         } else {
             areas.clone()
         };
-        for (area, hold) in found.iter_mut().zip(&self.supports.holds) {
+        for (area, hold) in tributary.iter_mut().zip(&self.supports.holds) {
             if hold.plane.is_some_and(|plane| is_wall(self.supports.planes[plane])) {
                 *area = 0.0;
             }
         }
-        found
+        tributary
     }
 
     /// Adds the kinks' part to the Hessian.

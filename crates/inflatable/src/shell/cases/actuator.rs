@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 /// A V-actuator, SI units and radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VActuator {
-    /// Its tube.
+    /// The tube of hinge and arms.
     pub tube: Tube,
     /// Inner radius R of its hinge, m.
     pub radius: f64,
@@ -41,7 +41,7 @@ pub struct Actuator {
     pub stiffness: Value,
     /// Requested angles, rad, and the applied moment dU/dphi that holds each, N m; positive opens.
     pub moments: Vec<(f64, Value)>,
-    /// Its modelled sheet at rest.
+    /// The modelled sheet at rest.
     pub shape: InflatedShape,
     /// The evidence for these values.
     pub evidence: Evidence,
@@ -75,7 +75,7 @@ const SHORTEST_ARM: f64 = 2.5;
 const LONGEST_ARM: f64 = 50.0;
 
 impl VActuator {
-    /// The same of any tube.
+    /// The flat half of an actuator of any tube.
     pub(super) fn flat(&self) -> Result<HalfActuator, ShellFault> {
         let w = self.tube.width;
         let l = self.arm_length / w;

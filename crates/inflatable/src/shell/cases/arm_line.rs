@@ -19,7 +19,7 @@ impl ArmLine {
         Self::within(mesh, along, reach, |_| true)
     }
 
-    /// The same, of the edges whose middles on the flat sheet `is_own` accepts.
+    /// The line of the edges whose middles on the flat sheet `is_own` accepts.
     pub(crate) fn within(
         mesh: &Mesh,
         along: [f64; 2],
@@ -48,7 +48,7 @@ impl ArmLine {
         Self { weights }
     }
 
-    /// Its direction in `state`; of length 1 where the arm is neither bent nor stretched.
+    /// Direction of the line in `state`; of length 1 where the arm is neither bent nor stretched.
     pub(crate) fn direction(&self, state: &State) -> [f64; 2] {
         let sum =
             |c: usize| self.weights.iter().map(|(point, weight)| weight * state.points[*point][c]).sum();

@@ -54,16 +54,16 @@ impl Bend<'_> {
 
     /// Turns `state` from one angle to another in steps; the moment that holds it there.
     fn turn(&self, solver: &mut Solver, state: &mut State, [from, to]: [f64; 2]) -> Result<f64, Stop> {
-        let (mut at, mut step) = (from, STEP);
+        let (mut angle, mut step) = (from, STEP);
         loop {
-            let next = if (to - at).abs() <= step { to } else { at + step * (to - at).signum() };
+            let next = if (to - angle).abs() <= step { to } else { angle + step * (to - angle).signum() };
             let mut trial = state.clone();
             match self.hold(solver, &mut trial, next) {
                 Ok(moment) if next == to => {
                     *state = trial;
                     return Ok(moment);
                 }
-                Ok(_) => (*state, at) = (trial, next),
+                Ok(_) => (*state, angle) = (trial, next),
                 Err(why) if why == Stop::Cancelled || step < STEP * 0.5_f64.powi(MOST_HALVINGS) => {
                     return Err(why);
                 }

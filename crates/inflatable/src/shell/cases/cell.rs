@@ -15,7 +15,7 @@ use crate::shell::solver::{Aim, Solver, Stop};
 /// A hinge without arms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Cell {
-    /// Its tube.
+    /// The tube of the hinge.
     pub(super) tube: Tube,
     /// Inner radius R, m.
     pub(super) radius: f64,
@@ -82,32 +82,32 @@ impl Turning<'_> {
             *x = [x[0] - noise * x[1], x[1] + noise * x[0], x[2]];
         }
         solver.assembly.hold(&mut state);
-        let mut at = 1.0;
+        let mut turned_by = 1.0;
         let mut moment = self.turn(solver, &mut state, [1.0, 1.0])?;
         // In pressure's favour the energy falls as the cell closes.
-        let (mut before, mut lambda) = (moment, at);
+        let (mut before, mut lambda) = (moment, turned_by);
         while moment < 0.0 {
-            if at > FURTHEST {
+            if turned_by > FURTHEST {
                 return Err(Stop::Iterations);
             }
-            (before, lambda) = (moment, at);
-            moment = self.turn(solver, &mut state, [at, at + STEP])?;
-            at += STEP;
+            (before, lambda) = (moment, turned_by);
+            moment = self.turn(solver, &mut state, [turned_by, turned_by + STEP])?;
+            turned_by += STEP;
         }
         for _ in 0..6 {
             // The secant through the last two.
-            let next = at - moment * (at - lambda) / (moment - before);
-            (before, lambda) = (moment, at);
-            moment = self.turn(solver, &mut state, [at, next])?;
-            at = next;
-            if (at - lambda).abs() < 1e-7 {
+            let next = turned_by - moment * (turned_by - lambda) / (moment - before);
+            (before, lambda) = (moment, turned_by);
+            moment = self.turn(solver, &mut state, [turned_by, next])?;
+            turned_by = next;
+            if (turned_by - lambda).abs() < 1e-7 {
                 break;
             }
         }
         let mut aside = state.clone();
-        let more = self.turn(solver, &mut aside, [at, at + DIFFERENCE])?;
-        let less = self.turn(solver, &mut state, [at, at - DIFFERENCE])?;
-        Ok([at, 2.0 * (more - less) / (2.0 * DIFFERENCE)])
+        let more = self.turn(solver, &mut aside, [turned_by, turned_by + DIFFERENCE])?;
+        let less = self.turn(solver, &mut state, [turned_by, turned_by - DIFFERENCE])?;
+        Ok([turned_by, 2.0 * (more - less) / (2.0 * DIFFERENCE)])
     }
 
     /// Turns an equilibrium from one lambda to another; dPi/da there.
@@ -127,7 +127,7 @@ impl Turning<'_> {
         for edge in self.mesh.along(Border::Mirror(plane::SECOND)) {
             self.mesh.edges[edge].ends.iter().for_each(|end| is_turned[*end] = true);
         }
-        let mut at = |by: f64| {
+        let mut energy_at = |by: f64| {
             let mut aside = state.clone();
             for (x, _) in aside.points.iter_mut().zip(&is_turned).filter(|(_, is_turned)| **is_turned) {
                 *x = turned(*x, by);
@@ -136,7 +136,9 @@ impl Turning<'_> {
             solver.assembly.energy(&aside).total(self.aim.pressure)
         };
         let step = 1e-3;
-        let slope = (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step);
+        let slope = (8.0 * (energy_at(step) - energy_at(-step))
+            - (energy_at(2.0 * step) - energy_at(-2.0 * step)))
+            / (12.0 * step);
         solver.assembly.supports.turn_plane(1, Plane::second(angle));
         slope
     }

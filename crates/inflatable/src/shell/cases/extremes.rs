@@ -11,7 +11,7 @@ pub struct Extremes {
     /// The fabric's largest tension at a rim, both across the seam's plane and within it, N a metre of flat rim. A rim that turns on a
     /// point has no largest tension, and then the mesh error is as large as the value.
     pub seal_tension: Value,
-    /// Its position on the flat sheet, m.
+    /// Position on the flat sheet, m.
     pub seal_at: [f64; 2],
     /// Largest force across the seam's plane, of stretching, bending and pressure, N a metre of flat rim: the
     /// mean over a piece of rim as long as the seal's band is wide.
@@ -20,7 +20,7 @@ pub struct Extremes {
     pub pull_at: [f64; 2],
     /// Largest principal stretch.
     pub stretch: Value,
-    /// Its position on the flat sheet, m.
+    /// Position on the flat sheet, m.
     pub stretch_at: [f64; 2],
 }
 
@@ -64,9 +64,9 @@ pub(crate) fn pull(mesh: &Mesh, forces: &[[f64; 3]], band: f64) -> LoadedPlace {
     }
     let away = |a: usize, b: usize| distance(mesh.points[a], mesh.points[b]);
     let mean = |middle: usize| {
-        let near = rim.iter().filter(|(point, _)| away(middle, **point) <= band / 2.0);
+        let within = rim.iter().filter(|(point, _)| away(middle, **point) <= band / 2.0);
         let [force, length] =
-            near.fold([0.0; 2], |[force, all], (point, length)| [force - forces[*point][2], all + length]);
+            within.fold([0.0; 2], |[force, all], (point, length)| [force - forces[*point][2], all + length]);
         (force / length, mesh.points[middle])
     };
     rim.keys().map(|point| mean(*point)).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default()

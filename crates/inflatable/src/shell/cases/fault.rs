@@ -2,6 +2,7 @@
 
 use crate::shell::mesh::MeshFault;
 use crate::shell::solver::Stop;
+use geom::readable::Readable;
 use std::fmt;
 
 /// Reason for a case without an answer.
@@ -40,7 +41,7 @@ pub enum ShellFault {
     Mesh(MeshFault),
     /// The mesh is too large for this machine.
     TooLarge {
-        /// Its triangles.
+        /// Triangles of the mesh.
         triangles: usize,
     },
     /// No stable equilibrium was found.
@@ -65,13 +66,13 @@ pub enum Input {
     Width,
     /// The fabric's Poisson ratio.
     Poisson,
-    /// Its stretching stiffness.
+    /// The fabric's stretching stiffness.
     Stretching,
-    /// Its bending stiffness.
+    /// The fabric's bending stiffness.
     Bending,
-    /// Its shear modulus over that of an isotropic sheet.
+    /// The fabric's shear modulus over that of an isotropic sheet.
     Shear,
-    /// Its thickness over the tube's width.
+    /// The fabric's thickness over the tube's width.
     Slenderness,
     /// Bendability: pressure relative to bending stiffness.
     Bendability,
@@ -107,12 +108,14 @@ impl fmt::Display for ShellFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Range { name, found, least, most } => {
-                write!(f, "{name} is {found:.4e}, but shells are computed for {least} to {most} only")
+                let found = Readable(*found);
+                write!(f, "{name} is {found}, but shells are computed for {least} to {most} only")
             }
             Self::Pressure { found, least, most } => {
+                let [found, least, most] = [found, least, most].map(|pressure| Readable(*pressure));
                 write!(
                     f,
-                    "the pressure is {found:.4e} Pa, but shells of this width and fabric are computed for {least:.4e} to {most:.4e} Pa only"
+                    "the pressure is {found} Pa, but shells of this width and fabric are computed for {least} to {most} Pa only"
                 )
             }
             Self::TooMany { name, found, most } => {

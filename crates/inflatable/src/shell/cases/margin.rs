@@ -34,7 +34,7 @@ impl Margin {
     /// No margin: the tube alone.
     pub const NONE: Self = Self { inner: 0.0, outer: 0.0, law: MarginLaw::Plane };
 
-    /// Its widths by that of the tube.
+    /// Widths of the margin by that of the tube.
     pub(super) fn widths(&self, w: f64) -> MarginWidths {
         MarginWidths { inner: self.inner / w, outer: self.outer / w }
     }

@@ -90,7 +90,7 @@ impl Family<'_> {
     ) -> Result<([Value; N], Evidence), ShellFault> {
         let continuation = self.tube.continuation();
         let mut evidence = Evidence::default();
-        let (mut found, mut beside) = (Vec::new(), Vec::<Indented>::new());
+        let (mut measured, mut indented) = (Vec::new(), Vec::<Indented>::new());
         let mut meshed = self.coarsest.clone();
         let mut solver = self.solver(&meshed, watch)?;
         let mut equilibrium = self.pressurise(&mut solver, watch)?;
@@ -99,7 +99,7 @@ impl Family<'_> {
                 let refined = meshed.refined()?;
                 let mut finer = self.solver(&refined, watch)?;
                 equilibrium = self.carry(&mut solver, &mut finer, &equilibrium, watch)?;
-                for one in &mut beside {
+                for one in &mut indented {
                     *one = one.carried(&mut solver.assembly, &meshed.mesh, &finer.assembly);
                 }
                 evidence.efforts.push(solver.effort);
@@ -108,12 +108,12 @@ impl Family<'_> {
             evidence.unknowns.push(solver.assembly.unknowns());
             evidence.residual = equilibrium.rest.residual / continuation.last;
             if cut + 3 > self.cuts {
-                found.push(measure(&mut solver, &meshed, &equilibrium, &mut beside)?);
+                measured.push(measure(&mut solver, &meshed, &equilibrium, &mut indented)?);
             }
             watch.tell(part(self.cuts - cut), &format!("mesh {} of {}", cut + 1, self.cuts + 1));
         }
         evidence.efforts.push(solver.effort);
-        Ok((values(&found), evidence))
+        Ok((values(&measured), evidence))
     }
 
     pub(super) fn solver(&self, meshed: &Meshed, watch: &Watch) -> Result<Solver, ShellFault> {
@@ -137,13 +137,13 @@ impl Family<'_> {
         }
         let continuation = self.tube.continuation();
         let all = libm::log(continuation.last / continuation.first).max(1e-9);
-        let told = |equilibrium: &Equilibrium| {
+        let report = |equilibrium: &Equilibrium| {
             watch.tell(
                 part(self.cuts) * libm::log(equilibrium.pressure / continuation.first) / all,
                 "from flat",
             );
         };
-        continuation.run(solver, told).map_err(|broken| self.broken(broken, solver.triangles()))
+        continuation.run(solver, report).map_err(|broken| self.broken(broken, solver.triangles()))
     }
 
     /// From `state` to the equilibrium at a pressure that stretches the sheet well, and down from there.

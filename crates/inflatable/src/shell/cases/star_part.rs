@@ -74,8 +74,8 @@ impl ModelledPart {
                 let at = |point: &usize| along * mesh.points[*point][0];
                 rim.max_by(|a, b| at(a).total_cmp(&at(b))).unwrap_or_default()
             };
-            let (one, other) = (farthest(1.0), farthest(-1.0));
-            for (point, axis) in [(one, 0), (one, 1), (other, 1)] {
+            let (right_end, other) = (farthest(1.0), farthest(-1.0));
+            for (point, axis) in [(right_end, 0), (right_end, 1), (other, 1)] {
                 supports.fix(point, axis);
             }
         }
@@ -172,8 +172,8 @@ impl ModelledPart {
             [cosine, sine]
         };
         if self.part == StarPart::HalfSector {
-            let own = ArmLine::new(mesh, direction(half_corner), reach).direction(state);
-            return [2.0 * (angle(own) - half_angle); 2];
+            let arm = ArmLine::new(mesh, direction(half_corner), reach).direction(state);
+            return [2.0 * (angle(arm) - half_angle); 2];
         }
         // The arm that begins at each corner counterclockwise, and the one that ends at the next corner: the same tip's.
         let tips: Vec<f64> = self

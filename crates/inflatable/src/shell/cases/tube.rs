@@ -8,7 +8,7 @@ use crate::shell::solver::{Continuation, Stop};
 /// A tube of fabric under pressure, SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tube {
-    /// Its flat width W, m.
+    /// Flat width W, m.
     pub width: f64,
     /// Y, N/m, B, N m, and nu of one sheet.
     pub fabric: Fabric,
@@ -55,7 +55,7 @@ impl Tube {
         self.check_within(THINNEST, MOST_BENDABLE)
     }
 
-    /// The same with other limits of t/W from below and of 1/eps from above.
+    /// Checks the tube with other limits of t/W from below and of 1/eps from above.
     pub(crate) fn check_within(&self, thinnest: f64, most_bendable: f64) -> Result<(), ShellFault> {
         let range = |name, found, least: f64, most: f64| {
             if spans(&(least..=most), found) {
@@ -87,7 +87,7 @@ impl Tube {
         bendability * self.fabric.bending / self.width.powi(3)
     }
 
-    /// Its fabric in the scales of the shell.
+    /// The fabric in the scales of the shell.
     pub(crate) fn scaled(&self) -> Fabric {
         let Fabric { stretch, bending, .. } = self.fabric;
         Fabric { stretch: 1.0, bending: bending / (stretch * self.width * self.width), ..self.fabric }
@@ -100,11 +100,11 @@ impl Tube {
 
     /// The fault of a tube without an equilibrium at its pressure, where there was one before another input changed.
     pub(crate) fn stopped(&self, why: Stop, triangles: usize) -> ShellFault {
-        let at = self.bendability();
+        let bendability = self.bendability();
         if why == Stop::Cancelled {
             ShellFault::Cancelled
         } else {
-            ShellFault::Stopped { why, at, last: at, triangles }
+            ShellFault::Stopped { why, at: bendability, last: bendability, triangles }
         }
     }
 

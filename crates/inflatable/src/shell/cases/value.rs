@@ -5,7 +5,7 @@
 pub struct Value {
     /// Extrapolated to triangles of no size.
     pub value: f64,
-    /// Its mesh error: the difference between the last two meshes or from the finest to the extrapolated value,
+    /// Mesh error: the difference between the last two meshes or from the finest to the extrapolated value,
     /// whichever is larger.
     pub error: f64,
     /// Computed values, coarse to fine.
@@ -24,7 +24,7 @@ impl Value {
         Self { value, error: last.abs().max((value - fine).abs()), meshes }
     }
 
-    /// The same in another unit.
+    /// The value in another unit, `factor` of which are one of this.
     pub fn scaled(self, factor: f64) -> Self {
         Self {
             value: factor * self.value,
@@ -33,7 +33,7 @@ impl Value {
         }
     }
 
-    /// The same from another origin.
+    /// The value from an origin that lies `by` lower.
     pub fn shifted(self, by: f64) -> Self {
         Self { value: self.value + by, error: self.error, meshes: self.meshes.map(|mesh| mesh + by) }
     }

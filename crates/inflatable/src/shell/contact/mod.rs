@@ -19,7 +19,7 @@ pub enum Obstacle {
     Wall(Plane),
     /// A rigid round object around the z axis, endless upwards.
     Post {
-        /// Its radius.
+        /// Radius of the object.
         radius: f64,
     },
 }
@@ -76,7 +76,7 @@ struct Sticking {
 /// Where a point first touched a round object.
 #[derive(Clone, Copy, Debug)]
 struct TouchedPlace {
-    /// Its direction from the axis.
+    /// Direction from the axis.
     direction: [f64; 2],
     height: f64,
     /// How far the spring's end has moved, around the axis and upwards.
@@ -111,9 +111,9 @@ impl Sticking {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ContactPoint {
     pub(crate) point: usize,
-    /// Its flat area.
+    /// Flat area around the point.
     pub(crate) area: f64,
-    /// Its force, contact pressure times area.
+    /// Force on the point, contact pressure times area.
     pub(crate) force: f64,
     /// The gradient of its gap.
     pub(crate) normal: Vector,
@@ -133,8 +133,9 @@ pub struct ContactError {
 impl Contact {
     /// Every point of `assembly`'s sheet against every obstacle; points that are held in a wall's plane do not touch that wall.
     pub fn new(assembly: &Assembly, obstacles: Vec<Obstacle>) -> Self {
-        let own = |obstacle: &Obstacle| assembly.contact_areas(|plane| *obstacle == Obstacle::Wall(plane));
-        let areas = obstacles.iter().map(own).collect();
+        let contact_areas =
+            |obstacle: &Obstacle| assembly.contact_areas(|plane| *obstacle == Obstacle::Wall(plane));
+        let areas = obstacles.iter().map(contact_areas).collect();
         let count = assembly.sheet.flat().points.len();
         Self {
             pressures: vec![vec![0.0; count]; obstacles.len()],
@@ -199,9 +200,9 @@ impl Contact {
             let across = [-normal[1], normal[0], 0.0];
             let bent = -area * push * self.obstacles[obstacle].curvature(state.points[point]);
             assembly.add_at_point(point, times(-area * push, normal), |v| {
-                let own = area * self.stiffness * (normal[0] * v[0] + normal[1] * v[1]);
+                let pressed = area * self.stiffness * (normal[0] * v[0] + normal[1] * v[1]);
                 let turned = bent * (across[0] * v[0] + across[1] * v[1]);
-                along(times(own, normal), turned, across)
+                along(times(pressed, normal), turned, across)
             });
         });
         if let Some(sticking) = &self.sticking {
@@ -222,8 +223,8 @@ impl Contact {
         for (index, obstacle) in self.obstacles.iter().enumerate() {
             for (point, area) in self.areas[index].iter().enumerate().filter(|(_, area)| **area > 0.0) {
                 let (gap, normal) = obstacle.gap(state.points[point]);
-                let kept = self.pressures[index][point];
-                see(*area, kept, (kept - self.stiffness * gap).max(0.0), point, normal, index);
+                let pressure = self.pressures[index][point];
+                see(*area, pressure, (pressure - self.stiffness * gap).max(0.0), point, normal, index);
             }
         }
     }
@@ -231,24 +232,24 @@ impl Contact {
     /// Ends a round: updates the contact pressures for `state`, and returns the error before the update.
     pub fn keep(&mut self, state: &State) -> ContactError {
         let mut worst = ContactError::default();
-        let mut kept = Vec::new();
+        let mut pushes = Vec::new();
         self.each(state, |_, before, push, point, _, index| {
             let (gap, _) = self.obstacles[index].gap(state.points[point]);
             worst.penetration = worst.penetration.max(-gap);
             worst.change = worst.change.max((push - before).abs());
             worst.largest = worst.largest.max(push);
-            kept.push((index, point, push));
+            pushes.push((index, point, push));
         });
-        for (index, point, push) in kept {
+        for (index, point, push) in pushes {
             self.pressures[index][point] = push;
         }
         if let Some(sticking) = &mut self.sticking {
             let pressures = &self.pressures[sticking.obstacle];
             for ((place, x), pressure) in sticking.places.iter_mut().zip(&state.points).zip(pressures) {
-                let held = (*pressure > 0.0).then(|| place.unwrap_or_else(|| TouchedPlace::at(*x)));
-                *place = held.map(|held| {
-                    let [around, up] = held.slid(*x);
-                    TouchedPlace { pulled: [held.pulled[0] + around, held.pulled[1] + up], ..held }
+                let touched = (*pressure > 0.0).then(|| place.unwrap_or_else(|| TouchedPlace::at(*x)));
+                *place = touched.map(|touched| {
+                    let [around, up] = touched.slid(*x);
+                    TouchedPlace { pulled: [touched.pulled[0] + around, touched.pulled[1] + up], ..touched }
                 });
             }
         }

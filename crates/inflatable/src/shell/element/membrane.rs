@@ -68,7 +68,7 @@ impl Membrane {
         Self { columns, strain, stress, tangent }
     }
 
-    /// The same of a sheet that gives way to compression in fine wrinkles: where one principal stress would be compressive only the
+    /// The response of a sheet that gives way to compression in fine wrinkles: where one principal stress would be compressive only the
     /// other is left, Y E_1, and where both would be, none. `left` is the part of the elastic response that remains besides. The weave
     /// is left out.
     ///
@@ -104,7 +104,7 @@ impl Membrane {
         Self { stress, tangent: Some(tangent), ..elastic }
     }
 
-    /// Its energy.
+    /// Energy of the triangle.
     pub fn energy(&self, flat: &Flat) -> f64 {
         let product: f64 = self.strain.iter().zip(&self.stress).map(|(e, s)| e * s).sum();
         flat.area * product / 2.0
@@ -147,7 +147,7 @@ impl Membrane {
         (strain, stress)
     }
 
-    /// The same without compression: principal stresses below zero are zero.
+    /// The response without compression: principal stresses below zero are zero.
     #[must_use]
     pub fn tensile(self) -> Self {
         let [s11, s22, s12] = self.stress;

@@ -24,7 +24,7 @@ pub struct Fabric {
     pub bending: f64,
     /// Poisson's ratio nu; of woven fabric along warp and weft.
     pub poisson: f64,
-    /// Its weave.
+    /// Weave of the fabric.
     pub weave: Weave,
 }
 
@@ -34,7 +34,7 @@ impl Fabric {
         Self { stretch, bending, poisson, weave: Weave::ISOTROPIC }
     }
 
-    /// The same fabric with the weave `weave`.
+    /// This fabric with the weave `weave`.
     #[must_use]
     pub const fn woven(self, weave: Weave) -> Self {
         Self { weave, ..self }

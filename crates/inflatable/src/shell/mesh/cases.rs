@@ -51,7 +51,7 @@ pub struct HalfSector {
 
 #[cfg(test)]
 impl HingeSector {
-    /// Its mesh.
+    /// The mesh of this flat part.
     ///
     /// # Errors
     /// If a dimension is out of range.
@@ -70,7 +70,7 @@ impl HingeSector {
 }
 
 impl HalfActuator {
-    /// Its mesh.
+    /// The mesh of this flat part.
     ///
     /// # Errors
     /// If a dimension is out of range.
@@ -78,7 +78,7 @@ impl HalfActuator {
         self.mesh_with(sizes, MarginWidths::default())
     }
 
-    /// Its mesh with the margin beyond both long rims. The sealed end has none.
+    /// The mesh with the margin beyond both long rims. The sealed end has none.
     ///
     /// # Errors
     /// If a dimension is out of range.
@@ -107,7 +107,7 @@ impl HalfSector {
         PI / f64::from(self.n)
     }
 
-    /// Its mesh.
+    /// The mesh of this flat part.
     ///
     /// # Errors
     /// If a dimension is out of range, or there is no such star.
@@ -115,7 +115,7 @@ impl HalfSector {
         self.mesh_with(sizes, MarginWidths::default())
     }
 
-    /// Its mesh with the margin beyond both rims.
+    /// The mesh with the margin beyond both rims.
     ///
     /// # Errors
     /// If a dimension is out of range, or there is no such star.

@@ -8,7 +8,7 @@ use geom::{Bounds, Path, Point, Segment, Vec2, intersections};
 /// One chamber between two sheets; lengths in any unit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FlatChamber {
-    /// Its sealed outline: closed, counterclockwise.
+    /// Sealed outline: closed, counterclockwise.
     pub outline: Path,
     /// Rims around holes in the fabric: closed, clockwise. They slide in the plane as the outline does.
     pub holes: Vec<Path>,
@@ -70,7 +70,7 @@ impl FlatChamber {
         self.walls().widest(self.outline.bounds(), |p| self.has_air(p))
     }
 
-    /// The same chamber in units of `unit`.
+    /// The chamber in units of `unit`.
     pub fn by(&self, unit: f64) -> Self {
         let all = |paths: &[Path]| paths.iter().map(|path| scaled(path, 1.0 / unit)).collect();
         Self {
@@ -81,7 +81,7 @@ impl FlatChamber {
         }
     }
 
-    /// Its mesh with `cells` edges across the widest place, which is 1 wide. The numbers give the curve of each piece, in the order of
+    /// The chamber's mesh with `cells` edges across the widest place, which is 1 wide. The numbers give the curve of each piece, in the order of
     /// [`FlatChamber::curves`].
     ///
     /// # Errors
@@ -136,15 +136,15 @@ impl FlatChamber {
             let length = curve.length();
             let bow = if let Segment::Arc(arc) = curve { arc.radius * turn } else { f64::INFINITY };
             let count = (length / (0.5 * most)).ceil().clamp(1.0, MOST_SAMPLES);
-            let mut at = 0.5;
-            while at < count {
-                let (p, along) = (curve.point(at / count), curve.tangent(at / count));
+            let mut step = 0.5;
+            while step < count {
+                let (p, along) = (curve.point(step / count), curve.tangent(step / count));
                 let inward = along.perp();
                 let left = walls.across(p, inward, 1.0);
                 let right = if is_weld { walls.across(p, -inward, 1.0) } else { 1.0 };
                 let size = most * (ALONG_WALLS * left.min(right)).max(NARROWEST);
                 discs.push((p, 0.5 * length / count, size.min(bow).min(length)));
-                at += 1.0;
+                step += 1.0;
             }
         }
         for path in self.curves() {
@@ -195,9 +195,9 @@ fn parted(curves: &[&Path]) -> Vec<Vec<Segment>> {
             if other == own || !whole[other].overlaps(&bounds) {
                 continue;
             }
-            let near = path.segments.iter().zip(&boxes[other]).filter(|(_, b)| b.overlaps(&bounds));
+            let crossings = path.segments.iter().zip(&boxes[other]).filter(|(_, b)| b.overlaps(&bounds));
             let mut hits: Vec<Point> =
-                near.flat_map(|(crossing, _)| intersections(segment, crossing)).collect();
+                crossings.flat_map(|(crossing, _)| intersections(segment, crossing)).collect();
             if !path.closed {
                 let ends = [path.start(), path.end()].into_iter().flatten();
                 hits.extend(ends.filter(|end| segment.distance(*end) < MEETS));

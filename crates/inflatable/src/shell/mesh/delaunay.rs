@@ -140,24 +140,24 @@ impl BorderPoints {
 
     /// The Delaunay triangulation of border and seeds, vertex `i` at point `i`, with the border's edges in it.
     fn triangulation(&self, seeds: &[Point]) -> Result<Triangles, MeshFault> {
-        let mut found = Triangles::new();
+        let mut triangles = Triangles::new();
         for (at, p) in self.points.iter().chain(seeds).enumerate() {
-            let vertex = found.insert(Point2::new(p.x, p.y));
+            let vertex = triangles.insert(Point2::new(p.x, p.y));
             if vertex.ok().is_none_or(|vertex| vertex.index() != at) {
                 return Err(MeshFault::BorderLost { ends: [at, at] });
             }
         }
-        let vertices: Vec<_> = found.fixed_vertices().collect();
+        let vertices: Vec<_> = triangles.fixed_vertices().collect();
         for &(ends, _) in &self.edges {
             let [a, b] = ends.map(|end| vertices[end]);
-            if found.can_add_constraint(a, b) {
-                let _ = found.add_constraint(a, b);
+            if triangles.can_add_constraint(a, b) {
+                let _ = triangles.add_constraint(a, b);
             }
-            if !found.exists_constraint(a, b) {
+            if !triangles.exists_constraint(a, b) {
                 return Err(MeshFault::BorderLost { ends });
             }
         }
-        Ok(found)
+        Ok(triangles)
     }
 
     /// The triangles to the left of the border and on both sides of welds, and all that are reached from them without crossing it. (A test whether a
@@ -192,22 +192,22 @@ impl BorderPoints {
 
     /// Whether `p` lies within the border, at least `clear` away from it and from welds.
     fn has_room(&self, p: Point, clear: f64) -> bool {
-        let near = |(ends, _): &([usize; 2], usize)| {
+        let is_near = |(ends, _): &([usize; 2], usize)| {
             let [a, b] = ends.map(|end| self.points[end]);
             let along = b - a;
             let t = ((p - a).dot(along) / along.dot(along)).clamp(0.0, 1.0);
             (a + along * t).distance(p) < clear
         };
-        self.encloses(p) && !self.edges.iter().any(near)
+        self.encloses(p) && !self.edges.iter().any(is_near)
     }
 
     /// Seeds until no triangle is too large: the circumcentre of the largest first, pass by pass.
     fn seeds(&self, sizing: &Sizing) -> Result<Vec<Point>, MeshFault> {
         let mut seeds = Vec::new();
-        let mut found = self.triangulation(&seeds)?;
+        let mut triangulation = self.triangulation(&seeds)?;
         loop {
             let mut large: Vec<(f64, Point)> = Vec::new();
-            for corners in self.inner(&found) {
+            for corners in self.inner(&triangulation) {
                 let [a, b, c] = corners.map(|at| point_of(at, &self.points, &seeds));
                 let center = circumcenter(a, b, c);
                 let excess = center.distance(a) / sizing.at(center);
@@ -220,8 +220,9 @@ impl BorderPoints {
             let before = seeds.len();
             for (_, p) in large {
                 let size = sizing.at(p);
-                let is_clear = clear_of_points(&found, p, LARGE * size) && self.has_room(p, CLEAR * size);
-                if is_clear && found.insert(Point2::new(p.x, p.y)).is_ok() {
+                let is_clear =
+                    clear_of_points(&triangulation, p, LARGE * size) && self.has_room(p, CLEAR * size);
+                if is_clear && triangulation.insert(Point2::new(p.x, p.y)).is_ok() {
                     seeds.push(p);
                 }
             }
@@ -265,13 +266,13 @@ fn point_of(at: usize, border: &[Point], seeds: &[Point]) -> Point {
 
 /// Whether the corners of the triangle in which `p` lies are at least `clear` away from it.
 fn clear_of_points(found: &Triangles, p: Point, clear: f64) -> bool {
-    let far = |vertex: VertexHandle<'_, Point2<f64>, (), CdtEdge<()>>| {
+    let is_far = |vertex: VertexHandle<'_, Point2<f64>, (), CdtEdge<()>>| {
         let q = vertex.position();
         Point::new(q.x, q.y).distance(p) >= clear
     };
     match found.locate(Point2::new(p.x, p.y)) {
-        PositionInTriangulation::OnFace(face) => found.face(face).vertices().into_iter().all(far),
-        PositionInTriangulation::OnEdge(edge) => found.directed_edge(edge).vertices().into_iter().all(far),
+        PositionInTriangulation::OnFace(face) => found.face(face).vertices().into_iter().all(is_far),
+        PositionInTriangulation::OnEdge(edge) => found.directed_edge(edge).vertices().into_iter().all(is_far),
         _ => false,
     }
 }

@@ -30,7 +30,7 @@ pub enum MeshFault {
     NotCounterclockwise {
         /// The triangle.
         triangle: usize,
-        /// Its signed area.
+        /// Signed area of the triangle.
         area: f64,
     },
     /// Two triangles lie on the same side of one edge, so they overlap.
@@ -44,7 +44,7 @@ pub enum MeshFault {
     Unnamed {
         /// The edge's points.
         ends: [usize; 2],
-        /// Its triangle.
+        /// Index of the triangle.
         triangle: usize,
     },
     /// The border meets itself at a point: the sheet hangs together by that point only.

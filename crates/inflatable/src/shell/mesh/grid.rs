@@ -53,8 +53,8 @@ pub(crate) fn rectangle(
     };
     let side = |ends: [usize; 2]| {
         let on = |axis: usize, at: f64| ends.iter().all(|&end| flat[end][axis] == at);
-        let found = [on(1, 0.0), on(0, 1.0), on(1, 1.0), on(0, 0.0)].iter().position(|&on| on)?;
-        Some(borders[found])
+        let border = [on(1, 0.0), on(0, 1.0), on(1, 1.0), on(0, 0.0)].iter().position(|&on| on)?;
+        Some(borders[border])
     };
     Mesh::from_triangles(flat.iter().copied().map(place).collect(), triangles, side)
 }

@@ -70,11 +70,11 @@ pub enum Border {
 /// An edge of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Edge {
-    /// Its points; the smaller index first.
+    /// End points of the edge; the smaller index first.
     pub ends: [usize; 2],
     /// The triangle to its left as it runs from its first to its second end, and the one to its right.
     pub sides: [Option<usize>; 2],
-    /// Its border if it has only one side, or is the rim between tube and margin.
+    /// Border of the edge if it has only one side, or is the rim between tube and margin.
     pub border: Option<Border>,
 }
 

@@ -94,10 +94,10 @@ impl Dissection {
     /// an eighth more multiplications for an actuator of 54,000 unknowns, a sixth more for half a sector of 64,000.)
     fn best_cut(&mut self, longest: [f64; 2], nodes: &mut [usize]) -> Cut {
         let [x, y] = longest.map(|component| component * FRAC_1_SQRT_2);
-        let others = [[x - y, x + y], [x + y, y - x], [-longest[1], longest[0]]];
+        let directions = [[x - y, x + y], [x + y, y - x], [-longest[1], longest[0]]];
         let off_middle = [(longest, 8), (longest, 9), (longest, 11), (longest, 12)];
         let mut best = self.cut(longest, 10, nodes);
-        for (along, twentieths) in off_middle.into_iter().chain(others.map(|along| (along, 10))) {
+        for (along, twentieths) in off_middle.into_iter().chain(directions.map(|along| (along, 10))) {
             let cut = self.cut(along, twentieths, nodes);
             if self.unknowns(&cut.separator) < self.unknowns(&best.separator) {
                 best = cut;
@@ -118,8 +118,8 @@ impl Dissection {
     }
 
     fn sort_along(&self, [x, y]: [f64; 2], nodes: &mut [usize]) {
-        let at = |node: usize| self.places[node][0] * x + self.places[node][1] * y;
-        nodes.sort_by(|&a, &b| at(a).total_cmp(&at(b)).then(a.cmp(&b)));
+        let along = |node: usize| self.places[node][0] * x + self.places[node][1] * y;
+        nodes.sort_by(|&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));
     }
 
     /// Direction of the largest second moment of the nodes' places.

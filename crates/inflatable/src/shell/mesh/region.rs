@@ -8,9 +8,9 @@ use geom::{Point, Segment};
 /// A piece of a region's border.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// Its exact curve.
+    /// Exact curve of the piece.
     pub curve: Segment,
-    /// Its kind.
+    /// Kind of the border.
     pub border: Border,
 }
 

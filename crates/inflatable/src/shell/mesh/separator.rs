@@ -72,10 +72,10 @@ impl Separators {
     fn match_up(&mut self, node: usize) {
         self.searches += 1;
         let mut open = vec![node];
-        let mut at = 0;
-        while at < open.len() {
-            let from = open[at];
-            at += 1;
+        let mut index = 0;
+        while index < open.len() {
+            let from = open[index];
+            index += 1;
             for &to in self.couplings.neighbours(from) {
                 if !self.in_second[to] || self.reached[to].0 == self.searches {
                     continue;

@@ -129,15 +129,15 @@ impl Sizing {
             counted.push((count, t));
         }
         let edges = count.round().max(1.0);
-        let mut at = 0;
+        let mut index = 0;
         let mut points = Vec::new();
         let mut k = 0.0;
         while k < edges {
             let wanted = count * k / edges;
-            while counted[at + 1].0 < wanted {
-                at += 1;
+            while counted[index + 1].0 < wanted {
+                index += 1;
             }
-            let ((c0, t0), (c1, t1)) = (counted[at], counted[at + 1]);
+            let ((c0, t0), (c1, t1)) = (counted[index], counted[index + 1]);
             points.push(curve.point(t0 + (t1 - t0) * (wanted - c0) / (c1 - c0)));
             k += 1.0;
         }

@@ -7,7 +7,7 @@ use geom::{Arc, Line, Point, Segment, Vec2};
 /// A tube under construction: it begins on the x axis, which is a plane of symmetry, and first runs along +y.
 pub(super) struct Strip {
     width: f64,
-    /// Its start, on the left and on the right.
+    /// Start of the strip, on the left and on the right.
     began: [Point; 2],
     /// The current ends of its rims: the left one and the right one.
     left_end: Point,
@@ -51,12 +51,12 @@ impl Strip {
         };
         let outer = radius + self.width;
         let bow = |radius| Arc::new(center, radius, toward.angle(), sweep);
-        let far = bow(outer);
+        let outer_arc = bow(outer);
         // With a radius of 0 the rim turns on a point.
-        let near = (radius > 0.0).then(|| bow(radius));
+        let inner_arc = (radius > 0.0).then(|| bow(radius));
         let (left, right) = match side {
-            StripSide::Left => (near, Some(far)),
-            StripSide::Right => (Some(far), near),
+            StripSide::Left => (inner_arc, Some(outer_arc)),
+            StripSide::Right => (Some(outer_arc), inner_arc),
         };
         [self.left_end, self.right_end] = [left, right].map(|arc| arc.map_or(center, |arc| arc.end()));
         self.left.extend(left.map(Segment::from));

@@ -35,8 +35,8 @@ impl Meshed {
                 let [a, b, c] = corners.map(|point| numbers[point]);
                 if image.mirrored { [a, c, b] } else { [a, b, c] }
             };
-            let (own, beyond) = self.mesh.triangles.split_at(self.tube);
-            triangles.extend(own.iter().map(of_copy));
+            let (tube, beyond) = self.mesh.triangles.split_at(self.tube);
+            triangles.extend(tube.iter().map(of_copy));
             margin.extend(beyond.iter().map(of_copy));
             for (index, piece) in self.pieces.iter().enumerate() {
                 let border = match piece.border {
@@ -86,12 +86,12 @@ impl Meshed {
                 let around = all.first().filter(|_| closed && copy + 1 == count && planes[ends][point]);
                 before.or(around).map(|numbers: &Vec<usize>| numbers[point])
             };
-            let known: Vec<Option<usize>> = (0..self.mesh.points.len()).map(number).collect();
+            let numbers: Vec<Option<usize>> = (0..self.mesh.points.len()).map(number).collect();
             let mut next = || {
                 fresh += 1;
                 fresh - 1
             };
-            all.push(known.into_iter().map(|known| known.unwrap_or_else(&mut next)).collect());
+            all.push(numbers.into_iter().map(|numbers| numbers.unwrap_or_else(&mut next)).collect());
         }
         all
     }

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 /// A quantity on the points or on the triangles of a sheet.
 #[derive(Clone, Copy, Debug)]
 pub struct VtuField<'a> {
-    /// Its name, with its unit.
+    /// Name of the field, with the unit.
     pub name: &'a str,
     /// The number of components at each place.
     pub components: usize,

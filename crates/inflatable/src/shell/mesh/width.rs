@@ -25,8 +25,9 @@ impl ChamberWalls {
         let start = from + along * (1e-6 * reach);
         let ray = Line::new(start, from + along * reach);
         let bounds = Segment::Line(ray).bounds();
-        let near = self.segments.iter().filter(|(_, box_of)| box_of.overlaps(&bounds));
-        near.flat_map(|(segment, _)| intersections(&Segment::Line(ray), segment))
+        let crossed = self.segments.iter().filter(|(_, box_of)| box_of.overlaps(&bounds));
+        crossed
+            .flat_map(|(segment, _)| intersections(&Segment::Line(ray), segment))
             .map(|hit| hit.distance(from))
             .fold(reach, f64::min)
     }
@@ -49,8 +50,8 @@ impl ChamberWalls {
         let mut looked_at = 0;
         let mut next: Vec<(Point, f64)> = Vec::new();
         for (i, j) in (0..SQUARES).flat_map(|i| (0..SQUARES).map(move |j| (i, j))) {
-            let at = |k: u32| half * f64::from(2 * k + 1);
-            next.push((Point::new(bounds.min.x + at(i), bounds.min.y + at(j)), half));
+            let middle = |k: u32| half * f64::from(2 * k + 1);
+            next.push((Point::new(bounds.min.x + middle(i), bounds.min.y + middle(j)), half));
         }
         loop {
             for (center, half) in next.drain(..) {

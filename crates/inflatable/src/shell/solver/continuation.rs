@@ -17,11 +17,11 @@ pub struct Continuation {
 /// An equilibrium on the way.
 #[derive(Clone, Debug)]
 pub struct Equilibrium {
-    /// Its pressure.
+    /// Pressure of the equilibrium.
     pub pressure: f64,
-    /// Its shape.
+    /// Shape of the sheet.
     pub state: State,
-    /// Its energy, and the residual of its forces.
+    /// Energy, and the residual of its forces.
     pub rest: NewtonResult,
 }
 
@@ -42,7 +42,7 @@ const STEP: f64 = 0.25;
 const MOST_HALVINGS: i32 = 5;
 /// Required residual relative to p W^2.
 const RESIDUAL: f64 = 1e-8;
-/// The same on the way: flat sheets of small triangles have no residual of 1e-8 at the first pressures, for rounding.
+/// The tolerance on the way: flat sheets of small triangles have no residual of 1e-8 at the first pressures, for rounding.
 const PASSING: f64 = 1e-6;
 
 impl Continuation {

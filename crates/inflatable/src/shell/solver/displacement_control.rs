@@ -45,16 +45,16 @@ impl DisplacementControl {
     /// The solves with A's factor that each step needs; `None` where the sheet is not stable even held.
     pub(crate) fn hold(&self, assembly: &Assembly, factor: &mut Factor) -> Option<ControlledSolve> {
         let brace = assembly.project(&[(self.point, self.direction)]);
-        let mut held =
+        let mut solve =
             ControlledSolve { braced: brace.clone(), answer: self.row.clone(), ..ControlledSolve::default() };
-        factor.solve(&mut held.braced, EXACT);
-        factor.solve(&mut held.answer, EXACT);
-        let left = 1.0 - self.brace * numerics::dot(&brace, &held.braced);
-        held.taken_back = self.brace / left;
-        let back = held.taken_back * numerics::dot(&brace, &held.answer);
-        held.answer.iter_mut().zip(&held.braced).for_each(|(answer, braced)| *answer += back * braced);
-        held.gives = numerics::dot(&self.row, &held.answer);
-        (held.gives * left > 0.0).then_some(held)
+        factor.solve(&mut solve.braced, EXACT);
+        factor.solve(&mut solve.answer, EXACT);
+        let remainder = 1.0 - self.brace * numerics::dot(&brace, &solve.braced);
+        solve.taken_back = self.brace / remainder;
+        let back = solve.taken_back * numerics::dot(&brace, &solve.answer);
+        solve.answer.iter_mut().zip(&solve.braced).for_each(|(answer, braced)| *answer += back * braced);
+        solve.gives = numerics::dot(&self.row, &solve.answer);
+        (solve.gives * remainder > 0.0).then_some(solve)
     }
 
     /// Turns A^-1 v, in `vector`, into H^-1 v without the component that the constraint forbids.

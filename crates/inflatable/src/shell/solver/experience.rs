@@ -2,7 +2,7 @@
 
 /// Accuracy of a step, relative: near an equilibrium each leaves about a thousandth of the residual.
 pub(super) const STEP_ACCURACY: f64 = 1e-6;
-/// The same far from one.
+/// The accuracy of a step far from an equilibrium.
 const ROUGH_ACCURACY: f64 = 1e-2;
 /// The least shift, by the pressure.
 const LEAST_SHIFT: f64 = 0.01;

@@ -75,7 +75,7 @@ const STRAIN_ROUNDING: f64 = 1e-15;
 pub struct Solver {
     /// Sums over its triangles.
     pub assembly: Assembly,
-    /// Its contact, if there is any.
+    /// Contact of the sheet, if there is any.
     pub contact: Option<Contact>,
     /// A constraint besides its supports.
     pub lever: Option<DisplacementControl>,
@@ -131,15 +131,15 @@ impl Solver {
     /// # Errors
     /// The reason of the stop; `state` is then the last shape.
     pub fn settle(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
-        let found = self.approach(state, aim)?;
-        if self.is_stable() { Ok(found) } else { Err(Stop::Unstable) }
+        let result = self.approach(state, aim)?;
+        if self.is_stable() { Ok(result) } else { Err(Stop::Unstable) }
     }
 
     /// As [`Solver::settle`], whether the equilibrium is stable or not.
     pub(super) fn approach(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
-        let found = self.iterate(state, aim);
+        let result = self.iterate(state, aim);
         self.is_rough = false;
-        found
+        result
     }
 
     fn iterate(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
@@ -206,8 +206,8 @@ impl Solver {
         let gradient = self.assembly.gradient();
         let Some(lever) = &self.lever else { return dot(gradient, gradient).sqrt() };
         self.multiplier = -dot(&lever.row, gradient) / dot(&lever.row, &lever.row);
-        let left = lever.row.iter().zip(gradient).map(|(c, g)| g + self.multiplier * c);
-        left.map(|x| x * x).sum::<f64>().sqrt()
+        let residual = lever.row.iter().zip(gradient).map(|(c, g)| g + self.multiplier * c);
+        residual.map(|x| x * x).sum::<f64>().sqrt()
     }
 
     /// Moves an equilibrium to where the lever's function is larger by `by`, along the sheet's compliance.

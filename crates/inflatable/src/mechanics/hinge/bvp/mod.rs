@@ -65,7 +65,7 @@ impl Bvp {
     /// The volume without the penalty, in units of W^3 (pi - phi_0): the paper's V.
     ///
     /// # Errors
-    /// As for [`HingeModel::state`].
+    /// The errors of [`HingeModel::state`].
     pub fn bare_volume(&self, r_star: f64, lambda: f64) -> Result<f64, HingeFault> {
         let end = self.solve(r_star, lambda)?;
         Ok(end.solution.profile.integral(&end.section, |s, y| end.section.plain_density(s, y)))

@@ -41,7 +41,7 @@ pub(super) struct ArcStart<const N: usize> {
 /// The contribution of an arc to the integrals, and its end.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TensionArc<const N: usize> {
-    /// Its length, the integral of ds.
+    /// Length of the arc, the integral of ds.
     pub(super) length: Dual<N>,
     /// The integral of sin(phi) ds, the rise of z.
     pub(super) rise: Dual<N>,

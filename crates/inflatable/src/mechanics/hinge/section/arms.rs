@@ -54,7 +54,7 @@ const THINNER: f64 = 1.05;
 
 /// The grid's values, as they are shipped.
 const SHIPPED: &str = include_str!("arms.txt");
-/// Those of thin fabric.
+/// The values for thin fabric, as they are shipped.
 const SHIPPED_THIN: &str = include_str!("arms-thin.txt");
 
 /// Logarithms of the grid's tau and R*.
@@ -284,8 +284,8 @@ fn weights<const N: usize>(places: &[f64; N], x: f64, slack: f64) -> Option<[f64
     let first = places.iter().filter(|place| **place <= x).count().saturating_sub(2).min(N - count);
     let chosen = first..first + count;
     let factor = |i: usize| {
-        let others = chosen.clone().filter(move |j| *j != i);
-        others.map(|j| (x - places[j]) / (places[i] - places[j])).product::<f64>()
+        let rest = chosen.clone().filter(move |j| *j != i);
+        rest.map(|j| (x - places[j]) / (places[i] - places[j])).product::<f64>()
     };
     let weight = |i: usize| if chosen.contains(&i) { factor(i) } else { 0.0 };
     Some(std::array::from_fn(weight))

@@ -119,25 +119,25 @@ pub(super) struct Density {
 /// compression, and moments times second derivatives of curvatures.
 #[inline]
 pub(super) fn density(scales: &Scales, w: f64, lambda: f64, jet: &Jet, exact: bool) -> Density {
-    let at = Strains::of(scales, w, lambda, jet);
+    let strains = Strains::of(scales, w, lambda, jet);
     let [q, q1, q2, z, _, z2] = *jet;
-    let (c, s, nu) = (at.cos, at.sin, scales.poisson);
+    let (c, s, nu) = (strains.cos, strains.sin, scales.poisson);
     // phi and its derivatives by Q' and z': it is the argument of Q' + i z'.
-    let (a, b) = (-s / at.stretch, c / at.stretch);
+    let (a, b) = (-s / strains.stretch, c / strains.stretch);
     let (aa, ab) = (-2.0 * a * b, a * a - b * b);
     let turn = lambda / w;
     let (e_s, e_th) = ([0.0, c, 0.0, 0.0, s, 0.0], [turn, 0.0, 0.0, 0.0, 0.0, 0.0]);
     let k_s = [0.0, aa * q2 + ab * z2, a, 0.0, ab * q2 - aa * z2, b];
     let k_th = [-s / (q * q), c * a / q, 0.0, 0.0, c * b / q, 0.0];
-    let hoop = scales.stiffness * at.hooped;
+    let hoop = scales.stiffness * strains.hooped;
     let meridian = scales.stiffness + nu * nu * hoop;
     let bend = scales.bendability.recip();
-    let (m_s, m_th) = (bend * (at.k_s + nu * at.k_th), bend * (at.k_th + nu * at.k_s));
+    let (m_s, m_th) = (bend * (strains.k_s + nu * strains.k_th), bend * (strains.k_th + nu * strains.k_s));
 
     let mut gradient = [0.0; 6];
     let mut hessian = [[0.0; 6]; 6];
     for j in 0..6 {
-        gradient[j] = at.n_s * e_s[j] + at.n_th * e_th[j] + m_s * k_s[j] + m_th * k_th[j];
+        gradient[j] = strains.n_s * e_s[j] + strains.n_th * e_th[j] + m_s * k_s[j] + m_th * k_th[j];
         // The law of the sheet times the derivatives of the strains.
         let along = meridian * e_s[j] + nu * hoop * e_th[j];
         let around = hoop * (e_th[j] + nu * e_s[j]);
@@ -147,7 +147,7 @@ pub(super) fn density(scales: &Scales, w: f64, lambda: f64, jet: &Jet, exact: bo
             hessian[i][j] = e_s[i] * along + e_th[i] * around + k_s[i] * with_s + k_th[i] * with_th;
         }
     }
-    let pull = (if exact { at.n_s } else { at.n_s.max(0.0) }) / at.stretch;
+    let pull = (if exact { strains.n_s } else { strains.n_s.max(0.0) }) / strains.stretch;
     hessian[1][1] += pull * s * s;
     hessian[1][4] -= pull * s * c;
     hessian[4][4] += pull * c * c;
@@ -169,18 +169,28 @@ pub(super) fn density(scales: &Scales, w: f64, lambda: f64, jet: &Jet, exact: bo
         hessian[0][1] -= m_q * c * a / q;
         hessian[0][4] -= m_q * c * b / q;
     }
-    // The pressure's -lambda Q z Q' / w.
+    add_pressure(&mut gradient, &mut hessian, turn, jet);
+    let reach = q / w;
+    let mut mixed = std::array::from_fn(|i| hoop * reach * (nu * e_s[i] + e_th[i]));
+    mixed[0] += (strains.n_th - z * q1) / w;
+    mixed[1] -= reach * z;
+    mixed[3] -= reach * q1;
+    Density {
+        gradient,
+        hessian,
+        slope: reach * (strains.n_th - z * q1),
+        mixed,
+        curvature: hoop * reach * reach,
+    }
+}
+
+/// Adds the derivatives of the pressure's -lambda Q z Q' / w, with `turn` for lambda / w.
+#[inline]
+fn add_pressure(gradient: &mut Jet, hessian: &mut [Jet; 6], turn: f64, [q, q1, _, z, ..]: &Jet) {
     gradient[0] -= turn * z * q1;
     gradient[1] -= turn * q * z;
     gradient[3] -= turn * q * q1;
     hessian[0][1] -= turn * z;
     hessian[0][3] -= turn * q1;
     hessian[1][3] -= turn * q;
-
-    let reach = q / w;
-    let mut mixed = std::array::from_fn(|i| hoop * reach * (nu * e_s[i] + e_th[i]));
-    mixed[0] += (at.n_th - z * q1) / w;
-    mixed[1] -= reach * z;
-    mixed[3] -= reach * q1;
-    Density { gradient, hessian, slope: reach * (at.n_th - z * q1), mixed, curvature: hoop * reach * reach }
 }

@@ -17,9 +17,9 @@ impl<T> LastTwo<T> {
         if let Some(at) = self.0.iter().position(is) {
             return Ok(&self.0[at]);
         }
-        let own = make()?;
+        let made_entry = make()?;
         self.0.truncate(1);
-        self.0.insert(0, own);
+        self.0.insert(0, made_entry);
         Ok(&self.0[0])
     }
 }

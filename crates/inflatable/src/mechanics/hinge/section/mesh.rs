@@ -32,7 +32,7 @@ pub(super) struct GaussPoint {
     pub(super) place: f64,
     /// Flat radius w = R* + s.
     pub(super) radius: f64,
-    /// Its part of the integral of w ds.
+    /// Part of the integral of w ds.
     pub(super) area: f64,
     /// Contributions of value and slope at the element's start, and then at its end, to the function here, to its first
     /// and to its second derivative.
@@ -61,8 +61,8 @@ impl MeridianMesh {
     /// The mesh on every `step`-th of the nodes, with the core of a sharp rim.
     pub(super) fn coarser(&self, step: usize) -> Self {
         let last = self.nodes.len() - 1;
-        let kept = self.nodes.iter().enumerate().filter(|(i, _)| i % step == 0 || *i == last);
-        Self { is_disc: self.is_disc, ..Self::on(self.r_star, kept.map(|(_, s)| *s).collect()) }
+        let coarse = self.nodes.iter().enumerate().filter(|(i, _)| i % step == 0 || *i == last);
+        Self { is_disc: self.is_disc, ..Self::on(self.r_star, coarse.map(|(_, s)| *s).collect()) }
     }
 
     fn on(r_star: f64, mut nodes: Vec<f64>) -> Self {
@@ -96,10 +96,10 @@ impl MeridianMesh {
                 element += 1;
             }
             let h = coarse.nodes[element + 1] - coarse.nodes[element];
-            let own = &unknowns[4 * element..4 * element + 8];
+            let nodal = &unknowns[4 * element..4 * element + 8];
             for of in [[0, 1, 4, 5], [2, 3, 6, 7]] {
                 let cubics = cubics((s - coarse.nodes[element]) / h, h);
-                out.extend(cubics.map(|n| n.iter().zip(of).map(|(n, place)| n * own[place]).sum::<f64>()));
+                out.extend(cubics.map(|n| n.iter().zip(of).map(|(n, place)| n * nodal[place]).sum::<f64>()));
             }
         }
         out

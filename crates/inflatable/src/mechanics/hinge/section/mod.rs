@@ -98,7 +98,7 @@ impl Section {
         Self { scales: Scales { bendability, stiffness, poisson, hoop: Hoop::Stiff }, elements: ELEMENTS }
     }
 
-    /// The same without hoop compression, as if the sheet wrinkled without resistance: the tension field, which tends to
+    /// This section without hoop compression, as if the sheet wrinkled without resistance: the tension field, which tends to
     /// the ring as B -> 0 and Y -> infinity. Real hinges at working pressures are nearer to the section as it is.
     #[must_use]
     pub fn slack(self) -> Self {
@@ -113,7 +113,7 @@ impl Section {
     /// The meridian of the hinge at rest: shape, strains and forces along it.
     ///
     /// # Errors
-    /// As for [`HingeModel::target`].
+    /// The errors of [`HingeModel::target`].
     pub fn meridian(&self, r_star: f64) -> Result<Meridian, HingeFault> {
         self.rest(r_star).map(|search| Meridian::of(&search))
     }
@@ -121,7 +121,7 @@ impl Section {
     /// The hinge at rest, and at each of `lambdas`, which are best sorted: each is followed from the one before.
     ///
     /// # Errors
-    /// As for [`HingeModel::state`].
+    /// The errors of [`HingeModel::state`].
     pub fn curve(&self, r_star: f64, lambdas: &[f64]) -> Result<Vec<HingeState>, HingeFault> {
         let mut search = self.rest(r_star)?;
         let at = |lambda: &f64| {

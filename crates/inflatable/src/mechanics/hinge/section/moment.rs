@@ -32,9 +32,9 @@ impl Moment {
     /// The derivative of the quartic by x.
     fn secant_slope(&self, x: f64) -> f64 {
         let term = |i: usize| {
-            let others = OFFSETS.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, at)| *at);
+            let roots = OFFSETS.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, at)| *at);
             // The product over the roots, 0 among them, and its derivative.
-            let (_, slope) = std::iter::once(0.0).chain(others).fold((1.0, 0.0), |(value, slope), root| {
+            let (_, slope) = std::iter::once(0.0).chain(roots).fold((1.0, 0.0), |(value, slope), root| {
                 let scale = OFFSETS[i] - root;
                 (value * (x - root) / scale, (slope * (x - root) + value) / scale)
             });
@@ -45,10 +45,10 @@ impl Moment {
 
     /// The quartic through the logarithms of the secants, which is 0 at 0.
     fn secant(&self, x: f64) -> f64 {
-        let others = |i: usize| {
+        let weight = |i: usize| {
             let each = OFFSETS.iter().enumerate().filter(move |(j, _)| *j != i);
             each.map(move |(_, at)| (x - at) / (OFFSETS[i] - at)).product::<f64>()
         };
-        (0..4).map(|i| self.secants[i] * x / OFFSETS[i] * others(i)).sum()
+        (0..4).map(|i| self.secants[i] * x / OFFSETS[i] * weight(i)).sum()
     }
 }

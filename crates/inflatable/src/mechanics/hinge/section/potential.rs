@@ -33,14 +33,14 @@ pub(super) fn of_element(x: &[f64], element: usize) -> &[f64; WIDTH] {
 pub(super) fn value(scales: &Scales, mesh: &MeridianMesh, lambda: f64, x: &[f64]) -> Option<f64> {
     let mut sum = 0.0;
     for (element, points) in mesh.elements.iter().enumerate() {
-        let own = of_element(x, element);
+        let nodal = of_element(x, element);
         for point in points {
-            let at = jet(point, own);
-            let [q, slope, _, z, ..] = at;
+            let jet_here = jet(point, nodal);
+            let [q, slope, _, z, ..] = jet_here;
             if q <= 0.0 {
                 return None;
             }
-            let strains = Strains::of(scales, point.radius, lambda, &at);
+            let strains = Strains::of(scales, point.radius, lambda, &jet_here);
             sum += point.area * (strains.energy(scales) - lambda * q * z * slope / point.radius);
         }
     }
@@ -96,14 +96,14 @@ impl Potential {
         self.mixed.fill(0.0);
         self.hessian.clear();
         for (number, points) in mesh.elements.iter().enumerate() {
-            let (unknowns, mut own) = (of_element(x, number), Element::default());
+            let (unknowns, mut sums) = (of_element(x, number), Element::default());
             for point in points {
-                let at = density(scales, point.radius, lambda, &jet(point, unknowns), exact);
-                self.slope += point.area * at.slope;
-                self.curvature += point.area * at.curvature;
-                own.add(point, &at.gradient, &at.mixed, &at.hessian);
+                let density_here = density(scales, point.radius, lambda, &jet(point, unknowns), exact);
+                self.slope += point.area * density_here.slope;
+                self.curvature += point.area * density_here.curvature;
+                sums.add(point, &density_here.gradient, &density_here.mixed, &density_here.hessian);
             }
-            self.add(4 * number, &own);
+            self.add(4 * number, &sums);
         }
         self.reaction = -self.gradient[TO_Z];
         for pinned in mesh.pinned() {

@@ -43,9 +43,9 @@ impl Meridian {
         let mut volume = 0.0;
         for (number, element) in mesh.elements.iter().enumerate() {
             for point in element {
-                let at = jet(point, of_element(shape, number));
-                let [radius, slope, _, height, ..] = at;
-                let strains = Strains::of(scales, point.radius, *lambda, &at);
+                let jet_here = jet(point, of_element(shape, number));
+                let [radius, slope, _, height, ..] = jet_here;
+                let strains = Strains::of(scales, point.radius, *lambda, &jet_here);
                 volume += 2.0 * lambda * point.area / point.radius * radius * height * slope;
                 points.push(MeridianPoint {
                     place: point.place,

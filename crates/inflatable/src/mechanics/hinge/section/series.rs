@@ -142,10 +142,10 @@ fn sum<const ORDERS: usize, const LEN: usize>(coefficients: &[f64], place: f64) 
 /// Chebyshev polynomials of 2 x - 1.
 fn polynomials<const ORDERS: usize>(x: f64) -> [f64; ORDERS] {
     let y = 2.0 * x - 1.0;
-    let mut own = [1.0; ORDERS];
-    own[1] = y;
+    let mut values = [1.0; ORDERS];
+    values[1] = y;
     for k in 2..ORDERS {
-        own[k] = 2.0 * y * own[k - 1] - own[k - 2];
+        values[k] = 2.0 * y * values[k - 1] - values[k - 2];
     }
-    own
+    values
 }

@@ -97,9 +97,9 @@ impl ShapeSearch {
     pub(super) fn rest(&mut self) -> Result<(), HingeFault> {
         let mut coarse = Self::new(self.scales, self.mesh.coarser(COARSER));
         coarse.enough = ENOUGH_TO_REFINE;
-        let found = coarse.search_from_arcs(None);
+        let outcome = coarse.search_from_arcs(None);
         self.factorisations += coarse.factorisations;
-        if found.is_ok() {
+        if outcome.is_ok() {
             self.lambda = coarse.lambda;
             self.shape = self.mesh.refined(&coarse.mesh, &coarse.shape);
             if self.minimise(true).is_ok() {
@@ -124,7 +124,7 @@ impl ShapeSearch {
     /// Follows the branch of equilibria from the last one to `lambda`.
     pub(super) fn hold(&mut self, lambda: f64) -> Result<(), HingeFault> {
         let mut most = MOST_TURN;
-        let mut known = (self.lambda, self.shape.clone());
+        let mut solved = (self.lambda, self.shape.clone());
         while self.lambda != lambda {
             let turn = (lambda - self.lambda).clamp(-most, most);
             for (x, v) in self.shape.iter_mut().zip(&self.tangent) {
@@ -132,10 +132,10 @@ impl ShapeSearch {
             }
             self.lambda = if turn.abs() < most { lambda } else { self.lambda + turn };
             match self.minimise(false) {
-                Ok(()) => known = (self.lambda, self.shape.clone()),
+                Ok(()) => solved = (self.lambda, self.shape.clone()),
                 Err(lost) if most < 0.02 * MOST_TURN => return Err(lost),
                 Err(_) => {
-                    (self.lambda, self.shape) = known.clone();
+                    (self.lambda, self.shape) = solved.clone();
                     most *= 0.5;
                     // The tangent anew.
                     self.settle()?;

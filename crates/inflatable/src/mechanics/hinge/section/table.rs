@@ -76,7 +76,7 @@ impl SectionTable {
     /// The hinge at rest: the same arguments and ranges as [`Section::new`], and R* up to 3.
     ///
     /// # Errors
-    /// As for [`Section::new`] and [`HingeModel::target`](crate::mechanics::hinge::HingeModel::target).
+    /// The errors of [`Section::new`] and [`HingeModel::target`](crate::mechanics::hinge::HingeModel::target).
     pub fn at(
         &self,
         bendability: f64,
@@ -99,7 +99,7 @@ impl SectionTable {
     /// The moment of the hinge that rests as `rest` around that: the same arguments and ranges as [`SectionTable::at`].
     ///
     /// # Errors
-    /// As for [`SectionTable::at`].
+    /// The errors of [`SectionTable::at`].
     pub fn moment(&self, scales: [f64; 3], r_star: f64, rest: &SectionEntry) -> Result<Moment, HingeFault> {
         thread_local! {
             static LAST: RefCell<PartialSums> = RefCell::default();

@@ -28,7 +28,7 @@ struct TabledState {
     r_star: f64,
     entry: SectionEntry,
     arms: Option<ArmsByArc>,
-    /// Its moment, once it was asked for: among millions only the rest is.
+    /// Moment of the hinge, once it was needed: among millions only the rest is.
     moment: OnceLock<Result<Moment, HingeFault>>,
 }
 
@@ -45,7 +45,7 @@ impl Tabled {
     /// hinges of R* = `r_stars`.
     ///
     /// # Errors
-    /// As for [`SectionTable::at`].
+    /// The errors of [`SectionTable::at`].
     pub fn new(scales: [f64; 3], r_stars: [f64; 2]) -> Result<Self, HingeFault> {
         thread_local! {
             static LAST: RefCell<LastTwo<Tabled>> = const { RefCell::new(LastTwo::NONE) };
@@ -62,13 +62,13 @@ impl Tabled {
 
     fn look_up(scales: [f64; 3], r_stars: [f64; 2]) -> Result<Self, HingeFault> {
         Common::with(scales, |common| {
-            let one = common.at(r_stars[0])?;
-            let other = if r_stars[0] == r_stars[1] {
-                TabledState { r_star: r_stars[1], ..one.clone() }
+            let tip = common.at(r_stars[0])?;
+            let corner = if r_stars[0] == r_stars[1] {
+                TabledState { r_star: r_stars[1], ..tip.clone() }
             } else {
                 common.at(r_stars[1])?
             };
-            Ok(Self { scales, known: [one, other] })
+            Ok(Self { scales, known: [tip, corner] })
         })
     }
 

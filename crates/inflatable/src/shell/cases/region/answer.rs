@@ -47,7 +47,7 @@ impl Wrinkles {
 /// A seam of a chamber.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RegionSeam {
-    /// Its outline.
+    /// Outline of the chamber.
     Outline,
     /// The rim of one of its holes.
     Hole(usize),
@@ -62,7 +62,7 @@ pub enum RegionSeam {
 pub struct SeamPull {
     /// Which seam.
     pub seam: RegionSeam,
-    /// Its position on the flat sheet, m.
+    /// Position on the flat sheet, m.
     pub at: [f64; 2],
     /// Force that parts the sheets by length of flat seam, N/m, the mean over a band's width around it.
     pub pull: Value,
@@ -79,7 +79,7 @@ pub struct InflatedRegion {
     pub wrinkles: Wrinkles,
     /// Largest distance between the sheets, m.
     pub height: Value,
-    /// Its position on the flat sheet, m.
+    /// Position on the flat sheet, m.
     pub height_at: [f64; 2],
     /// Extents of the flat chamber along x and y, m.
     pub flat_extents: [f64; 2],
@@ -89,22 +89,22 @@ pub struct InflatedRegion {
     pub volume: Value,
     /// Largest pull on a seam, N/m.
     pub seal_pull: Value,
-    /// Its position on the finest mesh.
+    /// Position on the finest mesh.
     pub pull_at: [f64; 2],
     /// The pull along each seam.
     pub seams: Vec<SeamPull>,
     /// Largest principal stretch. At a sharp corner that points into the chamber it has no limit, and its mesh
     /// error is then large.
     pub stretch: Value,
-    /// Its position on the flat sheet, m.
+    /// Position on the flat sheet, m.
     pub stretch_at: [f64; 2],
     /// Largest principal tension, N/m: the stress times the thickness. At sharp corners as the stretch.
     pub tension: Value,
-    /// Its position on the flat sheet, m.
+    /// Position on the flat sheet, m.
     pub tension_at: [f64; 2],
     /// Lowest eigenvalue of the energy's Hessian by p/W where both sheets stay images of each other; positive.
     pub symmetric_eigenvalue: Value,
-    /// The same where both sheets move to the same side. Below 0 the shape leaves its plane.
+    /// Lowest eigenvalue where both sheets move to the same side. Below 0 the shape leaves its plane.
     pub antisymmetric_eigenvalue: Value,
     /// The upper sheet on its finest mesh.
     pub shape: InflatedShape,

@@ -7,7 +7,7 @@ use geom::{Path, Point};
 /// One flat chamber and its load, SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlatRegion {
-    /// Its sealed outline, m.
+    /// Sealed outline, m.
     pub chamber: FlatChamber,
     /// Y, N/m, B, N m, and nu of one sheet.
     pub fabric: Fabric,

@@ -85,19 +85,19 @@ const LEAST_CELLS: f64 = 1.0;
 /// If its curves cross or leave the outline, if it is out of range, or if it has no stable equilibrium that keeps z = 0 a plane of symmetry;
 /// the fault gives the place and the reason of the stop.
 pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<InflatedRegion, ShellFault> {
-    let mut found = on_meshes(case, fineness, watch);
+    let mut inflated = on_meshes(case, fineness, watch);
     for times in OTHER_MESHES {
-        if !matches!(found, Err(ShellFault::Stopped { .. })) {
+        if !matches!(inflated, Err(ShellFault::Stopped { .. })) {
             break;
         }
         let cells = (times * fineness.cells).max(LEAST_CELLS);
         // The first reason is the one to report.
-        found = match on_meshes(case, Fineness { cells, ..fineness }, watch) {
-            Err(ShellFault::Stopped { .. }) => found,
+        inflated = match on_meshes(case, Fineness { cells, ..fineness }, watch) {
+            Err(ShellFault::Stopped { .. }) => inflated,
             other => other,
         };
     }
-    found
+    inflated
 }
 
 /// Inflates it on these meshes.

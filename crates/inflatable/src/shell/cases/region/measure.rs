@@ -53,7 +53,7 @@ pub(super) fn measure(
     measured
 }
 
-/// The same shape where it lies best on the flat sheet, by the mean of squares over the area.
+/// The shape where it lies best on the flat sheet, by the mean of squares over the area.
 pub(super) fn aligned(sheet: &Sheet, state: &State) -> State {
     let flat = sheet.flat();
     let all: f64 = sheet.areas.iter().sum();

@@ -8,7 +8,7 @@ use geom::Segment;
 pub(super) struct Station {
     /// The curve, as [`FlatChamber::curves`] counts.
     pub(super) curve: usize,
-    /// Its position on the flat sheet.
+    /// Position on the flat sheet.
     pub(super) at: [f64; 2],
     /// Mean force by length over a band around it.
     pub(super) pull: f64,
@@ -57,8 +57,8 @@ impl ForceAlongCurve {
         let mesh = &meshed.mesh;
         let mut starts = vec![0.0; meshed.pieces.len() + 1];
         for (piece, of) in curve_of.iter().enumerate() {
-            let own = if *of == curve { meshed.pieces[piece].curve.length() } else { 0.0 };
-            starts[piece + 1] = starts[piece] + own;
+            let length = if *of == curve { meshed.pieces[piece].curve.length() } else { 0.0 };
+            starts[piece + 1] = starts[piece] + length;
         }
         let all = starts[meshed.pieces.len()];
         let place = |segment: &Segment, edge: usize| {

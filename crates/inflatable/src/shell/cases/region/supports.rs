@@ -38,22 +38,22 @@ pub(super) fn symmetric(meshed: &Meshed, sealed: &SealedNodes, sheet: &mut Sheet
     let mesh = &meshed.mesh;
     sealed.welds.iter().for_each(|edge| sheet.release(*edge));
     let mut supports = Supports::none(mesh.points.len());
-    let held = (0..mesh.points.len()).filter(|point| sealed.points[*point]);
-    held.for_each(|point| supports.fix(point, 2));
+    let sealed_points = (0..mesh.points.len()).filter(|point| sealed.points[*point]);
+    sealed_points.for_each(|point| supports.fix(point, 2));
     let on_rim = |edge: &&crate::shell::mesh::Edge| matches!(edge.border, Some(Border::Rim(_)));
     let rim: Vec<usize> = mesh.edges.iter().filter(on_rim).flat_map(|edge| edge.ends).collect();
     let place = |point: usize| Point::new(mesh.points[point][0], mesh.points[point][1]);
     let Some(&first) = rim.first() else { return supports };
-    let far = |from: usize| {
+    let farthest = |from: usize| {
         let away = |point: &&usize| place(**point).distance(place(from));
         rim.iter().max_by(|a, b| away(a).total_cmp(&away(b))).copied().unwrap_or(from)
     };
-    let one = far(first);
-    let other = far(one);
-    let apart = place(other) - place(one);
-    // The far point may come nearer along the axis that lies most along the line between both.
+    let start = farthest(first);
+    let other = farthest(start);
+    let apart = place(other) - place(start);
+    // The farthest point may come nearer along the axis that lies most along the line between both.
     let across = usize::from(apart.x.abs() > apart.y.abs());
-    for (point, axis) in [(one, 0), (one, 1), (other, across)] {
+    for (point, axis) in [(start, 0), (start, 1), (other, across)] {
         supports.fix(point, axis);
     }
     supports

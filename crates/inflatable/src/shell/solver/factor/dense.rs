@@ -47,8 +47,14 @@ pub(super) fn subtract_square<R: RealField + Copy>(
     threads: Threads,
 ) {
     let block = |(k, result): (usize, &mut [R])| {
-        let at = k * TOGETHER;
-        subtract_product(&mut result[at..], stride, kept, factor.below(at), TOGETHER.min(columns - at));
+        let start = k * TOGETHER;
+        subtract_product(
+            &mut result[start..],
+            stride,
+            kept,
+            factor.below(start),
+            TOGETHER.min(columns - start),
+        );
     };
     if columns <= TOGETHER {
         block((0, result));

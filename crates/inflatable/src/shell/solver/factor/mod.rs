@@ -115,7 +115,7 @@ impl Factor {
         let _ = self.refine(rhs, accuracy, MOST_ITERATIONS);
     }
 
-    /// The same in `most` iterations; false, and no solution, if they do not suffice or the matrix is not positive definite.
+    /// Solves in `most` iterations; false, and no solution, if they do not suffice or the matrix is not positive definite.
     pub(crate) fn solve_within(&mut self, most: u32, rhs: &mut [f64], accuracy: f64) -> bool {
         self.refine(rhs, accuracy, most) == Convergence::Reached
     }

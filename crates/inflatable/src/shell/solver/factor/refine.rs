@@ -68,13 +68,13 @@ impl Refinement {
             }
             conditioned.copy_from_slice(residual);
             precondition(conditioned);
-            let left = dot(residual, conditioned);
-            if left <= accuracy * accuracy * first {
+            let square_now = dot(residual, conditioned);
+            if square_now <= accuracy * accuracy * first {
                 return Convergence::Reached;
             }
-            let kept = left / square;
-            square = left;
-            direction.iter_mut().zip(&*conditioned).for_each(|(d, z)| *d = z + kept * *d);
+            let share = square_now / square;
+            square = square_now;
+            direction.iter_mut().zip(&*conditioned).for_each(|(d, z)| *d = z + share * *d);
         }
         Convergence::Missed
     }

@@ -15,7 +15,7 @@ const WORTH: u64 = 10;
 /// A subtree: supernodes that no other subtree needs until all of them are computed.
 #[derive(Debug, Default)]
 pub(super) struct Subtree {
-    /// Its supernodes.
+    /// Supernodes of the subtree.
     pub(super) nodes: Range<usize>,
     /// Their columns.
     pub(super) columns: Range<usize>,
@@ -86,12 +86,18 @@ impl TreeWork {
             };
             parts = tops.iter().map(part).collect();
         }
-        let own = nodes.clone().filter(|node| !parts.iter().any(|part: &Subtree| part.nodes.contains(node)));
-        let own = own.collect();
+        let rest = nodes.clone().filter(|node| !parts.iter().any(|part: &Subtree| part.nodes.contains(node)));
+        let rest = rest.collect();
         let Some((first, last)) = supernodes[nodes.clone()].first().zip(supernodes[nodes.clone()].last())
         else {
             return Subtree::default();
         };
-        Subtree { columns: first.first..last.end, places: first.start..last.panel_end(), own, nodes, parts }
+        Subtree {
+            columns: first.first..last.end,
+            places: first.start..last.panel_end(),
+            own: rest,
+            nodes,
+            parts,
+        }
     }
 }

@@ -5,7 +5,7 @@ use crate::shell::solver::factor::tree::Tree;
 /// Consecutive columns with the same rows below.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Supernode {
-    /// Its first column.
+    /// First column of the supernode.
     pub(super) first: usize,
     /// The column after its last.
     pub(super) end: usize,
@@ -39,17 +39,17 @@ impl Supernode {
 
     /// This one and the one before it as one; `None` if too many zeros come with that.
     fn with(&self, before: &Self) -> Option<Self> {
-        let mut both = Self { first: before.first, height: before.width() + self.height, ..*self };
+        let mut joined = Self { first: before.first, height: before.width() + self.height, ..*self };
         let filled = before.numbers() - before.zeros + self.numbers() - self.zeros;
-        both.zeros = both.numbers() - filled;
-        let (_, most) = *ZEROS.iter().find(|(width, _)| both.width() <= *width)?;
-        (100 * both.zeros <= most * both.numbers()).then_some(both)
+        joined.zeros = joined.numbers() - filled;
+        let (_, most) = *ZEROS.iter().find(|(width, _)| joined.width() <= *width)?;
+        (100 * joined.zeros <= most * joined.numbers()).then_some(joined)
     }
 }
 
 /// The supernodes of a tree.
 pub(super) fn supernodes(tree: &Tree) -> Vec<Supernode> {
-    let mut found: Vec<Supernode> = Vec::new();
+    let mut supernodes: Vec<Supernode> = Vec::new();
     let mut first = 0;
     for end in 1..=tree.order.len() {
         let last = end - 1;
@@ -59,18 +59,18 @@ pub(super) fn supernodes(tree: &Tree) -> Vec<Supernode> {
         }
         let height = tree.heights[first];
         let mut node = Supernode { first, end, height, zeros: 0, start: 0 };
-        while let Some(before) = found.last().filter(|before| (tree.parents[before.end - 1]) < end) {
+        while let Some(before) = supernodes.last().filter(|before| (tree.parents[before.end - 1]) < end) {
             let Some(both) = node.with(before) else { break };
-            let _ = found.pop();
+            let _ = supernodes.pop();
             node = both;
         }
-        found.push(node);
+        supernodes.push(node);
         first = end;
     }
     let mut start = 0;
-    for node in &mut found {
+    for node in &mut supernodes {
         node.start = start;
         start += node.width() * node.height;
     }
-    found
+    supernodes
 }

@@ -56,12 +56,12 @@ impl Symbolic {
         // The first child of each supernode, and of each child the next one.
         let (mut first, mut next) = (vec![NONE; count], vec![NONE; count]);
         // In which supernode a row was met last, and where it lies in that one's panel.
-        let (mut met, mut local) = (vec![NONE; tree.order.len()], vec![0; tree.order.len()]);
+        let (mut marked, mut local) = (vec![NONE; tree.order.len()], vec![0; tree.order.len()]);
         for number in 0..count {
             let node = self.supernodes[number];
             let begin = self.below.items.len();
             let mut add = |rows: &mut Vec<usize>, row: usize| {
-                if row >= node.end && std::mem::replace(&mut met[row], number) != number {
+                if row >= node.end && std::mem::replace(&mut marked[row], number) != number {
                     rows.push(row);
                 }
             };

@@ -100,13 +100,13 @@ fn parents(upper: &Lists) -> Vec<usize> {
 /// A row of the factor has a number in every column between one of the matrix' own and the row's, up the tree.
 fn heights(upper: &Lists, parents: &[usize]) -> Vec<usize> {
     let mut heights = vec![1; parents.len()];
-    let mut met = vec![NONE; parents.len()];
+    let mut marked = vec![NONE; parents.len()];
     for row in 0..parents.len() {
-        met[row] = row;
+        marked[row] = row;
         for &column in upper.of(row) {
             let mut column = column;
-            while met[column] != row {
-                met[column] = row;
+            while marked[column] != row {
+                marked[column] = row;
                 heights[column] += 1;
                 column = parents[column];
             }

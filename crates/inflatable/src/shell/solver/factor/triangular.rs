@@ -108,8 +108,8 @@ impl<R: RealField + Copy> Section<'_, R> {
                 (node.width(), &mut self.vector[node.first - first_column..node.end - first_column]);
             for k in (0..width).rev() {
                 let column = &self.numbers[node.start + k * node.height..][..node.height];
-                let others = dot(&column[k + 1..width], &own[k + 1..]) + dot(&column[width..], &gathered);
-                own[k] = (own[k] - others) / column[k];
+                let product = dot(&column[k + 1..width], &own[k + 1..]) + dot(&column[width..], &gathered);
+                own[k] = (own[k] - product) / column[k];
             }
             self.beyond.gathered = gathered;
         }
