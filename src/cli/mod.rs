@@ -62,7 +62,12 @@ pub use publish::{PublishFault, Published, publish};
 
 /// Fabrication CAM for fabric-based star soft grippers.
 #[derive(Parser, Debug)]
-#[command(version, disable_version_flag = true, about, after_help = "Start with `stargrip-cam new`, then `stargrip-cam build spec.toml`.")]
+#[command(
+    version,
+    disable_version_flag = true,
+    about,
+    after_help = "Start with `stargrip-cam new`, then `stargrip-cam build spec.toml`."
+)]
 struct Cli {
     #[command(subcommand)]
     command: Command,

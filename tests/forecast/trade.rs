@@ -1,9 +1,9 @@
 //! The shells that `trade` stores are those of this program.
 
 use crate::{close, design};
+use stargrip_cam::forecast::drawn::Watch;
 use stargrip_cam::forecast::shell::{Detail, star};
 use stargrip_cam::forecast::trade::computed::{OPENING, finest, shells};
-use stargrip_cam::inflatable::shell::cases::Watch;
 use stargrip_cam::spec::{Source, read};
 
 /// The star of crates/research/by_shell.py with five points, at 37 kPa.

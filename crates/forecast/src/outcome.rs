@@ -225,7 +225,7 @@ impl Outcome {
         let is_known = self.ranges.domain != Domain::Unknown;
         let untried = matches!(self.hold, Some(Grip::Held(_))) && self.force_range.is_none();
         Self {
-            is_known,
+            known: is_known,
             stiffness: self.stiffness.filter(|_| self.ranges.stiffness.is_some()),
             preload: self.preload.filter(|_| self.ranges.stiffness.is_some()),
             hold: if untried || !is_known { self.hold.map(|_| Grip::Untried) } else { self.hold },

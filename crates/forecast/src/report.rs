@@ -217,7 +217,7 @@ fn pressure_table(out: &mut String, rows: &[PressureRow]) {
 
 /// `row`, with a force where some row has one: `held`.
 fn pressure_text(out: &mut String, row: &PressureRow, held: bool) {
-    let force_text = || format!("{:26}", shown::force_text(row.object_force_N, row.force_range_N, "N"));
+    let force_text = || format!("{:26}", shown::known(row.object_force_N, row.force_range_N, "N"));
     let force = if held { force_text() } else { String::new() };
     let note = match (row.best, row.tried) {
         (true, _) => "   <- best",
@@ -228,7 +228,7 @@ fn pressure_text(out: &mut String, row: &PressureRow, held: bool) {
         out,
         "  {:8} kPa           {:26}{force}{:5.1} %   {}{note}",
         Readable(row.pressure_kPa).to_string(),
-        shown::force_text(Some(row.final_radius_mm), row.radius_range_mm, "mm"),
+        shown::known(Some(row.final_radius_mm), row.radius_range_mm, "mm"),
         100.0 * row.stretch,
         row.burst_margin.map_or("unknown".to_owned(), |margin| format!("{margin:.2}")),
     );
