@@ -170,7 +170,7 @@ impl ShellRun {
         bare: &ModelEvidence,
     ) -> ModelEvidence {
         let Self { flat, found, .. } = self;
-        let snap = snap(curve).or_else(|| snap_on_the_way(&measured.opening));
+        let snap_warning = snap(curve).or_else(|| snap_on_the_way(&measured.opening));
         ModelEvidence {
             choice: format!("{SHELL} was requested"),
             residual: found.evidence.residual,
@@ -189,7 +189,7 @@ impl ShellRun {
                 force_curve: (!curve.is_empty())
                     .then(|| curve.iter().map(|(_, force)| force.error).collect()),
             }),
-            warnings: warnings(case, (flat, found), measured).into_iter().chain(snap).collect(),
+            warnings: warnings(case, (flat, found), measured).into_iter().chain(snap_warning).collect(),
             ..bare.clone()
         }
     }

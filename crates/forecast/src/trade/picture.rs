@@ -182,8 +182,8 @@ pub fn of_choice(rows: &[ShellRow], limits: &[TradeRow]) -> String {
     );
     text(&mut out, NAMES, CHOICE_TOP - 20.0, "start", "model");
     text(&mut out, TIMES, CHOICE_TOP - 20.0, "end", "cost of a star");
-    let choices = choices(rows);
-    let count = u8::try_from(choices.len()).unwrap_or(u8::MAX);
+    let by_cost = choices(rows);
+    let count = u8::try_from(by_cost.len()).unwrap_or(u8::MAX);
     for (axis, (words, _)) in QUESTIONS.iter().zip(ANSWERS) {
         let names = ["0.1 %", "1 %", "10 %", "100 %", "1000 %"].map(str::to_owned);
         axis.lines(&mut out, CHOICE_TOP - 10.0, count, (-3..).zip(names));
@@ -194,7 +194,7 @@ pub fn of_choice(rows: &[ShellRow], limits: &[TradeRow]) -> String {
             CHOICE_TOP - 20.0
         );
     }
-    for ((choice, colour), place) in choices.iter().zip(COLOURS).zip(0_u8..) {
+    for ((choice, colour), place) in by_cost.iter().zip(COLOURS).zip(0_u8..) {
         let y = CHOICE_TOP + ROW * f64::from(place);
         row(&mut out, y, choice.model, choice.time);
         for (axis, error) in QUESTIONS.iter().zip(choice.errors) {
@@ -303,48 +303,43 @@ mod tests {
         words: &'a str,
     }
 
-    /// The labels of `picture`, as wide as a wide font makes them.
-    fn labels(picture: &str) -> Vec<Label<'_>> {
-        let attribute = |line: &str, name: &str| -> Option<String> {
-            let (_, rest) = line.split_once(&format!(" {name}=\""))?;
-            rest.split('"').next().map(str::to_owned)
+    fn attribute<'a>(line: &'a str, name: &str) -> Option<&'a str> {
+        line.split_once(&format!(" {name}=\""))?.1.split('"').next()
+    }
+
+    fn number(line: &str, name: &str) -> Option<f64> {
+        attribute(line, name)?.parse().ok()
+    }
+
+    /// The label that `line` writes, as wide as a wide font makes it.
+    fn label(line: &str) -> Option<Label<'_>> {
+        let words = line.split_once('>')?.1.strip_suffix("</text>")?;
+        let size = number(line, "font-size").unwrap_or(12.0);
+        let width = 0.58 * size * f64::from(u32::try_from(words.chars().count()).ok()?);
+        let left = match attribute(line, "text-anchor") {
+            Some("middle") => width / 2.0,
+            Some("end") => width,
+            _ => 0.0,
         };
-        let number = |line: &str, name: &str| attribute(line, name)?.parse::<f64>().ok();
-        let label = |line: &'_ str| -> Option<([f64; 2], f64)> {
-            let words = line.split_once('>')?.1.strip_suffix("</text>")?;
-            let size = number(line, "font-size").unwrap_or(12.0);
-            let width = 0.58 * size * f64::from(u32::try_from(words.chars().count()).ok()?);
-            let left = match attribute(line, "text-anchor").as_deref() {
-                Some("middle") => width / 2.0,
-                Some("end") => width,
-                _ => 0.0,
-            };
-            let x = number(line, "x")?;
-            Some(([x - left, x - left + width], number(line, "y")?))
-        };
-        let lines = picture.lines().filter(|line| line.starts_with("<text"));
-        lines
-            .map(|line| {
-                let (ends, base) = label(line).expect(line);
-                Label { ends, base, words: line }
-            })
-            .collect()
+        let x = number(line, "x")?;
+        Some(Label { ends: [x - left, x - left + width], base: number(line, "y")?, words })
     }
 
     #[test]
     fn every_label_lies_inside_its_picture_and_beside_the_others() {
-        let limit = |model: &str| TradeRow { model: model.to_owned(), time: 0.123, errors: [Some(0.5); 5] };
-        let limits: Vec<TradeRow> = (0..7).map(|_| limit("bvp, beta = 100000")).collect();
+        let limit = TradeRow { model: "bvp, beta = 100000".to_owned(), time: 0.123, errors: [Some(0.5); 5] };
+        let limits = vec![limit; 7];
         let rows = compared(&|| 0.0).expect("all models answer");
         for (picture, size) in [(of_choice(&rows, &limits), CHOICE), (against_shells(&rows), SHELLS)] {
             assert!(is_picture(&picture));
             let [width, height] = size.map(f64::from);
-            let labels = labels(&picture);
-            assert!(labels.len() > 20);
-            for (index, label) in labels.iter().enumerate() {
+            let lines = picture.lines().filter(|line| line.starts_with("<text"));
+            let all: Vec<Label<'_>> = lines.map(|line| label(line).expect(line)).collect();
+            assert!(all.len() > 20);
+            for (index, label) in all.iter().enumerate() {
                 assert!(label.ends[0] >= 0.0 && label.ends[1] <= width, "{} {:?}", label.words, label.ends);
                 assert!(label.base >= 12.0 && label.base <= height - 3.0, "{}", label.words);
-                for other in &labels[index + 1..] {
+                for other in &all[index + 1..] {
                     let is_clear = (label.base - other.base).abs() >= 10.0
                         || label.ends[1] <= other.ends[0]
                         || other.ends[1] <= label.ends[0];

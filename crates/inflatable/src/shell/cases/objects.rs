@@ -38,21 +38,22 @@ pub(super) fn is_followed(solver: &Solver, coarser: &[OpeningStep]) -> bool {
 pub(super) fn opening_curve(
     tube: &Tube,
     objects: Objects<'_>,
-    (solver, post): (&mut Solver, usize),
+    solver: &mut Solver,
+    post: usize,
     equilibrium: &Equilibrium,
 ) -> Result<Vec<OpeningStep>, ShellFault> {
     let mut curve = Vec::new();
     let Some(size) = objects.sizes().last() else { return Ok(curve) };
     let alone = solver.contact.clone();
     let mut state = equilibrium.state.clone();
-    let nearest = nearest(&state);
-    let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
+    let innermost = nearest(&state);
+    let origin = if matches!(objects, Objects::Openings(_)) { innermost } else { 0.0 };
     let last = origin + size / tube.width + BEYOND;
     let aim = tube.continuation().aim(equilibrium.pressure);
-    let mut radius = nearest;
+    let mut radius = innermost;
     while radius < last {
         let next = radius + STEP;
-        match open((solver, post), &mut state, aim, [radius, next]) {
+        match open((&mut *solver, post), &mut state, aim, [radius, next]) {
             Ok(()) => {}
             Err(Stop::Cancelled) => return Err(tube.stopped(Stop::Cancelled, solver.triangles())),
             Err(_) => break,
@@ -100,12 +101,12 @@ pub(super) fn press(
     let (forces, slips) = numbers.split_at_mut(MOST_OBJECTS);
     let mut starts = std::mem::take(beside).into_iter();
     let mut state = equilibrium.state.clone();
-    let nearest = nearest(&state);
-    let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
-    let mut radius = nearest;
+    let innermost = nearest(&state);
+    let origin = if matches!(objects, Objects::Openings(_)) { innermost } else { 0.0 };
+    let mut radius = innermost;
     let aim = tube.continuation().aim(equilibrium.pressure);
     for (index, size) in objects.sizes().iter().enumerate() {
-        let last = (origin + size / tube.width).max(nearest);
+        let last = (origin + size / tube.width).max(innermost);
         let found = match starts.next() {
             Some(start) => open_from(start, (solver, post), &mut state, aim, [radius, last]),
             None => open((solver, post), &mut state, aim, [radius, last]),

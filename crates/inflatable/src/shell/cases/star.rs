@@ -193,7 +193,7 @@ pub fn star_by_sizes(
         press(&case.tube, objects, (solver, post), &centered, (beside, &mut numbers[NUMBERS..]))?;
         solver.contact = alone;
         if is_followed(solver, &opening) {
-            opening = opening_curve(&case.tube, objects, (solver, post), &centered)?;
+            opening = opening_curve(&case.tube, objects, solver, post, &centered)?;
         }
         Ok(numbers)
     })?;
