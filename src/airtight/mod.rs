@@ -82,6 +82,15 @@ fn open_ways(passages: &[(&PlacedPart, Passage)], design: &Design) -> Refusals {
     of_pieces.chain(between).collect()
 }
 
+/// "the inlet", "the 2 inlets"; `None` for none.
+fn opening(number: usize, word: &str) -> Option<String> {
+    match number {
+        0 => None,
+        1 => Some(format!("the {word}")),
+        _ => Some(format!("the {number} {word}s")),
+    }
+}
+
 impl fmt::Display for SealReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "seal:")?;
@@ -96,10 +105,14 @@ impl fmt::Display for SealReport {
             writeln!(f, "  LEAK: {}", leak.found)?;
         }
         if self.leaks.is_empty() {
-            let exception = match self.pieces.iter().map(|piece| piece.passage.inlets).max() {
-                Some(1) => " except the inlet".to_owned(),
-                Some(inlets @ 2..) => format!(" except the {inlets} inlets"),
-                _ => "; the tube is closed all around, without an inlet".to_owned(),
+            let most =
+                |count: fn(&Passage) -> usize| self.pieces.iter().map(|piece| count(&piece.passage)).max();
+            let inlets = most(|passage| passage.inlets).unwrap_or(0);
+            let valves = most(|passage| passage.valves).unwrap_or(0);
+            let exception = match [opening(inlets, "inlet"), opening(valves, "valve")] {
+                [Some(inlets), Some(valves)] => format!(" except {inlets} and {valves}"),
+                [Some(openings), None] | [None, Some(openings)] => format!(" except {openings}"),
+                [None, None] => "; the tube is closed all around, without an inlet".to_owned(),
             };
             writeln!(f, "  airtight: no opening{exception}")?;
         }

@@ -24,6 +24,8 @@ pub struct Passage {
     pub inlet: Option<f64>,
     /// Number of inlets.
     pub inlets: usize,
+    /// Number of valves in the face.
+    pub valves: usize,
     /// Loss of radius at a tip and a corner by the band's width: drawn radius, made radius; for stars only.
     pub eaten: Option<[(f64, f64); 2]>,
     /// Leaks of the piece.
@@ -82,8 +84,8 @@ pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
     if let Some(apart) = starts_apart.filter(|apart| *apart < 2.0 * band + spec.seal.overlap.0) {
         weaknesses.push(format!("the two loops start only {apart:.1} mm from each other"));
     }
-    let inlets = shape.ports.len();
-    Passage { loops, starts_apart, channel, least_passage, inlet, inlets, eaten, leaks, weaknesses }
+    let (inlets, valves) = (shape.ports.len(), shape.valves.len());
+    Passage { loops, starts_apart, channel, least_passage, inlet, inlets, valves, eaten, leaks, weaknesses }
 }
 
 fn closure(

@@ -179,7 +179,7 @@ fn in_words(proposal: &LayerProposal) -> String {
     if let Some(more) = beyond(faults.len(), LISTED_FAULTS) {
         let _ = writeln!(lines, "left out: {more} more faulty elements");
     }
-    if layers.iter().all(|(_, role, _)| *role != LayerRole::Port) {
+    if !layers.iter().any(|(_, role, _)| matches!(role, LayerRole::Port | LayerRole::Valve)) {
         lines.push_str("no layer looks like a port: draw a short line across an edge where a hose goes in\n");
     }
     let [width, height] = size.map(Readable);

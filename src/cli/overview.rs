@@ -113,8 +113,12 @@ fn pieces(forecast: &Forecast) -> Vec<String> {
 fn drawn_in_words(piece: &DrawnPiece) -> String {
     let size = piece.part.outside.bounds();
     let length: f64 = piece.shape.seams.iter().map(|seam| seam.center_line.length()).sum();
+    let valves = match piece.shape.valves.len() {
+        0 => String::new(),
+        number => format!("{}, ", counted(number, "valve")),
+    };
     format!(
-        "{} x {} mm, {}, {}, {} of {} mm in all",
+        "{} x {} mm, {}, {}, {valves}{} of {} mm in all",
         rounded(size.width()),
         rounded(size.height()),
         counted(piece.shape.topology().chambers.len(), "chamber"),

@@ -135,7 +135,7 @@ pub fn coupons(
             let band = spec.seal.band.0;
             let piece = |strip: &TestStrip| {
                 let seams = vec![Seam::weld(strip.seam())];
-                let shape = SealedShape { seams, band, cut: None, ports: Vec::new() };
+                let shape = SealedShape { seams, band, cut: None, ports: Vec::new(), valves: Vec::new() };
                 CouponPiece {
                     name: named("strip", strip.number),
                     shape,

@@ -56,7 +56,7 @@ fn pouch(seal: &Seal, band: Path, cut: Path, width: f64) -> SealedShape {
     let at = band.start().zip(band.end()).map(|(start, end)| start.midpoint(end));
     let seam = Seam { role: Role::Boundary, ..Seam::weld(band) };
     let ports = at.map(|at| Port { at, width }).into_iter().collect();
-    SealedShape { seams: vec![seam], band: seal.band.0, cut: Some(cut), ports }
+    SealedShape { seams: vec![seam], band: seal.band.0, cut: Some(cut), ports, valves: Vec::new() }
 }
 
 /// Checks that the mouth lies outside of a flap of this width with its band.

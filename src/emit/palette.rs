@@ -28,7 +28,9 @@ pub(super) fn ink(layer: Layer, colours: Colours) -> LayerColour {
         | (Layer::Registration | Layer::PostHole, Colours::Ordered) => BLUE,
         (Layer::SealOuter | Layer::MaskJoint, _) => GREEN,
         (Layer::Label | Layer::PaperMark, Colours::Ordered) => CYAN,
-        (Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening, Colours::Ordered) => MAGENTA,
+        (Layer::CutHole | Layer::CutValve | Layer::MaskWindow | Layer::FrameOpening, Colours::Ordered) => {
+            MAGENTA
+        }
         _ => RED,
     }
 }

@@ -7,6 +7,7 @@ codes! {
     PrecautionCode {
         ChoppedSeal "chopped-seal" "The seal's speed is an average of strokes and dwells; time the program of `feedcheck`.",
         FastSeal "fast-seal" "The seal is much faster than the paper's; peel a coupon before you trust it.",
+        FitValve "fit-valve" "The flange of a valve is sealed to one sheet before the sheets are sealed; see the message.",
         GenericMachine "generic-machine" "The profile has no data on the machine; name your profile, or time the program of `feedcheck`.",
         LeavesPlane "leaves-plane" "A drawn shape may bend or twist out of its plane; the prediction assumes that it does not.",
         MachineRequires "machine-requires" "The profile requires this of the machine; make sure of it.",

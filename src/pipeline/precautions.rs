@@ -49,6 +49,7 @@ impl Forecast {
         list.extend(strength(self));
         list.extend(predicted(self, is_fit));
         list.extend(of_drawing(self));
+        list.extend(fit_valves(self));
         if is_unknown(&self.machine) && !matches!(pace(self), Some(Pace::Chopped(_))) {
             list.extend(fast(self, spec));
             list.push(generic(self, spec));
@@ -152,6 +153,17 @@ fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
         if leaving.as_ref() == Some(text) { PrecautionCode::LeavesPlane } else { PrecautionCode::Prediction }
     };
     warnings.map(|text| Precaution::new(code(text), text.clone())).collect()
+}
+
+/// The task to seal the valves to their sheet first.
+fn fit_valves(forecast: &Forecast) -> Option<Precaution> {
+    let has_valves = |placed| !forecast.design.part(placed).shape().valves.is_empty();
+    let text = format!(
+        "cut one sheet along the outline with valves, and seal the flange of each valve to it around its hole; lay it on \
+         the other, the valves upwards: the tool passes {} mm above the fabric between seams",
+        Readable(forecast.machine.process.heights.travel.0)
+    );
+    forecast.design.placed().iter().any(has_valves).then(|| Precaution::new(PrecautionCode::FitValve, text))
 }
 
 /// The warning that the strength of the seal is unknown.

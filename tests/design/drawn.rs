@@ -295,6 +295,54 @@ fn holes_and_labels_lie_on_the_flap() {
     }
 }
 
+/// The sheet with the valve has a hole that the other one does not have, and each file is held to its own sheet.
+#[test]
+fn a_valve_is_cut_out_of_one_sheet() {
+    let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"air\"], valve = [\"valve\"] }\n\
+                [fabric]\nareal_density = \"1 kg/m^2\"\n[cut]\nkerf = \"0.4 mm\"\n";
+    let drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"140mm\" height=\"100mm\" viewBox=\"0 0 140 100\">\
+        <g id=\"air\"><rect x=\"20\" y=\"20\" width=\"100\" height=\"60\"/></g>\
+        <g id=\"valve\"><circle cx=\"70\" cy=\"50\" r=\"3\"/></g></svg>";
+    let proposal = propose_layers("a.svg", drawing.as_bytes(), None).expect("layers");
+    let roles: Vec<LayerRole> = proposal.layers.iter().map(|(_, role, _)| *role).collect();
+    assert_eq!(roles, [LayerRole::Air, LayerRole::Valve]);
+    let made = drawn(text, drawing.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let part = |name: &str| {
+        let bytes = made.files().find(|(file, _)| *file == name).map(|(_, bytes)| bytes.into_owned());
+        String::from_utf8(bytes.unwrap_or_else(|| panic!("no {name}"))).expect("text")
+    };
+    for ending in ["svg", "dxf"] {
+        let [plain, valves] = ["", "-valves"].map(|more| part(&format!("sheet-1-outline{more}.{ending}")));
+        assert!(!plain.contains("cut-valve") && valves.contains("cut-valve"), "{ending}");
+        assert!([&plain, &valves].iter().all(|text| text.contains("cut-outside")), "{ending}");
+        // The tool runs within the hole.
+        assert!(ending != "svg" || valves.contains("A2.8 2.8"), "{valves}");
+    }
+    // Two sheets, one of them with a hole of 6 mm: 1 g is 1000 mm^2.
+    let piece =
+        stargrip_cam::design::FlatPiece::Drawn(&made.forecast.design.drawn().expect("a drawing").pieces[0]);
+    let outline = 120.0 * 80.0 - (4.0 - std::f64::consts::PI) * 100.0;
+    let area = 2.0 * outline - 9.0 * std::f64::consts::PI;
+    assert!((piece.fabric() - area).abs() < 1e-6, "{} {area}", piece.fabric());
+    let prove = |names: [&str; 2]| {
+        let files = made.files().map(|(name, bytes)| {
+            let other = names.iter().position(|own| *own == name).map(|own| names[1 - own]);
+            (Cow::from(other.unwrap_or(name)), bytes)
+        });
+        prove_files(&OutputFiles { files: files.collect(), ..OutputFiles::default() }).findings
+    };
+    assert_eq!(prove(["", ""]), []);
+    for swapped in [
+        ["sheet-1-outline.svg", "sheet-1-outline-valves.svg"],
+        ["sheet-1-outline.dxf", "sheet-1-outline-valves.dxf"],
+    ] {
+        let findings = prove(swapped);
+        for name in swapped {
+            assert!(findings.iter().any(|finding| finding.file == name), "{name}: {findings:?}");
+        }
+    }
+}
+
 /// Every fault at once, each with its elements and its place.
 #[test]
 fn a_faulty_drawing_is_refused_with_elements_and_places() {

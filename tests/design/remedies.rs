@@ -200,6 +200,8 @@ fn a_port_at_the_end_of_a_weld_is_told_its_distance() {
         for far in [0.5, 2.0, most] {
             let refusal = only(&with(far).expect_err("too near"));
             assert_eq!(refusal.code, RefusalCode::BandsOverlap, "{refusal}");
+            // The port is to be moved, not the band made narrower.
+            assert_eq!(refusal.key.to_string(), "drawing.layers");
             let found = format!("port 'p' lies {far:.3} mm from the end of 's'");
             assert!(refusal.found.starts_with(&found), "{refusal}");
             assert!(with(number(&refusal.remedy, "at least ")).is_ok(), "{refusal}");

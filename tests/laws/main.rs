@@ -17,3 +17,4 @@ mod spec;
 mod star;
 #[path = "../support/mod.rs"]
 mod support;
+mod valves;

@@ -185,7 +185,7 @@ fn a_mouth_in_uncut_fabric_is_refused() {
     for gap in [8.0, 10.0, 12.0, 13.0, 14.0, 15.0, 18.0, 22.0, 26.0, 31.9] {
         let found = fault(&u(gap, arm()));
         assert!(
-            found.code == ShapeCode::BandsOverlap
+            found.code == ShapeCode::ChannelOverlap
                 && found.names.contains(&"p".to_owned())
                 && found.what.contains("port 'p'"),
             "{gap}: {found:?}"
@@ -201,7 +201,7 @@ fn a_mouth_in_uncut_fabric_is_refused() {
     // Drawn cuts may lead through the gap.
     let cuts = |cut: Path| Sketch { cuts: vec![drawn("c", cut)], ..u(22.0, arm()) };
     let found = fault(&cuts(rectangle(-20.0, -20.0, 182.0, 170.0)));
-    assert!(found.code == ShapeCode::BandsOverlap && found.place == p(81.0, 100.0), "{found:?}");
+    assert!(found.code == ShapeCode::ChannelOverlap && found.place == p(81.0, 100.0), "{found:?}");
     let points = [(-20.0, -20.0), (162.0, -20.0), (162.0, 150.0), (72.0, 150.0), (72.0, 60.0), (70.0, 60.0)];
     let points = points.into_iter().chain([(70.0, 150.0), (-20.0, 150.0), (-20.0, -20.0)]);
     let slit = Path { closed: true, ..open(&points.map(|(x, y)| p(x, y)).collect::<Vec<_>>()) };

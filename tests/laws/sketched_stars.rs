@@ -49,6 +49,7 @@ fn shipped_stars_come_back_from_their_edges() {
                 port_width: part.channel.map_or(6.0, |channel| 2.0 * channel.half_width),
                 overrun: MOUTH_OVERRUN,
                 least_passage: 15.0,
+                flange: 10.0,
             };
             let result = sealed_shape(&Sketch { air, ports, ..Sketch::default() }, &rules);
             if part.channel.is_none() {

@@ -20,6 +20,7 @@ pub(crate) const RULES: Rules = Rules {
     port_width: 6.0,
     overrun: 1.0,
     least_passage: 15.0,
+    flange: 10.0,
 };
 
 pub(crate) fn p(x: f64, y: f64) -> Point {
@@ -425,7 +426,7 @@ proptest! {
             Err(faults) => {
                 for fault in &faults {
                     prop_assert!(fault.place.distance(at) < 200.0 && !fault.remedy.is_empty(), "{}", fault);
-                    prop_assert!(matches!(fault.code, ShapeCode::NarrowTube | ShapeCode::PortTooWide | ShapeCode::BandsOverlap
+                    prop_assert!(matches!(fault.code, ShapeCode::NarrowTube | ShapeCode::PortTooWide | ShapeCode::BandsOverlap | ShapeCode::ChannelOverlap
                         | ShapeCode::Crossing), "{}", fault);
                 }
             }
@@ -498,7 +499,7 @@ proptest! {
     fn whatever_is_drawn_is_sealed_or_refused(air in scribble(), seams in scribble(), cuts in scribble(), mouth in (0.0..60.0, 0.0..60.0)) {
         let curves = |paths: Vec<Path>| paths.into_iter().map(|path| drawn("x", path)).collect();
         let cuts = if cuts.len() > 2 { curves(cuts) } else { Vec::new() };
-        let all = Sketch { air: curves(air), seams: curves(seams), cuts, ports: vec![port(mouth.0, mouth.1)], holes: vec![] };
+        let all = Sketch { air: curves(air), seams: curves(seams), cuts, ports: vec![port(mouth.0, mouth.1)], ..Sketch::default() };
         for sketch in [Sketch { seams: vec![], ..all.clone() }, Sketch { air: vec![], ..all.clone() }, all] {
             match sealed_shape(&sketch, &RULES) {
                 Ok(sealing) => {

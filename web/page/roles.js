@@ -1,7 +1,7 @@
 // The menu over a drawing: the role of the layer of a curve.
 import { byId, element } from "./dom.js";
 
-const ROLES = [["air", "edge of the air"], ["seam", "weld or wall: the middle of a band"], ["port", "a hose goes in here"], ["cut", "outline that is cut"], ["hole", "opening that is cut out"], ["measure", "measured after inflation"], ["ignore", "left out"]];
+const ROLES = [["air", "edge of the air"], ["seam", "weld or wall: the middle of a band"], ["port", "a hose goes in here"], ["cut", "outline that is cut"], ["hole", "opening that is cut out"], ["valve", "hole in one sheet, for a valve in the face"], ["measure", "measured after inflation"], ["ignore", "left out"]];
 
 /** Closes the menu. */
 export function closeRoles() {

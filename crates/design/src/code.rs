@@ -30,6 +30,7 @@ codes! {
         LongRamp "long-ramp" "On its ramp the iron seals more than half a band past an end of a seam; shorten the profile's ramp.",
         LostGeometry "lost-geometry" "The drawing shows something that is not read; convert it to a path, or ignore its layer.",
         MayNotHold "may-not-hold" "A warning: within its ranges the gripper may or may not hold the object of `load`; see the reasons.",
+        MisplacedValve "misplaced-valve" "A valve of a drawing lies outside of the air, or its flange over a band or another valve; move it.",
         NarrowMouth "narrow-mouth" "A leak: the inlet's mouth is too narrow for the hose; take a thinner hose.",
         NarrowPassage "narrow-passage" "A warning: a passage is narrower than those that makers report to inflate; widen it.",
         NarrowTube "narrow-tube" "A tube of a drawing is narrower than two bands; widen it, or make the band narrower.",

@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 use crate::{
-    Circle, CutEdge, Design, DrawnPiece, FlatPiece, Plate, Product, Side, StarAssembly, label, lettering,
+    Circle, CutEdge, Design, DrawnPiece, FlatPiece, PlacedPart, Plate, Product, Side, StarAssembly, label,
+    lettering,
 };
 use geom::{Arc, Bounds, Isometry, Path, Point};
 
@@ -44,6 +45,8 @@ pub enum Layer {
     CutOutside,
     /// The cut around the hole.
     CutHole,
+    /// The holes of valves, in one sheet of fabric only.
+    CutValve,
     /// Registration holes.
     Registration,
     /// Text on a part, which is written and not cut.
@@ -73,6 +76,7 @@ impl Layer {
             Self::SealOuter => "seal-outer",
             Self::CutOutside => "cut-outside",
             Self::CutHole => "cut-hole",
+            Self::CutValve => "cut-valve",
             Self::Registration => "registration",
             Self::Label => "label",
             Self::MaskWindow => "mask-window",
@@ -194,6 +198,22 @@ impl Drawing {
             (Layer::CutOutside, outside),
         ];
         Self::on(design, sheet, layers)
+    }
+
+    /// The outlines of the sheet of fabric that has the valves: as [`Self::outlines`], with the holes of the valves. `None` without valves.
+    pub fn valve_outlines(design: &Design, sheet: usize, edge: CutEdge) -> Option<Self> {
+        let of_piece = |placed: &PlacedPart| {
+            let holes = design.part(placed).cut(edge).valves;
+            holes.iter().map(|hole| Shape::Path(placed.placement.path(hole))).collect::<Vec<_>>()
+        };
+        let holes: Vec<Shape> = design.on_sheet(sheet).flat_map(of_piece).collect();
+        if holes.is_empty() {
+            return None;
+        }
+        let mut drawing = Self::outlines(design, sheet, edge)?;
+        let outside = drawing.layers.len() - 1;
+        drawing.layers.insert(outside, (Layer::CutValve, holes));
+        Some(drawing)
     }
 
     /// The mask of the distinct star to which star number `star` belongs, turned over for its other face if `mirrored`.

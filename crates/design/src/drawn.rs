@@ -143,6 +143,7 @@ fn rules(spec: &Spec, drawing: &DrawingSpec) -> Rules {
         port_width: std::f64::consts::FRAC_PI_2 * hose,
         overrun: MOUTH_OVERRUN,
         least_passage: drawing.passage.0,
+        flange: drawing.flange.0,
     }
 }
 

@@ -21,6 +21,8 @@ pub struct PieceCut<'a> {
     pub outside: &'a Path,
     /// Out of the piece.
     pub inside: &'a [Path],
+    /// Out of the sheet with the valves.
+    pub valves: &'a [Path],
     /// Round holes, as drawn.
     pub holes: &'a [Circle],
     /// Width of the cut for which the lines are; 0 for the piece's own edges, mm.
@@ -61,14 +63,14 @@ impl<'a> FlatPiece<'a> {
                     CutEdge::Tool => (&star.cut.outside, &star.cut.hole, star.cut.kerf),
                 };
                 let holes = &star.outline.registration;
-                PieceCut { outside, inside: std::slice::from_ref(hole), holes, kerf }
+                PieceCut { outside, inside: std::slice::from_ref(hole), valves: &[], holes, kerf }
             }
             Self::Drawn(piece) => {
-                let DrawnCut { outside, inside, kerf } = match edge {
+                let DrawnCut { outside, inside, valves, kerf } = match edge {
                     CutEdge::Part => &piece.part,
                     CutEdge::Tool => &piece.tool,
                 };
-                PieceCut { outside, inside, holes: &piece.registration, kerf: *kerf }
+                PieceCut { outside, inside, valves, holes: &piece.registration, kerf: *kerf }
             }
         }
     }
@@ -78,8 +80,9 @@ impl<'a> FlatPiece<'a> {
         match self {
             Self::Star(star) => star.fabric(),
             Self::Drawn(piece) => {
-                let holes: f64 = piece.part.inside.iter().map(|hole| hole.area().abs()).sum();
-                SHEETS * (piece.part.outside.area().abs() - holes)
+                let area = |holes: &[Path]| holes.iter().map(|hole| hole.area().abs()).sum::<f64>();
+                let DrawnCut { outside, inside, valves, .. } = &piece.part;
+                SHEETS * (outside.area().abs() - area(inside)) - area(valves)
             }
         }
     }

@@ -91,6 +91,7 @@ impl StarDesign {
                     band: seal.band.0,
                     cut: Some(outline.outside.clone()),
                     ports: channel.iter().map(port).collect(),
+                    valves: Vec::new(),
                 };
                 Ok(Self { star, channel, edges, realised_edges, shape, outline, mask, cut, pieces })
             }

@@ -193,8 +193,14 @@ pub(super) fn beside(path: &Path, slack: f64) -> (Point, [Point; 2]) {
 
 /// Number of the closed paths in `around`, other than itself, around the closed `path`.
 pub(super) fn depth(around: &Enclosures, path: &Path) -> usize {
-    let (_, [left, right]) = beside(path, 1e-6);
-    around.around(left).len().min(around.around(right).len())
+    enclosing(around, path).len()
+}
+
+/// The numbers of the closed paths in `around`, other than itself, around the closed `path`.
+pub(super) fn enclosing(around: &Enclosures, path: &Path) -> Vec<usize> {
+    let (_, sides) = beside(path, 1e-6);
+    let [left, right] = sides.map(|side| around.around(side));
+    if left.len() <= right.len() { left } else { right }
 }
 
 /// Boundaries of several edges, the air on the left.

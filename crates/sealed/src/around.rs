@@ -118,7 +118,9 @@ fn offsets(
             }
             _ => {
                 let known = notes.faults.iter().any(|fault| {
-                    fault.code == ShapeCode::BandsOverlap && fault.names.iter().any(|name| own.contains(name))
+                    let is_overlap =
+                        matches!(fault.code, ShapeCode::BandsOverlap | ShapeCode::ChannelOverlap);
+                    is_overlap && fault.names.iter().any(|name| own.contains(name))
                 });
                 if !known {
                     let what = format!("the band along {} falls into {} loops", quoted(&own), loops.len());

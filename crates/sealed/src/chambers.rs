@@ -18,7 +18,7 @@ const GAP: f64 = 1e-9;
 /// Slack of a port's width, mm.
 const SLACK: f64 = 1e-6;
 
-/// A region that air can reach. Seams and ports are counted from 0 in the shape.
+/// A region that air can reach. Seams, ports and valves are counted from 0 in the shape.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Chamber {
     /// The seam around it: of several the first.
@@ -27,6 +27,8 @@ pub struct Chamber {
     pub islands: Vec<usize>,
     /// The ports into it.
     pub ports: Vec<usize>,
+    /// The valves in its face.
+    pub valves: Vec<usize>,
 }
 
 /// The chambers of a shape, and its leaks. The chambers are right only where there are no leaks.
@@ -108,7 +110,8 @@ impl SealedShape {
             })
             .collect();
         let faces = faces(&network(&pieces, self.band / 2.0 + SLACK));
-        chambers(&rings, &faces, count)
+        let valves: Vec<Point> = self.valves.iter().filter_map(|valve| valve.hole.start()).collect();
+        chambers(&rings, &faces, count, &valves)
     }
 }
 
@@ -148,8 +151,13 @@ fn faces(network: &Network) -> Vec<Face> {
     faces
 }
 
-/// The faces with air, their rings counted among the first `count` curves, ports after them.
-fn chambers(rings: &[(Path, Vec<usize>)], faces: &[Face], count: usize) -> Vec<(Chamber, Point)> {
+/// The faces with air, their rings counted among the first `count` curves, ports after them. `valves` are places in the holes of valves.
+fn chambers(
+    rings: &[(Path, Vec<usize>)],
+    faces: &[Face],
+    count: usize,
+    valves: &[Point],
+) -> Vec<(Chamber, Point)> {
     let ring_around = Enclosures::new(rings.iter().map(|(path, _)| path));
     let face_around = Enclosures::new(faces.iter().map(|face| &face.path));
     let areas: Vec<f64> = faces.iter().map(|face| face.path.area().abs()).collect();
@@ -167,6 +175,7 @@ fn chambers(rings: &[(Path, Vec<usize>)], faces: &[Face], count: usize) -> Vec<(
             within[face].push(number);
         }
     }
+    let faces_of_valves: Vec<Option<usize>> = valves.iter().map(|valve| innermost(*valve)).collect();
     let chamber = |(number, face): (usize, &Face)| {
         let around = ring_around.around(face.inside);
         if around.len().is_multiple_of(2) {
@@ -177,7 +186,8 @@ fn chambers(rings: &[(Path, Vec<usize>)], faces: &[Face], count: usize) -> Vec<(
         islands.sort_unstable();
         let ports =
             face.sources.iter().filter(|source| **source >= count).map(|source| source - count).collect();
-        Some((Chamber { outside, islands, ports }, face.inside))
+        let valves = (0..valves.len()).filter(|valve| faces_of_valves[*valve] == Some(number)).collect();
+        Some((Chamber { outside, islands, ports, valves }, face.inside))
     };
     faces.iter().enumerate().filter_map(chamber).collect()
 }
@@ -203,7 +213,13 @@ mod tests {
     fn shape(lines: Vec<Path>, ports: Vec<Port>) -> SealedShape {
         let seam =
             |center_line| Seam { name: String::new(), role: Role::Boundary, center_line, overlap: 5.0 };
-        SealedShape { seams: lines.into_iter().map(seam).collect(), band: 2.0, cut: None, ports }
+        SealedShape {
+            seams: lines.into_iter().map(seam).collect(),
+            band: 2.0,
+            cut: None,
+            ports,
+            valves: Vec::new(),
+        }
     }
 
     fn port(x: f64, width: f64) -> Port {
@@ -220,6 +236,7 @@ mod tests {
             outside,
             islands: islands.to_vec(),
             ports: ports.to_vec(),
+            valves: Vec::new(),
         };
         assert_eq!(found.chambers, [chamber(0, &[1], &[0]), chamber(2, &[], &[]), chamber(3, &[], &[])]);
     }
@@ -283,7 +300,10 @@ mod tests {
         let both = shape(vec![half(0.0), half(TAU / 2.0)], vec![port(50.0, 6.0), port(-50.0, 6.0)]);
         let found = both.topology();
         assert_eq!(found.leaks, []);
-        assert_eq!(found.chambers, [Chamber { outside: 0, islands: vec![], ports: vec![0, 1] }]);
+        assert_eq!(
+            found.chambers,
+            [Chamber { outside: 0, islands: vec![], ports: vec![0, 1], valves: vec![] }]
+        );
         let open = shape(vec![half(0.0), half(TAU / 2.0)], vec![port(50.0, 6.0)]).topology();
         assert!(open.leaks.iter().all(|leak| matches!(leak, Leak::Open(..))) && open.leaks.len() == 2);
     }

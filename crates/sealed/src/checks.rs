@@ -101,7 +101,9 @@ fn narrow(kind: NeckKind, neck: &Bottleneck, flanks: &Flanks, rules: &Rules, not
                 [_] => format!("move the port, so that its bands lie at least {least} mm from the other"),
                 [..] => rules.ports_apart(),
             };
-            notes.fault(ShapeCode::BandsOverlap, names, place, (what, remedy), [neck.width, least]);
+            let is_band = flanks.ports.is_empty();
+            let code = if is_band { ShapeCode::BandsOverlap } else { ShapeCode::ChannelOverlap };
+            notes.fault(code, names, place, (what, remedy), [neck.width, least]);
         }
         NeckKind::Tube => {
             let both = 2.0 * rules.band;
@@ -150,7 +152,7 @@ fn port_at_foot(
         let names = [&port, &inner.names[..]].concat();
         // The end may be near both sides of the channel.
         if notes.faults.iter().all(|fault| fault.names != names || fault.place != foot) {
-            notes.fault(ShapeCode::BandsOverlap, &names, foot, (what, remedy), [far, least]);
+            notes.fault(ShapeCode::ChannelOverlap, &names, foot, (what, remedy), [far, least]);
         }
         return true;
     }
@@ -190,7 +192,7 @@ fn crossing_bands(
     for (pair, place) in &crossings {
         let Flanks { names, text, ports } = Flanks::at(*pair, [*place; 2], lines, channels, sketch);
         let is_closed = |fault: &ShapeFault| {
-            fault.code == ShapeCode::BandsOverlap && ports.iter().any(|port| fault.names.contains(port))
+            fault.code == ShapeCode::ChannelOverlap && ports.iter().any(|port| fault.names.contains(port))
         };
         if notes.faults.iter().any(is_closed) {
             continue;

@@ -85,6 +85,7 @@ fn thin_fabric(
             (format!("{width:.3} mm of fabric {place} are too narrow for two bands"), remedy)
         }
     };
+    let code = if ports.is_empty() { ShapeCode::BandsOverlap } else { ShapeCode::ChannelOverlap };
     let names = [edges, ports].concat();
-    ShapeFault::new(ShapeCode::BandsOverlap, &names, neck.middle(), (what, remedy), [width, both])
+    ShapeFault::new(code, &names, neck.middle(), (what, remedy), [width, both])
 }

@@ -34,8 +34,10 @@ pub enum ShapeCode {
     WallOutside,
     /// No room for a band between two edges.
     NoRoom,
-    /// Bands overlap, or leave no way out of a port to the cut.
+    /// Bands overlap.
     BandsOverlap,
+    /// The channel of a port meets a band or an edge, or no cut.
+    ChannelOverlap,
     /// A tube narrower than two bands.
     NarrowTube,
     /// A passage narrower than the least passage.
@@ -52,6 +54,8 @@ pub enum ShapeCode {
     Outlines,
     /// A cut or a hole in a band, in the air, or across another cut.
     CutInBand,
+    /// A valve outside of the air, or with its flange over a band or another valve.
+    MisplacedValve,
     /// Little fabric between a hole and another cut.
     ThinWeb,
     /// A way for air other than a port.

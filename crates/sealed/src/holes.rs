@@ -5,7 +5,7 @@ use crate::air::beside;
 use crate::fault::{ShapeCode, quoted};
 use crate::layout::Layout;
 use crate::notes::SealingNotes;
-use crate::segments::{PathSegment, Segments};
+use crate::segments::{Approach, Segments};
 use crate::sketch::Rules;
 use geom::{Enclosures, Path, Point};
 
@@ -56,14 +56,9 @@ pub(super) fn webs(
     let segments = Segments::of(cuts.iter().map(|(path, _)| path));
     for (number, (path, names)) in cuts.iter().enumerate().skip(outlines.len()) {
         let mut least = (LEAST_WEB, Point::ORIGIN, number);
-        for segment in &path.segments {
-            for PathSegment { path, segment: across, .. } in segments.near(segment.bounds().grown(LEAST_WEB))
-            {
-                let far = geom::segment_distance(segment, across);
-                if *path < number && far < least.0 - 1e-6 {
-                    let near = across.point(across.nearest_fraction(segment.point(0.5)));
-                    least = (far, segment.point(segment.nearest_fraction(near)), *path);
-                }
+        for Approach { distance, place, path } in segments.approaches(path, LEAST_WEB) {
+            if path < number && distance < least.0 - 1e-6 {
+                least = (distance, place, path);
             }
         }
         let (far, place, other) = least;

@@ -45,6 +45,7 @@ mod sets;
 mod sketch;
 mod spine;
 mod unsound;
+mod valve;
 
 pub use chambers::{Chamber, Topology};
 pub use fault::{Repair, ShapeCode, ShapeFault, ShapeWarning};
@@ -52,7 +53,7 @@ pub use leak::Leak;
 pub use name::{PieceName, SeamName, scope};
 pub use offset::{of_polyline, offset_right, polyline};
 pub use sealing::{Sealing, sealed_shape};
-pub use seam::{LaidSeam, PlacedPiece, Port, Role, SealedShape, Seam, frame, laid_seams};
+pub use seam::{LaidSeam, PlacedPiece, Port, Role, SealedShape, Seam, Valve, frame, laid_seams};
 pub use separate::separate;
 pub use separator::{AirSide, Separator};
 pub use sketch::{DrawnCurve, DrawnPort, PortPlace, Rules, Sketch};

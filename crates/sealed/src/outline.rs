@@ -9,7 +9,7 @@ use crate::mouth::Mouth;
 use crate::notes::{SealingNotes, named};
 use crate::offset::offset_right;
 use crate::reach::unreached;
-use crate::segments::{PathSegment, Segments};
+use crate::segments::{Approach, Segments};
 use crate::sketch::{DrawnCurve, Rules, Sketch, thousandths_up};
 use geom::{Enclosures, Line as Chord, Path, Point, Segment};
 
@@ -52,8 +52,16 @@ pub(super) fn outline(
         count => {
             let place = outlines.get(1).and_then(|(path, _)| path.start()).unwrap_or(Point::ORIGIN);
             let names: Vec<String> = outlines.iter().flat_map(|(_, names)| names.clone()).collect();
-            let remedy =
-                "draw one cut around all of it on a layer with the role `cut`, or a file for each piece";
+            let remedy = if sketch.cuts.is_empty() {
+                let apart = 2.0 * rules.band;
+                format!(
+                    "move them more than {apart} mm apart, where each is a piece of its own, or draw one cut around all \
+                     of it on a layer with the role `cut`"
+                )
+            } else {
+                "draw each around edges of air or seams, or give a cut without any the role `ignore`"
+                    .to_owned()
+            };
             let text = (format!("{count} outlines to be cut"), remedy);
             #[expect(clippy::cast_precision_loss, reason = "a count of curves")]
             let found = count as f64;
@@ -79,12 +87,16 @@ fn no_outline(cuts: &[DrawnCurve], before: usize, notes: &mut SealingNotes) {
     let place = first.path.point_at(0.0).unwrap_or(Point::ORIGIN);
     let cuts = quoted(&names);
     let what = format!("the cuts {cuts} meet or share an edge, so none of them is the outline");
-    let remedy = "draw one closed cut around all of it, or a file for each piece";
+    let remedy = "draw closed cuts that do not meet, one around each piece";
     notes.fault(ShapeCode::Outlines, &names, place, (what, remedy), [0.0, 1.0]);
 }
 
 /// Drawn curves that must be closed, mended.
-fn closed(drawn: &[DrawnCurve], rules: &Rules, notes: &mut SealingNotes) -> Vec<(Path, Vec<String>)> {
+pub(super) fn closed(
+    drawn: &[DrawnCurve],
+    rules: &Rules,
+    notes: &mut SealingNotes,
+) -> Vec<(Path, Vec<String>)> {
     let (pieces, network, names) = notes.mended(drawn, rules.join);
     loose_ends((&pieces, &network), &names, rules.join, "close it", notes);
     crossings(&network, &names, rules.join, notes);
@@ -124,18 +136,10 @@ fn touching(
     let outline = Enclosures::new(outlines.iter().map(|(path, _)| path));
     let air = Enclosures::new(&lines.closed);
     for (number, (path, names)) in outlines.iter().chain(inner).enumerate() {
-        let mut least: Option<(f64, Point)> = None;
-        for segment in &path.segments {
-            for PathSegment { segment: band, .. } in bands.near(segment.bounds().grown(half)) {
-                let far = geom::segment_distance(segment, band);
-                let place = band.point(band.nearest_fraction(segment.point(0.5)));
-                let place = segment.point(segment.nearest_fraction(place));
-                if far < half - 1e-6 && !in_mouth(place) && least.is_none_or(|(known, _)| far < known) {
-                    least = Some((far, place));
-                }
-            }
-        }
-        if let Some((far, place)) = least {
+        let approaches = bands.approaches(path, half);
+        let too_near = approaches.filter(|near| near.distance < half - 1e-6 && !in_mouth(near.place));
+        let nearest = too_near.min_by(|a, b| a.distance.total_cmp(&b.distance));
+        if let Some(Approach { distance: far, place, .. }) = nearest {
             let cut = if names.is_empty() { "the cut along the bands".to_owned() } else { quoted(names) };
             let what = if far < 1e-6 {
                 format!("{cut} crosses a band")

@@ -139,7 +139,7 @@ pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rule
         NoChannel::Blocked { far, at } => {
             let what = format!("the channel of port {port} meets the edge {far:.3} mm in front of it");
             let text = (what, rules.room_in_front());
-            notes.fault(ShapeCode::BandsOverlap, &names, *at, text, [*far, f64::NAN]);
+            notes.fault(ShapeCode::ChannelOverlap, &names, *at, text, [*far, f64::NAN]);
         }
         NoChannel::Narrow { width, at } => {
             let needed = rules.port_width;

@@ -53,7 +53,7 @@ pub(super) fn unreached<'a>(
             }
         };
         let text = (what, rules.room_in_front());
-        notes.fault(ShapeCode::BandsOverlap, &names, place, text, numbers);
+        notes.fault(ShapeCode::ChannelOverlap, &names, place, text, numbers);
     }
 }
 

@@ -75,6 +75,15 @@ pub struct Port {
     pub width: f64,
 }
 
+/// A valve in the face of a chamber, in one of the two sheets. Both paths are closed and counterclockwise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Valve {
+    /// The hole in the sheet.
+    pub hole: Path,
+    /// The outer edge of the flange, which is sealed to the sheet around the hole.
+    pub rim: Path,
+}
+
 /// Two equal sheets, sealed and cut.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SealedShape {
@@ -86,6 +95,8 @@ pub struct SealedShape {
     pub cut: Option<Path>,
     /// Its ports.
     pub ports: Vec<Port>,
+    /// The valves in its upper sheet.
+    pub valves: Vec<Valve>,
 }
 
 impl SealedShape {
@@ -102,12 +113,14 @@ impl SealedShape {
     /// The same shape, moved.
     #[must_use]
     pub fn moved(&self, motion: Isometry) -> Self {
+        let valve = |valve: &Valve| Valve { hole: motion.path(&valve.hole), rim: motion.path(&valve.rim) };
         let seam = |seam: &Seam| Seam { center_line: motion.path(&seam.center_line), ..seam.clone() };
         Self {
             seams: self.seams.iter().map(seam).collect(),
             band: self.band,
             cut: self.cut.as_ref().map(|cut| motion.path(cut)),
             ports: self.ports.iter().map(|port| Port { at: motion.point(port.at), ..*port }).collect(),
+            valves: self.valves.iter().map(valve).collect(),
         }
     }
 }

@@ -14,6 +14,27 @@ pub(super) struct PathSegment {
     pub bounds: Bounds,
 }
 
+/// The approach of a segment to one of several paths.
+pub(super) struct Approach {
+    /// The distance between them, mm.
+    pub distance: f64,
+    /// A place on the segment near the path.
+    pub place: Point,
+    /// The number of the path.
+    pub path: usize,
+}
+
+impl Approach {
+    fn of(segment: &Segment, across: &PathSegment) -> Self {
+        let facing = across.segment.point(across.segment.nearest_fraction(segment.point(0.5)));
+        Self {
+            distance: geom::segment_distance(segment, &across.segment),
+            place: segment.point(segment.nearest_fraction(facing)),
+            path: across.path,
+        }
+    }
+}
+
 /// The segments of several paths, path by path.
 pub(super) struct Segments {
     pub list: Vec<PathSegment>,
@@ -37,6 +58,17 @@ impl Segments {
     /// Those whose boxes overlap `zone`, in their order.
     pub(super) fn near(&self, zone: Bounds) -> impl Iterator<Item = &PathSegment> {
         self.index.overlapping(&zone).into_iter().map(|i| &self.list[i])
+    }
+
+    /// The approaches of `path` to these paths, a pair of segments each, as far as their boxes come within `reach` mm.
+    pub(super) fn approaches<'s>(
+        &'s self,
+        path: &'s Path,
+        reach: f64,
+    ) -> impl Iterator<Item = Approach> + 's {
+        path.segments.iter().flat_map(move |segment| {
+            self.near(segment.bounds().grown(reach)).map(|across| Approach::of(segment, across))
+        })
     }
 
     /// Whether an end of the path number `number` lies within `reach` of another path, or of its own where it closes a loop. A path is

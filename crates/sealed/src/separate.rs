@@ -58,6 +58,7 @@ fn shared_out(sketch: &Sketch, outlines: &[PieceOutline]) -> Vec<Sketch> {
     add(&sketch.seams, |piece| &mut piece.seams);
     add(&sketch.cuts, |piece| &mut piece.cuts);
     add(&sketch.holes, |piece| &mut piece.holes);
+    add(&sketch.valves, |piece| &mut piece.valves);
     for port in &sketch.ports {
         pieces[nearest(port.place.middle())].ports.push(port.clone());
     }

@@ -214,6 +214,6 @@ fn strip(path: &Path, half: f64) -> Option<Polyline<f64>> {
     Some(polyline(&around))
 }
 
-fn counterclockwise(path: &Path) -> Path {
+pub(super) fn counterclockwise(path: &Path) -> Path {
     if path.area() < 0.0 { path.reversed() } else { path.clone() }
 }

@@ -42,6 +42,8 @@ pub struct Sketch {
     pub cuts: Vec<DrawnCurve>,
     /// Holes to be punched.
     pub holes: Vec<DrawnCurve>,
+    /// Valves in the faces of chambers: holes in one sheet, alone or with the rim of the flange around them.
+    pub valves: Vec<DrawnCurve>,
 }
 
 /// The rules by which a sketch becomes a sealed shape. Lengths in mm.
@@ -61,6 +63,8 @@ pub struct Rules {
     pub overrun: f64,
     /// A passage narrower than this is a warning.
     pub least_passage: f64,
+    /// Width of a valve's flange around its hole where its rim is not drawn, mm, > 0.
+    pub flange: f64,
 }
 
 impl Rules {

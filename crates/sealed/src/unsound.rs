@@ -30,12 +30,15 @@ pub(super) fn unsound_chambers(
             [across, -across].iter().any(|side| path.distance(mouth.point(rules.overrun, *side)) < 1e-6)
         })
     };
-    let is_closed =
-        |chamber: &Chamber| chamber.ports.is_empty() && (topology.leaks.is_empty() || !has_mouth(chamber));
+    let is_closed = |chamber: &Chamber| {
+        let is_open = !chamber.ports.is_empty() || !chamber.valves.is_empty();
+        !is_open && (topology.leaks.is_empty() || !has_mouth(chamber))
+    };
     for (chamber, inside) in chambers.filter(|(chamber, _)| is_closed(chamber)) {
         let names = &lines.lines[chamber.outside].names;
         let what = format!("the chamber inside of {} has no port", quoted(names));
-        let remedy = "draw a port on its outer edge, or open a wall to a chamber with a port";
+        let remedy =
+            "draw a port on its outer edge or a valve in its face, or open a wall to a chamber with a port";
         notes.fault(ShapeCode::NoPort, names, amid(shape, *inside), (what, remedy), [0.0, 1.0]);
     }
 }
@@ -51,7 +54,10 @@ fn leaking(
 ) {
     let place = leak.place(shape).unwrap_or(Point::ORIGIN);
     // A band that crosses another is told with the names of both.
-    let is_band = |code| matches!(code, ShapeCode::Crossing | ShapeCode::BandsOverlap | ShapeCode::CutInBand);
+    let is_band = |code| {
+        use ShapeCode::{BandsOverlap, ChannelOverlap, Crossing, CutInBand};
+        matches!(code, Crossing | BandsOverlap | ChannelOverlap | CutInBand)
+    };
     let known = notes
         .faults
         .iter()

@@ -15,6 +15,8 @@ use artwork::{Drawing, Format, Options, Unit};
 
 /// The least width of a passage that makers report to inflate well, mm.
 const LEAST_PASSAGE: f64 = 15.0;
+/// Width of the flange around a valve's hole, mm: with a hole of 6 mm its rim has a diameter of 26 mm.
+const FLANGE: f64 = 10.0;
 
 /// `[drawing]`
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +29,8 @@ pub struct DrawingSpec {
     pub join: Length,
     /// A narrower passage of the air is warned of.
     pub passage: Length,
+    /// Width of a valve's flange around its hole where its rim is not drawn.
+    pub flange: Length,
     /// Names of layers with their roles, in the order of the spec.
     pub layers: Vec<(String, LayerRole)>,
     /// The content of the file; `None` until it is read.
@@ -86,6 +90,8 @@ pub enum LayerRole {
     Cut,
     /// Holes.
     Hole,
+    /// Holes of valves in one sheet, alone or with the rims of their flanges.
+    Valve,
     /// Points and lines that are measured after inflation; nothing is made of them.
     Measure,
     /// No role: the figures are ignored.
@@ -94,12 +100,13 @@ pub enum LayerRole {
 
 impl LayerRole {
     /// All of them with the words that specs write.
-    pub const ALL: [(&'static str, Self); 7] = [
+    pub const ALL: [(&'static str, Self); 8] = [
         ("air", Self::Air),
         ("seam", Self::Seam),
         ("port", Self::Port),
         ("cut", Self::Cut),
         ("hole", Self::Hole),
+        ("valve", Self::Valve),
         ("measure", Self::Measure),
         ("ignore", Self::Ignore),
     ];
@@ -224,12 +231,14 @@ fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
     let units = s.choice("units", &Unit::named());
     let join = s.length("join", Allowed::closed(0.0, 10.0), 0.02);
     let passage = s.length("passage", Allowed::closed(0.0, 1000.0), LEAST_PASSAGE);
+    let flange = s.length("flange", Allowed::closed(0.1, 1000.0), FLANGE);
     let layers = read_layers(s);
     s.is_written().then(|| DrawingSpec {
         file: file.unwrap_or_default(),
         units,
         join,
         passage,
+        flange,
         layers,
         content: None,
     })

@@ -96,7 +96,7 @@ keys! {
         TIP_RADIUS "tip_radius", CORNER_RADIUS "corner_radius",
     }
     stack "stack" { COUNT "count", ROTATION "rotation", PITCH "pitch", STAR "star" }
-    drawing "drawing" { FILE "file", UNITS "units", JOIN "join", PASSAGE "passage", LAYERS "layers" }
+    drawing "drawing" { FILE "file", UNITS "units", JOIN "join", PASSAGE "passage", FLANGE "flange", LAYERS "layers" }
     inlet "inlet" {
         NONE "none", TUBE_DIAMETER "tube_diameter", LENGTH "length", TIP "tip", FILLET "fillet",
     }

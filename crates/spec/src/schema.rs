@@ -38,7 +38,8 @@ file = "outline.svg"  # SVG or ASCII DXF, beside this file
 units = "mm"  # of the file's numbers; it replaces the unit that the file states, and a note says so
 # join = "0.02 mm"  # ends of curves up to this far apart are joined, and reported
 # passage = "15 mm"  # a narrower passage of the air gives a warning
-layers = { "air": ["chamber"], "port": ["inlet"] }  # the role of each layer: air edges, seam centre lines, ports, cut, holes, measures, or ignored
+# flange = "10 mm"  # width of a valve's flange around its hole, where its rim is not drawn
+layers = { "air": ["chamber"], "port": ["inlet"] }  # the role of each layer: air edges, seam centre lines, ports, cut, holes, valves, measures, or ignored
 "#;
 
 /// Notes that the profile `generic` lacks. A line that begins with `# ` is a default, with the meaning that `generic` gives where

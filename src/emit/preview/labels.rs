@@ -69,13 +69,17 @@ pub(super) fn drawn_labels(
         let words = shortened(&seam.name, 24);
         beside(&mut group, places, &Callout { at, along, size, words: &words, ring: false });
     }
+    let middle = placed.placement.point(piece.part.outside.bounds().center());
+    let size = (0.9 * style.unit).min(0.3 * piece.label_width());
     for port in &piece.shape.ports {
         let at = placed.placement.point(port.at);
-        let size = (0.9 * style.unit).min(0.3 * piece.label_width());
-        let along = at - placed.placement.point(piece.part.outside.bounds().center());
-        beside(&mut group, places, &Callout { at, along, size, words: "port", ring: false });
+        beside(&mut group, places, &Callout { at, along: at - middle, size, words: "port", ring: false });
     }
-    let middle = placed.placement.point(piece.part.outside.bounds().center());
+    for valve in &piece.shape.valves {
+        let at = placed.placement.point(Point::new(valve.rim.bounds().max.x, valve.rim.bounds().center().y));
+        let along = at - placed.placement.point(valve.rim.bounds().center());
+        beside(&mut group, places, &Callout { at, along, size, words: "valve, upper sheet", ring: false });
+    }
     let name = placed.name().to_string();
     let texts = SIZES.map(|share| Text::centered(middle, share * 1.6 * style.unit, TEXT, name.clone()));
     if let Some(text) = places.first(texts) {

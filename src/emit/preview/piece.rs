@@ -31,6 +31,12 @@ pub(super) fn piece_group(part: FlatPiece<'_>, placed: &PlacedPart, style: Style
     for edge in cut {
         group.line(edge, style.pen(CUT, 1.0));
     }
+    for valve in &shape.valves {
+        // Through the hole in the upper sheet the lower one is seen.
+        group.area(vec![place(&valve.hole)], FABRIC);
+        group.line(place(&valve.hole), style.pen(CUT, 1.0));
+        group.line(place(&valve.rim), style.dashes(LABEL, thin));
+    }
     for hole in lines.holes {
         let edge = circle(placed.placement.point(hole.center), hole.diameter / 2.0);
         group.area(vec![edge.clone()], PAGE);
@@ -51,6 +57,10 @@ pub(super) fn keep_off_piece(places: &mut Places, part: FlatPiece<'_>, placed: &
         for lead in [seam.lead_in(ramp), seam.lead_out(ramp)] {
             places.keep_off(&place(&lead), shape.band);
         }
+    }
+    for valve in &shape.valves {
+        places.keep_off(&place(&valve.hole), 0.0);
+        places.keep_off(&place(&valve.rim), 0.0);
     }
     for hole in cut.holes {
         places.keep_off(&circle(placed.placement.point(hole.center), hole.diameter / 2.0), 0.0);

@@ -19,7 +19,8 @@ fn part(placed: &PlacedPart, part: FlatPiece<'_>) -> Value {
         "star": placed.index,
         "band_mm": shape.band,
         "outside": polyline(cut.outside),
-        "tube": part.tube().iter().map(polyline).collect::<Vec<_>>(),
+        // In the air the page shows the holes of valves, through which the lower sheet is seen.
+        "tube": part.tube().iter().chain(cut.valves).map(polyline).collect::<Vec<_>>(),
         "bands": shape.seams.iter().map(|seam| polyline(&seam.center_line)).collect::<Vec<_>>(),
         "closed": shape.seams.iter().map(|seam| seam.center_line.closed).collect::<Vec<_>>(),
         "holes": [],

@@ -262,6 +262,16 @@ const DRAWINGS: &[(&str, &str, &str)] = &[
         <g id=\"p\"><path d=\"M 30 -3 V 3\"/></g><g id=\"h\"><circle id=\"k\" cx=\"61\" cy=\"30\" r=\"2\"/></g>",
     ),
     (
+        "misplaced-valve",
+        "air = [\"a\"]\nvalve = [\"v\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/></g><g id=\"v\"><circle id=\"k\" cx=\"12\" cy=\"30\" r=\"3\"/></g>",
+    ),
+    (
+        "fit-valve",
+        "air = [\"a\"]\nvalve = [\"v\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/></g><g id=\"v\"><circle id=\"k\" cx=\"30\" cy=\"30\" r=\"3\"/></g>",
+    ),
+    (
         "thin-web",
         "air = [\"a\"]\nport = [\"p\"]\nhole = [\"h\"]\ncut = [\"c\"]",
         "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/></g><g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>\
@@ -287,7 +297,7 @@ fn generic() -> &'static str {
 const DRAWING: &str = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"a\"] }\n";
 
 /// All messages about a spec of a drawing.
-fn of_drawing(text: &str, bytes: &[u8], [_, refusals, _]: &mut [Vec<Message>; 3]) {
+fn of_drawing(text: &str, bytes: &[u8], [_, refusals, precautions]: &mut [Vec<Message>; 3]) {
     let reading = spec::read(&Source::new("spec.toml", text)).expect("a spec").with_drawing(bytes);
     let machine = Machine::builtin("generic").expect("built in");
     match Forecast::of(reading.spec, machine) {
@@ -295,6 +305,8 @@ fn of_drawing(text: &str, bytes: &[u8], [_, refusals, _]: &mut [Vec<Message>; 3]
             let warnings = forecast.design.warnings.iter();
             refusals
                 .extend(warnings.map(|one| (one.code.to_string(), format!("{}; {}", one.found, one.remedy))));
+            let list = forecast.precautions("spec.toml");
+            precautions.extend(list.iter().map(|one| (one.code.to_string(), one.text.clone())));
         }
         Err(found) => refusals.extend(of_refusals(&found)),
     }

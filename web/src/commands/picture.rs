@@ -52,7 +52,7 @@ fn piece(forecast: &Forecast, placed: &PlacedPart, top: f64) -> Value {
         "name": placed.name().to_string(),
         "middle": place(part.middle()),
         "cut": std::iter::once(cut.outside).chain(cut.inside).map(lay).collect::<String>(),
-        "air": part.tube().iter().map(lay).collect::<String>(),
+        "air": part.tube().iter().chain(cut.valves).map(lay).collect::<String>(),
         "band_mm": shape.band,
         "seams": seams.collect::<Vec<_>>(),
         "ports": shape.ports.iter().map(|port| place(port.at)).collect::<Vec<_>>(),

@@ -16,6 +16,8 @@ pub struct DrawnCut {
     pub outside: Path,
     /// Out of the piece.
     pub inside: Vec<Path>,
+    /// Holes of valves, out of one sheet.
+    pub valves: Vec<Path>,
     /// Width of the cut, mm.
     pub kerf: f64,
 }
@@ -41,15 +43,22 @@ impl DrawnCut {
         };
         let around = |path: &Path| if path.area() < 0.0 { path.reversed() } else { path.clone() };
         let inside = holes.iter().map(around).collect();
-        Ok(Self { outside: around(outside), inside, kerf: 0.0 })
+        let valves = shape.valves.iter().map(|valve| valve.hole.clone()).collect();
+        Ok(Self { outside: around(outside), inside, valves, kerf: 0.0 })
     }
 
     /// The lines of a tool whose cut is `kerf` wide, for a piece with these registration holes.
     pub(super) fn for_tool(&self, kerf: f64, holes: &[Circle]) -> Result<Self, Refusal> {
         leaves_holes(kerf, holes)?;
-        let inside = self.inside.iter().map(|path| tool_inside(path, kerf, "a hole"));
-        let inside = inside.collect::<Result<_, _>>()?;
-        Ok(Self { outside: tool_around(&self.outside, kerf, "the outline")?, inside, kerf })
+        let holes = |paths: &[Path], what: &str| {
+            paths.iter().map(|path| tool_inside(path, kerf, what)).collect::<Result<Vec<_>, _>>()
+        };
+        Ok(Self {
+            outside: tool_around(&self.outside, kerf, "the outline")?,
+            inside: holes(&self.inside, "a hole")?,
+            valves: holes(&self.valves, "the hole of a valve")?,
+            kerf,
+        })
     }
 }
 

@@ -54,6 +54,7 @@ fn of(fault: &ShapeFault) -> (KeyPath, RefusalCode) {
         ShapeCode::WallOutside => (LAYERS, RefusalCode::WallOutside),
         ShapeCode::NoRoom => (key::seal::BAND, RefusalCode::NoRoomForBand),
         ShapeCode::BandsOverlap => (key::seal::BAND, RefusalCode::BandsOverlap),
+        ShapeCode::ChannelOverlap => (LAYERS, RefusalCode::BandsOverlap),
         ShapeCode::NarrowTube => (key::seal::BAND, RefusalCode::NarrowTube),
         ShapeCode::NarrowPassage => (FILE, RefusalCode::NarrowPassage),
         ShapeCode::SharpCorner => (key::seal::BAND, RefusalCode::SharpCorner),
@@ -63,6 +64,7 @@ fn of(fault: &ShapeFault) -> (KeyPath, RefusalCode) {
         ShapeCode::Outlines => (LAYERS, RefusalCode::WrongOutlines),
         // A cut that follows the bands has no name, and no allowance keeps it off the bands of others.
         ShapeCode::CutInBand if fault.names.is_empty() => (LAYERS, RefusalCode::CutInBand),
+        ShapeCode::MisplacedValve => (LAYERS, RefusalCode::MisplacedValve),
         ShapeCode::ThinWeb => (FILE, RefusalCode::ThinWeb),
         ShapeCode::CutInBand => (FILE, RefusalCode::CutInBand),
         ShapeCode::Empty => (LAYERS, RefusalCode::NothingDrawn),

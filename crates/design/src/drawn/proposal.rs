@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::drawn::layer_name::{Shared, layer_names};
 use crate::drawn::loops::rings;
-use crate::drawn::words::{is_page, word_role};
+use crate::drawn::words::{is_page, is_valve, word_role};
 use artwork::{Drawing, Figure, Place, Weight};
-use geom::{Bounds, BoxIndex, Enclosures, Path, Point};
+use geom::{Bounds, BoxIndex, Enclosures, Path, Point, path_distance};
 use spec::LayerRole;
 use spec::units::counted;
 
@@ -111,6 +111,12 @@ fn suited(
     let figures = format!("{}, {closed} closed", counted(number, "figure"));
     // The only layer has the design, whatever its name is.
     let page = (is_page(layer.name) && number == 1).then_some(LayerRole::Ignore);
+    if word_role(layer.name) == Some(LayerRole::Port)
+        && is_valve(layer.name)
+        && edges.surround(layer, drawing)
+    {
+        return (LayerRole::Valve, format!("by its name, in the face of a chamber; {figures}"));
+    }
     let named = word_role(layer.name).or(page).filter(|role| !is_alone || *role != LayerRole::Ignore);
     let figure = |number: &usize| &drawing.elements[*number].figure;
     let is_point = |number: &usize| matches!(figure(number), Figure::Point(_));
@@ -186,6 +192,8 @@ struct EdgePaths {
     enclosures: Enclosures,
     /// The elements that make them, by number.
     elements: BTreeSet<usize>,
+    /// The elements that make each of them.
+    elements_of_paths: Vec<Vec<usize>>,
     /// The larger side of all of them, mm.
     size: f64,
 }
@@ -194,12 +202,37 @@ impl EdgePaths {
     /// The closed curves of `drawing`, as far as they are long enough for an edge.
     fn of(drawing: &Drawing) -> Self {
         let rings = rings(drawing);
-        let elements = rings.iter().flat_map(|ring| ring.elements.iter().copied()).collect();
-        let paths: Vec<Path> = rings.into_iter().map(|ring| ring.path).collect();
+        let (paths, elements_of_paths): (Vec<Path>, Vec<Vec<usize>>) =
+            rings.into_iter().map(|ring| (ring.path, ring.elements)).unzip();
+        let elements = elements_of_paths.iter().flatten().copied().collect();
         let bounds = paths.iter().fold(Bounds::EMPTY, |all, path| all.union(path.bounds()));
         let enclosures = Enclosures::new(&paths);
         let boxes = BoxIndex::new(paths.iter().map(Path::bounds));
-        Self { paths, boxes, enclosures, elements, size: bounds.width().max(bounds.height()).max(0.0) }
+        Self {
+            paths,
+            boxes,
+            enclosures,
+            elements,
+            elements_of_paths,
+            size: bounds.width().max(bounds.height()).max(0.0),
+        }
+    }
+
+    /// Whether all figures of a layer are closed curves within an edge of another layer, and off it.
+    fn surround(&self, layer: &DrawnLayer<'_>, drawing: &Drawing) -> bool {
+        let is_of_layer =
+            |path: &usize| self.elements_of_paths[*path].iter().any(|own| layer.elements.contains(own));
+        let is_around = |path: usize, figure: &Path| {
+            !is_of_layer(&path) && path_distance(&self.paths[path], figure) > figure.length() / 1000.0
+        };
+        let is_within = |number: &usize| match &drawing.elements[*number].figure {
+            Figure::Path(figure) => {
+                let around = figure.start().map(|start| self.enclosures.around(start));
+                around.into_iter().flatten().any(|path| is_around(path, figure))
+            }
+            Figure::Point(_) => false,
+        };
+        layer.closed == layer.elements.len() && layer.elements.iter().all(is_within)
     }
 
     /// The length up to which a line may be a mark, mm.

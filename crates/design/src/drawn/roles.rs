@@ -31,6 +31,7 @@ pub(super) fn sketch(drawing: &Drawing, spec: &DrawingSpec) -> Sketch {
             Some(LayerRole::Seam) => &mut sketch.seams,
             Some(LayerRole::Cut) => &mut sketch.cuts,
             Some(LayerRole::Hole) => &mut sketch.holes,
+            Some(LayerRole::Valve) => &mut sketch.valves,
             None | Some(LayerRole::Ignore | LayerRole::Measure) => continue,
         };
         // A point is not a curve: it is left out with a note, or `refusals` names it.

@@ -23,6 +23,11 @@ pub(super) fn word_role(name: &str) -> Option<LayerRole> {
     WORDS.iter().find(|(_, words)| words.iter().any(|word| small.contains(word))).map(|(role, _)| *role)
 }
 
+/// Whether a name is that of a valve, which sits on the edge of a chamber or in its face.
+pub(super) fn is_valve(name: &str) -> bool {
+    name.to_lowercase().contains("valve")
+}
+
 /// Whether a name is that of a page, which programs put around a drawing or draw as a rectangle.
 pub(super) fn is_page(name: &str) -> bool {
     name.to_lowercase().contains("artboard")

@@ -26,6 +26,8 @@ pub struct Output {
     pub paper: Option<Paper>,
     /// Whether it is mirrored, for the face that the iron does not touch.
     pub mirrored: bool,
+    /// Whether it is for the sheet of fabric that has the valves.
+    pub valves: bool,
     /// Whether it is a program for LinuxCNC, whose file dialog lists only `.ngc`.
     pub ngc: bool,
 }
@@ -42,6 +44,7 @@ impl Output {
             piece: None,
             paper: None,
             mirrored: false,
+            valves: false,
             ngc: false,
         }
     }
@@ -61,7 +64,8 @@ impl Output {
     fn stem(&self) -> String {
         let face = if self.mirrored { "-mirrored" } else { "" };
         let piece = self.piece.map_or(String::new(), |piece| format!("-piece-{piece}"));
-        format!("{}{}{face}{piece}", self.part(), self.kind.subject().name())
+        let valves = if self.valves { "-valves" } else { "" };
+        format!("{}{}{valves}{face}{piece}", self.part(), self.kind.subject().name())
     }
 
     /// Its name in the output directory: letters, digits, `-` and `.` only.
@@ -75,7 +79,8 @@ impl Output {
     pub fn title(&self, name: &str) -> String {
         match (self.kind.subject(), self.sheet) {
             (subject @ (Subject::Seal | Subject::Outline), Some(sheet)) => {
-                format!("{}, sheet {sheet}: {name}", subject.name())
+                let valves = if self.valves { " with valves" } else { "" };
+                format!("{}{valves}, sheet {sheet}: {name}", subject.name())
             }
             _ => format!("{}: {name}", self.stem()),
         }
@@ -85,6 +90,7 @@ impl Output {
     pub fn caption(&self) -> String {
         let number = |number: Option<usize>| number.unwrap_or(0);
         match self.kind.subject() {
+            Subject::Outline if self.valves => format!("OUTLINE WITH VALVES SHEET {}", number(self.sheet)),
             Subject::Outline => format!("OUTLINE SHEET {}", number(self.sheet)),
             Subject::Frame => format!("FRAME PLATE {}", number(self.plate)),
             Subject::Mask if self.copy.is_some() => format!("SEPARATOR PIECE {}", number(self.copy)),
@@ -125,6 +131,7 @@ impl Output {
         let is_solid = self.kind.format() == Format::Stl;
         match self.kind.subject() {
             Subject::Seal => Drawing::seals(design, self.sheet?),
+            Subject::Outline if self.valves => Drawing::valve_outlines(design, self.sheet?, self.edge()),
             Subject::Outline => Drawing::outlines(design, self.sheet?, self.edge()),
             Subject::Mask if is_solid => Drawing::printed_mask(
                 design.assembly()?,
@@ -198,7 +205,12 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
         Kind::OutlinePdf,
     ];
     for sheet in &design.sheets {
-        out.extend(of_sheet.map(|kind| Output { sheet: Some(sheet.index), ..Output::of(kind) }));
+        let of_kind = |kind| Output { sheet: Some(sheet.index), ..Output::of(kind) };
+        out.extend(of_sheet.map(of_kind));
+        if design.on_sheet(sheet.index).any(|placed| !design.part(placed).shape().valves.is_empty()) {
+            let outlines = [Kind::OutlineSvg, Kind::OutlineDxf, Kind::OutlinePdf];
+            out.extend(outlines.map(|kind| Output { valves: true, ..of_kind(kind) }));
+        }
     }
     if let Some(assembly) = design.assembly() {
         of_assembly(spec, assembly, &mut out);

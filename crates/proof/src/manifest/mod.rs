@@ -101,6 +101,9 @@ pub struct ManifestFile {
     /// Whether it is mirrored, for the face that the iron does not touch.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub mirrored: bool,
+    /// Whether it is for the sheet of fabric that has the valves.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub valves: bool,
 }
 
 /// Length and time of one star's seams.
@@ -175,7 +178,7 @@ impl ManifestFile {
 
     /// The same with a hash of the content that has been computed already.
     pub fn with_hash(artifact: &Artifact, sha256: String) -> Self {
-        let Output { kind, sheet, star, copy, plate, piece, paper, mirrored, .. } = artifact.output;
+        let Output { kind, sheet, star, copy, plate, piece, paper, mirrored, valves, .. } = artifact.output;
         Self {
             path: artifact.name.clone(),
             kind,
@@ -188,15 +191,16 @@ impl ManifestFile {
             piece,
             paper: paper.filter(|paper| paper.name().is_some()),
             mirrored,
+            valves,
         }
     }
 
     /// The file's kind and part, from its entry.
     pub fn output(&self) -> Output {
-        let Self { kind, sheet, star, copy, plate, piece, paper, mirrored, .. } = *self;
+        let Self { kind, sheet, star, copy, plate, piece, paper, mirrored, valves, .. } = *self;
         let paper = if kind.format() == Format::Pdf { paper.or(Some(Paper::Large)) } else { paper };
         let ngc = Path::new(&self.path).extension().is_some_and(|ending| ending == NGC);
-        Output { kind, sheet, star, copy, plate, piece, paper, mirrored, ngc }
+        Output { kind, sheet, star, copy, plate, piece, paper, mirrored, valves, ngc }
     }
 }
 

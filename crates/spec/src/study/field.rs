@@ -256,6 +256,7 @@ mod tests {
             "drawing.units",
             "drawing.join",
             "drawing.passage",
+            "drawing.flange",
             "drawing.layers",
             "mask.kind",
             "sheet.copies",

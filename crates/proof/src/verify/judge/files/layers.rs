@@ -22,7 +22,7 @@ pub(super) fn look(layer: Layer, colours: Colours) -> LayerStyle {
         Layer::Seal | Layer::SealInner => (BLUE, BLUE),
         Layer::SealOuter | Layer::MaskJoint => (GREEN, GREEN),
         Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => (RED, RED),
-        Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening => (RED, MAGENTA),
+        Layer::CutHole | Layer::CutValve | Layer::MaskWindow | Layer::FrameOpening => (RED, MAGENTA),
         Layer::Registration | Layer::PostHole => (RED, BLUE),
         Layer::Label | Layer::PaperMark => (BLUE, CYAN),
     };
