@@ -105,10 +105,8 @@ impl fmt::Display for SealReport {
             writeln!(f, "  LEAK: {}", leak.found)?;
         }
         if self.leaks.is_empty() {
-            let most =
-                |count: fn(&Passage) -> usize| self.pieces.iter().map(|piece| count(&piece.passage)).max();
-            let inlets = most(|passage| passage.inlets).unwrap_or(0);
-            let valves = most(|passage| passage.valves).unwrap_or(0);
+            let inlets = self.pieces.iter().map(|piece| piece.passage.inlets).max().unwrap_or(0);
+            let valves = self.pieces.iter().map(|piece| piece.passage.valves).max().unwrap_or(0);
             let exception = match [opening(inlets, "inlet"), opening(valves, "valve")] {
                 [Some(inlets), Some(valves)] => format!(" except {inlets} and {valves}"),
                 [Some(openings), None] | [None, Some(openings)] => format!(" except {openings}"),

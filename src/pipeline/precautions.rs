@@ -157,13 +157,13 @@ fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
 
 /// The task to seal the valves to their sheet first.
 fn fit_valves(forecast: &Forecast) -> Option<Precaution> {
-    let has_valves = |placed| !forecast.design.part(placed).shape().valves.is_empty();
     let text = format!(
         "cut one sheet along the outline with valves, and seal the flange of each valve to it around its hole; lay it on \
          the other, the valves upwards: the tool passes {} mm above the fabric between seams",
         Readable(forecast.machine.process.heights.travel.0)
     );
-    forecast.design.placed().iter().any(has_valves).then(|| Precaution::new(PrecautionCode::FitValve, text))
+    let mut shapes = forecast.design.placed().iter().map(|placed| forecast.design.part(placed).shape());
+    shapes.any(|shape| !shape.valves.is_empty()).then(|| Precaution::new(PrecautionCode::FitValve, text))
 }
 
 /// The warning that the strength of the seal is unknown.

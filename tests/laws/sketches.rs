@@ -387,14 +387,23 @@ fn a_narrow_slit_is_told_with_its_depth() {
     }
 }
 
-/// Every point of a seam is half a band from the nearest edge of the air, to the rounding of joints, for any outline and island.
+/// Every point of a seam is half a band from the nearest edge of the air, for any outline and island. Only parallels that miss each other
+/// at a corner by less than 1e-5 mm are joined, which moves their points by less.
 fn check_offset(edges: &[&Path], lines: &[&Path]) {
-    for line in lines {
-        for at in samples(line) {
-            let near = edges.iter().map(|edge| edge.distance(at)).fold(f64::INFINITY, f64::min);
-            assert!((near - 1.0).abs() < 1e-5, "{near} at {at:?}");
+    for segment in lines.iter().flat_map(|line| &line.segments) {
+        let ends = [segment.start(), segment.end()].map(|end| offset_error(edges, end));
+        let most = if ends[0].max(ends[1]) > 1e-9 { 1e-5 } else { 1e-9 };
+        for place in (0..=8).map(|i| segment.point(f64::from(i) / 8.0)) {
+            let error = offset_error(edges, place);
+            assert!(error < most, "{error} at {place:?}");
         }
     }
+}
+
+/// How much the distance of `place` from the nearest of `edges` differs from half a band, mm.
+fn offset_error(edges: &[&Path], place: Point) -> f64 {
+    let nearest = edges.iter().map(|edge| edge.distance(place)).fold(f64::INFINITY, f64::min);
+    (nearest - 1.0).abs()
 }
 
 proptest! {

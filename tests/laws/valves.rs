@@ -96,8 +96,8 @@ fn each_chamber_and_each_piece_has_a_valve_of_its_own() {
 #[test]
 fn a_misplaced_valve_is_a_fault_with_its_place() {
     let wrong = [ShapeCode::MisplacedValve];
-    for outside in [circle(200.0, 50.0, 3.0), circle(140.0, 50.0, 3.0)] {
-        assert!(codes(&cushion(vec![("v", outside)])).contains(&wrong[0]));
+    for hole in [circle(200.0, 50.0, 3.0), circle(140.0, 50.0, 3.0)] {
+        assert!(codes(&cushion(vec![("v", hole)])).contains(&wrong[0]));
     }
     // On an island there is no air.
     let mut island = cushion(vec![("v", circle(70.0, 50.0, 3.0))]);
@@ -106,14 +106,17 @@ fn a_misplaced_valve_is_a_fault_with_its_place() {
     assert_eq!(codes(&island), wrong);
     // A weld and an island within the flange, which no band of it touches.
     for (seam, air) in [(Some(circle(70.0, 50.0, 6.0)), None), (None, Some(circle(70.0, 43.0, 1.5)))] {
-        let mut within = cushion(vec![("h", circle(70.0, 50.0, 3.0)), ("f", circle(70.0, 50.0, 25.0))]);
-        within.seams.extend(seam.map(|path| drawn("w", path)));
-        within.air.extend(air.map(|path| drawn("i", path)));
-        assert!(codes(&within).contains(&wrong[0]), "{:#?}", faults(&within));
+        let mut covered = cushion(vec![("h", circle(70.0, 50.0, 3.0)), ("f", circle(70.0, 50.0, 25.0))]);
+        covered.seams.extend(seam.map(|path| drawn("w", path)));
+        covered.air.extend(air.map(|path| drawn("i", path)));
+        assert!(codes(&covered).contains(&wrong[0]), "{:#?}", faults(&covered));
     }
-    let near = cushion(vec![("v", circle(50.0, 50.0, 3.0)), ("w", circle(75.9, 50.0, 3.0))]);
-    let found = faults(&near);
-    assert!(found.len() == 1 && found[0].code == wrong[0] && found[0].names == ["v", "w"], "{found:#?}");
+    let pair = cushion(vec![("v", circle(50.0, 50.0, 3.0)), ("w", circle(75.9, 50.0, 3.0))]);
+    let overlap = faults(&pair);
+    assert!(
+        overlap.len() == 1 && overlap[0].code == wrong[0] && overlap[0].names == ["v", "w"],
+        "{overlap:#?}"
+    );
     assert!(
         sealed_shape(&cushion(vec![("v", circle(50.0, 50.0, 3.0)), ("w", circle(76.1, 50.0, 3.0))]), &RULES)
             .is_ok()

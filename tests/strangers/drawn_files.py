@@ -73,6 +73,31 @@ def svg(rng, curves, ports, size):
     return f'<svg xmlns="http://www.w3.org/2000/svg" width="{sides[0]}" height="{sides[1]}" viewBox="{box}">\n{groups}\n</svg>\n'
 
 
+def rounded_svg(curves, ports, size, decimals, all_cubic):
+    """The text of an SVG in mm whose numbers have so many `decimals`: of Beziers alone, or of lines, quarters of circles and Beziers."""
+    def rounded(p):
+        return f"{p.real:.{decimals}f} {size[1] - p.imag:.{decimals}f}"
+
+    def command(segment):
+        if isinstance(segment, Line):
+            return "L" + rounded(segment.b)
+        if isinstance(segment, Arc):
+            return f"A {segment.r:.{decimals}f} {segment.r:.{decimals}f} 0 0 {int(segment.sweep < 0)} {rounded(segment.b)}"
+        return "C" + " ".join(map(rounded, (segment.p, segment.q, segment.b)))
+
+    def parts(segment):
+        if all_cubic:
+            return segment.cubics()
+        return segment.parts(1.6) if isinstance(segment, Arc) else [segment]
+
+    texts = {}
+    for layer, name, loop, closed in [*curves, *(("port", name, [Line(a, b)], False) for name, a, b in ports)]:
+        data = "M" + rounded(loop[0].a) + "".join(command(part) for segment in loop for part in parts(segment))
+        texts.setdefault(layer, []).append(f'<path id="{name}" d="{data}{"Z" if closed else ""}"/>')
+    groups = "".join(f'<g id="{layer}" fill="none" stroke="black">{"".join(paths)}</g>' for layer, paths in texts.items())
+    return f'<svg xmlns="http://www.w3.org/2000/svg" width="{size[0]}mm" height="{size[1]}mm" viewBox="0 0 {size[0]} {size[1]}">{groups}</svg>\n'
+
+
 def mirrored(segment, height, per, turn, scale, by):
     """A segment as it has to be written: Y down, before the group's transform."""
     def f(p):

@@ -24,6 +24,9 @@ class Line:
     def backwards(self):
         return Line(self.b, self.a)
 
+    def cubics(self):
+        return [Bezier(self.a, (2 * self.a + self.b) / 3, (self.a + 2 * self.b) / 3, self.b)]
+
 
 class Arc:
     """Around c from a to b, by `sweep` rad, counterclockwise if positive; below a whole turn."""
@@ -43,6 +46,19 @@ class Arc:
 
     def backwards(self):
         return Arc(self.c, self.b, -self.sweep)
+
+    def parts(self, most):
+        """Arcs that turn by `most` rad each, or less."""
+        count = math.ceil(abs(self.sweep) / most)
+        turn = self.sweep / count
+        return [Arc(self.c, self.c + (self.a - self.c) * cmath.exp(1j * turn * k), turn) for k in range(count)]
+
+    def cubics(self):
+        """Beziers of a fifth of a radian, whose distance from the arc is below a nanometre."""
+        def cubic(arc):
+            reach = 4j / 3 * math.tan(arc.sweep / 4)
+            return Bezier(arc.a, arc.a + reach * (arc.a - arc.c), arc.b - reach * (arc.b - arc.c), arc.b)
+        return [cubic(part) for part in self.parts(0.2)]
 
     def halves(self):
         first = Arc(self.c, self.a, self.sweep / 2)
@@ -67,6 +83,9 @@ class Bezier:
 
     def backwards(self):
         return Bezier(self.b, self.q, self.p, self.a)
+
+    def cubics(self):
+        return [self]
 
 
 def polygon(loop):

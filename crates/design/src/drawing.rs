@@ -5,8 +5,7 @@ use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 use crate::{
-    Circle, CutEdge, Design, DrawnPiece, FlatPiece, PlacedPart, Plate, Product, Side, StarAssembly, label,
-    lettering,
+    Circle, CutEdge, Design, DrawnPiece, FlatPiece, Plate, Product, Side, StarAssembly, label, lettering,
 };
 use geom::{Arc, Bounds, Isometry, Path, Point};
 
@@ -202,11 +201,11 @@ impl Drawing {
 
     /// The outlines of the sheet of fabric that has the valves: as [`Self::outlines`], with the holes of the valves. `None` without valves.
     pub fn valve_outlines(design: &Design, sheet: usize, edge: CutEdge) -> Option<Self> {
-        let of_piece = |placed: &PlacedPart| {
-            let holes = design.part(placed).cut(edge).valves;
-            holes.iter().map(|hole| Shape::Path(placed.placement.path(hole))).collect::<Vec<_>>()
-        };
-        let holes: Vec<Shape> = design.on_sheet(sheet).flat_map(of_piece).collect();
+        let mut holes = Vec::new();
+        for placed in design.on_sheet(sheet) {
+            let of_piece = design.part(placed).cut(edge).valves.iter();
+            holes.extend(of_piece.map(|hole| Shape::Path(placed.placement.path(hole))));
+        }
         if holes.is_empty() {
             return None;
         }

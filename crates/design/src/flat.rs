@@ -80,9 +80,8 @@ impl<'a> FlatPiece<'a> {
         match self {
             Self::Star(star) => star.fabric(),
             Self::Drawn(piece) => {
-                let area = |holes: &[Path]| holes.iter().map(|hole| hole.area().abs()).sum::<f64>();
                 let DrawnCut { outside, inside, valves, .. } = &piece.part;
-                SHEETS * (outside.area().abs() - area(inside)) - area(valves)
+                SHEETS * (outside.area().abs() - total_area(inside)) - total_area(valves)
             }
         }
     }
@@ -108,4 +107,9 @@ impl<'a> FlatPiece<'a> {
             Self::Drawn(piece) => piece.label_width(),
         }
     }
+}
+
+/// Area of all `holes`, mm^2.
+fn total_area(holes: &[Path]) -> f64 {
+    holes.iter().map(|hole| hole.area().abs()).sum()
 }

@@ -191,15 +191,15 @@ pub(super) fn beside(path: &Path, slack: f64) -> (Point, [Point; 2]) {
     (place, [place + across * slack, place - across * slack])
 }
 
-/// Number of the closed paths in `around`, other than itself, around the closed `path`.
-pub(super) fn depth(around: &Enclosures, path: &Path) -> usize {
-    enclosing(around, path).len()
+/// Number of the closed paths in `enclosures`, other than itself, around the closed `path`.
+pub(super) fn depth(enclosures: &Enclosures, path: &Path) -> usize {
+    enclosing(enclosures, path).len()
 }
 
-/// The numbers of the closed paths in `around`, other than itself, around the closed `path`.
-pub(super) fn enclosing(around: &Enclosures, path: &Path) -> Vec<usize> {
+/// The numbers of the closed paths in `enclosures`, other than itself, around the closed `path`.
+pub(super) fn enclosing(enclosures: &Enclosures, path: &Path) -> Vec<usize> {
     let (_, sides) = beside(path, 1e-6);
-    let [left, right] = sides.map(|side| around.around(side));
+    let [left, right] = sides.map(|side| enclosures.around(side));
     if left.len() <= right.len() { left } else { right }
 }
 

@@ -115,7 +115,7 @@ fn offset_cut(edge: &Path, by: f64, mouths: &[Mouth], across: f64, most: f64) ->
         let (Some(start), Some(end)) = (open.start(), open.end()) else { continue };
         let mut segments = open.segments;
         segments.push(Chord::new(end, start).into());
-        cut = crate::offset::merged(&Path::closed(segments));
+        cut = crate::merge::merged(&Path::closed(segments));
     }
     Some(cut)
 }

@@ -11,7 +11,7 @@ use crate::outline::outline;
 use crate::ports::once;
 use crate::sketch::{Rules, Sketch};
 use crate::unsound::unsound_chambers;
-use crate::valve::valves;
+use crate::valve::placed_valves;
 use crate::{AirSide, Port, Role, SealedShape, Seam};
 use geom::{Path, Point};
 
@@ -54,14 +54,19 @@ pub fn sealed_shape(sketch: &Sketch, rules: &Rules) -> Result<Sealing, Vec<Shape
     }
     join_ends(&mut lines.lines, rules.band);
     let (cut, holes) = outline(sketch, rules, &lines, &mut notes);
-    let valves = valves(sketch, rules, &lines, &mut notes);
+    let valves = placed_valves(sketch, rules, &lines, &mut notes);
     lines.lines = ordered(lines.lines);
     checked(&lines, sketch, rules, &mut notes);
     sharp_corners(&lines, rules, &mut notes);
     let is_inner = |line: &&Line| matches!(line.kind, LineUse::Weld | LineUse::Wall);
     let inner = lines.lines.iter().filter(is_inner).map(|line| line.path.clone()).collect();
-    let seams = seams(&lines, rules, &mut notes);
-    let shape = SealedShape { seams, band: rules.band, cut, ports: ports(&lines), valves };
+    let shape = SealedShape {
+        seams: seams(&lines, rules, &mut notes),
+        band: rules.band,
+        cut,
+        ports: ports(&lines),
+        valves,
+    };
     unsound_chambers(&shape, &lines, sketch, rules, &mut notes);
     if !notes.faults.is_empty() {
         return Err(notes.faults);

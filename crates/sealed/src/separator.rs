@@ -5,8 +5,8 @@
 
 use cavalier_contours::polyline::{BooleanOp, BooleanResultInfo, PlineSource, Polyline};
 
+use crate::merge::merged;
 use crate::mouth::Mouth;
-use crate::offset::merged;
 use crate::{SealedShape, Seam, of_polyline, offset_right, polyline};
 use geom::{Line, Path, Point, Segment, SegmentIndex, intersections};
 

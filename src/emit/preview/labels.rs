@@ -76,9 +76,11 @@ pub(super) fn drawn_labels(
         beside(&mut group, places, &Callout { at, along: at - middle, size, words: "port", ring: false });
     }
     for valve in &piece.shape.valves {
-        let at = placed.placement.point(Point::new(valve.rim.bounds().max.x, valve.rim.bounds().center().y));
-        let along = at - placed.placement.point(valve.rim.bounds().center());
-        beside(&mut group, places, &Callout { at, along, size, words: "valve, upper sheet", ring: false });
+        let bounds = valve.rim.bounds();
+        let place = placed.placement.point(Point::new(bounds.max.x, bounds.center().y));
+        let away = place - placed.placement.point(bounds.center());
+        let callout = Callout { at: place, along: away, size, words: "valve, upper sheet", ring: false };
+        beside(&mut group, places, &callout);
     }
     let name = placed.name().to_string();
     let texts = SIZES.map(|share| Text::centered(middle, share * 1.6 * style.unit, TEXT, name.clone()));

@@ -264,7 +264,7 @@ const DRAWINGS: &[(&str, &str, &str)] = &[
     (
         "misplaced-valve",
         "air = [\"a\"]\nvalve = [\"v\"]",
-        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/></g><g id=\"v\"><circle id=\"k\" cx=\"12\" cy=\"30\" r=\"3\"/></g>",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/></g><g id=\"v\"><circle id=\"k\" cx=\"5\" cy=\"30\" r=\"3\"/></g>",
     ),
     (
         "fit-valve",

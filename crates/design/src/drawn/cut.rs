@@ -50,16 +50,18 @@ impl DrawnCut {
     /// The lines of a tool whose cut is `kerf` wide, for a piece with these registration holes.
     pub(super) fn for_tool(&self, kerf: f64, holes: &[Circle]) -> Result<Self, Refusal> {
         leaves_holes(kerf, holes)?;
-        let holes = |paths: &[Path], what: &str| {
-            paths.iter().map(|path| tool_inside(path, kerf, what)).collect::<Result<Vec<_>, _>>()
-        };
         Ok(Self {
             outside: tool_around(&self.outside, kerf, "the outline")?,
-            inside: holes(&self.inside, "a hole")?,
-            valves: holes(&self.valves, "the hole of a valve")?,
+            inside: tool_holes(&self.inside, kerf, "a hole")?,
+            valves: tool_holes(&self.valves, kerf, "the hole of a valve")?,
             kerf,
         })
     }
+}
+
+/// The lines of a tool with this kerf that cuts `paths` out of a part.
+fn tool_holes(paths: &[Path], kerf: f64, what: &str) -> Result<Vec<Path>, Refusal> {
+    paths.iter().map(|path| tool_inside(path, kerf, what)).collect()
 }
 
 impl DrawnSeparator {

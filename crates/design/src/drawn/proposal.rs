@@ -220,19 +220,19 @@ impl EdgePaths {
 
     /// Whether all figures of a layer are closed curves within an edge of another layer, and off it.
     fn surround(&self, layer: &DrawnLayer<'_>, drawing: &Drawing) -> bool {
-        let is_of_layer =
-            |path: &usize| self.elements_of_paths[*path].iter().any(|own| layer.elements.contains(own));
-        let is_around = |path: usize, figure: &Path| {
-            !is_of_layer(&path) && path_distance(&self.paths[path], figure) > figure.length() / 1000.0
-        };
-        let is_within = |number: &usize| match &drawing.elements[*number].figure {
-            Figure::Path(figure) => {
-                let around = figure.start().map(|start| self.enclosures.around(start));
-                around.into_iter().flatten().any(|path| is_around(path, figure))
-            }
-            Figure::Point(_) => false,
-        };
-        layer.closed == layer.elements.len() && layer.elements.iter().all(is_within)
+        let mut figures = layer.elements.iter().map(|number| &drawing.elements[*number].figure);
+        layer.closed == layer.elements.len() && figures.all(|figure| self.has_within(figure, layer))
+    }
+
+    /// Whether a figure of `layer` lies within an edge of another layer, and off it.
+    fn has_within(&self, figure: &Figure, layer: &DrawnLayer<'_>) -> bool {
+        let Figure::Path(path) = figure else { return false };
+        let Some(start) = path.start() else { return false };
+        self.enclosures.around(start).into_iter().any(|edge| {
+            let is_of_layer =
+                self.elements_of_paths[edge].iter().any(|number| layer.elements.contains(number));
+            !is_of_layer && path_distance(&self.paths[edge], path) > path.length() / 1000.0
+        })
     }
 
     /// The length up to which a line may be a mark, mm.

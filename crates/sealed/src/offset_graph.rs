@@ -1,0 +1,234 @@
+//! The **offset graph**: parallels of a path, cut into stretches between nodes, and the closed paths along them.
+//!
+//! Parallels are cut where they meet. Stretches nearer to the path than the distance are left out, and what remains is walked from **node**
+//! to node.
+
+use crate::clean::{with_end, with_start};
+use crate::merge::merged;
+use crate::sets::DisjointSets;
+use crate::spine::SharedStretch;
+use geom::{Bounds, BoxIndex, Line, Path, Point, Segment, intersections};
+
+/// Points nearer than this are one, mm: a hundredth of the finest `path`. A joint is tangent whose parallels miss each other by less.
+pub(super) const ONE: f64 = 1e-5;
+
+/// A stretch of a parallel between two nodes.
+struct OffsetEdge {
+    segment: Segment,
+    nodes: [usize; 2],
+}
+
+/// The stretches of parallels that belong to an offset, in the order of its path.
+pub(super) struct OffsetGraph {
+    nodes: usize,
+    edges: Vec<OffsetEdge>,
+}
+
+/// Where parallels are cut.
+struct ParallelCuts {
+    /// Fraction and place of each cut of each parallel: its start, its end, then those between.
+    places: Vec<Vec<(f64, Point)>>,
+    /// Pairs of cuts that are one although they may lie apart, each by the number of its parallel and its own.
+    alike: Vec<[[usize; 2]; 2]>,
+    /// The stretches of each parallel that are left out, by fractions.
+    removed: Vec<Vec<[f64; 2]>>,
+}
+
+impl ParallelCuts {
+    /// The cuts of `parallels` at their ends, where they meet or one ends on another, and at the ends of what is shared.
+    fn of(parallels: &[Segment], shared: &[SharedStretch], reach: f64) -> Self {
+        let ends = |line: &Segment| vec![(0.0, line.start()), (1.0, line.end())];
+        let mut cuts = Self {
+            places: parallels.iter().map(ends).collect(),
+            alike: Vec::new(),
+            removed: vec![Vec::new(); parallels.len()],
+        };
+        let numbers: Vec<[[usize; 2]; 2]> = shared.iter().map(|stretch| cuts.add_shared(stretch)).collect();
+        let boxes: Vec<Bounds> = parallels.iter().map(Segment::bounds).collect();
+        let index = BoxIndex::new(boxes.iter().copied());
+        for (i, line) in parallels.iter().enumerate() {
+            index.visit(&boxes[i], |j| {
+                let met = if j < i { intersections(line, &parallels[j]) } else { Vec::new() };
+                for p in met {
+                    cuts.places[i].push((line.nearest_fraction(p), p));
+                    cuts.places[j].push((parallels[j].nearest_fraction(p), p));
+                }
+            });
+            // An end that misses another parallel by rounding lies on it.
+            for end in [line.start(), line.end()] {
+                index.visit(&Bounds::of_points([end]).grown(ONE), |j| {
+                    let fraction = parallels[j].nearest_fraction(end);
+                    if i != j && parallels[j].point(fraction).distance(end) <= ONE {
+                        cuts.places[j].push((fraction, end));
+                    }
+                });
+            }
+        }
+        for (stretch, numbers) in shared.iter().zip(numbers) {
+            cuts.unite_ends(stretch, numbers, parallels, reach);
+        }
+        cuts
+    }
+
+    /// Adds the ends of a shared stretch, and returns the numbers of the cuts on each of its two parallels.
+    fn add_shared(&mut self, SharedStretch { lines, fractions, ends }: &SharedStretch) -> [[usize; 2]; 2] {
+        let mut numbers = [[0; 2]; 2];
+        for ((line, fractions), numbers) in lines.iter().zip(fractions).zip(&mut numbers) {
+            for ((fraction, place), number) in fractions.iter().zip(ends).zip(numbers) {
+                *number = self.places[*line].len();
+                self.places[*line].push((*fraction, *place));
+            }
+            self.removed[*line].push([fractions[0].min(fractions[1]), fractions[0].max(fractions[1])]);
+        }
+        numbers
+    }
+
+    /// Notes that the cuts within `reach` mm of the ends of a shared stretch, along its parallels, are one with them.
+    fn unite_ends(
+        &mut self,
+        SharedStretch { lines, fractions, .. }: &SharedStretch,
+        numbers: [[usize; 2]; 2],
+        parallels: &[Segment],
+        reach: f64,
+    ) {
+        for ((line, fractions), numbers) in lines.iter().zip(fractions).zip(numbers) {
+            let length = parallels[*line].length();
+            for (end, number) in fractions.iter().zip(numbers) {
+                let cuts = self.places[*line].iter().enumerate();
+                let near = cuts.filter(|(_, (fraction, _))| (fraction - end).abs() * length <= reach);
+                self.alike.extend(near.map(|(cut, _)| [[*line, cut], [*line, number]]));
+            }
+        }
+    }
+}
+
+impl OffsetGraph {
+    /// The stretches of `parallels` whose middle `is_free`, without those that are `shared`. Cuts at one place are one node, and the
+    /// stretches are moved to it.
+    ///
+    /// Cuts within `reach` mm of an end of a shared stretch are one with it: what leads there goes on along the other of its parallels.
+    pub(super) fn of(
+        parallels: &[Segment],
+        shared: &[SharedStretch],
+        reach: f64,
+        is_free: impl Fn(Point) -> bool,
+    ) -> Self {
+        let cuts = ParallelCuts::of(parallels, shared, reach);
+        let places: Vec<Point> = cuts.places.iter().flatten().map(|(_, place)| *place).collect();
+        let firsts: Vec<usize> = cuts
+            .places
+            .iter()
+            .scan(0, |next, cuts| Some(std::mem::replace(next, *next + cuts.len())))
+            .collect();
+        let alike: Vec<[usize; 2]> =
+            cuts.alike.iter().map(|pair| pair.map(|[line, number]| firsts[line] + number)).collect();
+        let nodes = clusters(&places, &alike);
+        let mut edges = Vec::new();
+        for (number, line) in parallels.iter().enumerate() {
+            let own_nodes = &nodes[firsts[number]..];
+            let stop = |(cut, node): (&(f64, Point), &usize)| (cut.0, *node);
+            let mut stops: Vec<(f64, usize)> = cuts.places[number].iter().zip(own_nodes).map(stop).collect();
+            // Of cuts at an end of the parallel the end itself is the outermost, and those in its node add nothing.
+            let [start, end] = [stops[0], stops[1]];
+            let mut between = stops.split_off(2);
+            between.retain(|(_, node)| *node != start.1 && *node != end.1);
+            between.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let stops = [&[start][..], &between, &[end]].concat();
+            for pair in stops.windows(2) {
+                let [(from, a), (to, b)] = [pair[0], pair[1]];
+                let middle = f64::midpoint(from, to);
+                let is_removed =
+                    cuts.removed[number].iter().any(|[low, high]| *low < middle && middle < *high);
+                if a != b && !is_removed && is_free(line.point(middle)) {
+                    edges.push(OffsetEdge {
+                        segment: moved(line.part(from, to), places[a], places[b]),
+                        nodes: [a, b],
+                    });
+                }
+            }
+        }
+        Self { nodes: places.len(), edges }
+    }
+
+    /// The closed paths along the edges, without those that enclose nothing.
+    ///
+    /// A walk goes on along a path as long as it can, so that a path that touches itself stays one. What leads to a dead end, or there
+    /// and back, is left out.
+    pub(super) fn cycles(&self) -> Vec<Path> {
+        let mut leaving: Vec<Vec<usize>> = vec![Vec::new(); self.nodes];
+        for (number, edge) in self.edges.iter().enumerate().rev() {
+            leaving[edge.nodes[0]].push(number);
+        }
+        let path = |walk: &[usize]| Path::closed(walk.iter().map(|edge| self.edges[*edge].segment).collect());
+        let is_flat = |cycle: &Path| cycle.area().abs() <= 10.0 * ONE * cycle.length();
+        let mut cycles = Vec::new();
+        // The number of edges of the present walk before it first came to each node.
+        let mut before: Vec<Option<usize>> = vec![None; self.nodes];
+        for start in 0..self.edges.len() {
+            let first_node = self.edges[start].nodes[0];
+            let (mut walk, mut node): (Vec<usize>, usize) = (Vec::new(), first_node);
+            before[node] = Some(0);
+            loop {
+                let next = walk.last().map_or(start, |last| (last + 1) % self.edges.len());
+                let onward = leaving[node].iter().position(|edge| *edge == next);
+                if node == first_node && !walk.is_empty() && onward.is_none() {
+                    cycles.push(path(&walk));
+                    break;
+                }
+                let Some(place) = onward.or_else(|| leaving[node].len().checked_sub(1)) else {
+                    // A dead end: the walk closed here, or what led here is left out.
+                    let first = before[node].filter(|first| *first < walk.len());
+                    let cycle = walk.split_off(first.unwrap_or(walk.len().saturating_sub(1)));
+                    for edge in cycle.iter().skip(1) {
+                        before[self.edges[*edge].nodes[0]] = None;
+                    }
+                    if first.is_some() {
+                        cycles.push(path(&cycle));
+                        continue;
+                    }
+                    before[node] = None;
+                    let Some(last) = cycle.first() else { break };
+                    node = self.edges[*last].nodes[0];
+                    continue;
+                };
+                let number = leaving[node].remove(place);
+                walk.push(number);
+                node = self.edges[number].nodes[1];
+                match before[node] {
+                    Some(first) if first > 0 && is_flat(&path(&walk[first..])) => walk.truncate(first),
+                    Some(_) => {}
+                    None => before[node] = Some(walk.len()),
+                }
+            }
+            for edge in walk {
+                self.edges[edge].nodes.iter().for_each(|node| before[*node] = None);
+            }
+        }
+        cycles.iter().filter(|cycle| !is_flat(cycle)).map(merged).collect()
+    }
+}
+
+/// A stretch between other ends; a line where it is no longer than they are apart.
+pub(super) fn moved(stretch: Segment, start: Point, end: Point) -> Segment {
+    if stretch.length() <= ONE {
+        return Line::new(start, end).into();
+    }
+    with_end(&with_start(&stretch, start), end)
+}
+
+/// The number of the first place of those that lie together with each of `places`, or are `alike`.
+fn clusters(places: &[Point], alike: &[[usize; 2]]) -> Vec<usize> {
+    let index = BoxIndex::new(places.iter().map(|place| Bounds::of_points([*place])));
+    let mut nodes = DisjointSets::new(places.len());
+    for [i, j] in alike {
+        nodes.unite(*i, *j);
+    }
+    for (i, place) in places.iter().enumerate() {
+        index.visit(&Bounds::of_points([*place]).grown(ONE), |j| {
+            if j < i && places[j].distance(*place) <= ONE {
+                nodes.unite(i, j);
+            }
+        });
+    }
+    nodes.all()
+}
