@@ -11,8 +11,8 @@ use crate::cli::{candidates, progress};
 use design::{Design, room};
 use forecast::candidate::Candidate;
 use forecast::optimize::{
-    Constraints, DesignSearch, Evaluation, Goal, ROUNDING, SearchBounds, SearchResult,
-    is_at_pressure, thousandths,
+    Constraints, DesignSearch, Evaluation, Goal, ROUNDING, SearchBounds, SearchResult, is_at_pressure,
+    thousandths,
 };
 use forecast::sizing::{BURST_MARGIN, is_result};
 use inflatable::mechanics::hinge::ring::RingTable;

@@ -49,7 +49,8 @@ mod tests {
 
     #[test]
     fn the_build_is_printed_for_both_flags_alone() {
-        for line in ["p --version -v", "p -v --version", "p -V -v", "p -Vv", "p -vV", "p --verbose --version"] {
+        for line in ["p --version -v", "p -v --version", "p -V -v", "p -Vv", "p -vV", "p --verbose --version"]
+        {
             assert!(wanted(line), "{line}");
         }
         for line in ["p", "p --version", "p -v", "p check -v", "p --version -v check", "p --version -v -q"] {

@@ -306,13 +306,10 @@ fn a_valve_is_cut_out_of_one_sheet() {
     let proposal = propose_layers("a.svg", drawing.as_bytes(), None).expect("layers");
     let roles: Vec<LayerRole> = proposal.layers.iter().map(|(_, role, _)| *role).collect();
     assert_eq!(roles, [LayerRole::Air, LayerRole::Valve]);
-    let made = drawn(text, drawing.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
-    let part = |name: &str| {
-        let bytes = made.files().find(|(file, _)| *file == name).map(|(_, bytes)| bytes.into_owned());
-        String::from_utf8(bytes.unwrap_or_else(|| panic!("no {name}"))).expect("text")
-    };
+    let built = drawn(text, drawing.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
     for ending in ["svg", "dxf"] {
-        let [plain, valves] = ["", "-valves"].map(|more| part(&format!("sheet-1-outline{more}.{ending}")));
+        let [plain, valves] =
+            ["", "-valves"].map(|more| text_of(&built, &format!("sheet-1-outline{more}.{ending}")));
         assert!(!plain.contains("cut-valve") && valves.contains("cut-valve"), "{ending}");
         assert!([&plain, &valves].iter().all(|text| text.contains("cut-outside")), "{ending}");
         // The tool runs within the hole.
@@ -320,12 +317,12 @@ fn a_valve_is_cut_out_of_one_sheet() {
     }
     // Two sheets, one of them with a hole of 6 mm: 1 g is 1000 mm^2.
     let piece =
-        stargrip_cam::design::FlatPiece::Drawn(&made.forecast.design.drawn().expect("a drawing").pieces[0]);
+        stargrip_cam::design::FlatPiece::Drawn(&built.forecast.design.drawn().expect("a drawing").pieces[0]);
     let outline = 120.0 * 80.0 - (4.0 - std::f64::consts::PI) * 100.0;
     let area = 2.0 * outline - 9.0 * std::f64::consts::PI;
     assert!((piece.fabric() - area).abs() < 1e-6, "{} {area}", piece.fabric());
     let prove = |names: [&str; 2]| {
-        let files = made.files().map(|(name, bytes)| {
+        let files = built.files().map(|(name, bytes)| {
             let other = names.iter().position(|own| *own == name).map(|own| names[1 - own]);
             (Cow::from(other.unwrap_or(name)), bytes)
         });
@@ -341,6 +338,12 @@ fn a_valve_is_cut_out_of_one_sheet() {
             assert!(findings.iter().any(|finding| finding.file == name), "{name}: {findings:?}");
         }
     }
+}
+
+/// The text of a file of a build.
+fn text_of(built: &Built, name: &str) -> String {
+    let bytes = built.files().find(|(file, _)| *file == name).map(|(_, bytes)| bytes.into_owned());
+    String::from_utf8(bytes.unwrap_or_else(|| panic!("no {name}"))).expect("text")
 }
 
 /// Every fault at once, each with its elements and its place.

@@ -210,8 +210,8 @@ impl Drawing {
             return None;
         }
         let mut drawing = Self::outlines(design, sheet, edge)?;
-        let outside = drawing.layers.len() - 1;
-        drawing.layers.insert(outside, (Layer::CutValve, holes));
+        let last = drawing.layers.len() - 1;
+        drawing.layers.insert(last, (Layer::CutValve, holes));
         Some(drawing)
     }
 

@@ -11,19 +11,19 @@ pub(super) fn merged(path: &Path) -> Path {
     let mut segments: Vec<Segment> = Vec::with_capacity(path.segments.len());
     for segment in path.segments.iter().filter(|segment| segment.length() > NOTHING) {
         match segments.last().and_then(|last| joined(last, segment)) {
-            Some(both) => {
+            Some(union) => {
                 let _ = segments.pop();
-                segments.push(both);
+                segments.push(union);
             }
             None => segments.push(*segment),
         }
     }
     if path.closed
         && segments.len() > 2
-        && let Some(both) = joined(&segments[segments.len() - 1], &segments[0])
+        && let Some(union) = joined(&segments[segments.len() - 1], &segments[0])
     {
         let _ = segments.pop();
-        segments[0] = both;
+        segments[0] = union;
     }
     Path { segments, closed: path.closed }
 }
@@ -32,17 +32,17 @@ pub(super) fn merged(path: &Path) -> Path {
 fn joined(a: &Segment, b: &Segment) -> Option<Segment> {
     match (a, b) {
         (Segment::Line(a), Segment::Line(b)) => {
-            let both = Line::new(a.start, b.end);
-            let bend = both.direction().cross(a.end - a.start).abs();
+            let union = Line::new(a.start, b.end);
+            let bend = union.direction().cross(a.end - a.start).abs();
             let onward = a.direction().dot(b.direction()) > 0.0;
-            (onward && bend < ALIKE).then(|| both.into())
+            (onward && bend < ALIKE).then(|| union.into())
         }
         (Segment::Arc(p), Segment::Arc(q)) => {
             let sweep = p.sweep + q.sweep;
-            let both = Arc { sweep, ..*p };
+            let union = Arc { sweep, ..*p };
             let onward = p.sweep * q.sweep > 0.0 && sweep.abs() < 6.2;
-            let same = (p.radius - q.radius).abs() < ALIKE && both.end().distance(q.end()) < ALIKE;
-            (same && onward && p.center.distance(q.center) < ALIKE).then(|| both.into())
+            let is_same = (p.radius - q.radius).abs() < ALIKE && union.end().distance(q.end()) < ALIKE;
+            (is_same && onward && p.center.distance(q.center) < ALIKE).then(|| union.into())
         }
         _ => None,
     }

@@ -17,17 +17,18 @@ const SLACK: f64 = 3e-5;
 /// Turns that differ from half a turn by less are half a turn, rad.
 const FOLDED: f64 = 1e-9;
 
-/// The closed paths at `by` mm to the right of the closed `path`: lines and arcs, round at corners that turn left, trimmed at those
+/// The closed paths `distance` mm to the right of the closed `path`: lines and arcs, round at corners that turn left, trimmed at those
 /// that turn right. None where nothing is left; several where it falls apart.
-pub fn offset_right(path: &Path, by: f64) -> Vec<Path> {
-    if by == 0.0 {
+pub fn offset_right(path: &Path, distance: f64) -> Vec<Path> {
+    if distance == 0.0 {
         return vec![path.clone()];
     }
-    if by < 0.0 {
-        return offset_right(&path.reversed(), -by).iter().map(Path::reversed).collect();
+    if distance < 0.0 {
+        return offset_right(&path.reversed(), -distance).iter().map(Path::reversed).collect();
     }
     let path_index = SegmentIndex::new(path.segments.clone());
-    OffsetGraph::of(&parallels(path, by), &[], 0.0, |p| !path_index.has_within(p, by - SLACK)).cycles()
+    OffsetGraph::new(&parallels(path, distance), &[], 0.0, |p| !path_index.has_within(p, distance - SLACK))
+        .cycles()
 }
 
 /// The centre lines of a band along an edge.
@@ -46,7 +47,7 @@ pub(super) fn center_lines(edge: &Path, half: f64, join: f64) -> CenterLines {
     let is_nearly_free = |p: Point| !edge_index.has_within(p, half - 1.05 * join);
     let spines = Spines::of(&parallels, half, join, is_nearly_free);
     let graph =
-        OffsetGraph::of(&parallels, &spines.shared, join, |p| !edge_index.has_within(p, half - SLACK));
+        OffsetGraph::new(&parallels, &spines.shared, join, |p| !edge_index.has_within(p, half - SLACK));
     let mut loops = graph.cycles();
     if !spines.paths.is_empty() {
         // At the round end of a slot that is a little wider than the band a crumb is left.
@@ -55,12 +56,11 @@ pub(super) fn center_lines(edge: &Path, half: f64, join: f64) -> CenterLines {
     CenterLines { loops, spines: spines.paths }
 }
 
-/// The parallels `by` mm to the right of the segments of a closed path, each that turns away joined to the next by an arc.
-fn parallels(path: &Path, by: f64) -> Vec<Segment> {
+/// The parallels `distance` mm to the right of the segments of a closed path, each that turns away joined to the next by an arc.
+fn parallels(path: &Path, distance: f64) -> Vec<Segment> {
     let halves: Vec<Segment> = path.segments.iter().flat_map(halves).collect();
-    let beside = |segment: &Segment, t: f64| segment.point(t) - segment.tangent(t).perp() * by;
     let count = halves.len();
-    let mut ends: Vec<[Point; 2]> = halves.iter().map(|s| [beside(s, 0.0), beside(s, 1.0)]).collect();
+    let mut ends: Vec<[Point; 2]> = halves.iter().map(|half| parallel_ends(half, distance)).collect();
     let mut rounds: Vec<Option<Segment>> = vec![None; count];
     for i in 0..count {
         let next = (i + 1) % count;
@@ -75,14 +75,14 @@ fn parallels(path: &Path, by: f64) -> Vec<Segment> {
         // Half a turn is the end of a path that leads there and back.
         if !(FOLDED - PI..=0.0).contains(&turn) {
             let corner = halves[i].end();
-            rounds[i] = Some(Arc::new(corner, by, (end - corner).angle(), turn.rem_euclid(TAU)).into());
+            rounds[i] = Some(Arc::new(corner, distance, (end - corner).angle(), turn.rem_euclid(TAU)).into());
         }
     }
     let parallel = |(half, [start, end]): (&Segment, &[Point; 2])| {
         let parallel = match half {
             Segment::Line(_) => Some(Line::new(*start, *end).into()),
             Segment::Arc(arc) => {
-                let radius = arc.radius + by * arc.sweep.signum();
+                let radius = arc.radius + distance * arc.sweep.signum();
                 let shape = Arc { radius, ..*arc }.into();
                 // One that is rounding alone is a point, but leads from its neighbour to the next.
                 let point = (radius.abs() <= ONE).then(|| Line::new(*start, *end).into());
@@ -93,6 +93,11 @@ fn parallels(path: &Path, by: f64) -> Vec<Segment> {
     };
     let parallels = halves.iter().zip(&ends).map(parallel).zip(rounds);
     parallels.flat_map(|(parallel, round)| [parallel, round]).flatten().collect()
+}
+
+/// The ends of the parallel `distance` mm to the right of a segment.
+fn parallel_ends(segment: &Segment, distance: f64) -> [Point; 2] {
+    [0.0, 1.0].map(|t| segment.point(t) - segment.tangent(t).perp() * distance)
 }
 
 #[cfg(test)]
@@ -139,7 +144,7 @@ mod tests {
         }
     }
 
-    /// Around `center`, in arcs of the `turns` of a whole turn, with numbers of `decimals`.
+    /// Around `center`, in arcs of the `turns` of a area turn, with numbers of `decimals`.
     fn circle_of_arcs(center: Point, radius: f64, turns: &[f64], decimals: i32) -> Path {
         let scale = 10_f64.powi(decimals);
         let at = |turn: f64| {
@@ -223,11 +228,11 @@ mod tests {
                     "{i} {width}: {}",
                     lines.spines[0].length()
                 );
-                let whole = 62.0 * 42.0 - 4.0 + PI;
+                let area = 62.0 * 42.0 - 4.0 + PI;
                 assert!(
-                    (lines.loops[0].area() - whole).abs() < 0.5,
+                    (lines.loops[0].area() - area).abs() < 0.5,
                     "{i} {width}: {}",
-                    lines.loops[0].area() - whole
+                    lines.loops[0].area() - area
                 );
                 let island = turned(&[(a, 10.0), (a, 30.0), (b, 30.0), (b, 10.0)]);
                 let lines = center_lines(&island, 1.0, 0.02);
@@ -252,8 +257,8 @@ mod tests {
                 let points: Vec<Point> = points.iter().map(|(x, y)| Point::new(*x, *y)).collect();
                 let lines = center_lines(&Path::polygon(&points), 1.0, 0.02);
                 assert_eq!((lines.loops.len(), lines.spines.len()), (1, 1), "{aside} {along} {width}");
-                let whole = 62.0 * 42.0 - 4.0 + PI;
-                assert!((lines.loops[0].area() - whole).abs() < 1.0, "{aside} {along} {width}");
+                let area = 62.0 * 42.0 - 4.0 + PI;
+                assert!((lines.loops[0].area() - area).abs() < 1.0, "{aside} {along} {width}");
             }
         }
     }

@@ -26,7 +26,7 @@ pub(super) struct OffsetGraph {
 
 /// Where parallels are cut.
 struct ParallelCuts {
-    /// Fraction and place of each cut of each parallel: its start, its end, then those between.
+    /// Fraction and place of each cut of each parallel: its start, its end, then those inner.
     places: Vec<Vec<(f64, Point)>>,
     /// Pairs of cuts that are one although they may lie apart, each by the number of its parallel and its own.
     alike: Vec<[[usize; 2]; 2]>,
@@ -36,7 +36,7 @@ struct ParallelCuts {
 
 impl ParallelCuts {
     /// The cuts of `parallels` at their ends, where they meet or one ends on another, and at the ends of what is shared.
-    fn of(parallels: &[Segment], shared: &[SharedStretch], reach: f64) -> Self {
+    fn new(parallels: &[Segment], shared: &[SharedStretch], reach: f64) -> Self {
         let ends = |line: &Segment| vec![(0.0, line.start()), (1.0, line.end())];
         let mut cuts = Self {
             places: parallels.iter().map(ends).collect(),
@@ -48,8 +48,8 @@ impl ParallelCuts {
         let index = BoxIndex::new(boxes.iter().copied());
         for (i, line) in parallels.iter().enumerate() {
             index.visit(&boxes[i], |j| {
-                let met = if j < i { intersections(line, &parallels[j]) } else { Vec::new() };
-                for p in met {
+                let crossings = if j < i { intersections(line, &parallels[j]) } else { Vec::new() };
+                for p in crossings {
                     cuts.places[i].push((line.nearest_fraction(p), p));
                     cuts.places[j].push((parallels[j].nearest_fraction(p), p));
                 }
@@ -95,8 +95,8 @@ impl ParallelCuts {
             let length = parallels[*line].length();
             for (end, number) in fractions.iter().zip(numbers) {
                 let cuts = self.places[*line].iter().enumerate();
-                let near = cuts.filter(|(_, (fraction, _))| (fraction - end).abs() * length <= reach);
-                self.alike.extend(near.map(|(cut, _)| [[*line, cut], [*line, number]]));
+                let united = cuts.filter(|(_, (fraction, _))| (fraction - end).abs() * length <= reach);
+                self.alike.extend(united.map(|(cut, _)| [[*line, cut], [*line, number]]));
             }
         }
     }
@@ -107,13 +107,13 @@ impl OffsetGraph {
     /// stretches are moved to it.
     ///
     /// Cuts within `reach` mm of an end of a shared stretch are one with it: what leads there goes on along the other of its parallels.
-    pub(super) fn of(
+    pub(super) fn new(
         parallels: &[Segment],
         shared: &[SharedStretch],
         reach: f64,
         is_free: impl Fn(Point) -> bool,
     ) -> Self {
-        let cuts = ParallelCuts::of(parallels, shared, reach);
+        let cuts = ParallelCuts::new(parallels, shared, reach);
         let places: Vec<Point> = cuts.places.iter().flatten().map(|(_, place)| *place).collect();
         let firsts: Vec<usize> = cuts
             .places
@@ -130,10 +130,10 @@ impl OffsetGraph {
             let mut stops: Vec<(f64, usize)> = cuts.places[number].iter().zip(own_nodes).map(stop).collect();
             // Of cuts at an end of the parallel the end itself is the outermost, and those in its node add nothing.
             let [start, end] = [stops[0], stops[1]];
-            let mut between = stops.split_off(2);
-            between.retain(|(_, node)| *node != start.1 && *node != end.1);
-            between.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let stops = [&[start][..], &between, &[end]].concat();
+            let mut inner = stops.split_off(2);
+            inner.retain(|(_, node)| *node != start.1 && *node != end.1);
+            inner.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let stops = [&[start][..], &inner, &[end]].concat();
             for pair in stops.windows(2) {
                 let [(from, a), (to, b)] = [pair[0], pair[1]];
                 let middle = f64::midpoint(from, to);
@@ -163,11 +163,11 @@ impl OffsetGraph {
         let is_flat = |cycle: &Path| cycle.area().abs() <= 10.0 * ONE * cycle.length();
         let mut cycles = Vec::new();
         // The number of edges of the present walk before it first came to each node.
-        let mut before: Vec<Option<usize>> = vec![None; self.nodes];
+        let mut visits: Vec<Option<usize>> = vec![None; self.nodes];
         for start in 0..self.edges.len() {
             let first_node = self.edges[start].nodes[0];
             let (mut walk, mut node): (Vec<usize>, usize) = (Vec::new(), first_node);
-            before[node] = Some(0);
+            visits[node] = Some(0);
             loop {
                 let next = walk.last().map_or(start, |last| (last + 1) % self.edges.len());
                 let onward = leaving[node].iter().position(|edge| *edge == next);
@@ -177,16 +177,16 @@ impl OffsetGraph {
                 }
                 let Some(place) = onward.or_else(|| leaving[node].len().checked_sub(1)) else {
                     // A dead end: the walk closed here, or what led here is left out.
-                    let first = before[node].filter(|first| *first < walk.len());
+                    let first = visits[node].filter(|first| *first < walk.len());
                     let cycle = walk.split_off(first.unwrap_or(walk.len().saturating_sub(1)));
                     for edge in cycle.iter().skip(1) {
-                        before[self.edges[*edge].nodes[0]] = None;
+                        visits[self.edges[*edge].nodes[0]] = None;
                     }
                     if first.is_some() {
                         cycles.push(path(&cycle));
                         continue;
                     }
-                    before[node] = None;
+                    visits[node] = None;
                     let Some(last) = cycle.first() else { break };
                     node = self.edges[*last].nodes[0];
                     continue;
@@ -194,14 +194,14 @@ impl OffsetGraph {
                 let number = leaving[node].remove(place);
                 walk.push(number);
                 node = self.edges[number].nodes[1];
-                match before[node] {
+                match visits[node] {
                     Some(first) if first > 0 && is_flat(&path(&walk[first..])) => walk.truncate(first),
                     Some(_) => {}
-                    None => before[node] = Some(walk.len()),
+                    None => visits[node] = Some(walk.len()),
                 }
             }
             for edge in walk {
-                self.edges[edge].nodes.iter().for_each(|node| before[*node] = None);
+                self.edges[edge].nodes.iter().for_each(|node| visits[*node] = None);
             }
         }
         cycles.iter().filter(|cycle| !is_flat(cycle)).map(merged).collect()

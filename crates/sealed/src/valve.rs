@@ -51,9 +51,9 @@ pub(super) fn placed_valves(
         }
         let (place, _) = beside(&named.valve.hole, 1e-6);
         if air.around(place).len().is_multiple_of(2) {
-            let what = format!("the valve {} lies outside of the air", quoted(&named.names));
+            let finding = format!("the valve {} lies outside of the air", quoted(&named.names));
             let remedy = "draw it inside of a chamber; a hose on the edge of one is a `port`";
-            notes.fault(ShapeCode::MisplacedValve, &named.names, place, (what, remedy), [f64::NAN; 2]);
+            notes.fault(ShapeCode::MisplacedValve, &named.names, place, (finding, remedy), [f64::NAN; 2]);
         }
         for other in list[..number].iter().filter(|other| have_overlap(&named.valve, &other.valve)) {
             let names = [&other.names[..], &named.names].concat();
@@ -67,11 +67,11 @@ pub(super) fn placed_valves(
 /// Notes the fault of a flange that meets the band along `line`, whose middle must lie `least` mm from the rim.
 fn note_band(named: &NamedValve, band: &FlangeBand, line: &Line, least: f64, notes: &mut SealingNotes) {
     let [valve, seam] = [&named.names, &line.names].map(|names| quoted(names));
-    let what = format!("the flange of valve {valve} meets the band of {seam}");
+    let finding = format!("the flange of valve {valve} meets the band of {seam}");
     let smaller = if named.has_rim { "draw a smaller rim" } else { "make `flange` smaller" };
     let remedy = format!("keep its rim {least} mm from the middle of every band, or {smaller}");
     let names = [&named.names[..], &line.names].concat();
-    notes.fault(ShapeCode::MisplacedValve, &names, band.place, (what, remedy), [band.distance, least]);
+    notes.fault(ShapeCode::MisplacedValve, &names, band.place, (finding, remedy), [band.distance, least]);
 }
 
 /// Holes with their rims: a closed curve alone is a hole, one with another right inside it is the rim of that.
@@ -87,9 +87,9 @@ fn named_valves(sketch: &Sketch, rules: &Rules, notes: &mut SealingNotes) -> Vec
             [inner] => (&curves[*inner].0, [&curves[*inner].1[..], names].concat()),
             [..] => {
                 let place = path.start().unwrap_or(Point::ORIGIN);
-                let what = format!("{} curves of valves lie inside of {}", inner.len(), quoted(names));
+                let finding = format!("{} curves of valves lie inside of {}", inner.len(), quoted(names));
                 let remedy = "draw a valve as its hole, or as its hole and the rim of its flange around it";
-                notes.fault(ShapeCode::MisplacedValve, names, place, (what, remedy), [f64::NAN; 2]);
+                notes.fault(ShapeCode::MisplacedValve, names, place, (finding, remedy), [f64::NAN; 2]);
                 continue;
             }
         };
@@ -100,9 +100,9 @@ fn named_valves(sketch: &Sketch, rules: &Rules, notes: &mut SealingNotes) -> Vec
     valves
 }
 
-/// The closed counterclockwise `path` at `by` mm outside of it.
-fn widened(path: &Path, by: f64) -> Option<Path> {
-    offset_right(path, by).into_iter().max_by(|a, b| a.area().total_cmp(&b.area()))
+/// The closed counterclockwise `path` `distance` mm outside of it.
+fn widened(path: &Path, distance: f64) -> Option<Path> {
+    offset_right(path, distance).into_iter().max_by(|a, b| a.area().total_cmp(&b.area()))
 }
 
 /// The band of half width `half` mm along one of `lines` that meets the flange of `valve` most.

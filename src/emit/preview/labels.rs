@@ -52,7 +52,10 @@ pub(super) fn star_labels(part: &StarDesign, star: &PlacedPart, style: Style, pl
     group
 }
 
-/// Name of a drawn piece, and of each of its seams beside its middle.
+/// Name of a drawn piece, of each of its seams beside its middle, and of its ports and valves.
+///
+/// What lies on an edge is labelled on the side away from the piece's middle or from the valve's. The piece's name comes last, in the
+/// largest type for which room is left.
 pub(super) fn drawn_labels(
     piece: &DrawnPiece,
     placed: &PlacedPart,
@@ -78,8 +81,8 @@ pub(super) fn drawn_labels(
     for valve in &piece.shape.valves {
         let bounds = valve.rim.bounds();
         let place = placed.placement.point(Point::new(bounds.max.x, bounds.center().y));
-        let away = place - placed.placement.point(bounds.center());
-        let callout = Callout { at: place, along: away, size, words: "valve, upper sheet", ring: false };
+        let direction = place - placed.placement.point(bounds.center());
+        let callout = Callout { at: place, along: direction, size, words: "valve, upper sheet", ring: false };
         beside(&mut group, places, &callout);
     }
     let name = placed.name().to_string();

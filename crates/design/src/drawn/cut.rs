@@ -60,8 +60,8 @@ impl DrawnCut {
 }
 
 /// The lines of a tool with this kerf that cuts `paths` out of a part.
-fn tool_holes(paths: &[Path], kerf: f64, what: &str) -> Result<Vec<Path>, Refusal> {
-    paths.iter().map(|path| tool_inside(path, kerf, what)).collect()
+fn tool_holes(paths: &[Path], kerf: f64, part: &str) -> Result<Vec<Path>, Refusal> {
+    paths.iter().map(|path| tool_inside(path, kerf, part)).collect()
 }
 
 impl DrawnSeparator {
