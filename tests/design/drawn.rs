@@ -12,7 +12,7 @@ use stargrip_cam::geom::{Bounds, Enclosures, Isometry, Path, Point, Segment, Vec
 use stargrip_cam::pipeline::{Built, Sources, build, prove_files};
 use stargrip_cam::sealed::Seam;
 use stargrip_cam::spec::{self, LayerRole, Source, Spec};
-use stargrip_cam::verify::OutputFiles;
+use stargrip_cam::verify::{Finding, OutputFiles};
 
 use crate::support;
 
@@ -321,23 +321,25 @@ fn a_valve_is_cut_out_of_one_sheet() {
     let outline = 120.0 * 80.0 - (4.0 - std::f64::consts::PI) * 100.0;
     let area = 2.0 * outline - 9.0 * std::f64::consts::PI;
     assert!((piece.fabric() - area).abs() < 1e-6, "{} {area}", piece.fabric());
-    let prove = |names: [&str; 2]| {
-        let files = built.files().map(|(name, bytes)| {
-            let other = names.iter().position(|own| *own == name).map(|own| names[1 - own]);
-            (Cow::from(other.unwrap_or(name)), bytes)
-        });
-        prove_files(&OutputFiles { files: files.collect(), ..OutputFiles::default() }).findings
-    };
-    assert_eq!(prove(["", ""]), []);
-    for swapped in [
+    assert_eq!(swapped_findings(&built, ["", ""]), []);
+    for names in [
         ["sheet-1-outline.svg", "sheet-1-outline-valves.svg"],
         ["sheet-1-outline.dxf", "sheet-1-outline-valves.dxf"],
     ] {
-        let findings = prove(swapped);
-        for name in swapped {
+        let findings = swapped_findings(&built, names);
+        for name in names {
             assert!(findings.iter().any(|finding| finding.file == name), "{name}: {findings:?}");
         }
     }
+}
+
+/// The findings about a build in which the contents of two files are exchanged.
+fn swapped_findings(built: &Built, names: [&str; 2]) -> Vec<Finding> {
+    let files = built.files().map(|(name, bytes)| {
+        let other = names.iter().position(|swapped| *swapped == name).map(|place| names[1 - place]);
+        (Cow::from(other.unwrap_or(name)), bytes)
+    });
+    prove_files(&OutputFiles { files: files.collect(), ..OutputFiles::default() }).findings
 }
 
 /// The text of a file of a build.
