@@ -173,7 +173,7 @@ fn lengthened(wall: Wall, by: f64) -> Wall {
     if let (true, Some(tangent)) = (wall.on_boundary[1], wall.path.tangent_at(length)) {
         segments.push(line(end, end + tangent * by));
     }
-    let path = crate::offset::merged(&Path { segments, closed: wall.path.closed });
+    let path = crate::merge::merged(&Path { segments, closed: wall.path.closed });
     Wall { path, ..wall }
 }
 
