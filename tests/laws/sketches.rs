@@ -372,6 +372,24 @@ fn crowds_of_curves_are_merged_or_refused() {
     }
 }
 
+/// Sketches of plain data are treated as those of files: an arc of kilometres is its chords.
+#[test]
+fn an_arc_of_kilometres_is_its_chords() {
+    for radius in [2e5, 5e6, 1e9] {
+        let mut air = rectangle(20.0, 20.0, 100.0, 60.0);
+        let [start, end] = [air.segments[2].start(), air.segments[2].end()];
+        air.segments[2] = Arc::from_bulge(start, end, 25.0 / radius).expect("an arc").into();
+        let sealing = sealed(&sketch(vec![("a", air)], vec![port(20.0, 50.0)]));
+        let rise = 100.0 * 100.0 / (8.0 * radius);
+        for seam in &sealing.shape.seams {
+            let arcs = seam.center_line.segments.iter().filter(|segment| matches!(segment, Segment::Arc(_)));
+            assert!(arcs.map(Segment::length).all(|length| length < 2.0), "{radius}: {:?}", seam.center_line);
+            let top = seam.center_line.bounds().max.y;
+            assert!((top - 81.0 - rise).abs() < 1e-3, "{radius}: {top}");
+        }
+    }
+}
+
 /// Between its sides the iron seals nothing of a slit that is narrower than the band.
 #[test]
 fn a_narrow_slit_is_told_with_its_depth() {

@@ -55,7 +55,7 @@ const KINDS: [(&str, &str); 7] = [
 /// How many there may be in each folder, in the order of `KINDS`. The numbers only fall.
 const ALLOWED: [(&str, [usize; KINDS.len()]); 14] = [
     ("crates/geom/src", [27, 3, 1, 7, 0, 0, 0]),
-    ("crates/artwork/src", [126, 17, 7, 60, 4, 0, 11]),
+    ("crates/artwork/src", [124, 17, 7, 59, 4, 0, 11]),
     ("crates/sealed/src", [314, 21, 13, 84, 5, 4, 13]),
     ("crates/inflatable/src", [660, 89, 36, 204, 18, 3, 28]),
     ("crates/spec/src", [247, 33, 5, 78, 3, 0, 10]),

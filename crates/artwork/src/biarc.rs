@@ -5,9 +5,8 @@
 //! before (D. S. Meek, D. J. Walton, "Approximating smooth planar curves by arc splines", J. Comput. Appl. Math. 59
 //! (1995) 221). Arcs of pieces that meet at a smooth point are tangent there too.
 
+use geom::straight::{is_straight, push_arc, push_line};
 use geom::{Arc, Line, Point, Segment, Vec2};
-
-use crate::straight::{is_straight, push_arc, push_line};
 
 /// A curve over the parameter 0 to 1.
 pub(crate) trait Curve {

@@ -27,8 +27,6 @@ mod options;
 
 mod affine;
 
-mod straight;
-
 mod biarc;
 
 mod piece;

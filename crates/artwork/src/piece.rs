@@ -2,11 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use geom::straight::{SHORT, is_straight, push_arc, push_line};
 use geom::{Arc, Line, Point, Segment, Vec2};
 
 use crate::affine::Affine;
 use crate::biarc::{Curve, fit};
-use crate::straight::{SHORT, is_straight, push_arc, push_line};
 
 /// Relative difference of the two radii, and cosine between them, up to which an ellipse is a circle. Transforms of a
 /// file have 5 to 17 digits; at 1e-9 and a radius of 1 m the error is 1 nm.

@@ -18,6 +18,7 @@ mod point;
 pub mod readable;
 mod region;
 mod segment;
+pub mod straight;
 mod transform;
 
 pub use arc::Arc;

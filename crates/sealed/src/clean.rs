@@ -5,7 +5,7 @@ use std::collections::btree_map::Entry;
 
 use crate::fault::{Repair, ShapeCode, ShapeFault, quoted};
 use crate::sketch::DrawnCurve;
-use geom::{BoxIndex, Path, Point, Segment};
+use geom::{BoxIndex, Path, Point, Segment, straight};
 
 /// Segments shorter than this, and gaps narrower than this, are rounding, mm.
 pub(super) const NOTHING: f64 = 1e-9;
@@ -13,6 +13,11 @@ pub(super) const NOTHING: f64 = 1e-9;
 const CRUMB: f64 = 1e-5;
 /// Coordinates beyond this are an error of a drawing, mm.
 const FAR: f64 = 1e6;
+
+/// Largest distance of a chord from its arc of kilometres, mm: half of the default `path`, as readers of files take.
+const CHORD: f64 = 5e-4;
+/// Chords of one curve at most.
+const MOST_CHORDS: usize = 100_000;
 
 /// An unbroken part of a drawn curve.
 #[derive(Clone, Debug)]
@@ -48,9 +53,35 @@ pub(super) fn pieces(
             let what = format!("{count} segments of no length in {} dropped", quoted(&names));
             repairs.push(Repair { place: first.start(), what, names });
         }
-        pieces.extend(unbroken(without_crumbs(solid), source));
+        pieces.extend(unbroken(without_crumbs(chorded(solid)), source));
     }
     pieces
+}
+
+/// The path with chords in place of its arcs of kilometres, whose centres are too far away for exact offsets.
+fn chorded(path: Path) -> Path {
+    if !path.segments.iter().any(is_of_kilometres) {
+        return path;
+    }
+    let mut segments = Vec::with_capacity(path.segments.len());
+    for segment in &path.segments {
+        let ends = [segment.start(), segment.end()];
+        let has_chords = match segment {
+            Segment::Arc(arc) if is_of_kilometres(segment) => {
+                straight::push_arc(arc, ends, CHORD, MOST_CHORDS, &mut segments)
+            }
+            _ => false,
+        };
+        if !has_chords {
+            segments.push(*segment);
+        }
+    }
+    Path { segments, closed: path.closed }
+}
+
+/// Whether a segment is an arc that is read as chords.
+fn is_of_kilometres(segment: &Segment) -> bool {
+    matches!(segment, Segment::Arc(arc) if arc.radius > straight::LARGEST_RADIUS)
 }
 
 /// The path without crumbs: the segment after one begins where the one before it ends.
