@@ -89,6 +89,9 @@ fn neck_kind(
 }
 
 /// Notes a neck of this kind between `flanks`.
+///
+/// Bands that overlap and tubes that are too narrow are faults, narrow passages warnings. Where a side belongs to the channel of a port,
+/// the port is what has to be moved.
 fn narrow(kind: NeckKind, neck: &Bottleneck, flanks: &Flanks, rules: &Rules, notes: &mut SealingNotes) {
     let (tube, place) = (neck.width - rules.band, neck.middle());
     let Flanks { names, text, .. } = flanks;
@@ -115,7 +118,13 @@ fn narrow(kind: NeckKind, neck: &Bottleneck, flanks: &Flanks, rules: &Rules, not
             let least = rules.least_passage;
             let what = format!("a passage of {tube:.3} mm between {text}");
             let remedy = format!("air may flow slowly; make it at least {least} mm (`passage`)");
-            notes.warning(ShapeCode::NarrowPassage, names, place, (what, remedy), [tube, least]);
+            notes.warnings.push(ShapeFault::new(
+                ShapeCode::NarrowPassage,
+                names,
+                place,
+                (what, remedy),
+                [tube, least],
+            ));
         }
     }
 }
@@ -254,7 +263,13 @@ pub(super) fn sharp_corners(lines: &Layout, rules: &Rules, notes: &mut SealingNo
                 "a hinge of {own} is sharper than the iron, {found:.3} mm or more stay unsealed{more}"
             );
             let remedy = format!("round it with at least {half} mm");
-            notes.warning(ShapeCode::SharpCorner, names, place, (what, remedy), [found, 0.0]);
+            notes.warnings.push(ShapeFault::new(
+                ShapeCode::SharpCorner,
+                names,
+                place,
+                (what, remedy),
+                [found, 0.0],
+            ));
         }
     }
 }

@@ -2,7 +2,7 @@
 //! is too narrow.
 
 use crate::air::beside;
-use crate::fault::{ShapeCode, quoted};
+use crate::fault::{ShapeCode, ShapeFault, quoted};
 use crate::layout::Layout;
 use crate::notes::SealingNotes;
 use crate::segments::{Approach, Segments};
@@ -46,6 +46,8 @@ pub(super) fn around_bands(
 const LEAST_WEB: f64 = 3.0;
 
 /// Faults of cuts and holes that cross or touch each other, and warnings of thin webs between them.
+///
+/// Each cut is compared with those before it, so that a pair is told once. Of all places of a pair the narrowest is told.
 pub(super) fn webs(
     outlines: &[(Path, Vec<String>)],
     inner: &[(Path, Vec<String>)],
@@ -77,7 +79,13 @@ pub(super) fn webs(
         } else {
             let what = format!("only {far:.3} mm of fabric between {hole} and {cut}");
             let remedy = format!("it may tear: leave {LEAST_WEB} mm, or more");
-            notes.warning(ShapeCode::ThinWeb, &own, place, (what, remedy), [far, LEAST_WEB]);
+            notes.warnings.push(ShapeFault::new(
+                ShapeCode::ThinWeb,
+                &own,
+                place,
+                (what, remedy),
+                [far, LEAST_WEB],
+            ));
         }
     }
 }

@@ -35,18 +35,6 @@ impl SealingNotes {
         self.faults.push(ShapeFault::new(code, names, place, text, numbers));
     }
 
-    /// The same as a warning.
-    pub(super) fn warning(
-        &mut self,
-        code: ShapeCode,
-        names: &[String],
-        place: Point,
-        text: (impl Into<String>, impl Into<String>),
-        numbers: [f64; 2],
-    ) {
-        self.warnings.push(ShapeFault::new(code, names, place, text, numbers));
-    }
-
     /// What was found; nothing, with a fault, where too many curves lie near each other.
     pub(super) fn unless_crowded<T: Default>(&mut self, found: Result<T, Crowd>) -> T {
         found.unwrap_or_else(|Crowd(place)| {
