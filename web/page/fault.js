@@ -1,7 +1,7 @@
 // The first fault, at the picture: what is wrong, what may be done, and a button for a remedy that was tried and helps.
 import { byId, element, paged } from "./dom.js";
 
-const LIKELY = /did you mean [`"]([^`"]+)[`"]/;
+const LIKELY = /did you mean (["\u0060])(.+?)\1/;
 const ASSIGNED = /`?\b([a-z]\w*) = ("[^"\n]*"|-?[\d.]+|true|false|\[[^\]\n]*\])`?(?: in \[([a-z.]+)\])?/g;
 const BOUNDED = /`?\b([a-z]\w*)`? (?:of )?(at least|at most|above|below) (-?[\d.]+)( ?(?:mm\/s|mm|kPa|deg|C|N\/mm|MPa|%|N|kg|g|um))?(?=[\s,;.)]|$)/g;
 const LIMIT = /\bat (?:least|most) (-?[\d.]+(?: ?(?:mm\/s|mm|kPa|deg|C|N\/mm|MPa|%|N|kg|g|um))?)(?=[\s,;.)]|$)/g;
@@ -24,7 +24,7 @@ export function proposals(fault) {
     const { place, key } = fault, text = remedies(fault), list = [];
     const home = key?.split(".").slice(0, -1).join(".");
     const likely = place && LIKELY.exec(text);
-    if (likely) list.push({ label: `write ${likely[1]}`, place, word: likely[1] });
+    if (likely) list.push({ label: `write ${likely[2]}`, place, word: likely[2] });
     for (const [, name, value, section] of text.matchAll(ASSIGNED)) {
         const sections = [section, home].filter((word) => word !== undefined);
         for (const own of new Set(sections)) list.push({ label: `write ${name} = ${value}`, key: own ? `${own}.${name}` : name, value });

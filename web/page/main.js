@@ -80,9 +80,9 @@ function take(spec, options) {
     window.scrollTo(0, 0);
 }
 
-/** Takes a shipped design { spec, drawing: { name, letters } }. */
+/** Takes a shipped design { spec, drawing: { name, text } }. */
 async function takeDesign({ spec, drawing }) {
-    const own = drawing && { name: drawing.name, bytes: Uint8Array.from(atob(drawing.letters), (letter) => letter.charCodeAt(0)) };
+    const own = drawing && { name: drawing.name, bytes: new TextEncoder().encode(drawing.text) };
     take({ text: spec, drawing: own && (await keepFile(own)) }, { isShipped: true });
 }
 

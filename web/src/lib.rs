@@ -9,5 +9,6 @@
 pub mod boundary;
 pub mod commands;
 pub mod message;
+pub mod question;
 
 pub use message::Message;

@@ -6,7 +6,7 @@
 use std::sync::OnceLock;
 
 use tiny_skia::PathBuilder;
-use ttf_parser::{Face, GlyphId, OutlineBuilder};
+use ttf_parser::{GlyphId, OutlineBuilder, RawFace, Tag, cmap, glyf, head, hhea, hmtx, loca, maxp};
 
 use geom::{Point, Vec2};
 use program::number::single;
@@ -16,14 +16,40 @@ const FONT: &[u8] = include_bytes!("../../../templates/font/DejaVuSans-ASCII.ttf
 /// Width of a letter that the face does not have, by the type's size.
 const UNKNOWN: f64 = 0.6;
 
-fn face() -> Option<Face<'static>> {
-    Face::parse(FONT, 0).ok()
+/// The tables of the face that widths and outlines need. [`ttf_parser::Face`] would bring the readers of all others into the page.
+struct Typeface {
+    letters: cmap::Table<'static>,
+    advances: hmtx::Table<'static>,
+    outlines: glyf::Table<'static>,
+    units_per_em: f64,
 }
 
-/// Distance that the pen moves on after a glyph, by the type's size.
-fn advance(face: &Face<'_>, glyph: Option<GlyphId>) -> f64 {
-    let units = glyph.and_then(|glyph| face.glyph_hor_advance(glyph));
-    units.map_or(UNKNOWN, |units| f64::from(units) / f64::from(face.units_per_em()))
+impl Typeface {
+    fn read() -> Option<Self> {
+        let face = RawFace::parse(FONT, 0).ok()?;
+        let table = |name| face.table(Tag::from_bytes(name));
+        let head = head::Table::parse(table(b"head")?)?;
+        let count = maxp::Table::parse(table(b"maxp")?)?.number_of_glyphs;
+        let metrics = hhea::Table::parse(table(b"hhea")?)?.number_of_metrics;
+        let places = loca::Table::parse(count, head.index_to_location_format, table(b"loca")?)?;
+        Some(Self {
+            letters: cmap::Table::parse(table(b"cmap")?)?,
+            advances: hmtx::Table::parse(metrics, count, table(b"hmtx")?)?,
+            outlines: glyf::Table::parse(places, table(b"glyf")?)?,
+            units_per_em: f64::from(head.units_per_em),
+        })
+    }
+
+    fn glyph(&self, letter: char) -> Option<GlyphId> {
+        let mut tables = self.letters.subtables.into_iter().filter(cmap::Subtable::is_unicode);
+        tables.find_map(|table| table.glyph_index(u32::from(letter)))
+    }
+
+    /// Distance that the pen moves on after a letter, by the type's size.
+    fn advance(&self, letter: char) -> f64 {
+        let units = self.glyph(letter).and_then(|glyph| self.advances.advance(glyph));
+        units.map_or(UNKNOWN, |units| f64::from(units) / self.units_per_em)
+    }
 }
 
 /// Width of `text`, by the type's size.
@@ -32,7 +58,7 @@ pub(super) fn width(text: &str) -> f64 {
     static ADVANCES: OnceLock<[f64; 128]> = OnceLock::new();
     let advances = ADVANCES.get_or_init(|| {
         let letters = std::array::from_fn(|i| char::from(u8::try_from(i).unwrap_or(0)));
-        face().map_or([0.0; 128], |face| letters.map(|c| advance(&face, face.glyph_index(c))))
+        Typeface::read().map_or([0.0; 128], |face| letters.map(|c| face.advance(c)))
     });
     text.chars().map(|c| advances.get(c as usize).copied().unwrap_or(UNKNOWN)).sum()
 }
@@ -40,14 +66,12 @@ pub(super) fn width(text: &str) -> f64 {
 /// Traces the outlines of the letters of `text`, whose base line begins at `start`, in type of `size`; Y down.
 pub(super) fn trace(text: &str, start: Point, size: f64) -> PathBuilder {
     let mut path = PathBuilder::new();
-    let Some(face) = face() else { return path };
+    let Some(face) = Typeface::read() else { return path };
     let mut at = 0.0;
     for c in text.chars() {
-        let glyph = face.glyph_index(c);
-        let scale = 1.0 / f64::from(face.units_per_em());
-        let mut letter = Letter { start, size, at, scale, path: &mut path };
-        let _ = glyph.and_then(|glyph| face.outline_glyph(glyph, &mut letter));
-        at += advance(&face, glyph);
+        let mut letter = Letter { start, size, at, scale: 1.0 / face.units_per_em, path: &mut path };
+        let _ = face.glyph(c).and_then(|glyph| face.outlines.outline(glyph, &mut letter));
+        at += face.advance(c);
     }
     path
 }
@@ -102,9 +126,9 @@ mod tests {
 
     #[test]
     fn every_letter_of_ascii_is_in_the_face() {
-        let face = face().expect("a face");
+        let face = Typeface::read().expect("a face");
         for c in ' '..='~' {
-            assert!(face.glyph_index(c).is_some(), "{c}");
+            assert!(face.glyph(c).is_some(), "{c}");
         }
         assert!((width("iiii") - 4.0 * 569.0 / 2048.0).abs() < 1e-12, "{}", width("iiii"));
         assert_eq!(width(""), 0.0);

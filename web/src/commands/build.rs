@@ -14,8 +14,9 @@ use stargrip_cam::verify::OutputFiles;
 use crate::commands::faults::{listed, of_design, of_warnings};
 use crate::commands::predict::model;
 use crate::commands::spec::Given;
-use crate::commands::{Tell, picture, text};
+use crate::commands::picture;
 use crate::message::Message;
+use crate::question::{Tell, text};
 
 /// Makes the requested files. They are proven unless `prove` is false, for a quick preview: then there is no manifest. A gripper that fails
 /// its own load is shown, but its files are not returned, except with `anyway`.

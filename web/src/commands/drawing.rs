@@ -4,7 +4,8 @@ use serde_json::{Value, json};
 use stargrip_cam::design::{LayerProposal, propose_layers};
 use stargrip_cam::spec::{drawing_starter, quoted};
 
-use crate::commands::wrong;
+use crate::question::wrong;
+
 
 /// The name of a drawing whose file has a name that a spec may not contain.
 const NAMELESS: &str = "drawing";

@@ -6,7 +6,7 @@ use stargrip_cam::spec::{LayerRole, edit as text_edit, key};
 
 use crate::commands::faults::refused;
 use crate::commands::spec::source;
-use crate::commands::{text, wrong};
+use crate::question::{text, wrong};
 
 /// The spec with `value`, a TOML value, at `key`. The result is not validated here: a slider may pass an invalid value.
 ///

@@ -3,7 +3,8 @@
 use serde_json::{Value, json};
 use stargrip_cam::link::LinkedSpec;
 
-use crate::commands::text;
+use crate::question::text;
+
 
 /// Longest drawing in a link, letters: mails and chats break longer links.
 const LONGEST_DRAWING: usize = 1 << 15;

@@ -28,21 +28,14 @@ mod predict;
 mod spec;
 mod start;
 
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use crate::message::Message;
-
-/// Receives the part of long work that is done, 0 to 1, and the current step.
-pub type Tell = fn(f64, &str);
+use crate::question::{Tell, text, wrong};
 
 /// Answers a question, or reports why it could not be read.
 pub fn answer(question: Result<Message, String>, tell: Tell) -> Message {
     question.map_err(wrong).and_then(|question| answered(question, tell)).unwrap_or_else(Message::of)
-}
-
-/// The answer to a question with a fault of its own.
-fn wrong(text: impl Into<Value>) -> Value {
-    json!({ "wrong": text.into() })
 }
 
 /// The answer, or another one without files, that names the faults.
@@ -65,9 +58,4 @@ fn answered(question: Message, tell: Tell) -> Result<Message, Value> {
         _ => return Err(wrong(format!("unknown question {asked:?}"))),
     };
     Ok(Message::of(answer))
-}
-
-/// The text `name` of a question.
-fn text<'q>(question: &'q Value, name: &str) -> Option<&'q str> {
-    question[name].as_str()
 }

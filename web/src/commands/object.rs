@@ -7,7 +7,9 @@ use stargrip_cam::forecast::sizing::Requirements;
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Machine, ObjectShape};
 
-use crate::commands::{text, wrong};
+use crate::commands::faults::refused;
+use crate::question::{text, wrong};
+
 
 /// A spec with its verdict; or the faults of the fields; or the reason why there is no gripper, with the nearest possible request.
 ///
@@ -22,7 +24,7 @@ pub(super) fn new(question: &Value) -> Result<Value, Value> {
         return Err(json!({ "fields": faults }));
     }
     let starter = spec::starter("base").map_err(wrong)?;
-    let base = base(starter, field(question, "machine"), size).map_err(|faults| wrong(faults.to_string()))?;
+    let base = base(starter, field(question, "machine"), size).map_err(|faults| refused(&faults))?;
     let machine = Machine::builtin(&base.machine.profile).map_err(wrong)?;
     Ok(match request.gripper(name, &base, &machine) {
         Ok(made) => json!({ "spec": made.text, "in_words": made.in_words(), "chosen": made.json() }),

@@ -12,7 +12,7 @@ use stargrip_cam::spec::{ModelChoice, Spec};
 
 use crate::commands::faults::{listed, of_design};
 use crate::commands::spec::Given;
-use crate::commands::{Tell, text, wrong};
+use crate::question::{Tell, text, wrong};
 
 /// Meshes of shells in a page: seconds of work.
 const DETAIL: Detail = Detail::Coarse;

@@ -6,7 +6,7 @@ use stargrip_cam::spec;
 use stargrip_cam::spec::{Fault, FaultCode, Faults, Machine, Reading, Source, key};
 
 use crate::commands::faults::refused;
-use crate::commands::text;
+use crate::question::text;
 
 /// The name of the spec in faults, equal to that in the ZIP.
 const NAME: &str = "spec.toml";

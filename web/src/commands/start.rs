@@ -6,7 +6,8 @@ use stargrip_cam::artifact::Kind;
 use stargrip_cam::spec;
 use stargrip_cam::spec::Machine;
 
-use crate::commands::text;
+use crate::question::text;
+
 
 /// The schema, the starter, the machine profiles and the kinds of file.
 pub(super) fn start() -> Value {
