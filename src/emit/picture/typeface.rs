@@ -27,15 +27,14 @@ struct Typeface {
 impl Typeface {
     fn read() -> Option<Self> {
         let face = RawFace::parse(FONT, 0).ok()?;
-        let table = |name| face.table(Tag::from_bytes(name));
-        let head = head::Table::parse(table(b"head")?)?;
-        let count = maxp::Table::parse(table(b"maxp")?)?.number_of_glyphs;
-        let metrics = hhea::Table::parse(table(b"hhea")?)?.number_of_metrics;
-        let places = loca::Table::parse(count, head.index_to_location_format, table(b"loca")?)?;
+        let head = head::Table::parse(table(&face, b"head")?)?;
+        let count = maxp::Table::parse(table(&face, b"maxp")?)?.number_of_glyphs;
+        let metrics = hhea::Table::parse(table(&face, b"hhea")?)?.number_of_metrics;
+        let places = loca::Table::parse(count, head.index_to_location_format, table(&face, b"loca")?)?;
         Some(Self {
-            letters: cmap::Table::parse(table(b"cmap")?)?,
-            advances: hmtx::Table::parse(metrics, count, table(b"hmtx")?)?,
-            outlines: glyf::Table::parse(places, table(b"glyf")?)?,
+            letters: cmap::Table::parse(table(&face, b"cmap")?)?,
+            advances: hmtx::Table::parse(metrics, count, table(&face, b"hmtx")?)?,
+            outlines: glyf::Table::parse(places, table(&face, b"glyf")?)?,
             units_per_em: f64::from(head.units_per_em),
         })
     }
@@ -50,6 +49,11 @@ impl Typeface {
         let units = self.glyph(letter).and_then(|glyph| self.advances.advance(glyph));
         units.map_or(UNKNOWN, |units| f64::from(units) / self.units_per_em)
     }
+}
+
+/// The bytes of a table of `face`.
+fn table(face: &RawFace<'static>, name: &[u8; 4]) -> Option<&'static [u8]> {
+    face.table(Tag::from_bytes(name))
 }
 
 /// Width of `text`, by the type's size.
@@ -67,11 +71,11 @@ pub(super) fn width(text: &str) -> f64 {
 pub(super) fn trace(text: &str, start: Point, size: f64) -> PathBuilder {
     let mut path = PathBuilder::new();
     let Some(face) = Typeface::read() else { return path };
-    let mut at = 0.0;
+    let mut distance = 0.0;
     for c in text.chars() {
-        let mut letter = Letter { start, size, at, scale: 1.0 / face.units_per_em, path: &mut path };
+        let mut letter = Letter { start, size, at: distance, scale: 1.0 / face.units_per_em, path: &mut path };
         let _ = face.glyph(c).and_then(|glyph| face.outlines.outline(glyph, &mut letter));
-        at += face.advance(c);
+        distance += face.advance(c);
     }
     path
 }
