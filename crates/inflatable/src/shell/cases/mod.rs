@@ -29,6 +29,7 @@ mod star_part;
 mod tests;
 mod tube;
 mod value;
+mod whole;
 #[cfg(test)]
 mod woven;
 
@@ -49,3 +50,4 @@ pub use star::{FlatStar, InflatedStar, star, star_by_sizes};
 pub use star_part::StarPart;
 pub use tube::Tube;
 pub use value::Value;
+pub use whole::{Symmetry, WholeBody};
