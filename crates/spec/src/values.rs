@@ -114,7 +114,11 @@ fn shown(value: &RawValue) -> String {
         RawKind::Number(number) => number.shown(),
         RawKind::Truth(truth) => truth.to_string(),
         RawKind::List(list) => list.iter().map(shown).collect::<Vec<_>>().join(", "),
-        RawKind::Date | RawKind::Table(_) => String::new(),
+        RawKind::Table(table) => {
+            let entries = table.0.iter().map(|entry| format!("{}: {}", entry.key, shown(&entry.value)));
+            entries.collect::<Vec<_>>().join("; ")
+        }
+        RawKind::Date => String::new(),
     }
 }
 
@@ -220,6 +224,8 @@ mod tests {
         ] {
             assert!(has(section, key), "[{section}] {key}");
         }
+        let roles = all.iter().find(|one| one.key == "layers").and_then(|one| one.value.as_deref());
+        assert_eq!(roles, Some("air: a"));
         for (section, key) in [
             ("star", "tip_radius"),
             ("stack", "count"),
