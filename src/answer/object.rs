@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::answer::duration::{hours, sealing_time};
-use crate::answer::quantity::SIZE;
+use crate::answer::quantity::{SIZE, number, stated};
 use crate::pipeline::Forecast;
 use design::{RefusalCode, Refusals};
 use forecast::candidate::Candidate;
@@ -135,7 +135,7 @@ impl NewGripper {
             .pressure
             .map_or_else(String::new, |pressure| format!("; {}", in_unit(pressure, self.pressure_unit)));
         let friction = load.friction.map_or_else(String::new, |friction| {
-            let assumed = if self.friction_assumed { " assumed: change it with --friction" } else { "" };
+            let assumed = if self.friction_assumed { " assumed: change `friction` in [load]" } else { "" };
             format!("; friction {friction}{assumed}")
         });
         Some(format!(
@@ -169,7 +169,58 @@ impl NewGripper {
     }
 }
 
+/// A value of a request that cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WrongValue {
+    /// Name of the value.
+    pub name: &'static str,
+    /// The reason, as a sentence.
+    pub reason: String,
+}
+
+/// The value of `text`, if there is one, by `read`; the reason why it cannot be read goes to `wrong`.
+pub fn read_value<T>(
+    name: &'static str,
+    text: Option<&str>,
+    read: impl Fn(&str) -> Result<T, String>,
+    wrong: &mut Vec<WrongValue>,
+) -> Option<T> {
+    read(text?).map_err(|reason| wrong.push(WrongValue { name, reason })).ok()
+}
+
+/// The shape of an object by its word.
+fn shape(word: &str) -> Result<ObjectShape, String> {
+    let shape = ObjectShape::ALL.iter().find(|(own, _)| *own == word).map(|(_, shape)| *shape);
+    shape.ok_or_else(|| format!("`{word}` is not a shape: ball or cylinder"))
+}
+
 impl Request {
+    /// Reads a request from the texts of its values by their names, those of its fields.
+    ///
+    /// # Errors
+    /// All values that cannot be read, or are missing.
+    pub fn read<'t>(value: impl Fn(&str) -> Option<&'t str>) -> Result<Self, Vec<WrongValue>> {
+        let mut wrong = Vec::new();
+        let object = read_value("object", value("object"), stated(SIZE), &mut wrong);
+        let height = read_value("height", value("height"), stated(SIZE), &mut wrong);
+        let shape = read_value("shape", value("shape"), shape, &mut wrong);
+        let mass = read_value("mass", value("mass"), stated(MASSES), &mut wrong);
+        let pressure = read_value("pressure", value("pressure"), stated(PRESSURES), &mut wrong);
+        let friction = read_value("friction", value("friction"), number(FRICTIONS), &mut wrong);
+        let fragile = read_value("fragile", value("fragile"), stated(FORCES), &mut wrong);
+        for (name, is_absent) in [("object", object.is_none()), ("mass", mass.is_none())] {
+            if is_absent && wrong.iter().all(|value| value.name != name) {
+                wrong.push(WrongValue { name, reason: "is needed: a number and its unit".to_owned() });
+            }
+        }
+        match object.zip(mass) {
+            Some((object, mass)) if wrong.is_empty() => {
+                Ok(Self { object, height, shape, mass, pressure, friction, fragile })
+            }
+            _ => Err(wrong),
+        }
+    }
+
     /// The requirements of the search, on the sheet of `base` and within the work area of `machine`.
     pub fn requirements(&self, base: &Spec, machine: &Machine) -> Requirements {
         // The inlet reaches beyond the tip on one side.

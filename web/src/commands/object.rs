@@ -1,8 +1,7 @@
 //! `new`: from an object to the spec of a gripper.
 
 use serde_json::{Value, json};
-use stargrip_cam::answer::object::{FORCES, FRICTIONS, MASSES, NoGripper, PRESSURES, Request, base, sheet};
-use stargrip_cam::answer::quantity::{SIZE, number, stated};
+use stargrip_cam::answer::object::{NoGripper, Request, WrongValue, base, read_value, sheet};
 use stargrip_cam::forecast::sizing::Requirements;
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Machine, ObjectShape};
@@ -10,18 +9,17 @@ use stargrip_cam::spec::{Machine, ObjectShape};
 use crate::commands::faults::refused;
 use crate::question::{text, wrong};
 
-
 /// A spec with its verdict; or the faults of the fields; or the reason why there is no gripper, with the nearest possible request.
 ///
 /// # Errors
 /// The faults of the fields, or the program's own texts, if they are refused.
 pub(super) fn new(question: &Value) -> Result<Value, Value> {
     let name = text(question, "name").filter(|name| !name.trim().is_empty()).unwrap_or("gripper");
-    let request = request(question).map_err(|wrong| json!({ "fields": wrong }))?;
-    let mut faults = Vec::new();
-    let size = taken(question, "sheet", sheet, &mut faults);
-    if !faults.is_empty() {
-        return Err(json!({ "fields": faults }));
+    let mut wrong_values = Vec::new();
+    let size = read_value("sheet", field(question, "sheet"), sheet, &mut wrong_values);
+    let request = Request::read(|name| field(question, name)).map_err(|wrong| fields(&wrong))?;
+    if !wrong_values.is_empty() {
+        return Err(fields(&wrong_values));
     }
     let starter = spec::starter("base").map_err(wrong)?;
     let base = base(starter, field(question, "machine"), size).map_err(|faults| refused(&faults))?;
@@ -41,44 +39,10 @@ fn field<'q>(question: &'q Value, name: &str) -> Option<&'q str> {
     text(question, name).map(str::trim).filter(|text| !text.is_empty())
 }
 
-/// Reads all fields, so that all faults are reported at once.
-fn request(question: &Value) -> Result<Request, Vec<Value>> {
-    let mut wrong = Vec::new();
-    let object = taken(question, "object", stated(SIZE), &mut wrong);
-    let height = taken(question, "height", stated(SIZE), &mut wrong);
-    let mass = taken(question, "mass", stated(MASSES), &mut wrong);
-    let pressure = taken(question, "pressure", stated(PRESSURES), &mut wrong);
-    let fragile = taken(question, "fragile", stated(FORCES), &mut wrong);
-    let friction = taken(question, "friction", number(FRICTIONS), &mut wrong);
-    let shape = field(question, "shape")
-        .and_then(|word| ObjectShape::ALL.iter().find(|(name, _)| *name == word))
-        .map(|(_, shape)| *shape);
-    for (name, is_absent) in [("object", object.is_none()), ("mass", mass.is_none())] {
-        if is_absent && wrong.iter().all(|one| one["field"] != name) {
-            wrong.push(json!({ "field": name, "found": "is needed: a number and its unit" }));
-        }
-    }
-    let request = object.zip(mass).map(|(object, mass)| Request {
-        object,
-        height,
-        shape,
-        mass,
-        pressure,
-        friction,
-        fragile,
-    });
-    request.filter(|_| wrong.is_empty()).ok_or(wrong)
-}
-
-/// The value of a field, if it is not empty; its fault is added to `wrong`.
-fn taken<T>(
-    question: &Value,
-    name: &str,
-    read: impl Fn(&str) -> Result<T, String>,
-    wrong: &mut Vec<Value>,
-) -> Option<T> {
-    let found = read(field(question, name)?);
-    found.map_err(|why| wrong.push(json!({ "field": name, "found": why }))).ok()
+/// The faults of fields, for the page.
+fn fields(wrong: &[WrongValue]) -> Value {
+    let list = wrong.iter().map(|value| json!({ "field": value.name, "found": value.reason }));
+    json!({ "fields": list.collect::<Vec<_>>() })
 }
 
 /// The fields of a request with the requirements `eased`.
