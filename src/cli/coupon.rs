@@ -55,14 +55,14 @@ impl Args {
         if self.only.is_empty() || self.only.contains(&CouponGroup::Strips) {
             return Ok(());
         }
-        let given = [
+        let options = [
             ("--temperatures", !self.temperatures.is_empty()),
             ("--speeds", !self.speeds.is_empty()),
             ("--heights", !self.heights.is_empty()),
             ("--repeats", self.repeats.is_some()),
         ];
-        let given = given.into_iter().find(|(_, is_given)| *is_given);
-        given.map_or(Ok(()), |(option, _)| {
+        let misplaced = options.into_iter().find(|(_, is_given)| *is_given);
+        misplaced.map_or(Ok(()), |(option, _)| {
             Err(Failure::Usage(format!("{option} is for strips: leave it out, or add strips to --only")))
         })
     }
@@ -70,14 +70,8 @@ impl Args {
 
 /// Writes the coupons.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    args.refuse_strips_alone()?;
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
-    if args.only.contains(&CouponGroup::VActuator) && !spec.has_stars() {
-        let text = "a V-actuator has the tips of a star, and this spec has a drawing: leave v-actuator out of --only";
-        return Err(Failure::Message(text.to_owned()));
-    }
-    let (grid, groups) = (grid(args, &loaded)?, or(&args.only, &CouponGroup::NAMES.map(|(_, group)| group)));
     if args.output.symlink_metadata().is_ok() {
         let text = format!("{} exists already; choose another name", shown(&args.output));
         return Err(Failure::Message(text));
@@ -88,9 +82,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let text = format!("cannot create {}: {} is not a directory", shown(&args.output), shown(parent));
         return Err(Failure::Message(text));
     }
-    let made = MadeCoupons::new(spec, machine, loaded.sources(), &grid, &groups);
-    let made = made.map_err(|refusals| loaded.refused(refusals))?;
-    let proven = made.prove().map_err(|findings| loaded.unproven(findings))?;
+    let (grid, proven) = (grid(args, &loaded)?, coupons(args, &loaded)?);
     let files: Vec<_> = proven.files().into_iter().map(|(name, bytes)| (name, bytes.into())).collect();
     tell(&put(&args.output, &files)?.to_string());
     let made = proven.made();
@@ -119,6 +111,20 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     });
     let has_pressure = spec.load.as_ref().is_some_and(|load| load.pressure.is_some());
     args.verbosity.report(&text(args, (&proven, has_pressure), &programs, &drawings), &json)
+}
+
+/// The coupons that `args` describe, read back.
+pub(super) fn coupons(args: &Args, loaded: &Loaded) -> Result<ProvenCoupons, Failure> {
+    args.refuse_strips_alone()?;
+    let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
+    if args.only.contains(&CouponGroup::VActuator) && !spec.has_stars() {
+        let text = "a V-actuator has the tips of a star, and this spec has a drawing: leave v-actuator out of --only";
+        return Err(Failure::Message(text.to_owned()));
+    }
+    let (grid, groups) = (grid(args, loaded)?, or(&args.only, &CouponGroup::NAMES.map(|(_, group)| group)));
+    let made = MadeCoupons::new(spec, machine, loaded.sources(), &grid, &groups);
+    let made = made.map_err(|refusals| loaded.refused(refusals))?;
+    made.prove().map_err(|findings| loaded.unproven(findings))
 }
 
 /// The grid of settings to test.

@@ -10,11 +10,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Command;
 
 use crate::cli::words::value_of;
-use crate::cli::{actuator, optimize, predict, verify};
-use crate::pipeline::PublishedBuild;
+use crate::cli::{actuator, coupon, feedcheck, new_object, optimize, predict, resume, verify};
+use crate::pipeline::{ProvenCoupons, PublishedBuild};
+use crate::resume::Resumed;
 use forecast::optimize::{Evaluation, SearchResult, shortfalls};
 use proof::verify::{OutputFiles, Proof};
-use spec::ModelChoice;
+use spec::{Machine, ModelChoice};
 
 pub use crate::cli::actuator::ActuatorQuestion;
 pub use crate::cli::cache::code_is_in;
@@ -83,6 +84,53 @@ pub fn actuator_question(options: &[String]) -> Result<ActuatorQuestion, Failure
     parsed::<actuator::Args>(options, None)?.question()
 }
 
+/// The machine of a built-in profile, or of a file.
+///
+/// # Errors
+/// If there is neither, or the file is refused.
+pub fn machine(profile: &str) -> Result<Machine, Failure> {
+    new_object::machine(profile)
+}
+
+/// The coupons that the options of `coupon` describe, for `loaded`, read back.
+///
+/// # Errors
+/// If an option is wrong, or the machine cannot seal one of them.
+pub fn coupons(loaded: &Loaded, options: &[String]) -> Result<ProvenCoupons, Failure> {
+    coupon::coupons(&parsed(options, Some(Path::new("-")))?, loaded)
+}
+
+/// The feed check of `loaded`, read back, with its manifest: names and bytes.
+///
+/// # Errors
+/// If the profile contradicts the seal.
+pub fn feed_check(loaded: &Loaded) -> Result<[(String, Vec<u8>); 2], Failure> {
+    let program = feedcheck::default_output(&loaded.machine);
+    let proven = feedcheck::feed_check(loaded, &program.to_string_lossy())?;
+    let manifest = feedcheck::manifest_of(&program);
+    let names = [program, manifest].map(|path| path.to_string_lossy().into_owned());
+    let [program, manifest] = names;
+    Ok([(program, proven.text.into_bytes()), (manifest, proven.manifest.to_json())])
+}
+
+/// The rest of the job with the text `job`, from the place that the options of `resume` describe.
+///
+/// # Errors
+/// If an option is wrong or missing, or the text is no sealing program.
+pub fn resumed(job: &str, options: &[String]) -> Result<Resumed, Failure> {
+    parsed::<resume::Args>(options, Some(Path::new("-")))?.rest_of(job)
+}
+
+/// The options of `coupon` as keywords of a function.
+pub fn coupon_keywords() -> Vec<String> {
+    keywords::<coupon::Args>()
+}
+
+/// The options of `resume` as keywords of a function.
+pub fn resume_keywords() -> Vec<String> {
+    keywords::<resume::Args>()
+}
+
 /// The options of `optimize` as keywords of a function.
 pub fn optimize_keywords() -> Vec<String> {
     keywords::<optimize::Args>()
@@ -108,7 +156,7 @@ pub fn nearest<'k>(name: &str, keywords: &'k [String]) -> Option<&'k str> {
 }
 
 /// Options about the output and the cache.
-const OF_THE_SCREEN: [&str; 5] = ["verbose", "quiet", "json", "vtu", "no-cache"];
+const OF_THE_SCREEN: [&str; 6] = ["verbose", "quiet", "json", "output", "vtu", "no-cache"];
 
 /// The arguments of a command from its options and the spec's path, if it takes one.
 fn parsed<A: clap::Args>(options: &[String], spec: Option<&Path>) -> Result<A, Failure> {

@@ -12,10 +12,10 @@ use crate::cli::verbosity::Verbosity;
 use crate::emit;
 use crate::manifest::FEED_CHECK_MANIFEST;
 use crate::pipeline;
-use crate::pipeline::FeedCheckFault;
+use crate::pipeline::{FeedCheckFault, ProvenFeedCheck};
 use program::plan;
 use proof::artifact::program_ending;
-use spec::FeedFloor;
+use spec::{FeedFloor, Machine};
 
 /// Arguments of `feedcheck`.
 #[derive(clap::Args, Debug)]
@@ -36,14 +36,9 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
-    let default = || PathBuf::from("feedcheck").with_extension(program_ending(machine.controller.dialect));
-    let output = args.output.clone().unwrap_or_else(default);
+    let output = args.output.clone().unwrap_or_else(|| default_output(machine));
     let name = output.file_name().unwrap_or_default().to_string_lossy();
-    let proven =
-        pipeline::feed_check(spec, machine, loaded.sources(), &name).map_err(|fault| match fault {
-            FeedCheckFault::Refused(refusals) => loaded.refused(refusals),
-            FeedCheckFault::Wrong(findings) => loaded.unproven(findings),
-        })?;
+    let proven = feed_check(&loaded, &name)?;
     refuse_foreign(&output, "the program of a feed check", |text| text.contains(emit::FEED_CHECK_TITLE))?;
     if args.force {
         replace(&output, &proven.text)?;
@@ -90,6 +85,20 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "pause": machine.script.pause,
     });
     args.verbosity.report(&text, &json)
+}
+
+/// The file of the program without a name of the user's.
+pub(super) fn default_output(machine: &Machine) -> PathBuf {
+    PathBuf::from("feedcheck").with_extension(program_ending(machine.controller.dialect))
+}
+
+/// The feed check for a file called `name`, read back.
+pub(super) fn feed_check(loaded: &Loaded, name: &str) -> Result<ProvenFeedCheck, Failure> {
+    let check = pipeline::feed_check(&loaded.reading.spec, &loaded.machine, loaded.sources(), name);
+    check.map_err(|fault| match fault {
+        FeedCheckFault::Refused(refusals) => loaded.refused(refusals),
+        FeedCheckFault::Wrong(findings) => loaded.unproven(findings),
+    })
 }
 
 /// The manifest beside the feed check `program`, from which `verify` proves it.

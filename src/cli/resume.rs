@@ -12,7 +12,7 @@ use crate::cli::text_file::{PROGRAM, read_text, write_new};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::directory_of;
 use crate::manifest::{MANIFEST, Manifest, sha256};
-use crate::resume::{ResumeAt, ResumeFault, clamp_in_the_way, resume};
+use crate::resume::{ResumeAt, ResumeFault, Resumed, clamp_in_the_way, resume};
 use design::RefusalCode;
 use geom::Point;
 use spec::units::{Length, Percent, Quantity};
@@ -44,6 +44,20 @@ pub(super) struct Args {
     verbosity: Verbosity,
 }
 
+impl Args {
+    /// The place where the job stopped.
+    fn place(&self) -> Result<ResumeAt, Failure> {
+        let share = || self.at.map(ResumeAt::Share);
+        let place = self.line.map(ResumeAt::Line).or_else(share).or(self.near.map(ResumeAt::Near));
+        place.ok_or_else(|| Failure::message("give the place where it stopped: --line, --at or --near"))
+    }
+
+    /// The program for the rest of the job with the text `job`.
+    pub(super) fn rest_of(&self, job: &str) -> Result<Resumed, Failure> {
+        resume(job, self.place()?, self.overlap).map_err(Failure::message)
+    }
+}
+
 fn share(text: &str) -> Result<f64, String> {
     let share = Percent::parse(text).ok().map(Percent::ratio).filter(|share| (0.0..=1.0).contains(share));
     share.ok_or_else(|| "a percentage from 0 to 100, such as 37%".to_owned())
@@ -69,11 +83,7 @@ fn length(text: &str) -> Result<f64, String> {
 /// Writes the program for the rest of the job.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let text = read_text(&args.job, PROGRAM)?;
-    let share = || args.at.map(ResumeAt::Share);
-    let place = args.line.map(ResumeAt::Line).or_else(share).or(args.near.map(ResumeAt::Near));
-    let place =
-        place.ok_or_else(|| Failure::message("give the place where it stopped: --line, --at or --near"))?;
-    let resumed = resume(&text, place, args.overlap).map_err(|fault| {
+    let resumed = resume(&text, args.place()?, args.overlap).map_err(|fault| {
         let beside = sealing(&args.job).filter(|_| fault == ResumeFault::Trace);
         let beside = beside.map_or_else(String::new, |path| format!(", {}", shown(path)));
         Failure::Message(format!("{}: {fault}{beside}", shown(&args.job)))
