@@ -5,10 +5,11 @@ use pyo3::types::PyDict;
 use stargrip_cam::cli::embedded::{ActuatorQuestion, actuator_keywords, actuator_question};
 use stargrip_cam::forecast::actuator::actuate;
 use stargrip_cam::forecast::shell::actuator as by_shell;
-use stargrip_cam::shell::cases::ShellFault;
+use stargrip_cam::shell::cases::{ShellFault, Symmetry};
 
 use crate::answer::ActuatorPrediction;
 use crate::faults::{of_failure, plain};
+use crate::mesh::Mesh;
 use crate::options::options;
 use crate::waiting::wait;
 
@@ -50,5 +51,5 @@ pub(crate) fn actuator(
         line.watched(|watch| by_shell::actuate(&actuator, &angles, detail, watch))
     })?;
     let (answer, shape) = found.map_err(|fault: ShellFault| refused(fault.to_string()))?;
-    ActuatorPrediction::new(py, answer, Some(shape))
+    ActuatorPrediction::new(py, answer, Some(Mesh { shape, symmetry: Symmetry::Mirror, seams: Vec::new() }))
 }

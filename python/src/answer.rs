@@ -1,4 +1,4 @@
-//! `Prediction` and `ActuatorPrediction`: answers as attributes, dicts, text and pickles.
+//! `Prediction`, `DrawnPrediction` with its chambers, and `ActuatorPrediction`: answers as attributes, dicts, text and pickles.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -10,9 +10,10 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyCFunction, PyDict, PyTuple, PyType};
 use stargrip_cam::cli::embedded::{GripperAnswer, Loaded};
 use stargrip_cam::forecast::actuator::ActuatorPrediction as Actuated;
+use stargrip_cam::forecast::drawn::prediction::{ChamberPrediction, DrawnPrediction as Drawn};
 use stargrip_cam::forecast::keys::{Key, KeyKind};
 use stargrip_cam::forecast::prediction as answers;
-use stargrip_cam::shell::cases::InflatedShape;
+use stargrip_cam::units::counted;
 
 use crate::mesh::Mesh;
 
@@ -47,11 +48,14 @@ impl Answer {
     fn shown(&self) -> String {
         match self {
             Self::Gripper(given, answer) => {
-                let model = match answer {
-                    GripperAnswer::Star(star) => star.first.model,
-                    GripperAnswer::Drawn(drawn) => drawn.model,
-                };
-                format!("<Prediction {:?} by {model}>", given.reading.spec.name)
+                let name = &given.reading.spec.name;
+                match answer {
+                    GripperAnswer::Star(star) => format!("<Prediction {name:?} by {}>", star.first.model),
+                    GripperAnswer::Drawn(drawn) => {
+                        let chambers = counted(drawn.chambers.len(), "chamber");
+                        format!("<DrawnPrediction {name:?} by {}: {chambers}>", drawn.model)
+                    }
+                }
             }
             Self::Actuator(answer) => format!("<ActuatorPrediction by {}>", answer.model),
             Self::Restored { shown, .. } => shown.clone(),
@@ -67,24 +71,32 @@ pub(crate) struct PythonAnswer {
 }
 
 impl PythonAnswer {
-    fn new(py: Python<'_>, answer: Answer, shape: Option<InflatedShape>) -> PyResult<Self> {
-        let mesh = shape.map(|shape| Py::new(py, Mesh(shape))).transpose()?;
+    fn new(py: Python<'_>, answer: Answer, mesh: Option<Mesh>) -> PyResult<Self> {
+        let mesh = mesh.map(|mesh| Py::new(py, mesh)).transpose()?;
         Ok(Self { answer, fields: PyOnceLock::new(), mesh })
     }
 
     /// The value of the key `name`; None if this answer has no such key.
     fn value(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyAny>> {
         let fields = self.fields.get_or_try_init(py, || self.answer.dict(py).map(Bound::unbind))?;
-        Ok(fields.bind(py).get_item(name)?.map_or_else(|| py.None(), Bound::unbind))
+        let Some(value) = fields.bind(py).get_item(name)? else { return Ok(py.None()) };
+        if name != CHAMBERS {
+            return Ok(value.unbind());
+        }
+        let chambers = value.try_iter()?.map(|fields| Py::new(py, Chamber(fields?.cast_into()?.unbind())));
+        Ok(chambers.collect::<PyResult<Vec<_>>>()?.into_pyobject(py)?.unbind())
     }
 }
+
+/// The key whose values have a class of their own.
+const CHAMBERS: &str = "chambers";
 
 /// A class whose attributes are the keys of an answer.
 pub(crate) trait Keyed: PyClass<Frozen = True> + Sync {
     /// The keys, in lists.
     const KEYS: &'static [&'static [Key]];
-    /// The content of the object.
-    fn answer_object(&self) -> &PythonAnswer;
+    /// The value of the key `name`; None if the object has no such key.
+    fn value(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyAny>>;
 }
 
 /// Adds to the class `T` a property with a docstring for each of its keys.
@@ -93,7 +105,7 @@ pub(crate) fn add_properties<T: Keyed>(py: Python<'_>) -> PyResult<()> {
     let property = py.import("builtins")?.getattr("property")?;
     for key in T::KEYS.iter().copied().flatten() {
         let get = move |of: &Bound<'_, PyTuple>, _: Option<&Bound<'_, PyDict>>| -> PyResult<Py<PyAny>> {
-            of.get_item(0)?.cast::<T>()?.get().answer_object().value(of.py(), key.name)
+            of.get_item(0)?.cast::<T>()?.get().value(of.py(), key.name)
         };
         let get = PyCFunction::new_closure(py, None, None, get)?;
         class.setattr(key.name, property.call1((get, py.None(), py.None(), key.about))?)?;
@@ -113,6 +125,7 @@ fn spelled(key: &Key) -> String {
         KeyKind::Rows => "list[tuple[float | None, ...]]",
         KeyKind::Variant => return "Any".to_owned(),
     };
+    let kind = if key.name == CHAMBERS { "list[Chamber]" } else { kind };
     if key.always { kind.to_owned() } else { format!("{kind} | None") }
 }
 
@@ -124,6 +137,8 @@ pub(crate) fn keys() -> BTreeMap<&'static str, Vec<(&'static str, String)>> {
     };
     BTreeMap::from([
         ("Prediction", typed(Prediction::KEYS)),
+        ("DrawnPrediction", typed(DrawnPrediction::KEYS)),
+        ("Chamber", typed(Chamber::KEYS)),
         ("ActuatorPrediction", typed(ActuatorPrediction::KEYS)),
     ])
 }
@@ -134,8 +149,8 @@ macro_rules! answer {
         impl Keyed for $class {
             const KEYS: &'static [&'static [Key]] = $keys;
 
-            fn answer_object(&self) -> &PythonAnswer {
-                &self.0
+            fn value(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyAny>> {
+                self.0.value(py, name)
             }
         }
 
@@ -186,27 +201,79 @@ macro_rules! answer {
     };
 }
 
-/// The predicted behaviour of a gripper. Every key of `predict --json` is an attribute: lengths in mm, angles in degrees, forces in N,
+/// The predicted behaviour of a star gripper. Every key of `predict --json` is an attribute: lengths in mm, angles in degrees, forces in N,
 /// with the unit in the name. None where the value is unknown, or needs something that the spec does not give.
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct Prediction(PythonAnswer);
 
-impl Prediction {
-    /// The answer of any model; only the shell's has a `shape`.
-    pub(crate) fn new(py: Python<'_>, answer: Answer, shape: Option<InflatedShape>) -> PyResult<Self> {
-        PythonAnswer::new(py, answer, shape).map(Self)
+answer!(Prediction, answers::Prediction::KEYS);
+
+/// The predicted behaviour of a drawn piece. Every key of `predict --json` is an attribute, with the unit in the name; None where the value is
+/// unknown, or needs the shell. Numbers of a shell are dicts of `value` and `mesh_error`.
+#[pyclass(frozen, module = "stargrip_cam")]
+pub(crate) struct DrawnPrediction(PythonAnswer);
+
+answer!(DrawnPrediction, &[Drawn::KEYS]);
+
+/// The answer about the gripper of `given`, a `Prediction` or a `DrawnPrediction`; only the shell's has a `mesh`.
+pub(crate) fn of_gripper(
+    py: Python<'_>,
+    given: Arc<Loaded>,
+    answer: GripperAnswer,
+    mesh: Option<Mesh>,
+) -> PyResult<Py<PyAny>> {
+    let is_drawn = matches!(answer, GripperAnswer::Drawn(_));
+    let answer = PythonAnswer::new(py, Answer::Gripper(given, answer), mesh)?;
+    if is_drawn {
+        Ok(Py::new(py, DrawnPrediction(answer))?.into_any())
+    } else {
+        Ok(Py::new(py, Prediction(answer))?.into_any())
     }
 }
 
-answer!(Prediction, answers::Prediction::KEYS);
+/// One chamber of a drawn piece. Every key of a chamber in `predict --json` is an attribute, with the unit in the name; None where the value
+/// is unknown, or needs the shell. Numbers of a shell are dicts of `value` and `mesh_error`, some with a place.
+#[pyclass(frozen, module = "stargrip_cam")]
+pub(crate) struct Chamber(Py<PyDict>);
+
+impl Keyed for Chamber {
+    const KEYS: &'static [&'static [Key]] = &[ChamberPrediction::KEYS];
+
+    fn value(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyAny>> {
+        Ok(self.0.bind(py).get_item(name)?.map_or_else(|| py.None(), Bound::unbind))
+    }
+}
+
+#[pymethods]
+impl Chamber {
+    /// All keys, equal to the JSON of the command's `--json`.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        Ok(py.import("copy")?.call_method1("deepcopy", (&self.0,))?.cast_into()?)
+    }
+
+    /// Called by `__reduce__`.
+    #[classmethod]
+    fn _restored(_class: &Bound<'_, PyType>, fields: Py<PyDict>) -> Self {
+        Self(fields)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Py<PyDict>,))> {
+        Ok((slf.get_type().getattr("_restored")?, (slf.get().0.clone_ref(slf.py()),)))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let [number, width] = ["chamber", "width_mm"].map(|name| self.value(py, name));
+        Ok(format!("<Chamber {}: {} mm wide>", number?, width?))
+    }
+}
 
 /// The predicted behaviour of a V-actuator. Every key of `actuator --json` is an attribute, None where the value is unknown.
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct ActuatorPrediction(PythonAnswer);
 
 impl ActuatorPrediction {
-    pub(crate) fn new(py: Python<'_>, answer: Actuated, shape: Option<InflatedShape>) -> PyResult<Self> {
-        PythonAnswer::new(py, Answer::Actuator(Box::new(answer)), shape).map(Self)
+    pub(crate) fn new(py: Python<'_>, answer: Actuated, mesh: Option<Mesh>) -> PyResult<Self> {
+        PythonAnswer::new(py, Answer::Actuator(Box::new(answer)), mesh).map(Self)
     }
 }
 

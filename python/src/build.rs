@@ -17,9 +17,10 @@ use stargrip_cam::pipeline::{Forecast, Proven};
 use stargrip_cam::units::counted;
 use stargrip_cam::verify::Finding;
 
-use crate::answer::{Answer, Prediction};
+use crate::answer::of_gripper;
 use crate::arguments;
 use crate::faults::{of_design, of_failure, of_findings, plain};
+use crate::options::refuse_unknown;
 use crate::spec::Spec;
 use crate::waiting::{Line, wait};
 
@@ -49,7 +50,10 @@ enum Stopped {
 ///
 /// Raises DesignError if there is no such gripper or it is refused, ProofError for a fault of the program.
 #[pyfunction]
-#[pyo3(signature = (spec, *, only = None, with_ = None, anyway = false, progress = None))]
+#[pyo3(
+    signature = (spec, *, only = None, with_ = None, anyway = false, progress = None, **unknown),
+    text_signature = "(spec, *, only=None, with_=None, anyway=False, progress=None)"
+)]
 pub(crate) fn build(
     py: Python<'_>,
     spec: &Spec,
@@ -57,7 +61,9 @@ pub(crate) fn build(
     #[pyo3(from_py_with = arguments::with)] with_: Option<Vec<Kind>>,
     anyway: bool,
     progress: Option<&Bound<'_, PyAny>>,
+    unknown: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Build> {
+    refuse_unknown("build", &["only", "with_", "anyway", "progress"], unknown)?;
     let request = KindRequest { only: only.unwrap_or_default(), with: with_.unwrap_or_default() };
     let made = {
         let (given, request) = (Arc::clone(&spec.given), request.clone());
@@ -108,13 +114,13 @@ impl Build {
         Ok(pythonize::pythonize(py, &self.proven.built().manifest)?)
     }
 
-    /// The prediction; None if the spec has no [load].
+    /// The prediction, without a mesh; None if the spec has no [load].
     #[getter]
-    fn prediction(&self, py: Python<'_>) -> PyResult<Option<Prediction>> {
-        let prediction = self.proven.built().forecast.prediction.clone();
-        let answer = prediction.map(|star| GripperAnswer::Star(Box::new(star)));
-        let answer = answer.map(|answer| Answer::Gripper(Arc::clone(&self.given), answer));
-        answer.map(|answer| Prediction::new(py, answer, None)).transpose()
+    fn prediction(&self, py: Python<'_>) -> PyResult<Option<Py<PyAny>>> {
+        let Forecast { prediction, drawn, .. } = &self.proven.built().forecast;
+        let star = prediction.clone().map(|star| GripperAnswer::Star(Box::new(star)));
+        let drawn = drawn.as_ref().map(|drawn| GripperAnswer::Drawn(Box::new(drawn.prediction.clone())));
+        star.or(drawn).map(|answer| of_gripper(py, Arc::clone(&self.given), answer, None)).transpose()
     }
 
     /// Largest deviation of every measured file from the exact design, mm.
@@ -164,7 +170,7 @@ impl Build {
                 format!("a build of version {version} was pickled, this is version {own}: build it again");
             return Err(plain(py, "Error", "refused", &text));
         }
-        build(py, spec, only, with_, anyway, None)
+        build(py, spec, only, with_, anyway, None, None)
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {

@@ -1,4 +1,4 @@
-//! `Design`: the exact geometry of a spec's stars.
+//! `Design` and `Star`: the exact geometry of a spec.
 
 use std::sync::Arc;
 
@@ -14,6 +14,7 @@ use stargrip_cam::units::counted;
 
 use crate::arrays::{floats, rows};
 use crate::faults::{of_design, usage};
+use crate::piece::Piece;
 use crate::shapes::{Contour, TOLERANCE, polygon};
 use crate::spec::Spec;
 
@@ -42,11 +43,17 @@ pub(crate) fn design(py: Python<'_>, spec: &Spec) -> PyResult<Design> {
 
 #[pymethods]
 impl Design {
-    /// Its stars, bottom first.
+    /// Its stars, bottom first; empty for a drawing, which has `pieces`.
     #[getter]
     fn stars(slf: &Bound<'_, Self>) -> Vec<Star> {
         let star = |placed: &PlacedPart| Star { whole: slf.clone().unbind(), placed: *placed };
         slf.get().placed().iter().map(star).collect()
+    }
+
+    /// The pieces, stars or drawn ones, with their outlines and seams.
+    #[getter]
+    fn pieces(&self) -> Vec<Piece> {
+        Piece::pieces_of(&self.given, &self.design)
     }
 
     /// The sheets: dicts of `index`, `width_mm` and `height_mm`.
@@ -98,8 +105,9 @@ impl Design {
 
     fn __repr__(&self) -> String {
         let name = &self.given.reading.spec.name;
-        let (stars, sheets) = (self.placed().len(), self.design.sheets.len());
-        format!("<Design {name:?}: {}, {}>", counted(stars, "star"), counted(sheets, "sheet"))
+        let (pieces, sheets) = (self.design.placed().len(), self.design.sheets.len());
+        let kind = if self.design.assembly().is_some() { "star" } else { "piece" };
+        format!("<Design {name:?}: {}, {}>", counted(pieces, kind), counted(sheets, "sheet"))
     }
 }
 

@@ -13,6 +13,8 @@ use stargrip_cam::pipeline::no_prediction;
 use stargrip_cam::spec::{Fault, Faults, Severity};
 use stargrip_cam::verify::Finding;
 
+use crate::options::in_keywords;
+
 /// The exception `name` of `stargrip_cam.errors` with the message `text` and the faults `about`.
 fn raised(py: Python<'_>, name: &str, text: &str, about: &Bound<'_, PyAny>) -> PyErr {
     static MODULE: PyOnceLock<Py<PyModule>> = PyOnceLock::new();
@@ -21,15 +23,16 @@ fn raised(py: Python<'_>, name: &str, text: &str, about: &Bound<'_, PyAny>) -> P
     made.map_or_else(|error| error, PyErr::from_value)
 }
 
-/// The exception `name` with one fault: the code `code`, and `text`.
+/// The exception `name` with one fault: the code `code`, and `text`, whose options become keywords.
 pub(crate) fn plain(py: Python<'_>, name: &str, code: &str, text: &str) -> PyErr {
+    let text = in_keywords(text);
     let about = || {
         let one = PyDict::new(py);
         one.set_item("code", code)?;
-        one.set_item("found", text)?;
+        one.set_item("found", &text)?;
         Ok(vec![one].into_pyobject(py)?.into_any())
     };
-    about().map_or_else(|error: PyErr| error, |about| raised(py, name, text, &about))
+    about().map_or_else(|error: PyErr| error, |about| raised(py, name, &text, &about))
 }
 
 /// Wrong arguments, or arguments that exclude each other: `UsageError`.

@@ -3,18 +3,20 @@
 //! | module | content |
 //! |---|---|
 //! | `spec` | `Spec`: a valid spec with its text |
+//! | `gripper` | the spec of a gripper for an object |
 //! | `toml` | Python's dicts and values as TOML, and back |
 //! | `faults` | refusals as exceptions |
 //! | `waiting` | long calls: without the GIL, with progress, until Ctrl-C |
 //! | `arrays` | NumPy arrays, each by one copy of memory |
-//! | `shapes`, `design` | `Line`, `Arc`, `Contour`, `Star`, `Design` |
+//! | `shapes`, `design`, `piece` | `Line`, `Arc`, `Contour`, `Star`, `Design`, `Piece`, `Seam` |
 //! | `build` | `Build`, and the proof of a directory |
-//! | `answer`, `mesh` | `Prediction`, `ActuatorPrediction`, `Mesh` |
+//! | `answer`, `mesh`, `body` | predictions as attributes, `Mesh`, the closed `Body` |
 //! | `prediction` | the prediction of a gripper |
 //! | `arguments`, `options` | arguments of functions, and their conversion into options of commands |
 //! | `actuator` | a single hinge |
 //! | `optimum` | the best star |
 //! | `sweep` | many designs, a column an array |
+//! | `workshop` | coupons, feed check, the rest of a job, machine profiles |
 //! | `command` | the command `stargrip-cam` |
 
 #![allow(missing_docs, reason = "what macros make of a module has none; the rooms have theirs")]
@@ -23,19 +25,23 @@ mod actuator;
 mod answer;
 mod arguments;
 mod arrays;
+mod body;
 mod build;
 mod command;
 mod design;
 mod faults;
+mod gripper;
 mod mesh;
 mod optimum;
 mod options;
+mod piece;
 mod prediction;
 mod shapes;
 mod spec;
 mod sweep;
 mod toml;
 mod waiting;
+mod workshop;
 
 use pyo3::prelude::*;
 
@@ -47,7 +53,9 @@ mod _native {
     #[pymodule_export]
     use super::actuator::actuator;
     #[pymodule_export]
-    use super::answer::{ActuatorPrediction, Prediction, keys};
+    use super::answer::{ActuatorPrediction, Chamber, DrawnPrediction, Prediction, keys};
+    #[pymodule_export]
+    use super::body::Body;
     #[pymodule_export]
     use super::build::{Build, build, prove};
     #[pymodule_export]
@@ -59,6 +67,8 @@ mod _native {
     #[pymodule_export]
     use super::optimum::{Optimum, optimize};
     #[pymodule_export]
+    use super::piece::{Piece, Seam};
+    #[pymodule_export]
     use super::prediction::{predict, repeat};
     #[pymodule_export]
     use super::shapes::{Arc, Contour, Line};
@@ -66,10 +76,14 @@ mod _native {
     use super::spec::Spec;
     #[pymodule_export]
     use super::sweep::{sweep, sweep_columns};
+    #[pymodule_export]
+    use super::workshop::{coupon, feed_check, machines, rest};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         super::answer::add_properties::<Prediction>(module.py())?;
+        super::answer::add_properties::<DrawnPrediction>(module.py())?;
+        super::answer::add_properties::<Chamber>(module.py())?;
         super::answer::add_properties::<ActuatorPrediction>(module.py())?;
         module.add("__version__", stargrip_cam::manifest::Tool::this().version)
     }

@@ -3,17 +3,21 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use stargrip_cam::cli::embedded;
 use stargrip_cam::cli::embedded::{GripperAnswer, Loaded, StarQuestion};
-use stargrip_cam::design::Refusals;
+use stargrip_cam::design::{Design, PlacedPart, Refusals};
 use stargrip_cam::forecast::predict::PredictFault;
 use stargrip_cam::forecast::shell::star::ShellRefusal;
-use stargrip_cam::shell::cases::{InflatedShape, Watch};
+use stargrip_cam::sealed::Seam;
+use stargrip_cam::shell::cases::{InflatedShape, Symmetry, Watch};
 use stargrip_cam::spec::{ModelChoice, key};
 
-use crate::answer::{Answer, Prediction};
+use crate::answer::of_gripper;
 use crate::arguments;
 use crate::faults::{of_design, of_failure, of_prediction};
+use crate::mesh::Mesh;
+use crate::options::refuse_unknown;
 use crate::spec::Spec;
 use crate::waiting::wait;
 
@@ -23,18 +27,21 @@ enum Refused {
     Model(ShellRefusal),
 }
 
-/// Predicts the behaviour of the gripper of `spec`.
+/// Predicts the behaviour of the gripper of `spec`: a Prediction of stars, or a DrawnPrediction with chambers.
 ///
 /// model: "fit", "ring", "bvp", "section", "shell" or "auto"; default: the spec's own.
 /// radii: also the force on round objects of these radii, "20 mm..40 mm/5".
 /// fineness: of the shell's meshes: "coarse" (default for drawings), "medium" (default for stars) or "fine".
-/// The answer about a drawing has its own keys, `chambers` among them: read it by to_dict().
 /// accuracy: the cheapest model with an error of at most this, "2 %"; without model and fineness.
 /// progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
 ///
 /// Raises DesignError if there is no such gripper, PredictionError if the model has no answer, UsageError for wrong arguments.
 #[pyfunction]
-#[pyo3(signature = (spec, *, model = None, radii = None, fineness = None, accuracy = None, progress = None))]
+#[pyo3(
+    signature = (spec, *, model = None, radii = None, fineness = None, accuracy = None, progress = None, **unknown),
+    text_signature = "(spec, *, model=None, radii=None, fineness=None, accuracy=None, progress=None)"
+)]
+#[expect(clippy::too_many_arguments, reason = "keywords, of which a call names few")]
 pub(crate) fn predict(
     py: Python<'_>,
     spec: &Spec,
@@ -43,7 +50,11 @@ pub(crate) fn predict(
     #[pyo3(from_py_with = arguments::fineness)] fineness: Option<String>,
     #[pyo3(from_py_with = arguments::accuracy)] accuracy: Option<String>,
     progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Prediction> {
+    unknown: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Py<PyAny>> {
+    // A shell takes seconds: it is computed in a thread of its own, which reports its progress and can be interrupted. Models of hinges take
+    // less than a millisecond.
+    refuse_unknown("predict", &["model", "radii", "fineness", "accuracy", "progress"], unknown)?;
     let given = Arc::clone(&spec.given);
     let asked = question(model.as_deref(), radii.as_deref(), fineness.as_deref(), accuracy.as_deref())
         .map_err(|failure| of_failure(py, &failure))?;
@@ -57,12 +68,12 @@ pub(crate) fn predict(
     } else {
         py.detach(|| answer(&given, &asked, &Watch::default()))
     };
-    let (answer, shape) = answered.map_err(|refused| match refused {
+    let (answer, mesh) = answered.map_err(|refused| match refused {
         Refused::Design(refusals) => of_design(py, &given, refusals),
         Refused::Model(ShellRefusal::Fault(fault)) => of_prediction(py, &given, &fault),
         Refused::Model(ShellRefusal::Cancelled) => of_failure(py, &embedded::Failure::Interrupted),
     })?;
-    Prediction::new(py, Answer::Gripper(given, answer), shape)
+    of_gripper(py, given, answer, mesh)
 }
 
 /// Repeats the computation of `predict` `times` times, without Python: the reference of tests/overhead.py.
@@ -96,12 +107,35 @@ fn answer(
     given: &Loaded,
     asked: &StarQuestion,
     watch: &Watch<'_>,
-) -> Result<(GripperAnswer, Option<InflatedShape>), Refused> {
+) -> Result<(GripperAnswer, Option<Mesh>), Refused> {
     let (spec, design) = asked.designed(given).map_err(Refused::Design)?;
     if design.drawn().is_some() && !asked.radii.is_empty() {
         let what = "no model predicts the force of a drawn shape on an object: leave out radii".to_owned();
         let fault = PredictFault { star: None, key: key::drawing::FILE, what, remedy: None };
         return Err(Refused::Model(ShellRefusal::Fault(fault)));
     }
-    asked.answer((&spec, &design), watch).map_err(Refused::Model)
+    let (answer, shape) = asked.answer((&spec, &design), watch).map_err(Refused::Model)?;
+    Ok((answer, shape.map(|shape| mesh_of(&design, shape))))
+}
+
+/// The sheet `shape` of `design` with what makes a whole body of it: of a star the first one's symmetry and seams, of a drawing all seams.
+fn mesh_of(design: &Design, shape: InflatedShape) -> Mesh {
+    let limit = if design.assembly().is_some() { 1 } else { usize::MAX };
+    let pieces: Vec<&PlacedPart> = design.firsts().take(limit).collect();
+    let is_alone = pieces.len() == 1;
+    let seams = pieces.iter().flat_map(|piece| {
+        let seams = design.part(piece).shape().seams.iter();
+        seams.map(move |seam| (seam_name(piece, seam, is_alone), seam.center_line.clone()))
+    });
+    let symmetry = match design.assembly().and_then(|assembly| assembly.distinct.first()) {
+        Some(star) => Symmetry::of_star(star.star.n, &shape),
+        None => Symmetry::Sheets,
+    };
+    Mesh { seams: seams.collect(), symmetry, shape }
+}
+
+/// The name of a seam of the mesh, with that of its piece unless the piece `is_alone`.
+fn seam_name(piece: &PlacedPart, seam: &Seam, is_alone: bool) -> String {
+    let name = if seam.name.is_empty() { "seam" } else { &seam.name };
+    if is_alone { name.to_owned() } else { format!("{} {name}", piece.name()) }
 }

@@ -152,7 +152,7 @@ impl Contour {
         if self.0.closed {
             return polygon(py, std::slice::from_ref(&self.0), TOLERANCE);
         }
-        geometry(py, "LineString", PyTuple::new(py, corners(py, &self.0, TOLERANCE)?.into_iter().map(pair))?)
+        self.line_string(py)
     }
 
     /// Called by `__reduce__`: for a line its ends, for an arc centre, radius, first angle and turn in rad.
@@ -184,6 +184,15 @@ impl Contour {
     fn __repr__(&self) -> String {
         let kind = if self.0.closed { "closed" } else { "open" };
         format!("<Contour: {kind}, {} segments, {:.3} mm>", self.0.segments.len(), self.0.length())
+    }
+}
+
+impl Contour {
+    /// As a line in GeoJSON, within 0.01 mm; a closed one ends where it begins.
+    pub(crate) fn line_string<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let mut line: Vec<_> = corners(py, &self.0, TOLERANCE)?.into_iter().map(pair).collect();
+        line.extend(line.first().copied().filter(|_| self.0.closed));
+        geometry(py, "LineString", PyTuple::new(py, line)?)
     }
 }
 

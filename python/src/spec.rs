@@ -11,7 +11,7 @@ use stargrip_cam::spec::key::named;
 use stargrip_cam::spec::{KeyPath, settings, starter};
 
 use crate::faults::{of_failure, of_spec, one, usage};
-use crate::toml;
+use crate::{gripper, toml};
 
 /// The specification of a gripper: valid TOML. It never changes; `replace` makes another.
 ///
@@ -54,6 +54,37 @@ impl Spec {
     #[classmethod]
     fn starter(_class: &Bound<'_, PyType>, py: Python<'_>, name: &str) -> PyResult<Self> {
         of_text(py, &starter(name).map_err(|fault| usage(py, fault))?, "spec", Path::new(""))
+    }
+
+    /// Finds a gripper that holds an object, as `stargrip-cam new` does: the spec that holds it best within its sheet and machine.
+    ///
+    /// object: width of the object where it is gripped, "75 mm".
+    /// mass: "1.2 kg".
+    /// name: of the gripper.
+    /// height: of the object, default as wide; shape: "ball" (default) or "cylinder".
+    /// pressure: of the pump; default: the best from 5 to 60 kPa.
+    /// friction: between corners and object; default 0.3.
+    /// fragile: largest radial force of one star that the object bears, "20 N".
+    /// sheet: size of the fabric, "400x400" in mm, or "A3".
+    /// machine: a built-in profile or the path of one; default: generic.
+    ///
+    /// Raises DesignError with the reasons and the nearest objects if there is none, UsageError for wrong arguments.
+    #[classmethod]
+    #[pyo3(
+        signature = (object, mass, *, name = "gripper", **more),
+        text_signature = "($cls, object, mass, *, name=\"gripper\", height=None, shape=None, pressure=None, friction=None, fragile=None, \
+                          sheet=None, machine=None)"
+    )]
+    fn for_object(
+        _class: &Bound<'_, PyType>,
+        py: Python<'_>,
+        object: &str,
+        mass: &str,
+        name: &str,
+        more: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let text = gripper::for_object(py, [object, mass, name], more)?;
+        of_text(py, &text, "spec", Path::new(""))
     }
 
     /// Called by `__reduce__`.

@@ -13,6 +13,7 @@ use stargrip_cam::spec::study::{Axis, Block, StudyFile, Wanted, read_study};
 use crate::arguments;
 use crate::arrays::{floats, integers};
 use crate::faults::{of_spec, usage};
+use crate::options::refuse_unknown;
 use crate::spec::Spec;
 use crate::waiting::{Line, wait};
 
@@ -31,7 +32,10 @@ const STEP: usize = 1 << 14;
 ///
 /// Raises SpecError for a study or a column that is refused, UsageError for wrong arguments.
 #[pyfunction]
-#[pyo3(signature = (spec, vary = None, *, study = None, outputs = None, part = None, threads = None, progress = None))]
+#[pyo3(
+    signature = (spec, vary = None, *, study = None, outputs = None, part = None, threads = None, progress = None, **unknown),
+    text_signature = "(spec, vary=None, *, study=None, outputs=None, part=None, threads=None, progress=None)"
+)]
 #[expect(clippy::too_many_arguments, reason = "keywords, of which a call names few")]
 pub(crate) fn sweep<'py>(
     py: Python<'py>,
@@ -42,7 +46,11 @@ pub(crate) fn sweep<'py>(
     #[pyo3(from_py_with = arguments::part)] part: Option<(usize, usize)>,
     #[pyo3(from_py_with = arguments::threads)] threads: Option<usize>,
     progress: Option<&Bound<'py, PyAny>>,
+    unknown: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyDict>> {
+    // The rows of the part are computed in the threads of a pool, if the caller limits their number, else in those of the process. Each column
+    // then becomes an array.
+    refuse_unknown("sweep", &["vary", "study", "outputs", "part", "threads", "progress"], unknown)?;
     let study = study_of(py, spec, vary, study, outputs)?;
     let (k, n) = part.unwrap_or((1, 1));
     let rows = study.part(k, n);

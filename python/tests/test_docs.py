@@ -13,6 +13,7 @@ import stargrip_cam as sg
 
 def test_the_tour_runs(root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
+    (tmp_path / "designs").symlink_to(root / "designs")
     blocks = re.findall(r"```python\n(.*?)```", (root / "docs" / "python.md").read_text(), re.DOTALL)
     assert len(blocks) >= 8
     names: dict[str, object] = {}

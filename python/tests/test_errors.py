@@ -94,6 +94,9 @@ def test_types_that_are_wrong_are_told_with_what_is_allowed() -> None:
         (lambda: hold.sweep(STARTER, {"star.points": [5]}, part=3), ["`part`", "found int", "(k, n)"]),
         (lambda: hold.optimize(STARTER, goall="fabric"), ["optimize()", "'goall'", "Did you mean 'goal'?", "tube_width, "]),
         (lambda: hold.optimize(STARTER, json=True), ["optimize()", "'json'", "Allowed are goal, "]),
+        (lambda: hold.predict(STARTER, modle="ring"), ["predict()", "Did you mean 'model'?"]),
+        (lambda: hold.sweep(STARTER, {"star.points": [5]}, thread=1), ["sweep()", "Did you mean 'threads'?"]),
+        (lambda: hold.build(STARTER, onyl=[]), ["build()", "Did you mean 'only'?"]),
         (lambda: hold.actuator(tube_widht="3 mm"), ["actuator()", "Did you mean 'tube_width'?"]),
     ]
     for call, words in wrong:

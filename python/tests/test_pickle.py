@@ -45,9 +45,9 @@ def test_an_actuator_and_its_mesh() -> None:
     assert said.mesh is not None and back.mesh.vtu() == said.mesh.vtu()
     names = [name for name in dir(sg.Mesh) if isinstance(getattr(said.mesh, name), np.ndarray)]
     assert len(names) == 7 and all(same(getattr(said.mesh, name), getattr(back.mesh, name)) for name in names)
-    restored, (nodes, triangles, of_triangles) = said.mesh.__reduce__()
+    restored, (nodes, triangles, *others) = said.mesh.__reduce__()
     with pytest.raises(sg.UsageError):
-        restored(nodes, [[0, 1, 10**6], *triangles[1:]], of_triangles)
+        restored(nodes, [[0, 1, 10**6], *triangles[1:]], *others)
 
 
 def test_a_design_with_its_stars_and_contours(gripper: sg.Spec) -> None:

@@ -1,7 +1,7 @@
 """Fabrication CAM for fabric star soft grippers: design, predict, build and prove them.
 
 A specification is TOML text, read into a `Spec`. From a spec follow its exact geometry (`design`), its prediction (`predict`), its
-files (`build`), and other specs (`Spec.replace`, `optimize`); `sweep` computes many at once. Quantities as arguments are
+files (`build`), and other specs (`Spec.replace`, `optimize`); `Spec.for_object` finds one, `sweep` computes many at once. Quantities as arguments are
 strings with a unit, "50 mm"; numbers in results have their unit in their name: lengths mm, angles deg, forces N.
 
     >>> import stargrip_cam as sg
@@ -13,25 +13,34 @@ strings with a unit, "50 mm"; numbers in results have their unit in their name: 
 from stargrip_cam._native import (
     ActuatorPrediction,
     Arc,
+    Body,
     Build,
+    Chamber,
     Contour,
     Design,
+    DrawnPrediction,
     Line,
     Mesh,
     Optimum,
+    Piece,
     Prediction,
+    Seam,
     Spec,
     Star,
     __version__,
     actuator,
     build,
+    coupon,
     design,
+    feed_check,
+    machines,
     optimize,
     predict,
     sweep,
 )
 from stargrip_cam._parquet import sweep_to_parquet
 from stargrip_cam._proof import Proof, verify
+from stargrip_cam._workshop import Resumed, resume
 from stargrip_cam.errors import (
     DesignError,
     Error,
@@ -46,20 +55,26 @@ from stargrip_cam.errors import (
 __all__ = [
     "ActuatorPrediction",
     "Arc",
+    "Body",
     "Build",
+    "Chamber",
     "Contour",
     "Design",
     "DesignError",
+    "DrawnPrediction",
     "Error",
     "Fault",
     "Line",
     "Mesh",
     "Optimum",
+    "Piece",
     "Prediction",
     "PredictionError",
     "Proof",
     "ProofError",
     "PublishError",
+    "Resumed",
+    "Seam",
     "Spec",
     "SpecError",
     "Star",
@@ -67,9 +82,13 @@ __all__ = [
     "__version__",
     "actuator",
     "build",
+    "coupon",
     "design",
+    "feed_check",
+    "machines",
     "optimize",
     "predict",
+    "resume",
     "sweep",
     "sweep_to_parquet",
     "verify",

@@ -7,14 +7,13 @@ from typing import Any, Literal, Mapping, Union, final
 import numpy as np
 from numpy.typing import NDArray
 
+from stargrip_cam._words import CouponKind, FileKind, Fineness, Model
 from stargrip_cam.errors import Fault
 
 __version__: str
 
 _Floats = NDArray[np.float64]
 _Progress = Union[bool, Callable[[float, str], object], None]
-_Model = Literal["fit", "ring", "bvp", "section", "shell", "auto"]
-_Fineness = Literal["coarse", "medium", "fine"]
 _Range = Union[str, tuple[str, str], None]
 _Interval = Union[tuple[float, float], None]
 
@@ -40,6 +39,21 @@ class Spec:
     @classmethod
     def starter(cls, name: str) -> Spec:
         """The commented spec of the paper's star, with every key and its default."""
+    @classmethod
+    def for_object(
+        cls,
+        object: str,
+        mass: str,
+        *,
+        name: str = "gripper",
+        height: str | None = None,
+        shape: Literal["ball", "cylinder"] | None = None,
+        pressure: str | None = None,
+        friction: float | None = None,
+        fragile: str | None = None,
+        sheet: str | None = None,
+        machine: str | None = None,
+    ) -> Spec: ...
     def replace(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Spec:
         """The same spec with other values: `replace({"star.points": 6})`, or `replace(**{"star.points": 6})`. None takes a key away, so
         that its default holds. Comments and layout stay. Only all values together need be valid.
@@ -186,11 +200,49 @@ class Star:
         """The same within 0.01 mm: shapely.geometry.shape(star)."""
 
 @final
+class Seam:
+    def __new__(cls, name: str, band_mm: float, center_line: Contour) -> Seam: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def band_mm(self) -> float: ...
+    @property
+    def center_line(self) -> Contour: ...
+    @property
+    def length_mm(self) -> float: ...
+    @property
+    def __geo_interface__(self) -> dict[str, Any]: ...
+
+@final
+class Piece:
+    @property
+    def name(self) -> str: ...
+    @property
+    def sheet(self) -> int: ...
+    @property
+    def outline(self) -> list[Contour]: ...
+    @property
+    def seams(self) -> list[Seam]: ...
+    @property
+    def air(self) -> list[Contour]: ...
+    @property
+    def ports_mm(self) -> _Floats: ...
+    @property
+    def registration_mm(self) -> _Floats: ...
+    @property
+    def fabric_mm2(self) -> float: ...
+    def polygon(self, tolerance_mm: float = 0.01) -> dict[str, Any]: ...
+    @property
+    def __geo_interface__(self) -> dict[str, Any]: ...
+
+@final
 class Design:
     """The exact flat geometry of a gripper. Lengths in mm, angles in degrees; everything counts counterclockwise seen from above."""
     @property
     def stars(self) -> list[Star]:
         """Its stars, bottom first."""
+    @property
+    def pieces(self) -> list[Piece]: ...
     @property
     def sheets(self) -> list[dict[str, Any]]:
         """The sheets: dicts of `index`, `width_mm` and `height_mm`."""
@@ -226,8 +278,22 @@ class Mesh:
     @property
     def node_stretch(self) -> _Floats:
         """Largest stretch of each node's triangles: (N,), for plots that colour nodes."""
+    def whole(self) -> Body: ...
     def vtu(self) -> str:
         """The same as the text of a VTU file, which ParaView reads."""
+
+@final
+class Body:
+    @property
+    def nodes_mm(self) -> _Floats: ...
+    @property
+    def flat_mm(self) -> _Floats: ...
+    @property
+    def triangles(self) -> NDArray[np.int64]: ...
+    @property
+    def images(self) -> NDArray[np.int64]: ...
+    @property
+    def seams(self) -> dict[str, NDArray[np.int64]]: ...
 
 @final
 class Prediction:
@@ -393,6 +459,17 @@ class Prediction:
         """The answer as a table of its numbers with their ranges, for notebooks."""
 
 @final
+class DrawnPrediction:
+    @property
+    def mesh(self) -> Mesh | None: ...
+    def to_dict(self) -> dict[str, Any]: ...
+    def _repr_html_(self) -> str: ...
+
+@final
+class Chamber:
+    def to_dict(self) -> dict[str, Any]: ...
+
+@final
 class ActuatorPrediction:
     """The predicted behaviour of a V-actuator. Every key of `actuator --json` is an attribute, None where the value is unknown."""
     @property
@@ -443,7 +520,7 @@ class Build:
     def manifest(self) -> dict[str, Any]:
         """The manifest, as in `manifest.json`."""
     @property
-    def prediction(self) -> Prediction | None:
+    def prediction(self) -> Prediction | DrawnPrediction | None:
         """The prediction; None if the spec has no [load]."""
     @property
     def deviation_mm(self) -> dict[str, float | None]:
@@ -484,12 +561,12 @@ def design(spec: Spec) -> Design:
 def predict(
     spec: Spec,
     *,
-    model: _Model | None = None,
+    model: Model | None = None,
     radii: str | None = None,
-    fineness: _Fineness | None = None,
+    fineness: Fineness | None = None,
     accuracy: str | None = None,
     progress: _Progress = None,
-) -> Prediction:
+) -> Prediction | DrawnPrediction:
     """Predicts the behaviour of the gripper of `spec`.
 
     model: "fit", "ring", "bvp", "section", "shell" or "auto"; default: the spec's own.
@@ -504,8 +581,8 @@ def predict(
 def build(
     spec: Spec,
     *,
-    only: Sequence[str] | None = None,
-    with_: Sequence[str] | None = None,
+    only: Sequence[FileKind] | None = None,
+    with_: Sequence[FileKind] | None = None,
     anyway: bool = False,
     progress: _Progress = None,
 ) -> Build:
@@ -564,9 +641,9 @@ def actuator(
     thickness: str | None = None,
     young_modulus: str | None = None,
     poisson_ratio: float | None = None,
-    model: _Model | None = None,
+    model: Model | None = None,
     angles: str | None = None,
-    fineness: _Fineness | None = None,
+    fineness: Fineness | None = None,
     progress: _Progress = None,
 ) -> ActuatorPrediction:
     """Predicts what a V-actuator does: two arms, one hinge, sealed ends. The keywords are the options of the command `actuator`;
@@ -616,9 +693,29 @@ def sweep_columns(
 ) -> tuple[int, str, list[tuple[str, str | None, str]]]:
     """The columns of a sweep with these arguments: (number of rows, fingerprint, columns), each column as (name, unit, meaning)."""
 
+def coupon(
+    spec: Spec,
+    *,
+    temperatures: Sequence[str] | None = None,
+    speeds: Sequence[str] | None = None,
+    heights: Sequence[str] | None = None,
+    only: Sequence[CouponKind] | None = None,
+    repeats: int | None = None,
+) -> dict[str, bytes]: ...
+def feed_check(spec: Spec) -> dict[str, bytes]: ...
+def machines() -> dict[str, str]: ...
+def rest(
+    program: str,
+    spec: Spec | None = None,
+    *,
+    line: int | None = None,
+    at: str | None = None,
+    near: str | None = None,
+    overlap: str | None = None,
+) -> tuple[str, int, float, float, float]: ...
 def keys() -> dict[str, list[tuple[str, str]]]:
     """Name and type of every key of each class, for `python/stubs.py`."""
-def repeat(spec: Spec, model: _Model | None, times: int) -> None:
+def repeat(spec: Spec, model: Model | None, times: int) -> None:
     """Repeats the computation of `predict` `times` times, without Python: the reference of tests/overhead.py."""
 def prove(path: str, progress: _Progress) -> dict[str, Any]:
     """The proof of the build in the directory `path`, as `verify --json` prints it."""

@@ -7,7 +7,7 @@ from html import escape
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from stargrip_cam import ActuatorPrediction, Build, Prediction
+    from stargrip_cam import ActuatorPrediction, Build, DrawnPrediction, Prediction
 
 
 def _table(rows: Iterable[tuple[str, ...]], head: tuple[str, ...]) -> str:
@@ -25,7 +25,7 @@ def _range(value: Any) -> str:
     return "unknown" if value is None else f"{_number(value[0])} to {_number(value[1])}"
 
 
-def prediction(of: Prediction | ActuatorPrediction) -> str:
+def prediction(of: Prediction | DrawnPrediction | ActuatorPrediction) -> str:
     """The verdict, every plain number with its range, if any, then reasons and warnings."""
     said = of.to_dict()
     ranges = said.get("ranges", {})

@@ -51,8 +51,11 @@ keyed! {
 }
 
 kinds! {
-    Object: MeshedValue, DrawnEvidence;
-    List: Vec<ChamberPrediction>, Vec<MeasurePrediction>;
+    Text: PlaneAnswer;
+    Number: usize, u32;
+    Object: MeshedValue, DrawnEvidence, AveragedRanges;
+    List: Vec<ChamberPrediction>, Vec<MeasurePrediction>, Vec<SeamPrediction>, [MeshedValue; 2];
+    Variant: Vec<usize>;
 }
 
 /// Model, choice and warnings behind a prediction.
@@ -79,56 +82,58 @@ pub struct SeamPrediction {
     pub along: Vec<[f64; 4]>,
 }
 
-/// One chamber.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
-pub struct ChamberPrediction {
-    /// Its number, from 1.
-    pub chamber: usize,
-    /// The middle of its box.
-    pub at_mm: [f64; 2],
-    /// Diameter W of the largest circle in the flat chamber.
-    pub width_mm: f64,
-    /// Flat area of one sheet.
-    pub flat_area_mm2: f64,
-    /// Extents of the flat chamber along x and y.
-    pub flat_extents_mm: [f64; 2],
-    /// Bendability p W^3 / B.
-    pub bendability: Option<f64>,
-    /// Stretch p W / Y of the fabric.
-    pub stretch: Option<f64>,
-    /// Whether wrinkles are on the mesh (resolved), or the shape is their mean (averaged).
-    pub wrinkles: Option<&'static str>,
-    /// Ranges where they are averaged.
-    pub ranges: Option<AveragedRanges>,
-    /// Largest distance between the sheets.
-    pub height_mm: Option<MeshedPlace>,
-    /// Extents of the inflated chamber where it lies best on the flat one.
-    pub extents_mm: Option<[MeshedValue; 2]>,
-    /// Volume.
-    pub volume_mm3: Option<MeshedValue>,
-    /// Largest pull of one sheet on a seam.
-    pub seal_pull_N_per_mm: Option<MeshedPlace>,
-    /// Pressure at which the seal peels.
-    pub burst_pressure_kPa: Option<f64>,
-    /// Its range.
-    pub burst_range_kPa: Option<Interval>,
-    /// Largest principal stretch.
-    pub largest_stretch: Option<MeshedPlace>,
-    /// Largest principal tension, N/mm.
-    pub largest_tension_N_per_mm: Option<MeshedPlace>,
-    /// Lowest eigenvalue by p / W for leaving the plane of the drawing.
-    pub plane_eigenvalue: Option<MeshedValue>,
-    /// Whether it stays in that plane.
-    pub plane: Option<PlaneAnswer>,
-    /// Whether it may leave that plane: it leaves it, or the mesh error is too large to tell.
-    pub leaves_plane: Option<bool>,
-    /// Its seams.
-    pub seams: Option<Vec<SeamPrediction>>,
-    /// Unknowns of each mesh, coarse to fine.
-    pub unknowns: Option<Vec<usize>>,
-    /// Newton steps of all meshes.
-    pub iterations: Option<u32>,
+keyed! {
+    /// One chamber.
+    #[derive(Clone, Debug, Default, PartialEq, Serialize)]
+    #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+    pub struct ChamberPrediction {
+        /// Its number, from 1.
+        pub chamber: usize,
+        /// The middle of its box.
+        pub at_mm: [f64; 2],
+        /// Diameter W of the largest circle in the flat chamber.
+        pub width_mm: f64,
+        /// Flat area of one sheet.
+        pub flat_area_mm2: f64,
+        /// Extents of the flat chamber along x and y.
+        pub flat_extents_mm: [f64; 2],
+        /// Bendability p W^3 / B.
+        pub bendability: Option<f64>,
+        /// Stretch p W / Y of the fabric.
+        pub stretch: Option<f64>,
+        /// Whether wrinkles are on the mesh (resolved), or the shape is their mean (averaged).
+        pub wrinkles: Option<&'static str>,
+        /// Ranges where they are averaged.
+        pub ranges: Option<AveragedRanges>,
+        /// Largest distance between the sheets.
+        pub height_mm: Option<MeshedPlace>,
+        /// Extents of the inflated chamber where it lies best on the flat one.
+        pub extents_mm: Option<[MeshedValue; 2]>,
+        /// Volume.
+        pub volume_mm3: Option<MeshedValue>,
+        /// Largest pull of one sheet on a seam.
+        pub seal_pull_N_per_mm: Option<MeshedPlace>,
+        /// Pressure at which the seal peels.
+        pub burst_pressure_kPa: Option<f64>,
+        /// Its range.
+        pub burst_range_kPa: Option<Interval>,
+        /// Largest principal stretch.
+        pub largest_stretch: Option<MeshedPlace>,
+        /// Largest principal tension, N/mm.
+        pub largest_tension_N_per_mm: Option<MeshedPlace>,
+        /// Lowest eigenvalue by p / W for leaving the plane of the drawing.
+        pub plane_eigenvalue: Option<MeshedValue>,
+        /// Whether it stays in that plane.
+        pub plane: Option<PlaneAnswer>,
+        /// Whether it may leave that plane: it leaves it, or the mesh error is too large to tell.
+        pub leaves_plane: Option<bool>,
+        /// Its seams.
+        pub seams: Option<Vec<SeamPrediction>>,
+        /// Unknowns of each mesh, coarse to fine.
+        pub unknowns: Option<Vec<usize>>,
+        /// Newton steps of all meshes.
+        pub iterations: Option<u32>,
+    }
 }
 
 /// Whether a chamber stays in the plane of the drawing, by the lowest eigenvalue and two of its mesh errors.

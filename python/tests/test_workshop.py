@@ -1,0 +1,58 @@
+"""From an object to a spec, and what is made beside a build."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import stargrip_cam as sg
+
+
+def test_a_gripper_for_an_object() -> None:
+    spec = sg.Spec.for_object("75 mm", "200 g", name="cup", friction=0.5, shape="cylinder", height="100 mm")
+    assert spec.name == "cup" and spec.settings()["load.object_diameter"] == "75 mm"
+    said = sg.predict(spec)
+    assert isinstance(said, sg.Prediction) and said.verdict["holds"] == "yes"
+    with pytest.raises(sg.UsageError) as caught:
+        sg.Spec.for_object("75", "much", friction=-1.0)
+    assert all(word in str(caught.value) for word in ("object: ", "mass: ", "friction: "))
+    with pytest.raises(sg.DesignError, match="possible: ") as refused:
+        sg.Spec.for_object("30 mm", "10 kg")
+    assert "--" not in str(refused.value)
+    wrong: Any = sg.Spec
+    with pytest.raises(TypeError, match="Did you mean 'height'"):
+        wrong.for_object("75 mm", "200 g", heigth="3 mm")
+
+
+def test_coupons_have_their_programs_and_their_table(gripper: sg.Spec) -> None:
+    files = sg.coupon(gripper, only=["strips"], speeds=["0.1 mm/s", "0.2 mm/s"], repeats=2)
+    assert any(name.endswith(".gcode") for name in files) and any(name.endswith(".csv") for name in files)
+    with pytest.raises(sg.UsageError, match="repeats"):
+        sg.coupon(gripper, repeats=99)
+    with pytest.raises(sg.UsageError) as caught:
+        sg.coupon(gripper, only=["disc"], repeats=2)
+    assert "--" not in str(caught.value) and "repeats is for strips" in str(caught.value)
+
+
+def test_a_feed_check_and_the_machines(gripper: sg.Spec) -> None:
+    files = sg.feed_check(gripper)
+    assert len(files) == 2 and any(name.startswith("feedcheck.") for name in files)
+    machines = sg.machines()
+    assert "generic" in machines and all(description for description in machines.values())
+    for name in machines:
+        assert gripper.replace({"machine.profile": name}).settings()["machine.profile"] == name
+
+
+def test_an_interrupted_job_is_resumed(gripper: sg.Spec) -> None:
+    files = sg.build(gripper, only=["seal-gcode"]).files
+    job = next(content for name, content in files.items() if name.endswith(".gcode"))
+    rest = sg.resume(job, gripper, at="37%")
+    assert rest.done == pytest.approx(0.37, abs=0.01) and rest.line > 1 and rest.overlap_mm > 0 < rest.remaining_s
+    assert len(rest.program) < len(job) and "resume" in rest.program
+    assert sg.resume(job, line=rest.line).program
+    with pytest.raises(sg.UsageError) as caught:
+        sg.resume(job)
+    assert "--" not in str(caught.value) and "near" in str(caught.value)
+    with pytest.raises(sg.Error):
+        sg.resume("G0 X0\n", at="37%")
