@@ -144,7 +144,7 @@ pub fn read_cone_test(source: &Source, cone: &Cone, first: f64) -> Result<Vec<Pr
     if tip > TRAVELS[0] {
         travel.allowed = Allowed::above(tip, TRAVELS[1]);
         travel.slip = "travel is 0 at first contact and grows as the cone goes down, and at the least one the radius would be 0: \
-                       check its sign and unit, and --contact-radius";
+                       check its sign and unit, and the contact radius";
     }
     read_presses(source, &[travel, load])
 }
@@ -310,7 +310,7 @@ mod tests {
         let faults = read("travel_mm,load_N\n-1,0\n-26,3\n-40,3\n").expect_err("below 0");
         assert_eq!(faults.list().len(), 2);
         let said = faults.to_string();
-        for words in ["test.csv:3", "`travel_mm` is `-26`", "more than -25.9808", "--contact-radius"] {
+        for words in ["test.csv:3", "`travel_mm` is `-26`", "more than -25.9808", "the contact radius"] {
             assert!(said.contains(words), "{said}");
         }
         // A blunt cone's tip lies beyond every travel.

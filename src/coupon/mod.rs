@@ -214,7 +214,7 @@ fn coupon(spec: &Spec, machine: &Machine, name: &str, pieces: Vec<CouponPiece>) 
     let mut found = refusals(spec, machine, std::slice::from_ref(&program), &[]);
     let smaller = match name {
         _ if name.starts_with("strips") => {
-            "fewer of --temperatures, --speeds, --heights or --repeats; try them in several sets"
+            "fewer temperatures, speeds, heights or repeats; try them in several sets"
         }
         "v-actuator" => "a smaller `tube_width` in [star]",
         _ => "a machine that reaches as far",

@@ -73,7 +73,7 @@ fn outside_the_flap(hose: &Inlet, flap: f64) -> Result<(), Refusal> {
 fn too_thick(hose: &Inlet, coupon: &str, most: f64) -> Refusal {
     let found = format!("a hose of {} has no room on the {coupon}", hose.tube_diameter);
     let remedy = format!(
-        "tube_diameter must be below {} mm: take a thinner hose, or make other coupons with --only",
+        "tube_diameter must be below {} mm: take a thinner hose, or make other coupons only",
         Most(most.max(0.0))
     );
     Refusal::new(key::inlet::TUBE_DIAMETER, RefusalCode::InletMeetsArm, found, remedy)

@@ -358,7 +358,7 @@ fn the_answer_says_what_was_chosen_and_what_was_assumed() {
         " mm of fabric; ",
         " kPa; ",
         " min of sealing; ",
-        "friction 0.3 assumed: change it with --friction",
+        "friction 0.3 assumed: change `friction` in [load]",
     ] {
         assert!(chosen.contains(words), "{words}: {said}");
     }

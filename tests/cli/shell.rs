@@ -275,7 +275,7 @@ fn a_build_leaves_the_shell_out_and_says_so() {
     let prediction = files.into_iter().map(|file| file.expect("a file").path());
     let prediction = prediction.into_iter().find(|path| path.to_string_lossy().contains("prediction"));
     let text = fs::read_to_string(prediction.expect("one")).expect("text");
-    assert!(text.contains("predict --model shell"), "{text}");
+    assert!(text.contains("`predict` with the model \"shell\""), "{text}");
 }
 
 #[cfg(unix)]

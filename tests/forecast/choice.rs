@@ -27,7 +27,9 @@ fn a_star_by_section_is_that_of_auto() {
 fn an_unknown_star_is_pointed_to_the_shell_where_that_covers_it() {
     let by_shell = |spec: &Spec| {
         let warnings = predict(spec).first.evidence.warnings;
-        warnings.iter().any(|warning| warning.contains("predict --model shell --fineness coarse"))
+        warnings
+            .iter()
+            .any(|warning| warning.contains("`predict` with the model \"shell\" and coarse meshes"))
     };
     assert!(!by_shell(&gripper(5)));
     let mut many = gripper(14);

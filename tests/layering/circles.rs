@@ -85,7 +85,7 @@ fn test_files(name: &str, text: &str) -> Vec<String> {
 }
 
 /// The text without its tests: imports and declarations for them alone, and the module at its end.
-fn production(text: &str) -> String {
+pub(super) fn production(text: &str) -> String {
     let mut parts = text.split(OF_TESTS);
     let mut kept = parts.next().unwrap_or_default().to_owned();
     for part in parts {

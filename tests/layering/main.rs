@@ -183,6 +183,40 @@ fn only_the_face_touches_the_world() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
+/// Whether a text in the line `code` names an option, as in "use --anyway".
+fn names_option(code: &str) -> bool {
+    let text = code.trim_start();
+    let parts: Vec<&str> = text.split("--").collect();
+    !text.starts_with("//")
+        && parts.windows(2).any(|around| {
+            around[0].ends_with([' ', '`', '"', '\''])
+                && around[1].starts_with(|c: char| c.is_ascii_lowercase())
+        })
+}
+
+/// A message of a lower room is read on a page and in an exception of Python, too: there are no options.
+#[test]
+fn only_the_command_names_its_options() {
+    assert!(names_option(r#"  "give it, or use --anyway""#) && !names_option("/// `--anyway`"));
+    let mut faults = Vec::new();
+    let rooms = sources().filter(|source| !source.starts_with(root().join("python")));
+    for file in rooms.flat_map(|source| rust_files(&source)) {
+        // A spec that is a drawing shows the whole command line that makes one of it.
+        if file.starts_with(root().join("src/cli")) || file.ends_with("src/foreign.rs") || is_tool(&file) {
+            continue;
+        }
+        let text = circles::production(&text_of(&file));
+        let lines = text.lines().filter(|line| names_option(line));
+        faults.extend(lines.map(|line| format!("{}: {}", file.display(), line.trim())));
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Whether `file` belongs to a crate that is not shipped.
+fn is_tool(file: &Path) -> bool {
+    TOOLS.iter().any(|tool| file.starts_with(root().join(tool)))
+}
+
 /// Two files that depend on each other are one subject in two places, or two in one.
 #[test]
 fn no_files_know_each_other_in_a_circle() {

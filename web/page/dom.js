@@ -28,9 +28,6 @@ export function hours(seconds) {
     return minutes < 60 ? `${minutes} min` : `${Math.floor(minutes / 60)} h ${String(rest).padStart(2, "0")} min`;
 }
 
-/** The words of a program for pages: none of a command's flags. */
-export const paged = (text) => text.replaceAll(/(?<=^|\s)--(?=[a-z])/g, "");
-
 /** Marks one of `tabs`, buttons of a tab list, as selected. */
 export function select(tabs, chosen) {
     for (const tab of tabs) {

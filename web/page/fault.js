@@ -1,5 +1,5 @@
 // The first fault, at the picture: what is wrong, what may be done, and a button for a remedy that was tried and helps.
-import { byId, element, paged } from "./dom.js";
+import { byId, element } from "./dom.js";
 
 const LIKELY = /did you mean (["\u0060])(.+?)\1/;
 const ASSIGNED = /`?\b([a-z]\w*) = ("[^"\n]*"|-?[\d.]+|true|false|\[[^\]\n]*\])`?(?: in \[([a-z.]+)\])?/g;
@@ -101,8 +101,8 @@ export class FaultBox {
             };
             buttons.append(element("button", { type: "button", id: "fault-next", onclick: next }, `${this.#index + 1} of ${count}: next`));
         }
-        const why = [fault.allowed, fault.remedy].filter(Boolean).map((words) => element("p", { className: "why" }, paged(words)));
-        byId("fault").replaceChildren(element("p", {}, element("strong", {}, paged(fault.found))), ...why, buttons);
+        const why = [fault.allowed, fault.remedy].filter(Boolean).map((words) => element("p", { className: "why" }, words));
+        byId("fault").replaceChildren(element("p", {}, element("strong", {}, fault.found)), ...why, buttons);
         this.#offer(fault, count, buttons).catch(() => {}); // another text came
     }
 

@@ -121,7 +121,7 @@ fn predict_stars(
 /// The stars of `design`: no model covers another product.
 pub(super) fn stars_of(design: &Design) -> Result<&StarAssembly, PredictFault> {
     let what = "a drawn shape is not a star; only the shell models it".to_owned();
-    let remedy = Some("use `stargrip-cam predict`".to_owned());
+    let remedy = Some("use `predict`".to_owned());
     design.assembly().ok_or(PredictFault { star: None, key: key::drawing::FILE, what, remedy })
 }
 
@@ -277,7 +277,7 @@ impl PlacedCase<'_> {
         if spec.accuracy.model == ModelChoice::Shell {
             warnings.push(
                 "section is used here instead of shell: files must be the same on every machine, but a \
-                 shell's last digits are not; use `predict --model shell`"
+                 shell's last digits are not; use `predict` with the model \"shell\""
                     .to_owned(),
             );
         }
@@ -341,7 +341,7 @@ impl PlacedCase<'_> {
                     .collect();
                 (!wide.is_empty()).then(|| {
                     format!(
-                        "{}, more than the accepted {accepted}: `predict --accuracy \"{accepted}\"` looks for a model with less",
+                        "{}, more than the accepted {accepted}: `predict` with the accuracy \"{accepted}\" looks for a model with less",
                         wide.join(", ")
                     )
                 })
@@ -362,7 +362,7 @@ fn weave_left_out(fabric: &Fabric) -> Option<String> {
     (!weave.is_isotropic()).then(|| {
         format!(
             "shear_modulus is not used: numbers and ranges are for isotropic fabric; the given fabric has {part:.2} of \
-             its shear modulus; `predict --model shell` takes it into account"
+             its shear modulus; `predict` with the model \"shell\" takes it into account"
         )
     })
 }

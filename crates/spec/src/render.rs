@@ -63,7 +63,7 @@ fn render(source: &Source, faults: &[Fault], renderer: &Renderer, width: Option<
         let more = alike.iter().filter(|(_, count)| **count > ALIKE);
         let more: Vec<String> = more.map(|(code, count)| format!("{} more {code}", count - ALIKE)).collect();
         if !more.is_empty() {
-            let _ = write!(text, "; not shown, but listed by --json: {}", more.join(", "));
+            let _ = write!(text, "; not shown: {}", more.join(", "));
         }
         text.push('\n');
     }

@@ -45,7 +45,7 @@ impl fmt::Display for PublishFault {
             Self::Foreign(path) => write!(
                 f,
                 "{} is not named in a manifest beside it, so its directory is not changed; move it away or \
-                 choose another directory with -o",
+                 choose another directory",
                 shown(path)
             ),
             Self::Refused(path, why) => write!(f, "{} {why}", shown(path)),

@@ -17,10 +17,8 @@ const LARGEST: u64 = 1 << 24;
 const LARGEST_FILE: u64 = 1 << 28;
 
 /// What is wrong with an entry that is not replaced.
-const LINK: &str =
-    "is a link, so its directory is not changed; move it away or choose another directory with -o";
-const READ_ONLY: &str =
-    "is read-only and is not changed; allow writing to it or choose another directory with -o";
+const LINK: &str = "is a link, so its directory is not changed; move it away or choose another directory";
+const READ_ONLY: &str = "is read-only and is not changed; allow writing to it or choose another directory";
 
 /// The part of a manifest that publishing needs. All versions of the program write it alike.
 #[derive(Clone, Debug, Deserialize)]

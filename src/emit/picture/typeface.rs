@@ -73,7 +73,8 @@ pub(super) fn trace(text: &str, start: Point, size: f64) -> PathBuilder {
     let Some(face) = Typeface::read() else { return path };
     let mut distance = 0.0;
     for c in text.chars() {
-        let mut letter = Letter { start, size, at: distance, scale: 1.0 / face.units_per_em, path: &mut path };
+        let mut letter =
+            Letter { start, size, at: distance, scale: 1.0 / face.units_per_em, path: &mut path };
         let _ = face.glyph(c).and_then(|glyph| face.outlines.outline(glyph, &mut letter));
         distance += face.advance(c);
     }

@@ -12,9 +12,9 @@ use stargrip_cam::spec::{ModelChoice, form_settings};
 use stargrip_cam::verify::OutputFiles;
 
 use crate::commands::faults::{listed, of_design, of_warnings};
+use crate::commands::picture;
 use crate::commands::predict::model;
 use crate::commands::spec::Given;
-use crate::commands::picture;
 use crate::message::Message;
 use crate::question::{Tell, text};
 

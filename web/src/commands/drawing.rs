@@ -6,7 +6,6 @@ use stargrip_cam::spec::{drawing_starter, quoted};
 
 use crate::question::wrong;
 
-
 /// The name of a drawing whose file has a name that a spec may not contain.
 const NAMELESS: &str = "drawing";
 

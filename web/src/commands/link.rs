@@ -5,7 +5,6 @@ use stargrip_cam::link::LinkedSpec;
 
 use crate::question::text;
 
-
 /// Longest drawing in a link, letters: mails and chats break longer links.
 const LONGEST_DRAWING: usize = 1 << 15;
 

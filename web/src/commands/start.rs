@@ -8,7 +8,6 @@ use stargrip_cam::spec::Machine;
 
 use crate::question::text;
 
-
 /// The schema, the starter, the machine profiles and the kinds of file.
 pub(super) fn start() -> Value {
     let machines = spec::builtin_machines().filter_map(|name| {

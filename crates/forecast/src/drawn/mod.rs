@@ -158,7 +158,7 @@ fn refuse_large(
         "the shell of this drawing is large: {size}; at most {} are computed unasked",
         thousands(most)
     );
-    let remedy = "`check` and `build` compute it with `--anyway`, `predict` with a `--fineness`; fewer islands need less; \
+    let remedy = "`check` and `build` compute it if it is accepted anyway, `predict` with a fineness; fewer islands need less; \
                   `model = \"auto\"` leaves the shell out";
     Err(PredictFault { remedy: Some(remedy.to_owned()), ..PredictFault::new(key::accuracy::MODEL, what) })
 }

@@ -88,7 +88,7 @@ pub(crate) fn by_shell(case: &Case, weave: Weave) -> Option<String> {
         StarPart::Whole => "half a minute to minutes",
     };
     Some(format!(
-        "the shell covers this star: `predict --model shell --fineness coarse` computes it in {time}"
+        "the shell covers this star: `predict` with the model \"shell\" and coarse meshes computes it in {time}"
     ))
 }
 

@@ -223,7 +223,7 @@ fn warnings(case: &Case, (flat, found): (&FlatStar, &InflatedStar), measured: &M
             object.is_some() && case.flap() > 0.0,
             format!(
                 "objects touch the flap first: until it folds, at {:.2} N per mm of contact, the force is that on an object {} mm \
-                 wider across (see --radii)",
+                 wider across",
                 1e-3 * case.sheet.flap_load(case.flap()),
                 Readable(2.0 * mm(case.flap()))
             ),

@@ -208,7 +208,8 @@ impl Conflict {
         let eased = limit.map(|nearest| &nearest.requirements);
         let mut reasons = vec![subject.shortfall(required, eased) + &conditions];
         if subject == Easing::Mass && required.height.is_none() && required.shape.is_none() {
-            let reason = "the object is taken to be a ball: --height and --shape cylinder if it is not";
+            let reason =
+                "the object is taken to be a ball: give its height, and the shape cylinder, if it is not";
             reasons.push(reason.to_owned());
         }
         reasons

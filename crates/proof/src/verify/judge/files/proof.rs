@@ -187,6 +187,6 @@ fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
     let numbers = |text: &str| serde_json::from_str::<serde_json::Value>(text).ok();
     if !numbers(text).zip(numbers(right)).is_some_and(|(found, allowed)| alike(&found, &allowed)) {
         let found = "other numbers than this spec gives";
-        findings.add(FindingCode::Prediction, found, "what `predict --json` prints");
+        findings.add(FindingCode::Prediction, found, "the prediction of the same spec");
     }
 }
