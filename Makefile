@@ -8,7 +8,7 @@ NO_PYTHON = PYO3_NO_PYTHON=1 PYO3_BUILD_EXTENSION_MODULE=1
 # The release program for CI, built with the Python package's features, so that the wheel does not compile shared dependencies again.
 RELEASE = $(CARGO) build --release --locked -p stargrip-cam -p stargrip-cam-python --bin stargrip-cam
 
-.PHONY: demo program install dist portable web site wheel python test check docs deny audit strangers strangers-more mutants fuzz faults bench
+.PHONY: demo program install dist release release-check release-twice portable web site wheel python test check docs deny audit strangers strangers-more mutants fuzz faults bench
 
 # Builds the paper's star and prints the files that were written.
 demo:
@@ -21,13 +21,23 @@ program:
 # Program, completions, manual and examples below PREFIX: `make install PREFIX=~/.local`.
 PREFIX ?= /usr/local
 install:
-	$(CARGO) build --release --locked
+	STARGRIP_COMMIT=$$(git rev-parse HEAD 2>/dev/null) $(CARGO) build --release --locked
 	packaging/lay-out target/release/stargrip-cam $(DESTDIR)$(PREFIX)
 
 # The same as an archive, for TARGET if it is named. For Linux the program in it is static.
 TARGET ?=
 dist:
 	packaging/dist $(TARGET)
+
+# A release (docs/install.md, "For packagers"): all archives, packages, wheels, SBOM and sums in target/dist, half an hour on two cores. It installs
+# its tools: Debian's packages by apt-get, wheels, crates, standard libraries. `release-check` uses them all, in minutes; `release-twice` builds one
+# archive again elsewhere and compares it.
+release:
+	packaging/release
+release-check:
+	packaging/check
+release-twice:
+	packaging/twice $(TARGET)
 
 # The program as a web page (docs/web.md): index.html for a server and stargrip-cam.html for a disk, in target/web. Needs the target and Python 3.
 WASM = wasm32-unknown-unknown

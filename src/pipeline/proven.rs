@@ -195,17 +195,32 @@ fn compare_with_other(
     });
     let is_shown = |kind: Kind| {
         kind.format() == Format::Pdf
-            || matches!(kind.subject(), Subject::Preview | Subject::Report | Subject::Scene)
+            || matches!(
+                kind.subject(),
+                Subject::Preview | Subject::Report | Subject::Scene | Subject::Prediction
+            )
     };
     let differs = proof.files.iter().filter(|file| file.by != Method::Bytes && is_shown(file.output.kind));
     let mut unproven: Vec<String> = differs.map(|file| file.path.clone()).collect();
     if other_profile(forecast, files).is_some() {
         unproven.push(format!("machine.toml as the profile {:?}", forecast.spec.machine.profile));
     }
-    if forecast.manifest(Vec::new(), &request).prediction != written.prediction {
+    let prediction = forecast.manifest(Vec::new(), &request).prediction;
+    // Models change from version to version: other numbers than those of this version are no finding.
+    if prediction.is_some() {
+        proof.findings.retain(|finding| {
+            finding.code != FindingCode::Prediction || !is_json(files.get(&finding.file).unwrap_or_default())
+        });
+    }
+    if prediction != written.prediction {
         unproven.push(format!("the prediction in {MANIFEST}"));
     }
     proof.unproven = unproven;
+}
+
+/// Whether `content` is JSON.
+fn is_json(content: &[u8]) -> bool {
+    serde_json::from_slice::<serde_json::Value>(content).is_ok()
 }
 
 /// Proves an output directory from its files alone: see [`PublishedBuild::prove`].

@@ -147,6 +147,37 @@ fn a_directory_of_another_version_is_read_back_and_named() {
     assert_code(&verify(&["--read-back"]), 1);
 }
 
+/// Models change from version to version: an older directory with other predictions must not look damaged.
+#[test]
+fn predictions_of_another_version_are_unproven_and_no_finding() {
+    let dir = workshop();
+    let load = "\n[load]\npressure = \"20 kPa\"\nobject_diameter = \"80 mm\"\nmass = \"0.1 kg\"\n";
+    let spec = dir.path().join("star.toml");
+    fs::write(&spec, fs::read_to_string(&spec).expect("it") + load).expect("written");
+    assert_code(&run(dir.path(), &["build", "star.toml", "-q"]), 0);
+    edit_manifest(dir.path(), |manifest| manifest["tool"]["version"] = "0.0.9".into());
+    let path = dir.path().join("out/star/prediction.json");
+    let replace = |text: &str| {
+        fs::write(&path, text).expect("written");
+        edit_manifest(dir.path(), |manifest| {
+            let files = manifest["files"].as_array_mut().expect("a list");
+            let entry = files.iter_mut().find(|file| file["path"] == "prediction.json").expect("it");
+            entry["sha256"] = stargrip_cam::manifest::sha256(text.as_bytes()).into();
+            entry["bytes"] = text.len().into();
+        });
+        run(dir.path(), &["verify", "out/star", "--json"])
+    };
+    let mut prediction: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(&path).expect("it")).expect("JSON");
+    prediction["payload_kg"] = 7.25.into();
+    let other = replace(&format!("{prediction:#}\n"));
+    assert_code(&other, 3);
+    let proof: serde_json::Value = serde_json::from_slice(&other.stdout).expect("JSON");
+    assert_eq!(proof["unproven"], serde_json::json!(["prediction.json"]));
+    // A file that holds no numbers at all is damaged.
+    assert_code(&replace("{"), 1);
+}
+
 #[test]
 fn the_same_spec_gives_the_same_bytes_anywhere() {
     let (a, b) = (workshop(), workshop());

@@ -5,6 +5,7 @@
 
 mod circles;
 mod names;
+mod packages;
 mod portable;
 mod source;
 mod words;
