@@ -209,7 +209,8 @@ fn compare_with_other(
     // Models change from version to version: other numbers than those of this version are no finding.
     if prediction.is_some() {
         proof.findings.retain(|finding| {
-            finding.code != FindingCode::Prediction || !is_json(files.get(&finding.file).unwrap_or_default())
+            finding.code != FindingCode::Prediction.as_str()
+                || !is_json(files.get(&finding.file).unwrap_or_default())
         });
     }
     if prediction != written.prediction {
