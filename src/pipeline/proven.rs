@@ -9,7 +9,7 @@ use crate::pipeline::{Built, Forecast, Sources};
 use proof::artifact::{Format, Kind, KindRequest, Subject, outputs};
 use proof::verify;
 use proof::verify::{Expected, Finding, FindingCode, Method, OutputFiles, Proof};
-use spec::{DrawingSpec, Machine};
+use spec::{Code, DrawingSpec, Machine};
 
 /// A gripper whose files have been read back and agree with the design; only it can be published.
 #[derive(Clone, Debug)]
