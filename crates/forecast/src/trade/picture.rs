@@ -7,7 +7,7 @@ use crate::trade::{QUANTITIES, TradeRow};
 use std::fmt::Write;
 
 /// Sizes of the pictures, pixels.
-const CHOICE: [u32; 2] = [980, 600];
+const CHOICE: [u32; 2] = [980, 640];
 const SHELLS: [u32; 2] = [1090, 480];
 /// Sizes of pictures of earlier versions, which are replaced, too.
 const EARLIER: [[u32; 2]; 1] = [[860, 480]];
@@ -21,7 +21,7 @@ const QUANTITY_COLOURS: [&str; 5] = ["#1b6ca8", "#c0392b", "#27865c", "#8e44ad",
 const ROW: f64 = 24.0;
 /// First rows of the choice and of the limits.
 const CHOICE_TOP: f64 = 100.0;
-const RING_TOP: f64 = 400.0;
+const RING_TOP: f64 = 440.0;
 /// Columns of names (left), and of times (right).
 const NAMES: f64 = 16.0;
 const TIMES: f64 = 205.0;
@@ -39,7 +39,7 @@ const QUESTIONS: [Axis; 3] = [question(230.0), question(480.0), question(730.0)]
 const RING: Axis = Axis { left: 230.0, width: 660.0, decades: [-16, 0] };
 
 const fn question(left: f64) -> Axis {
-    Axis { left, width: 170.0, decades: [-3, 1] }
+    Axis { left, width: 185.0, decades: [-3, 1] }
 }
 
 /// The errors by which a question is answered, and its words.

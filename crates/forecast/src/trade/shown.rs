@@ -36,7 +36,12 @@ pub(super) fn time(seconds: f64) -> String {
     if seconds == 0.0 {
         return "- us".to_owned();
     }
-    if seconds < 0.1 { format!("{:.1} us", seconds * 1e6) } else { format!("{seconds:.1} s ") }
+    match seconds {
+        ..1e-6 => format!("{:.2} us", seconds * 1e6),
+        ..1e-3 => format!("{:.1} us", seconds * 1e6),
+        ..0.1 => format!("{:.1} ms", seconds * 1e3),
+        _ => format!("{seconds:.1} s "),
+    }
 }
 
 fn head(row: &ShellRow) -> String {
