@@ -165,26 +165,28 @@ fn a_star_is_a_shell_with_its_mesh_errors() {
     assert_eq!(found["stars"][0]["final_radius_mm"], found["final_radius_mm"]);
 }
 
+/// The model that `predict --accuracy` selects for the spec in `dir`, and the search that led to it.
+fn search(dir: &Path, accuracy: &str) -> (serde_json::Value, serde_json::Value) {
+    let answer = json(&run(dir, &["predict", "spec.toml", "--accuracy", accuracy, "--json"]));
+    (answer["model"].clone(), answer["evidence"]["accuracy"].clone())
+}
+
 #[test]
 fn an_accuracy_selects_the_cheapest_model_that_states_it() {
     let dir = folder();
-    let search = |accuracy: &str| {
-        let found = json(&run(dir.path(), &["predict", "spec.toml", "--accuracy", accuracy, "--json"]));
-        (found["model"].clone(), found["evidence"]["accuracy"].clone())
-    };
-    let (model, evidence) = search("90 %");
+    let (model, evidence) = search(dir.path(), "90 %");
     assert!(model == "section" && evidence["met"] == true, "{evidence}");
     assert_eq!(evidence["trials"].as_array().map(Vec::len), Some(1), "no shell is computed: {evidence}");
     let error = evidence["trials"][0]["error"].as_f64().expect("a range");
     assert!((0.05..0.9).contains(&error), "{evidence}");
     // The table does not reach these arms; the shell has no force to state.
-    let far = SPEC
+    let long_arms = SPEC
         .replace("points = 5", "points = 11")
         .replace("50 mm", "400 mm")
         .replace("= \"40 deg\"", "= \"10 deg\"");
-    let (free, _) = far.split_once("object_radius").expect("an object");
+    let (free, _) = long_arms.split_once("object_radius").expect("an object");
     fs::write(dir.path().join("spec.toml"), free).expect("written");
-    let (model, evidence) = search("30 %");
+    let (model, evidence) = search(dir.path(), "30 %");
     assert!(model == "shell" && evidence["met"] == true, "{evidence}");
     let trials = evidence["trials"].as_array().expect("a list");
     assert!(trials.len() == 2 && trials[0]["error"].is_null(), "{evidence}");

@@ -2,8 +2,8 @@
 //! one run.
 
 /// Position of a value on a logarithmic axis: pixels at 1, and a decade.
-fn position(value: f64, one: f64, decade: f64) -> f64 {
-    one + decade * value.log10()
+fn position(value: f64, unit_place: f64, decade: f64) -> f64 {
+    unit_place + decade * value.log10()
 }
 
 /// A circle of a picture by its centre, pixels.
@@ -13,7 +13,7 @@ struct Circle {
     y: f64,
 }
 
-fn circles(picture: &str) -> Vec<Circle> {
+fn circles_of(picture: &str) -> Vec<Circle> {
     let number = |line: &str, name: &str| -> Option<f64> {
         line.split_once(&format!(" {name}=\"")).and_then(|(_, rest)| rest.split('"').next()?.parse().ok())
     };
@@ -24,8 +24,10 @@ fn circles(picture: &str) -> Vec<Circle> {
         .collect()
 }
 
-fn is_shown(circles: &[Circle], place: Circle, off: Circle) -> bool {
-    circles.iter().any(|circle| (circle.x - place.x).abs() < off.x && (circle.y - place.y).abs() < off.y)
+fn is_shown(circles: &[Circle], place: Circle, tolerance: Circle) -> bool {
+    circles
+        .iter()
+        .any(|circle| (circle.x - place.x).abs() < tolerance.x && (circle.y - place.y).abs() < tolerance.y)
 }
 
 const PAGE: &str = include_str!("../../docs/trade.md");
@@ -44,8 +46,10 @@ fn last(row: &str) -> f64 {
 /// The first columns of the picture's second panel: rows 24 pixels apart from 440 on, an error of 1 at 890 and a decade in 41.25 pixels.
 #[test]
 fn the_limits_in_the_picture_are_those_of_their_table() {
-    let circles: Vec<Circle> =
-        circles(include_str!("../../docs/trade.svg")).into_iter().filter(|circle| circle.y > 430.0).collect();
+    let circles: Vec<Circle> = circles_of(include_str!("../../docs/trade.svg"))
+        .into_iter()
+        .filter(|circle| circle.y > 430.0)
+        .collect();
     let table =
         PAGE.lines().filter(|line| line.contains(" us ") && !line.contains(" kPa") && !line.starts_with('|'));
     let mut compared = 0;
@@ -67,7 +71,7 @@ fn the_limits_in_the_picture_are_those_of_their_table() {
 #[test]
 fn the_choice_in_the_picture_lies_between_the_pressures_of_its_table() {
     let picture = include_str!("../../docs/trade.svg");
-    let circles: Vec<Circle> = circles(picture).into_iter().filter(|circle| circle.y < 300.0).collect();
+    let circles: Vec<Circle> = circles_of(picture).into_iter().filter(|circle| circle.y < 300.0).collect();
     let (closing, forces) = (rows("rho_f "), rows("K | F "));
     let mut models: Vec<&str> = closing.iter().map(|row| row[..15].trim()).collect();
     models.dedup();
@@ -80,23 +84,23 @@ fn the_choice_in_the_picture_lies_between_the_pressures_of_its_table() {
         for (table, left) in [(&closing, 230.0), (&forces, 730.0)] {
             let errors: Vec<f64> =
                 table.iter().filter(|row| row[..15].trim() == model).map(|row| 0.01 * last(row)).collect();
-            let [least, most] =
+            let [low, high] =
                 [f64::min, f64::max].map(|pick| errors.iter().copied().reduce(pick).expect(model));
-            let x = |error: f64| position(error.clamp(1e-3, 10.0), left + 138.75, 46.25);
             let circle = circles.iter().find(|circle| {
                 (circle.y - (y - 4.0)).abs() < 0.1 && (left - 0.1..left + 185.1).contains(&circle.x)
             });
             let circle = circle.expect(model);
             // The table rounds to a tenth of a percent.
-            let ends = x((least - 5e-4).max(1e-3))..x(most + 5e-4);
-            assert!(ends.contains(&circle.x), "{model}: {} outside {ends:?}", circle.x);
+            let ends = [(low - 5e-4).max(1e-3), (high + 5e-4).min(10.0)];
+            let [start, end] = ends.map(|error| position(error, left + 138.75, 46.25));
+            assert!((start..end).contains(&circle.x), "{model}: {} outside {start} to {end}", circle.x);
         }
     }
 }
 
 #[test]
 fn the_picture_of_shells_is_that_of_its_tables() {
-    let circles = circles(include_str!("../../docs/trade-shells.svg"));
+    let circles = circles_of(include_str!("../../docs/trade-shells.svg"));
     let (closing, forces) = (rows("rho_f "), rows("K | F "));
     assert!(closing.len() == forces.len() && closing.len() > 20);
     let mut compared = 0;
@@ -117,8 +121,8 @@ fn the_picture_of_shells_is_that_of_its_tables() {
             let y = position((0.01 * error).max(1e-3), 130.0, -90.0);
             // The table rounds to a tenth of a percent, which is much for a small number.
             let rounded = 1.0 + 90.0 * (1.0 - 0.05 / error.max(0.1)).log10().abs();
-            let off = Circle { x: 6.0, y: rounded.max(6.0) };
-            assert!(is_shown(&circles, Circle { x, y }, off), "{row}: not at {x:.1}, {y:.1}");
+            let tolerance = Circle { x: 6.0, y: rounded.max(6.0) };
+            assert!(is_shown(&circles, Circle { x, y }, tolerance), "{row}: not at {x:.1}, {y:.1}");
             compared += 1;
         }
     }
