@@ -66,12 +66,12 @@ fn an_actuator_is_a_shell_with_its_mesh_errors() {
     let dir = folder();
     let args = [&ACTUATOR[..], &COARSE, &["--angles", "40 deg..50 deg/2", "--json"]].concat();
     let first = run(dir.path(), &args);
-    let found = json(&first);
-    assert!(found["model"] == "shell" && found["ranges"]["angle_deg"].is_null(), "{found}");
-    assert_eq!(keys::misfits(&found, &[ActuatorPrediction::KEYS]), Vec::<String>::new());
-    let number = |key: &str| found[key].as_f64().unwrap_or_else(|| panic!("{key}: {found}"));
+    let prediction = json(&first);
+    assert!(prediction["model"] == "shell" && prediction["ranges"]["angle_deg"].is_null(), "{prediction}");
+    assert_eq!(keys::misfits(&prediction, &[ActuatorPrediction::KEYS]), Vec::<String>::new());
+    let number = |key: &str| prediction[key].as_f64().unwrap_or_else(|| panic!("{key}: {prediction}"));
     let error = |key: &str| {
-        found["evidence"]["mesh_errors"][key].as_f64().unwrap_or_else(|| panic!("{key}: {found}"))
+        prediction["evidence"]["mesh_errors"][key].as_f64().unwrap_or_else(|| panic!("{key}: {prediction}"))
     };
     // Results of the finest meshes so far, with their errors, and of CalculiX (docs/models.md).
     for (key, known, open) in
@@ -79,18 +79,18 @@ fn an_actuator_is_a_shell_with_its_mesh_errors() {
     {
         assert!(
             (number(key) - known).abs() <= error(key) + open && error(key) < 0.1 * known,
-            "{key}: {found}"
+            "{key}: {prediction}"
         );
     }
     assert!((number("coiling") - (180.0 - number("angle_deg")) / 120.0).abs() < 1e-12);
     // Held open, its moment follows its stiffness, and grows faster at larger opening.
-    let moments: Vec<[f64; 2]> = serde_json::from_value(found["moment"].clone()).expect("pairs");
+    let moments: Vec<[f64; 2]> = serde_json::from_value(prediction["moment"].clone()).expect("pairs");
     for [angle, moment] in &moments {
         let linear = number("stiffness_Nm") * (angle - number("angle_deg")).to_radians();
         assert!((0.8..1.8).contains(&(moment / linear)), "{angle}: {moment} {linear}");
     }
-    assert_eq!(found["evidence"]["mesh_errors"]["moment_Nm"].as_array().map(Vec::len), Some(2));
-    assert_eq!(found["evidence"]["unknowns"].as_array().map(Vec::len), Some(3));
+    assert_eq!(prediction["evidence"]["mesh_errors"]["moment_Nm"].as_array().map(Vec::len), Some(2));
+    assert_eq!(prediction["evidence"]["unknowns"].as_array().map(Vec::len), Some(3));
 
     // The answer is stored, and the stored answer is printed; a damaged one is computed again.
     let [file] = &kept(dir.path())[..] else { panic!("{:?}", kept(dir.path())) };
@@ -116,14 +116,16 @@ fn its_sheet_is_a_vtu_file() {
     }
     // It is replaced, and a file of another kind is not.
     assert!(run(dir.path(), &args).status.success());
-    let over = run(dir.path(), &[&ACTUATOR[..], &COARSE, &["--vtu", "spec.toml"]].concat());
+    let refused = run(dir.path(), &[&ACTUATOR[..], &COARSE, &["--vtu", "spec.toml"]].concat());
     assert!(
-        over.status.code() == Some(1)
-            && text(&over.stderr).contains("spec.toml exists and is not a VTU file")
+        refused.status.code() == Some(1)
+            && text(&refused.stderr).contains("spec.toml exists and is not a VTU file")
     );
     for option in ["--csv", "--svg"] {
-        let over = run(dir.path(), &["trade", option, "spec.toml"]);
-        assert!(over.status.code() == Some(1) && text(&over.stderr).contains("spec.toml exists and is not"));
+        let refused = run(dir.path(), &["trade", option, "spec.toml"]);
+        assert!(
+            refused.status.code() == Some(1) && text(&refused.stderr).contains("spec.toml exists and is not")
+        );
     }
     assert_eq!(fs::read_to_string(dir.path().join("spec.toml")).expect("it"), SPEC);
     fs::remove_file(&file).expect("removed");
@@ -139,30 +141,33 @@ fn its_sheet_is_a_vtu_file() {
 fn a_star_is_a_shell_with_its_mesh_errors() {
     let dir = folder();
     let args = ["predict", "spec.toml", "--model", "shell", "--fineness", "coarse"];
-    let found = json(&run(dir.path(), &[&args[..], &["--radii", "38 mm", "--json"]].concat()));
-    assert_eq!(keys::misfits(&found, Prediction::KEYS), Vec::<String>::new());
-    let number = |key: &str| found[key].as_f64().unwrap_or_else(|| panic!("{key}: {found}"));
-    assert!(found["model"] == "shell" && found["lambda_t"]["tip"].is_null(), "{found}");
-    assert!((25.0..35.0).contains(&number("final_radius_mm")), "{found}");
+    let prediction = json(&run(dir.path(), &[&args[..], &["--radii", "38 mm", "--json"]].concat()));
+    assert_eq!(keys::misfits(&prediction, Prediction::KEYS), Vec::<String>::new());
+    let number = |key: &str| prediction[key].as_f64().unwrap_or_else(|| panic!("{key}: {prediction}"));
+    assert!(prediction["model"] == "shell" && prediction["lambda_t"]["tip"].is_null(), "{prediction}");
+    assert!((25.0..35.0).contains(&number("final_radius_mm")), "{prediction}");
     assert!((number("contraction") - 1.0 + number("final_radius_mm") / 50.0).abs() < 1e-12);
     assert!((number("payload_kg") - 0.5 * number("object_force_N") / 9.806_65).abs() < 1e-9);
-    let [least, most] = [0, 1].map(|end| found["object_force_friction_N"][end].as_f64().expect("a force"));
-    assert!((least + most - 2.0 * number("object_force_N")).abs() < 1e-9 && least <= most, "{found}");
-    let curve = found["force_curve"].as_array().expect("a list");
+    let [least, most] =
+        [0, 1].map(|end| prediction["object_force_friction_N"][end].as_f64().expect("a force"));
+    assert!((least + most - 2.0 * number("object_force_N")).abs() < 1e-9 && least <= most, "{prediction}");
+    let curve = prediction["force_curve"].as_array().expect("a list");
     assert!(
-        curve.len() == 1 && curve[0][1].as_f64() > found["object_force_N"].as_f64() && curve[0][2].is_null()
+        curve.len() == 1
+            && curve[0][1].as_f64() > prediction["object_force_N"].as_f64()
+            && curve[0][2].is_null()
     );
-    let errors = &found["evidence"]["mesh_errors"];
+    let errors = &prediction["evidence"]["mesh_errors"];
     for key in
         ["final_radius_mm", "radial_stiffness_N_per_m", "volume_mm3", "object_force_N", "seal_pull_N_per_mm"]
     {
         assert!(errors[key].as_f64().is_some_and(|error| error > 0.0), "{key}: {errors}");
     }
-    let [x, y] = [0, 1].map(|c| found["seal_tension"]["at_mm"][c].as_f64().expect("a place"));
-    assert!(number("seal_pull_N_per_mm") > 0.0 && found["seal_pull_at_mm"].is_array(), "{found}");
-    assert!(number("mass_g") > 0.0 && (49.0..200.0).contains(&x.hypot(y)), "{found}");
-    assert_eq!(found["stars"].as_array().map(Vec::len), Some(1));
-    assert_eq!(found["stars"][0]["final_radius_mm"], found["final_radius_mm"]);
+    let [x, y] = [0, 1].map(|c| prediction["seal_tension"]["at_mm"][c].as_f64().expect("a place"));
+    assert!(number("seal_pull_N_per_mm") > 0.0 && prediction["seal_pull_at_mm"].is_array(), "{prediction}");
+    assert!(number("mass_g") > 0.0 && (49.0..200.0).contains(&x.hypot(y)), "{prediction}");
+    assert_eq!(prediction["stars"].as_array().map(Vec::len), Some(1));
+    assert_eq!(prediction["stars"][0]["final_radius_mm"], prediction["final_radius_mm"]);
 }
 
 /// The model that `predict --accuracy` selects for the spec in `dir`, and the search that led to it.

@@ -57,17 +57,17 @@ const ALLOWED: [(&str, [usize; KINDS.len()]); 14] = [
     ("crates/geom/src", [27, 3, 1, 7, 0, 0, 0]),
     ("crates/artwork/src", [124, 17, 7, 59, 4, 0, 11]),
     ("crates/sealed/src", [314, 20, 13, 84, 5, 4, 12]),
-    ("crates/inflatable/src", [660, 89, 36, 204, 18, 3, 28]),
+    ("crates/inflatable/src", [577, 0, 36, 204, 18, 3, 28]),
     ("crates/spec/src", [247, 33, 5, 78, 3, 0, 10]),
-    ("crates/design/src", [296, 31, 14, 97, 0, 0, 4]),
-    ("crates/forecast/src", [478, 57, 35, 110, 25, 3, 23]),
+    ("crates/design/src", [296, 31, 12, 97, 0, 0, 4]),
+    ("crates/forecast/src", [400, 24, 35, 110, 25, 2, 23]),
     ("crates/program/src", [142, 11, 5, 23, 0, 0, 3]),
     ("crates/proof/src", [359, 42, 6, 72, 1, 1, 14]),
-    ("src", [678, 56, 41, 208, 9, 1, 31]),
+    ("src", [677, 56, 41, 208, 9, 1, 31]),
     ("python/src", [97, 9, 4, 17, 2, 0, 0]),
     ("web/src", [25, 0, 7, 12, 0, 0, 0]),
     ("crates/research/src", [71, 18, 1, 26, 2, 0, 2]),
-    ("tests", [1217, 29, 152, 326, 4, 7, 69]),
+    ("tests", [1215, 29, 150, 326, 4, 7, 69]),
 ];
 
 /// The faults of one folder, a list for each of `KINDS`.
