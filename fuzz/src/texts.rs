@@ -1,6 +1,6 @@
 //! The readers of specs, profiles and tables.
 
-use stargrip_cam::coupon::cone::{Balance, Cone, csv, read_test, reduce};
+use stargrip_cam::coupon::bias::{BiasStrip, read_strip, shear_stiffness};
 use stargrip_cam::coupon::{calibrate, listing, read_rows, settings};
 use stargrip_cam::pipeline::Forecast;
 use stargrip_cam::spec;
@@ -46,12 +46,12 @@ pub(super) fn machine(bytes: &[u8]) {
     }
 }
 
-/// Any bytes as a table: of a peel test or, if the first is odd, of a cone test.
+/// Any bytes as a table: of a peel test or, if the first is odd, of a bias strip.
 pub(super) fn table(bytes: &[u8]) {
     let Some((kind, bytes)) = bytes.split_first() else { return };
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     let source = Source::new("table.csv", text);
-    if kind.is_multiple_of(2) { peel(&source) } else { cone(&source) }
+    if kind.is_multiple_of(2) { peel(&source) } else { strip(&source) }
 }
 
 fn peel(source: &Source) {
@@ -72,16 +72,18 @@ fn peel(source: &Source) {
     }
 }
 
-/// A reduced test can be reduced again: it has the same columns.
-fn cone(source: &Source) {
-    let test = match read_test(source) {
-        Ok(test) => test,
+/// A strip that is accepted has a shear modulus above 0, or is refused with a reason.
+fn strip(source: &Source) {
+    let points = match read_strip(source) {
+        Ok(points) => points,
         Err(faults) => return shown::faults(&faults),
     };
-    let cone = Cone::new(0.5, 0.1, Balance::Derived).expect("valid");
-    let reduced = csv(&reduce(&test, &cone, 0.02, None));
-    assert!(!reduced.contains("NaN") && !reduced.contains("inf"), "{reduced}");
-    assert_eq!(read_test(&Source::new("again", reduced)).expect("a table"), test);
+    let strip = BiasStrip { width: 25.0, length: 200.0 };
+    let shear = strip.stiffness(&points).and_then(|stiffness| shear_stiffness(stiffness, 38.4, 0.39));
+    match shear {
+        Ok(shear) => assert!(shear.is_finite() && shear > 0.0, "{shear}"),
+        Err(fault) => shown::line(&fault),
+    }
 }
 
 fn source(name: &str, bytes: &[u8]) -> Option<Source> {

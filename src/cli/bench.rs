@@ -10,8 +10,7 @@ use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::text_file::{TABLE, read_text};
 use crate::coupon::DISC;
-use crate::coupon::bias::{BiasStrip, shear_stiffness};
-use crate::coupon::cone::read_test;
+use crate::coupon::bias::{BiasStrip, read_strip, shear_stiffness};
 use design::realised_radius;
 use forecast::case::sheet;
 use forecast::stiffness::{BenchFault, DiscBench, VBench, least_angle};
@@ -176,7 +175,7 @@ impl BenchArgs {
         poisson: f64,
     ) -> Result<Option<MeasuredStiffness>, Failure> {
         let Some((path, length)) = self.bias_strip.as_ref().zip(self.bias_length) else { return Ok(None) };
-        let test = read_test(&Source::new(path.display().to_string(), read_text(path, TABLE)?))?;
+        let test = read_strip(&Source::new(path.display().to_string(), read_text(path, TABLE)?))?;
         let named = |fault: String| Failure::Message(format!("{}: {fault}", shown(path)));
         let strip = BiasStrip { width: self.bias_width.0, length: length.0 };
         let bias = strip.stiffness(&test).map_err(named)?;

@@ -12,7 +12,6 @@ mod calibrate;
 mod candidates;
 mod check;
 mod completions;
-mod cone;
 mod coupon;
 mod defaults;
 mod details;
@@ -80,7 +79,7 @@ struct Cli {
 const GROUPS: [(&str, &[&str]); 4] = [
     ("Design", &["new", "check", "build", "verify"]),
     ("Workshop", &["machines", "feedcheck", "coupon", "calibrate", "resume"]),
-    ("Numbers", &["predict", "actuator", "optimize", "study", "trade", "cone"]),
+    ("Numbers", &["predict", "actuator", "optimize", "study", "trade"]),
     ("Shell", &["schema", "explain", "completions", "man"]),
 ];
 
@@ -114,8 +113,6 @@ enum Command {
     Study(study::Args),
     /// Compare cost and error of every model: shells are stored, the others are measured on this machine.
     Trade(trade::Args),
-    /// Reduce a cone test to radial force against radius.
-    Cone(cone::Args),
     /// Print the JSON Schema of a spec, for editors.
     Schema(schema::Args),
     /// Print the meaning of a message's code, and the remedy.
@@ -170,7 +167,6 @@ pub fn run(args: Vec<OsString>) -> u8 {
         Command::Sweep(args) => study::compute::run(&args),
         Command::Study(args) => study::run(&args),
         Command::Trade(args) => trade::run(&args),
-        Command::Cone(args) => cone::run(&args),
         Command::Verify(args) => verify::run(&args),
         Command::New(args) => new::run(&args),
         Command::Machines(args) => machines::run(&args),

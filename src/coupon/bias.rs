@@ -9,8 +9,27 @@
 //! from 1/E(theta) = (c^4 + s^4)/E + (1/G - 2 nu/E) c^2 s^2 with c^2 = s^2 = 1/2: Jones, "Mechanics of composite materials" (1999),
 //! equation 2.97. E_45 t is the slope of load over travel times length over width. Clamps hold the strip's width, so a short strip is stiffer.
 
-use crate::coupon::cone::Press;
+use crate::coupon::table::{TableColumn, read_table};
 use spec::units::Readable;
+use spec::{Allowed, Fault, FaultCode, Faults, Source};
+
+/// The columns of a test.
+const COLUMNS: [TableColumn; 2] = [
+    TableColumn {
+        names: &["travel", "displacement", "extension"],
+        unit: "mm",
+        allowed: Allowed::closed(-1e5, 1e5),
+        optional: false,
+        slip: "convert um to mm",
+    },
+    TableColumn {
+        names: &["load"],
+        unit: "N",
+        allowed: Allowed::closed(-1e6, 1e6),
+        optional: false,
+        slip: "convert mN to N",
+    },
+];
 
 /// Least length over width: the clamps stiffen a shorter strip by more than 6 % where the sheet is soft in shear.
 const SLENDER: f64 = 5.0;
@@ -23,6 +42,32 @@ const STRAIGHT: f64 = 0.05;
 const STIFFEST: f64 = 1.1;
 /// Least shear modulus over that of an isotropic sheet: in a looser weave the threads lie apart.
 const SOFTEST: f64 = 1e-3;
+
+/// One point of a test.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PullPoint {
+    /// Travel of the clamp, mm.
+    pub travel: f64,
+    /// Load on the strip, N.
+    pub load: f64,
+}
+
+/// Reads a test of a strip: columns `travel_mm` (or `displacement`, `extension`) and `load_N`.
+///
+/// # Errors
+/// All faults of the table, see [`read_table`]; or that it has no rows.
+pub fn read_strip(source: &Source) -> Result<Vec<PullPoint>, Faults> {
+    // No cell of these columns may be empty.
+    let point = |row: [Option<f64>; 2]| Some(PullPoint { travel: row[0]?, load: row[1]? });
+    let points: Vec<PullPoint> = read_table(source, &COLUMNS)?.into_iter().filter_map(point).collect();
+    if points.is_empty() {
+        let end = source.text.len();
+        let fault = Fault::error(FaultCode::NoRows, end..end, "no rows below the header")
+            .label("a travel and a load");
+        return Err(Faults::new(source, vec![fault]));
+    }
+    Ok(points)
+}
 
 /// A strip between two clamps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +83,7 @@ impl BiasStrip {
     ///
     /// # Errors
     /// If the strip is shorter than five widths, or the points do not lie on a straight, rising line.
-    pub fn stiffness(&self, test: &[Press]) -> Result<f64, String> {
+    pub fn stiffness(&self, test: &[PullPoint]) -> Result<f64, String> {
         let least = SLENDER * self.width;
         if self.length < least {
             return Err(format!(
@@ -52,19 +97,19 @@ impl BiasStrip {
         }
         #[expect(clippy::cast_precision_loss, reason = "a table's rows")]
         let count = test.len() as f64;
-        let mean = |of: fn(&Press) -> f64| test.iter().map(of).sum::<f64>() / count;
-        let (x, y) = (mean(|press| press.travel), mean(|press| press.load));
+        let mean = |of: fn(&PullPoint) -> f64| test.iter().map(of).sum::<f64>() / count;
+        let (x, y) = (mean(|point| point.travel), mean(|point| point.load));
         let sum = |of: &dyn Fn(f64, f64) -> f64| -> f64 {
-            test.iter().map(|press| of(press.travel - x, press.load - y)).sum()
+            test.iter().map(|point| of(point.travel - x, point.load - y)).sum()
         };
         let slope = sum(&|x, y| x * y) / sum(&|x, _| x * x);
         if slope.is_nan() || slope <= 0.0 {
             let why = "the load does not rise with the travel; check whether the columns are exchanged";
             return Err(why.to_owned());
         }
-        let loads = || test.iter().map(|press| press.load);
+        let loads = || test.iter().map(|point| point.load);
         let range = loads().fold(f64::NEG_INFINITY, f64::max) - loads().fold(f64::INFINITY, f64::min);
-        let off = |press: &Press| (press.load - y - slope * (press.travel - x)).abs() / range;
+        let off = |point: &PullPoint| (point.load - y - slope * (point.travel - x)).abs() / range;
         let most = test.iter().map(off).fold(0.0, f64::max);
         if most > STRAIGHT {
             return Err(format!(
@@ -115,8 +160,25 @@ mod tests {
 
     const STRIP: BiasStrip = BiasStrip { width: 40.0, length: 200.0 };
 
-    fn line(slope: f64, bend: f64) -> Vec<Press> {
-        [0.0, 1.0, 2.0, 3.0].map(|x| Press { travel: x, load: 2.0 + slope * x + bend * x * x }).to_vec()
+    fn line(slope: f64, bend: f64) -> Vec<PullPoint> {
+        [0.0, 1.0, 2.0, 3.0].map(|x| PullPoint { travel: x, load: 2.0 + slope * x + bend * x * x }).to_vec()
+    }
+
+    #[test]
+    fn a_table_of_another_kind_or_without_rows_is_refused() {
+        let read = |csv: &str| read_strip(&Source::new("strip.csv", csv));
+        for (csv, code) in [
+            ("a,b\n1,2\n", "no-header"),
+            ("travel_mm,load_N\n1,2\nx,3\n", "cell"),
+            ("travel_mm,load_N\n1,NaN\n", "cell"),
+            ("travel_mm,load_N\n1,\n", "cell"),
+            ("travel_mm,load_N\n\n", "no-rows"),
+            ("travel_mm;load_N\n10,5;2,5\n", "decimal-comma"),
+        ] {
+            assert_eq!(read(csv).expect_err(csv).list()[0].code, code, "{csv:?}");
+        }
+        let points = vec![PullPoint { travel: 10.5, load: 2.5 }];
+        assert_eq!(read("Load (N);Extension (mm)\n2.5;10.5\n"), Ok(points));
     }
 
     #[test]
@@ -135,11 +197,11 @@ mod tests {
     #[test]
     fn what_is_no_line_or_no_strip_is_refused() {
         let short = BiasStrip { width: 41.0, ..STRIP };
-        let why = |strip: BiasStrip, test: &[Press]| strip.stiffness(test).expect_err("refused");
+        let why = |strip: BiasStrip, test: &[PullPoint]| strip.stiffness(test).expect_err("refused");
         let long = why(short, &line(1.0, 0.0));
         assert!(long.starts_with("the strip is 200 mm long between the clamps; at least 205 mm"), "{long}");
         assert_eq!(why(STRIP, &line(1.0, 0.0)[..2]), "2 points; at least 3 are needed");
-        for test in [&line(-1.0, 0.0)[..], &[Press { travel: 1.0, load: 1.0 }; 3]] {
+        for test in [&line(-1.0, 0.0)[..], &[PullPoint { travel: 1.0, load: 1.0 }; 3]] {
             assert!(why(STRIP, test).starts_with("the load does not rise with the travel"));
         }
         assert!(why(STRIP, &line(1.0, 0.5)).starts_with("the load deviates from a straight line"));

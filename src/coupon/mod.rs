@@ -2,12 +2,11 @@
 //!
 //! A **strip** is a straight seal across which legs are pulled apart (T-peel); a **pouch** is a closed seam with a mouth for a hose: a
 //! **disc** (inflated width and thickness), a **V** (two arms and one hinge, the bench test for lambda), and **burst** discs at the corners
-//! and in the middle of the bed. Three bench tests are reduced: the **calibration** reads the filled-in table of a peel test, the **bias
-//! strip** gives the shear modulus, the **cone** test the radial force. All use the same reader of **tables**.
+//! and in the middle of the bed. Two bench tests are reduced: the **calibration** reads the filled-in table of a peel test, the **bias
+//! strip** gives the shear modulus. Both use one reader of **tables**.
 
 pub mod bias;
 mod calibration;
-pub mod cone;
 mod shapes;
 mod strips;
 mod table;

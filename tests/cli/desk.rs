@@ -101,10 +101,10 @@ fn an_unreadable_manifest_is_one_finding() {
 #[test]
 fn a_table_comes_from_standard_input() {
     let dir = folder();
-    let table = "travel_mm,load_N\n0,0\n1,1\n2,2.5\n";
-    fs::write(dir.path().join("cone.csv"), table).expect("written");
-    let args = |from| ["cone", from, "--contact-radius", "20 mm"];
-    let file = run(dir.path(), &args("cone.csv"));
+    let table = "temperature_C,speed_mm_s,height_mm,peel_N\n".to_owned() + &"200,0.1,-0.3,76\n".repeat(3);
+    fs::write(dir.path().join("results.csv"), &table).expect("written");
+    let args = |from| ["calibrate", from, "--needed", "1 N/mm"];
+    let file = run(dir.path(), &args("results.csv"));
     let mut child = command(dir.path(), &args("-"));
     let mut child = child.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("it starts");
     std::io::Write::write_all(&mut child.stdin.take().expect("a pipe"), table.as_bytes()).expect("written");

@@ -158,7 +158,6 @@ fn standard_input_is_read_once() {
     for args in [
         &["check", "-", "-"][..],
         &["build", "-", "star.toml", "-"],
-        &["cone", "-", "--spec", "-"],
         &["calibrate", "-", "--spec", "-"],
         &["calibrate", "-", "--bias-strip", "-", "--bias-length", "200 mm", "--spec", "star.toml"],
     ] {

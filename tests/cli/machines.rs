@@ -378,7 +378,6 @@ fn resume_refuses_what_is_not_ours_or_is_damaged() {
     fs::File::create(dir.path().join("huge.gcode")).and_then(|file| file.set_len(300 << 20)).expect("a hole");
     let _ = fails(dir.path(), &["resume", "huge.gcode", "--at", "20%"], 1, &["at most 256 MiB"]);
     let _ = fails(dir.path(), &["calibrate", "huge.gcode", "--needed", "1 N/mm"], 1, &["at most 16 MiB"]);
-    let _ = fails(dir.path(), &["cone", "huge.gcode", "--contact-radius", "50 mm"], 1, &["at most 16 MiB"]);
     assert!(!names(dir.path()).iter().any(|name| name.ends_with("-resume.gcode")));
 }
 

@@ -62,14 +62,6 @@ fn a_value_of_unknown_range_has_three_digits() {
 }
 
 #[test]
-fn a_cone_without_a_radius_names_both_options() {
-    let output = run(folder().path(), &["cone", "data.csv"]);
-    assert_eq!(output.status.code(), Some(2));
-    let said = text(&output.stderr);
-    assert!(said.contains("--contact-radius") && said.contains("--spec"), "{said}");
-}
-
-#[test]
 fn refusals_point_at_the_key_and_end_with_one() {
     let dir = folder();
     fs::write(dir.path().join("spec.toml"), GRIPPER.replace("points = 5", "points = 9")).expect("written");
@@ -183,73 +175,8 @@ fn a_search_tells_which_model_it_takes_in_place_of_a_slow_one() {
 }
 
 #[test]
-fn a_cone_test_is_laid_over_the_prediction() {
-    let dir = folder();
-    fs::write(dir.path().join("test.csv"), "travel_mm,load_N\n0,0\n10,2.5\n").expect("written");
-    let output = run(dir.path(), &["cone", "test.csv", "--spec", "spec.toml"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    assert!(text(&output.stdout).starts_with(
-        "travel_mm,load_N,radius_mm,force_N,predicted_N,predicted_lo_N,predicted_hi_N\n0,0,17."
-    ));
-    let published =
-        run(dir.path(), &["cone", "test.csv", "--contact-radius", "15 mm", "--balance", "published"]);
-    assert!(text(&published.stdout).contains("3.727761"), "{}", text(&published.stdout));
-    assert_eq!(run(dir.path(), &["cone", "test.csv"]).status.code(), Some(2));
-}
-
-/// A table is read correctly or refused with its faults: no number changes, and no row is lost.
-#[test]
-fn cone_reads_a_table_right_or_not_at_all() {
-    let dir = folder();
-    let reduce = |table: &str| {
-        fs::write(dir.path().join("test.csv"), table).expect("written");
-        run(dir.path(), &["cone", "test.csv", "--contact-radius", "15 mm"])
-    };
-    let right = "travel_mm,load_N,radius_mm,force_N\n10.5,2.5,21.062178,3.227761\n";
-    for table in [
-        "travel_mm,load_N\n10.5,2.5\n",
-        "\u{feff}travel_mm;load_N\r\n10.5;2.5\r\n",
-        "Time (s)\tLoad (N)\tExtension (mm)\n0.1\t2.5\t10.5\n\n# the end\n",
-        right,
-    ] {
-        let output = reduce(table);
-        assert_eq!((text(&output.stdout).as_str(), text(&output.stderr).as_str()), (right, ""), "{table:?}");
-    }
-    for (table, words) in [
-        (
-            "travel_mm;load_N\n10,5;2,5\n",
-            &["decimal-comma", "test.csv:2:1", "write 10.5", "write 2.5", "2 errors"][..],
-        ),
-        ("10,5;2,5\n", &["no-header", "test.csv:1:1", "must have the columns `travel_mm`, `load_N`"]),
-        ("travel_mm,load_N\n10,5;2,5\n", &["cell-count", "test.csv:2:1", "3 cells"]),
-        ("O,0.5\n10,2.5\n", &["no-header", "test.csv:1:1", "write the names above the numbers"]),
-        ("\u{feff}0,0\n10,2.5\n", &["no-header", "test.csv:1:"]),
-        ("travel_in,load_N\n1,2\n", &["unit", "test.csv:1:1", "must be `travel_mm`"]),
-        (
-            "travel_mm,load_N\n1,nan\n2,inf\n3\n",
-            &["test.csv:2:3", "test.csv:3:3", "test.csv:4:1", "3 errors"],
-        ),
-        ("travel_mm,load_N\n", &["no-rows"]),
-    ] {
-        let output = reduce(table);
-        let said = text(&output.stderr);
-        assert_eq!((output.status.code(), text(&output.stdout).as_str()), (Some(1), ""), "{table:?}");
-        assert!(words.iter().all(|word| said.contains(word)), "{table:?}: {said}");
-    }
-    fs::write(dir.path().join("test.csv"), b"\xff\xfet\0").expect("written");
-    let output = run(dir.path(), &["cone", "test.csv", "--contact-radius", "15 mm"]);
-    assert!(
-        text(&output.stderr).contains("is not UTF-8: save the file as UTF-8"),
-        "{}",
-        text(&output.stderr)
-    );
-}
-
-#[test]
 fn numbers_without_sense_are_wrong_usage() {
     let dir = folder();
-    fs::write(dir.path().join("test.csv"), "travel_mm,load_N\n0,0\n").expect("written");
-    let cone = ["cone", "test.csv", "--contact-radius", "15 mm"];
     let optimize = ["optimize", "spec.toml"];
     for (command, option, values, words) in [
         (&optimize[..], "--payload", &["nan", "inf", "-inf", "0", "-1", "-1 kg"][..], "must be more than 0"),
@@ -271,14 +198,6 @@ fn numbers_without_sense_are_wrong_usage() {
             "write the length as a number and one of mm",
         ),
         (&optimize, "--grasp", &["5 mm..4 mm"], "the range is descending; write \"4 mm..5 mm\""),
-        (&cone, "--friction", &["nan", "inf", "-0.1"], "must be at least 0 and at most 10"),
-        (
-            &cone,
-            "--half-angle",
-            &["0 deg", "90 deg", "-1 deg"],
-            "must be more than 0 deg and less than 90 deg",
-        ),
-        (&cone[..2], "--contact-radius", &["0 mm", "-1 mm"], "the length must be at least 0.001 mm"),
     ] {
         for value in values {
             let output = run(dir.path(), &[command, &[&format!("{option}={value}")]].concat());
@@ -286,13 +205,6 @@ fn numbers_without_sense_are_wrong_usage() {
             assert_eq!(output.status.code(), Some(2), "{option}={value}: {said}");
             assert!(said.contains(option) && said.contains(words), "{option}={value}: {said}");
         }
-    }
-    let published = ["--half-angle", "60 deg", "--friction", "0.6", "--balance", "published"];
-    for args in [&["--friction", "0.58"][..], &published] {
-        let locked = run(dir.path(), &[&cone[..], args].concat());
-        assert_eq!(locked.status.code(), Some(1));
-        let said = text(&locked.stderr);
-        assert!(said.contains("below 0.57735, where the cone locks"), "{said}");
     }
 }
 

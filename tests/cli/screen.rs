@@ -219,13 +219,12 @@ fn every_shipped_design_does_what_it_is_for() {
     }
 }
 
-/// A folder with the paper's gripper, a filled-in table of a peel test, and a cone test.
+/// A folder with the paper's gripper, and a filled-in table of a peel test.
 fn bench() -> tempfile::TempDir {
     let folder = folder(&[]);
     let peel = [1, 2, 3].map(|strip| format!("{strip},200,0.1,-0.3,{},\n", 74 + strip)).concat();
     let head = "strip,temperature_C,speed_mm_s,height_mm,peel_N,failure\n";
     fs::write(folder.path().join("results.csv"), head.to_owned() + &peel).expect("written");
-    fs::write(folder.path().join("cone.csv"), "travel_mm,load_N\n0,0\n10,2.5\n").expect("written");
     folder
 }
 
@@ -301,12 +300,6 @@ fn what_was_measured_and_what_was_written_is_for_programs_too() {
     let asked_json: serde_json::Value = serde_json::from_slice(&asked.stdout).expect("one object");
     assert_eq!((asked.status.code(), &asked_json["chosen"]), (Some(1), &serde_json::Value::Null));
     assert_eq!(asked_json["settings"].as_array().map(Vec::len), Some(1));
-    // A table that is the answer is printed even with --quiet.
-    let cone = ["cone", "cone.csv", "--contact-radius", "15 mm"];
-    assert_eq!(done(here, &[&cone[..], &["-q"]].concat()), done(here, &cone));
-    let points = json(here, &cone);
-    assert_eq!(points["points"][1]["load_N"], 2.5);
-    assert!(points["points"][1]["force_N"].as_f64().is_some_and(|force| (force - 3.227_761).abs() < 1e-6));
     let machines = json(here, &["machines"]);
     let machines = machines["machines"].as_array().expect("a list");
     assert!(machines.iter().any(|machine| machine["name"] == "grbl"));

@@ -4,6 +4,7 @@
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
+pub mod cone;
 pub mod ladders;
 pub mod predicted;
 pub mod residuals;

@@ -1,6 +1,6 @@
 //! Specs, profiles and tables with one fault each, and the program's messages.
 
-use stargrip_cam::coupon::cone::read_test;
+use stargrip_cam::coupon::bias::read_strip;
 use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::Forecast;
 use stargrip_cam::spec;
@@ -98,7 +98,7 @@ const LOADS: &[(&str, &str, &str)] = &[
     ("generic-machine", "", ""),
 ];
 
-/// Lines of a test on the cone.
+/// Lines of the test of a bias strip.
 const TABLES: &[(&str, &str)] = &[
     ("cell", "travel_mm,load_N\n0,0\n1,x\n"),
     ("cell-count", "travel_mm,load_N\n0,0\n1\n"),
@@ -160,7 +160,7 @@ pub(crate) fn messages() -> [Vec<Message>; 3] {
     }
     let [faults, ..] = &mut all;
     for &(_, text) in TABLES {
-        faults.extend(read_test(&Source::new("cone.csv", text)).err().iter().flat_map(of_faults));
+        faults.extend(read_strip(&Source::new("strip.csv", text)).err().iter().flat_map(of_faults));
     }
     for bytes in BYTES {
         let read = Source::from_bytes("spec.toml", bytes).and_then(|source| spec::read(&source));

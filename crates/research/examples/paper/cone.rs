@@ -3,8 +3,8 @@
 //! A tube that is pushed in by d on a small patch loses the volume A per d there, so it pushes back with p A. With the radii of
 //! curvature `R_m` along its meridian and `R_h` along the corner, cone included, the patch is an ellipse of `A = 2 pi d sqrt(R_m R_h)`.
 
+use research::cone::Balance;
 use research::stars::draw::PAPER_PRESSURES;
-use stargrip_cam::coupon::cone::{Balance, Cone};
 use stargrip_cam::forecast::model_selection::{corrected, tabled};
 use stargrip_cam::mechanics::star::response::Inflated;
 use std::f64::consts::PI;
@@ -87,7 +87,7 @@ fn touch(kilopascals: f64) -> Touch {
 
 /// The balance of forces, and the offset.
 pub(crate) fn tables() -> [String; 2] {
-    let ratio = |balance| Cone::new(HALF_ANGLE, 0.1, balance).expect("valid").ratio();
+    let ratio = |balance: Balance| balance.ratio(HALF_ANGLE, 0.1).expect("slides");
     let (derived, published) = (ratio(Balance::Derived), ratio(Balance::Published));
     let balance = format!(
         "| balance | F_s / P, gamma = 30 deg, mu = 0.1 |\n|---|---|\n| derived | {derived:.4} |\n| published | {published:.4} |\n\n"

@@ -2,6 +2,7 @@
 //! unit tests: `make test` would compile the large crate once more for them.
 
 mod command;
+mod cone;
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
 #[path = "../../examples/extremes.rs"]
 mod extremes;
