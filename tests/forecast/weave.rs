@@ -5,9 +5,8 @@ use std::f64::consts::FRAC_PI_4;
 use super::{case, close, gripper, predict};
 use stargrip_cam::forecast::case::weave;
 use stargrip_cam::forecast::report::text;
-use stargrip_cam::forecast::shell::star::flat;
-use stargrip_cam::shell::cases::StarPart;
-use stargrip_cam::spec::{ModelChoice, Spec};
+use stargrip_cam::forecast::shell::star::{ShellRefusal, flat};
+use stargrip_cam::spec::{ModelChoice, Spec, key};
 use stargrip_cam::units::{Angle, LineForce, Pressure};
 
 /// The paper's gripper of fabric with a fifth of the isotropic shear modulus, its warp at `warp` deg.
@@ -33,17 +32,23 @@ fn the_shear_modulus_is_a_part_of_that_of_isotropic_fabric() {
 }
 
 #[test]
-fn the_shell_computes_a_whole_star_where_the_weave_has_no_planes_of_symmetry() {
-    for (points, warp, part) in [
-        (5, 0.0, StarPart::Whole),
-        (4, 0.0, StarPart::HalfSector),
-        (4, -45.0, StarPart::HalfSector),
-        (4, 20.0, StarPart::Whole),
-    ] {
+fn the_shell_refuses_a_star_whose_weave_lies_askew() {
+    for (points, warp, is_computed) in [(4, 0.0, true), (4, -45.0, true), (4, 20.0, false), (5, 0.0, false)] {
         let spec = woven(points, warp);
-        let flat = flat(&case(&spec), weave(&spec.fabric).expect("in range")).expect("a star");
-        assert_eq!(flat.part(), part, "{points} {warp}");
+        let flat = flat(&case(&spec), weave(&spec.fabric).expect("in range"));
+        match flat {
+            Ok(_) => assert!(is_computed, "{points} {warp}"),
+            Err(ShellRefusal::Fault(fault)) => {
+                assert!(!is_computed && fault.key == key::fabric::WARP, "{points} {warp}: {fault:?}");
+                let remedy = fault.remedy.expect("a remedy");
+                assert!(remedy.contains("remove `shear_modulus`"), "{remedy}");
+                assert_eq!(remedy.contains("\"45 deg\""), points == 4, "{remedy}");
+            }
+            Err(refusal) => panic!("{refusal:?}"),
+        }
     }
+    // Without a weave every star is computed.
+    assert!(flat(&case(&gripper(5)), weave(&gripper(5).fabric).expect("in range")).is_ok());
 }
 
 /// Shells close less from 1/eps = 1,500 on only (docs/weave.md).

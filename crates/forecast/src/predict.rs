@@ -362,7 +362,7 @@ fn weave_left_out(fabric: &Fabric) -> Option<String> {
     (!weave.is_isotropic()).then(|| {
         format!(
             "shear_modulus is not used: numbers and ranges are for isotropic fabric; the given fabric has {part:.2} of \
-             its shear modulus; `predict` with the model \"shell\" takes it into account"
+             its shear modulus; `predict` with the model \"shell\" uses it for 4 points with `warp` at a multiple of 45 deg"
         )
     })
 }

@@ -1,12 +1,12 @@
-//! The paper's stars of woven fabric: `cargo run --release --example weave -- PART POINTS CELLS CUTS [SHEAR WARP [NU [RADIUS ...]]] [--margin LAW INNER OUTER]`.
+//! The paper's stars of woven fabric: `cargo run --release --example weave -- POINTS CELLS CUTS [SHEAR WARP [NU [RADIUS ...]]] [--margin LAW INNER OUTER]`.
 //!
-//! W = 30 mm, rho_0 = 50 mm, tips of 30 deg, sharp hinges, 37 kPa, t = 0.3 mm, E = 128 MPa. PART is "half" (half a sector, cut as the first
-//! corner's is) or "whole"; LAW is that of the sealed margin, "plane" or "slack", INNER and
+//! W = 30 mm, rho_0 = 50 mm, tips of 30 deg, sharp hinges, 37 kPa, t = 0.3 mm, E = 128 MPa. Half a sector is computed, cut as the first
+//! corner's is. LAW is that of the sealed margin, "plane" or "slack", INNER and
 //! OUTER its widths, mm. SHEAR is G by E / [2 (1 + nu)], WARP the angle to the first corner's ray, deg, RADIUS that of an object, mm.
 //! Prints each number with its mesh error and its last three meshes.
 
 use inflatable::shell::cases::{
-    FlatStar, Margin, MarginLaw, Objects, StarPart, Tube, Value, Watch, star_by_sizes,
+    FlatStar, Margin, MarginLaw, Objects, Tube, Value, Watch, star_by_sizes,
 };
 use inflatable::shell::element::{Fabric, Weave};
 use inflatable::shell::mesh::Sizes;
@@ -16,13 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut words: Vec<String> = std::env::args().skip(1).collect();
     let margin = words.iter().position(|word| word == "--margin").map(|at| words.split_off(at));
     let margin = margin.map_or(Ok(Margin::NONE), |words| margin_of(&words[1..]))?;
-    let mut words = words.into_iter();
-    let part = match words.next().as_deref() {
-        Some("half") => StarPart::HalfSector,
-        Some("whole") => StarPart::Whole,
-        _ => return Err("the first word is half or whole".into()),
-    };
-    let numbers: Vec<f64> = words.map(|word| word.parse()).collect::<Result<_, _>>()?;
+    let numbers: Vec<f64> = words.iter().map(|word| word.parse()).collect::<Result<_, _>>()?;
     let number = |place: usize, usual: f64| numbers.get(place).copied().unwrap_or(usual);
     let points = (3..17).find(|points| f64::from(*points) >= number(0, 5.0)).ok_or("POINTS is 3 to 16")?;
     let (cells, cuts) = (number(1, 3.0), (0..9).take_while(|k| f64::from(*k) < number(2, 2.0)).count());
@@ -33,18 +27,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let case = FlatStar { band: 0.002, margin, ..FlatStar::sharp(tube, points, 0.05, 30.0_f64.to_radians()) };
     let radii: Vec<f64> = numbers.iter().skip(6).map(|mm| 1e-3 * mm).collect();
     let sizes = (&Sizes::across(1.0, cells), cuts);
-    let found = star_by_sizes((&case, part), Objects::Radii(&radii), sizes, &Watch::default())?;
+    let found = star_by_sizes(&case, Objects::Radii(&radii), sizes, &Watch::default())?;
     let print = |name: &str, value: Value| {
         let Value { value, error, meshes: [a, b, c] } = value;
         println!("{name:24} {value:10.4} +- {error:.4}   meshes {a:.4} {b:.4} {c:.4}");
     };
     print("final radius, mm", found.final_radius.scaled(1e3));
     print("cut edge, mm", found.edge_radius.scaled(1e3));
-    print("least corner, mm", found.corner_radii[0].scaled(1e3));
-    print("largest corner, mm", found.corner_radii[1].scaled(1e3));
-    print("corners aside, mm", found.off_center.scaled(1e3));
     print("tip angle, deg", found.tip_angle.scaled(1.0_f64.to_degrees()));
-    print("least tip angle, deg", found.least_tip_angle.scaled(1.0_f64.to_degrees()));
     print("preload, N", found.preload);
     print("volume, cm^3", found.volume.scaled(1e6));
     print("stiffness, N/m", found.radial_stiffness);

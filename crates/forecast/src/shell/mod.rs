@@ -12,7 +12,7 @@ pub mod star;
 
 use crate::case::Case;
 use inflatable::mechanics::strength::ElasticSheet;
-use inflatable::shell::cases::{Fineness, FlatStar, Margin, StarPart, Tube};
+use inflatable::shell::cases::{Fineness, FlatStar, Margin, Tube};
 use inflatable::shell::element::{Fabric, Weave};
 
 pub use spec::Detail;
@@ -48,17 +48,6 @@ pub fn fineness(detail: Detail) -> Fineness {
     }
 }
 
-/// The meshes that `detail` means for a star of which `part` is modelled: a whole one has 2 n times the triangles, so it gets larger ones.
-/// Whole stars of five points have up to 150,000, 200,000 and 350,000 unknowns.
-pub fn fineness_of(part: StarPart, detail: Detail) -> Fineness {
-    match (part, detail) {
-        (StarPart::HalfSector, _) => fineness(detail),
-        (StarPart::Whole, Detail::Coarse) => Fineness { cells: 3.0, cuts: 2 },
-        (StarPart::Whole, Detail::Medium) => Fineness { cells: 6.0, cuts: 2 },
-        (StarPart::Whole, Detail::Fine) => Fineness { cells: 8.0, cuts: 2 },
-    }
-}
-
 /// Points with which shells of stars are computed.
 const MOST_POINTS: u32 = 16;
 
@@ -80,16 +69,11 @@ fn flat_star(case: &Case, weave: Weave, pressure: f64) -> FlatStar {
 /// shells do not cover the star.
 pub(crate) fn by_shell(case: &Case, weave: Weave) -> Option<String> {
     let star = flat_star(case, weave, case.pressure?);
-    if star.points > MOST_POINTS || star.check().is_err() {
+    if star.points > MOST_POINTS || !star.is_symmetric() || star.check().is_err() {
         return None;
     }
-    let time = match star.part() {
-        StarPart::HalfSector => "1 to 10 s",
-        StarPart::Whole => "half a minute to minutes",
-    };
-    Some(format!(
-        "the shell covers this star: `predict` with the model \"shell\" and coarse meshes computes it in {time}"
-    ))
+    let text = "the shell covers this star: `predict` with the model \"shell\" and coarse meshes computes it in 1 to 10 s";
+    Some(text.to_owned())
 }
 
 /// The fabric of `sheet` with the weave `weave`, as the shell's input.

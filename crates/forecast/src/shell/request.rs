@@ -4,7 +4,7 @@ use crate::case::Case;
 use crate::interval::Interval;
 use crate::predict::PredictFault;
 use crate::pressures::outside;
-use crate::shell::{Detail, MOST_POINTS, SHELL, fineness_of, flat_star};
+use crate::shell::{Detail, MOST_POINTS, SHELL, fineness, flat_star};
 use inflatable::shell::cases::{
     Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Objects, OpeningStep, ShellFault, Value, Watch,
     star,
@@ -77,7 +77,7 @@ pub(crate) struct Measurements {
 /// The star of `case`, of fabric with the weave `weave`, as the shell's input.
 ///
 /// # Errors
-/// If no pressure is given, or it has too many points.
+/// If no pressure is given, it has too many points, or its weave has other planes of symmetry than the star.
 pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
     let pressure = case.pressure.ok_or_else(no_pressure)?;
     let points = case.mechanism.points;
@@ -85,7 +85,22 @@ pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
         let what = format!("{points} points, and shells of stars are computed with 3 to {MOST_POINTS}");
         return Err(fault(key::star::POINTS, what));
     }
-    Ok(flat_star(case, weave, pressure))
+    let star = flat_star(case, weave, pressure);
+    if star.is_symmetric() { Ok(star) } else { Err(askew(points).into()) }
+}
+
+/// The fault of a star of `points` points whose weave its planes of symmetry do not leave as it is.
+fn askew(points: u32) -> PredictFault {
+    let what = format!(
+        "the shell computes woven stars of 4 points with the warp at a multiple of 45 deg only, where half a sector stands \
+         for the star; this one has {points} points"
+    );
+    let warp = if points == 4 { "set `warp` to \"0 deg\" or \"45 deg\"; or " } else { "" };
+    let remedy = format!(
+        "{warp}remove `shear_modulus` from [fabric] for isotropic fabric, or compute with --model section, which leaves the \
+         weave out; docs/weave.md tells how much a weave changes"
+    );
+    PredictFault { remedy: Some(remedy), ..PredictFault::new(key::fabric::WARP, what) }
 }
 
 /// Inflates the star of `case`, then presses it against its object and round ones of `radii` (m).
@@ -113,7 +128,7 @@ pub(crate) fn ask(
         ShellFault::TooMany { .. } => key::load::OBJECT_DIAMETER,
         _ => key::star::TIP_ANGLE,
     };
-    let found = star(&flat, Objects::Radii(&objects), fineness_of(flat.part(), detail), watch)
+    let found = star(&flat, Objects::Radii(&objects), fineness(detail), watch)
         .map_err(|why| refused(&why, "", of_shape))?;
     let measured = Measurements::new(case, object, &found);
     Ok((flat, found, measured))

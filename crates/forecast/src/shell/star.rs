@@ -13,16 +13,11 @@ use crate::star_answer::{bare, mm};
 use design::{Design, Meeting, PlacedPart, StarDesign};
 use inflatable::mechanics::star::bearing::FOLDING;
 use inflatable::mechanics::strength::payload;
-use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, OpeningStep, StarPart, Value, Watch};
+use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, OpeningStep, Value, Watch};
 use spec::units::Readable;
 use spec::{Spec, key};
 
 pub use crate::shell::request::{ShellRefusal, flat};
-
-/// The value on the finest mesh, mm: numbers whose differences matter are not extrapolated one by one.
-fn finest_mm(value: Value) -> f64 {
-    mm(value.meshes[2])
-}
 
 /// Use of a shear modulus by a shell.
 const IN_THE_MESH: &str = "shear_modulus and warp in every triangle";
@@ -189,32 +184,20 @@ impl ShellRun {
                 force_curve: (!curve.is_empty())
                     .then(|| curve.iter().map(|(_, force)| force.error).collect()),
             }),
-            warnings: warnings(case, (flat, found), measured).into_iter().chain(snap_warning).collect(),
+            warnings: warnings(case, flat, measured).into_iter().chain(snap_warning).collect(),
             ..bare.clone()
         }
     }
 }
 
-fn warnings(case: &Case, (flat, found): (&FlatStar, &InflatedStar), measured: &Measurements) -> Vec<String> {
+fn warnings(case: &Case, flat: &FlatStar, measured: &Measurements) -> Vec<String> {
     let (radius, object) = (measured.radius, measured.object);
     let too_wide = case.object.is_some_and(|radius| radius > 0.0) && object.is_none();
     let pull = measured.extremes.seal_pull.value;
-    let ([least, most], off_center) = (found.corner_radii.map(finest_mm), finest_mm(found.off_center));
     let sharp = flat.tip_radius == 0.0 || flat.corner_radius == 0.0;
     let candidates = [
         (flat.points > TRIED_POINTS, format!("shells of stars were tried with 3 to {TRIED_POINTS} points")),
         (measured.touches(), "the arms touch, and press on each other".to_owned()),
-        (
-            flat.part() == StarPart::Whole,
-            format!(
-                "the woven star does not close to a circle: on its finest mesh the corners lie {least:.1} to \
-                 {most:.1} mm from the point in their middle, which is {off_center:.1} mm beside that of the tips; the final radius is their mean, extrapolated"
-            ),
-        ),
-        (
-            flat.part() == StarPart::Whole && found.least_tip_angle.meshes[2] < 0.0,
-            "two arms pass through each other: the shell of a whole star has no contact between arms".to_owned(),
-        ),
         (
             too_wide,
             format!("the object is wider than the cut hole, {} mm across: it does not enter", Readable(2.0 * mm(case.hole))),

@@ -168,7 +168,7 @@ fn compute_coarse(points: u32, grading: &str) -> Result<String, ShellFault> {
         _ => Sizes::across(1.0, COARSE),
     };
     let flat = star.expect("it is in the set").flat();
-    let found = star_by_sizes((&flat, flat.part()), Objects::Radii(&[]), (&sizes, 2), &Watch::default())?;
+    let found = star_by_sizes(&flat, Objects::Radii(&[]), (&sizes, 2), &Watch::default())?;
     let radii = found.final_radius.meshes.map(|radius| format!("{:.3}", 1e3 * radius));
     let unknowns: Vec<String> = found.evidence.unknowns.iter().map(ToString::to_string).collect();
     Ok(format!("{} {}", radii.join(" "), unknowns.join(" ")))

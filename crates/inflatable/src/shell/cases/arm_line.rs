@@ -16,16 +16,6 @@ impl ArmLine {
     /// The arm whose flat rims run along `along` (a unit vector); s counts from the origin, and only points with s within
     /// `reach` belong to it.
     pub(crate) fn new(mesh: &Mesh, along: [f64; 2], reach: [f64; 2]) -> Self {
-        Self::within(mesh, along, reach, |_| true)
-    }
-
-    /// The line of the edges whose middles on the flat sheet `is_own` accepts.
-    pub(crate) fn within(
-        mesh: &Mesh,
-        along: [f64; 2],
-        reach: [f64; 2],
-        is_own: impl Fn([f64; 2]) -> bool,
-    ) -> Self {
         let place = |point: usize| mesh.points[point][0] * along[0] + mesh.points[point][1] * along[1];
         let length = reach[1] - reach[0];
         let middle = f64::midpoint(reach[0], reach[1]);
@@ -33,10 +23,9 @@ impl ArmLine {
         for edge in &mesh.edges {
             let on_rim = matches!(edge.border, Some(Border::Rim(rim::INNER | rim::OUTER)));
             let [a, b] = edge.ends;
-            let middle_of = |c: usize| f64::midpoint(mesh.points[a][c], mesh.points[b][c]);
             let (sa, sb) = (place(a), place(b));
             let (from, to) = (sa.min(sb).max(reach[0]), sa.max(sb).min(reach[1]));
-            if !on_rim || from >= to || !is_own([middle_of(0), middle_of(1)]) {
+            if !on_rim || from >= to {
                 continue;
             }
             for (end, here, there) in [(a, sa, sb), (b, sb, sa)] {

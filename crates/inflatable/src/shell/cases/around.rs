@@ -37,7 +37,7 @@ pub fn around(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<StarAround, ShellFault> {
-    let modelled = case.modelled(case.part())?;
+    let modelled = case.modelled()?;
     let mut obstacles = modelled.obstacles();
     let post = obstacles.len() - 1;
     obstacles[post] = Obstacle::Post { radius: radius / case.tube.width };

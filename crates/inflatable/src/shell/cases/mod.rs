@@ -22,9 +22,9 @@ mod objects;
 mod pressures;
 mod refinement;
 mod region;
+mod sector;
 mod shape;
 mod star;
-mod star_part;
 #[cfg(test)]
 mod tests;
 mod tube;
@@ -47,7 +47,6 @@ pub use region::{
 };
 pub use shape::InflatedShape;
 pub use star::{FlatStar, InflatedStar, star, star_by_sizes};
-pub use star_part::StarPart;
 pub use tube::Tube;
 pub use value::Value;
 pub use whole::{Symmetry, WholeBody};

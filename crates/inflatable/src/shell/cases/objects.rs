@@ -89,16 +89,17 @@ impl Objects<'_> {
     }
 }
 
-/// Opens the star by each object in turn, and writes the force of one sheet of the modelled part on it, and behind all forces how far it slides
-/// on it. It starts from the coarser mesh's result for each, if there is one and it leads to an equilibrium; it keeps its own results.
+/// Opens the star by each object in turn. Returns the force of one sheet of the modelled part on each, and how far it slides on each; 0
+/// behind the last object. It starts from the coarser mesh's result for each, if there is one and it leads to an equilibrium, and keeps
+/// its own results in `beside`.
 pub(super) fn press(
     tube: &Tube,
     objects: Objects<'_>,
     (solver, post): (&mut Solver, usize),
     equilibrium: &Equilibrium,
-    (beside, numbers): (&mut Vec<Indented>, &mut [f64]),
-) -> Result<(), ShellFault> {
-    let (forces, slips) = numbers.split_at_mut(MOST_OBJECTS);
+    beside: &mut Vec<Indented>,
+) -> Result<[[f64; MOST_OBJECTS]; 2], ShellFault> {
+    let [mut forces, mut slips] = [[0.0; MOST_OBJECTS]; 2];
     let mut starts = std::mem::take(beside).into_iter();
     let mut state = equilibrium.state.clone();
     let innermost = nearest(&state);
@@ -119,14 +120,14 @@ pub(super) fn press(
             Err(_) => {
                 forces[index..].fill(f64::NAN);
                 slips[index..].fill(f64::NAN);
-                return Ok(());
+                break;
             }
         }
         radius = last;
         slips[index] = solver.slip(post, &state);
         forces[index] = solver.contact.as_ref().map_or(0.0, |contact| contact.force(post));
     }
-    Ok(())
+    Ok([forces, slips])
 }
 
 /// As [`open`], but at once where the coarser mesh's result leads to an equilibrium.
@@ -194,7 +195,7 @@ fn open(
 mod tests {
     use super::*;
     use crate::shell::assembly::Sheet;
-    use crate::shell::cases::star_part::{ModelledPart, StarPart};
+    use crate::shell::cases::sector::ModelledSector;
     use crate::shell::cases::tests::tube;
     use crate::shell::contact::Contact;
     use crate::shell::element::vector::{Vector, dot, times};
@@ -240,7 +241,7 @@ mod tests {
             r_i: 1.0 / 30.0,
             r_e: 1.0 / 30.0,
         };
-        let modelled = ModelledPart { part: StarPart::HalfSector, sector, margin: MarginWidths::default() };
+        let modelled = ModelledSector { sector, margin: MarginWidths::default() };
         let mesh = modelled.meshed(&Sizes::across(1.0, 8.0)).expect("a mesh").mesh;
         let (sheet, supports) = (Sheet::new(&mesh, tube.scaled()), modelled.supports(&mesh));
         let mut solver = Solver::new(sheet, supports).expect("small");

@@ -1,5 +1,4 @@
-//! The star: half a sector of it between a reentrant corner's plane of symmetry and a tip's, or all of it where the weave has other
-//! directions of symmetry.
+//! The star: half a sector of it between a reentrant corner's plane of symmetry and a tip's.
 
 use crate::shell::assembly::{Sheet, Supports};
 use crate::shell::cases::actuator::Fineness;
@@ -8,10 +7,11 @@ use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::margin::Margin;
 use crate::shell::cases::objects::{MOST_OBJECTS, Objects, OpeningStep, is_followed, opening_curve, press};
 use crate::shell::cases::refinement::{Evidence, Family, Watch};
+use crate::shell::cases::sector::ModelledSector;
 use crate::shell::cases::shape::InflatedShape;
-use crate::shell::cases::star_part::{ModelledPart, StarPart};
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
+use crate::shell::contact::Contact;
 use crate::shell::mesh::{HalfSector, Mesh, Meshed, Sizes};
 use crate::shell::solver::{Equilibrium, Solver};
 
@@ -40,21 +40,15 @@ pub struct FlatStar {
 /// A star under pressure; values per star count both sheets and all sectors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InflatedStar {
-    /// From the axis to the apex of a corner's inner rim, m; of a whole star the mean of all corners, from the point in their middle.
+    /// From the axis to the apex of a corner's inner rim, m.
     pub final_radius: Value,
     /// From the axis to the cut edge in front of that apex, m: the apex itself without a margin.
     pub edge_radius: Value,
-    /// The least and the largest of all corners, m.
-    pub corner_radii: [Value; 2],
-    /// Distance of the point in the middle of the corners from that of the tips, m.
-    pub off_center: Value,
-    /// Twice the angle between a tip's plane and the line of its arm, rad; of a whole star the mean of all tips.
+    /// Twice the angle between a tip's plane and the line of its arm, rad.
     pub tip_angle: Value,
-    /// The least angle of a tip. Arms of a whole star pass through each other where it is below 0.
-    pub least_tip_angle: Value,
     /// Volume, m^3.
     pub volume: Value,
-    /// Force with which the two arms of a tip press on each other, N; 0 where they do not touch, and of a whole star.
+    /// Force with which the two arms of a tip press on each other, N; 0 where they do not touch.
     pub preload: Value,
     /// Flat area of an arm's sheet that touches the next arm, m^2.
     pub contact_area: Value,
@@ -76,11 +70,79 @@ pub struct InflatedStar {
     pub evidence: Evidence,
 }
 
-/// Numbers that each mesh gives of the whole star, and with those of its hardest loaded places.
-pub(super) const WHOLE: usize = 11;
-const NUMBERS: usize = WHOLE + 3;
-/// The tip's plane of symmetry among the obstacles.
-const TIP: usize = 1;
+/// Numbers that each mesh gives, by the scales of the shell: those of one sheet of half a sector.
+struct StarNumbers<T> {
+    final_radius: T,
+    edge_radius: T,
+    tip_angle: T,
+    volume: T,
+    preload: T,
+    contact_area: T,
+    stiffness: T,
+    seal_tension: T,
+    stretch: T,
+    seal_pull: T,
+    forces: [T; MOST_OBJECTS],
+    slips: [T; MOST_OBJECTS],
+}
+
+/// Number of fields of [`StarNumbers`] that do not depend on an object.
+const SINGLE: usize = 10;
+const NUMBERS: usize = SINGLE + 2 * MOST_OBJECTS;
+
+impl<T: Copy> From<StarNumbers<T>> for [T; NUMBERS] {
+    fn from(numbers: StarNumbers<T>) -> Self {
+        let single = [
+            numbers.final_radius,
+            numbers.edge_radius,
+            numbers.tip_angle,
+            numbers.volume,
+            numbers.preload,
+            numbers.contact_area,
+            numbers.stiffness,
+            numbers.seal_tension,
+            numbers.stretch,
+            numbers.seal_pull,
+        ];
+        std::array::from_fn(|index| match index.checked_sub(SINGLE) {
+            None => single[index],
+            Some(object) if object < MOST_OBJECTS => numbers.forces[object],
+            Some(object) => numbers.slips[object - MOST_OBJECTS],
+        })
+    }
+}
+
+impl<T: Copy> From<[T; NUMBERS]> for StarNumbers<T> {
+    fn from(numbers: [T; NUMBERS]) -> Self {
+        let [
+            final_radius,
+            edge_radius,
+            tip_angle,
+            volume,
+            preload,
+            contact_area,
+            stiffness,
+            seal_tension,
+            stretch,
+            seal_pull,
+            ..,
+        ] = numbers;
+        Self {
+            final_radius,
+            edge_radius,
+            tip_angle,
+            volume,
+            preload,
+            contact_area,
+            stiffness,
+            seal_tension,
+            stretch,
+            seal_pull,
+            forces: std::array::from_fn(|object| numbers[SINGLE + object]),
+            slips: std::array::from_fn(|object| numbers[SINGLE + MOST_OBJECTS + object]),
+        }
+    }
+}
 
 impl FlatStar {
     /// A star whose hinges turn on points, without band and margin.
@@ -97,24 +159,20 @@ impl FlatStar {
         self.tube.check()
     }
 
-    /// The smallest part of it that is valid for its weave.
-    pub fn part(&self) -> StarPart {
+    /// Whether the planes of symmetry through its corners and tips leave its weave as it is, so that half a sector stands for the star.
+    pub fn is_symmetric(&self) -> bool {
         let weave = self.tube.fabric.weave;
         let half_angle = std::f64::consts::PI / f64::from(self.points);
-        if weave.is_mirrored_at(0.0) && weave.is_mirrored_at(half_angle) {
-            StarPart::HalfSector
-        } else {
-            StarPart::Whole
-        }
+        weave.is_mirrored_at(0.0) && weave.is_mirrored_at(half_angle)
     }
 
-    /// The `part` of the star, scaled.
-    pub(super) fn modelled(&self, part: StarPart) -> Result<ModelledPart, ShellFault> {
-        Ok(ModelledPart { part, sector: self.sector()?, margin: self.margin.widths(self.tube.width) })
+    /// Half a sector, scaled.
+    pub(super) fn modelled(&self) -> Result<ModelledSector, ShellFault> {
+        Ok(ModelledSector { sector: self.sector()?, margin: self.margin.widths(self.tube.width) })
     }
 
     /// The supports of a mesh of `modelled`; it adds the margin to the sheet.
-    pub(super) fn hold(&self, modelled: &ModelledPart) -> impl Fn(&Meshed, &mut Sheet) -> Supports {
+    pub(super) fn hold(&self, modelled: &ModelledSector) -> impl Fn(&Meshed, &mut Sheet) -> Supports {
         move |meshed, sheet| {
             let mut supports = modelled.supports(&meshed.mesh);
             self.margin.apply(meshed, sheet, &mut supports);
@@ -146,22 +204,22 @@ pub fn star(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
-    star_by_sizes((case, case.part()), objects, (&Sizes::across(1.0, fineness.cells), fineness.cuts), watch)
+    star_by_sizes(case, objects, (&Sizes::across(1.0, fineness.cells), fineness.cuts), watch)
 }
 
-/// As [`star`], of any part of it and on meshes of any grading: the edge lengths of the coarsest one, by W, and how often its triangles are
-/// cut into four. Half a sector of a weave without its planes of symmetry models a star that has none: each half sector of it is cut as
-/// the first one is, or as its mirror image.
+/// As [`star`], on meshes of any grading: the edge lengths of the coarsest one, by W, and how often its triangles are cut into four. Half a
+/// sector of a weave without its planes of symmetry models a star that has none: each half sector of it is cut as the first one is, or as
+/// its mirror image.
 ///
 /// # Errors
 /// As of [`star`].
 pub fn star_by_sizes(
-    (case, part): (&FlatStar, StarPart),
+    case: &FlatStar,
     objects: Objects<'_>,
     (sizes, cuts): (&Sizes, usize),
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
-    let modelled = case.modelled(part)?;
+    let modelled = case.modelled()?;
     let count = objects.sizes().len();
     if count > MOST_OBJECTS {
         return Err(ShellFault::TooMany { name: "objects", found: count, most: MOST_OBJECTS });
@@ -171,64 +229,52 @@ pub fn star_by_sizes(
     let post = obstacles.len() - 1;
     let hold = case.hold(&modelled);
     let family = Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles };
+    // Both are those of the last mesh, which is the finest.
     let (mut places, mut shape) = ([[0.0; 2]; 3], InflatedShape::default());
     let mut opening = Vec::new();
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, beside| {
-        let mut numbers = [0.0; NUMBERS + 2 * MOST_OBJECTS];
         let [tension, stretch] = extremes::extremes(&solver.assembly.sheet, meshed, &equilibrium.state);
         let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
         let pull = extremes::pull(&meshed.mesh, solver.assembly.forces(), case.band / case.tube.width);
-        let (whole, middle) = measure(&modelled, solver, &meshed.mesh, equilibrium);
-        numbers[..WHOLE].copy_from_slice(&whole);
-        let worst = [tension, stretch, pull];
-        numbers[WHOLE..NUMBERS].copy_from_slice(&worst.map(|(number, _)| number));
-        places = worst.map(|(_, at)| at);
+        places = [tension, stretch, pull].map(|(_, at)| at);
+        let [seal_tension, stretch, seal_pull] = [tension, stretch, pull].map(|(number, _)| number);
+        let at_rest = measure(&modelled, solver, &meshed.mesh, equilibrium);
         shape = InflatedShape::new(&case.tube, solver, &meshed.mesh, &equilibrium.state);
         // The next mesh begins without the objects.
         let alone = solver.contact.clone();
-        let mut centered = equilibrium.clone();
-        for x in &mut centered.state.points {
-            *x = [x[0] - middle[0], x[1] - middle[1], x[2]];
-        }
-        press(&case.tube, objects, (solver, post), &centered, (beside, &mut numbers[NUMBERS..]))?;
+        let [forces, slips] = press(&case.tube, objects, (solver, post), equilibrium, beside)?;
         solver.contact = alone;
         if is_followed(solver, &opening) {
-            opening = opening_curve(&case.tube, objects, solver, post, &centered)?;
+            opening = opening_curve(&case.tube, objects, solver, post, equilibrium)?;
         }
-        Ok(numbers)
+        Ok(StarNumbers { seal_tension, stretch, seal_pull, forces, slips, ..at_rest }.into())
     })?;
+    let values = StarNumbers::from(values);
     let w = case.tube.width;
     let force = case.tube.fabric.stretch * w;
     let sheets = modelled.count();
     let [seal_at, stretch_at, pull_at] = places.map(|at| at.map(|x| x * w));
+    let forces = objects.sizes().iter().zip(&values.forces);
     Ok(InflatedStar {
-        final_radius: values[0].scaled(w),
-        edge_radius: values[10].scaled(w),
-        corner_radii: [values[6].scaled(w), values[7].scaled(w)],
-        off_center: values[8].scaled(w),
-        tip_angle: values[1],
-        least_tip_angle: values[9],
-        volume: values[2].scaled(sheets * w.powi(3)),
-        preload: values[3].scaled(2.0 * force),
-        contact_area: values[4].scaled(w * w),
-        radial_stiffness: values[5].scaled(sheets * force / w),
-        forces: objects
-            .sizes()
-            .iter()
-            .zip(&values[NUMBERS..])
-            .map(|(r, f)| (*r, f.scaled(sheets * force)))
-            .collect(),
-        slips: values[NUMBERS + MOST_OBJECTS..][..count].to_vec(),
+        final_radius: values.final_radius.scaled(w),
+        edge_radius: values.edge_radius.scaled(w),
+        tip_angle: values.tip_angle,
+        volume: values.volume.scaled(sheets * w.powi(3)),
+        preload: values.preload.scaled(2.0 * force),
+        contact_area: values.contact_area.scaled(w * w),
+        radial_stiffness: values.stiffness.scaled(sheets * force / w),
+        forces: forces.map(|(size, value)| (*size, value.scaled(sheets * force))).collect(),
+        slips: values.slips[..count].to_vec(),
         opening: opening
             .into_iter()
             .map(|step| OpeningStep { radius: w * step.radius, force: sheets * force * step.force })
             .collect(),
         extremes: Extremes {
-            seal_tension: values[WHOLE].scaled(case.tube.fabric.stretch),
+            seal_tension: values.seal_tension.scaled(case.tube.fabric.stretch),
             seal_at,
-            stretch: values[WHOLE + 1],
+            stretch: values.stretch,
             stretch_at,
-            seal_pull: values[WHOLE + 2].scaled(case.tube.fabric.stretch),
+            seal_pull: values.seal_pull.scaled(case.tube.fabric.stretch),
             pull_at,
         },
         shape,
@@ -236,31 +282,31 @@ pub fn star_by_sizes(
     })
 }
 
-/// Radius, tip angle, volume, force and area of contact, stiffness, the least and the largest radius, how far the corners' middle lies
-/// aside, the least tip angle, the radius of the cut edge; and the corners' middle.
-pub(super) fn measure(
-    modelled: &ModelledPart,
+/// The numbers of the star at rest; those of its hardest loaded places and of objects are 0.
+fn measure(
+    modelled: &ModelledSector,
     solver: &mut Solver,
     mesh: &Mesh,
     equilibrium: &Equilibrium,
-) -> ([f64; WHOLE], [f64; 2]) {
-    let corners = modelled.corner_places(mesh, &equilibrium.state);
-    let [angle, least_angle] = modelled.tip_angles(mesh, &equilibrium.state);
-    let at_tips = solver.contact.as_ref().filter(|_| modelled.part == StarPart::HalfSector);
-    let (force, area) = at_tips.map_or((0.0, 0.0), |contact| (contact.force(TIP), contact.patch(TIP)));
-    let [least, largest] = corners.range;
-    let numbers = [
-        corners.mean,
-        angle,
-        equilibrium.rest.energy.volume,
-        force,
-        area,
-        modelled.stiffness(solver.compliance(&modelled.sections(mesh))),
-        least,
-        largest,
-        corners.aside,
-        least_angle,
-        corners.edge,
-    ];
-    (numbers, corners.middle)
+) -> StarNumbers<f64> {
+    let [final_radius, edge_radius] = modelled.corner_radii(mesh, &equilibrium.state);
+    let tip = |contact: &Contact| {
+        let tip = ModelledSector::TIP;
+        [contact.force(tip), contact.patch(tip)]
+    };
+    let [preload, contact_area] = solver.contact.as_ref().map_or([0.0; 2], tip);
+    StarNumbers {
+        final_radius,
+        edge_radius,
+        tip_angle: modelled.tip_angle(mesh, &equilibrium.state),
+        volume: equilibrium.rest.energy.volume,
+        preload,
+        contact_area,
+        stiffness: 1.0 / solver.compliance(&modelled.section(mesh)),
+        seal_tension: 0.0,
+        stretch: 0.0,
+        seal_pull: 0.0,
+        forces: [0.0; MOST_OBJECTS],
+        slips: [0.0; MOST_OBJECTS],
+    }
 }
