@@ -77,6 +77,18 @@ def test_the_study_runs_as_a_program(tmp_path: Path, root: Path) -> None:
         assert len(saved["final_radius_mm"]) == 100 and saved["refused"].dtype.kind == "U"
 
 
+def test_a_slurm_task_writes_its_part_once(tmp_path: Path, root: Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    slurm = EXAMPLES / "slurm"
+    for part in ("1", "2", "1"):
+        program = [sys.executable, str(slurm / "study_part.py"), str(root / "designs" / "paper-gripper.toml")]
+        program += [str(slurm / "study.toml"), str(tmp_path / "parts"), part, "2"]
+        done = subprocess.run(program, capture_output=True, text=True, timeout=120)
+        assert done.returncode == 0, done.stderr
+    assert sorted(path.name for path in (tmp_path / "parts").iterdir()) == ["part-1-of-2.parquet", "part-2-of-2.parquet"]
+    assert parquet.read_table(tmp_path / "parts").num_rows == 4 * 100 * 100
+
+
 def test_the_notebook_runs_and_is_committed_without_outputs() -> None:
     nbformat, nbclient = pytest.importorskip("nbformat"), pytest.importorskip("nbclient")
     notebook = nbformat.read(EXAMPLES / "paper.ipynb", as_version=4)

@@ -109,7 +109,7 @@ enum Command {
     Actuator(actuator::Args),
     /// Search for the best star: points, tip angle, width and radii within bounds, under constraints.
     Optimize(optimize::Args),
-    /// Compute many designs at once: a row for each of a study file, or for every combination of values; show or join studies.
+    /// Compute many designs at once: a row for each of a study file, or for every combination of values; show a study.
     Study(study::Args),
     /// Compare cost and error of every model: shells are stored, the others are measured on this machine.
     Trade(trade::Args),

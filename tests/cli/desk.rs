@@ -147,8 +147,6 @@ fn every_command_can_be_quiet() {
     let dir = folder();
     for args in [
         &["sweep", "star.toml", "--vary", "star.points=4,5", "-o", "x.csv"][..],
-        &["sweep", "star.toml", "--vary", "star.points=4,5", "--parts", "2", "-o", "parts/"],
-        &["study", "join", "parts", "-o", "y.csv"],
         &["feedcheck", "star.toml"],
         &["coupon", "star.toml"],
     ] {

@@ -72,24 +72,6 @@ fn refusals_point_at_the_key_and_end_with_one() {
 }
 
 #[test]
-fn parts_of_a_sweep_join_to_the_whole() {
-    let dir = folder();
-    let vary = ["--vary", "star.points=3..6/4", "--vary", "star.tube_width=20 mm..40 mm/11"];
-    let sweep = |more: &[&str]| {
-        let output = run(dir.path(), &[&["sweep", "spec.toml"], &vary[..], more].concat());
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        text(&output.stdout)
-    };
-    let whole = sweep(&[]);
-    assert_eq!(whole.lines().count(), 45);
-    assert_eq!(whole, ["1/3", "2/3", "3/3"].map(|part| sweep(&["--part", part, "--threads", "1"])).concat());
-    for wrong in ["0/3", "4/3", "x"] {
-        let output = run(dir.path(), &[&["sweep", "spec.toml"], &vary[..], &["--part", wrong]].concat());
-        assert_eq!(output.status.code(), Some(2));
-    }
-}
-
-#[test]
 fn optimize_ends_in_a_spec_that_keeps_its_promise() {
     let dir = folder();
     let mut args =

@@ -305,7 +305,7 @@ fn no_command_writes_to_a_pipe_or_a_device() {
     let dir = workshop();
     let job = "out/star/star-1-seal.gcode";
     let _ = build(dir.path(), "star.toml", "out/star");
-    for pipe in ["pipe", "pipe.rows", "feed.gcode", "feed.gcode.manifest.json"] {
+    for pipe in ["pipe", "feed.gcode", "feed.gcode.manifest.json"] {
         assert!(Command::new("mkfifo").arg(dir.path().join(pipe)).status().expect("it starts").success());
     }
     std::os::unix::fs::symlink("pipe", dir.path().join("link.csv")).expect("a link");
@@ -318,8 +318,6 @@ fn no_command_writes_to_a_pipe_or_a_device() {
         (&["study", "run", "star.toml", "--vary", vary, "-o", "pipe"], 1),
         (&["study", "run", "star.toml", "--vary", vary, "-o", "link.csv"], 1),
         (&["study", "run", "star.toml", "--vary", vary, "-o", "/dev/full"], 1),
-        (&["study", "run", "star.toml", "--vary", vary, "--parts", "1", "-o", "pipe"], 1),
-        (&["study", "join", "out", "-o", "pipe"], 1),
         (&["trade", "--csv", "pipe"], 1),
         (&["trade", "--svg", "pipe"], 1),
         (&["feedcheck", "star.toml", "-o", "pipe"], 1),
@@ -332,7 +330,7 @@ fn no_command_writes_to_a_pipe_or_a_device() {
         assert_eq!(output.status.code(), Some(code), "{args:?}: {}", stderr(&output));
         assert!(!stderr(&output).is_empty(), "{args:?}");
     }
-    for pipe in ["pipe", "pipe.rows", "feed.gcode"] {
+    for pipe in ["pipe", "feed.gcode"] {
         let kind = dir.path().join(pipe).metadata().expect("there").file_type();
         assert!(!kind.is_file() && !kind.is_dir(), "{pipe} was replaced");
     }

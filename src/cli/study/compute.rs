@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::{Loaded, read_source};
-use crate::cli::study::run::Destination;
+use crate::cli::study::rows::Destination;
 use crate::cli::verbosity::Verbosity;
 use forecast::study::Study;
 use spec::study::{Axis, read_study};
@@ -14,8 +14,7 @@ use spec::study::{Axis, read_study};
 #[derive(clap::Args, Debug)]
 #[command(
     after_help = "Examples: stargrip-cam study run spec.toml --vary star.points=3,4,5 --vary \"star.tube_width=10 mm..40 mm/31\"\n\
-                        stargrip-cam study run study.toml -o study.csv\n\
-                        stargrip-cam study run study.toml --part 3/16 -o parts; stargrip-cam study join parts -o study.csv"
+                        stargrip-cam study run study.toml -o study.csv"
 )]
 pub(in crate::cli) struct Args {
     /// A study file; or, with --vary, the spec around which values are varied.

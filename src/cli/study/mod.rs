@@ -1,11 +1,7 @@
-//! `stargrip-cam study`: its rows, its parts, and their files.
+//! `stargrip-cam study`: many designs, a row each.
 
-mod checkpoint;
 pub(super) mod compute;
-mod join;
-mod part;
 mod rows;
-mod run;
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -33,25 +29,13 @@ enum StudyCommand {
         #[command(flatten)]
         quiet: Quiet,
     },
-    /// Join the parts in a directory to one file, or print which are missing, damaged or of another study.
-    #[command(after_help = "Example: stargrip-cam study join parts -o study.csv")]
-    Join {
-        /// The directory that `study run STUDY --part k/N -o DIR` or `--parts N -o DIR` has filled.
-        dir: PathBuf,
-        /// The file; it appears when it is complete.
-        #[arg(short, long, value_name = "FILE")]
-        output: PathBuf,
-        #[command(flatten)]
-        quiet: Quiet,
-    },
 }
 
-/// Shows a study, or joins its parts.
+/// Computes or shows a study.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     match &args.what {
         StudyCommand::Run(args) => compute::run(args),
         StudyCommand::Show { study, quiet } => say(&shown(&loaded(study, quiet.verbosity())?)),
-        StudyCommand::Join { dir, output, quiet } => join::run(dir, output, quiet.verbosity()),
     }
 }
 

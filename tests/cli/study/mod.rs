@@ -1,10 +1,9 @@
-//! Studies as a user runs them: study files, parts, joins, and the state after kills and on full disks.
+//! Studies as a user runs them: study files, their tables, and the state on full disks.
 
 mod faults;
-mod kills;
 mod page;
-mod parts;
 mod slow;
+mod table;
 
 use std::fs;
 use std::path::Path;

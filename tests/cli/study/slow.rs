@@ -1,13 +1,8 @@
-//! Studies by slow models: their rows equal single predictions, and each row is stored when it is finished.
+//! Studies by slow models: their rows equal single predictions.
 
 use std::fs;
-use std::path::Path;
-use std::process::Stdio;
-use std::time::{Duration, Instant};
 
-use stargrip_cam::digest::sha256;
-
-use super::{command, done, folder, names, refused};
+use super::{done, folder, refused};
 
 /// The rows of a CSV: each a list of cells, by the names of their columns.
 fn rows(csv: &str) -> (Vec<&str>, Vec<Vec<&str>>) {
@@ -46,60 +41,14 @@ fn a_row_by_bvp_says_what_a_prediction_says() {
     agree(&csv, 0, &json, &same);
 }
 
-/// Waits until a row is stored in `path`.
-fn await_row(path: &Path) {
-    let began = Instant::now();
-    while fs::read_to_string(path).map_or(0, |text| text.lines().count()) < 2 {
-        assert!(began.elapsed() < Duration::from_secs(120), "no row was kept");
-        std::thread::sleep(Duration::from_millis(5));
-    }
-}
-
 #[test]
-fn rows_that_are_kept_are_not_computed_again() {
+fn slow_rows_are_in_order_and_alike_by_any_number_of_threads() {
     let dir = folder(BVP);
-    let at = dir.path();
-    let whole = done(at, &["sweep", "study.toml"]);
-    for (out, kept, ready) in [
-        (&["-o", "study.csv"][..], "study.rows", "study.csv"),
-        (&["--part", "1/1", "-o", "parts"], "parts/part-1-of-1.rows", "parts/part-1-of-1.csv"),
-    ] {
-        let args = [&["sweep", "study.toml", "--threads", "1"], out].concat();
-        let mut child = command(at, &args).stderr(Stdio::null()).spawn().expect("it starts");
-        await_row(&at.join(kept));
-        child.kill().expect("killed");
-        let _ = child.wait().expect("a child");
-        assert!(!at.join(ready).exists(), "it was killed in the middle");
-        // The stored rows of another study are neither used nor lost.
-        let text = fs::read_to_string(at.join(kept)).expect("kept");
-        fs::write(at.join("other.toml"), BVP.replace("40 deg", "41 deg")).expect("written");
-        let other = [&["sweep", "other.toml"], out].concat();
-        let said = refused(at, &other, 1);
-        assert!(said.contains("does not belong to this study: delete it, or choose another place"), "{said}");
-        assert_eq!(fs::read_to_string(at.join(kept)).expect("kept"), text);
-        // A row with an impossible value shows that it comes from the stored file. Another one is damaged.
-        let (head, rest) = text.split_once('\n').expect("a head");
-        let line = rest.lines().next().expect("a row");
-        let (_, cells) = line.split_once(' ').expect("a hash");
-        let mut own: Vec<Option<String>> = serde_json::from_str(cells).expect("cells");
-        let row = own[0].clone().expect("its number");
-        own[2] = Some("1.25".to_owned());
-        let cells = serde_json::to_string(&own).expect("JSON");
-        let torn = &line[..line.len() - 3];
-        fs::write(at.join(kept), format!("{head}\n{} {cells}\n{torn}", sha256(&cells))).expect("written");
-        let _ = done(at, &args);
-        assert!(!at.join(kept).exists(), "what is whole needs no rows beside it");
-        let found = fs::read_to_string(at.join(ready)).expect("written");
-        for (own, right) in found.lines().zip(whole.lines()) {
-            if own.starts_with(&format!("{row},")) {
-                assert_eq!(own.split(',').nth(2), Some("1.25000000"), "{own}");
-            } else {
-                assert_eq!(own, right);
-            }
-        }
-        assert_eq!(found.lines().count(), whole.lines().count());
-    }
-    assert_eq!(names(&at.join("parts")), ["part-1-of-1.csv", "part-1-of-1.json"]);
+    let [whole, single] = [&[][..], &["--threads", "1"]]
+        .map(|more| done(dir.path(), &[&["sweep", "study.toml"], more].concat()));
+    assert_eq!(whole, single);
+    let numbers: Vec<&str> = rows(&whole).1.iter().map(|row| row[0]).collect();
+    assert_eq!(numbers, ["0", "1", "2", "3"]);
 }
 
 /// A star of thick fabric at little pressure, which takes few steps.

@@ -82,7 +82,7 @@ impl Study {
         make: impl Fn(RowBatch) -> T + Sync,
         mut take: impl FnMut(T, usize) -> bool + Send,
     ) -> bool {
-        if self.is_slow() {
+        if self.is_slow {
             return self.run_slowly(rows, cancel, |batch| take(make(batch), 1));
         }
         let all: Vec<Range<usize>> =
@@ -162,40 +162,28 @@ impl Study {
 }
 
 impl Study {
-    /// Computes each of `rows` in parallel, and hands it to `take` as a batch of one when it is there, in no order; `take` may stop
-    /// by returning false. Returns whether it was done.
-    pub fn each(
-        &self,
-        rows: impl Iterator<Item = usize> + Send,
-        cancel: &Arc<AtomicBool>,
-        take: impl FnMut(RowBatch) -> bool + Send,
-    ) -> bool {
-        let take = Mutex::new(take);
-        let one = |row: usize| {
-            let batch = self.chunk(row..row + 1, cancel)?;
-            let mut take = take.lock().unwrap_or_else(PoisonError::into_inner);
-            take(batch).then_some(())
-        };
-        rows.par_bridge().try_for_each(one).is_some()
-    }
-
-    /// The same in order: those that are too early wait for those before them.
-    pub(super) fn run_slowly(
+    /// Computes each of `rows` on its own in parallel, and hands it to `take` in order as a batch of one: rows that are ready too early
+    /// wait for those before them. `take` may stop by returning false. Returns whether it ran to the end.
+    fn run_slowly(
         &self,
         rows: Range<usize>,
         cancel: &Arc<AtomicBool>,
-        mut take: impl FnMut(RowBatch) -> bool + Send,
+        take: impl FnMut(RowBatch) -> bool + Send,
     ) -> bool {
-        let (mut next, mut early) = (rows.start, BTreeMap::new());
-        self.each(rows, cancel, |batch| {
-            let _ = early.insert(batch.rows.start, batch);
-            while let Some(batch) = early.remove(&next) {
-                next += 1;
+        let queue = Mutex::new((rows.start, BTreeMap::new(), take));
+        let compute = |row: usize| {
+            let batch = self.chunk(row..row + 1, cancel)?;
+            let mut queue = queue.lock().unwrap_or_else(PoisonError::into_inner);
+            let (next, early, take) = &mut *queue;
+            let _ = early.insert(row, batch);
+            while let Some(batch) = early.remove(next) {
+                *next += 1;
                 if !take(batch) {
-                    return false;
+                    return None;
                 }
             }
-            true
-        })
+            Some(())
+        };
+        rows.par_bridge().try_for_each(compute).is_some()
     }
 }

@@ -10,11 +10,10 @@
 //! | `answers` | the values of its model |
 //! | `output`, `outputs`, `wanted` | the values of a row, with their units |
 //! | [`batch`] | rows as columns of numbers, computed in parallel; rows that take seconds each |
-//! | [`csv`], [`checkpoint`] | batches as bytes; single rows as lossless texts |
+//! | [`csv`] | batches as bytes |
 
 mod answers;
 pub mod batch;
-pub mod checkpoint;
 pub mod csv;
 mod designs;
 mod output;
@@ -125,11 +124,6 @@ impl Study {
     /// Number of rows, at least 1.
     pub fn rows(&self) -> usize {
         self.designs.rows
-    }
-
-    /// Whether a row takes a second to minutes, so that each should be saved as soon as it is computed.
-    pub fn is_slow(&self) -> bool {
-        self.is_slow
     }
 
     /// The columns: `row`, the varied keys, the outputs of each design, and the reason for a refusal.
