@@ -1,16 +1,16 @@
-//! STL: a drawing's closed paths extruded, the outermost as the edge, the others as holes through it; labels are sunk in.
+//! STL: a drawing's closed paths extruded, the outermost as the edge, the others as holes through it.
 //!
 //! Binary, in millimetres, the lower face at Z 0. All faces come from one triangulation in which every edge of the drawing is an
-//! edge (by `spade`, with exact predicates): a triangle is void, solid or sunk by the edges between it and the outside, and a
-//! wall is made wherever two neighbours differ. So the solid is closed.
+//! edge (by `spade`, with exact predicates): a triangle is void or solid by the edges between it and the outside, and a wall
+//! is made wherever two neighbours differ. So the solid is closed.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 use crate::emit::chords::chords;
-use design::{Drawing, Layer};
+use design::Drawing;
 use geom::{Path, Point};
 use program::number::{Decimals, single};
 use program::text::inert;
@@ -28,34 +28,35 @@ const FACET: usize = 50;
 
 type StlTriangles = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
-/// For an undirected edge: whether plate ends there, whether sunk and plain meet there.
-type Changes = BTreeMap<[usize; 2], [bool; 2]>;
+/// The undirected edges at which the plate ends.
+type PlateEdges = BTreeSet<[usize; 2]>;
 
-/// The plate of `drawing`, `thickness` high, with its labels sunk `depth` deep; `name` is in its head.
-pub fn stl(name: &str, drawing: &Drawing, thickness: f64, depth: f64) -> Vec<u8> {
+/// The plate of `drawing`, `thickness` high; `name` is in its head.
+pub fn stl(name: &str, drawing: &Drawing, thickness: f64) -> Vec<u8> {
     let mut triangles = StlTriangles::new();
-    let mut changes = Changes::new();
-    for (layer, shapes) in &drawing.layers {
+    let mut plate_edges = PlateEdges::new();
+    for (_, shapes) in &drawing.layers {
         for path in shapes.iter().flat_map(|shape| shape.paths().into_owned()) {
-            insert(&path, usize::from(*layer == Layer::Label), &mut triangles, &mut changes);
+            insert(&path, &mut triangles, &mut plate_edges);
         }
     }
-    let tops = tops(&triangles, &changes, thickness, depth);
+    let solid = solid_faces(&triangles, &plate_edges);
     let mut out = inert(name, HEAD).into_bytes();
     out.resize(HEAD, b' ');
     // Room for the number of facets.
     out.extend([0; 4]);
     for face in triangles.inner_faces() {
-        let Some(top) = tops[face.fix().index()] else { continue };
+        if !solid[face.fix().index()] {
+            continue;
+        }
         let [a, b, c] = face.positions().map(|p| [p.x, p.y]);
-        facet(&mut out, [(a, top), (b, top), (c, top)], [0.0, 0.0, 1.0]);
+        facet(&mut out, [(a, thickness), (b, thickness), (c, thickness)], [0.0, 0.0, 1.0]);
         facet(&mut out, [(a, 0.0), (c, 0.0), (b, 0.0)], [0.0, 0.0, -1.0]);
     }
     for edge in triangles.directed_edges().filter(|edge| edge.is_constraint_edge()) {
-        let [left, right] = [edge.face(), edge.rev().face()].map(|face| tops[face.fix().index()]);
-        if let Some(top) = left.filter(|top| right.is_none_or(|right| right < *top)) {
-            let [a, b] = edge.positions().map(|p| [p.x, p.y]);
-            wall(&mut out, a, b, [right.unwrap_or(0.0), top]);
+        let [left, right] = [edge.face(), edge.rev().face()].map(|face| solid[face.fix().index()]);
+        if left && !right {
+            wall(&mut out, edge.positions().map(|p| [p.x, p.y]), thickness);
         }
     }
     let count = u32::try_from((out.len() - HEAD - 4) / FACET).unwrap_or(u32::MAX);
@@ -64,7 +65,7 @@ pub fn stl(name: &str, drawing: &Drawing, thickness: f64, depth: f64) -> Vec<u8>
 }
 
 /// Puts the corners of a closed path and the edges between them into the triangulation.
-fn insert(path: &Path, change: usize, triangles: &mut StlTriangles, changes: &mut Changes) {
+fn insert(path: &Path, triangles: &mut StlTriangles, plate_edges: &mut PlateEdges) {
     let corners = corners(path);
     let vertices: Vec<FixedVertexHandle> =
         corners.iter().filter_map(|[x, y]| triangles.insert(Point2::new(*x, *y)).ok()).collect();
@@ -73,35 +74,32 @@ fn insert(path: &Path, change: usize, triangles: &mut StlTriangles, changes: &mu
         if a != b && triangles.can_add_constraint(*a, *b) {
             let _ = triangles.add_constraint(*a, *b);
             let ends = [a.index().min(b.index()), a.index().max(b.index())];
-            let known = changes.entry(ends).or_default();
-            known[change] = !known[change];
+            // An edge that is passed twice is none.
+            if !plate_edges.insert(ends) {
+                let _ = plate_edges.remove(&ends);
+            }
         }
     }
 }
 
-/// The height of each face, by its index; `None` for void.
-fn tops(triangles: &StlTriangles, changes: &Changes, thickness: f64, depth: f64) -> Vec<Option<f64>> {
-    // For each face: whether it is plate, whether it is sunk. The outer one is neither.
-    let mut states: Vec<Option<[bool; 2]>> = vec![None; triangles.num_all_faces()];
+/// Whether each face, by its index, is plate. The outer one is not, and faces beside each other differ where the plate ends.
+fn solid_faces(triangles: &StlTriangles, plate_edges: &PlateEdges) -> Vec<bool> {
+    let mut states: Vec<Option<bool>> = vec![None; triangles.num_all_faces()];
     let outer = triangles.outer_face().fix().index();
-    states[outer] = Some([false; 2]);
+    states[outer] = Some(false);
     let hull = triangles.convex_hull().flat_map(|edge| [edge, edge.rev()]);
     let mut open: Vec<_> = hull.filter(|edge| edge.face().fix().index() == outer).collect();
     while let Some(edge) = open.pop() {
         let (here, there) = (edge.face().fix().index(), edge.rev().face());
-        let (Some([plate, sunk]), None) = (states[here], states[there.fix().index()]) else { continue };
+        let (Some(is_plate), None) = (states[here], states[there.fix().index()]) else { continue };
         let [a, b] = edge.vertices().map(|vertex| vertex.fix().index());
-        let [ends, label] = changes.get(&[a.min(b), a.max(b)]).copied().unwrap_or_default();
-        states[there.fix().index()] = Some([plate != ends, sunk != label]);
+        let ends = plate_edges.contains(&[a.min(b), a.max(b)]);
+        states[there.fix().index()] = Some(is_plate != ends);
         if let Some(face) = there.as_inner() {
             open.extend(face.adjacent_edges());
         }
     }
-    let top = |state: Option<[bool; 2]>| match state {
-        Some([true, sunk]) => Some(if sunk { thickness - depth } else { thickness }),
-        _ => None,
-    };
-    states.into_iter().map(top).collect()
+    states.into_iter().map(|state| state == Some(true)).collect()
 }
 
 /// The corners of a closed path as a polygon, rounded; no two neighbours are the same.
@@ -115,13 +113,14 @@ fn corners(path: &Path) -> Vec<[f64; 2]> {
     out
 }
 
-/// Two triangles below the edge from `a` to `b`, whose left side is solid, between two heights.
-fn wall(out: &mut Vec<u8>, a: [f64; 2], b: [f64; 2], [bottom, top]: [f64; 2]) {
+/// Two triangles below the edge from the first to the second of `ends`, whose left side is solid, from Z 0 to `top`.
+fn wall(out: &mut Vec<u8>, ends: [[f64; 2]; 2], top: f64) {
+    let [a, b] = ends;
     let ([ax, ay], [bx, by]) = (a, b);
     let length = libm::hypot(bx - ax, by - ay);
     let normal = [(by - ay) / length, (ax - bx) / length, 0.0];
-    facet(out, [(a, top), (a, bottom), (b, bottom)], normal);
-    facet(out, [(a, top), (b, bottom), (b, top)], normal);
+    facet(out, [(a, top), (a, 0.0), (b, 0.0)], normal);
+    facet(out, [(a, top), (b, 0.0), (b, top)], normal);
 }
 
 fn facet(out: &mut Vec<u8>, corners: [([f64; 2], f64); 3], normal: [f64; 3]) {

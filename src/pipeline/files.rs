@@ -3,7 +3,7 @@
 use crate::emit;
 use crate::manifest::{Manifest, ManifestFile, manifest_of};
 use crate::pipeline::{Built, Forecast, Sources};
-use design::{Star, engraved_depth};
+use design::Star;
 use forecast::charts::charts;
 use forecast::pose;
 use program::plan::Program;
@@ -140,10 +140,7 @@ fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
     Some(match output.kind.format() {
         Format::Svg => emit::svg(&title, &drawing, spec.accuracy.path, spec.cut.colours).into_bytes(),
         Format::Dxf => emit::dxf(&drawing, spec.accuracy.path, spec.cut.colours).into_bytes(),
-        Format::Stl => {
-            let thickness = output.thickness(spec);
-            emit::stl(&output.solid_name(&spec.name), &drawing, thickness, engraved_depth(thickness))
-        }
+        Format::Stl => emit::stl(&output.solid_name(&spec.name), &drawing, output.thickness(spec)),
         Format::Pdf => emit::pdf(&title, &output.paper?.pages(&drawing, &output.caption())),
         Format::Toml | Format::Gcode | Format::Json | Format::Png | Format::Glb | Format::Html => {
             return None;

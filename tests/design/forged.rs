@@ -118,20 +118,14 @@ fn every_corner(bytes: &[u8], change: impl Fn(&mut [f32])) -> Vec<u8> {
         .fold(bytes.to_vec(), |out, i| facet(i, |n| n.chunks_exact_mut(3).skip(1).for_each(&change))(&out))
 }
 
-/// A label that is sunk deeper or not at all, and one of another plate.
+/// A face that is sunk in, and a mask of the other side.
 #[test]
-fn solids_with_another_mark_are_found() {
-    let sunk_to = |z: f32| {
-        move |bytes: &[u8]| {
-            every_corner(bytes, |p| {
-                if (p[2] - 1.6).abs() < 1e-3 {
-                    p[2] = z;
-                }
-            })
-        }
-    };
-    assert_found(SOLID, "deviation", sunk_to(1.59));
-    assert_found(SOLID, "deviation", sunk_to(1.0));
+fn solids_with_a_sunken_face_or_of_another_side_are_found() {
+    // A triangle of the upper face, without the walls down to it.
+    assert_found(SOLID, "not-watertight", facet(0, |n| [5, 8, 11].iter().for_each(|z| n[*z] -= 0.4)));
+    // The whole upper face: closed, but thinner.
+    let sunk = |bytes: &[u8]| every_corner(bytes, |p| p[2] = if p[2] > 1.0 { 1.6 } else { 0.0 });
+    assert_found(SOLID, "deviation", sunk);
     let other =
         support::build(&support::PAPER.replace("[star]", "[mask]\nmirror = true\n[star]")).expect("a design");
     let file = "star-1-mask-mirrored.stl";

@@ -59,8 +59,7 @@ def solid(file, volume):
     mesh = Mesh.Mesh(file)
     if not mesh.isSolid() or mesh.hasNonManifolds() or mesh.hasSelfIntersections() or mesh.countComponents() != 1:
         yield "no single solid without faults"
-    # Marks are sunk into it: up to 2 %.
-    if not 0.98 < mesh.Volume / volume < 1.0002:
+    if not 0.999 < mesh.Volume / volume < 1.0002:
         yield f"{mesh.Volume:.3f} mm3, the manifest says {volume:.3f}"
     print(f"{file}: {mesh.Volume:.1f} mm3, {mesh.Volume / volume - 1.0:+.1e} of the manifest's")
 

@@ -1,9 +1,9 @@
 """trimesh reads solids: watertight, wound outwards, one body, of the area and the extents in the manifest.
 
-The area is that of its bottom face; a mark is sunk into the other one, so that the volume may be up to 2 % less.
+The area is that of its bottom face, and the volume that area times the thickness.
 
 Of a mask in pieces the first one is looked at together with all others: moved back to where they belong, they are the plate of the
-mask's drawing. The Euler number counts holes: a disc with k of them has 2 - 2 k, whatever is sunk into it.
+mask's drawing. The Euler number counts holes: a disc with k of them has 2 - 2 k.
 
 Usage: stl.py FILE...
 """
@@ -49,8 +49,8 @@ def problems_of(path):
         stands, volume = sum(map(foot, solids)), sum(solid.volume for solid in solids)
         if abs(stands - area) > 1e-3 * area:
             problems.append(f"stands on {stands:.1f} mm2, the manifest says {area:.1f}")
-        if not 0.98 * area * thickness < volume < 1.0001 * area * thickness:
-            problems.append(f"{volume:.1f} mm3, the manifest says {area * thickness:.1f} without marks")
+        if not 0.999 * area * thickness < volume < 1.0001 * area * thickness:
+            problems.append(f"{volume:.1f} mm3, the manifest says {area * thickness:.1f}")
         if euler != 2 - 2 * holes:
             problems.append(f"Euler number {euler} with {holes} holes")
 

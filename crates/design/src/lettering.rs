@@ -56,16 +56,10 @@ const GLYPHS: [(char, &str); 41] = [
 ];
 
 /// The strokes of `c` as points of the grid; empty for characters drawn as a blank.
-pub(super) fn strokes(c: char) -> Vec<Vec<[u8; 2]>> {
+fn strokes(c: char) -> Vec<Vec<[u8; 2]>> {
     let Some((_, strokes)) = GLYPHS.iter().find(|(known, _)| *known == c) else { return Vec::new() };
     let point = |xy: &[u8]| [xy[0] - b'0', xy[1] - b'0'];
     strokes.split(' ').map(|stroke| stroke.as_bytes().chunks_exact(2).map(point).collect()).collect()
-}
-
-/// Every character that is drawn.
-#[cfg(test)]
-pub(super) fn known() -> impl Iterator<Item = char> {
-    GLYPHS.iter().map(|(c, _)| *c)
 }
 
 /// Width of a text, mm.

@@ -11,7 +11,6 @@ mod contour;
 mod cut;
 mod drawing;
 mod drawn;
-mod engraving;
 mod flat;
 mod frame;
 mod inlet;
@@ -48,7 +47,6 @@ pub use drawn::{
     DrawnCut, DrawnLabels, DrawnPiece, DrawnPieces, DrawnSeparator, LayerProposal, Measure, MeasureForm,
     RoledFigure, drawing_notes, figures, propose_layers, roled_figures, unit_question,
 };
-pub use engraving::engraved_depth;
 pub use flat::{FlatPiece, PieceCut};
 pub use frame::{Frame, Plate, opening, shut_reach};
 pub use inlet::Channel;

@@ -5,7 +5,6 @@
 //! lock into sockets of the tip like a jigsaw puzzle's; the straight parts lie against each other and position the tip. The
 //! registration holes come with the tips and the middle that they lie in.
 
-use crate::engraving::Spot;
 use crate::joint::{JointCut, RADII, WALL};
 use crate::{MaskPlate, Outline, Refusal, RefusalCode, Star};
 use geom::{Bounds, Isometry, Path, Point, Vec2};
@@ -177,26 +176,22 @@ impl Piece {
         Isometry { mirrored, ..Isometry::rotation(sign * self.turn) }
     }
 
-    /// The largest disc for a text that keeps clear of the piece's edge and everything cut out of it: around the axis, or on
+    /// The point with the most room for a text around it, clear of the piece's edge and of everything cut out of it: the axis, or a point on
     /// the ray of its tip.
-    pub(super) fn spot(&self, star: &Star, outline: &Outline, mask: &MaskPlate) -> Spot {
-        let free = |p: Point| {
+    pub(super) fn roomiest_point(&self, star: &Star, outline: &Outline, mask: &MaskPlate) -> Point {
+        let Some(tip) = self.tip else { return Point::ORIGIN };
+        let room = |p: Point| {
             let holes = outline.registration.iter().map(|hole| hole.center.distance(p) - hole.diameter / 2.0);
             let windows = mask.windows.iter().map(|window| window.distance(p));
             let inside = if self.edge.encloses(p) { self.edge.distance(p) } else { 0.0 };
-            holes.chain(windows).fold(inside, f64::min) - WALL
-        };
-        let Some(tip) = self.tip else {
-            return Spot { middle: Point::ORIGIN, up: Vec2::new(0.0, 1.0), radius: free(Point::ORIGIN) };
+            holes.chain(windows).fold(inside, f64::min)
         };
         let ray = Vec2::unit(star.tip_ray(tip));
         let on_ray = (0_u32..200).map(|i| Point::ORIGIN + ray * (star.tip_reach() * f64::from(i) / 200.0));
-        let spots = on_ray.map(|middle| Spot { middle, up: ray, radius: free(middle) });
-        spots.reduce(|a, b| if b.radius > a.radius + 1e-6 { b } else { a }).unwrap_or(Spot {
-            middle: Point::ORIGIN,
-            up: ray,
-            radius: 0.0,
-        })
+        let places = on_ray.map(|place| (room(place), place));
+        // Of equal places the first.
+        let roomiest = places.reduce(|best, next| if next.0 > best.0 + 1e-6 { next } else { best });
+        roomiest.map_or(Point::ORIGIN, |(_, place)| place)
     }
 }
 

@@ -1,5 +1,4 @@
-//! STL files against the plates they should be: closed, of the right volume, with their edges where they belong, and sunk in
-//! where a label is.
+//! STL files against the plates they should be: closed, of the right volume, with their edges where they belong.
 
 use std::collections::{HashMap, HashSet};
 
@@ -9,7 +8,7 @@ use crate::verify::judge::files::layers::in_file;
 use crate::verify::judge::path::measure::Prepared;
 use crate::verify::read::stl::{SolidNotes, read_solid};
 use crate::verify::{FindingCode, Findings, StlFacet};
-use design::{Drawing, Layer, engraved_depth};
+use design::{Drawing, Layer};
 use geom::{Path, Point};
 
 /// Largest distance of a chord from its arc, mm, with the error of single precision.
@@ -24,16 +23,8 @@ const ROUNDED: f64 = 0.0008;
 /// Largest error of a normal, beside the turn by its corners' rounding: slicers use either.
 const NORMAL: f64 = 0.002;
 
-/// Paths along which there are walls, from one height to another.
-struct Walls {
-    what: &'static str,
-    targets: Vec<Prepared>,
-    length: f64,
-    bottom: f64,
-}
-
-/// Reads a binary STL and checks that it is the solid `name` of this thickness, mm, with the edges, the holes and the outlines of
-/// sunk labels in `drawing`; its facets, and the largest deviation of its edges, mm.
+/// Reads a binary STL and checks that it is the solid `name` of this thickness, mm, with the edges and the holes in
+/// `drawing`; its facets, and the largest deviation of its edges, mm.
 pub(super) fn check(
     bytes: &[u8],
     drawing: &Drawing,
@@ -47,32 +38,25 @@ pub(super) fn check(
         findings.add(FindingCode::BadStl, found, allowed);
         return (Vec::new(), f64::INFINITY);
     };
-    let depth = engraved_depth(thickness);
     named(&beside, name, findings);
     normals(&facets, &beside.normals, thickness, findings);
     let corners = numbered(&facets);
     closed(&corners, findings);
-    let paths = |label: bool| -> Vec<Path> {
-        let layers = drawing.layers.iter().filter(|(layer, _)| (*layer == Layer::Label) == label);
-        layers.flat_map(|(_, shapes)| shapes.iter().flat_map(paths_of)).collect()
-    };
-    let (plate, labels) = (paths(false), paths(true));
-    let layers = drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label);
+    let layers = drawing.layers.iter();
     let areas = layers.flat_map(|(layer, shapes)| {
         let sign = if matches!(layer, Layer::MaskPlate | Layer::FrameEdge) { 1.0 } else { -1.0 };
         shapes.iter().flat_map(paths_of).map(move |path| sign * path.area().abs())
     });
-    let sunk: f64 = labels.iter().map(Path::area).sum();
-    let right = areas.sum::<f64>() * thickness - sunk * depth;
+    let right = areas.sum::<f64>() * thickness;
     let volume: f64 = facets.iter().map(sixfold).sum::<f64>() / 6.0;
-    let walls =
-        [Walls::new("edge", &plate, 0.0), Walls::new("edge of the engraving", &labels, thickness - depth)];
+    let paths: Vec<Path> =
+        drawing.layers.iter().flat_map(|(_, shapes)| shapes.iter().flat_map(paths_of)).collect();
     // Chords cut off less than the tolerance along all edges.
-    let slack = walls[0].length * CHORD * thickness + walls[1].length * CORNER * depth;
+    let slack = paths.iter().map(Path::length).sum::<f64>() * CHORD * thickness;
     if (volume - right).abs() > slack {
         findings.add(FindingCode::WrongVolume, format!("{volume:.1} mm3"), format!("{right:.1} mm3"));
     }
-    let deviation = edges(&facets, &corners, &walls, thickness, findings);
+    let deviation = edges(&facets, &corners, &paths, thickness, findings);
     (facets, deviation)
 }
 
@@ -166,12 +150,6 @@ fn bits(x: f32) -> u32 {
     (x + 0.0).to_bits()
 }
 
-impl Walls {
-    fn new(what: &'static str, paths: &[Path], bottom: f64) -> Self {
-        Self { what, targets: Prepared::all(paths), length: paths.iter().map(Path::length).sum(), bottom }
-    }
-}
-
 /// The targets of a search, and the one that was found last: edges come along the paths, so mostly the next one is near it.
 struct Search<'a> {
     targets: &'a [Prepared],
@@ -211,23 +189,18 @@ pub(super) fn foot(facet: &StlFacet) -> Option<[[f64; 3]; 2]> {
     pairs.into_iter().find(|(a, b, c)| a[2] == b[2] && c[2] > a[2]).map(|(a, b, _)| [a, b])
 }
 
-/// Checks that the walls follow the exact paths, all along them, from their bottom to the thickness.
+/// Checks that the walls follow the exact paths, all along them, from Z 0 to the thickness.
 fn edges(
     facets: &[StlFacet],
     corners: &[[u32; 3]],
-    walls: &[Walls; 2],
+    paths: &[Path],
     thickness: f64,
     findings: &mut Findings,
 ) -> f64 {
-    let mut near = [0, 1].map(|i| Search { targets: &walls[i].targets, last: 0 });
-    let (mut largest, mut worst, mut lengths) = (0.0_f64, 0.0_f64, [0.0; 2]);
+    let targets = Prepared::all(paths);
+    let mut search = Search { targets: &targets, last: 0 };
+    let (mut largest, mut worst, mut length) = (0.0_f64, 0.0_f64, 0.0);
     let (mut seen, mut next): (HashSet<[u32; 2]>, u32) = (HashSet::new(), 0);
-    let heights = [walls[0].bottom, walls[1].bottom, thickness];
-    let off = |z: f64| {
-        // Without a label there is no third height.
-        let known = heights.iter().enumerate().filter(|(i, _)| *i != 1 || !walls[1].targets.is_empty());
-        known.map(|(_, height)| (z - height).abs()).fold(f64::INFINITY, f64::min)
-    };
     for (facet, numbers) in facets.iter().zip(corners) {
         for (corner, number) in facet.iter().zip(numbers) {
             if *number < next {
@@ -235,19 +208,16 @@ fn edges(
             }
             next += 1;
             let [x, y, z] = corner.map(f64::from);
-            worst = worst.max(off(z));
+            worst = worst.max(z.abs().min((z - thickness).abs()));
             // Walls have two corners above each other.
             if seen.insert([bits(corner[0]), bits(corner[1])]) {
-                let [plate, label] = &mut near;
-                let first = plate.distance(x, y);
-                worst = worst.max(if first > CORNER { first.min(label.distance(x, y)) } else { first });
+                worst = worst.max(search.distance(x, y));
             }
         }
         // A wall has corners on two heights; its lower edge is a chord of the paths.
         if let Some([a, b]) = foot(facet) {
-            let which = usize::from(a[2] > thickness / 2.0);
-            lengths[which] += libm::hypot(b[0] - a[0], b[1] - a[1]);
-            largest = largest.max(near[which].distance(0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])));
+            length += libm::hypot(b[0] - a[0], b[1] - a[1]);
+            largest = largest.max(search.distance(0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])));
         }
     }
     let coarse = single(facets);
@@ -261,12 +231,10 @@ fn edges(
             findings.add(FindingCode::Deviation, found, format!("{allowed} mm"));
         }
     }
-    for (walls, length) in walls.iter().zip(lengths) {
-        // A chord within the tolerance of its arc is shorter than it by far less than a hundredth.
-        if (length - walls.length).abs() > 0.01 * walls.length {
-            let found = format!("{length:.1} mm of {}", walls.what);
-            findings.add(FindingCode::PathLength, found, format!("{:.1} mm", walls.length));
-        }
+    let exact: f64 = paths.iter().map(Path::length).sum();
+    // A chord within the tolerance of its arc is shorter than it by far less than a hundredth.
+    if (length - exact).abs() > 0.01 * exact {
+        findings.add(FindingCode::PathLength, format!("{length:.1} mm of edge"), format!("{exact:.1} mm"));
     }
     largest.max(worst)
 }
