@@ -19,7 +19,7 @@ impl RawSpec {
     pub(super) fn parse(text: &str) -> (Self, Vec<Fault>) {
         let (root, errors) = DeTable::parse_recoverable(text);
         let root: RawTable = root.get_ref().into();
-        let faults = syntax::faults(&errors, text, &root);
+        let faults = syntax::faults(&errors, text);
         // The tables that the parser recovers between so many errors are arbitrary.
         let kept = if errors.len() < syntax::FLOOD { root } else { RawTable(Vec::new()) };
         (Self { root: kept }, faults)
