@@ -24,6 +24,13 @@ pub(super) const NAME_BYTES: usize = 235;
 /// What is wrong with a target that is no directory.
 pub(super) const NOT_A_DIRECTORY: &str = "exists and is not a directory; choose another with -o";
 
+/// Remedy for a target in which the process runs.
+pub(super) const CURRENT_DIRECTORY: &str = "is the current directory or holds it, and a build replaces its directory as a whole; choose \
+                                            another with -o, such as -o out";
+
+/// Remedy for a target that cannot be renamed.
+pub(super) const MOUNT_POINT: &str = "is a mount point, and a build replaces its directory as a whole; choose a directory in it with -o";
+
 impl PublishFault {
     /// The fault of the operation `what` on `path`.
     pub(super) fn io(what: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Self {
@@ -31,11 +38,15 @@ impl PublishFault {
         move |error| Self::Io(what, path, error)
     }
 
-    /// Whether the target's place is the cause: it cannot be renamed, or nothing can be created beside it.
-    pub(super) fn bound(&self) -> bool {
-        use io::ErrorKind::{CrossesDevices, PermissionDenied, ReadOnlyFilesystem, ResourceBusy};
-        let kinds = [CrossesDevices, PermissionDenied, ReadOnlyFilesystem, ResourceBusy];
-        matches!(self, Self::Io(_, _, error) if kinds.contains(&error.kind()))
+    /// The fault of replacing the directory `target`: a refusal where the system has something mounted there.
+    pub(super) fn of_target(self, target: &Path) -> Self {
+        use io::ErrorKind::{CrossesDevices, ResourceBusy};
+        match self {
+            Self::Io(_, _, error) if [CrossesDevices, ResourceBusy].contains(&error.kind()) => {
+                Self::Refused(target.to_owned(), MOUNT_POINT)
+            }
+            fault => fault,
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Publishing: an output directory appears complete or not at all, and no file of the user is lost.
 //!
-//! The files are written into a hidden directory beside the target, which then takes the target's place in one step ([`exchange`]), or file
-//! by file where that is impossible ([`journal`]). A target with a file that its manifest does not name is not touched. The old build is
+//! The files are written into a hidden directory beside the target, which then takes the target's place in one step ([`exchange`]). A mount
+//! point and the current directory cannot be replaced so, and are refused. A target with a file that its manifest does not name is not touched. The old build is
 //! checked again before it is removed ([`retire`]). The next publication in the same parent removes the rest of a killed one; concurrent
 //! publications wait for each other. docs/reliability.md has the guarantees, and their measurements.
 
@@ -10,7 +10,6 @@ mod exchange;
 mod fault;
 #[cfg(test)]
 mod faults;
-mod journal;
 mod place;
 mod record;
 mod retire;
@@ -79,22 +78,12 @@ pub(super) fn put(target: &Path, files: &[StagedFile<'_>]) -> Result<Published, 
     // Without a lock of the parent another publication may run beside the target.
     let [parent, _target] = place.lock();
     let mut kept = retire::sweep(&place, parent.is_some())?;
-    kept.extend(journal::recover(&place)?);
     let before = record::ours(&place.target)?;
     let after =
         files.iter().find(|(name, _)| *name == MANIFEST).and_then(|(_, bytes)| PublishRecord::parse(bytes));
-    let by_files = || journal::publish(&place, files, before.as_ref()).map(Some);
-    let old = if place.underfoot() {
-        by_files()?
-    } else {
-        match exchange::publish(&place, files) {
-            Err(fault) if fault.bound() && place.target.is_dir() => by_files()?,
-            result => result?,
-        }
-    };
     let mut left = None;
-    if let Some(old) = old {
-        match retire::retire(&old, after.as_ref(), &place.kept(&old)) {
+    if let Some(old) = exchange::publish(&place, files)? {
+        match retire::retire(&old, after.as_ref(), &place.kept()) {
             Ok(more) => kept.extend(more),
             Err(fault) => left = Some(fault),
         }

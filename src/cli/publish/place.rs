@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use crate::cli::publish::disk;
-use crate::cli::publish::fault::{NAME_BYTES, NOT_A_DIRECTORY, PublishFault};
+use crate::cli::publish::fault::{CURRENT_DIRECTORY, MOUNT_POINT, NAME_BYTES, NOT_A_DIRECTORY, PublishFault};
 use crate::cli::whole_file::directory_of;
 
 /// The purpose of a hidden directory.
@@ -55,6 +55,12 @@ impl TargetPlace {
         if disk::exists(&resolved) && !resolved.is_dir() {
             return Err(PublishFault::Refused(resolved, NOT_A_DIRECTORY));
         }
+        if is_current_dir(&resolved) {
+            return Err(PublishFault::Refused(resolved, CURRENT_DIRECTORY));
+        }
+        if is_mount_point(&resolved) {
+            return Err(PublishFault::Refused(resolved, MOUNT_POINT));
+        }
         if name.as_encoded_bytes().len() > NAME_BYTES {
             return Err(PublishFault::LongName(name.as_encoded_bytes().len()));
         }
@@ -74,22 +80,9 @@ impl TargetPlace {
         self.parent.join(hidden)
     }
 
-    /// The hidden directory in the target.
-    pub(super) fn inside(&self, role: PlaceRole) -> PathBuf {
-        self.target.join(role.suffix())
-    }
-
-    /// The names, without their number, under which the content of the hidden directory `path` may be kept: one beside the target. For a
-    /// directory in the target also one inside, because a rename may not leave a mount point.
-    pub(super) fn kept(&self, path: &Path) -> Vec<PathBuf> {
-        let inside = path.starts_with(&self.target).then(|| self.target.join("kept"));
-        [kept_beside(&self.parent, &self.name)].into_iter().chain(inside).collect()
-    }
-
-    /// Whether the process's current directory is in the target; renaming the target would remove it from its place.
-    pub(super) fn underfoot(&self) -> bool {
-        let here = env::current_dir().and_then(fs::canonicalize);
-        here.is_ok_and(|here| here.starts_with(&self.target))
+    /// The name, without its number, under which entries of an old build are kept.
+    pub(super) fn kept(&self) -> PathBuf {
+        kept_beside(&self.parent, &self.name)
     }
 
     /// Blocks other publications in the same parent, and into the same target from elsewhere. Systems that cannot lock directories have no
@@ -121,6 +114,26 @@ pub(super) fn kept_beside(parent: &Path, name: &OsStr) -> PathBuf {
     let mut kept = name.to_owned();
     kept.push(".kept");
     parent.join(kept)
+}
+
+/// Whether the process's current directory is `target` or in it: renaming the target would take it from under the process.
+fn is_current_dir(target: &Path) -> bool {
+    let current = env::current_dir().and_then(fs::canonicalize);
+    current.is_ok_and(|current| current.starts_with(target))
+}
+
+/// Whether another file system begins at `target`, which therefore cannot be renamed. A directory that is bound from the same file system is
+/// not recognised here: its renaming fails.
+#[cfg(unix)]
+fn is_mount_point(target: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let device = |path: &Path| fs::metadata(path).map(|entry| entry.dev());
+    device(target).is_ok_and(|own| device(directory_of(target)).is_ok_and(|parent| own != parent))
+}
+
+#[cfg(not(unix))]
+fn is_mount_point(_: &Path) -> bool {
+    false
 }
 
 /// Parent directories made for a publication, deepest first. The empty ones are removed with it.

@@ -12,10 +12,10 @@ use crate::cli::publish::fault::PublishFault;
 use crate::cli::publish::place::{PlaceRole, TargetPlace, kept_beside};
 use crate::cli::publish::record::{PublishRecord, is_manifest};
 
-/// Number of names tried for a kept directory, per place.
+/// Number of names tried for a kept directory.
 const NAMES: usize = 10_000;
 
-/// Removes the build in `directory`; what must be kept takes one of the free names `kept`-1, `kept`-2, ... `successor` is the build in its
+/// Removes the build in `directory`; what must be kept takes the first free name of `kept`-1, `kept`-2, ... `successor` is the build in its
 /// place: a file that equals one of its files is not kept. Returns the kept directories.
 ///
 /// # Errors
@@ -23,7 +23,7 @@ const NAMES: usize = 10_000;
 pub(super) fn retire(
     directory: &Path,
     successor: Option<&PublishRecord>,
-    kept: &[PathBuf],
+    kept: &Path,
 ) -> Result<Vec<PathBuf>, PublishFault> {
     let record = PublishRecord::read(directory);
     let entries = disk::entries(directory).map_err(PublishFault::io("read", directory))?;
@@ -44,33 +44,23 @@ pub(super) fn retire(
 }
 
 /// Gives `directory` the first free name, and returns its kept entries.
-fn keep(directory: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault> {
+fn keep(directory: &Path, kept: &Path) -> Result<Vec<PathBuf>, PublishFault> {
     let refused = |error| PublishFault::Io("give a visible name to", directory.to_owned(), error);
-    let mut fault = refused(io::ErrorKind::AlreadyExists.into());
-    for stem in kept {
-        for number in 1..=NAMES {
-            let mut name = stem.clone().into_os_string();
-            name.push(format!("-{number}"));
-            let name = PathBuf::from(name);
-            if disk::exists(&name) {
-                continue;
-            }
-            match disk::rename(directory, &name) {
-                Ok(()) => return disk::entries(&name).map_err(PublishFault::io("read", &name)),
-                // The name was taken at this moment: a rename replaces no directory with content.
-                Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => {}
-                Err(error) => {
-                    fault = refused(error);
-                    break;
-                }
-            }
+    for number in 1..=NAMES {
+        let mut name = kept.to_owned().into_os_string();
+        name.push(format!("-{number}"));
+        let name = PathBuf::from(name);
+        if disk::exists(&name) {
+            continue;
         }
-        // The second place is only for an entry that cannot be moved to the first.
-        if !fault.bound() {
-            break;
+        match disk::rename(directory, &name) {
+            Ok(()) => return disk::entries(&name).map_err(PublishFault::io("read", &name)),
+            // The name was taken at this moment: a rename replaces no directory with content.
+            Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => {}
+            Err(error) => return Err(refused(error)),
         }
     }
-    Err(fault)
+    Err(refused(io::ErrorKind::AlreadyExists.into()))
 }
 
 /// Removes the rest of killed publications beside the target, whatever their targets were, and restores an output that one of them had set
@@ -82,12 +72,12 @@ pub(super) fn sweep(place: &TargetPlace, alone: bool) -> Result<Vec<PathBuf>, Pu
     let mut kept = Vec::new();
     for role in PlaceRole::ALL {
         let path = place.beside(role);
-        kept.extend(clear(&path, role, &place.target, &place.kept(&path))?);
+        kept.extend(clear(&path, role, &place.target, &place.kept())?);
     }
     // Without a lock a hidden directory of another target may be one that is being written.
     for (path, name, role) in place.hidden().into_iter().filter(|_| alone) {
         let stem = kept_beside(&place.parent, &name);
-        kept.extend(clear(&path, role, &place.parent.join(name), &[stem]).unwrap_or_default());
+        kept.extend(clear(&path, role, &place.parent.join(name), &stem).unwrap_or_default());
     }
     Ok(kept)
 }
@@ -97,7 +87,7 @@ fn clear(
     path: &Path,
     role: PlaceRole,
     target: &Path,
-    kept: &[PathBuf],
+    kept: &Path,
 ) -> Result<Vec<PathBuf>, PublishFault> {
     if !disk::exists(path) {
         return Ok(Vec::new());
