@@ -50,7 +50,7 @@ const EDITS: &[Edit] = &[
     of(Base::Arcs, edit("bad-arc", "star-1-seal.ngc", " I", " I1")),
     edit("bad-character", SEAL, "; name: paper", "; name: p\u{e4}per"),
     edit("bad-comment", SEAL, "M2\n", "; heat: by=hand\nM2\n"),
-    edit("bad-dxf", DXF, "AC1015", "AC1009"),
+    edit("bad-dxf", DXF, "  0\nSECTION", "  x\nSECTION"),
     edit("bad-feed", SEAL, "F6", "F0"),
     edit("bad-number", SEAL, "Y220.6945", "Y"),
     edit("bad-path", SVG, "A31 31 0 0 1 173", "A31 31 0 2 1 173"),
