@@ -5,7 +5,7 @@
 //! lock into sockets of the tip like a jigsaw puzzle's; the straight parts lie against each other and position the tip. The
 //! registration holes come with the tips and the middle that they lie in.
 
-use crate::joint::{JointCut, RADII, WALL};
+use crate::joint::{JointCut, RADII};
 use crate::{MaskPlate, Outline, Refusal, RefusalCode, Star};
 use geom::{Bounds, Isometry, Path, Point, Vec2};
 use spec::units::{Length, Readable, tenths_up};

@@ -3,7 +3,8 @@
 //!
 //! `cargo run --release -p research --example around`
 
-use inflatable::shell::cases::{Fineness, FlatStar, Objects, ShellFault, Touch, Value, Watch, around, star};
+use inflatable::shell::cases::{Fineness, FlatStar, Objects, ShellFault, Value, Watch, star};
+use research::around::{Touch, around};
 use research::stars::draw::Set;
 
 /// Meshes of some 1,500, 3,300 and 11,000 unknowns.

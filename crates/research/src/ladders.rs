@@ -3,14 +3,13 @@
 //! A ladder is one tau, R* and nu at all pressures of the table's grid; its answer is a self-contained text with a
 //! checksum of its own in its last line. All texts together are joined into the table, `section` subtracted.
 
+use crate::inflations::{Inflation, inflations};
 use crate::{sealed, sha256, unsealed};
 use inflatable::mechanics::fault::HingeFault;
 use inflatable::mechanics::hinge::HingeModel;
 use inflatable::mechanics::hinge::section::{Section, arms};
 use inflatable::mechanics::star::correction::TABLE_ARM;
-use inflatable::shell::cases::{
-    Fineness, Inflation, Margin, ShellFault, Tube, VActuator, Value, Watch, inflations,
-};
+use inflatable::shell::cases::{Fineness, Margin, ShellFault, Tube, VActuator, Value, Watch};
 use inflatable::shell::element::Fabric;
 use std::f64::consts::{FRAC_PI_4, PI};
 use std::fmt;

@@ -4,7 +4,9 @@
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
+pub mod around;
 pub mod cone;
+pub mod inflations;
 pub mod ladders;
 pub mod predicted;
 pub mod residuals;

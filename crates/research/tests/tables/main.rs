@@ -1,6 +1,7 @@
 //! Tables and pictures of docs/ against the output of the examples; the command; predictions and tables against shells. The crate has no
 //! unit tests: `make test` would compile the large crate once more for them.
 
+mod around;
 mod command;
 mod cone;
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]

@@ -9,7 +9,7 @@ use crate::shell::cases::refinement::{Evidence, Family, Watch};
 use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
-use crate::shell::mesh::{Border, HalfActuator, Mesh, Meshed, Sizes, plane};
+use crate::shell::mesh::{Border, HalfActuator, MarginWidths, Mesh, MeshFault, Meshed, Sizes, plane};
 use crate::shell::solver::{Equilibrium, Solver};
 use std::f64::consts::PI;
 
@@ -74,16 +74,59 @@ const SHORTEST_ARM: f64 = 2.5;
 /// Length of arms beyond which meshes get large and the result does not change.
 const LONGEST_ARM: f64 = 50.0;
 
+/// Half of one sheet of a V-actuator whose lengths are divided by W: the part that is modelled.
+#[derive(Clone, Copy, Debug)]
+pub struct ModelledActuator {
+    half: HalfActuator,
+    margin: MarginWidths,
+}
+
 impl VActuator {
-    /// The flat half of an actuator of any tube.
-    pub(super) fn flat(&self) -> Result<HalfActuator, ShellFault> {
+    /// The modelled half, of a tube whose pressure and fabric may be beyond the range of shells.
+    ///
+    /// # Errors
+    /// If its arms are too short or too long.
+    pub fn modelled(&self) -> Result<ModelledActuator, ShellFault> {
         let w = self.tube.width;
         let l = self.arm_length / w;
         if !(SHORTEST_ARM..=LONGEST_ARM).contains(&l) {
             let (least, most) = (SHORTEST_ARM, LONGEST_ARM);
             return Err(ShellFault::Range { name: Input::Arms, found: l, least, most });
         }
-        Ok(HalfActuator { r: self.radius / w, w: 1.0, l, phi_0: self.angle })
+        let half = HalfActuator { r: self.radius / w, w: 1.0, l, phi_0: self.angle };
+        Ok(ModelledActuator { half, margin: self.margin.widths(w) })
+    }
+}
+
+impl ModelledActuator {
+    /// Its mesh with edges of these lengths, by W.
+    ///
+    /// # Errors
+    /// If it has no mesh.
+    pub fn meshed(&self, sizes: &Sizes) -> Result<Meshed, MeshFault> {
+        self.half.mesh_with(sizes, self.margin)
+    }
+
+    /// The plane of symmetry of `mesh` through the hinge, and a support against sliding along it.
+    pub fn supports(&self, mesh: &Mesh) -> Supports {
+        let mut supports = Supports::new(mesh, vec![Plane::first()]);
+        if let Some(inner) = mesh.innermost(Border::Mirror(plane::FIRST)) {
+            supports.fix(inner, 0);
+        }
+        supports
+    }
+
+    /// Angle phi, and by the scales of the shell the volume and the stiffness d2U/dphi2 of the whole at an `equilibrium`, the last one of
+    /// `solver`.
+    pub fn measure(&self, solver: &mut Solver, mesh: &Mesh, equilibrium: &Equilibrium) -> [f64; 3] {
+        let line = self.arm_line(mesh);
+        let angle = angle_of(&line, &equilibrium.state);
+        [angle, 4.0 * equilibrium.rest.energy.volume, stiffness(solver, &line, equilibrium)]
+    }
+
+    fn arm_line(&self, mesh: &Mesh) -> ArmLine {
+        let (sine, cosine) = libm::sincos((PI - self.half.phi_0) / 2.0);
+        ArmLine::new(mesh, [-sine, cosine], [1.0, self.half.l - 1.0])
     }
 }
 
@@ -98,25 +141,22 @@ pub fn actuator(
     watch: &Watch,
 ) -> Result<Actuator, ShellFault> {
     case.tube.check()?;
-    let half = case.flat()?;
+    let modelled = case.modelled()?;
     if angles.len() > MOST_ANGLES {
         return Err(ShellFault::TooMany { name: "angles", found: angles.len(), most: MOST_ANGLES });
     }
-    let widths = case.margin.widths(case.tube.width);
-    let coarsest = half.mesh_with(&Sizes::across(1.0, fineness.cells), widths)?;
+    let coarsest = modelled.meshed(&Sizes::across(1.0, fineness.cells))?;
     let hold = |meshed: &Meshed, sheet: &mut Sheet| {
-        let mut supports = supports(&meshed.mesh);
+        let mut supports = modelled.supports(&meshed.mesh);
         case.margin.apply(meshed, sheet, &mut supports);
         supports
     };
     let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
     let mut shape = InflatedShape::default();
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
-        let line = arm_line(&half, &meshed.mesh);
+        let line = modelled.arm_line(&meshed.mesh);
         let mut numbers = [0.0; NUMBERS + MOST_ANGLES];
-        numbers[0] = angle_of(&line, &equilibrium.state);
-        numbers[1] = 4.0 * equilibrium.rest.energy.volume;
-        numbers[2] = stiffness(solver, &line, equilibrium);
+        numbers[..NUMBERS].copy_from_slice(&modelled.measure(solver, &meshed.mesh, equilibrium));
         let bend = Bend { line: &line, aim: case.tube.continuation().aim(equilibrium.pressure) };
         let moments = bend.moments(solver, &equilibrium.state, angles);
         let moments = moments.map_err(|why| case.tube.stopped(why, solver.triangles()))?;
@@ -138,22 +178,8 @@ pub fn actuator(
     })
 }
 
-/// The plane of symmetry through the hinge, and a support against sliding along it.
-pub(super) fn supports(mesh: &Mesh) -> Supports {
-    let mut supports = Supports::new(mesh, vec![Plane::first()]);
-    if let Some(inner) = mesh.innermost(Border::Mirror(plane::FIRST)) {
-        supports.fix(inner, 0);
-    }
-    supports
-}
-
-pub(super) fn arm_line(half: &HalfActuator, mesh: &Mesh) -> ArmLine {
-    let (sine, cosine) = libm::sincos((PI - half.phi_0) / 2.0);
-    ArmLine::new(mesh, [-sine, cosine], [1.0, half.l - 1.0])
-}
-
 /// d2U/dphi2 of the whole, by one solve with the last factor: a unit moment turns the angle by g.H^-1 g.
-pub(super) fn stiffness(solver: &mut Solver, line: &ArmLine, equilibrium: &Equilibrium) -> f64 {
+fn stiffness(solver: &mut Solver, line: &ArmLine, equilibrium: &Equilibrium) -> f64 {
     let [x, y] = line.direction(&equilibrium.state);
     let square = x * x + y * y;
     4.0 / solver.compliance(&line.times([2.0 * y / square, -2.0 * x / square]))

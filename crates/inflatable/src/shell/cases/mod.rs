@@ -9,7 +9,6 @@
 
 mod actuator;
 mod arm_line;
-mod around;
 mod bend;
 #[cfg(test)]
 mod cell;
@@ -19,7 +18,6 @@ mod fault;
 mod full_star;
 mod margin;
 mod objects;
-mod pressures;
 mod refinement;
 mod region;
 mod sector;
@@ -33,18 +31,17 @@ mod whole;
 #[cfg(test)]
 mod woven;
 
-pub use actuator::{Actuator, Fineness, MOST_ANGLES, VActuator, actuator};
-pub use around::{StarAround, Touch, around};
+pub use actuator::{Actuator, Fineness, MOST_ANGLES, ModelledActuator, VActuator, actuator};
 pub use extremes::Extremes;
 pub use fault::{Input, ShellFault};
 pub use margin::{Margin, MarginLaw};
 pub use objects::{MOST_OBJECTS, Objects, OpeningStep};
-pub use pressures::{Inflation, inflations};
 pub use refinement::{Evidence, OnProgress, Watch};
 pub use region::{
     FlatRegion, InflatedRegion, MOST_RESOLVED, PlaneState, RegionSeam, SeamPull, Surface, Wrinkles, chambers,
     region,
 };
+pub use sector::ModelledSector;
 pub use shape::InflatedShape;
 pub use star::{FlatStar, InflatedStar, star, star_by_sizes};
 pub use tube::Tube;

@@ -7,8 +7,8 @@ use crate::shell::contact::Obstacle;
 use crate::shell::mesh::{Border, HalfSector, MarginWidths, Mesh, MeshFault, Meshed, Sizes, distance, rim};
 
 /// Half a sector of a star whose lengths are divided by W.
-#[derive(Clone, Copy)]
-pub(super) struct ModelledSector {
+#[derive(Clone, Copy, Debug)]
+pub struct ModelledSector {
     pub(super) sector: HalfSector,
     /// Width beyond its rims.
     pub(super) margin: MarginWidths,
@@ -21,12 +21,16 @@ impl ModelledSector {
     /// The tip's plane of symmetry among the obstacles.
     pub(super) const TIP: usize = 1;
 
-    pub(super) fn meshed(&self, sizes: &Sizes) -> Result<Meshed, MeshFault> {
+    /// Its mesh with edges of these lengths, by W.
+    ///
+    /// # Errors
+    /// If it has no mesh.
+    pub fn meshed(&self, sizes: &Sizes) -> Result<Meshed, MeshFault> {
         self.sector.mesh_with(sizes, self.margin)
     }
 
     /// Walls where arms meet their images, and last the object, as yet of no size.
-    pub(super) fn obstacles(&self) -> Vec<Obstacle> {
+    pub fn obstacles(&self) -> Vec<Obstacle> {
         let post = Obstacle::Post { radius: 0.0 };
         self.planes().into_iter().map(Obstacle::Wall).chain([post]).collect()
     }
@@ -35,12 +39,13 @@ impl ModelledSector {
         [Plane::first(), Plane::second(self.sector.half_angle())]
     }
 
-    pub(super) fn supports(&self, mesh: &Mesh) -> Supports {
+    /// The planes of symmetry of `mesh`.
+    pub fn supports(&self, mesh: &Mesh) -> Supports {
         Supports::new(mesh, self.planes().to_vec())
     }
 
     /// The number of copies of half a sector of one sheet in the star.
-    pub(super) fn count(&self) -> f64 {
+    pub fn count(&self) -> f64 {
         4.0 * f64::from(self.sector.n)
     }
 

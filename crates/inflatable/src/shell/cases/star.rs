@@ -167,7 +167,10 @@ impl FlatStar {
     }
 
     /// Half a sector, scaled.
-    pub(super) fn modelled(&self) -> Result<ModelledSector, ShellFault> {
+    ///
+    /// # Errors
+    /// As of [`FlatStar::check`].
+    pub fn modelled(&self) -> Result<ModelledSector, ShellFault> {
         Ok(ModelledSector { sector: self.sector()?, margin: self.margin.widths(self.tube.width) })
     }
 

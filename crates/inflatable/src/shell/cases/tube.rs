@@ -88,18 +88,18 @@ impl Tube {
     }
 
     /// The fabric in the scales of the shell.
-    pub(crate) fn scaled(&self) -> Fabric {
+    pub fn scaled(&self) -> Fabric {
         let Fabric { stretch, bending, .. } = self.fabric;
         Fabric { stretch: 1.0, bending: bending / (stretch * self.width * self.width), ..self.fabric }
     }
 
     /// From 1/eps = 1 to its pressure.
-    pub(crate) fn continuation(&self) -> Continuation {
+    pub fn continuation(&self) -> Continuation {
         Continuation { first: self.scaled().bending, last: self.stretch(), floor: FLOOR }
     }
 
     /// The fault of a tube without an equilibrium at its pressure, where there was one before another input changed.
-    pub(crate) fn stopped(&self, why: Stop, triangles: usize) -> ShellFault {
+    pub fn stopped(&self, why: Stop, triangles: usize) -> ShellFault {
         let bendability = self.bendability();
         if why == Stop::Cancelled {
             ShellFault::Cancelled
@@ -109,7 +109,7 @@ impl Tube {
     }
 
     /// One unit of energy, J; of moment and of stiffness against an angle too.
-    pub(crate) fn energy(&self) -> f64 {
+    pub fn energy(&self) -> f64 {
         self.fabric.stretch * self.width * self.width
     }
 }

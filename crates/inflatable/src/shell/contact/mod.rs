@@ -148,7 +148,7 @@ impl Contact {
     }
 
     /// Lets points stick to the round obstacle `index` from now on, each where it first touches, in a sheet under `pressure`.
-    pub(crate) fn stick(&mut self, index: usize, pressure: f64) {
+    pub fn stick(&mut self, index: usize, pressure: f64) {
         let places = vec![None; self.areas[index].len()];
         self.sticking = Some(Sticking { obstacle: index, stiffness: STICKING * pressure, places });
     }
@@ -262,7 +262,7 @@ impl Contact {
     }
 
     /// The sum of all shear forces that hold points where they stick.
-    pub(crate) fn shear(&self) -> f64 {
+    pub fn shear(&self) -> f64 {
         let of = |sticking: &Sticking| {
             let forces = sticking.held().map(|(point, TouchedPlace { pulled: [around, up], .. })| {
                 self.areas[sticking.obstacle][point] * sticking.stiffness * libm::hypot(*around, *up)

@@ -21,7 +21,10 @@ const STIFFEST: f64 = 1e6;
 
 impl Solver {
     /// [`Solver::rest`] again and again, at most `most` times, while Newton's method goes on: wrinkles come and go.
-    pub(crate) fn rest_in_rounds(
+    ///
+    /// # Errors
+    /// As of [`Solver::rest`].
+    pub fn rest_in_rounds(
         &mut self,
         state: &mut State,
         aim: Aim,

@@ -3,14 +3,12 @@
 //! The coarsest mesh is pressurised from flat and keeps its shape at each pressure; every finer mesh begins at each pressure from the
 //! shape of the mesh before, or, where that leads nowhere, from its own shape at the pressure below.
 
-use crate::shell::assembly::{Sheet, State};
-use crate::shell::cases::actuator::{Fineness, VActuator, arm_line, stiffness, supports};
-use crate::shell::cases::bend::angle_of;
-use crate::shell::cases::fault::ShellFault;
-use crate::shell::cases::refinement::{self, Family, Watch};
-use crate::shell::cases::value::Value;
-use crate::shell::mesh::{HalfActuator, Meshed, Sizes};
-use crate::shell::solver::{Continuation, Equilibrium, NewtonResult, Solver, Stop};
+use inflatable::shell::assembly::State;
+use inflatable::shell::cases::{Fineness, ShellFault, VActuator, Value, Watch};
+use inflatable::shell::mesh::Sizes;
+use inflatable::shell::solver::{Continuation, Equilibrium, NewtonResult, Solver, Stop};
+
+use crate::around::scaled_solver;
 
 /// A V-actuator at one pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +31,7 @@ const MESHES: usize = 3;
 /// Inflates a V-actuator from flat to each of `pressures` (Pa, rising), whatever the pressure in `case` is. `None` from the
 /// first pressure on at which it has no equilibrium on one of its meshes.
 ///
-/// The caller limits pressures, t/W and p W/Y: tables end a little beyond the limits of [`Tube`](super::tube::Tube).
+/// The caller limits pressures, t/W and p W/Y: tables end a little beyond the limits of [`Tube`](inflatable::shell::cases::Tube).
 ///
 /// # Errors
 /// If it has no mesh, or is cancelled.
@@ -43,11 +41,8 @@ pub fn inflations(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<Vec<Option<Inflation>>, ShellFault> {
-    let half = case.flat()?;
-    let coarsest = half.mesh(&Sizes::across(1.0, fineness.cells))?;
-    let mut meshed = coarsest.clone();
-    let hold = |meshed: &Meshed, _: &mut Sheet| supports(&meshed.mesh);
-    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
+    let modelled = case.modelled()?;
+    let mut meshed = modelled.meshed(&Sizes::across(1.0, fineness.cells))?;
     let mut found: Vec<Vec<[f64; 3]>> = Vec::new();
     let mut below: Option<(Solver, Vec<State>)> = None;
     let units = case.tube.fabric.stretch / case.tube.width;
@@ -56,7 +51,7 @@ pub fn inflations(
         if cut > 0 {
             meshed = meshed.refined()?;
         }
-        let solver = family.solver(&meshed, watch)?;
+        let solver = scaled_solver(&case.tube, &meshed.mesh, modelled.supports(&meshed.mesh), watch)?;
         let mut run = Pressurised { solver, continuation: case.tube.continuation(), last: None };
         let mut states = Vec::new();
         let mut numbers = Vec::new();
@@ -73,12 +68,14 @@ pub fn inflations(
                 Err(Stop::Cancelled) => return Err(ShellFault::Cancelled),
                 Err(_) => break,
             };
-            numbers.push(measure(&mut run.solver, &half, &meshed, &reached));
+            numbers.push(modelled.measure(&mut run.solver, &meshed.mesh, &reached));
             states.push(reached.state);
             let count = |k: usize| f64::from(u32::try_from(k).unwrap_or(u32::MAX));
             let done = count(k + 1) / count(pressures.len());
-            watch
-                .tell(part(fineness.cuts - cut, done), &format!("mesh {} of {}", cut + 1, fineness.cuts + 1));
+            if let Some(progress) = watch.progress {
+                let mesh = format!("mesh {} of {}", cut + 1, fineness.cuts + 1);
+                progress(part(fineness.cuts - cut, done), &mesh);
+            }
         }
         found.push(numbers);
         below = Some((run.solver, states));
@@ -152,17 +149,7 @@ impl Pressurised {
     }
 }
 
-/// Angle, volume, stiffness by the scales of the shell.
-fn measure(solver: &mut Solver, half: &HalfActuator, meshed: &Meshed, equilibrium: &Equilibrium) -> [f64; 3] {
-    let line = arm_line(half, &meshed.mesh);
-    [
-        angle_of(&line, &equilibrium.state),
-        4.0 * equilibrium.rest.energy.volume,
-        stiffness(solver, &line, equilibrium),
-    ]
-}
-
 /// The part of the work that is done when `left` finer meshes are left and this one is `done`.
 fn part(left: usize, done: f64) -> f64 {
-    (0.25 + 0.75 * done) * refinement::part(left)
+    (0.25 + 0.75 * done) * (0..left).fold(1.0, |part, _| part / 4.0)
 }

@@ -1,0 +1,92 @@
+//! A star inflated from flat around a round object, as a gripper is used. [`star`] opens one that is inflated already.
+//!
+//! Corners can fold in several ways around one object, all of them stable, so the two forces can differ.
+
+use std::sync::Arc;
+
+use inflatable::shell::assembly::{Sheet, Supports};
+use inflatable::shell::cases::{Fineness, FlatStar, ShellFault, Tube, Value, Watch};
+use inflatable::shell::contact::{Contact, Obstacle};
+use inflatable::shell::mesh::{Mesh, Meshed, Sizes};
+use inflatable::shell::solver::Solver;
+
+#[cfg(doc)]
+use inflatable::shell::cases::star;
+
+/// What a point of the sheet does where it has touched the object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Touch {
+    /// It slides without friction.
+    Slides,
+    /// It stays as long as it touches: friction without a limit.
+    Sticks,
+}
+
+/// A star around an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StarAround {
+    /// The sum of the radial forces on the object, N.
+    pub force: Value,
+    /// The sum of the shear forces by which points stick, over that of the radial ones: the friction that they need in the mean.
+    pub friction: Value,
+}
+
+/// Inflates a star from flat around a round object of `radius`, m. Each mesh begins from flat.
+///
+/// # Errors
+/// As of [`star`].
+pub fn around(
+    case: &FlatStar,
+    (radius, touch): (f64, Touch),
+    fineness: Fineness,
+    watch: &Watch,
+) -> Result<StarAround, ShellFault> {
+    let modelled = case.modelled()?;
+    let continuation = case.tube.continuation();
+    let mut obstacles = modelled.obstacles();
+    let post = obstacles.len() - 1;
+    obstacles[post] = Obstacle::Post { radius: radius / case.tube.width };
+    let mut meshed = modelled.meshed(&Sizes::across(1.0, fineness.cells))?;
+    let on_mesh = |meshed: &Meshed| {
+        let supports = modelled.supports(&meshed.mesh);
+        let mut solver = scaled_solver(&case.tube, &meshed.mesh, supports, watch)?;
+        let mut contact = Contact::new(&solver.assembly, obstacles.clone());
+        if touch == Touch::Sticks {
+            contact.stick(post, continuation.last);
+        }
+        solver.contact = Some(contact);
+        let inflated = continuation.run(&mut solver, |_| {});
+        let _ = inflated.map_err(|broken| case.tube.stopped(broken.why, meshed.mesh.triangles.len()))?;
+        let [force, shear] =
+            solver.contact.as_ref().map_or([0.0; 2], |contact| [contact.force(post), contact.shear()]);
+        Ok::<_, ShellFault>([force, if force > 0.0 { shear / force } else { 0.0 }])
+    };
+    let mut found = Vec::new();
+    for cut in 0..=fineness.cuts {
+        if cut > 0 {
+            meshed = meshed.refined()?;
+        }
+        if cut + 3 > fineness.cuts {
+            found.push(on_mesh(&meshed)?);
+        }
+    }
+    // Of fewer than three meshes the finest counts for those that are missing.
+    let value = |k: usize| Value::new([0, 1, 2].map(|mesh: usize| found[mesh.min(found.len() - 1)][k]));
+    let [force, friction] = [0, 1].map(value);
+    let unit = modelled.count() * case.tube.fabric.stretch * case.tube.width;
+    Ok(StarAround { force: force.scaled(unit), friction })
+}
+
+/// The solver of one sheet of `tube` on `mesh`, in the scales of the shell; it stops when `watch` is cancelled.
+pub(crate) fn scaled_solver(
+    tube: &Tube,
+    mesh: &Mesh,
+    supports: Supports,
+    watch: &Watch<'_>,
+) -> Result<Solver, ShellFault> {
+    let sheet = Sheet::new(mesh, tube.scaled());
+    let solver = Solver::new(sheet, supports);
+    let mut solver = solver.ok_or(ShellFault::TooLarge { triangles: mesh.triangles.len() })?;
+    solver.cancel = Arc::clone(&watch.cancel);
+    Ok(solver)
+}
