@@ -10,7 +10,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use stargrip_cam::artifact::{Kind, KindRequest};
+use stargrip_cam::artifact::{Kind, KindRequest, Output, OutputPart};
+use stargrip_cam::design::Paper;
 use stargrip_cam::geom::{Bounds, Path as Curve};
 use stargrip_cam::manifest::sha256;
 use stargrip_cam::pipeline::{Built, Sources};
@@ -23,26 +24,6 @@ const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// The designs whose files are kept byte for byte.
 const WHOLE: [&str; 3] = ["every-feature", "paper-five-points", "paper-gripper"];
-
-/// Endings and words of file names that the whole designs must have between them.
-const FEATURES: [&str; 16] = [
-    "star-1-seal.gcode",
-    "star-3-trace.gcode",
-    "sheet-1-seal.gcode",
-    "sheet-2-trace.gcode",
-    "seal.svg",
-    "seal.dxf",
-    "outline.svg",
-    "outline.dxf",
-    "preview.svg",
-    "star-2-mask-mirrored-a4.pdf",
-    "mask-letter.pdf",
-    "mask.stl",
-    "mask.dxf",
-    "plate-1-frame.svg",
-    "plate-3-frame.dxf",
-    "prediction.json",
-];
 
 /// (name, text) of every design, sorted by name.
 fn designs() -> Vec<(String, String)> {
@@ -111,24 +92,22 @@ fn every_output_of_every_design_is_golden() {
     assert!(changed.is_empty(), "not as they were, see CONTRIBUTING.md: {changed:#?}");
 }
 
-/// Pixels are rounded from singles: their bytes are the same in debug and in release.
+/// The kinds that come on request only. Their numbers are rounded from singles: their bytes are the same in debug and in release.
 #[test]
-fn a_picture_of_pixels_is_golden() {
+fn the_extra_kinds_are_golden() {
     let text = fs::read_to_string(Path::new(ROOT).join("designs/paper-gripper.toml")).expect("a design");
-    let reading = spec::read(&Source::new("design", text.as_str())).expect("a valid design");
-    let generic = spec::builtin_machine("generic").expect("built in");
-    let machine = spec::read_machine(&Source::new("machine", generic)).expect("a valid profile");
-    let sources = Sources { spec: &text, machine: generic };
-    let request = KindRequest::only(&[Kind::PreviewPng]);
-    let build = pipeline::build(&reading.spec, &machine, sources, &request).expect("a design");
-    let pictures = build.artifacts.iter().filter(|file| file.output.kind == Kind::PreviewPng);
-    let digests: Vec<String> =
-        pictures.map(|file| format!("{} {}", file.name, sha256(&file.bytes))).collect();
+    let extras: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| kind.is_extra()).collect();
+    let (build, _) = build_with(&text, &extras);
+    let files = build.artifacts.iter().filter(|file| file.output.kind.is_extra());
+    let digests: Vec<String> = files.map(|file| format!("{} {}", file.name, sha256(&file.bytes))).collect();
+    for extra in extras {
+        assert!(build.artifacts.iter().any(|file| file.output.kind == extra), "no {extra}");
+    }
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(Path::new(ROOT).join("snapshots"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!("preview-png.digest", digests.join("\n")));
+    settings.bind(|| insta::assert_snapshot!("extras.digest", digests.join("\n")));
 }
 
 /// The files of `directory` that are not exactly `files`, by name; none after they were renewed.
@@ -222,14 +201,46 @@ fn outline(facet: &[[f32; 3]; 3]) -> Curve {
     Curve::closed(vec![side(0), side(1), side(2)])
 }
 
+/// What distinguishes a file from others of its kind: the part that it shows, its paper, its face, and whether it is a tile of a mask.
+fn features(output: &Output) -> [String; 4] {
+    let Output { kind, part, tile, paper, mirrored, .. } = *output;
+    let part = match part {
+        OutputPart::Design => "the design",
+        OutputPart::Sheet(_) => "a sheet",
+        OutputPart::Star { .. } => "a star",
+        OutputPart::Piece { .. } => "a piece",
+        OutputPart::Plate(_) => "a plate",
+    };
+    [
+        format!("{kind} of {part}"),
+        format!("{kind} on {:?}", paper.and_then(Paper::name)),
+        format!("{kind}, mirrored {mirrored}"),
+        format!("{kind}, a tile {}", tile.is_some()),
+    ]
+}
+
+/// Every kind that comes by default is golden, and those of stars are byte for byte: in all their features.
 #[test]
 fn the_whole_designs_have_every_feature() {
-    let designs = designs().into_iter().filter(|(name, _)| WHOLE.contains(&name.as_str()));
-    let names: Vec<String> =
-        designs.flat_map(|(_, text)| files(&build(&text).0)).map(|(name, _)| name).collect();
-    for feature in FEATURES {
-        assert!(names.iter().any(|name| name.ends_with(feature)), "no {feature} in {names:?}");
+    let (mut kinds, mut all, mut whole) = (Vec::new(), BTreeSet::new(), BTreeSet::new());
+    for (name, text) in designs() {
+        let build = build(&text).0;
+        let outputs = build.artifacts.iter().map(|file| &file.output);
+        kinds.extend(outputs.clone().map(|output| output.kind));
+        if build.manifest.masks.is_empty() {
+            continue;
+        }
+        let found = outputs.flat_map(features).collect::<Vec<_>>();
+        if WHOLE.contains(&name.as_str()) {
+            whole.extend(found.iter().cloned());
+        }
+        all.extend(found);
     }
+    let missing: Vec<&Kind> =
+        Kind::ALL.iter().filter(|kind| !kind.is_extra() && !kinds.contains(kind)).collect();
+    assert!(missing.is_empty(), "no golden file of {missing:?}");
+    let missing: Vec<&String> = all.difference(&whole).collect();
+    assert!(missing.is_empty(), "not in {WHOLE:?}: {missing:?}");
 }
 
 /// The files of the program in the release profile; `make check` builds it first.

@@ -93,8 +93,16 @@ fn preview(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
     let code = sources.code(spec);
     let preview = emit::Preview { spec, machine, design, programs, shut: &shut, code: code.as_ref() };
     match output.kind.format() {
-        Format::Png => preview.png(output.sheet?),
-        _ => preview.svg(output.sheet?).map(String::into_bytes),
+        Format::Png => preview.png(output.part.sheet()?),
+        Format::Svg => preview.svg(output.part.sheet()?).map(String::into_bytes),
+        Format::Toml
+        | Format::Gcode
+        | Format::Dxf
+        | Format::Pdf
+        | Format::Stl
+        | Format::Json
+        | Format::Glb
+        | Format::Html => None,
     }
 }
 
@@ -125,9 +133,9 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
 
 /// The program of `programs` for the output's piece, or for its sheet.
 fn program(forecast: &Forecast, programs: &[Program], output: &Output) -> Option<String> {
-    let is_for = |program: &&Program| match output.star.or(output.copy) {
+    let is_for = |program: &&Program| match output.part.sealed() {
         Some(number) => program.numbers() == [number],
-        None => Some(program.sheet) == output.sheet,
+        None => Some(program.sheet) == output.part.sheet(),
     };
     let program = programs.iter().find(is_for)?;
     Some(emit::gcode(&forecast.spec, &forecast.machine, program))
@@ -140,8 +148,8 @@ fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
     Some(match output.kind.format() {
         Format::Svg => emit::svg(&title, &drawing, spec.accuracy.path, spec.cut.colours).into_bytes(),
         Format::Dxf => emit::dxf(&drawing, spec.accuracy.path, spec.cut.colours).into_bytes(),
-        Format::Stl => emit::stl(&output.solid_name(&spec.name), &drawing, output.thickness(spec)),
-        Format::Pdf => emit::pdf(&title, &output.paper?.pages(&drawing, &output.caption())),
+        Format::Stl => emit::stl(&output.solid_name(&spec.name)?, &drawing, output.thickness(spec)?),
+        Format::Pdf => emit::pdf(&title, &output.paper?.pages(&drawing, &output.caption()?)),
         Format::Toml | Format::Gcode | Format::Json | Format::Png | Format::Glb | Format::Html => {
             return None;
         }

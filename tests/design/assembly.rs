@@ -232,7 +232,7 @@ fn openings_let_the_corners_pass_and_carry_the_tips() {
 /// The pages of `output`, as they are written.
 fn pages(build: &Built, output: &Output) -> Vec<PaperPage> {
     let drawing = output.drawing(&build.forecast.design).expect("a drawing");
-    output.paper.expect("paper").pages(&drawing, &output.caption())
+    output.paper.expect("paper").pages(&drawing, &output.caption().expect("a caption"))
 }
 
 /// The outlines of the shapes on `layer` of `page`.

@@ -39,7 +39,7 @@ fn built(text: &str, profile: &str) -> Built {
 fn pictures(build: &Built) -> Vec<(usize, String)> {
     let files = build.artifacts.iter().filter(|file| file.output.kind == Kind::PreviewSvg);
     let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).expect("text");
-    files.map(|file| (file.output.sheet.expect("a sheet"), text(&file.bytes))).collect()
+    files.map(|file| (file.output.part.sheet().expect("a sheet"), text(&file.bytes))).collect()
 }
 
 fn number(node: Node<'_, '_>, name: &str) -> f64 {
@@ -228,7 +228,7 @@ fn pixels_show_the_design() {
         let build = built(&text, &support::read(&text).machine.profile);
         let design = &build.forecast.design;
         for file in build.artifacts.iter().filter(|file| file.output.kind == Kind::PreviewPng) {
-            let sheet = file.output.sheet.expect("a sheet");
+            let sheet = file.output.part.sheet().expect("a sheet");
             let layout = design.sheets.iter().find(|layout| layout.index == sheet).expect("a sheet");
             let (_, picture) = pictures(&build).into_iter().find(|(own, _)| *own == sheet).expect("an SVG");
             let page = page(&picture, layout.height);

@@ -4,7 +4,7 @@ mod kind;
 mod output;
 
 pub use kind::{Format, Kind, KindRequest, Subject};
-pub use output::{NGC, Output, outputs, program_ending, too_large};
+pub use output::{NGC, Output, OutputPart, outputs, program_ending, too_large};
 
 /// One output file.
 #[derive(Clone, Debug, PartialEq, Eq)]

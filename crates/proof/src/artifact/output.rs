@@ -7,21 +7,82 @@ use spec::{Dialect, ProgramScope, Spec};
 /// The ending of programs for LinuxCNC.
 pub const NGC: &str = "ngc";
 
+/// The part of a design that a file shows, by its number from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OutputPart {
+    /// The whole design.
+    Design,
+    /// All that lies on a sheet.
+    Sheet(usize),
+    /// A star, of equal ones the first; in a program also the sheet on which it lies.
+    Star {
+        /// Its number.
+        star: usize,
+        /// The number of its sheet.
+        sheet: Option<usize>,
+    },
+    /// A drawn piece, of equal ones the first; in a program also the sheet on which it lies.
+    Piece {
+        /// Its number.
+        piece: usize,
+        /// The number of its sheet.
+        sheet: Option<usize>,
+    },
+    /// A plate of the frame, of equal ones the lowest.
+    Plate(usize),
+}
+
+impl OutputPart {
+    /// The number of the sheet: the part itself, or where it lies.
+    pub fn sheet(self) -> Option<usize> {
+        match self {
+            Self::Sheet(sheet) => Some(sheet),
+            Self::Star { sheet, .. } | Self::Piece { sheet, .. } => sheet,
+            Self::Design | Self::Plate(_) => None,
+        }
+    }
+
+    /// The number of the star.
+    pub fn star(self) -> Option<usize> {
+        if let Self::Star { star, .. } = self { Some(star) } else { None }
+    }
+
+    /// The number of the drawn piece.
+    pub fn piece(self) -> Option<usize> {
+        if let Self::Piece { piece, .. } = self { Some(piece) } else { None }
+    }
+
+    /// The number of the plate.
+    pub fn plate(self) -> Option<usize> {
+        if let Self::Plate(plate) = self { Some(plate) } else { None }
+    }
+
+    /// The number of the star or piece that is sealed as a whole.
+    pub fn sealed(self) -> Option<usize> {
+        self.star().or(self.piece())
+    }
+
+    /// The prefix of file names; "" for the whole design.
+    fn prefix(self) -> String {
+        match self {
+            Self::Design => String::new(),
+            Self::Sheet(sheet) => format!("sheet-{sheet}-"),
+            Self::Star { star, .. } => format!("star-{star}-"),
+            Self::Piece { piece, .. } => format!("piece-{piece}-"),
+            Self::Plate(plate) => format!("plate-{plate}-"),
+        }
+    }
+}
+
 /// One file of a design: its kind and its part. All else follows from these, also the name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Output {
     /// The kind of the file.
     pub kind: Kind,
-    /// The sheet it belongs to.
-    pub sheet: Option<usize>,
-    /// The star it belongs to; for equal stars the first.
-    pub star: Option<usize>,
-    /// The drawn piece that it belongs to, by its number.
-    pub copy: Option<usize>,
-    /// The lowest plate of the frame that uses it.
-    pub plate: Option<usize>,
-    /// The number of its piece of a printed mask, from 1; `None` for the whole.
-    pub piece: Option<usize>,
+    /// The part that it shows.
+    pub part: OutputPart,
+    /// The number of its tile of a printed mask, from 1; `None` for the whole.
+    pub tile: Option<usize>,
     /// The paper that it is laid out for; `None` for a file that is not printed.
     pub paper: Option<Paper>,
     /// Whether it is mirrored, for the face that the iron does not touch.
@@ -33,15 +94,12 @@ pub struct Output {
 }
 
 impl Output {
-    /// The file of this kind for the whole gripper.
+    /// The file of this kind for the whole design.
     pub fn of(kind: Kind) -> Self {
         Self {
             kind,
-            sheet: None,
-            star: None,
-            copy: None,
-            plate: None,
-            piece: None,
+            part: OutputPart::Design,
+            tile: None,
             paper: None,
             mirrored: false,
             valves: false,
@@ -49,23 +107,12 @@ impl Output {
         }
     }
 
-    /// The part's prefix of the file name; "" for the whole gripper.
-    fn part(&self) -> String {
-        match (self.star, self.copy, self.plate, self.sheet) {
-            (Some(star), ..) => format!("star-{star}-"),
-            (_, Some(copy), ..) => format!("piece-{copy}-"),
-            (_, _, Some(plate), _) => format!("plate-{plate}-"),
-            (.., Some(sheet)) => format!("sheet-{sheet}-"),
-            _ => String::new(),
-        }
-    }
-
     /// Its name without paper and ending.
     fn stem(&self) -> String {
         let face = if self.mirrored { "-mirrored" } else { "" };
-        let piece = self.piece.map_or(String::new(), |piece| format!("-piece-{piece}"));
+        let tile = self.tile.map_or(String::new(), |tile| format!("-piece-{tile}"));
         let valves = if self.valves { "-valves" } else { "" };
-        format!("{}{}{valves}{face}{piece}", self.part(), self.kind.subject().name())
+        format!("{}{}{valves}{face}{tile}", self.part.prefix(), self.kind.subject().name())
     }
 
     /// Its name in the output directory: letters, digits, `-` and `.` only.
@@ -77,44 +124,83 @@ impl Output {
 
     /// The title inside the file, for a design called `name`.
     pub fn title(&self, name: &str) -> String {
-        match (self.kind.subject(), self.sheet) {
-            (subject @ (Subject::Seal | Subject::Outline), Some(sheet)) => {
+        let subject = self.kind.subject();
+        match (subject, self.part) {
+            (Subject::Seal | Subject::Outline, OutputPart::Sheet(sheet)) => {
                 let valves = if self.valves { " with valves" } else { "" };
                 format!("{}{valves}, sheet {sheet}: {name}", subject.name())
             }
-            _ => format!("{}: {name}", self.stem()),
-        }
-    }
-
-    /// The caption of every printed page.
-    pub fn caption(&self) -> String {
-        let number = |number: Option<usize>| number.unwrap_or(0);
-        match self.kind.subject() {
-            Subject::Outline if self.valves => format!("OUTLINE WITH VALVES SHEET {}", number(self.sheet)),
-            Subject::Outline => format!("OUTLINE SHEET {}", number(self.sheet)),
-            Subject::Frame => format!("FRAME PLATE {}", number(self.plate)),
-            Subject::Mask if self.copy.is_some() => format!("SEPARATOR PIECE {}", number(self.copy)),
-            _ => MaskPlate::caption(number(self.star), self.mirrored),
-        }
-    }
-
-    /// The name in the header of a solid, for a design called `name`.
-    pub fn solid_name(&self, name: &str) -> String {
-        let piece = self.piece.map_or(String::new(), |piece| format!(", piece {piece}"));
-        match (self.star, self.plate) {
-            (Some(star), _) => {
-                let side = if self.mirrored { "other side" } else { "this side up" };
-                format!("mask of star {star}, {side}{piece}: {name}")
+            (_, OutputPart::Design | OutputPart::Sheet(_) | OutputPart::Star { .. } | OutputPart::Piece { .. } | OutputPart::Plate(_)) => {
+                format!("{}: {name}", self.stem())
             }
-            (_, plate) => format!("frame plate {}: {name}", plate.unwrap_or(0)),
         }
     }
 
-    /// Thickness of the plate that a solid shows, mm.
-    pub fn thickness(&self, spec: &Spec) -> f64 {
+    /// The caption of every printed page; `None` for a file that is not printed.
+    pub fn caption(&self) -> Option<String> {
+        // Every kind is named, so that a new one must be given its caption.
+        match self.kind {
+            Kind::OutlinePdf => Some(format!("OUTLINE SHEET {}", self.part.sheet()?)),
+            Kind::FramePdf => Some(format!("FRAME PLATE {}", self.part.plate()?)),
+            Kind::MaskPdf => match self.part {
+                OutputPart::Piece { piece, .. } => Some(format!("SEPARATOR PIECE {piece}")),
+                OutputPart::Star { star, .. } => Some(MaskPlate::caption(star, self.mirrored)),
+                OutputPart::Design | OutputPart::Sheet(_) | OutputPart::Plate(_) => None,
+            },
+            Kind::Spec
+            | Kind::Machine
+            | Kind::DrawingSvg
+            | Kind::DrawingDxf
+            | Kind::SealGcode
+            | Kind::TraceGcode
+            | Kind::SealSvg
+            | Kind::SealDxf
+            | Kind::OutlineSvg
+            | Kind::OutlineDxf
+            | Kind::MaskSvg
+            | Kind::MaskDxf
+            | Kind::MaskStl
+            | Kind::PiecesSvg
+            | Kind::FrameSvg
+            | Kind::FrameDxf
+            | Kind::FrameStl
+            | Kind::PreviewSvg
+            | Kind::PreviewPng
+            | Kind::Prediction
+            | Kind::SceneGlb
+            | Kind::Report => None,
+        }
+    }
+
+    /// The name in the header of a solid, for a design called `name`; `None` for a part that is not printed as a solid.
+    pub fn solid_name(&self, name: &str) -> Option<String> {
+        let tile = self.tile.map_or(String::new(), |tile| format!(", piece {tile}"));
+        match self.part {
+            OutputPart::Star { star, .. } => {
+                let side = if self.mirrored { "other side" } else { "this side up" };
+                Some(format!("mask of star {star}, {side}{tile}: {name}"))
+            }
+            OutputPart::Plate(plate) => Some(format!("frame plate {plate}: {name}")),
+            OutputPart::Design | OutputPart::Sheet(_) | OutputPart::Piece { .. } => None,
+        }
+    }
+
+    /// Thickness of the plate that a solid shows, mm; `None` for a subject that is no plate.
+    pub fn thickness(&self, spec: &Spec) -> Option<f64> {
         match self.kind.subject() {
-            Subject::Frame => spec.frame.plate_thickness.0,
-            _ => spec.mask.thickness.0,
+            Subject::Frame => Some(spec.frame.plate_thickness.0),
+            Subject::Mask => Some(spec.mask.thickness.0),
+            Subject::Spec
+            | Subject::Machine
+            | Subject::Drawing
+            | Subject::Seal
+            | Subject::Trace
+            | Subject::Outline
+            | Subject::Pieces
+            | Subject::Preview
+            | Subject::Prediction
+            | Subject::Scene
+            | Subject::Report => None,
         }
     }
 
@@ -122,7 +208,14 @@ impl Output {
     fn edge(&self) -> CutEdge {
         match self.kind.format() {
             Format::Stl | Format::Pdf => CutEdge::Part,
-            _ => CutEdge::Tool,
+            Format::Toml
+            | Format::Gcode
+            | Format::Svg
+            | Format::Dxf
+            | Format::Json
+            | Format::Png
+            | Format::Glb
+            | Format::Html => CutEdge::Tool,
         }
     }
 
@@ -130,33 +223,44 @@ impl Output {
     pub fn drawing(&self, design: &Design) -> Option<Drawing> {
         let is_solid = self.kind.format() == Format::Stl;
         match self.kind.subject() {
-            Subject::Seal => Drawing::seals(design, self.sheet?),
-            Subject::Outline if self.valves => Drawing::valve_outlines(design, self.sheet?, self.edge()),
-            Subject::Outline => Drawing::outlines(design, self.sheet?, self.edge()),
+            Subject::Seal => Drawing::seals(design, self.part.sheet()?),
+            Subject::Outline if self.valves => {
+                Drawing::valve_outlines(design, self.part.sheet()?, self.edge())
+            }
+            Subject::Outline => Drawing::outlines(design, self.part.sheet()?, self.edge()),
             Subject::Mask if is_solid => Drawing::printed_mask(
                 design.assembly()?,
-                self.star?,
+                self.part.star()?,
                 self.mirrored,
-                self.piece.map_or(0, |piece| piece - 1),
+                self.tile.map_or(0, |tile| tile - 1),
             ),
-            Subject::Mask if self.copy.is_some() => {
-                let placed = design.placed().iter().find(|placed| self.copy == Some(placed.index))?;
-                let FlatPiece::Drawn(piece) = design.part(placed) else { return None };
-                Drawing::separator(piece, self.edge())
-            }
-            Subject::Mask => Drawing::mask(design.assembly()?, self.star?, self.mirrored, self.edge()),
-            Subject::Pieces => Drawing::pieces(design.assembly()?, self.star?, self.mirrored),
+            Subject::Mask => match self.part.piece() {
+                Some(piece) => {
+                    let placed = design.placed().iter().find(|placed| placed.index == piece)?;
+                    let FlatPiece::Drawn(piece) = design.part(placed) else { return None };
+                    Drawing::separator(piece, self.edge())
+                }
+                None => Drawing::mask(design.assembly()?, self.part.star()?, self.mirrored, self.edge()),
+            },
+            Subject::Pieces => Drawing::pieces(design.assembly()?, self.part.star()?, self.mirrored),
             Subject::Frame => {
                 let design = design.assembly()?;
-                let plate =
-                    design.frame.plates.iter().find(|plate| plate.numbers.first() == self.plate.as_ref())?;
+                let lowest = self.part.plate()?;
+                let plate = design.frame.plates.iter().find(|plate| plate.numbers.first() == Some(&lowest))?;
                 Some(if is_solid {
                     Drawing::printed_plate(design, plate)
                 } else {
                     Drawing::plate(design, plate, self.edge())
                 })
             }
-            _ => None,
+            Subject::Spec
+            | Subject::Machine
+            | Subject::Drawing
+            | Subject::Trace
+            | Subject::Preview
+            | Subject::Prediction
+            | Subject::Scene
+            | Subject::Report => None,
         }
     }
 
@@ -205,7 +309,7 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
         Kind::OutlinePdf,
     ];
     for sheet in &design.sheets {
-        let of_kind = |kind| Output { sheet: Some(sheet.index), ..Output::of(kind) };
+        let of_kind = |kind| Output { part: OutputPart::Sheet(sheet.index), ..Output::of(kind) };
         out.extend(of_sheet.map(of_kind));
         if design.on_sheet(sheet.index).any(|placed| !design.part(placed).shape().valves.is_empty()) {
             let outlines = [Kind::OutlineSvg, Kind::OutlineDxf, Kind::OutlinePdf];
@@ -218,7 +322,7 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
     // Equal copies have one separator.
     for first in design.firsts() {
         if let FlatPiece::Drawn(DrawnPiece { separator: Some(_), .. }) = design.part(first) {
-            let of_mask = |kind| Output { copy: Some(first.index), ..Output::of(kind) };
+            let of_mask = |kind| Output { part: OutputPart::Piece { piece: first.index, sheet: None }, ..Output::of(kind) };
             out.extend([Kind::MaskSvg, Kind::MaskDxf, Kind::MaskPdf].map(of_mask));
         }
     }
@@ -229,23 +333,34 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
     out.retain(|output| request.takes(output.kind));
     let on_paper = |output: Output| match output.kind.format() {
         Format::Pdf => output.on_paper(design, fits).collect(),
-        _ => vec![output],
+        Format::Toml
+        | Format::Gcode
+        | Format::Svg
+        | Format::Dxf
+        | Format::Stl
+        | Format::Json
+        | Format::Png
+        | Format::Glb
+        | Format::Html => vec![output],
     };
     out.into_iter().flat_map(on_paper).collect()
 }
 
-/// The programs of one kind; a program of a whole sheet has no piece.
+/// The programs of one kind: one a sheet, or one a star or piece.
 fn programs(spec: &Spec, dialect: Dialect, design: &Design, kind: Kind, out: &mut Vec<Output>) {
-    let of_sheet =
-        |sheet| Output { sheet: Some(sheet), ngc: dialect == Dialect::LinuxCnc, ..Output::of(kind) };
+    let of_part = |part| Output { part, ngc: dialect == Dialect::LinuxCnc, ..Output::of(kind) };
     match (spec.machine.program, design.assembly()) {
-        (ProgramScope::Sheet, _) => out.extend(design.sheets.iter().map(|sheet| of_sheet(sheet.index))),
-        (ProgramScope::Piece, Some(assembly)) => out.extend(
-            assembly.stars.iter().map(|star| Output { star: Some(star.index), ..of_sheet(star.sheet) }),
-        ),
-        (ProgramScope::Piece, None) => out.extend(
-            design.placed().iter().map(|copy| Output { copy: Some(copy.index), ..of_sheet(copy.sheet) }),
-        ),
+        (ProgramScope::Sheet, _) => {
+            out.extend(design.sheets.iter().map(|sheet| of_part(OutputPart::Sheet(sheet.index))));
+        }
+        (ProgramScope::Piece, Some(assembly)) => {
+            let parts = assembly.stars.iter().map(|star| (star.index, Some(star.sheet)));
+            out.extend(parts.map(|(star, sheet)| of_part(OutputPart::Star { star, sheet })));
+        }
+        (ProgramScope::Piece, None) => {
+            let parts = design.placed().iter().map(|placed| (placed.index, Some(placed.sheet)));
+            out.extend(parts.map(|(piece, sheet)| of_part(OutputPart::Piece { piece, sheet })));
+        }
     }
 }
 
@@ -255,11 +370,12 @@ fn of_assembly(spec: &Spec, assembly: &StarAssembly, out: &mut Vec<Output>) {
         let pieces = &assembly.part(placed).pieces;
         // Also for the other face, if the spec requests it.
         for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
-            let of_mask = |kind| Output { star: Some(placed.index), mirrored, ..Output::of(kind) };
+            let part = OutputPart::Star { star: placed.index, sheet: None };
+            let of_mask = |kind| Output { part, mirrored, ..Output::of(kind) };
             out.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
             if pieces.are_several() {
-                let piece = |number| Output { piece: Some(number), ..of_mask(Kind::MaskStl) };
-                out.extend((1..=pieces.list.len()).map(piece));
+                let tile = |number| Output { tile: Some(number), ..of_mask(Kind::MaskStl) };
+                out.extend((1..=pieces.list.len()).map(tile));
                 out.push(of_mask(Kind::PiecesSvg));
             } else {
                 out.push(of_mask(Kind::MaskStl));
@@ -268,8 +384,8 @@ fn of_assembly(spec: &Spec, assembly: &StarAssembly, out: &mut Vec<Output>) {
         }
     }
     for plate in &assembly.frame.plates {
-        let plate = plate.numbers.first().copied();
-        let of_plate = |kind| Output { plate, ..Output::of(kind) };
+        let Some(lowest) = plate.numbers.first() else { continue };
+        let of_plate = |kind| Output { part: OutputPart::Plate(*lowest), ..Output::of(kind) };
         out.extend([Kind::FrameSvg, Kind::FrameDxf, Kind::FrameStl, Kind::FramePdf].map(of_plate));
     }
 }

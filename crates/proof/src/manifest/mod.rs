@@ -8,7 +8,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::artifact::{Artifact, Format, Kind, KindRequest, NGC, Output};
+use crate::artifact::{Artifact, Format, Kind, KindRequest, NGC, Output, OutputPart};
 use design::Paper;
 
 pub use bill::{ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts};
@@ -178,17 +178,17 @@ impl ManifestFile {
 
     /// The same with a hash of the content that has been computed already.
     pub fn with_hash(artifact: &Artifact, sha256: String) -> Self {
-        let Output { kind, sheet, star, copy, plate, piece, paper, mirrored, valves, .. } = artifact.output;
+        let Output { kind, part, tile, paper, mirrored, valves, .. } = artifact.output;
         Self {
             path: artifact.name.clone(),
             kind,
             bytes: artifact.bytes.len(),
             sha256,
-            sheet,
-            star,
-            copy,
-            plate,
-            piece,
+            sheet: part.sheet(),
+            star: part.star(),
+            copy: part.piece(),
+            plate: part.plate(),
+            piece: tile,
             paper: paper.filter(|paper| paper.name().is_some()),
             mirrored,
             valves,
@@ -197,10 +197,17 @@ impl ManifestFile {
 
     /// The file's kind and part, from its entry.
     pub fn output(&self) -> Output {
-        let Self { kind, sheet, star, copy, plate, piece, paper, mirrored, valves, .. } = *self;
+        let Self { kind, sheet, star, copy, plate, piece: tile, paper, mirrored, valves, .. } = *self;
+        let part = match (star, copy, plate, sheet) {
+            (Some(star), ..) => OutputPart::Star { star, sheet },
+            (None, Some(piece), ..) => OutputPart::Piece { piece, sheet },
+            (None, None, Some(plate), _) => OutputPart::Plate(plate),
+            (None, None, None, Some(sheet)) => OutputPart::Sheet(sheet),
+            (None, None, None, None) => OutputPart::Design,
+        };
         let paper = if kind.format() == Format::Pdf { paper.or(Some(Paper::Large)) } else { paper };
         let ngc = Path::new(&self.path).extension().is_some_and(|ending| ending == NGC);
-        Output { kind, sheet, star, copy, plate, piece, paper, mirrored, valves, ngc }
+        Output { kind, part, tile, paper, mirrored, valves, ngc }
     }
 }
 

@@ -39,7 +39,7 @@ struct MeshPart<'a> {
 impl Assemblies {
     /// Remembers the facets of a file that is a piece of a mask.
     pub(super) fn add(&mut self, output: &Output, facets: Vec<StlFacet>) {
-        if let (Some(star), Some(piece)) = (output.star, output.piece) {
+        if let Some((star, piece)) = output.part.star().zip(output.tile) {
             self.0.entry((star, output.mirrored)).or_default().push((piece, output.name(), facets));
         }
     }

@@ -120,12 +120,15 @@ fn file(
         (Subject::Drawing, _) | (_, Format::Png | Format::Glb | Format::Pdf) => return (Method::Hash, None),
         (_, Format::Stl) => {
             let Some(drawing) = output.drawing(expected.design) else { return (Method::Hash, None) };
-            let (name, thickness) = (output.solid_name(&expected.spec.name), output.thickness(expected.spec));
+            let name = output.solid_name(&expected.spec.name);
+            let Some((name, thickness)) = name.zip(output.thickness(expected.spec)) else {
+                return (Method::Hash, None);
+            };
             let (facets, deviation) = solid::check(bytes, &drawing, &name, thickness, findings);
             cross.pieces.add(output, facets);
             return (Method::Reading, Some(deviation));
         }
-        _ => {}
+        (_, Format::Toml | Format::Gcode | Format::Svg | Format::Dxf | Format::Json | Format::Html) => {}
     }
     let Ok(text) = std::str::from_utf8(bytes) else {
         findings.add(FindingCode::NotText, "bytes that are not UTF-8", "text");
@@ -147,8 +150,8 @@ fn file(
         }
         (subject @ (Subject::Seal | Subject::Trace), Format::Gcode) => {
             let parts = (expected.spec, expected.machine, expected.design);
-            let (hot, sheet) = (subject == Subject::Seal, output.sheet.unwrap_or(0));
-            let task = ProgramTask::of_pieces(parts, hot, sheet, output.star.or(output.copy));
+            let (hot, sheet) = (subject == Subject::Seal, output.part.sheet().unwrap_or(0));
+            let task = ProgramTask::of_pieces(parts, hot, sheet, output.part.sealed());
             (Method::Reading, task.map(|task| task.check(text, findings)))
         }
         // Every subject is named, so that a new one must be given its method of proof.
@@ -166,10 +169,18 @@ fn file(
             let title = output.title(&expected.spec.name);
             let found = match format {
                 Format::Svg => drawings::read_page(text, &exact, &title, expected.spec, findings),
-                _ => drawings::read_plan(text, &exact, expected.spec, findings),
+                Format::Toml
+                | Format::Gcode
+                | Format::Dxf
+                | Format::Pdf
+                | Format::Stl
+                | Format::Json
+                | Format::Png
+                | Format::Glb
+                | Format::Html => drawings::read_plan(text, &exact, expected.spec, findings),
             };
             let deviation = drawings::compare(&found, &exact, tolerance, findings);
-            if let (Subject::Seal, Some(sheet)) = (subject, output.sheet) {
+            if let (Subject::Seal, Some(sheet)) = (subject, output.part.sheet()) {
                 cross.seals.add(sheet, &output.name(), &found);
             }
             (Method::Reading, Some(deviation))
