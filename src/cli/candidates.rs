@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use crate::cli::terminal::width;
 use forecast::interval::mm;
 use forecast::optimize::{
-    Constraints, Evaluation, SEARCHED, SearchResult, is_at_pressure, shortfalls, thinned,
+    Constraints, Evaluation, SEARCHED, SearchResult, Shortfall, is_at_pressure, shortfalls, thinned,
 };
 use forecast::outcome::{Grip, Outcome};
 use forecast::ranges::shown;
@@ -75,7 +75,7 @@ fn row(candidate: &Evaluation, constraints: &Constraints) -> Value {
     let known = own.filter(|own| own.known);
     let short: Vec<Value> = shortfalls(point, answer, constraints)
         .into_iter()
-        .map(|(what, part)| json!({ "what": what, "part": part }))
+        .map(|Shortfall { constraint, part }| json!({ "what": constraint.name(), "part": part }))
         .collect();
     json!({
         "points": star.points,
@@ -176,9 +176,9 @@ fn cells(candidate: &Evaluation, constraints: &Constraints) -> [String; COLUMNS.
     let radius = own.map(|own| Length::from_metres(own.rest.radius).0);
     let short: Vec<String> = shortfalls(point, answer, constraints)
         .into_iter()
-        .map(|(what, part)| match 100.0 * part {
-            percent if percent < 0.05 => format!("{what} below 0.1 %"),
-            percent => format!("{what} {percent:.1} %"),
+        .map(|Shortfall { constraint, part }| match 100.0 * part {
+            percent if percent < 0.05 => format!("{} below 0.1 %", constraint.name()),
+            percent => format!("{} {percent:.1} %", constraint.name()),
         })
         .collect();
     [

@@ -13,7 +13,7 @@ use crate::cli::words::value_of;
 use crate::cli::{actuator, coupon, feedcheck, new_object, optimize, predict, resume, verify};
 use crate::pipeline::{ProvenCoupons, PublishedBuild};
 use crate::resume::Resumed;
-use forecast::optimize::{Evaluation, SearchResult, shortfalls};
+use forecast::optimize::{Evaluation, SearchResult, Shortfall, shortfalls};
 use proof::verify::{OutputFiles, Proof};
 use spec::{Machine, ModelChoice};
 
@@ -58,8 +58,10 @@ pub fn optimum(given: &Loaded, options: &[String], cancel: &AtomicBool) -> Resul
         return Err(Failure::Interrupted);
     }
     let spec = optimize::best_spec(&args, given, &found);
-    let short =
-        found.best.iter().map(|Evaluation { point, answer, .. }| shortfalls(point, answer, &constraints));
+    let short = found.best.iter().map(|Evaluation { point, answer, .. }| {
+        let all = shortfalls(point, answer, &constraints).into_iter();
+        all.map(|Shortfall { constraint, part }| (constraint.name(), part)).collect()
+    });
     Ok(Optimum { short: short.collect(), best: spec, found })
 }
 

@@ -34,8 +34,75 @@ pub struct Constraints {
     pub apart: bool,
 }
 
-/// A constraint that a design misses, and its relative shortfall.
-pub type Short = (&'static str, f64);
+/// A constraint that a design may miss.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Constraint {
+    /// Arms are as long as the shortest that models know.
+    Arms,
+    /// A model covers the star.
+    Model,
+    /// The star lies in the domain of validated stars.
+    Untried,
+    /// Its arms do not touch.
+    Touching,
+    /// It closes to the smaller radius that it shall grasp.
+    Closing,
+    /// It opens to the larger one.
+    Opening,
+    /// The object passes the cut hole.
+    InnerRadius,
+    /// It presses no harder than is allowed.
+    Pressing,
+    /// It meets the object.
+    Object,
+    /// It carries the payload.
+    Payload,
+    /// It fits on the sheet.
+    Sheet,
+    /// Its burst pressure is high enough.
+    Burst,
+}
+
+impl Constraint {
+    /// Its name in answers.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Arms => "arms",
+            Self::Model => "no model",
+            Self::Untried => "untried",
+            Self::Touching => "touching",
+            Self::Closing => "closing",
+            Self::Opening => "opening",
+            Self::InnerRadius => "inner_radius",
+            Self::Pressing => "pressing",
+            Self::Object => "object",
+            Self::Payload => "payload",
+            Self::Sheet => "sheet",
+            Self::Burst => "burst",
+        }
+    }
+}
+
+/// A constraint that a design misses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shortfall {
+    /// The constraint.
+    pub constraint: Constraint,
+    /// By how much it is missed, relative to its bound, above 0.
+    pub part: f64,
+}
+
+/// The constraints that a design misses, as they are collected.
+struct Shortfalls(Vec<Shortfall>);
+
+impl Shortfalls {
+    /// Adds a constraint, if it is missed.
+    fn add(&mut self, constraint: Constraint, part: f64) {
+        if part > 0.0 {
+            self.0.push(Shortfall { constraint, part });
+        }
+    }
+}
 
 /// Shortfall relative to `least`; a missing value counts as zero.
 fn short(value: Option<f64>, least: f64) -> f64 {
@@ -61,56 +128,58 @@ fn object_shortfall(point: &Candidate, grip: &Outcome) -> Option<f64> {
 }
 
 /// All constraints that `point`, with the values `answer`, violates.
-pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints) -> Vec<Short> {
+pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints) -> Vec<Shortfall> {
     let star = &answer.star;
-    let mut all = vec![("arms", short(Some(star.l), SHORTEST_ARM * star.w))];
+    let mut all = Shortfalls(Vec::new());
+    all.add(Constraint::Arms, short(Some(star.l), SHORTEST_ARM * star.w));
     if answer.outcome.is_none() {
-        all.push(("no model", 10.0));
+        all.add(Constraint::Model, 10.0);
     }
     if let Some(grip) = &answer.grip {
         if is_at_pressure(point.model) && grip.ranges.domain != Domain::Validated {
             // The more the further out: so that a search finds its way in.
-            all.push(("untried", LEAST_UNTRIED + outside_by(&answer.case)));
+            all.add(Constraint::Untried, LEAST_UNTRIED + outside_by(&answer.case));
         }
         let forceful =
             constraints.apart || constraints.payload.is_some() || constraints.largest_force.is_some();
         if is_at_pressure(point.model) && forceful {
             // The overlap of the arms, as the tips' angle by which they pass contact, rad.
             let depth = answer.case.mechanism.correction.contact_angle - grip.rest.equilibrium;
-            all.push(("touching", if depth >= 0.0 { LEAST_UNTRIED + depth } else { 0.0 }));
+            all.add(Constraint::Touching, if depth >= 0.0 { LEAST_UNTRIED + depth } else { 0.0 });
         }
         if let Some([close, open]) = constraints.grasp {
             let mm = |metres: f64| Length::from_metres(metres).0;
             let widest = mm(grip.rest.widest.radius);
             let least_sure = grip.ranges.radius.map_or(grip.rest.radius, |[_, high]| high);
-            all.push(("closing", over(mm(least_sure), close.0)));
-            all.push(("opening", short(Some(widest), open.0 * (1.0 + ROUNDING))));
+            all.add(Constraint::Closing, over(mm(least_sure), close.0));
+            all.add(Constraint::Opening, short(Some(widest), open.0 * (1.0 + ROUNDING)));
         }
         let entering =
             constraints.grasp.map(|[_, open]| open.0).into_iter().chain(constraints.hole.map(|hole| hole.0));
         if let Some(entering) = entering.reduce(f64::max) {
-            all.push(("inner_radius", short(Some(star.hole(&point.seal)), entering)));
+            all.add(Constraint::InnerRadius, short(Some(star.hole(&point.seal)), entering));
         }
         if let Some(most) = constraints.largest_force {
             // An unknown force may be too large; an object that is not held has a shortfall of its grip.
             let unknown = if matches!(grip.hold, Some(Grip::Untried | Grip::Held(_))) { 1.0 } else { 0.0 };
-            all.push(("pressing", most_force(point, grip).map_or(unknown, |force| over(force, most))));
+            all.add(Constraint::Pressing, most_force(point, grip).map_or(unknown, |force| over(force, most)));
         }
-        all.extend(object_shortfall(point, grip).map(|shortfall| ("object", shortfall)));
+        if let Some(part) = object_shortfall(point, grip) {
+            all.add(Constraint::Object, part);
+        }
     }
     if let Some(payload) = constraints.payload {
-        all.push(("payload", short(sure_payload(point, answer), payload)));
+        all.add(Constraint::Payload, short(sure_payload(point, answer), payload));
     }
     if let Some(side) = constraints.sheet {
         let reach = star.tip_reach() + point.seal.band.0 + point.seal.allowance.0;
-        all.push(("sheet", over(2.0 * reach, side.0)));
+        all.add(Constraint::Sheet, over(2.0 * reach, side.0));
     }
     if let Some(least) = constraints.burst_margin {
         let margin = answer.burst.zip(point.load.pressure).map(|(burst, pressure)| burst.0 / pressure.0);
-        all.push(("burst", short(margin, least)));
+        all.add(Constraint::Burst, short(margin, least));
     }
-    all.retain(|(_, shortfall)| *shortfall > 0.0);
-    all
+    all.0
 }
 
 /// Whether a model applies at the star's pressure, unlike a limit selected by name.

@@ -9,7 +9,7 @@ mod front;
 mod poll;
 
 pub use self::constraints::{
-    Constraints, ROUNDING, SEARCHED, Short, is_at_pressure, shortfalls, sure_payload,
+    Constraint, Constraints, ROUNDING, SEARCHED, Shortfall, is_at_pressure, shortfalls, sure_payload,
 };
 pub use self::front::thinned;
 
@@ -253,7 +253,7 @@ impl<'a> DesignSearch<'a> {
     /// `point`, whose values are `answer`, with its violation of the constraints.
     fn judged(&self, point: Candidate, answer: &Answer) -> Evaluation {
         let all = shortfalls(&point, answer, self.constraints);
-        let violation = all.iter().map(|(_, shortfall)| shortfall).sum();
+        let violation = all.iter().map(|shortfall| shortfall.part).sum();
         Evaluation { point, answer: *answer, violation }
     }
 

@@ -140,7 +140,8 @@ fn a_star_outside_of_what_was_tried_is_short_the_more_the_further_out() {
     let untried = |angle, width| {
         let (point, answer) = at_pressure(angle, width);
         let all = shortfalls(&point, &answer, &Constraints::default());
-        all.into_iter().find(|(what, _)| *what == "untried").map_or(0.0, |(_, part)| part)
+        let untried = all.into_iter().find(|shortfall| shortfall.constraint == Constraint::Untried);
+        untried.map_or(0.0, |shortfall| shortfall.part)
     };
     // Arms of 3.5, 5.5, 6.5 and 8.5 W; five may be.
     let all = [30.0, 20.0, 18.0, 15.0].map(|angle| untried(angle, 20.0));
@@ -158,8 +159,10 @@ fn a_force_of_which_nothing_is_known_counts_for_nothing() {
     assert_eq!((sure_payload(&point, &answer), answer.payload), (None, None));
     let constraints = Constraints { payload: Some(0.1), largest_force: Some(1e3), ..Constraints::default() };
     let all = shortfalls(&point, &answer, &constraints);
-    let short = |name: &str| all.iter().any(|(what, part)| *what == name && *part > 0.0);
-    assert!(short("payload") && short("pressing") && short("touching"), "{all:?}");
+    let is_short = |constraint| all.iter().any(|shortfall| shortfall.constraint == constraint);
+    for constraint in [Constraint::Payload, Constraint::Pressing, Constraint::Touching] {
+        assert!(is_short(constraint), "{constraint:?}: {all:?}");
+    }
 }
 
 #[test]
@@ -170,7 +173,8 @@ fn searches_count_on_less_than_the_end_of_a_force_s_range() {
     assert!(low > 0.0 && sure.total_cmp(&(SEARCHED * low)).is_eq(), "{sure} {low}");
     let asked = |payload: f64| {
         let constraints = Constraints { payload: Some(payload), ..Constraints::default() };
-        shortfalls(&point, &answer, &constraints).iter().any(|(what, _)| *what == "payload")
+        let all = shortfalls(&point, &answer, &constraints);
+        all.iter().any(|shortfall| shortfall.constraint == Constraint::Payload)
     };
     assert!(!asked(0.99 * sure) && asked(0.5 * (sure + low)));
 }
