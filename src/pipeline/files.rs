@@ -3,9 +3,8 @@
 use crate::emit;
 use crate::manifest::{Manifest, ManifestFile, manifest_of};
 use crate::pipeline::{Built, Forecast, Sources};
-use design::Star;
 use forecast::charts::charts;
-use forecast::pose;
+use forecast::pose::{self, PosedStar};
 use program::plan::Program;
 use proof::artifact::{Artifact, Format, KindRequest, Output, Subject, outputs};
 use spec::Code;
@@ -82,7 +81,7 @@ fn scene(forecast: &Forecast) -> Option<Vec<u8>> {
 }
 
 /// The inflated stars, bottom to top; empty if their contraction is unknown.
-fn inflated(forecast: &Forecast) -> Vec<Star> {
+fn inflated(forecast: &Forecast) -> Vec<PosedStar> {
     pose::inflated(&forecast.spec, &forecast.design, forecast.prediction.as_ref())
 }
 

@@ -107,20 +107,20 @@ fn what_is_predicted_drawn_and_shown_is_one_pose() {
         assert_eq!(row.final_radius_mm, closed);
         let touches =
             spec.load.as_ref().and_then(|load| load.object_radius).map_or(closed, |object| object.0);
-        assert!((stars[0].rho_0 - touches).abs() < 1e-6, "{} {touches}", stars[0].rho_0);
+        assert!((stars[0].inner_radius - touches).abs() < 1e-6, "{} {touches}", stars[0].inner_radius);
         // Wider than a cylinder, as hinges are.
         let star = &design.assembly().expect("stars").distinct[0].star;
-        assert!(stars[0].w > 1.02 * round_tube(star.w) && stars[0].w < star.w);
+        assert!(stars[0].width > 1.02 * round_tube(star.w) && stars[0].width < star.w);
         let tube = part(&nodes, "stack/star 1", "tube");
         let columns: Vec<&[[f64; 3]]> = tube.inflated.chunks(16).collect();
         // In each half of a sector eleven columns are a corner's, eleven a tip's; in each the first point lies at the hole, the
         // ninth outside.
         let (corner, tip) = (columns[5], columns[16]);
-        assert!((radius(&corner[0]) - stars[0].rho_0).abs() < 2e-3);
-        assert!((radius(&tip[0]) - stars[0].d_t - stars[0].r_i).abs() < 2e-3);
+        assert!((radius(&corner[0]) - stars[0].inner_radius).abs() < 2e-3);
+        assert!((radius(&tip[0]) - stars[0].tip_centre - stars[0].tip_radius).abs() < 2e-3);
         for column in [corner, tip] {
             assert!(
-                (apart(&column[0], &column[8]) - stars[0].w).abs() < 2e-3,
+                (apart(&column[0], &column[8]) - stars[0].width).abs() < 2e-3,
                 "{}",
                 apart(&column[0], &column[8])
             );
@@ -128,14 +128,14 @@ fn what_is_predicted_drawn_and_shown_is_one_pose() {
         // Across it lies an ellipse as long as the fabric around it, by the sum of many chords.
         let rise = columns[16].iter().map(|point| point[2]).fold(f64::NEG_INFINITY, f64::max);
         let low = columns[16].iter().map(|point| point[2]).fold(f64::INFINITY, f64::min);
-        let around = ellipse(stars[0].w / 2.0, (rise - low) / 2.0);
+        let around = ellipse(stars[0].width / 2.0, (rise - low) / 2.0);
         assert!((around - 2.0 * star.w).abs() < 1e-3 * star.w, "{around} {}", star.w);
         let centre = {
-            let scale = stars[0].d_t / radius(&tip[0]).max(1e-9);
+            let scale = stars[0].tip_centre / radius(&tip[0]).max(1e-9);
             [tip[0][0] * scale, tip[0][1] * scale, tip[0][2]]
         };
         for column in &columns[11..22] {
-            assert!((apart(&column[0], &centre) - stars[0].r_i).abs() < 2e-3);
+            assert!((apart(&column[0], &centre) - stars[0].tip_radius).abs() < 2e-3);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The shape of an inflated star: for all pictures, flat or in three dimensions, and for their checks.
+//! The shape of an inflated star, a [`PosedStar`]: for all pictures, flat or in three dimensions, and for their checks.
 //!
 //! It is the mechanism of the prediction: arms stay straight and as long as they are, the tube is everywhere as wide as the prediction has
 //! it between the centres of a tip's and a corner's arc, and a coiled hinge keeps the length of its inner arc.
@@ -7,7 +7,8 @@ use std::f64::consts::PI;
 
 use crate::case::mechanism;
 use crate::prediction::{Prediction, StarPrediction};
-use design::{Design, Star};
+use design::{Design, Side, Star};
+use geom::Path;
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::star::{Correction, Mechanism};
 use inflatable::numerics::bracketed_root;
@@ -15,7 +16,75 @@ use serde::Serialize;
 use spec::Spec;
 use spec::units::Length;
 
-/// The dimensions needed to draw a star: its tube lies between r and r + w around the centres of tips and corners.
+/// A star in a pose, flat or inflated: its tube lies between r and r + w around the centres of tips and corners. Lengths in mm, angles in
+/// rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PosedStar {
+    /// Number of points.
+    pub points: u32,
+    /// Inner radius.
+    pub inner_radius: f64,
+    /// Width of the tube in plan view.
+    pub width: f64,
+    /// Angle between the arms of a tip.
+    pub tip_angle: f64,
+    /// Angle between the arms of a corner.
+    pub corner_angle: f64,
+    /// Inner radius of curvature of the tips.
+    pub tip_radius: f64,
+    /// Inner radius of curvature of the corners.
+    pub corner_radius: f64,
+    /// Length of an arm.
+    pub arm: f64,
+    /// Distance of a tip's centre from the axis.
+    pub tip_centre: f64,
+    /// Distance of a corner's centre from the axis.
+    pub corner_centre: f64,
+}
+
+impl PosedStar {
+    /// The star as it is cut.
+    pub fn flat(star: &Star) -> Self {
+        Self {
+            points: star.n,
+            inner_radius: star.rho_0,
+            width: star.w,
+            tip_angle: star.phi_i,
+            corner_angle: star.phi_e,
+            tip_radius: star.r_i,
+            corner_radius: star.r_e,
+            arm: star.l,
+            tip_centre: star.d_t,
+            corner_centre: star.d_p,
+        }
+    }
+
+    /// Half the angle from one tip's ray to the next.
+    pub fn half_sector(&self) -> f64 {
+        PI / f64::from(self.points)
+    }
+
+    /// The edges of the tube: towards the hole and outside; an edge that leaves nothing is absent.
+    pub fn edges(&self) -> Vec<Path> {
+        // A contour needs no more than centres and radii, which a flat star of these dimensions would have.
+        let star = Star {
+            n: self.points,
+            rho_0: self.inner_radius,
+            w: self.width,
+            phi_i: self.tip_angle,
+            phi_e: self.corner_angle,
+            r_i: self.tip_radius,
+            r_e: self.corner_radius,
+            l: self.arm,
+            d_t: self.tip_centre,
+            d_p: self.corner_centre,
+        };
+        let edge = |side| Some(star.contour(side, 0.0, 0.0)?.path());
+        [Side::Hole, Side::Outside].into_iter().filter_map(edge).collect()
+    }
+}
+
+/// The dimensions of a posed star as an answer has them.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
 pub struct Pose {
@@ -36,23 +105,23 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// The star as it is drawn.
-    pub fn of(star: &Star) -> Self {
+    /// The dimensions of `star`.
+    pub fn of(star: &PosedStar) -> Self {
         Self {
-            inner_radius_mm: star.rho_0,
-            width_mm: star.w,
-            tip_angle_deg: star.phi_i.to_degrees(),
-            tip_radius_mm: star.r_i,
-            corner_radius_mm: star.r_e,
-            tip_centre_mm: star.d_t,
-            corner_centre_mm: star.d_p,
+            inner_radius_mm: star.inner_radius,
+            width_mm: star.width,
+            tip_angle_deg: star.tip_angle.to_degrees(),
+            tip_radius_mm: star.tip_radius,
+            corner_radius_mm: star.corner_radius,
+            tip_centre_mm: star.tip_centre,
+            corner_centre_mm: star.corner_centre,
         }
     }
 }
 
 /// Every star of `design`, made from `spec`, bottom first, as wide as `prediction` closes it: on the spec's object where that is wider
 /// and within reach, else closed fully. Lengths in mm. Empty if the closing of any star is unknown.
-pub fn inflated(spec: &Spec, design: &Design, prediction: Option<&Prediction>) -> Vec<Star> {
+pub fn inflated(spec: &Spec, design: &Design, prediction: Option<&Prediction>) -> Vec<PosedStar> {
     let object = spec.load.as_ref().and_then(|load| load.object_radius);
     let predicted = prediction.map_or(&[][..], |prediction| &prediction.stars);
     let Some(design) = design.assembly() else { return Vec::new() };
@@ -61,7 +130,7 @@ pub fn inflated(spec: &Spec, design: &Design, prediction: Option<&Prediction>) -
     inflated.collect::<Option<_>>().unwrap_or_default()
 }
 
-fn closed(star: &Star, predicted: &StarPrediction, object: Option<Length>) -> Option<Star> {
+fn closed(star: &Star, predicted: &StarPrediction, object: Option<Length>) -> Option<PosedStar> {
     let moves = Mechanism { correction: predicted.correction, ..mechanism(star) };
     // A ball is thinner beside its middle.
     let object = object.map(|object| predicted.object_radius_mm.map_or(object, Length));
@@ -81,7 +150,7 @@ pub(super) fn held(moves: &Mechanism, rest: f64, object: Option<Length>) -> Opti
 }
 
 /// The star `flat`, inflated with the mechanism `moves`, at the tips' angle `phi`, rad; lengths in mm.
-pub fn at_angle(flat: &Star, moves: &Mechanism, phi: f64) -> Star {
+pub fn at_angle(flat: &Star, moves: &Mechanism, phi: f64) -> PosedStar {
     let turn = flat.phi_e - flat.phi_i;
     let coiled = |radius: f64, from: f64, to: f64| radius * (PI - from) / (PI - to);
     let Correction { width, .. } = moves.correction;
@@ -95,5 +164,15 @@ pub fn at_angle(flat: &Star, moves: &Mechanism, phi: f64) -> Star {
     let away = d_p * across - (w + r_i + r_e) * cos;
     let along = (flat.l.powi(2) - away.powi(2)).max(0.0).sqrt();
     let d_t = d_p * out - (w + r_i + r_e) * sin + along;
-    Star { rho_0, w, phi_i: phi, phi_e, r_i, r_e, d_t, d_p, ..*flat }
+    PosedStar {
+        inner_radius: rho_0,
+        width: w,
+        tip_angle: phi,
+        corner_angle: phi_e,
+        tip_radius: r_i,
+        corner_radius: r_e,
+        tip_centre: d_t,
+        corner_centre: d_p,
+        ..PosedStar::flat(flat)
+    }
 }

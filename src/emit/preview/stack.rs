@@ -6,7 +6,8 @@ use crate::emit::picture::{Anchor, Group, Text};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{GREY, IRON, OBJECT, Style, TEXT, circle, star_ink, straight};
 use crate::emit::preview::subject::Preview;
-use design::{Object, Side, Stand, Star, StarAssembly, StarDesign, round_tube, tube_height};
+use design::{Object, Stand, StarAssembly, StarDesign, round_tube, tube_height};
+use forecast::pose::PosedStar;
 use geom::{Bounds, Isometry, Path, Point, Vec2};
 use spec::Spec;
 use spec::units::Length;
@@ -98,7 +99,7 @@ impl<'a> StackView<'a> {
                 places.keep_off(&edge, 0.0);
                 group.line(edge, style.pen(star_ink(index), if shut.is_empty() { 2.0 } else { 1.2 }));
             }
-            for edge in shut.get(index - 1).map(edges).unwrap_or_default() {
+            for edge in shut.get(index - 1).map(PosedStar::edges).unwrap_or_default() {
                 let edge = motion.path(&edge);
                 places.keep_off(&edge, 0.0);
                 group.line(edge, style.pen(star_ink(index), 2.8));
@@ -203,7 +204,7 @@ impl<'a> StackView<'a> {
             let geometry = &design.part(star).star;
             // Inflated: as high as predicted, round where nothing is.
             let shut = self.preview.shut.get(star.index - 1);
-            let half = shut.map_or(round_tube(geometry.w), |to| tube_height(geometry.w, to.w)) / 2.0;
+            let half = shut.map_or(round_tube(geometry.w), |to| tube_height(geometry.w, to.width)) / 2.0;
             let ink = star_ink(star.index);
             group.line(block(geometry.tip_reach(), z - half, z + half), style.pen(ink, 2.0));
             group.line(block(geometry.rho_0, z - half, z + half), style.dashes(ink, 1.0));
@@ -258,14 +259,6 @@ fn spaced(mut labels: Vec<(String, f64)>, style: Style) -> Vec<(String, f64)> {
         room
     });
     labels
-}
-
-/// The edges of an inflated star.
-fn edges(star: &Star) -> Vec<Path> {
-    [Side::Hole, Side::Outside]
-        .iter()
-        .filter_map(|side| Some(star.contour(*side, 0.0, 0.0)?.path()))
-        .collect()
 }
 
 /// `star 1`, `stars 1, 2, 3`, `stars 1 to 9`.

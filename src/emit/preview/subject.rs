@@ -1,7 +1,8 @@
 //! The subject of a preview.
 
 use crate::link::LinkCode;
-use design::{Design, Star};
+use design::Design;
+use forecast::pose::PosedStar;
 use program::plan::Program;
 use spec::{Machine, Spec};
 
@@ -17,7 +18,7 @@ pub struct Preview<'a> {
     /// The sealing programs.
     pub programs: &'a [Program],
     /// Every star as it is predicted to close, bottom first; none without a prediction.
-    pub shut: &'a [Star],
+    pub shut: &'a [PosedStar],
     /// The code of the link to the spec, if there shall be one.
     pub code: Option<&'a LinkCode>,
 }

@@ -151,9 +151,9 @@ fn stack(preview: &Preview<'_>, design: &StarAssembly, style: Style) -> Block<'s
     block.explain(line(star_ink(1), if shut.is_empty() { 2.0 } else { 1.2 }), "star, flat");
     let object = spec.load.as_ref().and_then(|load| load.object_radius);
     if let Some(first) = shut.first() {
-        let held = object.is_some_and(|object| object.0 >= first.rho_0 * (1.0 - 1e-9));
+        let held = object.is_some_and(|object| object.0 >= first.inner_radius * (1.0 - 1e-9));
         let on = if held { " on the object" } else { "" };
-        let mut widths: Vec<String> = shut.iter().map(|star| format!("{:.1}", 2.0 * star.rho_0)).collect();
+        let mut widths: Vec<String> = shut.iter().map(|star| format!("{:.1}", 2.0 * star.inner_radius)).collect();
         if widths.iter().all(|width| *width == widths[0]) {
             widths.truncate(1);
         }

@@ -8,7 +8,7 @@ use design::{Design, StarDesign};
 use forecast::case::Case;
 use forecast::drawn::HOW;
 use forecast::drawn::prediction::DrawnPrediction;
-use forecast::pose::Pose;
+use forecast::pose::{Pose, PosedStar};
 use forecast::prediction::{Prediction, Verdict};
 use forecast::seal_load::{SealLoad, seal_loads};
 use forecast::tone::Tone;
@@ -63,7 +63,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         "notes": design.warnings.iter().map(|warning| format!("{}; {}", warning.found, warning.remedy)).collect::<Vec<_>>(),
         "parts": parts(report),
         "loads": loads(report),
-        "flat": stars(design).iter().map(|part| short(&json!(Pose::of(&part.star)))).collect::<Vec<_>>(),
+        "flat": stars(design).iter().map(|part| short(&json!(Pose::of(&PosedStar::flat(&part.star))))).collect::<Vec<_>>(),
         "sheets": sheets(report),
         "programs": programs(report),
         "charts": report.charts.iter().map(|charts| short(&json!(charts))).collect::<Vec<_>>(),

@@ -15,7 +15,8 @@ use crate::emit::palette::{SURFACES, SceneSurface};
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, quarters};
 use crate::emit::scene::pose::{PoseMotion, ScenePose, tube};
-use design::{CutEdge, Design, Drawing, Layer, Side, Stand, Star, StarAssembly, StarDesign};
+use design::{CutEdge, Design, Drawing, Layer, Side, Stand, StarAssembly, StarDesign};
+use forecast::pose::PosedStar;
 use geom::{Arc, Bounds, Path, Point};
 use spec::{ObjectShape, Spec};
 
@@ -28,7 +29,7 @@ const GAP: f64 = 60.0;
 
 /// Everything of the gripper `design`, its stars `inflated` to these, bottom to top, or not if there are none, and the spec's object; `None` where lyon
 /// has no triangles for it.
-pub fn scene(spec: &Spec, design: &Design, inflated: &[Star]) -> Option<Vec<u8>> {
+pub fn scene(spec: &Spec, design: &Design, inflated: &[PosedStar]) -> Option<Vec<u8>> {
     let mut glb = Glb::new(&SURFACES.map(|(surface, ..)| surface));
     let assembly = design.assembly()?;
     let stack = stack(&mut glb, assembly, inflated)?;
@@ -43,7 +44,7 @@ pub fn scene(spec: &Spec, design: &Design, inflated: &[Star]) -> Option<Vec<u8>>
 }
 
 /// Plates, posts and stars, in their places.
-fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[Star]) -> Option<Vec<Node>> {
+fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[PosedStar]) -> Option<Vec<Node>> {
     let (frame, stack) = (&design.frame, &design.stack);
     let mut nodes = Vec::new();
     let mut stand = |name: String, mesh: usize, [x, y, z]: [f64; 3], turn: f64| {
@@ -68,7 +69,7 @@ fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[Star]) -> Option<Vec<
         }
     }
     // Stars of one kind have one mesh where they close alike: on a ball each meets it at its own height.
-    let mut meshes: Vec<(usize, Option<&Star>, usize)> = Vec::new();
+    let mut meshes: Vec<(usize, Option<&PosedStar>, usize)> = Vec::new();
     for ((placed, z), turn) in design.stars.iter().zip(&stack.stars).zip(&stack.turns) {
         let (to, name) = (inflated.get(placed.index - 1), format!("fabric of star {}", placed.index));
         let alike = meshes.iter().find(|(kind, closed, _)| *kind == placed.distinct && *closed == to);
@@ -114,7 +115,7 @@ fn object(glb: &mut Glb, spec: &Spec) -> Option<Vec<Node>> {
 const SUPPORT: f64 = 0.5;
 
 /// A star of the stack: tube, flaps, bands, and where they go if it inflates.
-fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<&Star>, name: &str) -> Option<usize> {
+fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<&PosedStar>, name: &str) -> Option<usize> {
     let flat = ScenePose::flat(&part.star);
     let full = inflated.map(|to| ScenePose::inflated(part.star.w, to));
     let carried = |mesh: Mesh| match full {

@@ -8,6 +8,7 @@ use std::f64::consts::PI;
 
 use crate::emit::scene::mesh::{Mesh, index};
 use design::{Star, tube_height};
+use forecast::pose::PosedStar;
 use geom::{Point, Vec2};
 
 /// Facets across one of a tube's two sheets.
@@ -41,23 +42,24 @@ pub(super) struct ScenePose {
 impl ScenePose {
     /// The star as it is cut.
     pub(super) fn flat(star: &Star) -> Self {
-        Self::new(star, 0.0)
+        Self::new(&PosedStar::flat(star), 0.0)
     }
 
     /// The star of flat width `flat` (mm) inflated, as `star`.
-    pub(super) fn inflated(flat: f64, star: &Star) -> Self {
-        Self::new(star, tube_height(flat, star.w) / 2.0)
+    pub(super) fn inflated(flat: f64, star: &PosedStar) -> Self {
+        Self::new(star, tube_height(flat, star.width) / 2.0)
     }
 
-    fn new(star: &Star, rise: f64) -> Self {
-        let halves = [(PI - star.phi_e) / 2.0, (PI - star.phi_i) / 2.0];
+    fn new(star: &PosedStar, rise: f64) -> Self {
+        let halves = [(PI - star.corner_angle) / 2.0, (PI - star.tip_angle) / 2.0];
         // From the corner's centre its arc ends, and the arm begins, in this direction.
         let across = Vec2::unit(PI - halves[0]);
         let along = Vec2::new(across.y, -across.x);
-        let corner = Point::new(star.d_p, 0.0);
-        let tip = Point::polar(star.d_t, star.half_sector());
-        let radii = [star.r_e, star.r_i];
-        Self { points: star.n, corner, tip, along, across, arm: star.l, width: star.w, rise, radii, halves }
+        let corner = Point::new(star.corner_centre, 0.0);
+        let tip = Point::polar(star.tip_centre, star.half_sector());
+        let radii = [star.corner_radius, star.tip_radius];
+        let PosedStar { points, arm, width, .. } = *star;
+        Self { points, corner, tip, along, across, arm, width, rise, radii, halves }
     }
 
     fn ray(&self) -> f64 {
