@@ -5,15 +5,22 @@ use std::sync::OnceLock;
 use stargrip_cam::artifact::{Format, Kind, KindRequest};
 use stargrip_cam::pipeline::{Built, Sources, build};
 use stargrip_cam::spec;
-use stargrip_cam::spec::{Machine, Source};
+use stargrip_cam::spec::{Dialect, Machine, Source};
 use stargrip_cam::verify::OutputFiles;
 
 /// Names and contents of a directory.
 pub(super) type Directory = Vec<(String, Vec<u8>)>;
 
 /// Every profile that comes with the program, one for each dialect.
-pub(super) const PROFILES: [&str; 8] =
-    ["generic", "linuxcnc", "grbl", "grblhal", "fluidnc", "marlin", "klipper", "reprapfirmware"];
+pub(super) const PROFILES: [&str; Dialect::NAMES.len()] = {
+    let mut names = [""; Dialect::NAMES.len()];
+    let mut i = 0;
+    while i < names.len() {
+        names[i] = Dialect::NAMES[i].0;
+        i += 1;
+    }
+    names
+};
 
 /// A gripper that is built in a moment, and that every machine can seal.
 pub(super) const SMALL: &str = "schema = 1\nname = \"small\"\n[star]\npoints = 3\ninner_radius = \"12 mm\"\n\

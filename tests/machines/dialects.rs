@@ -2,23 +2,27 @@
 
 use stargrip_cam::pipeline::read_back;
 
-use crate::{PROFILES, built, profile, spec_text, text, try_built};
+use stargrip_cam::spec::DialectFamily;
+
+use crate::{
+    PROFILES, built, dialect, has_floor, has_modal_travel, is_printer, profile, spec_text, text, try_built,
+};
 
 const CHOP: &str = "[machine]\nfeed_floor = \"chop\"\n";
 
 #[test]
 fn every_dialect_writes_what_its_controller_reads() {
     for name in PROFILES {
-        let can = ["generic", "linuxcnc", "klipper", "reprapfirmware"].contains(&name);
+        let can = !has_floor(name);
         let build = built(&spec_text(if can { "" } else { CHOP }), profile(name));
         let proof = read_back(&build.output_files());
         assert_eq!(proof.findings, [], "{name}");
         let code = text(&build, "star-1-seal.gcode");
         assert_eq!(code.contains("\nG4 P"), !can, "{name}");
-        let chords = ["generic", "marlin", "klipper"].contains(&name);
+        let chords = !crate::machine(profile(name)).controller.arcs;
         assert_eq!(code.contains("\nG3 ") || code.contains("\nG2 "), !chords, "{name}");
         assert!(code.contains("; progress: percent=50 remaining_s="), "{name}");
-        assert_eq!(code.contains("\nM73 P50"), ["marlin", "klipper", "reprapfirmware"].contains(&name));
+        assert_eq!(code.contains("\nM73 P50"), is_printer(name));
     }
 }
 
@@ -46,7 +50,7 @@ fn the_plain_subset_has_no_arcs_and_nothing_that_may_be_read_as_relative() {
     let tables = PROFILES.map(|name| (name, crate::machine(profile(name)).script.start));
     for (name, start) in tables {
         let at = |word: &str| start.iter().position(|line| line == word);
-        let family = ["linuxcnc", "grbl", "grblhal", "fluidnc"].contains(&name);
+        let family = dialect(name).family() == DialectFamily::Mill;
         assert_eq!(at("G91.1").is_some(), family, "{name}");
         assert!(at("G91.1") < at("G90"), "{name}");
     }
@@ -77,7 +81,7 @@ fn printers_say_what_has_to_be_true() {
     for (name, pause) in
         [("marlin", "M0 must stop"), ("klipper", "PAUSE stops"), ("reprapfirmware", "M226 pauses")]
     {
-        let rest = if can_go_slowly(name) { "" } else { CHOP };
+        let rest = if has_floor(name) { CHOP } else { "" };
         let build = built(&spec_text(rest), profile(name));
         let code = text(&build, "star-1-seal.gcode");
         let requires: Vec<&str> = code.lines().filter_map(|line| line.strip_prefix("; requires: ")).collect();
@@ -97,8 +101,8 @@ fn printers_say_what_has_to_be_true() {
 #[test]
 fn travels_of_printers_carry_their_feed_and_seals_their_own_after_it() {
     for name in PROFILES {
-        let printer = ["generic", "marlin", "klipper", "reprapfirmware"].contains(&name);
-        let rest = if can_go_slowly(name) { "" } else { CHOP };
+        let printer = has_modal_travel(name);
+        let rest = if has_floor(name) { CHOP } else { "" };
         let build = built(&spec_text(rest), profile(name));
         for file in ["star-1-seal.gcode", "star-1-trace.gcode"] {
             let code = text(&build, file);
@@ -126,10 +130,6 @@ fn travels_of_printers_carry_their_feed_and_seals_their_own_after_it() {
             assert_eq!(found.first().map(|f| (f.code, f.line)), expected, "{name}: {found:?}");
         }
     }
-}
-
-fn can_go_slowly(name: &str) -> bool {
-    ["generic", "linuxcnc", "klipper", "reprapfirmware"].contains(&name)
 }
 
 #[test]

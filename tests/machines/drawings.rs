@@ -68,7 +68,7 @@ fn a_ramp_that_seals_far_past_a_weld_is_refused() {
 #[test]
 fn a_drawing_is_made_on_every_machine() {
     for name in PROFILES {
-        let chops = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
+        let chops = crate::has_floor(name);
         let scope = if name == "klipper" { "sheet" } else { "piece" };
         let floor = if chops { "chop" } else { "refuse" };
         let rest =
@@ -108,7 +108,7 @@ fn a_drawing_is_made_on_every_machine() {
 
 /// A drawing in `bytes`, the file `file`, with its layers `air`, `port` and `weld`, for the machine `name`.
 fn sealed(file: &str, bytes: &str, name: &str) -> Built {
-    let chops = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
+    let chops = crate::has_floor(name);
     let floor = if chops { "chop" } else { "refuse" };
     let text = format!(
         "schema = 1\nname = \"crumbs\"\n[drawing]\nfile = \"{file}\"\nlayers = {{ air = [\"air\"], port = [\"port\"], seam = [\"weld\"] }}\n\

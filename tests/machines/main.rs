@@ -23,19 +23,46 @@ use stargrip_cam::artifact::KindRequest;
 use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::read_back;
 use stargrip_cam::pipeline::{Built, Sources, build};
-use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, builtin_machines, read, read_machine};
+use stargrip_cam::spec::{
+    Dialect, DialectFamily, Machine, Source, Spec, StepRate, builtin_machine, builtin_machines, read, read_machine,
+};
 use stargrip_cam::verify::{Finding, OutputFiles};
 
-/// All built-in profiles.
-const PROFILES: [&str; 8] =
-    ["generic", "linuxcnc", "grbl", "grblhal", "fluidnc", "marlin", "klipper", "reprapfirmware"];
+/// All built-in profiles: one for each dialect, by its name.
+const PROFILES: [&str; Dialect::NAMES.len()] = {
+    let mut names = [""; Dialect::NAMES.len()];
+    let mut i = 0;
+    while i < names.len() {
+        names[i] = Dialect::NAMES[i].0;
+        i += 1;
+    }
+    names
+};
 
-/// Controllers with a lowest step rate: programs for them may have to be chopped.
-const WITH_FLOOR: [&str; 4] = ["grbl", "grblhal", "fluidnc", "marlin"];
+/// The dialect of the profile `name`.
+fn dialect(name: &str) -> Dialect {
+    let named = Dialect::NAMES.iter().find(|(own, _)| *own == name);
+    named.unwrap_or_else(|| panic!("{name} is no dialect")).1
+}
 
-/// Whether the controller of profile `name` has a lowest step rate.
+/// The profiles of `family`.
+fn profiles_of(family: DialectFamily) -> impl Iterator<Item = &'static str> {
+    PROFILES.into_iter().filter(move |name| dialect(name).family() == family)
+}
+
+/// Whether the profile `name` is of a printer.
+fn is_printer(name: &str) -> bool {
+    dialect(name).family() == DialectFamily::Printer
+}
+
+/// Whether G0 runs at the feed in force in the profile `name`, or may do so.
+fn has_modal_travel(name: &str) -> bool {
+    dialect(name).family() != DialectFamily::Mill
+}
+
+/// Whether the controller of profile `name` has a lowest step rate: programs for it may have to be chopped.
 fn has_floor(name: &str) -> bool {
-    WITH_FLOOR.contains(&name)
+    matches!(machine(profile(name)).motion.step_rate, StepRate::AtLeast(_))
 }
 
 #[test]

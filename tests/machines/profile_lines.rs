@@ -2,9 +2,10 @@
 
 use stargrip_cam::artifact::KindRequest;
 use stargrip_cam::pipeline::{Sources, build};
+use stargrip_cam::spec::DialectFamily;
 use stargrip_cam::verify::Finding;
 
-use crate::{PROFILES, built, findings_with, profile, spec_text, text};
+use crate::{PROFILES, built, findings_with, is_printer, profile, profiles_of, spec_text, text};
 
 const SEAL: &str = "star-1-seal.gcode";
 const TRACE: &str = "star-1-trace.gcode";
@@ -156,7 +157,7 @@ fn a_profile_changed_after_the_build_is_found() {
 
 #[test]
 fn heaters_are_told_once_and_turned_off() {
-    for name in ["marlin", "klipper", "reprapfirmware"] {
+    for name in profiles_of(DialectFamily::Printer) {
         for file in [SEAL, TRACE] {
             assert_inserted(&[name], file, At::Tail, "M109 S200", "stray-heat");
             assert_inserted(&[name], file, At::Tail, "M104 S200", "stray-heat");
@@ -175,8 +176,7 @@ fn heaters_are_told_once_and_turned_off() {
 #[test]
 fn waits_in_one_place_are_added_up() {
     for name in PROFILES {
-        let wait =
-            if ["marlin", "klipper", "reprapfirmware"].contains(&name) { "G4 P1900" } else { "G4 P1.9" };
+        let wait = if is_printer(name) { "G4 P1900" } else { "G4 P1.9" };
         let at = std::cell::Cell::new(0);
         let findings = after(name, SEAL, |lines| {
             at.set(place(lines, At::Contact));

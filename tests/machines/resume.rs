@@ -5,10 +5,11 @@ use std::env;
 use stargrip_cam::geom::{Path, Point, Segment};
 use stargrip_cam::pipeline::read_back;
 use stargrip_cam::resume::{ResumeAt, ResumeFault, resume};
+use stargrip_cam::spec::DialectFamily;
 use stargrip_cam::verify::follow;
 use stargrip_cam::verify::gcode::{Dialect, Move, read_program};
 
-use crate::{PROFILES, built, machine, profile, spec_text, text};
+use crate::{PROFILES, built, machine, profile, profiles_of, spec_text, text};
 
 const FILE: &str = "star-1-seal.gcode";
 
@@ -164,7 +165,7 @@ fn a_sliver_of_a_stroke_is_taken_up_with_the_next() {
 
 #[test]
 fn the_way_back_carries_its_feeds_where_g0_has_none_of_its_own() {
-    for name in ["marlin", "klipper", "reprapfirmware"] {
+    for name in profiles_of(DialectFamily::Printer) {
         let text = resume(&job(name), ResumeAt::Share(0.4), None).expect("resumed").text;
         let mut after_travel = false;
         for line in text.lines().filter(|line| line.starts_with('G') && line.contains(['X', 'Y', 'Z'])) {

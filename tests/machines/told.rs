@@ -1,6 +1,6 @@
 //! Comments and travels of a program: each word in its place, in every dialect, steady and chopped.
 
-use crate::{PROFILES, built, findings_with, profile, spec_text, text};
+use crate::{PROFILES, built, findings_with, is_printer, profile, spec_text, text};
 
 const FILE: &str = "star-1-seal.gcode";
 
@@ -49,7 +49,7 @@ fn a_comment_in_another_place_is_found() {
 #[test]
 fn a_travel_to_another_place_is_found() {
     for name in PROFILES {
-        let feed = if ["marlin", "klipper", "reprapfirmware"].contains(&name) { " F1200" } else { "" };
+        let feed = if is_printer(name) { " F1200" } else { "" };
         // The return to the start by a detour, and no return at all.
         let at = std::cell::Cell::new(0);
         let detour = found(name, |lines| {

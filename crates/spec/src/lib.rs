@@ -56,7 +56,7 @@ pub use fault::{DrawnPlace, Fault, Severity, shortened};
 pub use faults::Faults;
 pub use key::KeyPath;
 pub use machine::{
-    Bench, Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Limits, Machine,
+    Bench, Comments, Controller, Dialect, DialectFamily, DwellUnit, Dwells, Heating, Heights, KeepOut, Limits, Machine,
     Process, Script,
 };
 pub use message::comma;

@@ -117,7 +117,7 @@ impl Limits {
     }
 }
 
-/// A family of controllers that read the same words.
+/// Controllers that read the same words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dialect {
     /// The plain subset that every controller reads.
@@ -138,6 +138,17 @@ pub enum Dialect {
     RepRapFirmware,
 }
 
+/// What dialects have in common: the machines whose habits their controllers follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DialectFamily {
+    /// An unknown controller, for which programs hold only what all controllers read.
+    Plain,
+    /// Controllers of mills: G0 has a speed of its own, dwells are in seconds, arcs are drawn.
+    Mill,
+    /// Controllers of printers: G0 runs at the feed in force, dwells are in milliseconds, heaters and progress have words.
+    Printer,
+}
+
 impl Dialect {
     /// Every dialect, by its name in profiles.
     pub const NAMES: [(&'static str, Self); 8] = [
@@ -151,6 +162,15 @@ impl Dialect {
         ("reprapfirmware", Self::RepRapFirmware),
     ];
 
+    /// The family of its machines.
+    pub const fn family(self) -> DialectFamily {
+        match self {
+            Self::Generic => DialectFamily::Plain,
+            Self::LinuxCnc | Self::Grbl | Self::GrblHal | Self::FluidNc => DialectFamily::Mill,
+            Self::Marlin | Self::Klipper | Self::RepRapFirmware => DialectFamily::Printer,
+        }
+    }
+
     /// Longest line that any of its controllers reads, in characters without the line end: GRBL's protocol.h, Marlin's
     /// `MAX_CMD_SIZE`; up to 255 where others read longer ones. Generic programs fit into all of them, with a reserve.
     pub fn longest_line(self) -> u32 {
@@ -158,7 +178,7 @@ impl Dialect {
             Self::Generic => 72,
             Self::Grbl => 80,
             Self::Marlin => 95,
-            _ => 255,
+            Self::LinuxCnc | Self::GrblHal | Self::FluidNc | Self::Klipper | Self::RepRapFirmware => 255,
         }
     }
 

@@ -266,7 +266,9 @@ fn machine(dice: &mut Dice, own: bool) -> ((&'static str, String), bool) {
     if own {
         text = changed(dice, &text);
     }
-    ((name, text), ["grbl", "fluidnc", "marlin", "grblhal"].contains(&name))
+    let built_in = spec::builtin_machine(name).expect("built in");
+    let built_in = spec::read_machine(&spec::Source::new(name, built_in)).expect("a profile");
+    ((name, text), matches!(built_in.motion.step_rate, spec::StepRate::AtLeast(_)))
 }
 
 /// The profile with other values.

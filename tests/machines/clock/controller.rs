@@ -1,5 +1,7 @@
 //! Every dialect with its controller: how it reads words, and which clock times it.
 
+use stargrip_cam::spec::{Dialect, DialectFamily};
+
 use super::grbl::Grbl;
 use super::legs::{Reading, Task, tasks};
 use super::marlin::{Marlin, Version};
@@ -31,16 +33,25 @@ impl Motors {
     }
 }
 
-/// The track of a program on the controller of `dialect`.
-pub(crate) fn run(dialect: &str, text: &Text, motors: Motors) -> Track {
+/// The track of a program on the controller of the profile `name`.
+pub(crate) fn run(name: &str, text: &Text, motors: Motors) -> Track {
+    let dialect = crate::dialect(name);
     let (reading, mut track) = (reading(dialect), Track::default());
     let tasks = tasks(text, &reading);
     match dialect {
-        "grbl" => grbl(Timer::Avr, motors).run(&tasks, &mut track),
-        "grblhal" => grbl(Timer::Esp32, motors).run(&tasks, &mut track),
-        "fluidnc" => grbl(Timer::FluidNc, motors).run(&tasks, &mut track),
-        "marlin" => marlin(motors, 32.0, Version::Two).run(&tasks, &mut track),
-        _ => sweep(dialect, motors).run(&tasks, &mut track),
+        Dialect::Grbl => grbl(Timer::Avr, motors).run(&tasks, &mut track),
+        Dialect::GrblHal => grbl(Timer::Esp32, motors).run(&tasks, &mut track),
+        Dialect::FluidNc => grbl(Timer::FluidNc, motors).run(&tasks, &mut track),
+        Dialect::Marlin => marlin(motors, 32.0, Version::Two).run(&tasks, &mut track),
+        // klippy/toolhead.py, square_corner_velocity.
+        Dialect::Klipper => sweep(motors, Corner::Square(5.0), 1e-3).run(&tasks, &mut track),
+        // Config/Configuration.h: M566 of X and Y, and of Z.
+        Dialect::RepRapFirmware => {
+            sweep(motors, Corner::Jerk([15.0, 15.0, 10.0]), 1e-3).run(&tasks, &mut track);
+        }
+        // Unknown; its corners are those of GRBL.
+        Dialect::Generic => sweep(motors, Corner::Deviation(0.01), 1.0).run(&tasks, &mut track),
+        Dialect::LinuxCnc => sweep(motors, Corner::Stop, 1.0).run(&tasks, &mut track),
     }
     track
 }
@@ -63,20 +74,20 @@ pub(crate) const BOARDS: [Board; 4] = [
 /// The track of a program on a board with Marlin.
 pub(crate) fn run_marlin(text: &Text, motors: Motors, board: Board) -> Track {
     let mut track = Track::default();
-    let tasks: Vec<Task> = tasks(text, &reading("marlin"));
+    let tasks: Vec<Task> = tasks(text, &reading(Dialect::Marlin));
     let floor = if board.bits == 8 { 32.0 } else { 1.0 };
     marlin(motors, floor, board.version).run(&tasks, &mut track);
     track
 }
 
-fn reading(dialect: &str) -> Reading {
-    let modal_travel = ["generic", "klipper", "marlin", "reprapfirmware"].contains(&dialect);
+fn reading(dialect: Dialect) -> Reading {
+    let modal_travel = dialect.family() != DialectFamily::Mill;
     // RepRapFirmware: Config/Configuration.h, DefaultMinFeedrate.
-    let lowest_feed = if dialect == "reprapfirmware" { 30.0 } else { 0.0 };
+    let lowest_feed = if dialect == Dialect::RepRapFirmware { 30.0 } else { 0.0 };
     let chords = match dialect {
-        "grbl" | "grblhal" | "fluidnc" => grbl_chords,
-        "reprapfirmware" => duet_chords,
-        _ => fine_chords,
+        Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => grbl_chords,
+        Dialect::RepRapFirmware => duet_chords,
+        Dialect::Generic | Dialect::LinuxCnc | Dialect::Marlin | Dialect::Klipper => fine_chords,
     };
     Reading { modal_travel, lowest_feed, chords }
 }
@@ -108,15 +119,7 @@ fn marlin(motors: Motors, lowest_rate: f64, version: Version) -> Marlin {
     Marlin { steps_per_mm: motors.steps(), acceleration, speed: [TRAVEL; 3], lowest_rate, version }
 }
 
-fn sweep(dialect: &str, motors: Motors) -> Sweep {
-    let (corner, dwell) = match dialect {
-        // toolhead.py, square_corner_velocity.
-        "klipper" => (Corner::Square(5.0), 1e-3),
-        // Config/Configuration.h: M566 of X and Y, and of Z.
-        "reprapfirmware" => (Corner::Jerk([15.0, 15.0, 10.0]), 1e-3),
-        // Unknown; its corners are those of GRBL.
-        "generic" => (Corner::Deviation(0.01), 1.0),
-        _ => (Corner::Stop, 1.0),
-    };
+/// A controller that looks ahead, with the length of a unit of its dwells, s.
+fn sweep(motors: Motors, corner: Corner, dwell: f64) -> Sweep {
     Sweep { acceleration: motors.acceleration, speed: [TRAVEL; 3], corner, dwell }
 }

@@ -5,6 +5,7 @@ use super::judge::deviations;
 use super::programs::{feed_check, machine, seals, spec};
 use super::text::Text;
 use super::{FIVE, own};
+use stargrip_cam::spec::DialectFamily;
 
 /// The complaints about the program of `dialect` with `edit` applied.
 fn complaints(dialect: &str, edit: impl Fn(&str) -> String) -> Vec<String> {
@@ -43,7 +44,7 @@ fn strokes_without_dwells_are_run_together_and_seen() {
 
 #[test]
 fn a_travel_without_a_feed_of_its_own_crawls_and_is_seen() {
-    for dialect in ["klipper", "marlin", "reprapfirmware"] {
+    for dialect in crate::profiles_of(DialectFamily::Printer) {
         let found = complaints(dialect, |code| {
             lines(
                 code,

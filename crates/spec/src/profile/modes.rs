@@ -1,6 +1,6 @@
 //! Modes that a profile must set in `start`, and the limits of its dialect: programs state every position, arc and dwell as it reads them.
 
-use crate::machine::{Controller, Dialect, DwellUnit, Heating};
+use crate::machine::{Controller, Dialect, DialectFamily, DwellUnit, Heating};
 use crate::section::Section;
 use crate::{Command, FaultCode, Vocabulary};
 
@@ -34,19 +34,15 @@ pub(super) fn check_heating(root: &mut Section<'_, '_>, dialect: Dialect, heatin
     }
 }
 
-/// The unit of P in G4 on a controller of the family `dialect`. A profile with another one `written` is refused.
+/// The unit of P in G4 on a controller of `dialect`. A profile with another one `written` is refused.
 pub(super) fn check_dwell_unit(
     dwell: &mut Section<'_, '_>,
     dialect: Dialect,
     written: Option<DwellUnit>,
 ) -> DwellUnit {
-    let (unit, name, words) = match dialect {
-        Dialect::Marlin | Dialect::Klipper | Dialect::RepRapFirmware => {
-            (DwellUnit::Milliseconds, "ms", "milliseconds")
-        }
-        Dialect::Generic | Dialect::LinuxCnc | Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => {
-            (DwellUnit::Seconds, "s", "seconds")
-        }
+    let (unit, name, words) = match dialect.family() {
+        DialectFamily::Printer => (DwellUnit::Milliseconds, "ms", "milliseconds"),
+        DialectFamily::Plain | DialectFamily::Mill => (DwellUnit::Seconds, "s", "seconds"),
     };
     if written.is_some_and(|written| written != unit) {
         let found =

@@ -22,7 +22,7 @@ const MOVE: Allowed = Allowed::closed(0.0, 100.0);
 /// Marlin.
 const MARLIN: (f64, f64) = (120.0, 6.0);
 
-/// Reads `[motion]` of a controller of the family `dialect`.
+/// Reads `[motion]` of a controller of `dialect`.
 pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
     let axes = ["x_steps_per_mm", "y_steps_per_mm", "z_steps_per_mm"];
     let steps_per_mm = match axes.map(|axis| known_number(s, axis, STEPS)) {
@@ -44,7 +44,13 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
     }
     let (first, fewest) = match dialect {
         Dialect::Marlin => (Some(MARLIN.0), MARLIN.1),
-        _ => (None, 0.0),
+        Dialect::Generic
+        | Dialect::LinuxCnc
+        | Dialect::Grbl
+        | Dialect::GrblHal
+        | Dialect::FluidNc
+        | Dialect::Klipper
+        | Dialect::RepRapFirmware => (None, 0.0),
     };
     let rate = unless(s, "first_step_rate", "none", |s| s.number("first_step_rate", RATE));
     Motion {
