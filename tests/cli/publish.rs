@@ -84,11 +84,16 @@ fn the_current_directory_is_refused_with_a_remedy() {
     let (dir, target) = built();
     let before = fs::read(target.join("manifest.json")).expect("a manifest");
     fs::create_dir(target.join("below")).expect("made");
-    for (from, spec, to) in [(&target, "../../star.toml", "."), (&target.join("below"), "../../../star.toml", "..")] {
+    for (from, spec, to) in
+        [(&target, "../../star.toml", "."), (&target.join("below"), "../../../star.toml", "..")]
+    {
         let refused = run(from, &["build", spec, "-o", to]);
         assert_code(&refused, 1);
         let said = stderr(&refused);
-        assert!(said.contains("is the current directory or holds it") && said.contains("such as -o out"), "{said}");
+        assert!(
+            said.contains("is the current directory or holds it") && said.contains("such as -o out"),
+            "{said}"
+        );
     }
     fs::remove_dir(target.join("below")).expect("empty");
     assert_eq!(names(&target), FILES);
@@ -203,7 +208,10 @@ fn a_mount_point_is_refused_with_a_remedy() {
         return;
     }
     assert_code(&output, 0);
-    assert!(stderr(&output).contains("m is a mount point") && stderr(&output).contains("choose a directory in it"));
+    assert!(
+        stderr(&output).contains("m is a mount point")
+            && stderr(&output).contains("choose a directory in it")
+    );
     let said = stdout(&output);
     assert!(said.contains("proven, no findings") && said.ends_with("\nstar\n"), "{said}");
 }

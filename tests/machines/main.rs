@@ -24,7 +24,8 @@ use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::read_back;
 use stargrip_cam::pipeline::{Built, Sources, build};
 use stargrip_cam::spec::{
-    Dialect, DialectFamily, Machine, Source, Spec, StepRate, builtin_machine, builtin_machines, read, read_machine,
+    Dialect, DialectFamily, Machine, Source, Spec, StepRate, builtin_machine, builtin_machines, read,
+    read_machine,
 };
 use stargrip_cam::verify::{Finding, OutputFiles};
 

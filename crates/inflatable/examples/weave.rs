@@ -5,9 +5,7 @@
 //! OUTER its widths, mm. SHEAR is G by E / [2 (1 + nu)], WARP the angle to the first corner's ray, deg, RADIUS that of an object, mm.
 //! Prints each number with its mesh error and its last three meshes.
 
-use inflatable::shell::cases::{
-    FlatStar, Margin, MarginLaw, Objects, Tube, Value, Watch, star_by_sizes,
-};
+use inflatable::shell::cases::{FlatStar, Margin, MarginLaw, Objects, Tube, Value, Watch, star_by_sizes};
 use inflatable::shell::element::{Fabric, Weave};
 use inflatable::shell::mesh::Sizes;
 use std::error::Error;

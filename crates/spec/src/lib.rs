@@ -56,8 +56,8 @@ pub use fault::{DrawnPlace, Fault, Severity, shortened};
 pub use faults::Faults;
 pub use key::KeyPath;
 pub use machine::{
-    Bench, Comments, Controller, Dialect, DialectFamily, DwellUnit, Dwells, Heating, Heights, KeepOut, Limits, Machine,
-    Process, Script,
+    Bench, Comments, Controller, Dialect, DialectFamily, DwellUnit, Dwells, Heating, Heights, KeepOut,
+    Limits, Machine, Process, Script,
 };
 pub use message::comma;
 pub use model::{

@@ -37,7 +37,8 @@ fn take_place(target: &Path, ready: PathBuf, old: PathBuf) -> Result<Option<Path
     if disk::exchange(&ready, target).is_ok() {
         return Ok(Some(ready));
     }
-    disk::rename(target, &old).map_err(|error| PublishFault::io("set aside", target)(error).of_target(target))?;
+    disk::rename(target, &old)
+        .map_err(|error| PublishFault::io("set aside", target)(error).of_target(target))?;
     disk::rename(&ready, target).map_err(PublishFault::io("replace", target)).inspect_err(|_| {
         let _ = disk::rename(&old, target);
     })?;

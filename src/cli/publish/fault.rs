@@ -29,7 +29,8 @@ pub(super) const CURRENT_DIRECTORY: &str = "is the current directory or holds it
                                             another with -o, such as -o out";
 
 /// Remedy for a target that cannot be renamed.
-pub(super) const MOUNT_POINT: &str = "is a mount point, and a build replaces its directory as a whole; choose a directory in it with -o";
+pub(super) const MOUNT_POINT: &str =
+    "is a mount point, and a build replaces its directory as a whole; choose a directory in it with -o";
 
 impl PublishFault {
     /// The fault of the operation `what` on `path`.

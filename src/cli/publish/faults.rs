@@ -238,7 +238,10 @@ fn a_target_that_cannot_be_renamed_is_refused_unchanged() {
     let (_root, target) = workshop(Some(1));
     let (result, ..) = run(&target, 2, System::Mount, 0, NOTHING);
     let fault = result.expect_err("a mount point");
-    assert!(matches!(&fault, PublishFault::Refused(path, why) if *path == target && why.contains("mount point")), "{fault}");
+    assert!(
+        matches!(&fault, PublishFault::Refused(path, why) if *path == target && why.contains("mount point")),
+        "{fault}"
+    );
     assert!(whole(&target, 1), "{:?}", visible(&target));
     assert_eq!(leftovers(&target), Vec::<PathBuf>::new());
 }

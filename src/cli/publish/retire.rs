@@ -83,12 +83,7 @@ pub(super) fn sweep(place: &TargetPlace, alone: bool) -> Result<Vec<PathBuf>, Pu
 }
 
 /// Removes or restores the hidden directory `path` of `target`.
-fn clear(
-    path: &Path,
-    role: PlaceRole,
-    target: &Path,
-    kept: &Path,
-) -> Result<Vec<PathBuf>, PublishFault> {
+fn clear(path: &Path, role: PlaceRole, target: &Path, kept: &Path) -> Result<Vec<PathBuf>, PublishFault> {
     if !disk::exists(path) {
         return Ok(Vec::new());
     }

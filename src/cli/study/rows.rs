@@ -112,7 +112,9 @@ impl StudyRows<'_> {
         // The writer receives large chunks; a line buffer would only slow it down.
         self.write(&mut stdout()).map_err(|error| match error.kind() {
             io::ErrorKind::BrokenPipe => Failure::Pipe,
-            io::ErrorKind::Interrupted if self.listening.has_heard() => Failure::Stopped("stopped".to_owned()),
+            io::ErrorKind::Interrupted if self.listening.has_heard() => {
+                Failure::Stopped("stopped".to_owned())
+            }
             _ => Failure::Message(format!("cannot write the rows: {error}")),
         })
     }

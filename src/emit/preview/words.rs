@@ -153,7 +153,8 @@ fn stack(preview: &Preview<'_>, design: &StarAssembly, style: Style) -> Block<'s
     if let Some(first) = shut.first() {
         let held = object.is_some_and(|object| object.0 >= first.inner_radius * (1.0 - 1e-9));
         let on = if held { " on the object" } else { "" };
-        let mut widths: Vec<String> = shut.iter().map(|star| format!("{:.1}", 2.0 * star.inner_radius)).collect();
+        let mut widths: Vec<String> =
+            shut.iter().map(|star| format!("{:.1}", 2.0 * star.inner_radius)).collect();
         if widths.iter().all(|width| *width == widths[0]) {
             widths.truncate(1);
         }

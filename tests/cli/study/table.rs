@@ -96,10 +96,8 @@ fn a_disk_that_is_full_is_said_and_nothing_is_left() {
 #[test]
 fn parquet_is_refused_with_the_function_that_writes_it() {
     let dir = folder(STUDY);
-    let refusals: [&[&str]; 2] = [
-        &["sweep", "study.toml", "-o", "whole.parquet"],
-        &["sweep", "study.toml", "--format", "parquet"],
-    ];
+    let refusals: [&[&str]; 2] =
+        [&["sweep", "study.toml", "-o", "whole.parquet"], &["sweep", "study.toml", "--format", "parquet"]];
     for args in refusals {
         let said = refused(dir.path(), args, 1);
         assert!(said.contains("ends in .csv"), "{said}");

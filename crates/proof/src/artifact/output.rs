@@ -130,7 +130,14 @@ impl Output {
                 let valves = if self.valves { " with valves" } else { "" };
                 format!("{}{valves}, sheet {sheet}: {name}", subject.name())
             }
-            (_, OutputPart::Design | OutputPart::Sheet(_) | OutputPart::Star { .. } | OutputPart::Piece { .. } | OutputPart::Plate(_)) => {
+            (
+                _,
+                OutputPart::Design
+                | OutputPart::Sheet(_)
+                | OutputPart::Star { .. }
+                | OutputPart::Piece { .. }
+                | OutputPart::Plate(_),
+            ) => {
                 format!("{}: {name}", self.stem())
             }
         }
@@ -140,7 +147,10 @@ impl Output {
     pub fn caption(&self) -> Option<String> {
         // Every kind is named, so that a new one must be given its caption.
         match self.kind {
-            Kind::OutlinePdf => Some(format!("OUTLINE SHEET {}", self.part.sheet()?)),
+            Kind::OutlinePdf => {
+                let valves = if self.valves { " WITH VALVES" } else { "" };
+                Some(format!("OUTLINE{valves} SHEET {}", self.part.sheet()?))
+            }
             Kind::FramePdf => Some(format!("FRAME PLATE {}", self.part.plate()?)),
             Kind::MaskPdf => match self.part {
                 OutputPart::Piece { piece, .. } => Some(format!("SEPARATOR PIECE {piece}")),
@@ -246,7 +256,8 @@ impl Output {
             Subject::Frame => {
                 let design = design.assembly()?;
                 let lowest = self.part.plate()?;
-                let plate = design.frame.plates.iter().find(|plate| plate.numbers.first() == Some(&lowest))?;
+                let plate =
+                    design.frame.plates.iter().find(|plate| plate.numbers.first() == Some(&lowest))?;
                 Some(if is_solid {
                     Drawing::printed_plate(design, plate)
                 } else {
@@ -322,7 +333,10 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
     // Equal copies have one separator.
     for first in design.firsts() {
         if let FlatPiece::Drawn(DrawnPiece { separator: Some(_), .. }) = design.part(first) {
-            let of_mask = |kind| Output { part: OutputPart::Piece { piece: first.index, sheet: None }, ..Output::of(kind) };
+            let of_mask = |kind| Output {
+                part: OutputPart::Piece { piece: first.index, sheet: None },
+                ..Output::of(kind)
+            };
             out.extend([Kind::MaskSvg, Kind::MaskDxf, Kind::MaskPdf].map(of_mask));
         }
     }

@@ -24,12 +24,7 @@ impl Solver {
     ///
     /// # Errors
     /// As of [`Solver::rest`].
-    pub fn rest_in_rounds(
-        &mut self,
-        state: &mut State,
-        aim: Aim,
-        most: u32,
-    ) -> Result<NewtonResult, Stop> {
+    pub fn rest_in_rounds(&mut self, state: &mut State, aim: Aim, most: u32) -> Result<NewtonResult, Stop> {
         let mut rounds = (0..most).map(|_| self.rest(state, aim));
         rounds.find(|found| *found != Err(Stop::Iterations)).unwrap_or(Err(Stop::Iterations))
     }

@@ -76,7 +76,10 @@ mod tests {
              0 LWPOLYLINE 8 SEAL 90 3 70 0 10 0 20 0 10 3 20 0 10 3 20 4 \
              0 CIRCLE 8 HOLES 10 5 20 5 40 1.5 0 ARC 8 HOLES 10 0 20 0 40 2 50 350 51 10",
         ));
-        assert_eq!((&drawing.findings[..], &drawing.order[..]), (&[][..], &["SEAL".to_owned(), "HOLES".to_owned()][..]));
+        assert_eq!(
+            (&drawing.findings[..], &drawing.order[..]),
+            (&[][..], &["SEAL".to_owned(), "HOLES".to_owned()][..])
+        );
         let seal = drawing.layer("SEAL");
         assert_eq!(seal.iter().map(|path| path.closed).collect::<Vec<_>>(), [true, false]);
         assert!((seal[0].length() - 10.0 * std::f64::consts::PI).abs() < 1e-9);
@@ -97,7 +100,8 @@ mod tests {
             ("0 LINE 8 SEAL 10 0 20 0 11 1e9 21 4", "bad-dxf"),
             ("0 CIRCLE 8 SEAL 10 0 20 0 40 -1", "bad-dxf"),
         ] {
-            let codes: Vec<&str> = read_dxf(&dxf(entities)).findings.iter().map(|finding| finding.code).collect();
+            let codes: Vec<&str> =
+                read_dxf(&dxf(entities)).findings.iter().map(|finding| finding.code).collect();
             assert_eq!(codes, [code], "{entities}");
         }
         for (from, to, code) in [
