@@ -43,7 +43,7 @@ enum Stopped {
 
 /// Builds the files of `spec` in memory and proves every one.
 ///
-/// only: the only kinds of file to make, a list: `["seal-gcode"]`. Default: all but outline-pdf, frame-pdf, frame-stl, preview-png, scene-glb and report.
+/// only: the only kinds of file to make, a list: `["seal-gcode"]`. Default: all but the kinds that only `with_` adds (docs/spec.md, `build.with`).
 /// with_: kinds to make in addition: `["report"]`.
 /// anyway: True builds a gripper that bursts, does not hold its own object, presses too hard on it, or lies outside every model.
 /// progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.

@@ -154,7 +154,7 @@ impl MadeCoupons {
         }
         let by = match (equal, coupon) {
             // Spec and profile are inputs: they are not made again.
-            _ if matches!(kind, Kind::Spec | Kind::Machine) => Method::Hash,
+            _ if kind.is_source() => Method::Hash,
             (true, _) => Method::Bytes,
             (false, Some(_)) => Method::Reading,
             (false, None) => Method::Hash,

@@ -6,7 +6,7 @@ use crate::manifest::{CouponManifest, MANIFEST, Manifest, ManifestFile, Tool, ma
 use crate::pipeline::coupons::prove_coupons;
 use crate::pipeline::directory::{refused, sources_of};
 use crate::pipeline::{Built, Forecast, Sources};
-use proof::artifact::{Format, Kind, KindRequest, Subject, outputs};
+use proof::artifact::{Kind, KindRequest, outputs};
 use proof::verify;
 use proof::verify::{Expected, Finding, FindingCode, Method, OutputFiles, Proof};
 use spec::{Code, DrawingSpec, Machine};
@@ -193,14 +193,8 @@ fn compare_with_other(
     forecast.make(sources, &request, |made| {
         let _ = verify::mark_equal(&made.name, &made.bytes, files, proof);
     });
-    let is_shown = |kind: Kind| {
-        kind.format() == Format::Pdf
-            || matches!(
-                kind.subject(),
-                Subject::Preview | Subject::Report | Subject::Scene | Subject::Prediction
-            )
-    };
-    let differs = proof.files.iter().filter(|file| file.by != Method::Bytes && is_shown(file.output.kind));
+    let differs =
+        proof.files.iter().filter(|file| file.by != Method::Bytes && file.output.kind.is_by_bytes());
     let mut unproven: Vec<String> = differs.map(|file| file.path.clone()).collect();
     if other_profile(forecast, files).is_some() {
         unproven.push(format!("machine.toml as the profile {:?}", forecast.spec.machine.profile));

@@ -185,7 +185,34 @@ impl Kind {
 
     /// Whether it is always made, even if only other kinds are requested: a directory is proven from its own spec, profile and drawing.
     pub fn is_source(self) -> bool {
-        matches!(self.subject(), Subject::Spec | Subject::Machine | Subject::Drawing)
+        match self.subject() {
+            Subject::Spec | Subject::Machine | Subject::Drawing => true,
+            Subject::Seal
+            | Subject::Trace
+            | Subject::Outline
+            | Subject::Mask
+            | Subject::Pieces
+            | Subject::Frame
+            | Subject::Preview
+            | Subject::Prediction
+            | Subject::Scene
+            | Subject::Report => false,
+        }
+    }
+
+    /// Whether no reader compares its content with the design: it is proven by its bytes alone.
+    pub fn is_by_bytes(self) -> bool {
+        match self.subject() {
+            Subject::Preview | Subject::Scene | Subject::Report => true,
+            Subject::Seal | Subject::Outline | Subject::Mask | Subject::Pieces | Subject::Frame => {
+                self.format() == Format::Pdf
+            }
+            Subject::Spec
+            | Subject::Machine
+            | Subject::Drawing
+            | Subject::Trace
+            | Subject::Prediction => false,
+        }
     }
 
     /// Whether it is made on request only.

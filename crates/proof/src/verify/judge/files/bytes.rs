@@ -3,7 +3,6 @@
 //! This does not prove the writer (both have the same faults), but it finds differences that no reader checks: a comment, a
 //! colour, a label, a figure of the manifest.
 
-use crate::artifact::Subject;
 use crate::manifest::MANIFEST;
 use crate::verify::finding::quote;
 use crate::verify::judge::files::proof::{Method, Proof};
@@ -30,7 +29,7 @@ pub fn mark_equal(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &mut
     let _ = found.get(name).filter(|bytes| *bytes == right)?;
     let file = proof.files.iter_mut().find(|file| file.path == name)?;
     // Spec, profile and drawing are the sources of all other files: they are not made anew.
-    if !matches!(file.output.kind.subject(), Subject::Spec | Subject::Machine | Subject::Drawing) {
+    if !file.output.kind.is_source() {
         file.by = Method::Bytes;
     }
     Some(file.sha256.clone())
