@@ -7,7 +7,7 @@ use std::sync::Arc;
 use inflatable::shell::assembly::{Sheet, Supports};
 use inflatable::shell::cases::{Fineness, FlatStar, ShellFault, Tube, Value, Watch};
 use inflatable::shell::contact::{Contact, Obstacle};
-use inflatable::shell::mesh::{Mesh, Meshed, Sizes};
+use inflatable::shell::mesh::{Mesh, Sizes};
 use inflatable::shell::solver::Solver;
 
 #[cfg(doc)]
@@ -35,46 +35,54 @@ pub struct StarAround {
 ///
 /// # Errors
 /// As of [`star`].
-pub fn around(
+pub fn inflate_around(
     case: &FlatStar,
-    (radius, touch): (f64, Touch),
+    radius: f64,
+    touch: Touch,
     fineness: Fineness,
-    watch: &Watch,
+    watch: &Watch<'_>,
 ) -> Result<StarAround, ShellFault> {
     let modelled = case.modelled()?;
-    let continuation = case.tube.continuation();
-    let mut obstacles = modelled.obstacles();
-    let post = obstacles.len() - 1;
-    obstacles[post] = Obstacle::Post { radius: radius / case.tube.width };
     let mut meshed = modelled.meshed(&Sizes::across(1.0, fineness.cells))?;
-    let on_mesh = |meshed: &Meshed| {
-        let supports = modelled.supports(&meshed.mesh);
-        let mut solver = scaled_solver(&case.tube, &meshed.mesh, supports, watch)?;
-        let mut contact = Contact::new(&solver.assembly, obstacles.clone());
-        if touch == Touch::Sticks {
-            contact.stick(post, continuation.last);
-        }
-        solver.contact = Some(contact);
-        let inflated = continuation.run(&mut solver, |_| {});
-        let _ = inflated.map_err(|broken| case.tube.stopped(broken.why, meshed.mesh.triangles.len()))?;
-        let [force, shear] =
-            solver.contact.as_ref().map_or([0.0; 2], |contact| [contact.force(post), contact.shear()]);
-        Ok::<_, ShellFault>([force, if force > 0.0 { shear / force } else { 0.0 }])
-    };
-    let mut found = Vec::new();
+    let mut loads = Vec::new();
     for cut in 0..=fineness.cuts {
         if cut > 0 {
             meshed = meshed.refined()?;
         }
         if cut + 3 > fineness.cuts {
-            found.push(on_mesh(&meshed)?);
+            loads.push(inflated_mesh(case, &meshed.mesh, radius, touch, watch)?);
         }
     }
     // Of fewer than three meshes the finest counts for those that are missing.
-    let value = |k: usize| Value::new([0, 1, 2].map(|mesh: usize| found[mesh.min(found.len() - 1)][k]));
-    let [force, friction] = [0, 1].map(value);
+    let load = |mesh: usize| loads[mesh.min(loads.len() - 1)];
+    let [force, friction] = [0, 1].map(|number: usize| Value::new([0, 1, 2].map(|mesh| load(mesh)[number])));
     let unit = modelled.count() * case.tube.fabric.stretch * case.tube.width;
     Ok(StarAround { force: force.scaled(unit), friction })
+}
+
+/// The force on the object, by the scales of the shell, and the friction, of one mesh.
+fn inflated_mesh(
+    case: &FlatStar,
+    mesh: &Mesh,
+    radius: f64,
+    touch: Touch,
+    watch: &Watch<'_>,
+) -> Result<[f64; 2], ShellFault> {
+    let (modelled, continuation) = (case.modelled()?, case.tube.continuation());
+    let mut obstacles = modelled.obstacles();
+    let post = obstacles.len() - 1;
+    obstacles[post] = Obstacle::Post { radius: radius / case.tube.width };
+    let mut solver = scaled_solver(&case.tube, mesh, modelled.supports(mesh), watch)?;
+    let mut contact = Contact::new(&solver.assembly, obstacles);
+    if touch == Touch::Sticks {
+        contact.stick(post, continuation.last);
+    }
+    solver.contact = Some(contact);
+    let equilibrium = continuation.run(&mut solver, |_| {});
+    let _ = equilibrium.map_err(|broken| case.tube.stopped(broken.why, mesh.triangles.len()))?;
+    let contact = solver.contact.as_ref();
+    let [force, shear] = contact.map_or([0.0; 2], |contact| [contact.force(post), contact.shear()]);
+    Ok([force, if force > 0.0 { shear / force } else { 0.0 }])
 }
 
 /// The solver of one sheet of `tube` on `mesh`, in the scales of the shell; it stops when `watch` is cancelled.

@@ -43,8 +43,8 @@ pub fn inflations(
 ) -> Result<Vec<Option<Inflation>>, ShellFault> {
     let modelled = case.modelled()?;
     let mut meshed = modelled.meshed(&Sizes::across(1.0, fineness.cells))?;
-    let mut found: Vec<Vec<[f64; 3]>> = Vec::new();
-    let mut below: Option<(Solver, Vec<State>)> = None;
+    let mut levels: Vec<Vec<[f64; 3]>> = Vec::new();
+    let mut coarser: Option<(Solver, Vec<State>)> = None;
     let units = case.tube.fabric.stretch / case.tube.width;
     let pressures: Vec<f64> = pressures.iter().map(|pressure| pressure / units).collect();
     for cut in 0..=fineness.cuts {
@@ -56,33 +56,33 @@ pub fn inflations(
         let mut states = Vec::new();
         let mut numbers = Vec::new();
         for (k, pressure) in pressures.iter().enumerate() {
-            let start = match &mut below {
+            let start = match &mut coarser {
                 Some((solver, states)) => match states.get(k) {
                     Some(state) => Some(solver.assembly.prolong(state, &run.solver.assembly)),
                     None => break,
                 },
                 None => None,
             };
-            let reached = match run.to(*pressure, start) {
+            let equilibrium = match run.pressurise(*pressure, start) {
                 Ok(equilibrium) => equilibrium,
                 Err(Stop::Cancelled) => return Err(ShellFault::Cancelled),
                 Err(_) => break,
             };
-            numbers.push(modelled.measure(&mut run.solver, &meshed.mesh, &reached));
-            states.push(reached.state);
-            let count = |k: usize| f64::from(u32::try_from(k).unwrap_or(u32::MAX));
-            let done = count(k + 1) / count(pressures.len());
+            numbers.push(modelled.measure(&mut run.solver, &meshed.mesh, &equilibrium));
+            states.push(equilibrium.state);
+            #[expect(clippy::cast_precision_loss, reason = "a few dozen pressures")]
+            let progress_here = (k + 1) as f64 / pressures.len() as f64;
             if let Some(progress) = watch.progress {
                 let mesh = format!("mesh {} of {}", cut + 1, fineness.cuts + 1);
-                progress(part(fineness.cuts - cut, done), &mesh);
+                progress(work_part(fineness.cuts - cut, progress_here), &mesh);
             }
         }
-        found.push(numbers);
-        below = Some((run.solver, states));
+        levels.push(numbers);
+        coarser = Some((run.solver, states));
     }
-    let last: Vec<&Vec<[f64; 3]>> = found.iter().rev().take(MESHES).rev().collect();
+    let last: Vec<&Vec<[f64; 3]>> = levels.iter().rev().take(MESHES).rev().collect();
     let energy = case.tube.energy();
-    let at = |k: usize| {
+    let inflation = |k: usize| {
         let meshes: Option<Vec<[f64; 3]>> = last.iter().map(|numbers| numbers.get(k).copied()).collect();
         let meshes = meshes.filter(|meshes| meshes.len() == MESHES)?;
         let value = |i: usize| Value::new([0, 1, 2].map(|mesh: usize| meshes[mesh][i]));
@@ -92,7 +92,7 @@ pub fn inflations(
             stiffness: value(2).scaled(energy),
         })
     };
-    Ok((0..pressures.len()).map(at).collect())
+    Ok((0..pressures.len()).map(inflation).collect())
 }
 
 /// One mesh on its way up.
@@ -104,7 +104,7 @@ struct Pressurised {
 
 impl Pressurised {
     /// Goes to `pressure`: from `start`, else from the last pressure, or the first time from flat.
-    fn to(&mut self, pressure: f64, start: Option<State>) -> Result<Equilibrium, Stop> {
+    fn pressurise(&mut self, pressure: f64, start: Option<State>) -> Result<Equilibrium, Stop> {
         if let Some(mut state) = start {
             match self.settle(&mut state, pressure) {
                 Ok(rest) => return Ok(self.keep(pressure, state, rest)),
@@ -126,13 +126,13 @@ impl Pressurised {
     }
 
     /// From an equilibrium to `pressure` in equal ratios.
-    fn by_parts(&mut self, from: &Equilibrium, pressure: f64, parts: u32) -> Result<Equilibrium, Stop> {
-        let mut state = from.state.clone();
-        let ratio = libm::pow(pressure / from.pressure, f64::from(parts).recip());
-        let mut at = from.pressure;
+    fn by_parts(&mut self, start: &Equilibrium, pressure: f64, parts: u32) -> Result<Equilibrium, Stop> {
+        let mut state = start.state.clone();
+        let ratio = libm::pow(pressure / start.pressure, f64::from(parts).recip());
+        let mut step = start.pressure;
         for _ in 1..parts {
-            at *= ratio;
-            let _ = self.settle(&mut state, at)?;
+            step *= ratio;
+            let _ = self.settle(&mut state, step)?;
         }
         let rest = self.settle(&mut state, pressure)?;
         Ok(self.keep(pressure, state, rest))
@@ -149,7 +149,7 @@ impl Pressurised {
     }
 }
 
-/// The part of the work that is done when `left` finer meshes are left and this one is `done`.
-fn part(left: usize, done: f64) -> f64 {
-    (0.25 + 0.75 * done) * (0..left).fold(1.0, |part, _| part / 4.0)
+/// The part of the work that is done when `finer_meshes` are left and this one is done up to `progress`.
+fn work_part(finer_meshes: usize, progress: f64) -> f64 {
+    (0.25 + 0.75 * progress) * (0..finer_meshes).fold(1.0, |part, _| part / 4.0)
 }

@@ -43,7 +43,7 @@ pub enum Constraint {
     Model,
     /// The star lies in the domain of validated stars.
     Untried,
-    /// Its arms do not touch.
+    /// The arms of tips do not touch.
     Touching,
     /// It closes to the smaller radius that it shall grasp.
     Closing,
@@ -59,12 +59,12 @@ pub enum Constraint {
     Payload,
     /// It fits on the sheet.
     Sheet,
-    /// Its burst pressure is high enough.
+    /// The burst pressure is high enough.
     Burst,
 }
 
 impl Constraint {
-    /// Its name in answers.
+    /// The name in answers.
     pub fn name(self) -> &'static str {
         match self {
             Self::Arms => "arms",

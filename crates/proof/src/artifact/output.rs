@@ -16,16 +16,16 @@ pub enum OutputPart {
     Sheet(usize),
     /// A star, of equal ones the first; in a program also the sheet on which it lies.
     Star {
-        /// Its number.
+        /// The number of the star.
         star: usize,
-        /// The number of its sheet.
+        /// The number of the sheet.
         sheet: Option<usize>,
     },
     /// A drawn piece, of equal ones the first; in a program also the sheet on which it lies.
     Piece {
-        /// Its number.
+        /// The number of the piece.
         piece: usize,
-        /// The number of its sheet.
+        /// The number of the sheet.
         sheet: Option<usize>,
     },
     /// A plate of the frame, of equal ones the lowest.
