@@ -54,8 +54,8 @@ pub fn inflate_around(
         }
     }
     // Of fewer than three meshes the finest counts for those that are missing.
-    let load = |mesh: usize| loads[mesh.min(loads.len() - 1)];
-    let [force, friction] = [0, 1].map(|number: usize| Value::new([0, 1, 2].map(|mesh| load(mesh)[number])));
+    let meshes = [0, 1, 2].map(|mesh: usize| loads[mesh.min(loads.len() - 1)]);
+    let [force, friction] = [0, 1].map(|number: usize| Value::new(meshes.map(|load| load[number])));
     let unit = modelled.count() * case.tube.fabric.stretch * case.tube.width;
     Ok(StarAround { force: force.scaled(unit), friction })
 }

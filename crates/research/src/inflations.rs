@@ -4,7 +4,7 @@
 //! shape of the mesh before, or, where that leads nowhere, from its own shape at the pressure below.
 
 use inflatable::shell::assembly::State;
-use inflatable::shell::cases::{Fineness, ShellFault, VActuator, Value, Watch};
+use inflatable::shell::cases::{Fineness, ShellFault, Tube, VActuator, Value, Watch};
 use inflatable::shell::mesh::Sizes;
 use inflatable::shell::solver::{Continuation, Equilibrium, NewtonResult, Solver, Stop};
 
@@ -31,7 +31,7 @@ const MESHES: usize = 3;
 /// Inflates a V-actuator from flat to each of `pressures` (Pa, rising), whatever the pressure in `case` is. `None` from the
 /// first pressure on at which it has no equilibrium on one of its meshes.
 ///
-/// The caller limits pressures, t/W and p W/Y: tables end a little beyond the limits of [`Tube`](inflatable::shell::cases::Tube).
+/// The caller limits pressures, t/W and p W/Y: tables end a little beyond the limits of [`Tube`].
 ///
 /// # Errors
 /// If it has no mesh, or is cancelled.
@@ -80,19 +80,20 @@ pub fn inflations(
         levels.push(numbers);
         coarser = Some((run.solver, states));
     }
-    let last: Vec<&Vec<[f64; 3]>> = levels.iter().rev().take(MESHES).rev().collect();
-    let energy = case.tube.energy();
-    let inflation = |k: usize| {
-        let meshes: Option<Vec<[f64; 3]>> = last.iter().map(|numbers| numbers.get(k).copied()).collect();
-        let meshes = meshes.filter(|meshes| meshes.len() == MESHES)?;
-        let value = |i: usize| Value::new([0, 1, 2].map(|mesh: usize| meshes[mesh][i]));
-        Some(Inflation {
-            angle: value(0),
-            volume: value(1).scaled(case.tube.width.powi(3)),
-            stiffness: value(2).scaled(energy),
-        })
-    };
-    Ok((0..pressures.len()).map(inflation).collect())
+    Ok((0..pressures.len()).map(|k| inflation(&case.tube, &levels, k)).collect())
+}
+
+/// The inflation at pressure `k`, by the last meshes of `levels`; `None` where one of them has no equilibrium.
+fn inflation(tube: &Tube, levels: &[Vec<[f64; 3]>], k: usize) -> Option<Inflation> {
+    let last = levels.get(levels.len().checked_sub(MESHES)?..)?;
+    let meshes: Vec<[f64; 3]> = last.iter().map(|numbers| numbers.get(k).copied()).collect::<Option<_>>()?;
+    let [angle, volume, stiffness] =
+        [0, 1, 2].map(|number: usize| Value::new([0, 1, 2].map(|mesh: usize| meshes[mesh][number])));
+    Some(Inflation {
+        angle,
+        volume: volume.scaled(tube.width.powi(3)),
+        stiffness: stiffness.scaled(tube.energy()),
+    })
 }
 
 /// One mesh on its way up.
