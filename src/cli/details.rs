@@ -161,7 +161,7 @@ const COMMON_BED: f64 = 220.0;
 
 /// The layout of a mask on a printer's bed.
 fn printed(spec: &Spec, part: &StarDesign) -> String {
-    let pieces = &part.pieces.list;
+    let pieces = &part.tiles.tiles;
     let sizes: Vec<String> =
         pieces.iter().map(|piece| piece.size.map(|mm| format!("{mm:.0}")).join(" x ")).collect();
     match (spec.mask.bed, &sizes[..]) {

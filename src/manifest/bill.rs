@@ -1,6 +1,6 @@
 //! The bill of materials: parts to buy, to cut and to fill.
 
-use design::{COATING_ASSUMES, Pieces, StarAssembly};
+use design::{COATING_ASSUMES, MaskTiles, StarAssembly};
 use proof::manifest::{ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts};
 use spec::Spec;
 
@@ -39,15 +39,15 @@ pub(super) fn masks(spec: &Spec, design: &StarAssembly) -> Vec<ManifestMask> {
             volume_mm3: thousandths(area * spec.mask.thickness.0),
             coating_um: part.mask.coating_um().map(f64::round),
             coating_assumes: COATING_ASSUMES.to_owned(),
-            pieces: if spec.mask.bed.is_some() { pieces(&part.pieces) } else { Vec::new() },
+            pieces: if spec.mask.bed.is_some() { pieces(&part.tiles) } else { Vec::new() },
         }
     });
     first.collect()
 }
 
 /// The pieces of a printed mask.
-fn pieces(pieces: &Pieces) -> Vec<ManifestPiece> {
-    let numbered = (1..).zip(&pieces.list).map(|(piece, this)| ManifestPiece {
+fn pieces(mask: &MaskTiles) -> Vec<ManifestPiece> {
+    let numbered = (1..).zip(&mask.tiles).map(|(piece, this)| ManifestPiece {
         piece,
         tip: this.tip,
         turn_deg: thousandths(this.turn.to_degrees()),

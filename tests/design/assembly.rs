@@ -449,8 +449,8 @@ fn pieces_fit_the_bed_and_are_the_plate() {
         }
         let design = design.unwrap_or_else(|refusals| panic!("{}: {refusals:?}", path.display()));
         for part in &design.assembly().expect("stars").distinct {
-            let pieces = &part.pieces.list;
-            several += usize::from(part.pieces.are_several());
+            let pieces = &part.tiles.tiles;
+            several += usize::from(part.tiles.are_several());
             assert!(pieces.iter().flat_map(|piece| piece.size).all(|mm| mm <= 220.0), "{pieces:?}");
             // The size of each piece is that of its edge after it is turned.
             for piece in pieces {

@@ -25,7 +25,7 @@ const REPEATED: &[(&str, &str)] = &[
     ("Actuator", "what is asked, and its shell"),
     ("Fabric", "as a spec describes it, and in SI units"),
     ("Sheet", "of the machine, and of the shell"),
-    ("Piece", "a sealed shape to cut, and a part of a mesh"),
+    ("Piece", "a part of a curve, and a part of a mesh"),
     ("Mesh", "of a scene, and of a shell"),
     ("Section", "of a spec, of its schema, and the model of a hinge"),
 ];

@@ -2,7 +2,7 @@
 
 use crate::placement::footprint;
 use crate::star_seam::star_seam;
-use crate::{Channel, CutLines, MaskPlate, Outline, Pieces, Refusal, Refusals, Side, Star};
+use crate::{Channel, CutLines, MaskPlate, MaskTiles, Outline, Refusal, Refusals, Side, Star};
 use geom::{Bounds, Path};
 use sealed::{Port, SealedShape};
 use spec::units::Length;
@@ -27,8 +27,8 @@ pub struct StarDesign {
     pub mask: MaskPlate,
     /// The paths of the tool that cuts both.
     pub cut: CutLines,
-    /// The pieces in which the mask is printed.
-    pub pieces: Pieces,
+    /// The tiles in which the mask is printed.
+    pub tiles: MaskTiles,
 }
 
 /// The radius that the band makes of a hinge, and the cusp that it leaves.
@@ -70,17 +70,17 @@ impl StarDesign {
         let mask = outline
             .as_ref()
             .and_then(|outline| refusals.keep(MaskPlate::new(spec, star_spec, &star, outline)));
-        let (cut, pieces) = outline.as_ref().zip(mask.as_ref()).map_or((None, None), |(outline, mask)| {
+        let (cut, tiles) = outline.as_ref().zip(mask.as_ref()).map_or((None, None), |(outline, mask)| {
             let cut = refusals.keep(CutLines::new(spec.cut.kerf.0, &star, outline, mask));
-            (cut, refusals.keep(Pieces::new(&star, outline, mask, spec.mask.bed)))
+            (cut, refusals.keep(MaskTiles::new(&star, outline, mask, spec.mask.bed)))
         });
-        match (inner.zip(outer), outline, drawn.zip(realised), mask, cut.zip(pieces)) {
+        match (inner.zip(outer), outline, drawn.zip(realised), mask, cut.zip(tiles)) {
             (
                 Some((inner, outer)),
                 Some(outline),
                 Some((edges, realised_edges)),
                 Some(mask),
-                Some((cut, pieces)),
+                Some((cut, tiles)),
             ) if refusals.is_empty() => {
                 let port = |channel: &Channel| Port {
                     at: channel.mouth_center(&star),
@@ -93,7 +93,7 @@ impl StarDesign {
                     ports: channel.iter().map(port).collect(),
                     valves: Vec::new(),
                 };
-                Ok(Self { star, channel, edges, realised_edges, shape, outline, mask, cut, pieces })
+                Ok(Self { star, channel, edges, realised_edges, shape, outline, mask, cut, tiles })
             }
             _ => Err(refusals.each_once()),
         }

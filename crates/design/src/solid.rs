@@ -10,9 +10,9 @@ impl Drawing {
     /// Piece number `piece`, from 0, of the mask that [`Drawing::mask`] shows, as it lies on the printer's bed.
     pub fn printed_mask(design: &StarAssembly, star: usize, mirrored: bool, piece: usize) -> Option<Self> {
         let part = design.part(design.stars.iter().find(|placed| placed.index == star)?);
-        let this = part.pieces.list.get(piece)?;
+        let this = part.tiles.tiles.get(piece)?;
         let motion = this.motion(mirrored);
-        let one = !part.pieces.are_several();
+        let one = !part.tiles.are_several();
         let place = |path: &Path| Shape::Path(motion.path(path));
         let windows = part.mask.windows.iter().filter(|_| this.tip.is_none());
         let holes = part.outline.registration.iter().filter(|hole| one || this.edge.encloses(hole.center));
@@ -35,12 +35,12 @@ impl Drawing {
     /// The mask that [`Drawing::mask`] shows, with the joints of its pieces and their numbers; `None` if it is one piece.
     pub fn pieces(design: &StarAssembly, star: usize, mirrored: bool) -> Option<Self> {
         let part = design.part(design.stars.iter().find(|placed| placed.index == star)?);
-        if !part.pieces.are_several() {
+        if !part.tiles.are_several() {
             return None;
         }
         let motion = if mirrored { Isometry::mirror() } else { Isometry::IDENTITY };
         let mut numbers = Vec::new();
-        for (number, piece) in (1_usize..).zip(&part.pieces.list) {
+        for (number, piece) in (1_usize..).zip(&part.tiles.tiles) {
             let text = number.to_string();
             let middle = motion.point(piece.roomiest_point(&part.star, &part.outline, &part.mask));
             let shift = Vec2::new(lettering::width(&text, NUMBER), NUMBER) * 0.5;
@@ -49,7 +49,7 @@ impl Drawing {
         let mut layers = Self::mask(design, star, mirrored, CutEdge::Part)?.layers;
         layers.retain(|(layer, _)| *layer != Layer::Label);
         layers.insert(0, (Layer::Label, Shape::figure(numbers).into_iter().collect()));
-        let joints = part.pieces.joints.iter().map(|joint| Shape::Path(motion.path(joint)));
+        let joints = part.tiles.joints.iter().map(|joint| Shape::Path(motion.path(joint)));
         layers.insert(1, (Layer::MaskJoint, joints.collect()));
         Some(Self::around_axis(layers))
     }

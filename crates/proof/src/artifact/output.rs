@@ -381,15 +381,15 @@ fn programs(spec: &Spec, dialect: Dialect, design: &Design, kind: Kind, out: &mu
 /// The masks and plates of a gripper.
 fn of_assembly(spec: &Spec, assembly: &StarAssembly, out: &mut Vec<Output>) {
     for placed in assembly.firsts() {
-        let pieces = &assembly.part(placed).pieces;
+        let tiles = &assembly.part(placed).tiles;
         // Also for the other face, if the spec requests it.
         for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
             let part = OutputPart::Star { star: placed.index, sheet: None };
             let of_mask = |kind| Output { part, mirrored, ..Output::of(kind) };
             out.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
-            if pieces.are_several() {
+            if tiles.are_several() {
                 let tile = |number| Output { tile: Some(number), ..of_mask(Kind::MaskStl) };
-                out.extend((1..=pieces.list.len()).map(tile));
+                out.extend((1..=tiles.tiles.len()).map(tile));
                 out.push(of_mask(Kind::PiecesSvg));
             } else {
                 out.push(of_mask(Kind::MaskStl));

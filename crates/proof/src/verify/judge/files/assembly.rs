@@ -69,7 +69,7 @@ impl<'a> MeshPart<'a> {
         file: &'a str,
         facets: &[StlFacet],
     ) -> Option<Self> {
-        let there = star.pieces.list.get(piece.checked_sub(1)?)?.motion(mirrored);
+        let there = star.tiles.tiles.get(piece.checked_sub(1)?)?.motion(mirrored);
         // A mirror image that is turned is its own way back.
         let back = if mirrored { there } else { Isometry::rotation(-there.rotation) };
         let at = |corner: [f64; 3]| back.point(Point::new(corner[0], corner[1]));

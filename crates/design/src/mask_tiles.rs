@@ -1,4 +1,4 @@
-//! Pieces: a printed mask that is larger than the printer's bed, cut up.
+//! Mask tiles: a printed mask that is larger than the printer's bed, cut up.
 //!
 //! All windows stay together in the **middle**, so no joint is near one and none can be out of place. As few **tips** as possible
 //! are cut off, each by a **joint** straight across its ray, behind the windows. The middle has **knobs** on the joint, which
@@ -11,25 +11,25 @@ use geom::{Bounds, Isometry, Path, Point, Vec2};
 use spec::units::{Length, Readable, tenths_up};
 use spec::{Bed, key};
 
-/// The pieces in which the mask of one star is printed.
+/// The tiles in which the mask of one star is printed.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pieces {
+pub struct MaskTiles {
     /// The whole plate if there is one, else the middle and then tips, counterclockwise.
-    pub list: Vec<Piece>,
+    pub tiles: Vec<MaskTile>,
     /// The joints, open, in the star's frame.
     pub joints: Vec<Path>,
 }
 
-/// One piece of a printed mask.
+/// One tile of a printed mask.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Piece {
-    /// Its edge in the star's frame, closed and counterclockwise.
+pub struct MaskTile {
+    /// The edge in the star's frame, closed and counterclockwise.
     pub edge: Path,
     /// The tip that was cut off; `None` for the middle and the whole.
     pub tip: Option<u32>,
-    /// Its rotation about the axis to lie on the bed, rad.
+    /// The rotation about the axis to lie on the bed, rad.
     pub turn: f64,
-    /// Its extent on the bed, mm.
+    /// The extent on the bed, mm.
     pub size: [f64; 2],
 }
 
@@ -46,15 +46,15 @@ impl TurnedPath {
     }
 
     /// The turn at which the path leaves most of the bed free; of equal ones the first.
-    fn lie(&self, bed: Bed) -> Lie {
-        let mut best: Option<Lie> = None;
+    fn best_fit(&self, bed: Bed) -> BedFit {
+        let mut best: Option<BedFit> = None;
         for (turn, bounds) in turns().zip(&self.bounds) {
-            let spare = spare(bounds, bed);
-            if best.as_ref().is_none_or(|lie| spare > lie.spare + 1e-6) {
-                best = Some(Lie { turn, size: [bounds.width(), bounds.height()], spare });
+            let clearance = clearance_on(bounds, bed);
+            if best.as_ref().is_none_or(|fit| clearance > fit.clearance + 1e-6) {
+                best = Some(BedFit { turn, size: [bounds.width(), bounds.height()], clearance });
             }
         }
-        best.unwrap_or(Lie { turn: 0.0, size: [0.0; 2], spare: f64::NEG_INFINITY })
+        best.unwrap_or(BedFit { turn: 0.0, size: [0.0; 2], clearance: f64::NEG_INFINITY })
     }
 }
 
@@ -79,32 +79,32 @@ impl Division {
     }
 }
 
-/// The best pose of a path on a bed.
-struct Lie {
+/// The turn at which a path fits best on a bed.
+struct BedFit {
     turn: f64,
     size: [f64; 2],
     /// Width of the free strip, mm; negative if it does not fit.
-    spare: f64,
+    clearance: f64,
 }
 
-impl Pieces {
+impl MaskTiles {
     /// The pieces of `mask`, whose star is `star`, for a printer with this `bed`; the whole without a `bed`.
     ///
     /// # Errors
     /// If the middle with all windows is too large for the bed, or a tip is.
     pub fn new(star: &Star, outline: &Outline, mask: &MaskPlate, bed: Option<Bed>) -> Result<Self, Refusal> {
-        let whole = |lie: Lie| Self {
-            list: vec![Piece { edge: mask.plate.clone(), tip: None, turn: lie.turn, size: lie.size }],
+        let whole = |fit: BedFit| Self {
+            tiles: vec![MaskTile { edge: mask.plate.clone(), tip: None, turn: fit.turn, size: fit.size }],
             joints: Vec::new(),
         };
         let Some(bed) = bed else {
             let bounds = mask.plate.bounds();
-            return Ok(whole(Lie { turn: 0.0, size: [bounds.width(), bounds.height()], spare: 0.0 }));
+            return Ok(whole(BedFit { turn: 0.0, size: [bounds.width(), bounds.height()], clearance: 0.0 }));
         };
         let plate = TurnedPath::new(mask.plate.clone());
-        let pose = plate.lie(bed);
-        if pose.spare >= 0.0 {
-            return Ok(whole(pose));
+        let fit = plate.best_fit(bed);
+        if fit.clearance >= 0.0 {
+            return Ok(whole(fit));
         }
         let tips = |most| (1..=star.n).filter_map(move |tip| JointCut::new(star, outline, mask, tip, most));
         let divisions: Vec<Division> =
@@ -121,10 +121,10 @@ impl Pieces {
         bed: Bed,
     ) -> Result<Self, TooLarge> {
         // Knobs take room, too: with smaller ones the middle may fit.
-        let mut large = TooLarge { what: "the plate", size: plate.lie(bed).size };
+        let mut large = TooLarge { what: "the plate", size: plate.best_fit(bed).size };
         for division in divisions {
             match Self::cut_up(division, mask, bed) {
-                Ok(pieces) => return Ok(pieces),
+                Ok(tiles) => return Ok(tiles),
                 Err(found) => large = found,
             }
         }
@@ -133,44 +133,44 @@ impl Pieces {
 
     fn cut_up(division: &Division, mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
         let Division { cuts, core, tips } = division;
-        let too_large = |what, edge: &TurnedPath| TooLarge { what, size: edge.lie(bed).size };
+        let too_large = |what, edge: &TurnedPath| TooLarge { what, size: edge.best_fit(bed).size };
         if tips.len() < cuts.len() {
             return Err(too_large("a tip", core));
         }
         let (turn, kept) =
             most_kept(core, tips, bed).ok_or_else(|| too_large("the middle with all windows", core))?;
-        let mut pieces = Self { list: Vec::new(), joints: Vec::new() };
+        let mut divided = Self { tiles: Vec::new(), joints: Vec::new() };
         let mut middle = mask.plate.clone();
         for ((cut, edge), _) in cuts.iter().zip(tips).zip(&kept).filter(|(_, kept)| !**kept) {
-            let pose = edge.lie(bed);
-            if pose.spare < 0.0 {
-                return Err(TooLarge { what: "a tip", size: pose.size });
+            let fit = edge.best_fit(bed);
+            if fit.clearance < 0.0 {
+                return Err(TooLarge { what: "a tip", size: fit.size });
             }
             if let Some((_, rest)) = cut.split(&middle) {
                 middle = rest;
             }
-            pieces.joints.extend(cut.joint(&mask.plate));
-            pieces.list.push(Piece {
+            divided.joints.extend(cut.joint(&mask.plate));
+            divided.tiles.push(MaskTile {
                 edge: edge.path.clone(),
                 tip: Some(cut.tip),
-                turn: pose.turn,
-                size: pose.size,
+                turn: fit.turn,
+                size: fit.size,
             });
         }
         let bounds = Isometry::rotation(turn).path(&middle).bounds();
         let size = [bounds.width(), bounds.height()];
-        pieces.list.insert(0, Piece { edge: middle, tip: None, turn, size });
-        Ok(pieces)
+        divided.tiles.insert(0, MaskTile { edge: middle, tip: None, turn, size });
+        Ok(divided)
     }
 
     /// Whether the mask is more than one piece.
     pub fn are_several(&self) -> bool {
-        self.list.len() > 1
+        self.tiles.len() > 1
     }
 }
 
-impl Piece {
-    /// Its pose on the bed; mirrored, for the mask of the other face, all of it is a mirror image.
+impl MaskTile {
+    /// The pose on the bed; mirrored, for the mask of the other face, all of it is a mirror image.
     pub fn motion(&self, mirrored: bool) -> Isometry {
         let sign = if mirrored { -1.0 } else { 1.0 };
         Isometry { mirrored, ..Isometry::rotation(sign * self.turn) }
@@ -201,7 +201,7 @@ fn turns() -> impl Iterator<Item = f64> {
 }
 
 /// Free room on the bed beside something of this extent, mm.
-fn spare(bounds: &Bounds, bed: Bed) -> f64 {
+fn clearance_on(bounds: &Bounds, bed: Bed) -> f64 {
     (bed.width.0 - bounds.width()).min(bed.depth.0 - bounds.height())
 }
 
@@ -210,21 +210,21 @@ fn most_kept(core: &TurnedPath, tips: &[TurnedPath], bed: Bed) -> Option<(f64, V
     let mut best: Option<(usize, f64, f64, Vec<bool>)> = None;
     for (index, (turn, alone)) in turns().zip(&core.bounds).enumerate() {
         let mut bounds = *alone;
-        if spare(&bounds, bed) < 0.0 {
+        if clearance_on(&bounds, bed) < 0.0 {
             continue;
         }
         let kept: Vec<bool> = tips
             .iter()
             .map(|tip| {
                 let both = bounds.union(tip.bounds[index]);
-                let fits = spare(&both, bed) >= 0.0;
+                let fits = clearance_on(&both, bed) >= 0.0;
                 if fits {
                     bounds = both;
                 }
                 fits
             })
             .collect();
-        let (count, free) = (kept.iter().filter(|kept| **kept).count(), spare(&bounds, bed));
+        let (count, free) = (kept.iter().filter(|kept| **kept).count(), clearance_on(&bounds, bed));
         let is_better = |(most, widest, ..): &(usize, f64, f64, Vec<bool>)| {
             count > *most || count == *most && free > *widest + 1e-6
         };
@@ -260,11 +260,11 @@ impl TooLarge {
 fn bed_for_all(divisions: &[Division], plate: &TurnedPath, mask: &MaskPlate, bed: Bed) -> Bed {
     let mut bed = bed;
     loop {
-        let whole = plate.lie(bed);
-        if whole.spare >= 0.0 {
+        let whole = plate.best_fit(bed);
+        if whole.clearance >= 0.0 {
             return bed;
         }
-        let Err(TooLarge { size, .. }) = Pieces::fitted(divisions, plate, mask, bed) else { return bed };
+        let Err(TooLarge { size, .. }) = MaskTiles::fitted(divisions, plate, mask, bed) else { return bed };
         let larger = grown(bed, size);
         // A plate that no joint cuts must fit as a whole, whatever rounding takes.
         bed = if larger == bed { grown(bed, whole.size.map(|side| side + 0.1)) } else { larger };
