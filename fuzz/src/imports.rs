@@ -1,6 +1,6 @@
 //! Drawings of other programs: whatever is read is finite, whole, and within the limits.
 
-use artwork::{Drawing, Fault, Figure, Limits, Options, Unit, read_dxf, read_svg};
+use artwork::{Artwork, Fault, Figure, Limits, Options, Unit, read_dxf, read_svg};
 
 /// Limits that hold for the longest input, so that a case that multiplies work is found soon.
 const LIMITS: Limits = Limits { bytes: 1 << 20, visits: 20_000, segments: 50_000, text: 4 << 20, depth: 64 };
@@ -15,7 +15,7 @@ pub(super) fn dxf(bytes: &[u8]) {
     both(bytes, read_dxf);
 }
 
-fn both(bytes: &[u8], reader: fn(&[u8], &Options) -> Result<Drawing, Vec<Fault>>) {
+fn both(bytes: &[u8], reader: fn(&[u8], &Options) -> Result<Artwork, Vec<Fault>>) {
     for unit in [None, Some(Unit::Millimetre)] {
         match reader(bytes, &Options { unit, assume: unit.is_none(), limits: LIMITS, ..Options::new(0.01) }) {
             Ok(drawing) => whole(&drawing),
@@ -25,7 +25,7 @@ fn both(bytes: &[u8], reader: fn(&[u8], &Options) -> Result<Drawing, Vec<Fault>>
 }
 
 /// Paths hang together, have a length, and lie where coordinates are allowed.
-fn whole(drawing: &Drawing) {
+fn whole(drawing: &Artwork) {
     let mut segments = 0;
     for element in &drawing.elements {
         assert!(

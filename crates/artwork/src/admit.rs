@@ -7,7 +7,7 @@ use crate::{Fault, Options, Place};
 pub enum Format {
     /// Scalable Vector Graphics, as XML text.
     Svg,
-    /// Drawing Exchange Format, ASCII.
+    /// Artwork Exchange Format, ASCII.
     Dxf,
 }
 

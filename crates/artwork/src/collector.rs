@@ -4,7 +4,7 @@ use geom::{Path, Point, Segment};
 
 use crate::affine::Affine;
 use crate::piece::Piece;
-use crate::{AssumedUnit, Drawing, Element, Fault, Figure, Note, Options, Place, Unit, Weight};
+use crate::{Artwork, AssumedUnit, Element, Fault, Figure, Note, Options, Place, Unit, Weight};
 
 /// Largest absolute coordinate, mm: a kilometre. Beyond it arcs of a drawing in `f64` would lose the nanometre.
 pub(crate) const FARTHEST: f64 = 1e6;
@@ -46,7 +46,7 @@ impl Chain {
 /// Collects the elements and faults of a reader.
 pub(crate) struct Collector<'o> {
     pub(crate) options: &'o Options,
-    pub(crate) drawing: Drawing,
+    pub(crate) drawing: Artwork,
     /// The faults of the file as a whole.
     refusals: Vec<Fault>,
     /// Numbers and places of the elements without a visible stroke and fill.
@@ -59,7 +59,7 @@ pub(crate) struct Collector<'o> {
 
 impl<'o> Collector<'o> {
     pub(crate) fn new(options: &'o Options) -> Self {
-        let drawing = Drawing { unit_mm: 1.0, ..Drawing::default() };
+        let drawing = Artwork { unit_mm: 1.0, ..Artwork::default() };
         Self {
             options,
             drawing,
@@ -73,7 +73,7 @@ impl<'o> Collector<'o> {
     }
 
     /// The drawing, or all faults.
-    pub(crate) fn finish(mut self) -> Result<Drawing, Vec<Fault>> {
+    pub(crate) fn finish(mut self) -> Result<Artwork, Vec<Fault>> {
         if !self.refusals.is_empty() {
             let mut faults = self.drawing.faults;
             faults.truncate(MOST_LISTED);

@@ -21,7 +21,7 @@
 
 // In the order in which data flows; imports go up this list only.
 
-mod drawing;
+mod artwork;
 
 mod options;
 
@@ -46,8 +46,8 @@ mod svg;
 mod reading;
 
 pub use admit::Format;
+pub use artwork::{Artwork, AssumedUnit, Element, Fault, Figure, Note, Place, Weight};
 pub use collector::NO_LENGTH;
-pub use drawing::{AssumedUnit, Drawing, Element, Fault, Figure, Note, Place, Weight};
 pub use dxf::read_dxf;
 pub use options::{Limits, Options, Unit};
 pub use reading::read;

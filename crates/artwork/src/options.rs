@@ -7,7 +7,7 @@ pub struct Options {
     pub tolerance: f64,
     /// Unit of the file's numbers. `None` takes the unit from the file. A unit given here overrides the file, with a note.
     pub unit: Option<Unit>,
-    /// Whether a file without a unit is read with the most likely one, which [`crate::Drawing::assumed`] has; else it is refused.
+    /// Whether a file without a unit is read with the most likely one, which [`crate::Artwork::assumed`] has; else it is refused.
     pub assume: bool,
     /// Upper bounds of work and memory.
     pub limits: Limits,

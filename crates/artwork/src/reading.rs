@@ -1,12 +1,12 @@
 //! Files by their names.
 
-use crate::{Drawing, Fault, Format, Options, Place};
+use crate::{Artwork, Fault, Format, Options, Place};
 
 /// Reads a file by the ending of its name, `.svg` or `.dxf`.
 ///
 /// # Errors
 /// Another ending, content of another format, and the faults of [`crate::read_svg`] and [`crate::read_dxf`].
-pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
+pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Artwork, Vec<Fault>> {
     match Format::of_name(name) {
         Some(Format::Svg) => crate::read_svg(bytes, options),
         Some(Format::Dxf) => crate::read_dxf(bytes, options),

@@ -31,7 +31,7 @@ use crate::drawn::layer_name::layer_names;
 use crate::drawn::proposal::LeftOut;
 use crate::star_seam::MOUTH_OVERRUN;
 use crate::{Circle, Refusal, RefusalCode, Refusals, Warning};
-use artwork::{Drawing, Fault, Figure, Format, Options, Place, Unit};
+use artwork::{Artwork, Fault, Figure, Format, Options, Place, Unit};
 use geom::{Bounds, Path};
 use sealed::{Rules, SealedShape, Sealing, ShapeCode, Sketch, sealed_shape};
 use spec::units::Readable;
@@ -148,7 +148,7 @@ fn rules(spec: &Spec, drawing: &DrawingSpec) -> Rules {
 }
 
 /// The drawing of `spec` as it was read.
-fn read(spec: &Spec, drawing: &DrawingSpec) -> Result<Arc<Drawing>, Refusals> {
+fn read(spec: &Spec, drawing: &DrawingSpec) -> Result<Arc<Artwork>, Refusals> {
     let Some(content) = &drawing.content else {
         let found = format!("the drawing {:?} was not read", drawing.file);
         let remedy = "it must lie beside the spec";
@@ -261,7 +261,7 @@ pub fn roled_figures(spec: &Spec) -> Vec<RoledFigure> {
 }
 
 /// The figures of a drawing without its points.
-fn paths(read: &Drawing) -> impl Iterator<Item = &Path> {
+fn paths(read: &Artwork) -> impl Iterator<Item = &Path> {
     read.elements.iter().filter_map(|element| match &element.figure {
         Figure::Path(path) => Some(path),
         Figure::Point(_) => None,
@@ -275,7 +275,7 @@ pub fn drawing_notes(spec: &Spec) -> Vec<String> {
 }
 
 /// The refusal of a drawing without air and seams, which names the layers that are hidden or cannot be read.
-fn nothing_drawn(read: &Drawing, is_dxf: bool) -> Refusal {
+fn nothing_drawn(read: &Artwork, is_dxf: bool) -> Refusal {
     let mut found = "no edge of air and no seam is drawn".to_owned();
     let mut remedy = if read.elements.is_empty() {
         "draw the edges of the air, and export the drawing again"

@@ -11,7 +11,7 @@ use crate::shape::ValueShape;
 use crate::units::Length;
 use crate::unknown::nearest;
 use crate::value::{RawKind, RawValue};
-use artwork::{Drawing, Format, Options, Unit};
+use artwork::{Artwork, Format, Options, Unit};
 
 /// The least width of a passage that makers report to inflate well, mm.
 const LEAST_PASSAGE: f64 = 15.0;
@@ -42,11 +42,11 @@ pub struct DrawingSpec {
 pub struct DrawingContent {
     bytes: Arc<[u8]>,
     /// The figures, once read, and the options with which they were read.
-    read: Arc<OnceLock<(Options, ReadDrawing)>>,
+    read: Arc<OnceLock<(Options, ReadArtwork)>>,
 }
 
 /// A drawing that was read, or every reason for which it cannot be.
-type ReadDrawing = Result<Arc<Drawing>, Vec<artwork::Fault>>;
+type ReadArtwork = Result<Arc<Artwork>, Vec<artwork::Fault>>;
 
 impl DrawingContent {
     /// The content of a file.
@@ -63,7 +63,7 @@ impl DrawingContent {
     ///
     /// # Errors
     /// Every reason for which it cannot be read.
-    pub fn read(&self, name: &str, options: &Options) -> ReadDrawing {
+    pub fn read(&self, name: &str, options: &Options) -> ReadArtwork {
         let anew = || artwork::read(name, &self.bytes, options).map(Arc::new);
         let (known, read) = self.read.get_or_init(|| (*options, anew()));
         if known == options { read.clone() } else { anew() }

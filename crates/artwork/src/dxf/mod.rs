@@ -14,14 +14,14 @@ use std::borrow::Cow;
 
 use crate::affine::Affine;
 use crate::collector::Collector;
-use crate::{Drawing, Fault, Options, Place, Unit, Weight};
+use crate::{Artwork, Fault, Options, Place, Unit, Weight};
 
 /// Reads an ASCII DXF file.
 ///
 /// # Errors
 /// All faults of the file, each with its place: content other than DXF, malformed numbers, missing values, unknown units, and
 /// exceeded limits.
-pub fn read_dxf(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
+pub fn read_dxf(bytes: &[u8], options: &Options) -> Result<Artwork, Vec<Fault>> {
     crate::admit::admit(bytes, crate::Format::Dxf, options)?;
     let (decoded, is_latin) = crate::encoding::dxf(bytes);
     let text = unescaped(&decoded);

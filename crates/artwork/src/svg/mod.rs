@@ -22,14 +22,14 @@ use roxmltree::{Document, Node, NodeType, ParsingOptions};
 
 use self::document::{Source, is_svg, shortened};
 use crate::collector::Collector;
-use crate::{Drawing, Fault, Options, Place, Weight};
+use crate::{Artwork, Fault, Options, Place, Weight};
 
 /// Reads an SVG file.
 ///
 /// # Errors
 /// All faults of the file, each with its place: content other than XML or SVG, a page without physical size, faulty path data,
 /// numbers, transforms and lengths, references that lead to themselves, and exceeded limits.
-pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
+pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Artwork, Vec<Fault>> {
     crate::admit::admit(bytes, crate::Format::Svg, options)?;
     let text = &*crate::encoding::svg(bytes)?;
     let document = parsed(text, options)?;

@@ -4,25 +4,25 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use artwork::{Drawing, Element, Figure, Options, Unit, Weight, read_dxf, read_svg};
+use artwork::{Artwork, Element, Figure, Options, Unit, Weight, read_dxf, read_svg};
 use geom::{Path, Point, Segment};
 
-fn svg(text: &str) -> Drawing {
+fn svg(text: &str) -> Artwork {
     read_svg(text.as_bytes(), &Options::new(0.01)).unwrap_or_else(|faults| panic!("{faults:?}"))
 }
 
-fn dxf(text: &str) -> Drawing {
+fn dxf(text: &str) -> Artwork {
     read_dxf(text.as_bytes(), &Options::new(0.01)).unwrap_or_else(|faults| panic!("{faults:?}"))
 }
 
-fn element<'d>(drawing: &'d Drawing, id: &str) -> &'d Element {
+fn element<'d>(drawing: &'d Artwork, id: &str) -> &'d Element {
     let found = drawing.elements.iter().find(|element| element.id == id);
     found.unwrap_or_else(|| {
         panic!("no {id} in {:?}", drawing.elements.iter().map(|e| &e.id).collect::<Vec<_>>())
     })
 }
 
-fn path<'d>(drawing: &'d Drawing, id: &str) -> &'d Path {
+fn path<'d>(drawing: &'d Artwork, id: &str) -> &'d Path {
     match &element(drawing, id).figure {
         Figure::Path(path) => path,
         Figure::Point(point) => panic!("{id} is the point {point:?}"),
@@ -34,7 +34,7 @@ fn near(p: Point, x: f64, y: f64) -> bool {
 }
 
 /// The texts of the notes on lost geometry, each with its element.
-fn lost(drawing: &Drawing) -> Vec<(String, String)> {
+fn lost(drawing: &Artwork) -> Vec<(String, String)> {
     let is_lost = |weight| matches!(weight, Weight::Lost | Weight::Changed | Weight::Annotation);
     let lost = drawing.notes.iter().filter(|note| is_lost(note.weight));
     lost.map(|note| (note.place.element.clone().unwrap_or_default(), note.text.clone())).collect()

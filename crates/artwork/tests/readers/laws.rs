@@ -9,7 +9,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write;
 
-use artwork::{Drawing, Figure, Options, read_dxf, read_svg};
+use artwork::{Artwork, Figure, Options, read_dxf, read_svg};
 use geom::{Path, Point, Segment};
 use proptest::prelude::*;
 
@@ -19,7 +19,7 @@ fn svg(body: &str) -> String {
     )
 }
 
-fn paths(drawing: &Drawing) -> Vec<&Path> {
+fn paths(drawing: &Artwork) -> Vec<&Path> {
     let mut found = Vec::new();
     for element in &drawing.elements {
         if let Figure::Path(path) = &element.figure {

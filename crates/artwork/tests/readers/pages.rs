@@ -1,6 +1,6 @@
 //! Sizes of pages, their units, and encodings of files.
 
-use artwork::{AssumedUnit, Drawing, Figure, Format, Options, Unit, read, read_dxf, read_svg};
+use artwork::{Artwork, AssumedUnit, Figure, Format, Options, Unit, read, read_dxf, read_svg};
 use geom::Bounds;
 
 /// A rectangle of 100 x 60 units at (20, 30) in an SVG with these attributes.
@@ -15,7 +15,7 @@ fn options(unit: Option<Unit>, assume: bool) -> Options {
     Options { unit, assume, ..Options::new(0.01) }
 }
 
-fn bounds(drawing: &Drawing) -> Bounds {
+fn bounds(drawing: &Artwork) -> Bounds {
     let Figure::Path(path) = &drawing.elements[0].figure else { panic!("a path") };
     path.bounds()
 }

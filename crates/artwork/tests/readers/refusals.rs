@@ -4,7 +4,7 @@
 
 use std::fmt::Write;
 
-use artwork::{Drawing, Fault, Figure, Limits, Note, Options, Place, Unit, Weight, read, read_dxf, read_svg};
+use artwork::{Artwork, Fault, Figure, Limits, Note, Options, Place, Unit, Weight, read, read_dxf, read_svg};
 use geom::Point;
 
 fn options() -> Options {
@@ -15,7 +15,7 @@ fn svg_text(body: &str) -> String {
     format!("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 10 10'>\n{body}</svg>")
 }
 
-fn svg(body: &str) -> Result<Drawing, Vec<Fault>> {
+fn svg(body: &str) -> Result<Artwork, Vec<Fault>> {
     read_svg(svg_text(body).as_bytes(), &options())
 }
 

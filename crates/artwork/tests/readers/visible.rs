@@ -1,15 +1,15 @@
 //! Figures that can be seen, and annotations beside them.
 
-use artwork::{Drawing, Figure, Options, Weight, read_dxf, read_svg};
+use artwork::{Artwork, Figure, Options, Weight, read_dxf, read_svg};
 
-fn svg(body: &str) -> Drawing {
+fn svg(body: &str) -> Artwork {
     let text = format!(
         "<svg xmlns='http://www.w3.org/2000/svg' width='99mm' height='99mm' viewBox='0 0 99 99'>{body}</svg>"
     );
     read_svg(text.as_bytes(), &Options::new(0.01)).unwrap_or_else(|faults| panic!("{body}: {faults:?}"))
 }
 
-fn ids(drawing: &Drawing) -> Vec<&str> {
+fn ids(drawing: &Artwork) -> Vec<&str> {
     drawing.elements.iter().map(|element| element.id.as_str()).collect()
 }
 

@@ -5,11 +5,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::drawn::words::{colour_of, word_role};
-use artwork::{Drawing, Element};
+use artwork::{Artwork, Element};
 use spec::LayerRole;
 
 /// The name of each element of `drawing`, in the order of the elements.
-pub(super) fn layer_names<'a>(drawing: &'a Drawing, is_dxf: bool) -> Vec<&'a str> {
+pub(super) fn layer_names<'a>(drawing: &'a Artwork, is_dxf: bool) -> Vec<&'a str> {
     let shared = Shared::of(drawing);
     let elements = || drawing.elements.iter();
     let telling: Vec<Option<&str>> = elements()
@@ -67,7 +67,7 @@ pub(super) struct Shared<'a> {
 
 impl<'a> Shared<'a> {
     /// The names that all elements of `drawing` have around them.
-    pub(super) fn of(drawing: &'a Drawing) -> Self {
+    pub(super) fn of(drawing: &'a Artwork) -> Self {
         let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
         for name in drawing.elements.iter().flat_map(groups) {
             *counts.entry(name).or_default() += 1;

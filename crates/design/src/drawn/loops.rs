@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use artwork::{Drawing, Figure};
+use artwork::{Artwork, Figure};
 use geom::{Path, Point};
 
 /// Ends up to this far apart meet, mm: the default of `join`.
@@ -15,7 +15,7 @@ pub(super) struct DrawnLoop {
 }
 
 /// The closed curves of a drawing.
-pub(super) fn rings(drawing: &Drawing) -> Vec<DrawnLoop> {
+pub(super) fn rings(drawing: &Artwork) -> Vec<DrawnLoop> {
     let mut rings = Vec::new();
     let mut open: Vec<(usize, &Path)> = Vec::new();
     for (number, element) in drawing.elements.iter().enumerate() {

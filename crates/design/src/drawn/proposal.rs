@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::drawn::layer_name::{Shared, layer_names};
 use crate::drawn::loops::rings;
 use crate::drawn::words::{is_page, is_valve, word_role};
-use artwork::{Drawing, Figure, Place, Weight};
+use artwork::{Artwork, Figure, Place, Weight};
 use geom::{Bounds, BoxIndex, Enclosures, Path, Point, path_distance};
 use spec::LayerRole;
 use spec::units::counted;
@@ -41,7 +41,7 @@ struct DrawnLayer<'d> {
 ///
 /// Layers get roles one by one. If none is one of ports, short lines across an edge become ports by their own names; if none has edges
 /// of air or seams, those of cuts do: nothing could be sealed otherwise.
-pub(super) fn proposed(drawing: &Drawing, is_dxf: bool) -> Vec<RoleRow> {
+pub(super) fn proposed(drawing: &Artwork, is_dxf: bool) -> Vec<RoleRow> {
     let edges = EdgePaths::of(drawing);
     let layers = layers(drawing, is_dxf, &edges);
     let mut rows: Vec<RoleRow> = layers
@@ -67,7 +67,7 @@ pub(super) fn proposed(drawing: &Drawing, is_dxf: bool) -> Vec<RoleRow> {
 }
 
 /// Width and height of all figures of `drawing` whose role in `rows` is not to be ignored, mm; of all figures if none has one.
-pub(super) fn size(drawing: &Drawing, rows: &[RoleRow]) -> [f64; 2] {
+pub(super) fn size(drawing: &Artwork, rows: &[RoleRow]) -> [f64; 2] {
     let roles: BTreeMap<&str, LayerRole> = rows.iter().map(|row| (row.0.as_str(), row.1)).collect();
     let bounds = |counts: &dyn Fn(Option<&LayerRole>) -> bool| {
         let elements = drawing
@@ -86,7 +86,7 @@ pub(super) fn size(drawing: &Drawing, rows: &[RoleRow]) -> [f64; 2] {
 }
 
 /// The layers in the order of the file.
-fn layers<'d>(drawing: &'d Drawing, is_dxf: bool, edges: &EdgePaths) -> Vec<DrawnLayer<'d>> {
+fn layers<'d>(drawing: &'d Artwork, is_dxf: bool, edges: &EdgePaths) -> Vec<DrawnLayer<'d>> {
     let mut layers: Vec<DrawnLayer<'d>> = Vec::new();
     let mut places: BTreeMap<&str, usize> = BTreeMap::new();
     for (number, name) in layer_names(drawing, is_dxf).into_iter().enumerate() {
@@ -104,7 +104,7 @@ fn layers<'d>(drawing: &'d Drawing, is_dxf: bool, edges: &EdgePaths) -> Vec<Draw
 fn suited(
     layer: &DrawnLayer<'_>,
     is_alone: bool,
-    drawing: &Drawing,
+    drawing: &Artwork,
     edges: &EdgePaths,
 ) -> (LayerRole, String) {
     let (closed, number) = (layer.closed, layer.elements.len());
@@ -138,7 +138,7 @@ fn suited(
 
 /// Gives cuts the role of air, with the holes in them, where no layer has air or seams; where there is no cut, the first layer with
 /// closed curves.
-fn promote(layers: &[DrawnLayer<'_>], rows: &mut [RoleRow], drawing: &Drawing, edges: &EdgePaths) {
+fn promote(layers: &[DrawnLayer<'_>], rows: &mut [RoleRow], drawing: &Artwork, edges: &EdgePaths) {
     let order = [LayerRole::Cut, LayerRole::Port, LayerRole::Hole, LayerRole::Ignore];
     let is_closed = |place: usize, role: LayerRole, rows: &[RoleRow]| {
         rows[place].1 == role && layers[place].closed > 0 && layers[place].name != "fill #ffffff"
@@ -167,7 +167,7 @@ fn promote(layers: &[DrawnLayer<'_>], rows: &mut [RoleRow], drawing: &Drawing, e
 fn single_marks(
     layers: &[DrawnLayer<'_>],
     rows: &[RoleRow],
-    drawing: &Drawing,
+    drawing: &Artwork,
     edges: &EdgePaths,
 ) -> Vec<RoleRow> {
     let of_curves =
@@ -200,7 +200,7 @@ struct EdgePaths {
 
 impl EdgePaths {
     /// The closed curves of `drawing`, as far as they are long enough for an edge.
-    fn of(drawing: &Drawing) -> Self {
+    fn of(drawing: &Artwork) -> Self {
         let rings = rings(drawing);
         let (paths, elements_of_paths): (Vec<Path>, Vec<Vec<usize>>) =
             rings.into_iter().map(|ring| (ring.path, ring.elements)).unzip();
@@ -312,14 +312,14 @@ pub(super) struct LeftOut {
 
 impl LeftOut {
     /// The layers that the drawing hides.
-    pub(super) fn hidden(drawing: &Drawing, is_dxf: bool) -> Vec<Self> {
+    pub(super) fn hidden(drawing: &Artwork, is_dxf: bool) -> Vec<Self> {
         let notes = drawing.notes.iter().filter(|note| note.weight == Weight::Hidden);
         let places = notes.flat_map(|note| note.places().map(|place| (place, note.text.as_str())));
         Self::of(drawing, is_dxf, places)
     }
 
     /// The layers with figures of which none can be read.
-    pub(super) fn unread(drawing: &Drawing, is_dxf: bool) -> Vec<Self> {
+    pub(super) fn unread(drawing: &Artwork, is_dxf: bool) -> Vec<Self> {
         let is_unread = |weight| matches!(weight, Weight::Lost | Weight::Annotation);
         let notes = drawing.notes.iter().filter(|note| is_unread(note.weight));
         let of_notes = notes.flat_map(|note| note.places().map(|place| (place, note.text.as_str())));
@@ -334,7 +334,7 @@ impl LeftOut {
 
     /// The layers of these places, each with the text on what lies there, that no element has.
     fn of<'d>(
-        drawing: &Drawing,
+        drawing: &Artwork,
         is_dxf: bool,
         places: impl Iterator<Item = (&'d Place, &'d str)>,
     ) -> Vec<Self> {

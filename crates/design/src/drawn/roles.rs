@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::drawn::faults::{found_at, unreadable};
 use crate::drawn::layer_name::layer_names;
 use crate::{Refusal, RefusalCode, Refusals};
-use artwork::{Drawing, Element, Fault, Figure, NO_LENGTH, Note, Place, Weight};
+use artwork::{Artwork, Element, Fault, Figure, NO_LENGTH, Note, Place, Weight};
 use geom::{Path, Point};
 use sealed::{DrawnCurve, DrawnPort, PortPlace, Sketch};
 use spec::{DrawingSpec, DrawnPlace, LayerRole, key, nearest};
@@ -14,7 +14,7 @@ use spec::{DrawingSpec, DrawnPlace, LayerRole, key, nearest};
 const LISTED: usize = 3;
 
 /// The elements of `drawing` by the roles of `spec`.
-pub(super) fn sketch(drawing: &Drawing, spec: &DrawingSpec) -> Sketch {
+pub(super) fn sketch(drawing: &Artwork, spec: &DrawingSpec) -> Sketch {
     let mut sketch = Sketch::default();
     let marked: BTreeSet<&str> =
         points_on_marks(drawing, spec).into_iter().map(|point| point.id.as_str()).collect();
@@ -54,7 +54,7 @@ fn port(figure: &Figure) -> PortPlace {
 }
 
 /// Every element without a role, role without an element, and loss of geometry that is not to be ignored.
-pub(super) fn refusals(drawing: &Drawing, spec: &DrawingSpec) -> Refusals {
+pub(super) fn refusals(drawing: &Artwork, spec: &DrawingSpec) -> Refusals {
     let mut refusals: Refusals = without_role(drawing, spec).into_iter().collect();
     refusals.extend(unknown(drawing, spec));
     refusals.extend(drawing.notes.iter().filter_map(|note| lost(note, spec)));
@@ -77,7 +77,7 @@ pub(super) fn refusals(drawing: &Drawing, spec: &DrawingSpec) -> Refusals {
 }
 
 /// The notes on a drawing: those of its reader, faults of what is ignored, and points that are left out.
-pub(super) fn notes(drawing: &Drawing, spec: &DrawingSpec) -> Vec<String> {
+pub(super) fn notes(drawing: &Artwork, spec: &DrawingSpec) -> Vec<String> {
     let mut notes: Vec<String> = drawing.notes.iter().map(ToString::to_string).collect();
     let ignored = drawing.faults.iter().filter(|fault| faulty(fault, spec).is_none());
     notes.extend(ignored.map(|fault| format!("{}: {} Its layer is ignored.", fault.place, fault.text)));
@@ -94,7 +94,7 @@ pub(super) fn notes(drawing: &Drawing, spec: &DrawingSpec) -> Vec<String> {
 }
 
 /// The points of the file with the role of a curve, as sketches and sewing patterns have them. A curve without length is none.
-fn points<'d>(drawing: &'d Drawing, spec: &'d DrawingSpec) -> impl Iterator<Item = &'d Element> {
+fn points<'d>(drawing: &'d Artwork, spec: &'d DrawingSpec) -> impl Iterator<Item = &'d Element> {
     // Programs write lines without length where a path closes: those are lost without loss.
     let nothing: BTreeSet<&str> = drawing
         .notes
@@ -114,7 +114,7 @@ fn points<'d>(drawing: &'d Drawing, spec: &'d DrawingSpec) -> impl Iterator<Item
 }
 
 /// The points that lie on a line of a port: CAD programs put one at each end and in the middle.
-fn points_on_marks<'d>(drawing: &'d Drawing, spec: &DrawingSpec) -> Vec<&'d Element> {
+fn points_on_marks<'d>(drawing: &'d Artwork, spec: &DrawingSpec) -> Vec<&'d Element> {
     let of_ports =
         drawing.elements.iter().filter(|element| spec.role(element.names()) == Some(LayerRole::Port));
     let marks: Vec<&Path> = of_ports
@@ -132,7 +132,7 @@ fn points_on_marks<'d>(drawing: &'d Drawing, spec: &DrawingSpec) -> Vec<&'d Elem
 }
 
 /// The names in `spec` that give curves a role, or ports theirs.
-fn names_of_curves<'s>(drawing: &Drawing, spec: &'s DrawingSpec) -> BTreeSet<&'s str> {
+fn names_of_curves<'s>(drawing: &Artwork, spec: &'s DrawingSpec) -> BTreeSet<&'s str> {
     let entries = drawing.elements.iter().filter_map(|element| {
         let (name, role) = spec.entry(element.names())?;
         let counts =
@@ -185,7 +185,7 @@ fn lost_at(place: &Place, found: String, remedy: &str) -> Refusal {
 }
 
 /// Elements without a role, by the layer that would give them one.
-fn without_role(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
+fn without_role(drawing: &Artwork, spec: &DrawingSpec) -> Vec<Refusal> {
     let mut by_layer: BTreeMap<&str, Vec<&Element>> = BTreeMap::new();
     let names = layer_names(drawing, spec.is_dxf());
     let elements = drawing.elements.iter().zip(names);
@@ -207,7 +207,7 @@ fn without_role(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
 }
 
 /// Names in the spec that no layer of the drawing has.
-fn unknown(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
+fn unknown(drawing: &Artwork, spec: &DrawingSpec) -> Vec<Refusal> {
     let of_elements = drawing.elements.iter().flat_map(Element::names);
     let of_notes = drawing.notes.iter().flat_map(Note::places).flat_map(Place::names);
     let of_faults = drawing.faults.iter().flat_map(|fault| fault.place.names());

@@ -1,4 +1,4 @@
-//! A drawing that was read: elements, and notes on details that were resolved or left out.
+//! Artwork, a drawing of a user that was read: elements, and notes on details that were resolved or left out.
 
 use geom::{Path, Point};
 
@@ -6,7 +6,7 @@ use crate::Unit;
 
 /// The figures of a file, in mm with y up.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Drawing {
+pub struct Artwork {
     /// All visible figures in the order of the file.
     pub elements: Vec<Element>,
     /// Notes on details that were resolved, ambiguous or left out, in the order of the file.
