@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use stargrip_cam::design::{Drawing, Layer, Origin, Shape};
 use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment};
-use stargrip_cam::plan::{Height, LONGEST_MOVE, Program, Purpose, SeamReport, Step, pieces};
+use stargrip_cam::plan::{Height, LONGEST_MOVE, Program, Purpose, SeamReport, Step, moves};
 use stargrip_cam::sealed::{PieceName, SeamName};
 use stargrip_cam::spec::Colours;
 use stargrip_cam::units::Length;
@@ -134,7 +134,7 @@ fn read_back(path: &Path) -> Vec<Segment> {
             Step::Height(Height::Park),
             Step::Travel(path.start().expect("a path")),
             Step::Height(Height::Travel),
-            Step::Seal(pieces(path, LONGEST_MOVE)),
+            Step::Seal(moves(path, LONGEST_MOVE)),
         ],
         seams: vec![seam],
         pace: stargrip_cam::plan::Pace::Steady,

@@ -233,7 +233,7 @@ proptest! {
         let Ok(design) = Design::new(&support::read(&shape.toml()), &support::machine()) else { return Ok(()) };
         for seam in &design.assembly().expect("stars").distinct[0].shape.seams {
             let run = seam.run();
-            let pieces = plan::pieces(&run, LONGEST_MOVE);
+            let pieces = plan::moves(&run, LONGEST_MOVE);
             for piece in &pieces {
                 prop_assert!(piece.length() <= LONGEST_MOVE * (1.0 + 1e-9));
                 if let Segment::Arc(arc) = piece {

@@ -4,7 +4,7 @@
 //! line that a profile may have.
 
 use crate::plan::lowest_feed::lowest_along;
-use crate::plan::pieces::Cuts;
+use crate::plan::moves::Cuts;
 use crate::plan::seal::batches;
 use crate::plan::{Pace, Program};
 use design::{Design, Refusal, RefusalCode};

@@ -1,6 +1,6 @@
 //! The sealing programs: piece after piece, seam after seam.
 
-use crate::plan::pieces::Cuts;
+use crate::plan::moves::Cuts;
 use crate::plan::ramps::without_crumbs;
 use crate::plan::{Height, Program, Purpose, Ramp, Scope, SeamReport, Step};
 use design::Design;
@@ -44,7 +44,7 @@ pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, laid: &[LaidSe
     let (high, low) = (machine.process.heights.travel.0, machine.process.heights.contact.0);
     // A ramp is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
     let ramp = |path: &Path, from: f64, to: f64| {
-        let pieces = without_crumbs(cuts.pieces(path), spec);
+        let pieces = without_crumbs(cuts.moves(path), spec);
         Ramp { pieces, from, to }
     };
     let mut steps = vec![Step::Height(Height::Park), Step::Heat(spec.seal.temperature)];
@@ -59,7 +59,7 @@ pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, laid: &[LaidSe
             Step::Height(Height::Travel),
             Step::Seam(seams.len()),
             Step::TouchDown(down),
-            Step::Seal(cuts.pieces(&seam.run)),
+            Step::Seal(cuts.moves(&seam.run)),
             Step::Lift(up),
         ]);
         seams.push(SeamReport { name: seam.name.clone(), length, overlap: seam.overlap, time });

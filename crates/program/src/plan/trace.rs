@@ -1,6 +1,6 @@
 //! The trace programs: the frame of the pieces and all seams, at travel height, unheated and fast.
 
-use crate::plan::pieces::Cuts;
+use crate::plan::moves::Cuts;
 use crate::plan::seal::{Batch, batches, scope};
 use crate::plan::{Height, Program, Purpose, Step};
 use design::Design;
@@ -18,7 +18,7 @@ fn trace_program(spec: &Spec, machine: &Machine, (sheet, pieces): &Batch<'_>) ->
     let mut steps = vec![Step::Height(Height::Park)];
     let mut follow = |path: &Path| {
         let Some(start) = path.start() else { return };
-        steps.extend([Step::Travel(start), Step::Height(Height::Travel), Step::Trace(cuts.pieces(path))]);
+        steps.extend([Step::Travel(start), Step::Height(Height::Travel), Step::Trace(cuts.moves(path))]);
     };
     let seams = laid_seams(pieces, machine.process.ramp.0);
     follow(&frame(pieces, &seams));

@@ -1,4 +1,4 @@
-//! A field with its values, listed or drawn at random, and axes that go on together.
+//! A field with its values, listed or sampled at random, and axes that go on together.
 
 use std::borrow::Cow;
 
@@ -18,7 +18,7 @@ pub struct Axis {
 #[derive(Clone, Debug, PartialEq)]
 enum Values {
     Listed(Vec<KeyValue>),
-    Drawn(Draw),
+    Sampled(RandomSample),
 }
 
 /// Axes of equal length that go on together.
@@ -32,8 +32,8 @@ impl Axis {
     }
 
     /// A field with values that are drawn.
-    pub fn drawn(field: Field, draw: Draw) -> Self {
-        Self { field, values: Values::Drawn(draw) }
+    pub fn sampled(field: Field, sample: RandomSample) -> Self {
+        Self { field, values: Values::Sampled(sample) }
     }
 
     /// Reads `KEY=A,B,C` or `KEY=FROM..TO/COUNT`: `star.points=3,4,5`, `star.tube_width=10 mm..40 mm/31`.
@@ -54,7 +54,7 @@ impl Axis {
     pub fn len(&self) -> usize {
         match &self.values {
             Values::Listed(values) => values.len(),
-            Values::Drawn(draw) => usize::try_from(draw.count).unwrap_or(usize::MAX),
+            Values::Sampled(sample) => usize::try_from(sample.count).unwrap_or(usize::MAX),
         }
     }
 
@@ -69,7 +69,7 @@ impl Axis {
             Values::Listed(values) => {
                 values.get(i).or(values.last()).map_or(Cow::Owned(KeyValue::Number(f64::NAN)), Cow::Borrowed)
             }
-            Values::Drawn(draw) => Cow::Owned(KeyValue::Number(draw.value(i as u64))),
+            Values::Sampled(sample) => Cow::Owned(KeyValue::Number(sample.value(i as u64))),
         }
     }
 }
@@ -153,7 +153,7 @@ impl Block {
 
 /// Values drawn between two ends.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Draw {
+pub struct RandomSample {
     /// The least value.
     pub from: f64,
     /// The largest.
@@ -162,7 +162,7 @@ pub struct Draw {
     pub whole: bool,
     /// The seed of the draw.
     pub seed: u64,
-    /// [`Draw::number`] of the key, so that no two draw the same.
+    /// [`RandomSample::number`] of the key, so that no two draw the same.
     pub key: u64,
     /// Number of values.
     pub count: u64,
@@ -170,7 +170,7 @@ pub struct Draw {
     pub latin: bool,
 }
 
-impl Draw {
+impl RandomSample {
     /// The number of a key, by its name.
     pub fn number(key: &str) -> u64 {
         mixed(&key.bytes().map(u64::from).collect::<Vec<_>>())
@@ -298,8 +298,8 @@ mod tests {
 mod draw_tests {
     use super::*;
 
-    fn draw(count: u64, latin: bool) -> Draw {
-        Draw { from: 10.0, to: 20.0, whole: false, seed: 7, key: 1, count, latin }
+    fn draw(count: u64, latin: bool) -> RandomSample {
+        RandomSample { from: 10.0, to: 20.0, whole: false, seed: 7, key: 1, count, latin }
     }
 
     #[test]
@@ -317,11 +317,11 @@ mod draw_tests {
     /// The mean of n even draws is 15 with a deviation of 10 / sqrt(12 n): five of those are never left by a fair draw.
     #[test]
     fn draws_are_even_and_their_own() {
-        let mean = |draw: &Draw| (0..10_000).map(|i| draw.value(i)).sum::<f64>() / 1e4;
+        let mean = |draw: &RandomSample| (0..10_000).map(|i| draw.value(i)).sum::<f64>() / 1e4;
         let random = draw(10_000, false);
         assert!((mean(&random) - 15.0).abs() < 5.0 * 10.0 / (12.0 * 1e4_f64).sqrt());
         assert!((mean(&draw(10_000, true)) - 15.0).abs() < 1e-3, "strata leave no room for chance");
-        let others = [Draw { seed: 8, ..random.clone() }, Draw { key: 2, ..random.clone() }];
+        let others = [RandomSample { seed: 8, ..random.clone() }, RandomSample { key: 2, ..random.clone() }];
         for other in others {
             let product = |i| (random.value(i) - 15.0) * (other.value(i) - 15.0);
             let correlation = (0..10_000).map(product).sum::<f64>() / 1e4 / (100.0 / 12.0);
@@ -331,7 +331,7 @@ mod draw_tests {
 
     #[test]
     fn whole_draws_take_both_ends_equally_often() {
-        let points = Draw { from: 3.0, to: 6.0, whole: true, ..draw(4000, false) };
+        let points = RandomSample { from: 3.0, to: 6.0, whole: true, ..draw(4000, false) };
         let mut counts = [0; 4];
         for i in 0..4000 {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "3 to 6")]

@@ -11,7 +11,7 @@ use crate::reading::{read_schema, read_with};
 use crate::section::Reader;
 use crate::shape::ValueShape;
 use crate::source::Source;
-use crate::study::axis::{Axis, Block, Draw, MOST_VALUES, between, counted_out};
+use crate::study::axis::{Axis, Block, MOST_VALUES, RandomSample, between, counted_out};
 use crate::study::field::{Field, KeyValue, Leaf, leaves};
 use crate::value::{RawKind, RawValue};
 use crate::{FaultCode, KeyPath};
@@ -203,9 +203,9 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
             let found = format!("`{}` is {}", field.key(), value.in_words());
             Fault::error(FaultCode::OutOfRange, value.span.clone(), found).label(why)
         })?;
-        let key = Draw::number(&field.key().to_string());
+        let key = RandomSample::number(&field.key().to_string());
         let whole = field.is_whole();
-        Ok(Axis::drawn(field, Draw { from, to, whole, seed, key, count, latin }))
+        Ok(Axis::sampled(field, RandomSample { from, to, whole, seed, key, count, latin }))
     };
     let mut axes = Vec::new();
     for leaf in leaves(table, &mut reader.faults) {

@@ -1,4 +1,4 @@
-//! Pieces: a path cut into moves short enough for pausing, progress and arcs that controllers read well.
+//! Moves: a path cut into moves short enough for pausing, progress and arcs that controllers read well.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -13,21 +13,21 @@ pub const LONGEST_MOVE: f64 = 5.0;
 /// The largest sagitta of a chord, as a part of the tolerance; rounding takes a tenth at most.
 const COARSE: f64 = 0.8;
 
-/// The rules by which paths are cut into pieces.
+/// The rules by which paths are cut into moves.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cuts {
-    /// Longest piece, mm.
+    /// Longest move, mm.
     longest: f64,
-    /// Largest sagitta of an arc's piece, mm, and of one that would else be too short for the controller; `None` where the
+    /// Largest sagitta of an arc's move, mm, and of one that would else be too short for the controller; `None` where the
     /// machine draws arcs.
     sagitta: Option<[f64; 2]>,
     /// Longest stroke, and the shortest that the controller makes in every direction, mm; `None` without strokes.
     stroke: Option<[f64; 2]>,
 }
 
-/// Cuts every segment of `path` into equal pieces of at most `longest` mm; arcs also at 90 degrees.
-pub fn pieces(path: &Path, longest: f64) -> Vec<Segment> {
-    Cuts { longest, sagitta: None, stroke: None }.pieces(path)
+/// Cuts every segment of `path` into equal moves of at most `longest` mm; arcs also at 90 degrees.
+pub fn moves(path: &Path, longest: f64) -> Vec<Segment> {
+    Cuts { longest, sagitta: None, stroke: None }.moves(path)
 }
 
 impl Cuts {
@@ -41,14 +41,14 @@ impl Cuts {
 
     /// The cuts of a trace. A trace has no dwells, so moves are as long as the segments; arcs are cut at 90 degrees all the same.
     pub(super) fn of_trace(spec: &Spec, machine: &Machine) -> Self {
-        // A little shorter than a piece that is written as a straight move where there are arcs.
+        // A little shorter than a move that is written as a straight move where there are arcs.
         let path = spec.accuracy.path.0;
         let sagitta = (!machine.controller.arcs).then_some([0.996 * STRAIGHT * path, COARSE * path]);
         Self { longest: f64::INFINITY, sagitta, stroke: None }
     }
 
-    /// The pieces of `path`, in order.
-    pub(super) fn pieces(&self, path: &Path) -> Vec<Segment> {
+    /// The moves of `path`, in order.
+    pub(super) fn moves(&self, path: &Path) -> Vec<Segment> {
         let mut out = Vec::with_capacity(path.segments.len());
         for segment in &path.segments {
             let count = self.count(segment);
@@ -58,7 +58,7 @@ impl Cuts {
         out
     }
 
-    /// The number of pieces of one segment.
+    /// The number of moves of one segment.
     pub(super) fn count(&self, segment: &Segment) -> u32 {
         let count = whole(segment.length() / self.longest);
         match segment {
@@ -67,7 +67,7 @@ impl Cuts {
         }
     }
 
-    /// The number of pieces of an arc, at least `count`.
+    /// The number of moves of an arc, at least `count`.
     fn chords(&self, arc: &Arc, count: u32) -> u32 {
         let count = count.max(whole(arc.sweep.abs() / FRAC_PI_2));
         let Some([fine, coarse]) = self.sagitta else { return count };
@@ -91,7 +91,7 @@ impl Cuts {
     }
 }
 
-/// The number of pieces for a ratio: its ceiling, where an excess of rounding does not count.
+/// The number of moves for a ratio: its ceiling, where an excess of rounding does not count.
 fn whole(ratio: f64) -> u32 {
     number((ratio - 1e-9).ceil())
 }
