@@ -60,7 +60,7 @@ pub fn optimum(given: &Loaded, options: &[String], cancel: &AtomicBool) -> Resul
     let spec = optimize::best_spec(&args, given, &found);
     let short = found.best.iter().map(|Evaluation { point, answer, .. }| {
         let all = shortfalls(point, answer, &constraints).into_iter();
-        all.map(|Shortfall { constraint, part }| (constraint.name(), part)).collect()
+        all.map(|Shortfall { constraint, part }| (constraint.name(), part)).collect::<Vec<_>>()
     });
     Ok(Optimum { short: short.collect(), best: spec, found })
 }
