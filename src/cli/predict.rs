@@ -107,12 +107,12 @@ impl GripperAnswer {
             Self::Star(star) => {
                 for star in star.stars.iter_mut().chain([&mut star.first]) {
                     star.evidence.accuracy = Some(search.clone());
-                    star.evidence.warnings.extend(search.warning());
+                    star.evidence.warnings.extend(search.warning().map(Into::into));
                 }
             }
             Self::Drawn(drawn) => {
                 drawn.evidence.accuracy = Some(search.clone());
-                drawn.evidence.warnings.extend(search.warning());
+                drawn.evidence.warnings.extend(search.warning().map(Into::into));
             }
         }
         self

@@ -6,6 +6,7 @@ use crate::pipeline::code::PrecautionCode;
 use design::SheetLayout;
 use forecast::ranges::shown::rounded;
 use forecast::seal_load::{Bursting, SealLoad};
+use forecast::warning::{Warning, WarningCode};
 use program::plan::Pace;
 use spec::Machine;
 use spec::units::{Readable, Speed};
@@ -130,14 +131,14 @@ fn weak_seal(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
 fn predicted(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
     let mut list = Vec::new();
     for star in forecast.prediction.iter().flat_map(|prediction| &prediction.stars) {
-        let evidence = &star.evidence;
-        let is_said = |text: &String| {
-            *text == evidence.choice
-                || evidence.of_burst.as_ref() == Some(text)
-                || !is_fit && evidence.of_object.as_ref() == Some(text)
-        };
-        let texts = evidence.warnings.iter().filter(|text| !is_said(text));
-        list.extend(texts.map(|text| Precaution::new(PrecautionCode::Prediction, text.clone())));
+        let warnings = star.evidence.warnings.iter().filter(|warning| match warning.code {
+            WarningCode::NoModel | WarningCode::Bursting => false,
+            WarningCode::Object => is_fit,
+            WarningCode::LeavesPlane | WarningCode::Validity => true,
+        });
+        list.extend(
+            warnings.map(|warning| Precaution::new(PrecautionCode::Prediction, warning.text.clone())),
+        );
     }
     list
 }
@@ -145,14 +146,19 @@ fn predicted(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
 /// Warnings of the prediction of a drawn piece.
 fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
     let Some(drawn) = &forecast.drawn else { return Vec::new() };
-    let leaving = drawn.prediction.leaving();
-    let unfit = drawn.prediction.bursts().is_some();
-    let warnings =
-        drawn.prediction.evidence.warnings.iter().filter(|text| !(unfit && text.contains("burst pressure")));
-    let code = |text: &String| {
-        if leaving.as_ref() == Some(text) { PrecautionCode::LeavesPlane } else { PrecautionCode::Prediction }
+    let is_unfit = drawn.prediction.bursts().is_some();
+    let precaution = |warning: &Warning| {
+        let code = match warning.code {
+            WarningCode::Bursting if is_unfit => return None,
+            WarningCode::LeavesPlane => PrecautionCode::LeavesPlane,
+            WarningCode::NoModel
+            | WarningCode::Bursting
+            | WarningCode::Object
+            | WarningCode::Validity => PrecautionCode::Prediction,
+        };
+        Some(Precaution::new(code, warning.text.clone()))
     };
-    warnings.map(|text| Precaution::new(code(text), text.clone())).collect()
+    drawn.prediction.evidence.warnings.iter().filter_map(precaution).collect()
 }
 
 /// The task to seal the valves to their sheet first.

@@ -103,7 +103,7 @@ fn no_burst_verdict_rests_on_averaged_wrinkles() {
     assert!(resolved.chambers[0].ranges.is_none() && resolved.bursts().is_some());
     assert_eq!((averaged.burst_pressure_kPa, averaged.burst_margin, averaged.bursting()), (None, None, None));
     assert!(averaged.bursts().is_none());
-    assert!(averaged.evidence.warnings.iter().any(|warning| warning.contains("are averaged")));
+    assert!(averaged.evidence.warnings.iter().any(|warning| warning.text.contains("are averaged")));
     let pull = resolved.chambers[0].seal_pull_N_per_mm.expect("known");
     // Coarse meshes leave a part of the pull open.
     let least_pull = pull.value - pull.mesh_error;
@@ -209,7 +209,7 @@ fn chambers_that_a_wall_parts_are_computed_as_one_with_a_warning() {
     assert_eq!(asked.1.pieces[0].shape.topology().chambers.len(), 2);
     let warnings = coarse(&asked).prediction.evidence.warnings;
     assert!(
-        warnings.iter().any(|warning| warning.contains("2 chambers, which are computed as 1")),
+        warnings.iter().any(|warning| warning.text.contains("2 chambers, which are computed as 1")),
         "{warnings:?}"
     );
 }
@@ -261,5 +261,5 @@ fn chambers_that_share_a_band_are_warned_of() {
     let found = coarse(&two(4.0)).prediction;
     assert_eq!(found.chambers.len(), 2);
     let warnings = &found.evidence.warnings;
-    assert!(warnings.iter().any(|warning| warning.starts_with("chambers share a band")), "{warnings:?}");
+    assert!(warnings.iter().any(|warning| warning.text.starts_with("chambers share a band")), "{warnings:?}");
 }

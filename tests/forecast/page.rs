@@ -85,7 +85,7 @@ fn a_star_that_is_pressed_shut_says_so_with_its_preload() {
         assert_eq!(angle <= 0.0, expected);
         assert_eq!(star.preload_N.expect("a pressure") > 0.0, expected);
         assert_eq!(page.contains("preload of arms"), expected);
-        assert_eq!(star.evidence.warnings.iter().any(|warning| warning == shut), expected);
+        assert_eq!(star.evidence.warnings.iter().any(|warning| warning.text == shut), expected);
         // Arms do not go through each other, whatever the hinges would do.
         close(numbers(&page, "tip angle at rest")[0], angle.max(0.0), 5e-3);
     }
@@ -125,7 +125,7 @@ fn own_hinges_are_warned_of_beyond_the_accepted_error() {
         let star = predict(&spec).first;
         let own = star.nonlinear.expect("the ring has them").final_radius_mm;
         let off = (own / star.final_radius_mm.expect("a limit") - 1.0).abs();
-        let warned = star.evidence.warnings.iter().any(|warning| warning.contains("asymmetric hinges"));
+        let warned = star.evidence.warnings.iter().any(|warning| warning.text.contains("asymmetric hinges"));
         assert_eq!(warned, off > spec.accuracy.response.ratio(), "n = {points}: {off}");
     }
 }
@@ -140,7 +140,7 @@ fn a_range_wider_than_what_is_accepted_is_warned_of() {
             .evidence
             .warnings
             .iter()
-            .any(|warning| warning.contains("more than the accepted"))
+            .any(|warning| warning.text.contains("more than the accepted"))
     };
     assert!(warned(0.001) && !warned(90.0));
 }
@@ -150,7 +150,7 @@ fn closing_the_tips_of_a_proper_star_does_not_widen_it() {
     for points in 3..=7 {
         let warnings = predict(&paper(points)).first.evidence.warnings;
         assert!(
-            !warnings.iter().any(|warning| warning.contains("widens the star")),
+            !warnings.iter().any(|warning| warning.text.contains("widens the star")),
             "{points}: {warnings:?}"
         );
     }

@@ -4,6 +4,7 @@ use crate::case::Hinges;
 use crate::interval::Interval;
 use crate::model_search::AccuracySearch;
 use crate::seal_load::Bursting;
+use crate::warning::Warning;
 use serde::Serialize;
 
 /// The evidence for an answer.
@@ -44,7 +45,7 @@ pub struct ModelEvidence {
     #[serde(skip)]
     pub safe_pressure_kPa: Option<f64>,
     /// Limits of a model's validity that are exceeded, and other warnings for the user.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// Whether the seal bursts; `None` if its strength or the pressure is unknown.
     #[serde(skip)]
     pub bursting: Option<Bursting>,
@@ -52,12 +53,6 @@ pub struct ModelEvidence {
     /// presses on its own object.
     #[serde(skip)]
     pub surely_held_mm: Option<Interval>,
-    /// The warning about a bursting seal.
-    #[serde(skip)]
-    pub of_burst: Option<String>,
-    /// The warning about an object that is not held.
-    #[serde(skip)]
-    pub of_object: Option<String>,
 }
 
 /// Mesh errors: the difference of the last two meshes, or the extrapolation's change if it is larger.

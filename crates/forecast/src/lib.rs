@@ -62,3 +62,4 @@ pub mod study;
 pub mod tone;
 pub mod trade;
 pub mod verdict;
+pub mod warning;

@@ -17,6 +17,7 @@ use crate::star_answer::{bare, fill, nonlinear, of_the_shape};
 pub use crate::star_refusal::PredictFault;
 use crate::star_refusal::located;
 use crate::verdict::{refusals, verdict};
+use crate::warning::{Warning, WarningCode};
 use design::{Design, Meeting, StarAssembly, StarDesign};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::bvp::Bvp;
@@ -61,7 +62,7 @@ pub(super) fn whole(
     let payload = payload_of(spec, design, &stars);
     let warnings = spec.load.as_ref().map_or_else(Vec::new, |load| wrinkling_warnings(load, &stars));
     for (star, warning) in stars.iter_mut().zip(warnings) {
-        star.evidence.warnings.extend(warning);
+        star.evidence.warnings.extend(warning.map(Warning::from));
     }
     let Some(mut first) = stars.first().cloned() else {
         return Err(PredictFault::new(key::stack::COUNT, "there is no star".to_owned()));
@@ -209,10 +210,11 @@ impl PlacedCase<'_> {
             let rows = rows(&self.case, self.seal.burst, self.seal.sure());
             let mut star = self.unknown(why.to_owned());
             if rows.is_empty() {
-                star.evidence.warnings.push(format!(
+                let text = format!(
                     "no pressure from {LEAST} to {MOST} kPa has a prediction for this star: {}",
                     errors::UNKNOWN_MESSAGE
-                ));
+                );
+                star.evidence.warnings.push(text.into());
             }
             return Ok(StarPrediction { pressures: Some(rows), ..star });
         };
@@ -231,8 +233,8 @@ impl PlacedCase<'_> {
                 let why = format!("section does not cover this star: {fault}");
                 let mut unknown = self.unknown(why.clone());
                 let warnings = &mut unknown.evidence.warnings;
-                warnings.insert(0, why);
-                warnings.extend(self.by_shell());
+                warnings.insert(0, Warning::new(WarningCode::NoModel, why));
+                warnings.extend(self.by_shell().map(Warning::from));
                 unknown.modelled_kPa = modelled(&self.case);
                 Ok(unknown)
             }
@@ -252,18 +254,18 @@ impl PlacedCase<'_> {
             if presses || outcome.hold.is_none() { None } else { outcome.surely_held(case, &inflated) };
         let mut star = self.unknown(if outcome.known { choice } else { unlike(case) });
         let warnings = &mut star.evidence.warnings;
-        warnings.extend(limits_of_validity(model, case));
+        warnings.extend(limits_of_validity(model, case).into_iter().map(Warning::from));
         warnings.extend(self.of_the_ranges(&outcome));
         if outcome.known {
-            warnings.extend(of_the_shape(case, &outcome));
-            star.evidence.of_object = outcome.object_warning(case);
-            warnings.extend(star.evidence.of_object.clone());
+            warnings.extend(of_the_shape(case, &outcome).into_iter().map(Warning::from));
+            let object_warning = outcome.object_warning(case);
+            warnings.extend(object_warning.map(|text| Warning::new(WarningCode::Object, text)));
             star.evidence.surely_held_mm = object.map(mm);
         }
         star.nonlinear = nonlinear(case, (&inflated, &outcome), self.spec.accuracy.response, warnings);
         fill(&mut star, case, &inflated, &outcome)?;
         if !outcome.known {
-            star.evidence.warnings.extend(self.by_shell());
+            star.evidence.warnings.extend(self.by_shell().map(Warning::from));
             star.modelled_kPa = modelled(&self.case);
         }
         Ok(star)
@@ -272,16 +274,14 @@ impl PlacedCase<'_> {
     /// The values that need no model, with the reason why no model applies.
     fn unknown(&self, choice: String) -> StarPrediction {
         let Self { case, part, spec, seal } = self;
-        let of_burst = seal.warning();
-        let mut warnings: Vec<String> = of_burst.iter().cloned().collect();
+        let bursting = seal.warning().map(|text| Warning::new(WarningCode::Bursting, text));
+        let mut warnings: Vec<Warning> = bursting.into_iter().collect();
         if spec.accuracy.model == ModelChoice::Shell {
-            warnings.push(
-                "section is used here instead of shell: files must be the same on every machine, but a \
-                 shell's last digits are not; use `predict` with the model \"shell\""
-                    .to_owned(),
-            );
+            let text = "section is used here instead of shell: files must be the same on every machine, but a \
+                        shell's last digits are not; use `predict` with the model \"shell\"";
+            warnings.push(Warning::new(WarningCode::Validity, text));
         }
-        warnings.extend(weave_left_out(&spec.fabric));
+        warnings.extend(weave_left_out(&spec.fabric).map(Warning::from));
         let bare = bare(spec, part, case);
         StarPrediction {
             model: Level::Section.name(),
@@ -298,7 +298,6 @@ impl PlacedCase<'_> {
                 safe_pressure_kPa: seal.sure().map(|sure| Pressure::from_pascals(sure).0),
                 warnings,
                 bursting: seal.bursting,
-                of_burst,
                 ..bare.evidence.clone()
             },
             hold: case.pressure.and(case.object).map(|_| Grip::Untried),
@@ -312,20 +311,21 @@ impl PlacedCase<'_> {
     }
 
     /// A warning about ranges that are wide, or based on no computed star.
-    fn of_the_ranges(&self, outcome: &Outcome) -> Option<String> {
+    fn of_the_ranges(&self, outcome: &Outcome) -> Option<Warning> {
         let Ranges { domain, radius, .. } = outcome.ranges;
         let (accepted, rest_radius) = (self.spec.accuracy.response, outcome.rest.radius);
         match domain {
             // What is printed as 1.0 is no reason to warn.
             Domain::Extrapolated if outcome.ranges.wider >= 1.05 => {
                 let outside = outside(&self.case);
-                Some(format!(
+                let text = format!(
                     "{}, {outside}: ranges are {:.1} times as wide",
                     errors::EXTRAPOLATED_MESSAGE,
                     outcome.ranges.wider
-                ))
+                );
+                Some(text.into())
             }
-            _ if !outcome.known => Some(unlike(&self.case)),
+            _ if !outcome.known => Some(Warning::new(WarningCode::NoModel, unlike(&self.case))),
             _ => {
                 let part = |range: Interval, value: f64| (range[1] - value).max(value - range[0]) / value;
                 // The requested quantity: the force where there is an object, else the final radius.
@@ -340,10 +340,11 @@ impl PlacedCase<'_> {
                     .map(|(what, part)| format!("{what} may be off by {:.0} %", (100.0 * part).ceil()))
                     .collect();
                 (!wide.is_empty()).then(|| {
-                    format!(
+                    let text = format!(
                         "{}, more than the accepted {accepted}: `predict` with the accuracy \"{accepted}\" looks for a model with less",
                         wide.join(", ")
-                    )
+                    );
+                    text.into()
                 })
             }
         }

@@ -7,6 +7,7 @@ use crate::pressures::PressureRow;
 use crate::ranges::shown::{self, line, listed};
 use crate::shell::SHELL;
 use crate::shell::result::{self, payload_mesh_error};
+use crate::warning::WarningCode;
 use inflatable::mechanics::hinge::Level;
 use spec::Spec;
 use spec::units::Readable;
@@ -76,7 +77,8 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     let pair = |of: Hinges<Option<f64>>| of.tip.zip(of.corner);
     // The reason why no model applies is printed with the warnings.
     let search = star.evidence.accuracy.as_ref().map(ToString::to_string);
-    let choice = Some(&star.evidence.choice).filter(|choice| !star.evidence.warnings.contains(choice));
+    let has_no_model = star.evidence.warnings.iter().any(|warning| warning.code == WarningCode::NoModel);
+    let choice = Some(&star.evidence.choice).filter(|_| !has_no_model);
     let why = search.as_ref().or(choice);
     line(out, "model", why.map_or(star.model.to_owned(), |why| format!("{} ({why})", star.model)));
     line(out, "arm length", show(star.arm_length_mm, "mm"));
@@ -124,7 +126,7 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     line(out, "mass", star.mass_g.map(|mass| show(mass, "g")));
     force_lines(out, star, is_limit);
     for warning in &star.evidence.warnings {
-        line(out, "warning", warning.clone());
+        line(out, "warning", warning.text.clone());
     }
     pressure_table(out, star.pressures.as_deref().unwrap_or_default());
 }

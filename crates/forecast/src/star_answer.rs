@@ -5,6 +5,7 @@ use crate::interval::scaled;
 use crate::outcome::{Outcome, SHORTEST_ARM};
 use crate::prediction::{FabricStretch, Hinges, ModelEvidence, Nonlinear, StarPrediction};
 use crate::ranges::StarRanges;
+use crate::warning::{Warning, WarningCode};
 use design::{FlatPiece, StarDesign};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::{HingeState, Level};
@@ -70,7 +71,7 @@ pub(super) fn nonlinear(
     case: &Case,
     (inflated, linear): (&Inflated<'_>, &Outcome),
     accepted: Percent,
-    warnings: &mut Vec<String>,
+    warnings: &mut Vec<Warning>,
 ) -> Option<Nonlinear> {
     if matches!(inflated.level(), Level::Fit | Level::Section) {
         return None;
@@ -79,25 +80,24 @@ pub(super) fn nonlinear(
     let outcome = match Outcome::nonlinear(case, inflated) {
         Ok(outcome) => outcome,
         Err(fault) => {
-            warnings.push(format!("no equilibrium of the nonlinear hinges: {fault}"));
+            warnings.push(format!("no equilibrium of the nonlinear hinges: {fault}").into());
             return None;
         }
     };
     if inflated.rim_pushes(outcome.rest.angle) {
-        warnings.push(
-                "the nonlinear star coils a hinge so far that its inner rim would be compressed: a real rim wrinkles, \
-                 and the hinge is softer than predicted"
-                    .to_owned(),
-            );
+        let text = "the nonlinear star coils a hinge so far that its inner rim would be compressed: a real rim wrinkles, \
+                    and the hinge is softer than predicted";
+        warnings.push(Warning::new(WarningCode::Validity, text));
     }
     let (own_radius, linear_radius) = (outcome.rest.radius, linear.rest.radius);
     if (own_radius - linear_radius).abs() > accepted.ratio() * linear_radius {
-        warnings.push(format!(
+        let text = format!(
             "with the membrane's own, asymmetric hinges it would close to {:.2} mm instead of {:.2} mm: the corner's hinge \
              is coiled far beyond its target, where it is much softer",
             mm(own_radius),
             mm(linear_radius)
-        ));
+        );
+        warnings.push(text.into());
     }
     Some(Nonlinear {
         tip_equilibrium_angle_deg: outcome.rest.equilibrium.to_degrees(),

@@ -61,7 +61,7 @@ mod tests {
             let mut prediction = DrawnPrediction { model: "shell", ..DrawnPrediction::default() };
             prediction.pressure_kPa = Some(pressure);
             prediction.burst_range_kPa = range;
-            prediction.evidence.warnings = warnings.iter().map(ToString::to_string).collect();
+            prediction.evidence.warnings = warnings.iter().map(|text| (*text).to_owned().into()).collect();
             prediction.tone()
         };
         let range = Some([20.0, 30.0]);

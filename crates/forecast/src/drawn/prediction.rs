@@ -9,6 +9,7 @@ use crate::meshed::{MeshedPlace, MeshedValue};
 use crate::model_search::AccuracySearch;
 use crate::prediction::distinct;
 use crate::seal_load::{Bursting, burst_of_drawn, bursts_at};
+use crate::warning::{Warning, WarningCode};
 use design::{DrawnPieces, Refusal, RefusalCode};
 use geom::Point;
 use inflatable::shell::cases::{InflatedRegion, PlaneState, RegionSeam, SeamPull, Value, Wrinkles};
@@ -67,7 +68,7 @@ pub struct DrawnEvidence {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<AccuracySearch>,
     /// Warnings for the user.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 /// The pull on one seam of a chamber.
@@ -314,18 +315,18 @@ impl DrawnPrediction {
         })
     }
 
-    fn warnings(&self) -> Vec<String> {
+    fn warnings(&self) -> Vec<Warning> {
         let count = self.chambers.len();
-        let mut list: Vec<String> = self.leaving().into_iter().collect();
+        let leaving = self.leaving().map(|text| Warning::new(WarningCode::LeavesPlane, text));
+        let mut list: Vec<Warning> = leaving.into_iter().collect();
         let averaged = self.chambers.iter().filter(|one| one.ranges.is_some());
         let names: Vec<String> = averaged.map(|one| one.name(count)).collect();
         if !names.is_empty() {
-            list.push(warning(&names.join(", ")));
+            list.push(warning(&names.join(", ")).into());
             if !self.measures.is_empty() {
-                list.push(
-                    "measures have mesh errors only: where wrinkles are averaged, a shape with folds may differ by more"
-                        .to_owned(),
-                );
+                let text =
+                    "measures have mesh errors only: where wrinkles are averaged, a shape with folds may differ by more";
+                list.push(Warning::new(WarningCode::Validity, text));
             }
         }
         for one in &self.chambers {
@@ -334,21 +335,21 @@ impl DrawnPrediction {
                 one.height_mm.map(|h| (h.value, h.mesh_error)),
             ];
             if coarse.into_iter().flatten().any(|(value, error)| error > 0.05 * value) {
-                list.push(format!(
+                let text = format!(
                     "the mesh error of the height or volume of {} is above 5 %: use finer meshes",
                     one.name(count)
-                ));
-            }
-        }
-        match self.bursting() {
-            Some(Bursting::Yes) => list.push("the pressure is above the seal's burst pressure".to_owned()),
-            Some(Bursting::Perhaps) => {
-                list.push(
-                    "the seal may burst: the pressure is within the range of its burst pressure".to_owned(),
                 );
+                list.push(text.into());
             }
-            _ => {}
         }
+        let bursting = match self.bursting() {
+            Some(Bursting::Yes) => Some("the pressure is above the seal's burst pressure"),
+            Some(Bursting::Perhaps) => {
+                Some("the seal may burst: the pressure is within the range of its burst pressure")
+            }
+            _ => None,
+        };
+        list.extend(bursting.map(|text| Warning::new(WarningCode::Bursting, text)));
         list
     }
 

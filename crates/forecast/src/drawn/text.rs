@@ -29,7 +29,7 @@ pub fn text(spec: &Spec, prediction: &DrawnPrediction) -> String {
     line(&mut out, "burst pressure", burst);
     line(&mut out, "burst margin", prediction.burst_margin.map(shown::rounded));
     for warning in &prediction.evidence.warnings {
-        line(&mut out, "warning", warning.clone());
+        line(&mut out, "warning", warning.text.clone());
     }
     if spec.fabric.shear_modulus.is_none() && prediction.model == SHELL {
         let isotropic = "isotropic; a weave that is soft in shear inflates otherwise (docs/weave.md)";

@@ -55,6 +55,6 @@ pub fn star_text(out: &mut String, star: &StarPrediction) {
     line(out, "mass", star.mass_g.map(|mass| format!("{} g", Readable(mass))));
     line(out, "unknowns of meshes", listed(star.evidence.unknowns.as_deref().unwrap_or_default()));
     for warning in &star.evidence.warnings {
-        line(out, "warning", warning.clone());
+        line(out, "warning", warning.text.clone());
     }
 }

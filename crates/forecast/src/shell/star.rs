@@ -10,6 +10,7 @@ use crate::ranges::shown::meshed;
 use crate::shell::request::{Measurements, ask, entered, fault};
 use crate::shell::{Detail, SHELL};
 use crate::star_answer::{bare, mm};
+use crate::warning::Warning;
 use design::{Design, Meeting, PlacedPart, StarDesign};
 use inflatable::mechanics::star::bearing::FOLDING;
 use inflatable::mechanics::strength::payload;
@@ -184,7 +185,11 @@ impl ShellRun {
                 force_curve: (!curve.is_empty())
                     .then(|| curve.iter().map(|(_, force)| force.error).collect()),
             }),
-            warnings: warnings(case, flat, measured).into_iter().chain(snap_warning).collect(),
+            warnings: warnings(case, flat, measured)
+                .into_iter()
+                .chain(snap_warning)
+                .map(Warning::from)
+                .collect(),
             ..bare.clone()
         }
     }
