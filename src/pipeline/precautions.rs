@@ -151,10 +151,9 @@ fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
         let code = match warning.code {
             WarningCode::Bursting if is_unfit => return None,
             WarningCode::LeavesPlane => PrecautionCode::LeavesPlane,
-            WarningCode::NoModel
-            | WarningCode::Bursting
-            | WarningCode::Object
-            | WarningCode::Validity => PrecautionCode::Prediction,
+            WarningCode::NoModel | WarningCode::Bursting | WarningCode::Object | WarningCode::Validity => {
+                PrecautionCode::Prediction
+            }
         };
         Some(Precaution::new(code, warning.text.clone()))
     };

@@ -365,7 +365,12 @@ fn arms_that_fold_cap_the_payload_and_are_warned_of_from_wrinkling_on() {
     let mut with = |kilograms: f64| {
         spec.load.as_mut().expect("given").mass = Some(Mass(kilograms));
         let prediction = predict(&spec);
-        let warned = prediction.first.evidence.warnings.iter().any(|warning| warning.text.contains("the arms wrinkle"));
+        let warned = prediction
+            .first
+            .evidence
+            .warnings
+            .iter()
+            .any(|warning| warning.text.contains("the arms wrinkle"));
         (warned, prediction.verdict.expect("an object"))
     };
     let ((light, held), (heavy, _), (_, folded)) =
