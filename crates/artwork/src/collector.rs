@@ -223,7 +223,7 @@ impl<'o> Collector<'o> {
         if chain.closed && !meets {
             segments.push(geom::Line::new(end, start).into());
         }
-        let closed = chain.closed || meets && turns(&segments);
+        let closed = chain.closed || self.options.closes && meets && turns(&segments);
         self.push(place, Figure::Path(Path { segments, closed }));
         Ok(())
     }

@@ -9,6 +9,8 @@ pub struct Options {
     pub unit: Option<Unit>,
     /// Whether a file without a unit is read with the most likely one, which [`crate::Artwork::assumed`] has; else it is refused.
     pub assume: bool,
+    /// Whether a curve that ends where it begins is closed, though the file leaves it open.
+    pub closes: bool,
     /// Upper bounds of work and memory.
     pub limits: Limits,
 }
@@ -16,7 +18,7 @@ pub struct Options {
 impl Options {
     /// Options with a tolerance in mm, the file's own unit, and the default limits.
     pub fn new(tolerance: f64) -> Self {
-        Self { tolerance, unit: None, assume: false, limits: Limits::default() }
+        Self { tolerance, unit: None, assume: false, closes: true, limits: Limits::default() }
     }
 }
 

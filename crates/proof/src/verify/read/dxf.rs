@@ -20,7 +20,10 @@ pub fn read_dxf(text: &str) -> Drawing {
         ..Limits::default()
     };
     let mut drawing = Drawing::default();
-    let read = match artwork::read_dxf(text.as_bytes(), &Options { limits, ..Options::new(TOLERANCE) }) {
+    let read = match artwork::read_dxf(
+        text.as_bytes(),
+        &Options { closes: false, limits, ..Options::new(TOLERANCE) },
+    ) {
         Ok(read) => read,
         Err(faults) => {
             let findings = faults.into_iter().map(|fault| finding(&fault.place, fault.text, &fault.remedy));
@@ -74,6 +77,7 @@ mod tests {
         let drawing = read_dxf(&dxf(
             "0 LWPOLYLINE 5 1F 8 SEAL 90 2 70 1 43 0.0 10 0.0 20 0.0 42 1.0 10 10 20 0 42 1.0 \
              0 LWPOLYLINE 8 SEAL 90 3 70 0 10 0 20 0 10 3 20 0 10 3 20 4 \
+             0 LWPOLYLINE 8 SEAL 90 4 70 0 10 0 20 0 10 3 20 0 10 3 20 4 10 0 20 0 \
              0 CIRCLE 8 HOLES 10 5 20 5 40 1.5 0 ARC 8 HOLES 10 0 20 0 40 2 50 350 51 10",
         ));
         assert_eq!(
@@ -81,7 +85,7 @@ mod tests {
             (&[][..], &["SEAL".to_owned(), "HOLES".to_owned()][..])
         );
         let seal = drawing.layer("SEAL");
-        assert_eq!(seal.iter().map(|path| path.closed).collect::<Vec<_>>(), [true, false]);
+        assert_eq!(seal.iter().map(|path| path.closed).collect::<Vec<_>>(), [true, false, false]);
         assert!((seal[0].length() - 10.0 * std::f64::consts::PI).abs() < 1e-9);
         assert!(seal[0].area() > 0.0 && seal[0].largest_gap() < 1e-12);
         let Segment::Arc(arc) = drawing.layer("HOLES")[1].segments[0] else { panic!("an arc") };
