@@ -20,7 +20,7 @@ fn with_path(path: &str) -> String {
 /// give, which on GRBL takes 33 ms.
 #[test]
 fn coarse_files_are_proven_on_every_chopping_profile() {
-    for name in crate::WITH_FLOOR {
+    for name in crate::with_floor() {
         for path in ["0.01 mm", "0.1 mm", "1 mm"] {
             let build = built(&with_path(path), profile(name));
             assert_eq!(read_back(&build.output_files()).findings, [], "{name} {path}");
@@ -153,7 +153,7 @@ fn dense_polylines_are_proven_on_every_chopping_profile() {
     let text = "schema = 1\nname = \"dense\"\n[drawing]\nfile = \"d.svg\"\n[drawing.layers]\nair = [\"air\"]\nport = [\"port\"]\n[machine]\n\
          profile = \"own.toml\"\nfeed_floor = \"chop\"\n".to_string();
     let reading = read(&Source::new("spec", text.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
-    for name in crate::WITH_FLOOR {
+    for name in crate::with_floor() {
         for (count, radius, waves) in [(1000, 40.0, 3.0), (1500, 25.0, 5.0), (2000, 55.0, 2.0)] {
             let drawn = reading.clone().with_drawing(polyline(count, radius, waves).as_bytes()).spec;
             let sources = Sources { spec: &text, machine: profile(name) };

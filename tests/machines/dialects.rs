@@ -208,7 +208,7 @@ fn what_is_unknown_is_not_chopped() {
 #[test]
 fn chopped_programs_keep_their_time_and_say_what_they_need() {
     let steady = built(&spec_text(""), profile("generic"));
-    for name in crate::WITH_FLOOR {
+    for name in crate::with_floor() {
         let chopped = built(&spec_text(CHOP), profile(name));
         let (a, b) = (&steady.manifest.stars[0], &chopped.manifest.stars[0]);
         assert_eq!((a.seam_mm, a.time_s), (b.seam_mm, b.time_s));

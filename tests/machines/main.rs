@@ -66,6 +66,11 @@ fn has_floor(name: &str) -> bool {
     matches!(machine(profile(name)).motion.step_rate, StepRate::AtLeast(_))
 }
 
+/// The profiles whose programs may have to be chopped.
+fn with_floor() -> impl Iterator<Item = &'static str> {
+    PROFILES.into_iter().filter(|name| has_floor(name))
+}
+
 #[test]
 fn every_profile_is_tried() {
     assert!(builtin_machines().eq(PROFILES), "PROFILES are not those that come with the program");

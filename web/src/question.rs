@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 /// Receives the part of long work that is done, 0 to 1, and the current step.
-pub type Tell = fn(f64, &str);
+pub(crate) type Tell = fn(f64, &str);
 
 /// The answer to a question with a fault of its own.
 pub(crate) fn wrong(text: impl Into<Value>) -> Value {
