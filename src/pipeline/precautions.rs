@@ -6,7 +6,7 @@ use crate::pipeline::code::PrecautionCode;
 use design::SheetLayout;
 use forecast::ranges::shown::rounded;
 use forecast::seal_load::{Bursting, SealLoad};
-use forecast::warning::{Warning, WarningCode};
+use forecast::warning::{PredictionWarning, WarningCode};
 use program::plan::Pace;
 use spec::Machine;
 use spec::units::{Readable, Speed};
@@ -147,7 +147,7 @@ fn predicted(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
 fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
     let Some(drawn) = &forecast.drawn else { return Vec::new() };
     let is_unfit = drawn.prediction.bursts().is_some();
-    let precaution = |warning: &Warning| {
+    let precaution = |warning: &PredictionWarning| {
         let code = match warning.code {
             WarningCode::Bursting if is_unfit => return None,
             WarningCode::LeavesPlane => PrecautionCode::LeavesPlane,

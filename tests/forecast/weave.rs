@@ -6,7 +6,7 @@ use super::{case, close, gripper, predict};
 use stargrip_cam::forecast::case::weave;
 use stargrip_cam::forecast::report::text;
 use stargrip_cam::forecast::shell::star::{ShellRefusal, flat};
-use stargrip_cam::forecast::warning::Warning;
+use stargrip_cam::forecast::warning::PredictionWarning;
 use stargrip_cam::spec::{ModelChoice, Spec, key};
 use stargrip_cam::units::{Angle, LineForce, Pressure};
 
@@ -72,7 +72,7 @@ fn models_of_hinges_leave_it_out_and_say_so() {
         (even.accuracy.model, woven.accuracy.model) = (model, model);
         let (even, woven) = (predict(&even), predict(&woven));
         assert_eq!(even.first.final_radius_mm, woven.first.final_radius_mm, "{model:?}");
-        let said = |warning: &&Warning| {
+        let said = |warning: &&PredictionWarning| {
             warning.text.starts_with("shear_modulus is not used")
                 && warning.text.contains("0.20 of its shear")
         };

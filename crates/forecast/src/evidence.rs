@@ -4,7 +4,7 @@ use crate::case::Hinges;
 use crate::interval::Interval;
 use crate::model_search::AccuracySearch;
 use crate::seal_load::Bursting;
-use crate::warning::Warning;
+use crate::warning::PredictionWarning;
 use serde::Serialize;
 
 /// The evidence for an answer.
@@ -45,7 +45,7 @@ pub struct ModelEvidence {
     #[serde(skip)]
     pub safe_pressure_kPa: Option<f64>,
     /// Limits of a model's validity that are exceeded, and other warnings for the user.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<PredictionWarning>,
     /// Whether the seal bursts; `None` if its strength or the pressure is unknown.
     #[serde(skip)]
     pub bursting: Option<Bursting>,

@@ -17,7 +17,7 @@ use crate::star_answer::{bare, fill, nonlinear, of_the_shape};
 pub use crate::star_refusal::PredictFault;
 use crate::star_refusal::located;
 use crate::verdict::{refusals, verdict};
-use crate::warning::{Warning, WarningCode};
+use crate::warning::{PredictionWarning, WarningCode};
 use design::{Design, Meeting, StarAssembly, StarDesign};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::bvp::Bvp;
@@ -62,7 +62,7 @@ pub(super) fn whole(
     let payload = payload_of(spec, design, &stars);
     let warnings = spec.load.as_ref().map_or_else(Vec::new, |load| wrinkling_warnings(load, &stars));
     for (star, warning) in stars.iter_mut().zip(warnings) {
-        star.evidence.warnings.extend(warning.map(Warning::from));
+        star.evidence.warnings.extend(warning.map(PredictionWarning::from));
     }
     let Some(mut first) = stars.first().cloned() else {
         return Err(PredictFault::new(key::stack::COUNT, "there is no star".to_owned()));
@@ -233,8 +233,8 @@ impl PlacedCase<'_> {
                 let why = format!("section does not cover this star: {fault}");
                 let mut unknown = self.unknown(why.clone());
                 let warnings = &mut unknown.evidence.warnings;
-                warnings.insert(0, Warning::new(WarningCode::NoModel, why));
-                warnings.extend(self.by_shell().map(Warning::from));
+                warnings.insert(0, PredictionWarning::new(WarningCode::NoModel, why));
+                warnings.extend(self.by_shell().map(PredictionWarning::from));
                 unknown.modelled_kPa = modelled(&self.case);
                 Ok(unknown)
             }
@@ -254,18 +254,18 @@ impl PlacedCase<'_> {
             if presses || outcome.hold.is_none() { None } else { outcome.surely_held(case, &inflated) };
         let mut star = self.unknown(if outcome.known { choice } else { unlike(case) });
         let warnings = &mut star.evidence.warnings;
-        warnings.extend(limits_of_validity(model, case).into_iter().map(Warning::from));
+        warnings.extend(limits_of_validity(model, case).into_iter().map(PredictionWarning::from));
         warnings.extend(self.of_the_ranges(&outcome));
         if outcome.known {
-            warnings.extend(of_the_shape(case, &outcome).into_iter().map(Warning::from));
+            warnings.extend(of_the_shape(case, &outcome).into_iter().map(PredictionWarning::from));
             let object_warning = outcome.object_warning(case);
-            warnings.extend(object_warning.map(|text| Warning::new(WarningCode::Object, text)));
+            warnings.extend(object_warning.map(|text| PredictionWarning::new(WarningCode::Object, text)));
             star.evidence.surely_held_mm = object.map(mm);
         }
         star.nonlinear = nonlinear(case, (&inflated, &outcome), self.spec.accuracy.response, warnings);
         fill(&mut star, case, &inflated, &outcome)?;
         if !outcome.known {
-            star.evidence.warnings.extend(self.by_shell().map(Warning::from));
+            star.evidence.warnings.extend(self.by_shell().map(PredictionWarning::from));
             star.modelled_kPa = modelled(&self.case);
         }
         Ok(star)
@@ -274,14 +274,14 @@ impl PlacedCase<'_> {
     /// The values that need no model, with the reason why no model applies.
     fn unknown(&self, choice: String) -> StarPrediction {
         let Self { case, part, spec, seal } = self;
-        let bursting = seal.warning().map(|text| Warning::new(WarningCode::Bursting, text));
-        let mut warnings: Vec<Warning> = bursting.into_iter().collect();
+        let bursting = seal.warning().map(|text| PredictionWarning::new(WarningCode::Bursting, text));
+        let mut warnings: Vec<PredictionWarning> = bursting.into_iter().collect();
         if spec.accuracy.model == ModelChoice::Shell {
             let text = "section is used here instead of shell: files must be the same on every machine, but a \
                         shell's last digits are not; use `predict` with the model \"shell\"";
-            warnings.push(Warning::new(WarningCode::Validity, text));
+            warnings.push(PredictionWarning::new(WarningCode::Validity, text));
         }
-        warnings.extend(weave_left_out(&spec.fabric).map(Warning::from));
+        warnings.extend(weave_left_out(&spec.fabric).map(PredictionWarning::from));
         let bare = bare(spec, part, case);
         StarPrediction {
             model: Level::Section.name(),
@@ -311,7 +311,7 @@ impl PlacedCase<'_> {
     }
 
     /// A warning about ranges that are wide, or based on no computed star.
-    fn of_the_ranges(&self, outcome: &Outcome) -> Option<Warning> {
+    fn of_the_ranges(&self, outcome: &Outcome) -> Option<PredictionWarning> {
         let Ranges { domain, radius, .. } = outcome.ranges;
         let (accepted, rest_radius) = (self.spec.accuracy.response, outcome.rest.radius);
         match domain {
@@ -325,7 +325,7 @@ impl PlacedCase<'_> {
                 );
                 Some(text.into())
             }
-            _ if !outcome.known => Some(Warning::new(WarningCode::NoModel, unlike(&self.case))),
+            _ if !outcome.known => Some(PredictionWarning::new(WarningCode::NoModel, unlike(&self.case))),
             _ => {
                 let part = |range: Interval, value: f64| (range[1] - value).max(value - range[0]) / value;
                 // The requested quantity: the force where there is an object, else the final radius.

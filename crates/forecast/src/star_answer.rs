@@ -5,7 +5,7 @@ use crate::interval::scaled;
 use crate::outcome::{Outcome, SHORTEST_ARM};
 use crate::prediction::{FabricStretch, Hinges, ModelEvidence, Nonlinear, StarPrediction};
 use crate::ranges::StarRanges;
-use crate::warning::{Warning, WarningCode};
+use crate::warning::{PredictionWarning, WarningCode};
 use design::{FlatPiece, StarDesign};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::{HingeState, Level};
@@ -71,7 +71,7 @@ pub(super) fn nonlinear(
     case: &Case,
     (inflated, linear): (&Inflated<'_>, &Outcome),
     accepted: Percent,
-    warnings: &mut Vec<Warning>,
+    warnings: &mut Vec<PredictionWarning>,
 ) -> Option<Nonlinear> {
     if matches!(inflated.level(), Level::Fit | Level::Section) {
         return None;
@@ -87,7 +87,7 @@ pub(super) fn nonlinear(
     if inflated.rim_pushes(outcome.rest.angle) {
         let text = "the nonlinear star coils a hinge so far that its inner rim would be compressed: a real rim wrinkles, \
                     and the hinge is softer than predicted";
-        warnings.push(Warning::new(WarningCode::Validity, text));
+        warnings.push(PredictionWarning::new(WarningCode::Validity, text));
     }
     let (own_radius, linear_radius) = (outcome.rest.radius, linear.rest.radius);
     if (own_radius - linear_radius).abs() > accepted.ratio() * linear_radius {

@@ -21,34 +21,34 @@ pub enum WarningCode {
 
 /// A warning for the user; in JSON it is its text.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Warning {
+pub struct PredictionWarning {
     /// The subject.
     pub code: WarningCode,
     /// The sentence, without its full stop.
     pub text: String,
 }
 
-impl Warning {
+impl PredictionWarning {
     /// A warning about the subject `code`.
     pub fn new(code: WarningCode, text: impl Into<String>) -> Self {
         Self { code, text: text.into() }
     }
 }
 
-impl From<String> for Warning {
+impl From<String> for PredictionWarning {
     /// A warning about a limit of validity.
     fn from(text: String) -> Self {
         Self::new(WarningCode::Validity, text)
     }
 }
 
-impl fmt::Display for Warning {
+impl fmt::Display for PredictionWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text)
     }
 }
 
-impl Serialize for Warning {
+impl Serialize for PredictionWarning {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(&self.text)
     }

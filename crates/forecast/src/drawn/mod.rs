@@ -15,7 +15,7 @@ use crate::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction
 use crate::predict::PredictFault;
 use crate::shell::request::{ShellRefusal, no_pressure, refused};
 use crate::shell::{Detail, SHELL};
-use crate::warning::Warning;
+use crate::warning::PredictionWarning;
 use design::{DrawnPiece, DrawnPieces};
 use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Wrinkles, region};
 use spec::units::{Pressure, Readable};
@@ -122,7 +122,7 @@ pub fn inflate(
                 .to_owned()
         }),
     ];
-    prediction.evidence.warnings.extend(warnings.into_iter().flatten().map(Warning::from));
+    prediction.evidence.warnings.extend(warnings.into_iter().flatten().map(PredictionWarning::from));
     Ok(InflatedDrawing { prediction, surfaces, shapes })
 }
 

@@ -9,7 +9,7 @@ use crate::meshed::{MeshedPlace, MeshedValue};
 use crate::model_search::AccuracySearch;
 use crate::prediction::distinct;
 use crate::seal_load::{Bursting, burst_of_drawn, bursts_at};
-use crate::warning::{Warning, WarningCode};
+use crate::warning::{PredictionWarning, WarningCode};
 use design::{DrawnPieces, Refusal, RefusalCode};
 use geom::Point;
 use inflatable::shell::cases::{InflatedRegion, PlaneState, RegionSeam, SeamPull, Value, Wrinkles};
@@ -68,7 +68,7 @@ pub struct DrawnEvidence {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<AccuracySearch>,
     /// Warnings for the user.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<PredictionWarning>,
 }
 
 /// The pull on one seam of a chamber.
@@ -315,10 +315,10 @@ impl DrawnPrediction {
         })
     }
 
-    fn warnings(&self) -> Vec<Warning> {
+    fn warnings(&self) -> Vec<PredictionWarning> {
         let count = self.chambers.len();
-        let leaving = self.leaving().map(|text| Warning::new(WarningCode::LeavesPlane, text));
-        let mut list: Vec<Warning> = leaving.into_iter().collect();
+        let leaving = self.leaving().map(|text| PredictionWarning::new(WarningCode::LeavesPlane, text));
+        let mut list: Vec<PredictionWarning> = leaving.into_iter().collect();
         let averaged = self.chambers.iter().filter(|one| one.ranges.is_some());
         let names: Vec<String> = averaged.map(|one| one.name(count)).collect();
         if !names.is_empty() {
@@ -349,7 +349,7 @@ impl DrawnPrediction {
             }
             _ => None,
         };
-        list.extend(bursting.map(|text| Warning::new(WarningCode::Bursting, text)));
+        list.extend(bursting.map(|text| PredictionWarning::new(WarningCode::Bursting, text)));
         list
     }
 

@@ -10,7 +10,7 @@ use crate::ranges::shown::meshed;
 use crate::shell::request::{Measurements, ask, entered, fault};
 use crate::shell::{Detail, SHELL};
 use crate::star_answer::{bare, mm};
-use crate::warning::Warning;
+use crate::warning::PredictionWarning;
 use design::{Design, Meeting, PlacedPart, StarDesign};
 use inflatable::mechanics::star::bearing::FOLDING;
 use inflatable::mechanics::strength::payload;
@@ -188,7 +188,7 @@ impl ShellRun {
             warnings: warnings(case, flat, measured)
                 .into_iter()
                 .chain(snap_warning)
-                .map(Warning::from)
+                .map(PredictionWarning::from)
                 .collect(),
             ..bare.clone()
         }
