@@ -57,8 +57,6 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/testing.md", "cargo install --locked cargo-mutants"),
     ("docs/trade.md", "stargrip-cam trade --svg docs/trade.svg"),
     ("docs/trade.md", "python3 crates/research/by_shell.py target/release/stargrip-"),
-    ("docs/weave.md", "stargrip-cam predict woven.toml --model shell --fineness coa"),
-    ("docs/weave.md", "cargo run --release -p stargrip-inflatable --example weave -"),
     ("docs/weave.md", "cargo run --release -p stargrip-inflatable --example weave -"),
     ("docs/web.md", "rustup target add wasm32-unknown-unknown"),
     ("docs/web.md", "export NODE_PATH=target/strangers-npm/node_modules"),
