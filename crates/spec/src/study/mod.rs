@@ -8,6 +8,6 @@ mod axis;
 mod field;
 mod reading;
 
-pub use axis::{Axis, Block, Draw, MOST_VALUES};
+pub use axis::{Axis, Block, MOST_VALUES, RandomSample};
 pub use field::{Field, KeyValue};
 pub use reading::{StudyFile, Wanted, read_study};
