@@ -22,6 +22,7 @@ use forecast::shell::request::no_pressure;
 use forecast::shell::star;
 use forecast::shell::star::ShellRefusal;
 use forecast::shell::{Detail, SHELL};
+use forecast::warning::PredictionWarning;
 use inflatable::shell::cases::{InflatedShape, Watch};
 use spec::units::{Length, Percent};
 use spec::{Allowed, ModelChoice, Spec};
@@ -107,12 +108,12 @@ impl GripperAnswer {
             Self::Star(star) => {
                 for star in star.stars.iter_mut().chain([&mut star.first]) {
                     star.evidence.accuracy = Some(search.clone());
-                    star.evidence.warnings.extend(search.warning().map(Into::into));
+                    star.evidence.warnings.extend(search.warning().map(PredictionWarning::from));
                 }
             }
             Self::Drawn(drawn) => {
                 drawn.evidence.accuracy = Some(search.clone());
-                drawn.evidence.warnings.extend(search.warning().map(Into::into));
+                drawn.evidence.warnings.extend(search.warning().map(PredictionWarning::from));
             }
         }
         self
