@@ -1,6 +1,6 @@
 //! Measures: points, lines and curves of a drawing whose places after inflation are wanted.
 
-use artwork::{Drawing, Figure};
+use artwork::{Artwork, Figure};
 use geom::{Line, Path, Point, Segment};
 use spec::{DrawingSpec, LayerRole};
 
@@ -85,7 +85,7 @@ fn is_straight(segment: &Segment) -> bool {
 }
 
 /// The measures among the figures of `drawing`, in the order of the file.
-pub(super) fn measures(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Measure> {
+pub(super) fn measures(drawing: &Artwork, spec: &DrawingSpec) -> Vec<Measure> {
     let elements = drawing.elements.iter();
     let of_role = elements.filter(|element| spec.role(element.names()) == Some(LayerRole::Measure));
     of_role

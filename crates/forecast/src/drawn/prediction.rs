@@ -326,7 +326,7 @@ impl DrawnPrediction {
             if !self.measures.is_empty() {
                 let text =
                     "measures have mesh errors only: where wrinkles are averaged, a shape with folds may differ by more";
-                list.push(Warning::new(WarningCode::Validity, text));
+                list.push(PredictionWarning::new(WarningCode::Validity, text));
             }
         }
         for one in &self.chambers {
