@@ -219,7 +219,7 @@ impl EdgePaths {
     }
 
     /// Whether all figures of a layer are closed curves within an edge of another layer, and off it.
-    fn surround(&self, layer: &DrawnLayer<'_>, drawing: &Drawing) -> bool {
+    fn surround(&self, layer: &DrawnLayer<'_>, drawing: &Artwork) -> bool {
         let mut figures = layer.elements.iter().map(|number| &drawing.elements[*number].figure);
         layer.closed == layer.elements.len() && figures.all(|figure| self.has_within(figure, layer))
     }
