@@ -144,6 +144,22 @@ impl<T: Copy> From<[T; NUMBERS]> for StarNumbers<T> {
     }
 }
 
+impl StarNumbers<Value> {
+    /// The hardest loaded places of a star of `tube`, which are at `places` by W.
+    fn extremes(&self, tube: &Tube, places: [[f64; 2]; 3]) -> Extremes {
+        let stretch = tube.fabric.stretch;
+        let [seal_at, stretch_at, pull_at] = places.map(|place| place.map(|x| x * tube.width));
+        Extremes {
+            seal_tension: self.seal_tension.scaled(stretch),
+            seal_at,
+            stretch: self.stretch,
+            stretch_at,
+            seal_pull: self.seal_pull.scaled(stretch),
+            pull_at,
+        }
+    }
+}
+
 impl FlatStar {
     /// A star whose hinges turn on points, without band and margin.
     pub fn sharp(tube: Tube, points: u32, inner_radius: f64, tip_angle: f64) -> Self {
@@ -256,7 +272,6 @@ pub fn star_by_sizes(
     let w = case.tube.width;
     let force = case.tube.fabric.stretch * w;
     let sheets = modelled.count();
-    let [seal_at, stretch_at, pull_at] = places.map(|at| at.map(|x| x * w));
     let forces = objects.sizes().iter().zip(&values.forces);
     Ok(InflatedStar {
         final_radius: values.final_radius.scaled(w),
@@ -272,14 +287,7 @@ pub fn star_by_sizes(
             .into_iter()
             .map(|step| OpeningStep { radius: w * step.radius, force: sheets * force * step.force })
             .collect(),
-        extremes: Extremes {
-            seal_tension: values.seal_tension.scaled(case.tube.fabric.stretch),
-            seal_at,
-            stretch: values.stretch,
-            stretch_at,
-            seal_pull: values.seal_pull.scaled(case.tube.fabric.stretch),
-            pull_at,
-        },
+        extremes: values.extremes(&case.tube, places),
         shape,
         evidence,
     })
