@@ -97,7 +97,7 @@ fn askew(points: u32) -> PredictFault {
     );
     let warp = if points == 4 { "set `warp` to \"0 deg\" or \"45 deg\"; or " } else { "" };
     let remedy = format!(
-        "{warp}remove `shear_modulus` from [fabric] for isotropic fabric, or compute with --model section, which leaves the \
+        "{warp}remove `shear_modulus` from [fabric] for isotropic fabric, or compute with the model \"section\", which leaves the \
          weave out; docs/weave.md tells how much a weave changes"
     );
     PredictFault { remedy: Some(remedy), ..PredictFault::new(key::fabric::WARP, what) }

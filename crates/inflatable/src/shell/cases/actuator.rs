@@ -99,7 +99,7 @@ impl VActuator {
 }
 
 impl ModelledActuator {
-    /// Its mesh with edges of these lengths, by W.
+    /// The mesh with edges of these lengths, by W.
     ///
     /// # Errors
     /// If it has no mesh.

@@ -21,7 +21,7 @@ impl ModelledSector {
     /// The tip's plane of symmetry among the obstacles.
     pub(super) const TIP: usize = 1;
 
-    /// Its mesh with edges of these lengths, by W.
+    /// The mesh with edges of these lengths, by W.
     ///
     /// # Errors
     /// If it has no mesh.
