@@ -27,19 +27,19 @@ const NAMES: f64 = 16.0;
 const TIMES: f64 = 205.0;
 
 /// A logarithmic axis of errors, rising to the right: its ends in pixels and in decades.
-struct Axis {
+struct LogAxis {
     left: f64,
     width: f64,
     decades: [i32; 2],
 }
 
 /// The questions: 0.1 % to 1000 %.
-const QUESTIONS: [Axis; 3] = [question(230.0), question(480.0), question(730.0)];
+const QUESTIONS: [LogAxis; 3] = [question(230.0), question(480.0), question(730.0)];
 /// The limits: 1e-16 to 1.
-const RING: Axis = Axis { left: 230.0, width: 660.0, decades: [-16, 0] };
+const RING: LogAxis = LogAxis { left: 230.0, width: 660.0, decades: [-16, 0] };
 
-const fn question(left: f64) -> Axis {
-    Axis { left, width: 185.0, decades: [-3, 1] }
+const fn question(left: f64) -> LogAxis {
+    LogAxis { left, width: 185.0, decades: [-3, 1] }
 }
 
 /// The errors by which a question is answered, and its words.
@@ -50,7 +50,7 @@ const ANSWERS: [(&str, Errors); 3] = [
     ("How hard does it grip?", |star| star.force),
 ];
 
-impl Axis {
+impl LogAxis {
     fn x(&self, error: f64) -> f64 {
         let [first, last] = self.decades.map(f64::from);
         self.left + (libm::log10(error).clamp(first, last) - first) / (last - first) * self.width
@@ -143,17 +143,17 @@ pub fn is_picture(text: &str) -> bool {
 }
 
 /// One model against the shells, over all pressures: its cost, s, and the roots of the mean square errors of the three questions.
-struct ModelChoice<'a> {
+struct ModelMark<'a> {
     model: &'a str,
     time: f64,
     errors: [f64; 3],
 }
 
 /// Every model of `rows`, the cheapest first.
-fn choices(rows: &[ShellRow]) -> Vec<ModelChoice<'_>> {
+fn choices(rows: &[ShellRow]) -> Vec<ModelMark<'_>> {
     let mut models: Vec<&str> = rows.iter().map(|row| row.model.as_str()).collect();
     models.dedup();
-    let mut choices: Vec<ModelChoice<'_>> = models
+    let mut choices: Vec<ModelMark<'_>> = models
         .into_iter()
         .map(|model| {
             let alike: Vec<&ShellRow> =
@@ -161,7 +161,7 @@ fn choices(rows: &[ShellRow]) -> Vec<ModelChoice<'_>> {
             let times: Vec<f64> = alike.iter().map(|row| row.time).collect();
             let errors =
                 ANSWERS.map(|(_, errors)| rms(alike.iter().flat_map(|row| &row.stars).filter_map(errors)));
-            ModelChoice { model, time: mean(&times), errors }
+            ModelMark { model, time: mean(&times), errors }
         })
         .collect();
     choices.sort_by(|a, b| a.time.total_cmp(&b.time));
