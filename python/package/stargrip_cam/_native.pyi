@@ -53,7 +53,21 @@ class Spec:
         fragile: str | None = None,
         sheet: str | None = None,
         machine: str | None = None,
-    ) -> Spec: ...
+    ) -> Spec:
+        """Finds a gripper that holds an object, as `stargrip-cam new` does: the spec that holds it best within its sheet and machine.
+
+        object: width of the object where it is gripped, "75 mm".
+        mass: "1.2 kg".
+        name: of the gripper.
+        height: of the object, default as wide; shape: "ball" (default) or "cylinder".
+        pressure: of the pump; default: the best from 5 to 60 kPa.
+        friction: between corners and object; default 0.3.
+        fragile: largest radial force of one star that the object bears, "20 N".
+        sheet: size of the fabric, "400x400" in mm, or "A3".
+        machine: a built-in profile or the path of one; default: generic.
+
+        Raises DesignError with the reasons and the nearest objects if there is none, UsageError for wrong arguments.
+        """
     def replace(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Spec:
         """The same spec with other values: `replace({"star.points": 6})`, or `replace(**{"star.points": 6})`. None takes a key away, so
         that its default holds. Comments and layout stay. Only all values together need be valid.
@@ -201,48 +215,66 @@ class Star:
 
 @final
 class Seam:
+    """One seam of a piece: the centre line of its band, from where the sealing starts."""
     def __new__(cls, name: str, band_mm: float, center_line: Contour) -> Seam: ...
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """Name of the seam, as on drawings, in programs and in predictions."""
     @property
-    def band_mm(self) -> float: ...
+    def band_mm(self) -> float:
+        """Width of its band, mm."""
     @property
-    def center_line(self) -> Contour: ...
+    def center_line(self) -> Contour:
+        """The centre line of its band."""
     @property
-    def length_mm(self) -> float: ...
+    def length_mm(self) -> float:
+        """Length of the centre line, mm."""
     @property
-    def __geo_interface__(self) -> dict[str, Any]: ...
+    def __geo_interface__(self) -> dict[str, Any]:
+        """The centre line as GeoJSON, within 0.01 mm: shapely.geometry.shape(seam).buffer(seam.band_mm / 2) is the band."""
 
 @final
 class Piece:
+    """One piece of a design, star or drawn, in its own frame: that of the star, or of the drawing. Lengths in mm."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """Name of the piece, as in files and messages: "star 2"."""
     @property
-    def sheet(self) -> int: ...
+    def sheet(self) -> int:
+        """Number of its sheet, from 1."""
     @property
-    def outline(self) -> list[Contour]: ...
+    def outline(self) -> list[Contour]:
+        """The cut edges: around it, then those of its holes."""
     @property
-    def seams(self) -> list[Seam]: ...
+    def seams(self) -> list[Seam]:
+        """The seams, in the order in which they are sealed."""
     @property
-    def air(self) -> list[Contour]: ...
+    def air(self) -> list[Contour]:
+        """The edges of the air, as the iron makes them."""
     @property
-    def ports_mm(self) -> _Floats: ...
+    def ports_mm(self) -> _Floats:
+        """The ports: (k, 3), the middle of the mouth and the width between the bands, mm."""
     @property
-    def registration_mm(self) -> _Floats: ...
+    def registration_mm(self) -> _Floats:
+        """Registration holes: (m, 3), centre and diameter, mm."""
     @property
-    def fabric_mm2(self) -> float: ...
-    def polygon(self, tolerance_mm: float = 0.01) -> dict[str, Any]: ...
+    def fabric_mm2(self) -> float:
+        """Fabric of both sheets, mm^2."""
+    def polygon(self, tolerance_mm: float = 0.01) -> dict[str, Any]:
+        """The cut fabric as a GeoJSON polygon with its holes, within `tolerance_mm`: shapely.geometry.shape(piece.polygon())."""
     @property
-    def __geo_interface__(self) -> dict[str, Any]: ...
+    def __geo_interface__(self) -> dict[str, Any]:
+        """The cut fabric within 0.01 mm: shapely.geometry.shape(piece)."""
 
 @final
 class Design:
     """The exact flat geometry of a gripper. Lengths in mm, angles in degrees; everything counts counterclockwise seen from above."""
     @property
     def stars(self) -> list[Star]:
-        """Its stars, bottom first."""
+        """Its stars, bottom first; empty for a drawing, which has `pieces`."""
     @property
-    def pieces(self) -> list[Piece]: ...
+    def pieces(self) -> list[Piece]:
+        """The pieces, stars or drawn ones, with their outlines and seams."""
     @property
     def sheets(self) -> list[dict[str, Any]]:
         """The sheets: dicts of `index`, `width_mm` and `height_mm`."""
@@ -255,7 +287,7 @@ class Design:
 @final
 class Mesh:
     """The sheet of a shell model, at rest under pressure, on its finest mesh: N nodes, M triangles. For a star it is one of the two sheets of
-    half a sector beside corner 1, for a V-actuator one sheet of half: the rest of the tube is its mirror images.
+    half a sector beside corner 1, for a V-actuator one sheet of half: `whole()` adds the mirror images.
     """
     @property
     def nodes_mm(self) -> _Floats:
@@ -278,26 +310,35 @@ class Mesh:
     @property
     def node_stretch(self) -> _Floats:
         """Largest stretch of each node's triangles: (N,), for plots that colour nodes."""
-    def whole(self) -> Body: ...
+    def whole(self) -> Body:
+        """The whole body, closed: both sheets and all mirror images, with named seams."""
     def vtu(self) -> str:
-        """The same as the text of a VTU file, which ParaView reads."""
+        """The sheet as the text of a VTU file, which ParaView reads."""
 
 @final
 class Body:
+    """A whole inflated body in triangles: both sheets and all their mirror images, closed, N nodes, M triangles, counterclockwise from outside:
+    `trimesh.Trimesh(body.nodes_mm, body.triangles)` is watertight.
+    """
     @property
-    def nodes_mm(self) -> _Floats: ...
+    def nodes_mm(self) -> _Floats:
+        """Positions of the nodes: (N, 3), mm."""
     @property
-    def flat_mm(self) -> _Floats: ...
+    def flat_mm(self) -> _Floats:
+        """Positions of the nodes on the flat sheets: (N, 2), mm."""
     @property
-    def triangles(self) -> NDArray[np.int64]: ...
+    def triangles(self) -> NDArray[np.int64]:
+        """The nodes of each triangle: (M, 3), int64, from 0. The first half is the upper sheet."""
     @property
-    def images(self) -> NDArray[np.int64]: ...
+    def images(self) -> NDArray[np.int64]:
+        """For each triangle the one of the `Mesh` of which it is an image: (M,), int64. `mesh.stretch[body.images]` is the stretch of each."""
     @property
-    def seams(self) -> dict[str, NDArray[np.int64]]: ...
+    def seams(self) -> dict[str, NDArray[np.int64]]:
+        """The nodes of each seam by its name: arrays of int64. There the sheets are sealed to each other."""
 
 @final
 class Prediction:
-    """The predicted behaviour of a gripper. Every key of `predict --json` is an attribute: lengths in mm, angles in degrees, forces in N,
+    """The predicted behaviour of a star gripper. Every key of `predict --json` is an attribute: lengths in mm, angles in degrees, forces in N,
     with the unit in the name. None where the value is unknown, or needs something that the spec does not give.
     """
     @property
@@ -460,14 +501,126 @@ class Prediction:
 
 @final
 class DrawnPrediction:
+    """The predicted behaviour of a drawn piece. Every key of `predict --json` is an attribute, with the unit in the name; None where the value is
+    unknown, or needs the shell. Numbers of a shell are dicts of `value` and `mesh_error`.
+    """
     @property
-    def mesh(self) -> Mesh | None: ...
-    def to_dict(self) -> dict[str, Any]: ...
-    def _repr_html_(self) -> str: ...
+    def model(self) -> str:
+        """Model used: shell, or none: flat sizes only."""
+    @property
+    def pressure_kPa(self) -> float | None:
+        """Gauge pressure, kPa."""
+    @property
+    def mass_g(self) -> float | None:
+        """Mass of the fabric of one piece, both sheets, g. Needs `areal_density`."""
+    @property
+    def volume_mm3(self) -> dict[str, Any] | None:
+        """Volume of all chambers of a piece, mm^3: `value` and `mesh_error`. By the shell only."""
+    @property
+    def burst_pressure_kPa(self) -> float | None:
+        """Least pressure at which a chamber's seal peels, kPa. Needs `seal_strength`, and the shell with resolved wrinkles."""
+    @property
+    def burst_range_kPa(self) -> tuple[float, float] | None:
+        """Its range: mesh errors, and how the pull may grow with the pressure."""
+    @property
+    def burst_margin(self) -> float | None:
+        """Burst pressure over the pressure. Needs both."""
+    @property
+    def leaves_plane(self) -> Any:
+        """Whether a chamber may leave the plane of the drawing. By the shell only."""
+    @property
+    def chambers(self) -> list[Chamber]:
+        """Chambers, each with flat size and area, `bendability` and `stretch`; by the shell `extents_mm`, `height_mm`, `volume_mm3`, `seal_pull_N_per_mm`, `largest_stretch`, `largest_tension_N_per_mm` and `plane_eigenvalue`, each with its mesh error; where `wrinkles` are averaged, `ranges` of height, extents, volume and pull; `seams`: the largest pull on each, with rows of x, y, pull and mesh error along it."""
+    @property
+    def measures(self) -> list[dict[str, Any]]:
+        """Measures of the drawing's role `measure`: distances, directions, angles, radii, positions and heights, flat and by the shell."""
+    @property
+    def evidence(self) -> dict[str, Any]:
+        """Why this model was used, and `warnings`."""
+    @property
+    def mesh(self) -> Mesh | None:
+        """The sheet in the shell model; None for every other model."""
+    def to_dict(self) -> dict[str, Any]:
+        """All keys, equal to the JSON of the command's `--json`."""
+    def _repr_html_(self) -> str:
+        """The answer as a table of its numbers with their ranges, for notebooks."""
 
 @final
 class Chamber:
-    def to_dict(self) -> dict[str, Any]: ...
+    """One chamber of a drawn piece. Every key of a chamber in `predict --json` is an attribute, with the unit in the name; None where the value
+    is unknown, or needs the shell. Numbers of a shell are dicts of `value` and `mesh_error`, some with a place.
+    """
+    @property
+    def chamber(self) -> float:
+        """Its number, from 1."""
+    @property
+    def at_mm(self) -> tuple[float, float]:
+        """The middle of its box."""
+    @property
+    def width_mm(self) -> float:
+        """Diameter W of the largest circle in the flat chamber."""
+    @property
+    def flat_area_mm2(self) -> float:
+        """Flat area of one sheet."""
+    @property
+    def flat_extents_mm(self) -> tuple[float, float]:
+        """Extents of the flat chamber along x and y."""
+    @property
+    def bendability(self) -> float | None:
+        """Bendability p W^3 / B."""
+    @property
+    def stretch(self) -> float | None:
+        """Stretch p W / Y of the fabric."""
+    @property
+    def wrinkles(self) -> str | None:
+        """Whether wrinkles are on the mesh (resolved), or the shape is their mean (averaged)."""
+    @property
+    def ranges(self) -> dict[str, Any] | None:
+        """Ranges where they are averaged."""
+    @property
+    def height_mm(self) -> dict[str, Any] | None:
+        """Largest distance between the sheets."""
+    @property
+    def extents_mm(self) -> list[dict[str, Any]] | None:
+        """Extents of the inflated chamber where it lies best on the flat one."""
+    @property
+    def volume_mm3(self) -> dict[str, Any] | None:
+        """Volume."""
+    @property
+    def seal_pull_N_per_mm(self) -> dict[str, Any] | None:
+        """Largest pull of one sheet on a seam."""
+    @property
+    def burst_pressure_kPa(self) -> float | None:
+        """Pressure at which the seal peels."""
+    @property
+    def burst_range_kPa(self) -> tuple[float, float] | None:
+        """Its range."""
+    @property
+    def largest_stretch(self) -> dict[str, Any] | None:
+        """Largest principal stretch."""
+    @property
+    def largest_tension_N_per_mm(self) -> dict[str, Any] | None:
+        """Largest principal tension, N/mm."""
+    @property
+    def plane_eigenvalue(self) -> dict[str, Any] | None:
+        """Lowest eigenvalue by p / W for leaving the plane of the drawing."""
+    @property
+    def plane(self) -> str | None:
+        """Whether it stays in that plane."""
+    @property
+    def leaves_plane(self) -> Any:
+        """Whether it may leave that plane: it leaves it, or the mesh error is too large to tell."""
+    @property
+    def seams(self) -> list[dict[str, Any]] | None:
+        """Its seams."""
+    @property
+    def unknowns(self) -> Any:
+        """Unknowns of each mesh, coarse to fine."""
+    @property
+    def iterations(self) -> float | None:
+        """Newton steps of all meshes."""
+    def to_dict(self) -> dict[str, Any]:
+        """All keys, equal to the JSON of the command's `--json`."""
 
 @final
 class ActuatorPrediction:
@@ -521,7 +674,7 @@ class Build:
         """The manifest, as in `manifest.json`."""
     @property
     def prediction(self) -> Prediction | DrawnPrediction | None:
-        """The prediction; None if the spec has no [load]."""
+        """The prediction, without a mesh; None if the spec has no [load]."""
     @property
     def deviation_mm(self) -> dict[str, float | None]:
         """Largest deviation of every measured file from the exact design, mm."""
@@ -567,12 +720,11 @@ def predict(
     accuracy: str | None = None,
     progress: _Progress = None,
 ) -> Prediction | DrawnPrediction:
-    """Predicts the behaviour of the gripper of `spec`.
+    """Predicts the behaviour of the gripper of `spec`: a Prediction of stars, or a DrawnPrediction with chambers.
 
     model: "fit", "ring", "bvp", "section", "shell" or "auto"; default: the spec's own.
     radii: also the force on round objects of these radii, "20 mm..40 mm/5".
     fineness: of the shell's meshes: "coarse" (default for drawings), "medium" (default for stars) or "fine".
-    The answer about a drawing has its own keys, `chambers` among them: read it by to_dict().
     accuracy: the cheapest model with an error of at most this, "2 %"; without model and fineness.
     progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
 
@@ -701,9 +853,25 @@ def coupon(
     heights: Sequence[str] | None = None,
     only: Sequence[CouponKind] | None = None,
     repeats: int | None = None,
-) -> dict[str, bytes]: ...
-def feed_check(spec: Spec) -> dict[str, bytes]: ...
-def machines() -> dict[str, str]: ...
+) -> dict[str, bytes]:
+    """The files of test pieces for the machine, the fabric and the tube of `spec`, by name: programs, drawings, and the table to fill in.
+    They have been read back.
+
+    temperatures: of the grid of strips, `["180 C", "200 C"]`; default: the spec's.
+    speeds: of the grid, `["0.1 mm/s", "0.2 mm/s"]`; default: once, twice and five times the spec's.
+    heights: of the tip in contact, `["0 mm", "0.1 mm"]`; default: the profile's.
+    only: the only kinds of coupons to make, a list: `["strips", "disc"]`; default: all.
+    repeats: how often each setting is sealed, 1 to 20; default: 3.
+
+    Raises DesignError if the machine cannot seal one of them, UsageError for wrong arguments.
+    """
+def feed_check(spec: Spec) -> dict[str, bytes]:
+    """The program that measures the real speed of the machine of `spec`, and its manifest, by name. The program has been read back.
+
+    Raises DesignError if the machine's profile contradicts the seal.
+    """
+def machines() -> dict[str, str]:
+    """The built-in machine profiles: name and description."""
 def rest(
     program: str,
     spec: Spec | None = None,
@@ -712,7 +880,10 @@ def rest(
     at: str | None = None,
     near: str | None = None,
     overlap: str | None = None,
-) -> tuple[str, int, float, float, float]: ...
+) -> tuple[str, int, float, float, float]:
+    """The program for the rest of the interrupted sealing program with the text `program`, with the place where it goes on:
+    `stargrip_cam.resume` has its arguments.
+    """
 def keys() -> dict[str, list[tuple[str, str]]]:
     """Name and type of every key of each class, for `python/stubs.py`."""
 def repeat(spec: Spec, model: Model | None, times: int) -> None:
