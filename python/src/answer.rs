@@ -38,7 +38,7 @@ impl Answer {
     /// The text that the command prints.
     fn page(&self) -> String {
         match self {
-            Self::Gripper(given, answer) => answer.text(&given.reading.spec),
+            Self::Gripper(given, answer) => answer.text(&given.reading.spec, true),
             Self::Actuator(actuated) => actuated.to_text(),
             Self::Restored { page, .. } => page.clone(),
         }

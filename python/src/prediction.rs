@@ -108,7 +108,7 @@ fn answer(
     asked: &StarQuestion,
     watch: &Watch<'_>,
 ) -> Result<(GripperAnswer, Option<Mesh>), Refused> {
-    let (spec, design) = asked.designed(given).map_err(Refused::Design)?;
+    let (spec, design, _) = asked.designed(given).map_err(Refused::Design)?;
     if design.drawn().is_some() && !asked.radii.is_empty() {
         let what = "no model predicts the force of a drawn shape on an object: leave out radii".to_owned();
         let fault = PredictFault { star: None, key: key::drawing::FILE, what, remedy: None };

@@ -2,19 +2,16 @@
 
 use design::{Refusal, RefusalCode};
 use geom::Point;
-use sealed::{Leak, SealedShape};
+use sealed::{Leak, SealedShape, seam_in_words};
 use spec::key;
 
-/// The leaks of `shape`: ways for air that are not ports.
-pub fn shape_leaks(shape: &SealedShape) -> Vec<Refusal> {
-    shape.topology().leaks.iter().map(|leak| refusal(shape, leak)).collect()
+/// The leaks of `shape`: ways for air that are not ports. Names of seams are those of a star, or of a drawing.
+pub fn shape_leaks(shape: &SealedShape, is_star: bool) -> Vec<Refusal> {
+    shape.topology().leaks.iter().map(|leak| refusal(shape, is_star, leak)).collect()
 }
 
-fn refusal(shape: &SealedShape, leak: &Leak) -> Refusal {
-    let seam = |number: &usize| match shape.seams[*number].name.as_str() {
-        "" => "seam".to_owned(),
-        name => format!("{name} seam"),
-    };
+fn refusal(shape: &SealedShape, is_star: bool, leak: &Leak) -> Refusal {
+    let seam = |number: &usize| seam_in_words(is_star, &shape.seams[*number].name);
     // Seams meet in one place at least.
     let met = |places: &[Point]| {
         format!("{} places, first at X {:.1} Y {:.1} mm", places.len(), places[0].x, places[0].y)

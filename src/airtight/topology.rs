@@ -5,7 +5,7 @@ use std::fmt;
 use crate::airtight::shape_leaks;
 use design::{Design, FlatPiece, Refusal, RefusalCode, Refusals};
 use geom::{Bounds, Segment, path_distance, segment_distance};
-use sealed::{Role, Seam};
+use sealed::{Role, Seam, seam_in_words};
 use spec::units::Readable;
 use spec::{Machine, Spec, key};
 
@@ -37,7 +37,7 @@ pub struct Passage {
 /// One loop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// "inner" or "outer"; for a drawing the seam's own name.
+    /// The seam's name in words: "inner loop" of a star, "crease-left" of a drawing.
     pub name: String,
     /// Its purpose.
     pub role: Role,
@@ -54,8 +54,9 @@ pub struct Loop {
 /// The passages that the seams of `part` leave open.
 pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
     let (shape, band) = (part.shape(), part.shape().band);
-    let (mut leaks, mut weaknesses): (Refusals, _) = (shape_leaks(shape).into_iter().collect(), Vec::new());
     let is_star = matches!(part, FlatPiece::Star(_));
+    let mut leaks: Refusals = shape_leaks(shape, is_star).into_iter().collect();
+    let mut weaknesses = Vec::new();
     let closure = |seam| closure(spec, machine, (seam, is_star), &mut leaks, &mut weaknesses);
     let loops = shape.seams.iter().map(closure).collect();
     let pairs =
@@ -95,17 +96,17 @@ fn closure(
     leaks: &mut Refusals,
     weaknesses: &mut Vec<String>,
 ) -> Loop {
-    let (path, name) = (&seam.center_line, seam.name.clone());
+    let (path, name) = (&seam.center_line, seam_in_words(is_star, &seam.name));
     let run = seam.run();
     let twice = run.length() - path.length();
     if path.closed {
         if (twice - seam.overlap).abs() > 1e-6 || seam.overlap <= 0.0 {
-            let what = format!("the {name} loop closes with an overlap of {twice:.3} mm");
+            let what = format!("the {name} closes with an overlap of {twice:.3} mm");
             let remedy = format!("overlap must be above 0 mm: at least the band of {}", spec.seal.band);
             leaks.push(Refusal::new(key::seal::OVERLAP, RefusalCode::NoOverlap, what, remedy));
         } else if seam.overlap < spec.seal.band.0 {
             weaknesses.push(format!(
-                "the {name} loop closes with an overlap of {} mm, less than the band of {}",
+                "the {name} closes with an overlap of {} mm, less than the band of {}",
                 seam.overlap, spec.seal.band
             ));
         }
@@ -123,7 +124,7 @@ fn closure(
     };
     // The seal's load is largest at a star's hinge; a drawing has no hinge.
     if is_star && path.closed && ahead.min(behind) <= 0.0 {
-        weaknesses.push(format!("the {name} loop starts on a hinge"));
+        weaknesses.push(format!("the {name} starts on a hinge"));
     }
     let between_passes = if path.closed { path.length() / spec.seal.speed.0 } else { 0.0 };
     Loop { name, role: seam.role, closed: path.closed, overlap: twice, to_hinge, between_passes }
@@ -175,14 +176,14 @@ impl fmt::Display for Passage {
                 let hours = between_passes / 3600.0;
                 writeln!(
                     f,
-                    "    {name} loop: closed{over}, {overlap:.1} mm sealed twice, {hours:.1} h between the passes"
+                    "    {name}: closed{over}, {overlap:.1} mm sealed twice, {hours:.1} h between the passes"
                 )?;
             } else if *role == Role::Weld {
                 writeln!(f, "    {name}: a weld from end to end")?;
             } else if self.eaten.is_none() {
                 writeln!(f, "    {name}: has no open ends")?;
             } else {
-                writeln!(f, "    {name} loop: opened by the inlet only")?;
+                writeln!(f, "    {name}: opened by the inlet only")?;
             }
         }
         let starts = self.starts_apart.map_or(String::new(), |apart| format!("starts {apart:.1} mm apart; "));

@@ -8,7 +8,7 @@ use design::CutEdge;
 use forecast::drawn::prediction::ChamberPrediction;
 use forecast::interval::scaled;
 use forecast::prediction::{Prediction, StarPrediction, distinct};
-use forecast::ranges::shown::{or_unknown, rounded, with_limit};
+use forecast::ranges::shown::{self, or_unknown, rounded, with_limit};
 use forecast::tone::Tone;
 use forecast::verdict::of_stars;
 use spec::key;
@@ -34,7 +34,7 @@ pub fn in_words(forecast: &Forecast) -> String {
     let payload = payload.zip(load.friction).map_or_else(String::new, |((kg, range), friction)| {
         let within = load.friction_range().filter(|[least, most]| least < most);
         let within = within.map_or_else(String::new, |[least, most]| format!(", {least} to {most},"));
-        format!("; with a friction of {friction}{within} it carries {}", with_limit(kg, range, "kg", mass))
+        format!("; with a friction of {friction}{within} it carries {}", shown::payload(kg, range, mass))
     });
     let why =
         if verdict.reasons.is_empty() { String::new() } else { format!(": {}", verdict.reasons.join("; ")) };
@@ -78,9 +78,11 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
     let Some(pressure) = load.pressure else { return Vec::new() };
     let mut rows = Vec::new();
     let distinct = distinct(prediction.stars.iter().map(closing));
-    let alike = distinct.len() == 1;
-    let closings =
-        distinct.iter().map(|(text, stars)| if alike { text.clone() } else { of_stars(stars, text) });
+    let is_alone = distinct.len() == 1;
+    let closings = distinct.iter().map(|(text, stars)| {
+        let text = format!("{text}{}", room(stars.iter().filter_map(|star| prediction.stars.get(star - 1))));
+        if is_alone { text } else { of_stars(stars, &text) }
+    });
     let closings: Vec<String> = closings.collect();
     let fabric = if forecast.spec.fabric.shear_modulus.is_none() { "; for isotropic fabric" } else { "" };
     rows.push(("closes", format!("{}{fabric}", closings.join("; "))));
@@ -150,17 +152,25 @@ fn inflated_size(chamber: &ChamberPrediction) -> Option<String> {
     Some(format!("to {x} x {y} x {z} mm{range}"))
 }
 
+/// The room that `stars`, which close equally, leave around the object on its way in; empty without an object that fits.
+fn room<'a>(stars: impl Iterator<Item = &'a StarPrediction>) -> String {
+    let gaps: Vec<f64> = stars.filter_map(|star| star.object_gap_mm).filter(|gap| *gap >= 0.0).collect();
+    let [least, most] = [f64::min, f64::max].map(|end| gaps.iter().copied().reduce(end).map(rounded));
+    match least.zip(most) {
+        None => String::new(),
+        Some((least, most)) if least == most => format!(", {least} mm of room around the object"),
+        Some((least, most)) => format!(", {least} to {most} mm of room around the object"),
+    }
+}
+
+/// The sizes between which `star` opens and closes, and its hole; without the room around the object, which differs along a stack.
 fn closing(star: &StarPrediction) -> String {
     let hole = format!("the cut hole is {} mm across", rounded(2.0 * star.hole_radius_mm));
-    let room = match star.object_gap_mm {
-        Some(gap) if gap >= 0.0 => format!(", {} mm of room around the object", rounded(gap)),
-        _ => String::new(),
-    };
-    let Some([_, most]) = star.graspable_radius_mm else { return format!("unknown; {hole}{room}") };
+    let Some([_, most]) = star.graspable_radius_mm else { return format!("unknown; {hole}") };
     let object = star.object_radius_mm.map(|radius| 2.0 * radius);
     let across = star.final_radius_mm.zip(star.ranges.final_radius_mm).map_or_else(
         || "unknown".to_owned(),
         |(radius, range)| with_limit(2.0 * radius, scaled(range, 2.0), "mm", object),
     );
-    format!("to {across} across; takes objects up to {} mm across; {hole}{room}", rounded(2.0 * most))
+    format!("to {across} across; takes objects up to {} mm across; {hole}", rounded(2.0 * most))
 }

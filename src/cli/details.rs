@@ -40,9 +40,8 @@ fn design(forecast: &Forecast) -> String {
             for seam in program.seams.iter().filter(|seam| seam.name.piece == placed.name()) {
                 let _ = writeln!(
                     out,
-                    "  {}{}: {:.1} mm of seam, {}",
-                    seam.name.seam,
-                    if design.assembly().is_some() { " loop" } else { "" },
+                    "  {}: {:.1} mm of seam, {}",
+                    seam.name.in_piece(),
                     seam.length,
                     hours(seam.time)
                 );
@@ -206,11 +205,11 @@ fn predicted(forecast: &Forecast) -> String {
     let text = if let Some(drawn) = &forecast.drawn {
         let mut prediction = drawn.prediction.clone();
         prediction.evidence.warnings.clear();
-        drawn_text(&forecast.spec, &prediction)
+        drawn_text(&forecast.spec, &prediction, true)
     } else {
         let Some(mut prediction) = forecast.prediction.clone() else { return String::new() };
         prediction.stars.iter_mut().for_each(|star| star.evidence.warnings.clear());
-        report::text(&forecast.spec, &prediction)
+        report::text(&forecast.spec, &prediction, true)
     };
     // The heading already contains the name.
     let body = text.split_once('\n').map_or("", |(_, body)| body);

@@ -1,5 +1,6 @@
 //! Ctrl-C (SIGINT) and SIGTERM: they end the program, unless a [`Listening`] exists. Then the first signal asks the work to stop, and the
-//! second one ends the program. So does the first one where the work does not stop: it may wait for a reader of its output.
+//! second one ends the program. So does the first one where the work does not stop: it may wait for a reader of its output. SIGXFSZ, the limit
+//! of a file's size, is a failed write.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock, Once};
@@ -55,6 +56,14 @@ impl Listening {
     pub(super) fn flag(&self) -> Arc<AtomicBool> {
         Arc::clone(&HEARD)
     }
+}
+
+/// Ignores SIGXFSZ, which would end the program in the middle of a file at the limit of its size (`ulimit -f`). The write fails instead, and
+/// the command ends with a message and removes what it has begun.
+pub(super) fn outlive_size_limit() {
+    // Where no handler can be set, the signal ends the program as usual.
+    #[cfg(unix)]
+    let _ = flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
 }
 
 /// Ends the program [`GRACE`] after a signal if the [`Listening`] that heard it still exists.

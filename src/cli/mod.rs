@@ -143,6 +143,7 @@ fn program() -> clap::Command {
 
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
+    interrupt::outlive_size_limit();
     ExitCode::from(run(env::args_os().collect()))
 }
 

@@ -79,6 +79,7 @@ fn in_words(name: &str, args: &ObjectArgs, required: &Requirements, near: &NearR
     let eased = &near.requirements;
     let friction = (!eased.friction_assumed).then_some(eased.friction);
     let sheet = if eased.room.sheet == required.room.sheet { args.sheet } else { Some(eased.room.sheet) };
+    let sheet = sheet.filter(|sides| sides.iter().all(|side| side.0.is_finite()));
     let options = [
         ("object", Some(eased.width_in_words())),
         ("height", eased.height_in_words()),

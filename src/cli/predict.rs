@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use crate::answer::quantity::{SIZE, evenly, quantity, range};
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, tell_under};
 use crate::cli::load::Loaded;
 use crate::cli::shell::{ShellArgs, not_computed};
 use crate::cli::verbosity::Verbosity;
@@ -85,11 +85,11 @@ pub enum GripperAnswer {
 }
 
 impl GripperAnswer {
-    /// The printed text; `spec` is the gripper's.
-    pub fn text(&self, spec: &Spec) -> String {
+    /// The printed text; `spec` is the gripper's. The values of the model are in it only if it `is_full`.
+    pub fn text(&self, spec: &Spec, is_full: bool) -> String {
         match self {
-            Self::Star(star) => report::text(spec, star),
-            Self::Drawn(drawn) => drawn::text::text(spec, drawn),
+            Self::Star(star) => report::text(spec, star, is_full),
+            Self::Drawn(drawn) => drawn::text::text(spec, drawn, is_full),
         }
     }
 
@@ -148,15 +148,22 @@ impl Args {
 }
 
 impl StarQuestion {
-    /// The spec with the requested model, and its design.
+    /// The spec with the requested model, its design, and the refusals of what only its making needs: hose, registration holes, sheet, bed
+    /// and frame. A star without these is predicted.
     ///
     /// # Errors
-    /// If there is no such design.
-    pub fn designed(&self, given: &Loaded) -> Result<(Spec, Design), Refusals> {
+    /// If there is no such star or drawing.
+    pub fn designed(&self, given: &Loaded) -> Result<(Spec, Design, Option<Refusals>), Refusals> {
         let mut spec = given.reading.spec.clone();
         spec.accuracy.model = self.model.unwrap_or(spec.accuracy.model);
-        let design = Design::new(&spec, &given.machine)?;
-        Ok((spec, design))
+        match Design::new(&spec, &given.machine) {
+            Ok(design) => Ok((spec, design, None)),
+            Err(refusals) if spec.has_stars() => match Design::new(&without_making(&spec), &given.machine) {
+                Ok(design) => Ok((spec, design, Some(refusals))),
+                Err(_) => Err(refusals),
+            },
+            Err(refusals) => Err(refusals),
+        }
     }
 
     /// The prediction of `design`, made from `spec`; with the inflated sheet if the shell is the model.
@@ -244,27 +251,41 @@ impl StarQuestion {
     }
 }
 
+/// `spec` without what has no part in a star's mechanics: the hose, registration holes, limits of sheet and bed, and a frame that fits.
+fn without_making(spec: &Spec) -> Spec {
+    let mut spec = spec.clone();
+    (spec.inlet, spec.mask.bed) = (None, None);
+    (spec.sheet.hole_diameter, spec.sheet.width, spec.sheet.height) = (Length(0.0), None, None);
+    (spec.frame.clearance, spec.frame.kerf, spec.cut.kerf) = (Length(0.0), Length(0.0), Length(0.0));
+    spec
+}
+
 /// Predicts, and prints the answer.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let question = args.question();
-    let (spec, design) = question.designed(&loaded).map_err(|refusals| loaded.refused(refusals))?;
+    let (spec, design, unmade) = question.designed(&loaded).map_err(|refusals| loaded.refused(refusals))?;
+    if let Some(refusals) = unmade {
+        let list: Vec<String> = refusals.iter().map(|refusal| format!("  - {}", refusal.found)).collect();
+        tell_under("predicted, but `check` refuses this design", &list.join("\n"));
+    }
     let answer = |watch: &Watch<'_>| {
         let (answer, shape) =
             question.answer((&spec, &design), watch).map_err(|refusal| not_computed(&loaded, refusal))?;
-        Ok((answer.json(), answer.text(&spec), shape))
+        Ok((answer.json(), answer.text(&spec, args.verbosity.verbose), shape))
     };
     let inputs = if let Some(pieces) = design.drawn() {
         args.refuse_those_of_stars()?;
         format!(
-            "predict {spec:?} {:?} {:?} {:?} {:?}",
+            "predict {spec:?} {:?} {:?} {:?} {:?} {}",
             pieces.air(),
             pieces.inner(),
             pieces.holes(),
-            question.accuracy
+            question.accuracy,
+            args.verbosity.verbose
         )
     } else if question.accuracy.is_some() || spec.accuracy.model == ModelChoice::Shell {
-        format!("predict {spec:?} {:?} {:?}", question.radii, question.accuracy)
+        format!("predict {spec:?} {:?} {:?} {}", question.radii, question.accuracy, args.verbosity.verbose)
     } else {
         args.shell.not_by_others()?;
         let (json, text, _) = answer(&Watch::default())?;

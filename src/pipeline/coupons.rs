@@ -52,7 +52,7 @@ impl MadeCoupons {
     ) -> Result<Self, Refusals> {
         let coupons = coupons(spec, machine, grid, groups)?;
         let leaks = coupons.iter().flat_map(|coupon| &coupon.pieces).flat_map(|piece| {
-            let leaks = airtight::shape_leaks(&piece.shape).into_iter();
+            let leaks = airtight::shape_leaks(&piece.shape, false).into_iter();
             leaks.map(|leak| Refusal { found: format!("{}: {}", piece.name, leak.found), ..leak })
         });
         leaks.collect::<Refusals>().or(())?;

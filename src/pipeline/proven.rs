@@ -234,10 +234,15 @@ pub fn read_back(files: &OutputFiles<'_>) -> Proof {
     }
 }
 
-/// Proves `files` of a directory, whose profile must also agree with its name in the spec.
+/// Proves `files` of a directory, whose profile must also agree with its name in the spec: in every value if this version wrote it, else in the
+/// dialect, which no version of a profile changes.
 fn prove_claimed(forecast: &Forecast, written: Option<&Manifest>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = prove_against(forecast, files);
-    if written.is_some_and(|written| written.tool == Tool::this()) {
+    let is_own = written.is_some_and(|written| written.tool == Tool::this());
+    let named = Machine::builtin(&forecast.spec.machine.profile).ok();
+    let has_other_dialect =
+        named.is_some_and(|named| named.controller.dialect != forecast.machine.controller.dialect);
+    if is_own || has_other_dialect {
         proof.findings.extend(other_profile(forecast, files));
     }
     proof

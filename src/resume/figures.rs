@@ -23,8 +23,9 @@ pub(super) struct Figures {
 impl Figures {
     /// The figures of `new`, a program that resumes `old`.
     ///
-    /// What the old program's total has beside its moves is the acceleration of its travels, which is not read: the new one is as long
-    /// plus as much, with its own approach from the sheet's corner.
+    /// The total that the old program states is longer than its moves by the acceleration of its travels, which is not read. Each travel begins
+    /// and ends at rest, and takes v / a longer than its way if it reaches its speed. So the new program has as large a part of that time as it
+    /// has of the travels.
     pub(super) fn new(old: &Toolpath<'_>, new: &Toolpath<'_>) -> Self {
         let (mut title, mut seam, mut first, mut length) = (None, 0.0, (0.0, 0.0), 0.0);
         for step in new.moves().filter(|step| step.phase != Phase::Clear) {
@@ -39,13 +40,14 @@ impl Figures {
                 first = (first.0 + flat, first.1 + step.seconds);
             }
         }
-        let told = old.told.unwrap_or(old.seconds);
+        let accelerating = old.stated.map_or(0.0, |stated| stated - old.at_speed());
+        let share = f64::from(new.travels) / f64::from(old.travels);
         Self {
             seam,
             first,
             length,
             is_again: old.job.is_some(),
-            seconds: (told - (old.approach + old.seconds) + new.approach + new.seconds).max(0.0),
+            seconds: (new.at_speed() + share * accelerating).max(0.0),
         }
     }
 

@@ -43,10 +43,12 @@ pub(super) struct Toolpath<'a> {
     pub(super) hot: usize,
     /// Time for all of its moves, s, without the first travel.
     pub(super) seconds: f64,
+    /// Number of its travels, with the first one.
+    pub(super) travels: u32,
     /// Time of the first travel, s, from the sheet's corner, where every program leaves the iron.
     pub(super) approach: f64,
     /// Time for all of it as stated in its header, with the accelerations of travels, s.
-    pub(super) told: Option<f64>,
+    pub(super) stated: Option<f64>,
     /// Time of the whole job as stated in the header of a program for its rest.
     pub(super) job: Option<f64>,
     /// Bounds of its moves.
@@ -63,7 +65,7 @@ fn from_corner(travel: &BlindMove, record: &Record) -> Option<f64> {
 impl<'a> Toolpath<'a> {
     /// Reads a whole program; a finding is an error.
     pub(super) fn read(text: &'a str, record: &'a Record) -> Result<Self, ResumeFault> {
-        let (mut lines, mut hot, mut heat, mut told, mut job, mut fault) = (0, 0, false, None, None, None);
+        let (mut lines, mut hot, mut heat, mut stated, mut job, mut fault) = (0, 0, false, None, None, None);
         let mut approach = None;
         each_line(text.split_inclusive('\n'), record.dialect(), |line| {
             lines = line.number;
@@ -76,7 +78,7 @@ impl<'a> Toolpath<'a> {
                         is_comment = true;
                         match comment.key() {
                             Some("heat") => heat = true,
-                            Some("total") if hot == 0 => told = comment.number("time_s"),
+                            Some("total") if hot == 0 => stated = comment.number("time_s"),
                             Some("job") if hot == 0 => job = comment.number("time_s"),
                             _ => {}
                         }
@@ -96,18 +98,25 @@ impl<'a> Toolpath<'a> {
             return Err(ResumeFault::NotOurs("heat"));
         }
         let (approach, reach) = (approach.unwrap_or(0.0), Bounds::EMPTY);
-        let toolpath = Self { text, record, lines, hot, seconds: 0.0, approach, told, job, reach };
-        let (mut seconds, mut reach) = (0.0, Bounds::EMPTY);
+        let toolpath =
+            Self { text, record, lines, hot, seconds: 0.0, travels: 1, approach, stated, job, reach };
+        let (mut seconds, mut travels, mut reach) = (0.0, toolpath.travels, Bounds::EMPTY);
         for step in toolpath.moves() {
             seconds = step.begins + step.seconds;
+            travels += u32::from(step.phase == Phase::Clear);
             reach = step.step.path.map_or(reach, |path| reach.union(path.bounds()));
         }
-        Ok(Self { seconds, reach, ..toolpath })
+        Ok(Self { seconds, travels, reach, ..toolpath })
+    }
+
+    /// Time of all its moves, s, if each travel had its speed at once.
+    pub(super) fn at_speed(&self) -> f64 {
+        self.approach + self.seconds
     }
 
     /// Time of the whole job, of which this program may be the rest, s, without the accelerations of travels.
     fn whole(&self) -> f64 {
-        let whole = self.job.zip(self.told).map(|(job, told)| job - told + self.seconds);
+        let whole = self.job.zip(self.stated).map(|(job, stated)| job - stated + self.seconds);
         whole.filter(|whole| *whole > 0.0).unwrap_or(self.seconds)
     }
 

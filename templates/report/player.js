@@ -248,19 +248,27 @@ function focus() {
   return seen ? [x, -y] : [left + width / 2, top + height / 2];
 }
 
+/** The caption of a sheet on paper. */
+function sheetTitle(sheet) {
+  return `Sheet ${sheet.sheet} of ${data.sheets.length}: ${stars(sheet.stars.map((star) => star.star))}`;
+}
+
 /** On paper all parts are shown, of every sheet; afterwards all is as before. */
 function printAll() {
   let before = null;
   window.addEventListener("beforeprint", () => {
     before = job.view;
     look(job.parts);
+    at("job-sheet").textContent = sheetTitle(data.sheets.find((sheet) => sheet.sheet === job.sheet));
     const { drawn } = job;
     job.drawn = new Map();
     at("job-others").replaceChildren(
       ...data.sheets.filter((sheet) => sheet.sheet !== job.sheet).map((sheet) => {
-        const says = `Sheet ${sheet.sheet} of ${data.sheets.length}: ${stars(sheet.stars.map((star) => star.star))}`;
+        const says = sheetTitle(sheet);
         const box = partsOf(sheet).map((x) => x.toFixed(2)).join(" ");
-        return make("figure", {}, draw("svg", { class: "job", role: "img", viewBox: box }, draw("title", {}, says), sheetGroup(sheet)), make("figcaption", {}, says));
+        // The layers that are off stay off.
+        const shown = { class: at("job").getAttribute("class"), role: "img", viewBox: box };
+        return make("figure", {}, draw("svg", shown, draw("title", {}, says), sheetGroup(sheet)), make("figcaption", {}, says));
       }),
     );
     job.drawn = drawn;
@@ -311,7 +319,8 @@ function play(on) {
 
 function showJob() {
   const places = data.sheets.length > 1 ? ` on ${data.sheets.length} sheets` : "";
-  at("seal-lead").textContent = `${several(data.programs.length, "program")}${places}, ${hours(job.total)} in all. Move the time slider, or point at a seam.`;
+  const lead = `${several(data.programs.length, "program")}${places}, ${hours(job.total)} in all.`;
+  at("seal-lead").append(lead, make("span", { class: "on-screen" }, " Move the time slider, or point at a seam."));
   at("layers").append(
     ...LAYERS.map(([name, says]) => {
       const box = make("input", { type: "checkbox", checked: name !== "travels", "data-layer": name });

@@ -25,7 +25,7 @@ function showBill() {
     row(`Mask for ${stars(mask.stars)}`, 1, `${figure(mask.area_mm2 / 100, "cm²")}`, `${figure(mask.volume_mm3 / 1000, "cm³")} if printed${pieces}; coating ${span(mask.coating_um, "µm")} thick`);
   }
   row("Seam", data.programs.reduce((sum, one) => sum + one.seams.length, 0), figure(totalSeam() / 1000, "m", 4), `${hours(totalTime())} at ${seal.speed}, ${seal.temperature}`);
-  table("parts", ["What", "Number", "Size", "Beside"], rows);
+  table("parts", ["What", "Number", "Size", "Note"], rows);
 }
 
 function showSettings() {
@@ -94,6 +94,9 @@ function payloadRange(prediction, load) {
   return `${span(range, "kg")} from the force's range and ${friction}`;
 }
 
+/** The highest friction that bare fabric has on a smooth object (docs/choosing.md). */
+const BARE = 0.42;
+
 /** The checklists' texts for this design. */
 function sayings() {
   const { bill, seal, hose, load, machine, prediction } = data;
@@ -122,6 +125,7 @@ function sayings() {
     plates: plates.join("; "),
     turns: same ? turns[0].split(" ")[0] : turns.join(", "),
     closes: closes || "",
+    bare: load && load.friction > 0 && load.friction <= BARE ? `a friction of ${number(load.friction)}` : "",
   };
 }
 

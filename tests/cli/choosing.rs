@@ -278,6 +278,25 @@ fn the_reason_binds_and_every_way_out_works() {
             "the object bears 0.1 N of each star",
             &["an object that bears "],
         ),
+        // The flap presses harder than the tube: the force that is offered counts it.
+        (
+            "--object 9mm --shape cylinder --mass 5g --fragile 0.31N",
+            "the gentlest star is for an object that bears ",
+            &["an object that bears "],
+        ),
+        (
+            "--object 6mm --shape cylinder --mass 5g --fragile 1N --friction 0.36",
+            ": this one bears 1 N",
+            &["an object that bears "],
+        ),
+        // A force and a sheet, each with a number.
+        (
+            "--object 270mm --mass 1.3kg --height 260mm --shape ball --fragile 1.9N --sheet 600x400",
+            "the star needs a sheet of ",
+            &["a sheet of "],
+        ),
+        // The least mass is that under all conditions, also those that are met.
+        ("--object 14mm --height 2.7mm --mass 290g --fragile 20N", "it can safely carry ", &["a mass of "]),
         // Two reasons, and one way out of both.
         ("--object 66mm --mass 35kg --sheet 90x90", "the star needs a sheet of ", &["a sheet of "]),
     ] {
@@ -298,6 +317,14 @@ fn the_reason_binds_and_every_way_out_works() {
         assert_eq!(offered.len(), ways.len(), "{request}: {said}");
         for (offered, way) in offered.iter().zip(ways) {
             assert!(offered.starts_with(way), "{request}: {said}");
+            assert!(!offered.contains("any "), "{request}: {said}");
+        }
+        // The reason and the way out of it have one number.
+        let carried =
+            said.split("it can safely carry ").nth(1).and_then(|text| text.split(" of the ").next());
+        let eased = offered.iter().find_map(|offered| offered.strip_prefix("a mass of "));
+        if let Some((carried, eased)) = carried.zip(eased) {
+            assert_eq!(carried, eased, "{request}: {said}");
         }
         if !ways.is_empty() {
             can_be_had(dir.path(), &said, request);

@@ -360,3 +360,28 @@ fn a_pressure_without_a_shell_is_refused_with_those_that_have_one() {
         );
     }
 }
+
+/// Every text about a seam of a shipped drawing calls it by the name that the manifest has.
+#[test]
+fn a_seam_has_one_name_in_all_texts() {
+    let drawings = Path::new(env!("CARGO_MANIFEST_DIR")).join("designs/drawings");
+    for name in ["hand-rest", "bending-finger", "letters", "pillow"] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let dir = folder.path();
+        let spec = drawings.join(format!("{name}.toml"));
+        let spec = spec.to_str().expect("a path of this repository");
+        let built = run(dir, &["build", spec, "-q", "-o", "out", "--with", "report"]);
+        assert!(built.status.success(), "{}", stderr(&built));
+        let file = |name: &str| fs::read_to_string(dir.join("out").join(name)).expect("a file of the build");
+        let manifest: Value = serde_json::from_str(&file("manifest.json")).expect("JSON");
+        let details = stdout(&run(dir, &["check", spec, "-v"]));
+        let (preview, report) = (file("sheet-1-preview.svg"), file("report.html"));
+        for seam in manifest["pieces"][0]["seams"].as_array().expect("seams") {
+            let seam = seam["name"].as_str().expect("a name");
+            assert_eq!(details.matches(&format!("\n  {seam}: ")).count(), 1, "{seam} in {details}");
+            assert_eq!(details.matches(&format!("\n    {seam}: ")).count(), 1, "{seam} in {details}");
+            assert!(preview.contains(&format!(": {seam} of piece 1<")), "{name}: {seam}");
+            assert!(report.contains(&format!("\"loop\":\"{seam}\"")), "{name}: {seam}");
+        }
+    }
+}

@@ -30,7 +30,44 @@ fn predict_prints_one_json_object() {
     let fit = run(dir.path(), &["predict", "spec.toml", "--json", "--model", "fit"]);
     let value: serde_json::Value = serde_json::from_slice(&fit.stdout).expect("JSON");
     assert_eq!((value["model"].as_str(), value["lambda_t"]["tip"].as_f64()), (Some("fit"), Some(1.28)));
-    assert!(text(&run(dir.path(), &["predict", "spec.toml"]).stdout).contains("payload of the whole stack"));
+    let [brief, full] = [&["predict", "spec.toml"][..], &["predict", "spec.toml", "-v"]]
+        .map(|args| text(&run(dir.path(), args).stdout));
+    assert!(brief.contains("payload of the whole stack"));
+    // Values of the model itself are details.
+    for row in ["target coiling", "hinge stiffness", "tip angle at rest", "bendability"] {
+        assert!(full.contains(row) && !brief.contains(row), "{row}: {brief}");
+    }
+}
+
+/// A star too small for a hose, registration holes and a frame is predicted all the same: its mechanics do not depend on its size.
+#[test]
+fn a_star_that_is_too_small_to_be_made_is_predicted() {
+    let dir = folder();
+    let star = |scale: f64, more: &str| {
+        let mm = |length: f64| format!("\"{} mm\"", length * scale);
+        format!(
+            "schema = 1\nname = \"small\"\n[star]\npoints = 5\ninner_radius = {}\ntube_width = {}\ntip_angle = \"30 deg\"\n\
+             [fabric]\nthickness = {}\n[seal]\nband = {}\nallowance = {}\nhole_allowance = {}\n[load]\npressure = \"37 kPa\"\n{more}",
+            mm(50.0),
+            mm(30.0),
+            mm(0.3),
+            mm(2.0),
+            mm(8.0),
+            mm(1.0)
+        )
+    };
+    let radius = |name: &str| {
+        let output = run(dir.path(), &["predict", name, "--json"]);
+        assert_eq!(output.status.code(), Some(0), "{name}: {}", text(&output.stderr));
+        let value: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        (value["final_radius_mm"].as_f64().expect("known"), text(&output.stderr))
+    };
+    fs::write(dir.path().join("large.toml"), star(1.0, "")).expect("written");
+    fs::write(dir.path().join("small.toml"), star(0.02, "")).expect("written");
+    let ((large, silent), (small, said)) = (radius("large.toml"), radius("small.toml"));
+    assert!((small / large - 0.02).abs() < 1e-6, "{small} {large}");
+    assert!(silent.is_empty() && said.contains("`check` refuses this design"), "{silent}{said}");
+    assert_eq!(run(dir.path(), &["check", "small.toml"]).status.code(), Some(1));
 }
 
 #[test]

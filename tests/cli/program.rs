@@ -178,6 +178,26 @@ fn predictions_of_another_version_are_unproven_and_no_finding() {
     assert_code(&replace("{"), 1);
 }
 
+/// The dialect of a profile is the same in all versions: a spec that names another one was not built from.
+#[test]
+fn a_profile_of_another_dialect_is_a_finding_whatever_version_wrote_it() {
+    let dir = workshop();
+    assert_code(&run(dir.path(), &["build", "star.toml", "-q"]), 0);
+    let path = dir.path().join("out/star/spec.toml");
+    let spec = fs::read_to_string(&path).expect("it") + "\n[machine]\nprofile = \"klipper\"\n";
+    fs::write(&path, &spec).expect("written");
+    edit_manifest(dir.path(), |manifest| {
+        manifest["tool"]["version"] = "9.8.7".into();
+        let files = manifest["files"].as_array_mut().expect("a list");
+        let entry = files.iter_mut().find(|file| file["path"] == "spec.toml").expect("it");
+        entry["sha256"] = stargrip_cam::manifest::sha256(spec.as_bytes()).into();
+        entry["bytes"] = spec.len().into();
+    });
+    let verified = run(dir.path(), &["verify", "out/star", "--read-back", "-q"]);
+    assert_code(&verified, 1);
+    assert!(stdout(&verified).contains("machine.toml: "), "{}", stdout(&verified));
+}
+
 #[test]
 fn the_same_spec_gives_the_same_bytes_anywhere() {
     let (a, b) = (workshop(), workshop());

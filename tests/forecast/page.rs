@@ -8,7 +8,7 @@ use stargrip_cam::units::{Length, LineForce, Percent, Pressure};
 
 fn page(spec: &Spec) -> (Prediction, String) {
     let prediction = predict(spec);
-    let text = text(spec, &prediction);
+    let text = text(spec, &prediction, true);
     (prediction, text)
 }
 

@@ -210,7 +210,7 @@ fn where_no_model_covers_a_star_nothing_is_said_of_it() {
         warnings[0].text.contains("section does not cover") && warnings[0].text.contains("allowed is"),
         "{warnings:?}"
     );
-    let page = stargrip_cam::forecast::report::text(&soft, &prediction);
+    let page = stargrip_cam::forecast::report::text(&soft, &prediction, true);
     assert!(page.contains("final radius                  unknown\n"), "{page}");
 }
 
@@ -485,7 +485,7 @@ fn a_page_says_nothing_twice() {
     let mut unsure = spec(PAPER);
     unsure.accuracy.response = stargrip_cam::units::Percent(1.0);
     let prediction = predict(&unsure).expect("an answer");
-    let page = stargrip_cam::forecast::report::text(&unsure, &prediction);
+    let page = stargrip_cam::forecast::report::text(&unsure, &prediction, true);
     assert_eq!(page.matches("more than the accepted 1 %").count(), 1, "{page}");
     assert!(page.lines().all(|line| line == line.trim_end()), "{page}");
 }

@@ -279,7 +279,7 @@ fn remedies(spec: &Spec) -> (Verdict, Vec<f64>, bool) {
     let texts = refusals(spec, &prediction).into_iter().map(|one| one.remedy).chain(found.reasons.clone());
     let (mut sizes, mut none) = (Vec::new(), false);
     for text in texts {
-        none |= text.contains("surely holds no object")
+        none |= text.contains("too wide to promise any size")
             || ["an inner_radius of at least ", "a larger inner_radius"]
                 .iter()
                 .any(|begin| text.starts_with(begin));

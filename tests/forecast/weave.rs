@@ -60,7 +60,7 @@ fn a_soft_weave_closes_less_only_where_shells_do() {
     {
         let mut spec = gripper(5);
         spec.load.as_mut().expect("a load").pressure = pressure.map(Pressure);
-        let page = text(&spec, &predict(&spec));
+        let page = text(&spec, &predict(&spec), true);
         assert_eq!(page.contains("soft in shear closes less"), closes_less, "{pressure:?}: {page}");
     }
 }

@@ -85,7 +85,7 @@ fn every_seeded_leak_is_seen() {
     let lost = leaks(&|d| d.distinct[0].shape.ports.clear());
     assert!(
         lost.iter().any(|leak| leak.code == "wrong-opening"
-            && leak.found.contains("the outer seam is open without an inlet")),
+            && leak.found.contains("the outer loop is open without an inlet")),
         "{lost:?}"
     );
 }

@@ -110,7 +110,7 @@ pub(super) fn may_not_press(load: &Load, star: &StarPrediction, object: f64) -> 
     Some(format!("it may touch the object without force: {surely}"))
 }
 
-const NONE_HELD: &str = "it surely holds no object of any size";
+const NONE_HELD: &str = "its range is too wide to promise any size of object";
 
 /// The star opens to `most` (mm) and the object of radius `object` is wider than those that are `held`.
 pub(super) fn too_wide_to_open(load: &Load, object: f64, most: f64, held: HeldSizes) -> Refusal {

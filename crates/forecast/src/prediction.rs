@@ -128,9 +128,12 @@ impl Verdict {
         ))
     }
 
-    /// The force of a star whose flap stays straight, if a limit is set.
+    /// The force of a star whose flap stays straight, if a limit is set and above it. A force above the limit is one of the reasons.
     pub fn flap_in_words(&self) -> Option<String> {
         let (bears, most) = (self.largest_force_N?, self.star_flap_force_N?);
+        if most > bears {
+            return None;
+        }
         Some(format!(
             "a star whose flap stays straight presses with at most {:.1} N; the object bears {bears} N",
             tenths_up(most)

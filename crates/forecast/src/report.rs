@@ -24,8 +24,8 @@ fn isotropic(stars: &[StarPrediction]) -> String {
     format!("all numbers are for isotropic fabric; a weave that is soft in shear {effect} (docs/weave.md)")
 }
 
-/// A page about `prediction`.
-pub fn text(spec: &Spec, prediction: &Prediction) -> String {
+/// A page about `prediction`; with the values of its model, such as coiling and stiffness of hinges, only if it `is_full`.
+pub fn text(spec: &Spec, prediction: &Prediction, is_full: bool) -> String {
     let mut out = format!("{}\n", spec.name);
     let pressure = spec.load.as_ref().and_then(|load| load.pressure).map(|pressure| pressure.0);
     let distinct = distinct(&prediction.stars);
@@ -36,7 +36,7 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
             (_, [number]) => writeln!(out, "\nstar {number}:"),
             _ => writeln!(out, "\nstars {}:", listed(numbers)),
         };
-        star_text(&mut out, star, pressure);
+        star_text(&mut out, star, pressure, is_full);
     }
     if let Some(mass) = prediction.stack_mass_g.filter(|_| prediction.stars.len() > 1) {
         let _ = writeln!(out, "\nmass of the whole stack         {} g", Readable(mass));
@@ -45,7 +45,7 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
         let text = match prediction.first.ranges.payload_kg {
             Some(range) => {
                 let mass = spec.load.as_ref().and_then(|load| load.mass).map(|mass| mass.0);
-                shown::with_limit(payload, range, "kg", mass)
+                shown::payload(payload, range, mass)
             }
             None if prediction.first.model == SHELL => {
                 let open =
@@ -69,10 +69,10 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
     out
 }
 
-/// What is predicted of `star` at `pressure`, kPa.
-fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
+/// The predictions of `star` at `pressure`, kPa.
+fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>, is_full: bool) {
     if star.evidence.mesh_errors.is_some() {
-        return result::star_text(out, star);
+        return result::star_text(out, star, is_full);
     }
     let pair = |of: Hinges<Option<f64>>| of.tip.zip(of.corner);
     // The reason why no model applies is printed with the warnings.
@@ -84,7 +84,7 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     line(out, "arm length", show(star.arm_length_mm, "mm"));
     // A limit is selected by name: its number is printed, and its error is unknown.
     let is_limit = star.model != Level::Section.name();
-    if let Some((tip, corner)) = pair(star.lambda_t) {
+    if let Some((tip, corner)) = pair(star.lambda_t).filter(|_| is_full) {
         let digits =
             |lambda: f64| if is_limit { Readable(lambda).to_string() } else { format!("{lambda:.3}") };
         line(out, "target coiling tip, corner", format!("{}, {}", digits(tip), digits(corner)));
@@ -108,19 +108,26 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>) {
     let (radial, of_hinges) = (star.radial_stiffness_N_per_m, &ranges.hinge_stiffness_Nm);
     quantity("final radius", star.final_radius_mm, ranges.final_radius_mm, "mm", is_asked);
     quantity("contraction", contraction, ranges.contraction.map(percent), "%", is_asked);
-    quantity("tip angle at rest", shut, ranges.tip_equilibrium_angle_deg, "deg", is_asked);
-    quantity("hinge stiffness tip", stiffness.0, of_hinges.tip, "N m/rad", is_asked);
-    quantity("hinge stiffness corner", stiffness.1, of_hinges.corner, "N m/rad", is_asked);
+    if is_full {
+        quantity("tip angle at rest", shut, ranges.tip_equilibrium_angle_deg, "deg", is_asked);
+        quantity("hinge stiffness tip", stiffness.0, of_hinges.tip, "N m/rad", is_asked);
+        quantity("hinge stiffness corner", stiffness.1, of_hinges.corner, "N m/rad", is_asked);
+    }
     quantity("radial stiffness", radial, ranges.radial_stiffness_N_per_m, "N/m", is_asked);
     let is_untried = star.hold == Some(Grip::Untried);
     quantity("force on the object", star.object_force_N, ranges.object_force_N, "N", is_untried);
-    quantity("payload of this star", star.payload_kg, ranges.payload_kg, "kg", false);
+    let payload = star.payload_kg.map(|kg| match ranges.payload_kg {
+        Some(range) => shown::payload(kg, range, None),
+        None => unknown(kg, "kg"),
+    });
+    line(out, "payload of this star", payload);
     grip_lines(out, star);
     seal_lines(out, star, pressure);
     line(out, "full actuation from", show(star.operating_pressure_kPa, "kPa"));
-    line(out, "bendability", star.bendability.map(|bendability| show(bendability, "")));
+    let bendability = star.bendability.filter(|_| is_full);
+    line(out, "bendability", bendability.map(|bendability| show(bendability, "")));
     let stretch = star.stretch.and_then(FabricStretch::ratio).map(|stretch| show(100.0 * stretch, "%"));
-    line(out, "stretch of the fabric p W / Y", stretch);
+    line(out, "stretch of the fabric", stretch);
     line(out, "preload of arms", star.preload_N.filter(|f| *f > 0.0).map(|force| show(force, "N")));
     line(out, "burst margin", star.burst_margin.map(|margin| show(margin, "")));
     line(out, "mass", star.mass_g.map(|mass| show(mass, "g")));

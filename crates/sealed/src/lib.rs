@@ -53,7 +53,7 @@ mod valve;
 pub use chambers::{Chamber, Topology};
 pub use fault::{Repair, ShapeCode, ShapeFault, ShapeWarning};
 pub use leak::Leak;
-pub use name::{PieceName, SeamName, scope};
+pub use name::{PieceName, SeamName, scope, seam_in_words};
 pub use offset::offset_right;
 pub use polyline::{of_polyline, polyline};
 pub use sealing::{Sealing, sealed_shape};

@@ -56,7 +56,21 @@ impl PieceName {
     }
 }
 
+/// The name of a seam within its piece, in words: "outer loop" of a star, "crease-left" of a drawing, "seam" where it has no name.
+pub fn seam_in_words(is_star: bool, seam: &str) -> String {
+    match (is_star, seam) {
+        (_, "") => "seam".to_owned(),
+        (true, seam) => format!("{seam} loop"),
+        (false, seam) => seam.to_owned(),
+    }
+}
+
 impl SeamName {
+    /// The name within its piece, in words: see [`seam_in_words`].
+    pub fn in_piece(&self) -> String {
+        seam_in_words(self.piece.kind() == "star", &self.seam)
+    }
+
     /// The name as words of a structured comment: "star=1 loop=outer", "piece=disc", "piece=2".
     pub fn facts(&self) -> String {
         match &self.piece {
@@ -99,15 +113,10 @@ impl fmt::Display for PieceName {
     }
 }
 
-/// In words: "outer loop of star 1", "seam of disc", "seam weld-1 of rest".
+/// In words: "outer loop of star 1", "seam of disc", "weld-1 of piece 1".
 impl fmt::Display for SeamName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { piece, seam } = self;
-        match piece {
-            PieceName::Numbered { kind: "star", .. } => write!(f, "{seam} loop of {piece}"),
-            PieceName::Named(_) if seam.is_empty() => write!(f, "seam of {piece}"),
-            _ => write!(f, "seam {seam} of {piece}"),
-        }
+        write!(f, "{} of {}", self.in_piece(), self.piece)
     }
 }
 
@@ -125,6 +134,8 @@ mod tests {
         );
         let disc = SeamName { piece: PieceName::Named("disc".to_owned()), seam: String::new() };
         assert_eq!((disc.facts().as_str(), disc.to_string().as_str()), ("piece=disc", "seam of disc"));
+        let weld = SeamName { piece: PieceName::numbered("piece", 1), seam: "crease-left".to_owned() };
+        assert_eq!((weld.facts().as_str(), weld.to_string().as_str()), ("piece=1", "crease-left of piece 1"));
         assert_eq!(scope(&[star(1), star(3)]), "stars=1-3");
         assert_eq!(scope(&[star(3)]), "stars=3");
         assert_eq!(scope(&[disc.piece]), "piece=disc");

@@ -96,9 +96,9 @@ fn order(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
     for (orders, stars, seam) in rows {
         let orders: Vec<String> = orders.iter().map(ToString::to_string).collect();
         let each = if stars.len() > 1 { " each" } else { "" };
-        let (side, orders) = (shortened(&seam.name.seam, 24), orders.join(", "));
+        let (side, orders) = (shortened(&seam.name.in_piece(), 24), orders.join(", "));
         block.say(match seam.name.piece.kind() {
-            "star" => format!("{orders}: {side} loop of {}", listed(&stars)),
+            "star" => format!("{orders}: {side} of {}", listed(&stars)),
             kind => {
                 let numbers: Vec<String> = stars.iter().map(ToString::to_string).collect();
                 format!("{orders}: {side} of {kind} {}", numbers.join(", "))

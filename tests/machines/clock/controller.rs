@@ -11,7 +11,7 @@ use super::timer::Timer;
 use super::track::Track;
 
 /// Speed of travels in the profiles, mm/s.
-const TRAVEL: f64 = 20.0;
+pub(crate) const TRAVEL: f64 = 20.0;
 
 /// The motors in a profile.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +54,12 @@ pub(crate) fn run(name: &str, text: &Text, motors: Motors) -> Track {
         Dialect::LinuxCnc => sweep(motors, Corner::Stop, 1.0).run(&tasks, &mut track),
     }
     track
+}
+
+/// The part of a stroke's time by which the dwell after it ends early on the controller of `dialect`, at `speed` mm/s.
+pub(crate) fn dwell_loss(dialect: &str, text: &Text, speed: f64) -> f64 {
+    let stroke = text.fact("chop.longest_mm").filter(|_| dialect == "marlin");
+    stroke.map_or(0.0, |stroke| super::marlin::EARLY * speed / stroke)
 }
 
 /// A board for Marlin: a timer of 8 bits has a floor of 32 steps/s, one of 32 bits has none.

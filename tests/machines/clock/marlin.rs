@@ -7,6 +7,9 @@ use super::track::Track;
 
 /// planner.cpp, BLOCK_DELAY_FOR_1ST_MOVE: number of polls of an idle stepper, a millisecond each.
 const FIRST_MOVE: f64 = 0.1;
+/// gcode.cpp, `dwell`: `time += millis(); while (PENDING(millis(), time)) idle();`. A dwell of P ms begins within a millisecond of the clock and
+/// ends with one, so it takes P - 1 to P ms, half a millisecond less than P on average, s. The time of `idle()` is left out.
+pub(crate) const EARLY: f64 = 0.5e-3;
 /// Number of blocks that end the wait early.
 const NO_WAIT: usize = 3;
 /// Configuration.h, JUNCTION_DEVIATION_MM.
@@ -76,7 +79,7 @@ impl Marlin {
                 }
                 Task::Dwell(time) => {
                     self.flush(&mut queue, track);
-                    track.rest(time * 1e-3);
+                    track.rest((time * 1e-3 - EARLY).max(0.0));
                 }
                 Task::Halt => {
                     self.flush(&mut queue, track);

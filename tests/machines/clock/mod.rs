@@ -27,7 +27,7 @@ mod track;
 use stargrip_cam::resume::{ResumeAt, resume};
 
 use self::controller::{BOARDS, Motors, run, run_marlin};
-use self::judge::{OTHER_VERSION, deviations, deviations_within};
+use self::judge::{OTHER_VERSION, deviations_within};
 use self::programs::{DIALECTS, coupon_programs, feed_check, machine, seals, spec};
 use self::text::Text;
 
@@ -57,7 +57,10 @@ fn every_program_runs_as_its_controller_was_told() {
         for (name, code) in all {
             let text = Text::read(&code);
             let speed = text.fact("seal.speed_mm_s").unwrap_or(spec.seal.speed.0);
-            let (_, complaints) = deviations(&text, &run(dialect, &text, motors), speed, motors.stop(speed));
+            let track = run(dialect, &text, motors);
+            let tolerance = judge::MEAN + controller::dwell_loss(dialect, &text, speed);
+            let (most, complaints) = deviations_within(tolerance, &text, &track, speed, motors.stop(speed));
+            println!("{dialect} {name} {most:?}");
             assert!(complaints.is_empty(), "{dialect}: {name}: {complaints:?}");
         }
     }
@@ -76,8 +79,13 @@ fn the_rest_of_a_job_takes_as_long_as_it_states() {
             let text = Text::read(&rest.text);
             let stated = text.fact("total.time_s").expect("a time");
             let off = run(dialect, &text, motors).now - stated;
-            // Two seconds: accelerations of travels that the rest no longer has.
-            assert!(off.abs() < 0.005 * stated + 2.0, "{dialect} {share}: {off:+.1} s of {stated} s");
+            println!("{dialect} {share} {off:+.2} s of {stated} s");
+            // A travel below its speed accelerates for less than the mean of all, by a fifth of v / a; the file has whole seconds.
+            let uneven = 0.2 * controller::TRAVEL / motors.acceleration + 0.5;
+            assert!(
+                off.abs() < judge::TOTAL * stated + uneven,
+                "{dialect} {share}: {off:+.2} s of {stated} s"
+            );
         }
     }
 }

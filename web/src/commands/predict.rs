@@ -43,14 +43,14 @@ fn answer(spec: &Spec, design: &Design, tell: Tell) -> Result<(String, Value), S
     let watch = Watch { progress: Some(&tell), ..Watch::default() };
     if let Some(pieces) = design.drawn() {
         let found = drawn::inflate(spec, pieces, DETAIL, &watch)?.prediction;
-        return Ok((drawn::text::text(spec, &found), json!(found)));
+        return Ok((drawn::text::text(spec, &found, false), json!(found)));
     }
     let found = if spec.accuracy.model == ModelChoice::Shell {
         star::predict((spec, design), &[], DETAIL, &watch)?.0
     } else {
         predicted(spec, design).map_err(ShellRefusal::Fault)?
     };
-    Ok((report::text(spec, &found), json!(found)))
+    Ok((report::text(spec, &found, false), json!(found)))
 }
 
 /// The model of this name, as in a spec.

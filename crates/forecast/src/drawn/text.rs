@@ -11,9 +11,9 @@ use spec::Spec;
 use spec::units::Readable;
 use std::fmt::Write;
 
-/// A page about `prediction`. The lines about the whole piece come first, then those of each chamber, then a line for each quantity that is
-/// measured. A line whose value is unknown is left out.
-pub fn text(spec: &Spec, prediction: &DrawnPrediction) -> String {
+/// A page about `prediction`; with the numbers of its meshes only if it `is_full`. The lines about the whole piece come first, then those of
+/// each chamber, then a line for each quantity that is measured. A line whose value is unknown is left out.
+pub fn text(spec: &Spec, prediction: &DrawnPrediction, is_full: bool) -> String {
     let mut out = format!("{}\n", spec.name);
     let (evidence, count) = (&prediction.evidence, prediction.chambers.len());
     let choice = evidence.accuracy.as_ref().map_or_else(|| evidence.choice.clone(), ToString::to_string);
@@ -39,7 +39,7 @@ pub fn text(spec: &Spec, prediction: &DrawnPrediction) -> String {
         let [x, y] = chamber.at_mm;
         let number = chamber.chamber;
         let _ = writeln!(out, "\nchamber {number} of {count}, around X {x:.1} Y {y:.1} mm:");
-        of_chamber(&mut out, chamber);
+        of_chamber(&mut out, chamber, is_full);
     }
     if !prediction.measures.is_empty() {
         out.push_str("\nmeasures:\n");
@@ -60,7 +60,7 @@ fn of_measure(out: &mut String, measure: &MeasurePrediction) {
     }
 }
 
-fn of_chamber(out: &mut String, chamber: &ChamberPrediction) {
+fn of_chamber(out: &mut String, chamber: &ChamberPrediction, is_full: bool) {
     let [x, y] = chamber.flat_extents_mm.map(Readable);
     line(out, "flat", format!("{x} x {y} mm, {} mm^2", Readable(chamber.flat_area_mm2)));
     line(out, "largest circle in it", format!("{} mm across", shown::rounded(chamber.width_mm)));
@@ -84,9 +84,13 @@ fn of_chamber(out: &mut String, chamber: &ChamberPrediction) {
     line(out, "largest tension", place(chamber.largest_tension_N_per_mm, None, "N/mm"));
     let stays = chamber.plane_eigenvalue.zip(chamber.plane).map(|(value, plane)| {
         let word = plane.answer();
-        format!("{word}: lowest eigenvalue {} p/W", number(value, None, ""))
+        let eigenvalue = || format!("{word}: lowest eigenvalue {} p/W", number(value, None, ""));
+        if is_full { eigenvalue() } else { word.to_owned() }
     });
     line(out, "stays in its plane", stays);
+    if !is_full {
+        return;
+    }
     let wrinkles = chamber.wrinkles.map_or(String::new(), |how| format!(", wrinkles {how}"));
     line(out, "bendability", chamber.bendability.map(|number| shown::rounded(number) + &wrinkles));
     line(out, "unknowns of meshes", chamber.unknowns.as_deref().map(listed));

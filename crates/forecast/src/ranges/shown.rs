@@ -1,6 +1,6 @@
 //! Values with their ranges or mesh errors as a person reads them: "12 N, 9 to 15", with as many digits as those leave.
 
-use crate::interval::Interval;
+use crate::interval::{Interval, scaled};
 use spec::units::Readable;
 use std::fmt::Write;
 
@@ -59,6 +59,17 @@ pub fn with_limit(value: f64, [low, high]: Interval, unit: &str, limit: Option<f
     format!("{}{gap}{unit}, {low} to {high}", text(value, step_of_value))
 }
 
+/// A payload with its range, which is judged by the mass `limit`, all kg: in g where the upper end is below [`HEAVY`].
+pub fn payload(kg: f64, range: Interval, limit: Option<f64>) -> String {
+    if range[1] < HEAVY {
+        return with_limit(1e3 * kg, scaled(range, 1e3), "g", limit.map(|kg| 1e3 * kg));
+    }
+    with_limit(kg, range, "kg", limit)
+}
+
+/// Payloads below this are read in g, kg.
+const HEAVY: f64 = 0.1;
+
 /// The end `x` of a range, rounded by `round` to `step`, or to a finer one that leaves it on its side of `limit`; and that step.
 fn end(x: f64, step: f64, round: fn(f64) -> f64, limit: Option<f64>) -> (f64, f64) {
     let rounded = |step: f64| round(x / step) * step;
@@ -75,10 +86,18 @@ fn finer(step: f64) -> impl Iterator<Item = f64> {
     (0..=6).map(move |digits| step * 0.1_f64.powi(digits))
 }
 
-/// Two numbers with as many decimals as tell them apart, one at least.
+/// Two numbers with as many decimals as tell them apart from each other and from 0, one at least.
 pub fn apart(a: f64, b: f64) -> [String; 2] {
     let texts = |decimals: usize| [a, b].map(|number| format!("{number:.decimals$}"));
-    (1..6).map(texts).find(|[a, b]| a != b).unwrap_or_else(|| texts(6))
+    let tells = |texts: &[String; 2]| {
+        texts[0] != texts[1] && texts.iter().zip([a, b]).all(|(text, number)| number == 0.0 || !is_zero(text))
+    };
+    (1..9).map(texts).find(tells).unwrap_or_else(|| texts(6))
+}
+
+/// Whether all digits of a printed number are 0.
+fn is_zero(text: &str) -> bool {
+    text.chars().all(|c| !c.is_ascii_digit() || c == '0')
 }
 
 /// `value` with as many decimals as tell it from both ends of a range, one at least.
@@ -195,6 +214,9 @@ mod tests {
     fn numbers_that_differ_are_printed_so() {
         assert_eq!(apart(7.7, 8.1), ["7.7", "8.1"]);
         assert_eq!(apart(7.712, 7.7041), ["7.71", "7.70"]);
+        // The force that 0.3 g need is not "0.0 N".
+        assert_eq!(apart(0.0098, 0.1), ["0.01", "0.10"]);
+        assert_eq!(apart(0.0, 0.1), ["0.0", "0.1"]);
     }
 
     #[test]

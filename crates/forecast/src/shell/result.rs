@@ -12,8 +12,9 @@ pub fn payload_mesh_error(star: &StarPrediction) -> Option<f64> {
     (force > 0.0).then_some(payload * open / force)
 }
 
-/// Adds the shell's values of `star` to `out`, a line each; adds no line for another model's answer.
-pub fn star_text(out: &mut String, star: &StarPrediction) {
+/// Adds the shell's values of `star` to `out`, a line each; adds no line for another model's answer. The numbers of its meshes are added only if
+/// the page `is_full`.
+pub fn star_text(out: &mut String, star: &StarPrediction, is_full: bool) {
     let Some(mesh) = &star.evidence.mesh_errors else { return };
     let show = |value: Option<f64>, unit: &str, error: f64| Some(shown::meshed(value?, error, unit));
     let place = |place: MeshedPlace, unit: &str| {
@@ -51,9 +52,11 @@ pub fn star_text(out: &mut String, star: &StarPrediction) {
     if let Some(FabricStretch::Largest(largest)) = star.stretch {
         line(out, "largest stretch", place(largest, ""));
     }
-    line(out, "bendability", star.bendability.map(|bendability| Readable(bendability).to_string()));
     line(out, "mass", star.mass_g.map(|mass| format!("{} g", Readable(mass))));
-    line(out, "unknowns of meshes", listed(star.evidence.unknowns.as_deref().unwrap_or_default()));
+    if is_full {
+        line(out, "bendability", star.bendability.map(|bendability| Readable(bendability).to_string()));
+        line(out, "unknowns of meshes", listed(star.evidence.unknowns.as_deref().unwrap_or_default()));
+    }
     for warning in &star.evidence.warnings {
         line(out, "warning", warning.text.clone());
     }

@@ -47,6 +47,8 @@ const SUBJECTS: [Easing; 5] = [Easing::Mass, Easing::Force, Easing::Sheet, Easin
 const OFFERS: [Easing; 5] = [Easing::Friction, Easing::Pressure, Easing::Sheet, Easing::Force, Easing::Mass];
 /// Most combinations of ways out of several conflicts that are tried.
 const COMBINATIONS: usize = 4;
+/// A requirement is named as a condition if a way out without it differs by this much, as a logarithm: more than searches differ.
+const NOTICED: f64 = 0.1;
 /// An object is near another if their sizes differ by no larger factor.
 const NEAR_SIZE: f64 = 0.9;
 
@@ -82,19 +84,16 @@ impl Finder<'_> {
             [conflict] => {
                 let ways = self.ways_out(conflict);
                 let subject = conflict.subject();
-                let way = ways.iter().find(|(easing, _)| Some(*easing) == subject);
-                let reasons = if conflict.core == conflict.context {
-                    conflict.reasons(way.map(|(_, nearest)| nearest))
-                } else {
-                    conflict.reasons(self.eased(&conflict.core, subject.as_slice()).as_ref())
-                };
+                let way = ways.iter().find(|(easing, _)| Some(*easing) == subject).map(|(_, way)| way);
+                let tightening = way.map_or_else(Vec::new, |way| self.tightening(conflict, way));
+                let reasons = conflict.reasons(way, &tightening);
                 let offered = ways.into_iter().filter(|(easing, _)| *easing != Easing::Machine);
                 Infeasible { reasons, nearest: offered.map(|(_, nearest)| nearest).collect() }
             }
             several => {
                 let reason = |conflict: &Conflict| {
                     let limit = self.eased(&conflict.core, conflict.subject().as_slice());
-                    conflict.reasons(limit.as_ref())
+                    conflict.reasons(limit.as_ref(), &[])
                 };
                 let reasons = several.iter().flat_map(reason).collect();
                 let nearest = combinations(several).find_map(|easings| self.eased(required, &easings));
@@ -141,6 +140,20 @@ impl Finder<'_> {
         let ways =
             OFFERS.into_iter().chain([Easing::Machine]).filter(|easing| conflict.is_solved_by(*easing));
         ways.filter_map(|easing| Some((easing, self.eased(&conflict.context, &[easing])?))).collect()
+    }
+
+    /// The requirements that do not belong to `conflict` and make `way`, in which its subject is eased alone, worse.
+    fn tightening(&self, conflict: &Conflict, way: &NearestRequirements) -> Vec<Easing> {
+        let Some(subject) = conflict.subject() else { return Vec::new() };
+        let granted = subject.value(&way.requirements);
+        let is_tightening = |limit: &Easing| {
+            let without = limit.given_up(&conflict.context).and_then(|rest| self.eased(&rest, &[subject]));
+            without.is_some_and(|looser| {
+                libm::fabs(libm::log(subject.value(&looser.requirements) / granted)) > NOTICED
+            })
+        };
+        let others = LIMITS.into_iter().filter(|limit| !conflict.limits.contains(limit));
+        others.filter(|limit| limit.applies(&conflict.context)).filter(is_tightening).collect()
     }
 
     /// The refusal of an object of a size for which no gripper is known: the nearest size with one, and the request for it if it is near.
@@ -197,13 +210,14 @@ impl Conflict {
         SUBJECTS.into_iter().find(|subject| self.limits.contains(subject))
     }
 
-    /// What is missed, and by how much: `limit` is the nearest request with its subject eased alone and without all requirements that do
-    /// not belong to it.
-    fn reasons(&self, limit: Option<&NearestRequirements>) -> Vec<String> {
+    /// What is missed, and by how much: `limit` is the nearest request with its subject eased alone. `tightening` has the requirements that do
+    /// not belong to the conflict and make this limit lower.
+    fn reasons(&self, limit: Option<&NearestRequirements>, tightening: &[Easing]) -> Vec<String> {
         let Some(subject) = self.subject() else { return Vec::new() };
         let required = &self.context;
+        let companions = SUBJECTS.into_iter().filter(|other| *other != subject);
         let companions =
-            SUBJECTS.into_iter().filter(|other| *other != subject && self.limits.contains(other));
+            companions.filter(|other| self.limits.contains(other) || tightening.contains(other));
         let conditions: String = companions.filter_map(|other| other.condition(required)).collect();
         let eased = limit.map(|nearest| &nearest.requirements);
         let mut reasons = vec![subject.shortfall(required, eased) + &conditions];
@@ -317,7 +331,8 @@ impl Easing {
                 format!("a sheet of {}", area(eased.room.sheet))
             }
             Self::Force if eased.largest_force != required.largest_force => {
-                format!("an object that bears {}", eased.force_in_words().unwrap_or_default())
+                let force = eased.force_in_words().unwrap_or_else(|| "any force of a star".to_owned());
+                format!("an object that bears {force}")
             }
             Self::Mass if eased.mass != required.mass => format!("a mass of {}", eased.mass_in_words()),
             Self::Size if eased.object != required.object => {

@@ -35,6 +35,8 @@ const NO_MASS: Mass = Mass(1e-6);
 const TRIALS: u32 = 12;
 /// A bisection ends where the relative difference is smaller.
 const CLOSE: f64 = 0.01;
+/// Most doublings of a value that the best gripper without a limit was expected to meet: its flap may press much harder than its tube.
+const DOUBLINGS: i32 = 6;
 /// Factors by which values beyond the end of a bisection are tried.
 const BEYOND: [f64; 2] = [1.12, 1.06];
 /// Diameters of objects that are tried where the one that is required is of a size for which no gripper was found, mm.
@@ -80,6 +82,14 @@ impl Finder<'_> {
         sizes.into_iter().find_map(|size| self.grippers(&Easing::Size.with(required, 0.5 * size)))
     }
 
+    /// The grippers that meet `loose` with the first of the values `least`, twice as much, and so on that is granted.
+    fn first_granted(&self, easing: Easing, loose: &Requirements, least: f64) -> Option<NearestRequirements> {
+        (0..=DOUBLINGS).find_map(|doublings| {
+            let value = easing.rounded(loose, least * 2.0_f64.powi(doublings), f64::INFINITY);
+            self.grippers(&easing.with(loose, value))
+        })
+    }
+
     /// `loose`, which has grippers, with the value that `easing` changed as near to the one that is `required` as a bisection comes.
     fn tightened(
         &self,
@@ -90,7 +100,10 @@ impl Finder<'_> {
         let mut nearest = if easing.value(&loose.requirements).is_finite() {
             loose
         } else {
-            match easing.enough(&loose).and_then(|eased| self.grippers(&eased)) {
+            match easing
+                .enough(&loose)
+                .and_then(|least| self.first_granted(easing, &loose.requirements, least))
+            {
                 Some(nearest) => nearest,
                 None => return loose,
             }
@@ -138,21 +151,20 @@ impl Easing {
         })
     }
 
-    /// The requirements of `loose` with a value in place of none, which its best gripper meets.
-    fn enough(self, loose: &NearestRequirements) -> Option<Requirements> {
+    /// A value that the best gripper of `loose`, which has none, may meet; of a force without its flap.
+    fn enough(self, loose: &NearestRequirements) -> Option<f64> {
         let best = &loose.choices.first()?.best;
-        let value = match self {
-            Self::Pressure => best.point.load.pressure?.0,
-            Self::Sheet | Self::Machine => star_diameter(loose)?,
+        match self {
+            Self::Pressure => best.point.load.pressure.map(|pressure| pressure.0),
+            Self::Sheet | Self::Machine => star_diameter(loose),
             // A search keeps its margin to this limit, and rounding takes a part of it.
-            Self::Force => 1.1 * MARGIN * best.answer.grip.as_ref()?.force_range?[1] / SEARCHED,
-            Self::Friction | Self::Mass | Self::Size => return None,
-        };
-        Some(self.with(&loose.requirements, self.rounded(&loose.requirements, value, f64::INFINITY)))
+            Self::Force => Some(1.1 * MARGIN * best.answer.grip.as_ref()?.force_range?[1] / SEARCHED),
+            Self::Friction | Self::Mass | Self::Size => None,
+        }
     }
 
     /// The value in `required`; of a sheet or a machine the largest diameter of a star, mm.
-    fn value(self, required: &Requirements) -> f64 {
+    pub(super) fn value(self, required: &Requirements) -> f64 {
         match self {
             Self::Friction => required.friction,
             Self::Pressure => required.pressure.map_or(f64::INFINITY, |pressure| pressure.0),

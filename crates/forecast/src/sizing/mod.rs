@@ -72,9 +72,10 @@ impl Requirements {
         in_unit(Length(2.0 * self.object.0), self.units.object)
     }
 
-    /// The object's mass, in its unit.
+    /// The object's mass, in its unit; below 10 g in g where the unit is kg.
     pub fn mass_in_words(&self) -> String {
-        in_unit(self.mass, self.units.mass)
+        let is_small = self.mass.0 < 0.01 && self.units.mass.is_none_or(|unit| unit == "kg");
+        in_unit(self.mass, if is_small { Some("g") } else { self.units.mass })
     }
 
     /// The object's height, in its unit.
