@@ -39,7 +39,7 @@ pub struct Passage {
 pub struct Loop {
     /// The seam's name in words: "inner loop" of a star, "crease-left" of a drawing.
     pub name: String,
-    /// Its purpose.
+    /// Purpose of the seam.
     pub role: Role,
     /// Whether it returns to its start.
     pub closed: bool,

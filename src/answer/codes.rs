@@ -12,7 +12,7 @@ pub struct CodeMeaning {
     pub about: &'static str,
     /// The code, as in a message: no-arm.
     pub code: &'static str,
-    /// Its meaning and remedy.
+    /// Meaning and remedy.
     pub meaning: &'static str,
     /// A message with this code.
     pub example: String,

@@ -62,11 +62,11 @@ pub fn sheet(text: &str) -> Result<[Length; 2], String> {
 pub struct Request {
     /// Width of the object across the grip.
     pub object: Stated<Length>,
-    /// Its height along the gripper's axis; `None`: equal to the width.
+    /// Height of the object along the gripper's axis; `None`: equal to the width.
     pub height: Option<Stated<Length>>,
-    /// Its shape; `None` for a ball.
+    /// Shape of the object; `None` for a ball.
     pub shape: Option<ObjectShape>,
-    /// Its mass.
+    /// Mass of the object.
     pub mass: Stated<Mass>,
     /// The pressure of the pump; `None`: the best one is chosen.
     pub pressure: Option<Stated<Pressure>>,

@@ -50,7 +50,7 @@ impl Loaded {
         Self::of(read_source(path)?, path, verbosity)
     }
 
-    /// The same without printing; "-" is standard input.
+    /// The spec of the file `path`, without printing; "-" is standard input.
     ///
     /// # Errors
     /// If the file cannot be read, or if the spec or its machine profile is invalid; all faults are listed.
@@ -58,10 +58,10 @@ impl Loaded {
         Self::spoken(path, QUIET)
     }
 
-    /// The same of a text called `name`; a path of its machine profile is relative to the directory of `path`.
+    /// The spec of a text called `name`; a path of its machine profile is relative to the directory of `path`.
     ///
     /// # Errors
-    /// As for [`Loaded::from_file`].
+    /// The errors of [`Loaded::from_file`].
     pub fn from_text(name: &str, text: &str, path: &Path) -> Result<Self, Failure> {
         // A text has the same limits as a file.
         Self::of(Source::from_bytes(name, text.as_bytes())?, path, QUIET)

@@ -121,7 +121,7 @@ enum Command {
     Completions(completions::Args),
     /// Print a page of the manual.
     Man(man::Args),
-    /// The same as `study run`.
+    /// Another name of `study run`.
     #[command(hide = true, alias = "table")]
     Sweep(study::compute::Args),
 }

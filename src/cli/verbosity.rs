@@ -30,7 +30,7 @@ pub(super) struct Quiet {
 }
 
 impl Quiet {
-    /// The same as [`Verbosity`].
+    /// The verbosity of a command with `--quiet` alone.
     pub(super) fn verbosity(self) -> Verbosity {
         Verbosity { quiet: self.quiet, ..Verbosity::default() }
     }

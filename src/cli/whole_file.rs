@@ -39,7 +39,7 @@ pub(super) fn first_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The same, or of standard input for "-".
+/// The first `most` bytes of the file `path`, or of standard input for "-".
 pub(super) fn given_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     if !is_standard_input(path) {
         return first_bytes(path, most);

@@ -56,22 +56,22 @@ pub struct Coupon {
     pub spec: Spec,
     /// The machine with the coupon's own height in contact.
     pub machine: Machine,
-    /// Its pieces in the sheet's frame, in the order of sealing.
+    /// Pieces in the sheet's frame, in the order of sealing.
     pub pieces: Vec<CouponPiece>,
     /// The program.
     pub program: Program,
-    /// Its seams, cuts and numbers in the sheet's frame, as SVG.
+    /// Seams, cuts and numbers in the sheet's frame, as SVG.
     pub svg: String,
 }
 
 /// One piece of a coupon, with its place.
 #[derive(Clone, Debug)]
 pub struct CouponPiece {
-    /// Its name: "strip-7", or that of the coupon if it is the only piece.
+    /// Name of the piece: "strip-7", or that of the coupon if it is the only piece.
     pub name: PieceName,
-    /// Its seams and cuts; a strip has no cut, its specimen is cut out of the middle.
+    /// Seams and cuts; a strip has no cut, its specimen is cut out of the middle.
     pub shape: SealedShape,
-    /// Its number on the drawing, and the number's lower left corner, if it has one.
+    /// Number on the drawing, and the number's lower left corner, if it has one.
     label: Option<(usize, Point)>,
 }
 
@@ -100,7 +100,7 @@ impl Coupon {
         Bounds { min: Point::ORIGIN, max: reached.max }
     }
 
-    /// Its seams in the order of sealing.
+    /// Seams of the coupon in the order of sealing.
     pub fn seams(&self) -> Vec<LaidSeam> {
         seams_of(&self.pieces, self.machine.process.ramp.0)
     }

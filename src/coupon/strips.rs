@@ -38,7 +38,7 @@ pub struct StripGrid {
 /// One strip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TestStrip {
-    /// Its number in the table and on the fabric, from 1.
+    /// Number in the table and on the fabric, from 1.
     pub number: usize,
     /// Temperature of the iron.
     pub temperature: Temperature,
@@ -46,7 +46,7 @@ pub struct TestStrip {
     pub speed: Speed,
     /// Height of the tip.
     pub height: Length,
-    /// Its start.
+    /// Start of the seal.
     pub start: Point,
 }
 

@@ -22,9 +22,9 @@ const MARK: char = '\u{feff}';
 /// A column of numbers that a table must have.
 #[derive(Clone, Copy, Debug)]
 pub struct TableColumn {
-    /// Its names, in lower case; `coupon` writes the first, the others are synonyms.
+    /// Names of the column, in lower case; `coupon` writes the first, the others are synonyms.
     pub names: &'static [&'static str],
-    /// Its unit: `mm_s` for mm/s.
+    /// Unit of the column: `mm_s` for mm/s.
     pub unit: &'static str,
     /// The range of its numbers.
     pub allowed: Allowed,

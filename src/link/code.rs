@@ -29,7 +29,7 @@ impl LinkCode {
         &self.link
     }
 
-    /// Its side with the quiet zone, in modules.
+    /// Side of the code with the quiet zone, in modules.
     pub fn side(&self) -> i32 {
         self.code.size() + 2 * QUIET
     }

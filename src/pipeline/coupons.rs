@@ -79,7 +79,7 @@ impl MadeCoupons {
         Ok(Self { coupons, files, table: has_strips.then(|| table(&strips)), manifest })
     }
 
-    /// The same coupons, ready to be published.
+    /// The coupons, ready to be published.
     ///
     /// # Errors
     /// All findings; each is a fault of this program.

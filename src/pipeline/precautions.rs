@@ -24,7 +24,7 @@ const UNKNOWN: &str = "generic";
 /// One task or warning before sealing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Precaution {
-    /// Its subject.
+    /// Subject of the precaution.
     pub code: PrecautionCode,
     /// The task or warning: a sentence without its full stop. Commands are in backticks.
     pub text: String,

@@ -36,7 +36,7 @@ impl Built {
         prove_against(&self.forecast, &self.output_files())
     }
 
-    /// The same gripper, ready to be published.
+    /// The gripper, ready to be published.
     ///
     /// # Errors
     /// All findings; each is a fault of this program.

@@ -15,7 +15,7 @@ pub enum ResumeFault {
     Trace,
     /// The program is damaged.
     Damaged(Finding),
-    /// Its moves do not agree with its comments, or its comments state no valid seal.
+    /// The moves do not agree with the comments, or the comments state no valid seal.
     Disagrees(Finding),
     /// It would seal at this temperature, which no spec may request.
     TooHot(Temperature),

@@ -69,7 +69,7 @@ pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resum
     longer.map(|wanted| rest(&toolpath, &stop, wanted)).find(Result::is_ok).unwrap_or(first)
 }
 
-/// The same with an overlap of at least `wanted` mm.
+/// A program for the rest of a job, with an overlap of at least `wanted` mm.
 fn rest(toolpath: &Toolpath<'_>, stop: &StopPoint, wanted: f64) -> Result<Resumed, ResumeFault> {
     let record = toolpath.record;
     // At a stop of the machine the seam may continue one stroke farther back.

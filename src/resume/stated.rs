@@ -15,7 +15,7 @@ const LENGTH: f64 = 0.02;
 const TIME: f64 = 0.6;
 /// The most by which strokes and dwells leave the schedule of a contact, s.
 const SCHEDULE: f64 = 5.0;
-/// The same where the controller joins short moves, of the time in contact.
+/// Tolerance of a stated time where the controller joins short moves, as a part of the time in contact.
 const JOINED: f64 = 5e-3;
 /// Rounding of a stated percentage, as a fraction.
 const SHARE: f64 = 6e-4;

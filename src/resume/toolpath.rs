@@ -17,7 +17,7 @@ pub(super) struct TimedMove {
     pub(super) along: f64,
     /// Time before it, s.
     pub(super) begins: f64,
-    /// Its time, s: in contact its length over the seal's speed, because strokes and dwells keep that schedule.
+    /// Time of the move, s: in contact its length over the seal's speed, because strokes and dwells keep that schedule.
     pub(super) seconds: f64,
     /// Whether a dwell follows it.
     pub(super) rests: bool,

@@ -32,7 +32,7 @@ pub(super) struct PublishRecord {
 /// One file.
 #[derive(Clone, Debug, Deserialize)]
 pub(super) struct Recorded {
-    /// Its name, without a path.
+    /// Name of the file, without a path.
     pub(super) path: String,
     /// The name of its kind.
     #[serde(default)]

@@ -20,7 +20,7 @@ pub(super) struct Picture {
 
 /// Marks that belong together.
 pub(super) struct Group {
-    /// Its name: letters, digits and `-`.
+    /// Name of the group: letters, digits and `-`.
     name: String,
     marks: Vec<Mark>,
 }
@@ -43,7 +43,7 @@ pub(super) struct Colour(pub(super) u8, pub(super) u8, pub(super) u8);
 #[derive(Clone, Copy)]
 pub(super) struct Pen {
     ink: Colour,
-    /// Its width, mm.
+    /// Width of the line, mm.
     width: f64,
     /// Lengths of a dash and of a gap, mm; `None` for an unbroken line.
     dash: Option<[f64; 2]>,
@@ -52,11 +52,11 @@ pub(super) struct Pen {
 /// The part of a text that is placed at its point.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Anchor {
-    /// Its beginning.
+    /// The beginning of the text.
     Start,
-    /// Its middle.
+    /// The middle of the text.
     Middle,
-    /// Its end.
+    /// The end of the text.
     End,
 }
 
@@ -69,9 +69,9 @@ pub(super) struct Text {
     pub(super) size: f64,
     /// The part of the text at this place.
     pub(super) anchor: Anchor,
-    /// Its colour.
+    /// Colour of the characters.
     pub(super) ink: Colour,
-    /// Its characters: printable ASCII.
+    /// Characters: printable ASCII.
     pub(super) content: String,
 }
 
@@ -86,7 +86,7 @@ impl Text {
         text.centered_at(center)
     }
 
-    /// The same, with the middle of its box at `center`.
+    /// The text with the middle of its box at `center`.
     pub(super) fn centered_at(self, center: Point) -> Self {
         Self { at: center - Vec2::new(0.0, 0.5 * (RISE - FALL) * self.size), anchor: Anchor::Middle, ..self }
     }
@@ -101,12 +101,12 @@ impl Text {
         self.at - Vec2::new(share * width, 0.0)
     }
 
-    /// Its width, mm.
+    /// Width of the text, mm.
     pub(super) fn width(&self) -> f64 {
         typeface::width(&self.content) * self.size
     }
 
-    /// Its box, in a face no wider than the one that pictures are measured with.
+    /// Box of the text, in a face no wider than the one that pictures are measured with.
     pub(super) fn bounds(&self) -> Bounds {
         let width = self.width();
         let start = self.start(width);
@@ -121,7 +121,7 @@ impl Pen {
         Self { ink, width, dash: None }
     }
 
-    /// The same, dashed.
+    /// The pen with dashes.
     pub(super) fn dashed(self, dash: f64, gap: f64) -> Self {
         Self { dash: Some([dash, gap]), ..self }
     }

@@ -85,7 +85,7 @@ pub(super) fn trace(text: &str, start: Point, size: f64) -> PathBuilder {
 struct Letter<'a> {
     start: Point,
     size: f64,
-    /// Its distance from the start, by the type's size.
+    /// Distance of the letter from the start, by the type's size.
     at: f64,
     scale: f64,
     path: &'a mut PathBuilder,

@@ -14,7 +14,7 @@ pub struct GridCell {
     pub seam: Path,
     /// The specimen that is cut out of it.
     pub specimen: Bounds,
-    /// Its settings for sealing, a line each.
+    /// Settings for sealing, a line each.
     pub words: Vec<String>,
 }
 

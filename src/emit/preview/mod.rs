@@ -39,7 +39,7 @@ impl Preview<'_> {
         Some(self.picture(sheet)?.svg())
     }
 
-    /// The same picture as a PNG of 1920 pixels along its longer side.
+    /// The preview as a PNG of 1920 pixels along its longer side.
     pub fn png(&self, sheet: usize) -> Option<Vec<u8>> {
         self.picture(sheet)?.png(SCREEN)
     }

@@ -61,7 +61,7 @@ impl Style {
         Pen::new(ink, 0.05 * weight * self.unit)
     }
 
-    /// The same, dashed.
+    /// A dashed pen.
     pub(super) fn dashes(self, ink: Colour, weight: f64) -> Pen {
         self.pen(ink, weight).dashed(0.5 * self.unit, 0.35 * self.unit)
     }

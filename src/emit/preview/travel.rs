@@ -13,9 +13,9 @@ const ARROWS: u32 = 8;
 
 /// The start of a seam.
 pub(super) struct Start {
-    /// Its number in the order of sealing.
+    /// Number in the order of sealing.
     pub(super) order: usize,
-    /// Its place on the sheet.
+    /// Place on the sheet.
     pub(super) at: Point,
     /// The direction of the iron from there.
     pub(super) along: Vec2,

@@ -26,7 +26,7 @@ pub struct Report<'a> {
     pub prediction: Option<&'a Prediction>,
     /// The prediction for a drawn piece; `None` for a spec without a load.
     pub drawn: Option<&'a DrawnPrediction>,
-    /// The same by pressure, object and number of points.
+    /// Predictions by pressure, object and number of points.
     pub charts: &'a [Charts],
     /// Precautions before sealing, the most pressing first: a code, and a sentence with commands in backticks.
     pub watch: &'a [(&'a str, &'a str)],

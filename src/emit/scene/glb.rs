@@ -29,7 +29,7 @@ pub(super) struct Node {
     pub(super) mesh: usize,
     /// The place of its origin, mm.
     pub(super) at: [f64; 3],
-    /// Its rotation about +Z, rad.
+    /// Rotation about +Z, rad.
     pub(super) turn: f64,
 }
 
@@ -63,7 +63,7 @@ impl Glb {
         self.meshes.len() - 1
     }
 
-    /// The same mesh by another name, its numbers shared; returns its index. Viewers find the target of an animation by the name
+    /// Adds a mesh again by another name, with shared numbers; returns its index. Viewers find the target of an animation by the name
     /// of its mesh.
     pub(super) fn again(&mut self, mesh: usize, name: &str) -> usize {
         let mut same = self.meshes[mesh].clone();

@@ -23,7 +23,7 @@ const ABOVE: f64 = 0.3;
 /// Triangles in mm, +Z up, counterclockwise seen from outside, or from above where there is only one side.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Mesh {
-    /// Its corners.
+    /// Corners of the triangles.
     pub(super) points: Vec<[f64; 3]>,
     /// The places of the same corners when the star is inflated; empty for a mesh that does not move.
     pub(super) inflated: Vec<[f64; 3]>,
@@ -120,7 +120,7 @@ impl Mesh {
         self.triangles.extend(other.triangles.into_iter().map(|corners| corners.map(|i| i + before)));
     }
 
-    /// The same mesh, whose corners `inflate` carries elsewhere.
+    /// The mesh with corners that `inflate` carries elsewhere.
     pub(super) fn inflating(self, inflate: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
         let inflated = self.points.iter().map(|p| inflate(*p)).collect();
         Self { inflated, ..self }

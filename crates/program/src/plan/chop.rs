@@ -8,7 +8,7 @@ use spec::{Machine, Motion, Spec, StepRate};
 /// to 15 %; of twelve strokes it was 15.5 % on one controller, of ten 16 %. The more there are, the larger a part of a stroke is a step of the motors.
 const STROKES: f64 = 13.0;
 
-/// The same where a controller joins short moves: now and then a stroke is longer by a part of another one.
+/// Strokes in a band where a controller joins short moves: now and then a stroke is longer by a part of another one.
 const SHORT_STROKES: f64 = 15.0;
 
 /// The limits by which a path is chopped.

@@ -16,7 +16,7 @@ pub fn lowest_speed(motion: &Motion, piece: &Segment, rise: f64) -> Option<f64> 
     lowest_on(motion, piece, rise, Motion::lowest_speed)
 }
 
-/// The same where `lowest` is that of a straight move with these displacements.
+/// The lowest speed along `piece`, which climbs by `rise`, where `lowest` is that of a straight move with these displacements.
 fn lowest_on(
     motion: &Motion,
     piece: &Segment,
@@ -282,7 +282,7 @@ pub(super) fn lowest_of(motion: &Motion, steps: &[Step]) -> Option<f64> {
     lowest_along(motion, contact(steps).map(|(piece, rise)| (*piece, rise)))
 }
 
-/// The same for `way`, pieces with the change of height along each.
+/// The lowest speed, mm/s, that `motion` holds along `way`, pieces with the change of height along each; `None` if it is unknown.
 pub(super) fn lowest_along(motion: &Motion, mut way: impl Iterator<Item = (Segment, f64)>) -> Option<f64> {
     way.try_fold(0.0_f64, |most, (piece, rise)| Some(most.max(lowest_speed(motion, &piece, rise)?)))
 }

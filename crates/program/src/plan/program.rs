@@ -17,7 +17,7 @@ pub enum Purpose {
 /// One program of one sheet, for one piece or several.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
-    /// Its purpose.
+    /// Purpose of the program.
     pub purpose: Purpose,
     /// Number of its sheet, from 1.
     pub sheet: usize,
@@ -79,7 +79,7 @@ pub enum Height {
 /// Length and time of one seam.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeamReport {
-    /// Its name.
+    /// Name of the seam.
     pub name: SeamName,
     /// Path in contact, overlap included, mm.
     pub length: f64,

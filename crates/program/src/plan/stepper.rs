@@ -94,7 +94,7 @@ impl Stepper {
         self.stepped(&ideal, most)
     }
 
-    /// The same for `most` steps of the axis that has most of them along the way `ideal`.
+    /// The time of a stroke of `most` steps of the axis that has most of them along the way `ideal`.
     fn stepped(&self, ideal: &Trapezoid, most: f64) -> f64 {
         let per_mm = most / ideal.length;
         let (mut elapsed, mut owed, mut t, mut left) = (0.0, 0.0, 0.0, most);

@@ -70,11 +70,11 @@ pub fn height_of(process: &Process, level: Height) -> f64 {
 /// The scope of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scope {
-    /// Its purpose.
+    /// Purpose of the program.
     pub purpose: Purpose,
     /// Number of its sheet, from 1.
     pub sheet: usize,
-    /// Its pieces, in the order of sealing.
+    /// Pieces of the program, in the order of sealing.
     pub pieces: Vec<PieceName>,
 }
 

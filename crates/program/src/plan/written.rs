@@ -29,11 +29,11 @@ pub struct Precision {
 /// A move as a file states it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Written {
-    /// Its start, mm.
+    /// Start of the move, mm.
     pub(super) from: [f64; 3],
-    /// Its end, mm.
+    /// End of the move, mm.
     pub(super) to: [f64; 3],
-    /// Its length, mm.
+    /// Length of the move, mm.
     pub(super) length: f64,
 }
 
