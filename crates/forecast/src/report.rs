@@ -118,7 +118,7 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>, is_
     quantity("force on the object", star.object_force_N, ranges.object_force_N, "N", is_untried);
     let payload = star.payload_kg.map(|kg| match ranges.payload_kg {
         Some(range) => shown::payload(kg, range, None),
-        None => unknown(kg, "kg"),
+        None => without_range(kg, "kg", is_limit),
     });
     line(out, "payload of this star", payload);
     grip_lines(out, star);
