@@ -20,7 +20,7 @@ use crate::{home, renews};
 
 /// The blocks that are not run: page, beginning of the first line.
 const NOT_RUN: &[(&str, &str)] = &[
-    ("README.md", "cargo install --locked --path .    # or `make install`: docs"),
+    ("README.md", "cargo install --locked --path .    # or `make install`"),
     ("README.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
     ("docs/benchmarks.md", "valgrind --tool=callgrind target/release/stargrip-cam build"),
     ("docs/benchmarks.md", "cargo build --release --locked -p stargrip-cam --bin stargri"),
@@ -28,9 +28,12 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/benchmarks.md", "cargo bench -p benches --bench mechanics -- section"),
     ("docs/benchmarks.md", "/usr/bin/time -f \"%e s %M kB\" stargrip-cam actuator --tube-w"),
     ("docs/hosts.md", "tests/strangers/octoprint        # OctoPrint's analysis of t"),
+    ("docs/install.md", "tar -xzf stargrip-cam-0.2.0-x86_64-unknown-linux-musl.tar.gz"),
+    ("docs/install.md", "sudo apt install ./stargrip-cam_0.2.0-1_amd64.deb    # or _a"),
+    ("docs/install.md", "pip install stargrip_cam-0.2.0-cp39-abi3-manylinux_2_17_x86_"),
     ("docs/install.md", "cargo install --locked --path .    # the program alone, in ~"),
     ("docs/install.md", "cd ~/.local && rm -r bin/stargrip-cam share/stargrip-cam sha"),
-    ("docs/install.md", "make dist                                    # target/dist/s"),
+    ("docs/install.md", "make release          # target/dist: archives, Debian packag"),
     ("docs/machines.md", "cargo test --release --locked --test machines clock:: -- --i"),
     ("docs/models.md", "cargo run --release -p research --example section_table > /t"),
     ("docs/models.md", "cargo run --release -p research -- ladders ladders"),
