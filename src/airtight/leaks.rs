@@ -10,6 +10,8 @@ pub fn shape_leaks(shape: &SealedShape, is_star: bool) -> Vec<Refusal> {
     shape.topology().leaks.iter().map(|leak| refusal(shape, is_star, leak)).collect()
 }
 
+/// The refusal of `leak`. Each kind of leak has a key whose value closes it, a code, a sentence with the seam and the first place, and a
+/// remedy.
 fn refusal(shape: &SealedShape, is_star: bool, leak: &Leak) -> Refusal {
     let seam = |number: &usize| seam_in_words(is_star, &shape.seams[*number].name);
     // Seams meet in one place at least.

@@ -307,28 +307,28 @@ fn the_reason_binds_and_every_way_out_works() {
         fs::write(dir.path().join("small.toml"), small).expect("written");
         let args: Vec<&str> = ["new", "wish"].into_iter().chain(request.split(' ')).collect();
         let output = run(dir.path(), &args);
-        let said = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(1), "{request}: {said}");
-        assert!(said.contains(reason), "{request}: {said}");
-        let offered: Vec<&str> = said
-            .lines()
-            .filter_map(|line| line.strip_prefix("a request near it that can be met: "))
-            .collect();
-        assert_eq!(offered.len(), ways.len(), "{request}: {said}");
-        for (offered, way) in offered.iter().zip(ways) {
-            assert!(offered.starts_with(way), "{request}: {said}");
-            assert!(!offered.contains("any "), "{request}: {said}");
-        }
-        // The reason and the way out of it have one number.
-        let carried =
-            said.split("it can safely carry ").nth(1).and_then(|text| text.split(" of the ").next());
-        let eased = offered.iter().find_map(|offered| offered.strip_prefix("a mass of "));
-        if let Some((carried, eased)) = carried.zip(eased) {
-            assert_eq!(carried, eased, "{request}: {said}");
-        }
+        let refusal = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{request}: {refusal}");
+        assert!(refusal.contains(reason), "{request}: {refusal}");
+        assert_offers(request, &refusal, ways);
         if !ways.is_empty() {
-            can_be_had(dir.path(), &said, request);
+            can_be_had(dir.path(), &refusal, request);
         }
+    }
+}
+
+/// Asserts that `refusal` offers `ways`, each with a number, and that the mass which can be carried is the one that is offered.
+fn assert_offers(request: &str, refusal: &str, ways: &[&str]) {
+    let heading = "a request near it that can be met: ";
+    let offers: Vec<&str> = refusal.lines().filter_map(|line| line.strip_prefix(heading)).collect();
+    assert_eq!(offers.len(), ways.len(), "{request}: {refusal}");
+    for (offer, way) in offers.iter().zip(ways) {
+        assert!(offer.starts_with(way) && !offer.contains("any "), "{request}: {refusal}");
+    }
+    let carried = refusal.split("it can safely carry ").nth(1).and_then(|rest| rest.split(" of the ").next());
+    let eased = offers.iter().find_map(|offer| offer.strip_prefix("a mass of "));
+    if let Some((carried, eased)) = carried.zip(eased) {
+        assert_eq!(carried, eased, "{request}: {refusal}");
     }
 }
 

@@ -372,10 +372,10 @@ fn a_seam_has_one_name_in_all_texts() {
         let spec = spec.to_str().expect("a path of this repository");
         let built = run(dir, &["build", spec, "-q", "-o", "out", "--with", "report"]);
         assert!(built.status.success(), "{}", stderr(&built));
-        let file = |name: &str| fs::read_to_string(dir.join("out").join(name)).expect("a file of the build");
-        let manifest: Value = serde_json::from_str(&file("manifest.json")).expect("JSON");
+        let [manifest, preview, report] = ["manifest.json", "sheet-1-preview.svg", "report.html"]
+            .map(|name| fs::read_to_string(dir.join("out").join(name)).expect("a file of the build"));
+        let manifest: Value = serde_json::from_str(&manifest).expect("JSON");
         let details = stdout(&run(dir, &["check", spec, "-v"]));
-        let (preview, report) = (file("sheet-1-preview.svg"), file("report.html"));
         for seam in manifest["pieces"][0]["seams"].as_array().expect("seams") {
             let seam = seam["name"].as_str().expect("a name");
             assert_eq!(details.matches(&format!("\n  {seam}: ")).count(), 1, "{seam} in {details}");

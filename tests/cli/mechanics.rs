@@ -39,34 +39,38 @@ fn predict_prints_one_json_object() {
     }
 }
 
+/// The spec of the paper's star under pressure, with all lengths by `scale`.
+fn scaled_star(scale: f64) -> String {
+    let lengths = [50.0, 30.0, 0.3, 2.0, 8.0, 1.0].map(|length: f64| format!("\"{} mm\"", length * scale));
+    let [radius, width, thickness, band, allowance, flap] = lengths;
+    format!(
+        "schema = 1\nname = \"small\"\n[star]\npoints = 5\ninner_radius = {radius}\ntube_width = {width}\ntip_angle = \"30 deg\"\n\
+         [fabric]\nthickness = {thickness}\n[seal]\nband = {band}\nallowance = {allowance}\nhole_allowance = {flap}\n\
+         [load]\npressure = \"37 kPa\"\n"
+    )
+}
+
+/// The predicted final radius, mm, of the spec `name` in `dir`, and the warnings.
+fn final_radius(dir: &Path, name: &str) -> (f64, String) {
+    let output = run(dir, &["predict", name, "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{name}: {}", text(&output.stderr));
+    let value: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    (value["final_radius_mm"].as_f64().expect("a radius"), text(&output.stderr))
+}
+
 /// A star too small for a hose, registration holes and a frame is predicted all the same: its mechanics do not depend on its size.
 #[test]
 fn a_star_that_is_too_small_to_be_made_is_predicted() {
     let dir = folder();
-    let star = |scale: f64, more: &str| {
-        let mm = |length: f64| format!("\"{} mm\"", length * scale);
-        format!(
-            "schema = 1\nname = \"small\"\n[star]\npoints = 5\ninner_radius = {}\ntube_width = {}\ntip_angle = \"30 deg\"\n\
-             [fabric]\nthickness = {}\n[seal]\nband = {}\nallowance = {}\nhole_allowance = {}\n[load]\npressure = \"37 kPa\"\n{more}",
-            mm(50.0),
-            mm(30.0),
-            mm(0.3),
-            mm(2.0),
-            mm(8.0),
-            mm(1.0)
-        )
-    };
-    let radius = |name: &str| {
-        let output = run(dir.path(), &["predict", name, "--json"]);
-        assert_eq!(output.status.code(), Some(0), "{name}: {}", text(&output.stderr));
-        let value: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
-        (value["final_radius_mm"].as_f64().expect("known"), text(&output.stderr))
-    };
-    fs::write(dir.path().join("large.toml"), star(1.0, "")).expect("written");
-    fs::write(dir.path().join("small.toml"), star(0.02, "")).expect("written");
-    let ((large, silent), (small, said)) = (radius("large.toml"), radius("small.toml"));
+    fs::write(dir.path().join("large.toml"), scaled_star(1.0)).expect("written");
+    fs::write(dir.path().join("small.toml"), scaled_star(0.02)).expect("written");
+    let (large, no_warnings) = final_radius(dir.path(), "large.toml");
+    let (small, warnings) = final_radius(dir.path(), "small.toml");
     assert!((small / large - 0.02).abs() < 1e-6, "{small} {large}");
-    assert!(silent.is_empty() && said.contains("`check` refuses this design"), "{silent}{said}");
+    assert!(
+        no_warnings.is_empty() && warnings.contains("`check` refuses this design"),
+        "{no_warnings}{warnings}"
+    );
     assert_eq!(run(dir.path(), &["check", "small.toml"]).status.code(), Some(1));
 }
 

@@ -116,11 +116,7 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>, is_
     quantity("radial stiffness", radial, ranges.radial_stiffness_N_per_m, "N/m", is_asked);
     let is_untried = star.hold == Some(Grip::Untried);
     quantity("force on the object", star.object_force_N, ranges.object_force_N, "N", is_untried);
-    let payload = star.payload_kg.map(|kg| match ranges.payload_kg {
-        Some(range) => shown::payload(kg, range, None),
-        None => without_range(kg, "kg", is_limit),
-    });
-    line(out, "payload of this star", payload);
+    line(out, "payload of this star", star.payload_kg.map(|kg| star_payload(star, kg, is_limit)));
     grip_lines(out, star);
     seal_lines(out, star, pressure);
     line(out, "full actuation from", show(star.operating_pressure_kPa, "kPa"));
@@ -141,6 +137,14 @@ fn star_text(out: &mut String, star: &StarPrediction, pressure: Option<f64>, is_
 /// A value without a range: that of a limit, whose error is unknown, else none.
 fn without_range(value: f64, unit: &str, is_limit: bool) -> String {
     if is_limit { shown::or_unknown(value, None, unit) } else { "unknown".to_owned() }
+}
+
+/// The payload `kg` of `star` with its range, if it has one.
+fn star_payload(star: &StarPrediction, kg: f64, is_limit: bool) -> String {
+    match star.ranges.payload_kg {
+        Some(range) => shown::payload(kg, range, None),
+        None => without_range(kg, "kg", is_limit),
+    }
 }
 
 /// The pull on the seal, and the pressure at which the seal bursts, beside `pressure`, kPa.

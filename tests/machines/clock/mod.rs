@@ -59,8 +59,9 @@ fn every_program_runs_as_its_controller_was_told() {
             let speed = text.fact("seal.speed_mm_s").unwrap_or(spec.seal.speed.0);
             let track = run(dialect, &text, motors);
             let tolerance = judge::MEAN + controller::dwell_loss(dialect, &text, speed);
-            let (most, complaints) = deviations_within(tolerance, &text, &track, speed, motors.stop(speed));
-            println!("{dialect} {name} {most:?}");
+            let (deviation, complaints) =
+                deviations_within(tolerance, &text, &track, speed, motors.stop(speed));
+            println!("{dialect} {name} {deviation:?}");
             assert!(complaints.is_empty(), "{dialect}: {name}: {complaints:?}");
         }
     }

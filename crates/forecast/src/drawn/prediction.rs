@@ -324,8 +324,7 @@ impl DrawnPrediction {
         if !names.is_empty() {
             list.push(warning(&names.join(", ")).into());
             if !self.measures.is_empty() {
-                let text =
-                    "measures have mesh errors only: where wrinkles are averaged, a shape with folds may differ by more";
+                let text = "measures have mesh errors only: where wrinkles are averaged, a shape with folds may differ by more";
                 list.push(PredictionWarning::new(WarningCode::Validity, text));
             }
         }

@@ -84,8 +84,10 @@ fn of_chamber(out: &mut String, chamber: &ChamberPrediction, is_full: bool) {
     line(out, "largest tension", place(chamber.largest_tension_N_per_mm, None, "N/mm"));
     let stays = chamber.plane_eigenvalue.zip(chamber.plane).map(|(value, plane)| {
         let word = plane.answer();
-        let eigenvalue = || format!("{word}: lowest eigenvalue {} p/W", number(value, None, ""));
-        if is_full { eigenvalue() } else { word.to_owned() }
+        if !is_full {
+            return word.to_owned();
+        }
+        format!("{word}: lowest eigenvalue {} p/W", number(value, None, ""))
     });
     line(out, "stays in its plane", stays);
     if !is_full {

@@ -89,10 +89,10 @@ fn finer(step: f64) -> impl Iterator<Item = f64> {
 /// Two numbers with as many decimals as tell them apart from each other and from 0, one at least.
 pub fn apart(a: f64, b: f64) -> [String; 2] {
     let texts = |decimals: usize| [a, b].map(|number| format!("{number:.decimals$}"));
-    let tells = |texts: &[String; 2]| {
+    let differ = |texts: &[String; 2]| {
         texts[0] != texts[1] && texts.iter().zip([a, b]).all(|(text, number)| number == 0.0 || !is_zero(text))
     };
-    (1..9).map(texts).find(tells).unwrap_or_else(|| texts(6))
+    (1..9).map(texts).find(differ).unwrap_or_else(|| texts(6))
 }
 
 /// Whether all digits of a printed number are 0.

@@ -146,14 +146,16 @@ impl Finder<'_> {
     fn tightening(&self, conflict: &Conflict, way: &NearestRequirements) -> Vec<Easing> {
         let Some(subject) = conflict.subject() else { return Vec::new() };
         let granted = subject.value(&way.requirements);
-        let is_tightening = |limit: &Easing| {
-            let without = limit.given_up(&conflict.context).and_then(|rest| self.eased(&rest, &[subject]));
-            without.is_some_and(|looser| {
-                libm::fabs(libm::log(subject.value(&looser.requirements) / granted)) > NOTICED
+        let candidates = LIMITS.into_iter().filter(|limit| !conflict.limits.contains(limit));
+        candidates
+            .filter(|limit| limit.applies(&conflict.context))
+            .filter(|limit| {
+                let rest = limit.given_up(&conflict.context);
+                let looser = rest.and_then(|rest| self.eased(&rest, &[subject]));
+                let ratio = looser.map_or(1.0, |looser| subject.value(&looser.requirements) / granted);
+                libm::fabs(libm::log(ratio)) > NOTICED
             })
-        };
-        let others = LIMITS.into_iter().filter(|limit| !conflict.limits.contains(limit));
-        others.filter(|limit| limit.applies(&conflict.context)).filter(is_tightening).collect()
+            .collect()
     }
 
     /// The refusal of an object of a size for which no gripper is known: the nearest size with one, and the request for it if it is near.
@@ -216,8 +218,7 @@ impl Conflict {
         let Some(subject) = self.subject() else { return Vec::new() };
         let required = &self.context;
         let companions = SUBJECTS.into_iter().filter(|other| *other != subject);
-        let companions =
-            companions.filter(|other| self.limits.contains(other) || tightening.contains(other));
+        let companions = companions.filter(|other| self.limits.contains(other) || tightening.contains(other));
         let conditions: String = companions.filter_map(|other| other.condition(required)).collect();
         let eased = limit.map(|nearest| &nearest.requirements);
         let mut reasons = vec![subject.shortfall(required, eased) + &conditions];

@@ -82,10 +82,10 @@ impl Finder<'_> {
         sizes.into_iter().find_map(|size| self.grippers(&Easing::Size.with(required, 0.5 * size)))
     }
 
-    /// The grippers that meet `loose` with the first of the values `least`, twice as much, and so on that is granted.
-    fn first_granted(&self, easing: Easing, loose: &Requirements, least: f64) -> Option<NearestRequirements> {
+    /// The grippers that meet `loose` with the first of the values `start`, twice as much, and so on that is granted.
+    fn first_granted(&self, easing: Easing, loose: &Requirements, start: f64) -> Option<NearestRequirements> {
         (0..=DOUBLINGS).find_map(|doublings| {
-            let value = easing.rounded(loose, least * 2.0_f64.powi(doublings), f64::INFINITY);
+            let value = easing.rounded(loose, start * 2.0_f64.powi(doublings), f64::INFINITY);
             self.grippers(&easing.with(loose, value))
         })
     }
@@ -102,7 +102,7 @@ impl Finder<'_> {
         } else {
             match easing
                 .enough(&loose)
-                .and_then(|least| self.first_granted(easing, &loose.requirements, least))
+                .and_then(|start| self.first_granted(easing, &loose.requirements, start))
             {
                 Some(nearest) => nearest,
                 None => return loose,

@@ -207,11 +207,9 @@ impl Kind {
             Subject::Seal | Subject::Outline | Subject::Mask | Subject::Pieces | Subject::Frame => {
                 self.format() == Format::Pdf
             }
-            Subject::Spec
-            | Subject::Machine
-            | Subject::Drawing
-            | Subject::Trace
-            | Subject::Prediction => false,
+            Subject::Spec | Subject::Machine | Subject::Drawing | Subject::Trace | Subject::Prediction => {
+                false
+            }
         }
     }
 
