@@ -1,5 +1,6 @@
 //! `stargrip-cam feedcheck`
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
@@ -40,17 +41,18 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let name = output.file_name().unwrap_or_default().to_string_lossy();
     let proven = feed_check(&loaded, &name)?;
     refuse_foreign(&output, "the program of a feed check", |text| text.contains(emit::FEED_CHECK_TITLE))?;
-    if args.force {
-        replace(&output, &proven.text)?;
-    } else if output.exists() {
+    if !args.force && output.exists() {
         let remedy = "--force replaces it, -o FILE writes another";
         let there = format!("{} exists already, from an earlier run: {remedy}", shown(&output));
         return Err(Failure::Message(there));
-    } else {
-        write_new(&output, &proven.text)?;
     }
+    // The manifest comes first: a program without one could be run, but not verified.
     let manifest = manifest_of(&output);
     replace(&manifest, &String::from_utf8_lossy(&proven.manifest.to_json()))?;
+    let outcome = if args.force { replace(&output, &proven.text) } else { write_new(&output, &proven.text) };
+    outcome.inspect_err(|_| {
+        let _ = fs::remove_file(&manifest);
+    })?;
     let seconds = plan::CHECK_LENGTH / spec.seal.speed.0;
     let remedy = match spec.machine.feed_floor {
         FeedFloor::Chop => "correct `chop_feed` and `acceleration` in the profile's [motion]",

@@ -1,6 +1,6 @@
 //! Programs, tables and specs as text files: read up to a limit, and written only as new files or atomically.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io;
 use std::io::Write;
 use std::path::Path;
@@ -35,15 +35,18 @@ pub(super) fn read_text(path: &Path, most: u64) -> Result<String, Failure> {
     })
 }
 
-/// Writes a new file; an existing one is an error.
+/// Writes a new file; an existing one is an error. A file that cannot be written whole is removed.
 pub(super) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
-    File::create_new(path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(|error| {
-        match error.kind() {
-            io::ErrorKind::AlreadyExists => {
-                Failure::Message(format!("{} exists already; choose another name", shown(path)))
-            }
-            _ => Failure::file("write", path, &error),
+    let result = File::create_new(path).and_then(|mut file| {
+        file.write_all(text.as_bytes()).inspect_err(|_| {
+            let _ = fs::remove_file(path);
+        })
+    });
+    result.map_err(|error| match error.kind() {
+        io::ErrorKind::AlreadyExists => {
+            Failure::Message(format!("{} exists already; choose another name", shown(path)))
         }
+        _ => Failure::file("write", path, &error),
     })
 }
 
