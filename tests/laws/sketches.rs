@@ -372,6 +372,21 @@ fn crowds_of_curves_are_merged_or_refused() {
     }
 }
 
+/// A slot as wide as the band whose mouth has a kink is sealed once.
+#[test]
+fn a_kinked_slot_is_one_wall() {
+    for (aside, along) in [(1e-6, 1e-3), (-1e-6, 1e-3), (1e-4, 0.01), (-1e-4, 0.01)] {
+        for width in [1.99, 2.0, 2.005, 2.015] {
+            let (a, b) = (30.0, 30.0 + width);
+            let mouth = [p(b + aside, 40.0), p(b, 40.0 - along), p(b, 15.0), p(a, 15.0), p(a, 40.0)];
+            let corners = [&[p(0.0, 0.0), p(60.0, 0.0), p(60.0, 40.0)][..], &mouth, &[p(0.0, 40.0)]].concat();
+            let sealing = sealed(&sketch(vec![("a", polygon(&corners))], vec![port(0.0, 20.0)]));
+            let counts = (sealing.shape.seams.len(), sealing.inner.len());
+            assert_eq!(counts, (2, 1), "{aside} {along} {width}");
+        }
+    }
+}
+
 /// Sketches of plain data are treated as those of files: an arc of kilometres is its chords.
 #[test]
 fn an_arc_of_kilometres_is_its_chords() {

@@ -65,7 +65,7 @@ impl ParallelCuts {
             }
         }
         for (stretch, numbers) in shared.iter().zip(numbers) {
-            cuts.unite_ends(stretch, numbers, parallels, reach);
+            cuts.unite_ends(stretch, numbers, &index, reach);
         }
         cuts
     }
@@ -83,21 +83,24 @@ impl ParallelCuts {
         numbers
     }
 
-    /// Notes that the cuts within `reach` mm of the ends of a shared stretch, along its parallels, are one with them.
+    /// Notes that the cuts within `reach` mm of the ends of a shared stretch are one with them.
     fn unite_ends(
         &mut self,
-        SharedStretch { lines, fractions, .. }: &SharedStretch,
+        stretch: &SharedStretch,
         numbers: [[usize; 2]; 2],
-        parallels: &[Segment],
+        index: &BoxIndex,
         reach: f64,
     ) {
-        for ((line, fractions), numbers) in lines.iter().zip(fractions).zip(numbers) {
-            let length = parallels[*line].length();
-            for (end, number) in fractions.iter().zip(numbers) {
-                let cuts = self.places[*line].iter().enumerate();
-                let united = cuts.filter(|(_, (fraction, _))| (fraction - end).abs() * length <= reach);
-                self.alike.extend(united.map(|(cut, _)| [[*line, cut], [*line, number]]));
-            }
+        for (end, place) in stretch.ends.iter().enumerate() {
+            let (line, number) = (stretch.lines[0], numbers[0][end]);
+            self.alike.push([[line, number], [stretch.lines[1], numbers[1][end]]]);
+            index.visit(&Bounds::of_points([*place]).grown(reach), |parallel| {
+                for (cut, (_, other)) in self.places[parallel].iter().enumerate() {
+                    if other.distance(*place) <= reach {
+                        self.alike.push([[parallel, cut], [line, number]]);
+                    }
+                }
+            });
         }
     }
 }
