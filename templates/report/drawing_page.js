@@ -85,7 +85,7 @@ function showMeasures() {
   const rows = drawn.measures.flatMap((measure) =>
     Object.entries(words).filter(([key]) => measure[key]).map(([key, word]) => {
       const unit = key.endsWith("deg") ? "°" : "mm";
-      return [measure.measure, word, figure(measure[key].flat, unit), meshed(measure[key].inflated, unit)];
+      return [measure.measure, key === "angle_deg" && measure.angle_to ? `angle to ${measure.angle_to}` : word, figure(measure[key].flat, unit), meshed(measure[key].inflated, unit)];
     }),
   );
   if (rows.length) table("measures", ["Measure", "Quantity", "Flat", "Inflated"], rows);

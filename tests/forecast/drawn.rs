@@ -176,7 +176,14 @@ fn a_star_drawn_as_a_region_is_the_star() {
     assert!(part.channel.is_none(), "its edges are closed");
     let found = chambers(&part.edges, &[], std::slice::from_ref(&part.outline.hole)).expect("chambers");
     let [chamber] = &found[..] else { panic!("{found:?}") };
-    let case = FlatRegion { chamber: chamber.by(1e3), fabric, pressure, band, probes: Vec::new() };
+    let case = FlatRegion {
+        chamber: chamber.by(1e3),
+        fabric,
+        pressure,
+        band,
+        probes: Vec::new(),
+        partial: Vec::new(),
+    };
     let drawn = region(&case, Fineness { cells: 1.5, cuts: 2 }, &watch).expect("a region");
     assert_eq!((chamber.islands.len(), chamber.holes.len(), drawn.wrinkles), (0, 1, Wrinkles::Resolved));
     // Corners lie on the circle around the axis that touches the inner edge.

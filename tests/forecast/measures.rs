@@ -1,10 +1,11 @@
-//! Measures of a drawing: points and lines whose places after inflation are asked for.
+//! Measures of a drawing, and chambers at pressures of their own.
 
 use stargrip_cam::design::{Design, DrawnPieces};
 use stargrip_cam::forecast::drawn::measures::{MeasurePrediction, MeasuredQuantity};
 use stargrip_cam::forecast::drawn::{InflatedDrawing, inflate, of_spec};
 use stargrip_cam::forecast::predict::PredictFault;
 use stargrip_cam::forecast::shell::Detail;
+use stargrip_cam::forecast::shell::star::ShellRefusal;
 use stargrip_cam::shell::cases::Watch;
 use stargrip_cam::spec::{Machine, Source, Spec, read};
 
@@ -116,5 +117,62 @@ fn measures_lie_in_one_chamber() {
     ] {
         let fault = flat_measure(measure).expect_err("refused");
         assert!(fault.what.contains(word) && fault.remedy.is_some(), "{fault}");
+    }
+}
+
+/// A strip of 40 x 80 mm, parted along its middle by a wall; a hose into each half, and a line across each end. `chambers` are the lines of
+/// `[load.chambers]`.
+fn bimorph(chambers: &str) -> Result<InflatedDrawing, ShellRefusal> {
+    let text = format!(
+        "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\nseam = [\"w\"]\nport = [\"p\"]\n\
+         measure = [\"m\"]\n[load]\npressure = \"10 kPa\"\n[load.chambers]\n{chambers}"
+    );
+    let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"80mm\" viewBox=\"0 0 200 80\">\
+        <g id=\"a\"><rect x=\"20\" y=\"20\" width=\"80\" height=\"40\"/></g><g id=\"w\"><path id=\"wall\" d=\"M20 40H100\"/></g>\
+        <g id=\"p\"><path id=\"upper\" d=\"M16 30H24\"/><path id=\"lower\" d=\"M16 50H24\"/></g>\
+        <g id=\"m\"><path id=\"base\" d=\"M30 20V60\"/><path id=\"tip\" d=\"M90 20V60\"/></g></svg>";
+    let reading = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}"));
+    let spec = reading.with_drawing(svg.as_bytes()).spec;
+    let design = Design::new(&spec, &Machine::builtin("generic").expect("built in"))
+        .unwrap_or_else(|refusals| panic!("{refusals}"));
+    inflate(&spec, design.drawn().expect("a drawing"), Detail::Coarse, &Watch::default())
+}
+
+/// The angle between tip and base, and the turn of the tip, deg.
+fn bend(drawing: &InflatedDrawing) -> [f64; 2] {
+    let [base, tip] = ["base", "tip"].map(|name| by_name(drawing, name));
+    assert_eq!(tip.angle_to.as_deref(), Some("base"));
+    [value(tip.angle_deg), value(tip.direction_deg) - value(base.direction_deg)]
+}
+
+fn value(quantity: Option<MeasuredQuantity>) -> f64 {
+    quantity.and_then(|quantity| quantity.inflated).expect("inflated").value
+}
+
+/// A strip bends to the side of the higher pressure, and as far to either side.
+#[test]
+fn a_strip_bends_to_the_chamber_of_higher_pressure() {
+    let [equal, upper, lower] = ["", "lower = \"0 kPa\"", "upper = \"0 kPa\""]
+        .map(|chambers| bimorph(chambers).unwrap_or_else(|why| panic!("{why:?}")));
+    assert!(bend(&equal)[0] < 0.1, "{:?}", bend(&equal));
+    let ([angle, turn], [mirrored_angle, mirrored_turn]) = (bend(&upper), bend(&lower));
+    // The ends of the pouches pull the strip to the inflated side; its first line runs from the upper edge to the lower one.
+    assert!(angle > 3.0 && (angle - turn.abs()).abs() < 0.1, "{angle} {turn}");
+    assert!(turn < 0.0 && mirrored_turn > 0.0, "{turn} {mirrored_turn}");
+    assert!((angle - mirrored_angle).abs() < 0.05 * angle, "{angle} {mirrored_angle}");
+    let [whole, half] =
+        [&equal, &upper].map(|drawing| drawing.prediction.volume_mm3.expect("inflated").value);
+    assert!((0.4..0.6).contains(&(half / whole)), "{half} of {whole}");
+}
+
+#[test]
+fn pressures_of_chambers_are_those_of_ports() {
+    for (chambers, words) in [
+        ("uper = \"0 kPa\"", ["no port is called \"uper\"", "did you mean \"upper\"?"]),
+        ("upper = \"0 kPa\"\nlower = \"0 kPa\"", ["no pressure in the chamber", "above 0"]),
+    ] {
+        let Err(ShellRefusal::Fault(fault)) = bimorph(chambers) else { panic!("{chambers} is taken") };
+        assert!(fault.what.contains(words[0]), "{fault}");
+        assert!(fault.remedy.as_ref().is_some_and(|remedy| remedy.contains(words[1])), "{fault}");
     }
 }

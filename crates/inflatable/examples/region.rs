@@ -45,7 +45,14 @@ fn run(
     // Fabric is cut out in the middle of the star.
     let cuts = if loops.len() > 1 { vec![circle(0.01)] } else { Vec::new() };
     let chamber = chambers(loops, &[], &cuts)?.remove(0);
-    let case = FlatRegion { chamber, fabric: fabric(t), pressure, band: 0.003, probes: Vec::new() };
+    let case = FlatRegion {
+        chamber,
+        fabric: fabric(t),
+        pressure,
+        band: 0.003,
+        probes: Vec::new(),
+        partial: Vec::new(),
+    };
     let quick = case.quick();
     let fineness = Fineness { cells: cells.unwrap_or(quick.cells), ..quick };
     let found = region(&case, fineness, &Watch::default())?;

@@ -161,7 +161,10 @@ const OF_STARS: [(&str, &str); 3] = [
 /// The drawing; `None` if the section is not written.
 pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
     let drawing = read_section(&mut reader.section("drawing"));
-    let _ = drawing.as_ref()?;
+    if drawing.is_none() {
+        refuse_chambers(reader);
+        return None;
+    }
     for (section, remedy) in OF_STARS {
         if let Some(value) = reader.raw.root().get(section) {
             let message = format!("[{section}] beside [drawing]");
@@ -175,9 +178,9 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
     unlike(reader, "inlet", |key| key == "tube_diameter", inlet);
     let load = (
         "no model predicts the force of a drawn shape on an object",
-        "delete it; only `pressure` counts here",
+        "delete it; only `pressure` and `chambers` count here",
     );
-    unlike(reader, "load", |key| key == "pressure", load);
+    unlike(reader, "load", |key| ["pressure", "chambers"].contains(&key), load);
     let hole = (
         "only stars have a flap on the hole side",
         "delete it; the holes of a drawing are cut as they are drawn",
@@ -185,6 +188,15 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
     unlike(reader, "seal", |key| key != "hole_allowance", hole);
     separator(reader);
     drawing
+}
+
+/// A fault for pressures of chambers of a star, which has one chamber.
+fn refuse_chambers(reader: &mut Reader<'_>) {
+    let load = reader.raw.root().get("load").and_then(RawValue::as_table);
+    let Some(chambers) = load.and_then(|load| load.get("chambers")) else { return };
+    let fault =
+        Fault::error(FaultCode::Conflict, chambers.span.clone(), "`chambers` in [load] without [drawing]");
+    reader.faults.push(fault.label("a star has one chamber").help("delete it; `pressure` is the star's"));
 }
 
 /// A fault for each key of `section` that drawings do not have (`has`), with a label and a remedy.

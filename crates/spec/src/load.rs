@@ -23,6 +23,7 @@ pub(super) fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
         friction_most: s.number("friction_most", Allowed::above(0.0, 10.0)),
         mass: s.quantity("mass", Allowed::above(0.0, 1e4)),
         largest_force: s.quantity("largest_force", Allowed::above(0.0, 1e6)),
+        chambers: s.quantities("chambers", Allowed::closed(0.0, 1e6)),
     };
     check_friction(s, &load);
     s.is_written().then_some(load)

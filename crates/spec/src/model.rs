@@ -327,6 +327,8 @@ pub struct Load {
     pub mass: Option<Mass>,
     /// Largest radial force of one star that the object bears.
     pub largest_force: Option<Force>,
+    /// Gauge pressures of chambers of a drawing that differ from `pressure`, by the names of their ports.
+    pub chambers: Vec<(String, Pressure)>,
 }
 
 impl Load {

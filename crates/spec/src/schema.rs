@@ -31,6 +31,7 @@ const CLAMPS: &str = "keep_out";
 /// Keys that the starter leaves out, because they exclude a key that is shown.
 pub(super) const INSTEAD: &str = r#"
 [load]
+chambers = { "right-hose": "0 kPa" }  # pressures of chambers of a drawing that differ from `pressure`, by the names of their ports
 object_radius = "30 mm"  # half of object_diameter, which it replaces; set one of the two
 # A shape by your own drawing, in place of [star], [stack] and [frame].
 [drawing]

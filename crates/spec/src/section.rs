@@ -229,14 +229,46 @@ impl<'r> Section<'_, 'r> {
     /// A quantity of some kind in its base unit within `allowed`; `None` if it is absent or faulty.
     pub(super) fn in_base(&mut self, key: &'static str, kind: QuantityKind, allowed: Allowed) -> Option<f64> {
         let value = self.take(key, ValueShape::Quantity(kind, allowed))?;
+        self.quantity_of(key, value, kind, allowed)
+    }
+
+    /// Quantities by name within `allowed`, in the order of the text; those that are faulty are left out.
+    pub(super) fn quantities<Q: Quantity>(
+        &mut self,
+        key: &'static str,
+        allowed: Allowed,
+    ) -> Vec<(String, Q)> {
+        let Some(value) = self.take(key, ValueShape::Quantities(Q::KIND, allowed)) else { return Vec::new() };
+        let Some(table) = value.as_table() else {
+            let label = format!("must be a section, [{}.{key}], with a quantity for each name", self.name);
+            let _: Option<()> = self.refuse_type(key, value, &label);
+            return Vec::new();
+        };
+        let mut quantities = Vec::new();
+        for entry in &table.0 {
+            if let Some(base) = self.quantity_of(&entry.key, &entry.value, Q::KIND, allowed) {
+                quantities.push((entry.key.clone(), Q::from_base(base)));
+            }
+        }
+        quantities
+    }
+
+    /// The quantity `value` of `key` in its base unit; `None` if it is faulty.
+    fn quantity_of(
+        &mut self,
+        key: &str,
+        value: &RawValue,
+        kind: QuantityKind,
+        allowed: Allowed,
+    ) -> Option<f64> {
         let a_quantity = article(kind.name);
         let fault = match &value.kind {
             RawKind::Text(text) => match kind.parse(text) {
-                Ok((found, _)) if allowed.holds(found) => return Some(found),
-                Ok((found, _)) => {
-                    let base = format!("{} {}", Readable(found), kind.unit());
+                Ok((number, _)) if allowed.holds(number) => return Some(number),
+                Ok((number, _)) => {
+                    let base = format!("{} {}", Readable(number), kind.unit());
                     // Far out of every range the number in the base unit only adds digits.
-                    let is_plain = base == text.trim() || found.abs() > 1e9;
+                    let is_plain = base == text.trim() || number.abs() > 1e9;
                     let same = if is_plain { String::new() } else { format!(", that is {base}") };
                     let message = format!("`{key}` is {}{same}", quoted(text));
                     Fault::error(FaultCode::OutOfRange, value.span.clone(), message)
@@ -336,9 +368,9 @@ impl<'r> Section<'_, 'r> {
             RawKind::Number(number) if number.is_integer => number,
             _ => return self.refuse_type(key, value, "must be a whole number, without quotes and unit"),
         };
-        let found = number.whole.and_then(|whole| u32::try_from(whole).ok());
-        if let Some(found) = found.filter(|found| (low..=high).contains(found)) {
-            return Some(found);
+        let count = number.whole.and_then(|whole| u32::try_from(whole).ok());
+        if let Some(count) = count.filter(|count| (low..=high).contains(count)) {
+            return Some(count);
         }
         let allowed = format!("must be from {low} to {high}");
         self.refuse(FaultCode::OutOfRange, key, format!("`{key}` is {}", number.shown()), allowed);

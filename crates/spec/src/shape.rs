@@ -37,6 +37,8 @@ pub(super) enum ValueShape {
     Sections,
     /// A section whose keys are these words, each with a list of texts.
     Lists(Vec<&'static str>),
+    /// A section whose keys are names, each with a quantity in the range.
+    Quantities(QuantityKind, Allowed),
 }
 
 impl ValueShape {
@@ -82,6 +84,14 @@ impl ValueShape {
             Self::Truth => return (json!({ "type": "boolean" }), None),
             Self::Text => return (json!({ "type": "string" }), None),
             Self::Sections => return (json!({ "type": "array" }), None),
+            Self::Quantities(kind, allowed) => {
+                let (quantity, told) = Self::Quantity(*kind, *allowed).schema();
+                let schema = json!({ "type": "object", "additionalProperties": quantity });
+                return (
+                    schema,
+                    told.map(|told| format!("By name: {}{}", told[..1].to_lowercase(), &told[1..])),
+                );
+            }
             Self::Lists(words) => {
                 let keys: Map<_, _> = words.iter().map(|word| ((*word).to_owned(), texts())).collect();
                 let schema = json!({ "type": "object", "additionalProperties": false, "properties": keys });

@@ -4,7 +4,7 @@ use crate::drawn::{DrawnPiece, Measure, rules, sketch};
 use crate::placement::{SheetLayout, footprint, place};
 use crate::{FlatPiece, PlacedPart, Refusals, Warning};
 use geom::{Bounds, Path};
-use sealed::separate;
+use sealed::{DrawnPort, separate};
 use spec::{DrawingSpec, Fabric, Machine, Spec};
 
 /// The pieces of one drawing: what its cuts part.
@@ -14,6 +14,8 @@ pub struct DrawnPieces {
     pub pieces: Vec<DrawnPiece>,
     /// The repairs and choices made as the drawing was read, a sentence each.
     pub notes: Vec<String>,
+    /// The places where hoses go in, in the order of the file.
+    pub ports: Vec<DrawnPort>,
     /// The points and lines that are measured after inflation, in the order of the file.
     pub measures: Vec<Measure>,
     /// Every piece where it lies; the copies of the drawing one after another.
@@ -51,7 +53,7 @@ impl DrawnPieces {
         let boxes: Vec<Bounds> = distinct.iter().map(|number| bounds[*number]).collect();
         let (places, sheets) = place(&boxes, &spec.sheet, machine)?;
         let copies = PlacedPart::all(Self::KIND, &distinct, places);
-        Ok((Self { pieces, notes, measures, copies }, sheets, warnings))
+        Ok((Self { pieces, notes, ports: sketch.ports, measures, copies }, sheets, warnings))
     }
 
     /// The closed boundaries of the air of all pieces.

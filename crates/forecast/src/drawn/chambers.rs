@@ -50,6 +50,7 @@ pub fn drawn_chambers(spec: &Spec, pieces: &DrawnPieces) -> Result<Vec<DrawnCham
             pressure: 0.0,
             band: spec.seal.band.metres(),
             probes: Vec::new(),
+            partial: Vec::new(),
         },
         flat,
     };

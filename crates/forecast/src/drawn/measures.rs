@@ -7,7 +7,7 @@ use crate::drawn::chambers::DrawnChamber;
 use crate::meshed::MeshedValue;
 use crate::predict::PredictFault;
 use design::{Measure, MeasureForm};
-use geom::{Nearest, Point, fitted_circle};
+use geom::{Nearest, Point, Vec2, fitted_circle};
 use inflatable::shell::cases::{InflatedRegion, Value};
 use inflatable::shell::mesh::FlatChamber;
 use serde::Serialize;
@@ -41,7 +41,10 @@ pub struct MeasurePrediction {
     /// Direction from its first to its last point in the plane, counterclockwise from x; inflated within half a turn of flat.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub direction_deg: Option<MeasuredQuantity>,
-    /// Angle between its two lines, in the plane.
+    /// The line to which `angle_deg` counts: the first straight line of the chamber. Absent of a corner.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle_to: Option<String>,
+    /// Angle between its two lines, or between it and the line `angle_to`, in the plane.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub angle_deg: Option<MeasuredQuantity>,
     /// Radius of the circle that fits its points best, in the plane.
@@ -65,7 +68,7 @@ pub(super) enum MeasuredKind {
     Distance,
     /// Direction from the first to the last point.
     Direction,
-    /// Angle at the corner.
+    /// Angle at the corner, or between the line and its reference.
     Angle,
     /// Radius of the fitted circle.
     Radius,
@@ -80,24 +83,30 @@ impl MeasuredKind {
     fn of_form(form: &MeasureForm) -> &'static [Self] {
         match form {
             MeasureForm::Point(_) => &[Self::Position(0), Self::Position(1), Self::Height],
-            MeasureForm::Line(_) => &[Self::Distance, Self::Direction],
+            MeasureForm::Line(_) => &[Self::Distance, Self::Angle, Self::Direction],
             MeasureForm::Corner(_) => &[Self::Angle, Self::Distance],
             MeasureForm::Curve(_) => &[Self::Radius, Self::Distance],
         }
     }
 
-    /// The value in mm or degrees for points in mm; `None` where there is none, as for the radius of points on a line.
-    fn value(self, points: &[[f64; 3]]) -> Option<f64> {
+    /// The value in mm or degrees for points and those of a reference line, in mm; `None` where there is none, as for the radius of points on a
+    /// line.
+    fn value(self, points: &[[f64; 3]], reference: &[[f64; 3]]) -> Option<f64> {
         let ([first, last], plane) =
             ([*points.first()?, *points.last()?], |[x, y, _]: [f64; 3]| Point::new(x, y));
         match self {
             Self::Distance => Some(libm::hypot(plane(first).distance(plane(last)), last[2] - first[2])),
             Self::Direction => Some((plane(last) - plane(first)).angle().to_degrees()),
-            Self::Angle => {
-                let corner = plane(*points.get(1)?);
-                let [to_first, to_last] = [plane(first) - corner, plane(last) - corner];
-                Some(libm::atan2(to_first.cross(to_last), to_first.dot(to_last)).abs().to_degrees())
-            }
+            Self::Angle => match (points, reference) {
+                (_, [start, end]) => {
+                    Some(angle_between(plane(last) - plane(first), plane(*end) - plane(*start)))
+                }
+                ([_, corner, _], []) => {
+                    let corner = plane(*corner);
+                    Some(angle_between(plane(first) - corner, plane(last) - corner))
+                }
+                _ => None,
+            },
             Self::Radius => {
                 let points: Vec<Point> = points.iter().map(|point| plane(*point)).collect();
                 fitted_circle(&points).map(|(_, radius)| radius)
@@ -108,6 +117,11 @@ impl MeasuredKind {
     }
 }
 
+/// The angle between two directions, degrees from 0 to 180.
+fn angle_between(first: Vec2, second: Vec2) -> f64 {
+    libm::atan2(first.cross(second), first.dot(second)).abs().to_degrees()
+}
+
 /// A measure with its place: the chamber, and its points on the chamber's flat sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PlacedMeasure {
@@ -116,21 +130,32 @@ pub(super) struct PlacedMeasure {
     /// Index of its chamber.
     pub(super) chamber: usize,
     points: Vec<Point>,
+    /// The first straight line of the chamber, if it is another one.
+    reference: Option<ReferenceLine>,
     moved: f64,
+}
+
+/// A line to which the angle of others counts.
+#[derive(Clone, Debug, PartialEq)]
+struct ReferenceLine {
+    name: String,
+    ends: Vec<Point>,
 }
 
 impl PlacedMeasure {
     /// The quantities on the flat sheet.
     pub(super) fn flat(&self) -> MeasurePrediction {
-        let flat: Vec<[f64; 3]> = self.points.iter().map(|point| [point.x, point.y, 0.0]).collect();
+        let flat: Vec<[f64; 3]> = self.all_points().map(|point| [point.x, point.y, 0.0]).collect();
+        let (points, reference) = flat.split_at(self.points.len());
         let mut answer = MeasurePrediction {
             measure: self.name.clone(),
             chamber: self.chamber + 1,
             moved_mm: six(self.moved),
+            angle_to: self.reference.as_ref().map(|line| line.name.clone()),
             ..MeasurePrediction::default()
         };
         for kind in self.kinds {
-            let quantity = kind.value(&flat).map(|value| MeasuredQuantity {
+            let quantity = kind.value(points, reference).map(|value| MeasuredQuantity {
                 flat: six(value),
                 inflated: None,
                 finest_mesh: None,
@@ -140,11 +165,20 @@ impl PlacedMeasure {
         answer
     }
 
+    /// The points, and then those of the reference line.
+    fn all_points(&self) -> impl Iterator<Item = &Point> {
+        self.points.iter().chain(self.reference.iter().flat_map(|line| &line.ends))
+    }
+
     /// Adds to `answer` its quantities after inflation, from the positions of its points on each mesh, coarse to fine, mm.
     fn fill(&self, answer: &mut MeasurePrediction, meshes: &[Vec<[f64; 3]>]) {
         for kind in self.kinds {
             let Some(quantity) = answer.quantity_mut(*kind) else { continue };
-            let values: Option<Vec<f64>> = meshes.iter().map(|points| kind.value(points)).collect();
+            let values = meshes.iter().map(|positions| {
+                let (points, reference) = positions.split_at(self.points.len());
+                kind.value(points, reference)
+            });
+            let values: Option<Vec<f64>> = values.collect();
             let Some(mut values) = values.filter(|values| !values.is_empty()) else { continue };
             if *kind == MeasuredKind::Direction {
                 for value in &mut values {
@@ -204,7 +238,22 @@ pub(super) fn placed(
     chambers: &[DrawnChamber],
 ) -> Result<Vec<PlacedMeasure>, PredictFault> {
     let reach = spec.seal.band.0 + spec.seal.allowance.0;
-    measures.iter().map(|measure| place(measure, chambers, reach)).collect()
+    let mut placed: Vec<PlacedMeasure> = Vec::new();
+    for measure in measures {
+        let mut placed_measure = place(measure, chambers, reach)?;
+        if matches!(measure.form, MeasureForm::Line(_)) {
+            placed_measure.reference = reference_line(&placed, placed_measure.chamber);
+        }
+        placed.push(placed_measure);
+    }
+    Ok(placed)
+}
+
+/// The first straight line among `measures` in a chamber.
+fn reference_line(measures: &[PlacedMeasure], chamber: usize) -> Option<ReferenceLine> {
+    let mut lines = measures.iter().filter(|measure| measure.kinds.contains(&MeasuredKind::Direction));
+    let first = lines.find(|line| line.chamber == chamber)?;
+    Some(ReferenceLine { name: first.name.clone(), ends: first.points.clone() })
 }
 
 fn place(measure: &Measure, chambers: &[DrawnChamber], reach: f64) -> Result<PlacedMeasure, PredictFault> {
@@ -219,6 +268,7 @@ fn place(measure: &Measure, chambers: &[DrawnChamber], reach: f64) -> Result<Pla
             name: measure.name.clone(),
             kinds: MeasuredKind::of_form(&measure.form),
             chamber,
+            reference: None,
             moved: furthest(&places),
             points: places.iter().map(|place| place.point).collect(),
         }),
@@ -277,7 +327,7 @@ fn place_in_air(flat: &FlatChamber, point: Point) -> Option<Nearest> {
 pub(super) fn probes(measures: &[PlacedMeasure], index: usize) -> Vec<[f64; 2]> {
     let of_chamber = measures.iter().filter(|measure| measure.chamber == index);
     of_chamber
-        .flat_map(|measure| &measure.points)
+        .flat_map(PlacedMeasure::all_points)
         .map(|point| [point.x, point.y].map(|x| Length(x).metres()))
         .collect()
 }
@@ -291,7 +341,7 @@ pub(super) fn fill(
 ) {
     let mut first = 0;
     for (measure, answer) in measures.iter().zip(answers).filter(|(measure, _)| measure.chamber == index) {
-        let end = first + measure.points.len();
+        let end = first + measure.all_points().count();
         let meshes: Vec<Vec<[f64; 3]>> =
             inflated.probed.iter().map(|probes| in_mm(&probes[first..end])).collect();
         measure.fill(answer, &meshes);

@@ -7,11 +7,13 @@ pub mod averaged;
 pub mod chambers;
 pub mod measures;
 pub mod prediction;
+pub mod pressures;
 pub mod text;
 
 use crate::drawn::chambers::{DrawnChamber, drawn_chambers};
 use crate::drawn::measures::PlacedMeasure;
 use crate::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction};
+use crate::drawn::pressures::{RegionPressure, port_pressures, region_pressures};
 use crate::predict::PredictFault;
 use crate::shell::request::{ShellRefusal, no_pressure, refused};
 use crate::shell::{Detail, SHELL};
@@ -19,7 +21,7 @@ use crate::warning::PredictionWarning;
 use design::{DrawnPiece, DrawnPieces};
 use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Wrinkles, region};
 use spec::units::{Pressure, Readable};
-use spec::{ModelChoice, Spec, key};
+use spec::{Load, ModelChoice, Spec, key};
 
 pub use inflatable::shell::cases::{Surface, Watch};
 
@@ -80,14 +82,17 @@ pub fn inflate(
     let chambers = drawn_chambers(spec, pieces)?;
     let mut prediction = flat(spec, pieces, &chambers)?;
     let placed = measures::placed(spec, &pieces.measures, &chambers)?;
-    let pressure = spec.load.as_ref().and_then(|load| load.pressure).ok_or_else(no_pressure)?;
+    let (load, pressure) = loaded(spec).ok_or_else(no_pressure)?;
+    let pressures = region_pressures(load, pressure, pieces, &chambers)?;
     refuse_large(&chambers, detail, pressure, watch)?;
     let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
     let mut is_weave_left_out = false;
     let count = chambers.len();
     for (number, (chamber, answer)) in chambers.iter().zip(&mut prediction.chambers).enumerate() {
         let probes = measures::probes(&placed, number);
-        let case = FlatRegion { pressure: pressure.pascals(), probes, ..chamber.region.clone() };
+        let RegionPressure { highest, partial } = &pressures[number];
+        let partial = partial.clone();
+        let case = FlatRegion { pressure: highest.pascals(), probes, partial, ..chamber.region.clone() };
         let within = |part: f64, what: &str| {
             if let Some(progress) = watch.progress {
                 #[expect(clippy::cast_precision_loss, reason = "few chambers")]
@@ -98,7 +103,8 @@ pub fn inflate(
         let inflated = region(&case, chamber.fineness(detail), &chamber_watch)
             .map_err(|why| not_inflated(&why, answer, count))?;
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles == Wrinkles::Averaged;
-        answer.fill(&inflated, pieces, pressure, spec.fabric.seal_strength);
+        answer.fill(&inflated, pieces, *highest, spec.fabric.seal_strength);
+        answer.scale_burst(pressure.0 / highest.0);
         measures::fill(&placed, &mut prediction.measures, number, &inflated);
         surfaces.push(inflated.surface);
         shapes.push(inflated.shape);
@@ -112,9 +118,11 @@ pub fn inflate(
             "shear_modulus is left out where wrinkles are averaged: the sheet is computed as isotropic".to_owned()
         }),
         (parted > count).then(|| {
-            format!(
-                "walls divide the air into {parted} chambers, which are computed as {count}: all are at the same pressure"
-            )
+            let pressures = match &prediction.pressures_kPa {
+                None => "all are at the same pressure",
+                Some(_) => "each is at its own pressure, and bursting means all pressures in proportion",
+            };
+            format!("walls divide the air into {parted} chambers, which are computed as {count}: {pressures}")
         }),
         pieces.pieces.iter().any(DrawnPiece::shares_a_band).then(|| {
             "chambers share a band, or their bands lie within a band's width of each other: each chamber is computed \
@@ -137,12 +145,12 @@ fn seconds(unknowns: f64) -> f64 {
 
 /// Tells `watch` the size of the computation before it begins, or refuses one that is larger than it accepts.
 fn refuse_large(
-    found: &[DrawnChamber],
+    regions: &[DrawnChamber],
     detail: Detail,
     pressure: Pressure,
     watch: &Watch<'_>,
 ) -> Result<(), PredictFault> {
-    let sizes = found.iter().map(|chamber| {
+    let sizes = regions.iter().map(|chamber| {
         let region = FlatRegion { pressure: pressure.pascals(), ..chamber.region.clone() };
         region.unknowns(chamber.fineness(detail))
     });
@@ -178,8 +186,19 @@ fn duration(seconds: f64) -> String {
     }
 }
 
-/// The prediction without a model: flat sizes only.
-fn flat(spec: &Spec, pieces: &DrawnPieces, found: &[DrawnChamber]) -> Result<DrawnPrediction, PredictFault> {
+/// The load of `spec` and its pressure; `None` without a pressure.
+fn loaded(spec: &Spec) -> Option<(&Load, Pressure)> {
+    let load = spec.load.as_ref()?;
+    Some((load, load.pressure?))
+}
+
+/// The prediction without a model: flat sizes only. Pressures and measures are judged here already, so that `check` refuses what no shell could
+/// take. The reason for the missing shell depends on whether there is a pressure.
+fn flat(
+    spec: &Spec,
+    pieces: &DrawnPieces,
+    regions: &[DrawnChamber],
+) -> Result<DrawnPrediction, PredictFault> {
     let model = spec.accuracy.model;
     if !matches!(model, ModelChoice::Shell | ModelChoice::Auto) {
         let word = ModelChoice::ALL.iter().find(|(_, own)| *own == model).map_or("this", |(word, _)| word);
@@ -189,17 +208,25 @@ fn flat(spec: &Spec, pieces: &DrawnPieces, found: &[DrawnChamber]) -> Result<Dra
             ..PredictFault::new(key::accuracy::MODEL, what)
         });
     }
-    let pressure = spec.load.as_ref().and_then(|load| load.pressure);
+    let load = loaded(spec);
+    let pressure = load.map(|(_, pressure)| pressure);
     let choice = match pressure {
         None => "the inflated shape depends on the pressure: set `pressure` in [load]".to_owned(),
         Some(_) => format!("not computed here (takes seconds to minutes); {HOW}"),
     };
-    let chambers =
-        (1..).zip(found).map(|(number, chamber)| ChamberPrediction::flat(number, chamber, pressure));
-    let measures = measures::placed(spec, &pieces.measures, found)?;
+    let pressures = match load {
+        Some((load, pressure)) => region_pressures(load, pressure, pieces, regions)?,
+        None => Vec::new(),
+    };
+    let chambers = regions.iter().enumerate().map(|(number, chamber)| {
+        let highest = pressures.get(number).map(|pressure| pressure.highest);
+        ChamberPrediction::flat(number + 1, chamber, highest)
+    });
+    let measures = measures::placed(spec, &pieces.measures, regions)?;
     Ok(DrawnPrediction {
         model: NONE,
         pressure_kPa: pressure.map(|pressure: Pressure| pressure.0),
+        pressures_kPa: load.and_then(|(load, _)| port_pressures(load)),
         mass_g: pieces.mass(&spec.fabric),
         chambers: chambers.collect(),
         measures: measures.iter().map(PlacedMeasure::flat).collect(),

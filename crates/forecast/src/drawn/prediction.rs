@@ -3,6 +3,7 @@
 use crate::drawn::averaged::{AveragedRanges, pull_range, warning};
 use crate::drawn::chambers::DrawnChamber;
 use crate::drawn::measures::MeasurePrediction;
+use crate::drawn::pressures::PortPressure;
 use crate::interval::Interval;
 use crate::keys::{keyed, kinds};
 use crate::meshed::{MeshedPlace, MeshedValue};
@@ -27,6 +28,9 @@ keyed! {
         pub model: &'static str,
         /// Gauge pressure, kPa.
         pub pressure_kPa: Option<f64>,
+        /// Pressures of chambers that differ from it, by port.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub pressures_kPa: Option<Vec<PortPressure>>,
         /// Mass of the fabric of one piece, both sheets, g. Needs `areal_density`.
         pub mass_g: Option<f64>,
         /// Volume of all chambers of a piece, mm^3: `value` and `mesh_error`. By the shell only.
@@ -55,7 +59,7 @@ kinds! {
     Text: PlaneAnswer;
     Number: usize, u32;
     Object: MeshedValue, DrawnEvidence, AveragedRanges;
-    List: Vec<ChamberPrediction>, Vec<MeasurePrediction>, Vec<SeamPrediction>, [MeshedValue; 2];
+    List: Vec<ChamberPrediction>, Vec<MeasurePrediction>, Vec<PortPressure>, Vec<SeamPrediction>, [MeshedValue; 2];
     Variant: Vec<usize>;
 }
 
@@ -229,6 +233,12 @@ impl ChamberPrediction {
         self.iterations = Some(found.evidence.efforts.iter().map(|effort| effort.iterations).sum());
     }
 
+    /// Gives the burst pressure in terms of a load that is `ratio` times this chamber's pressure: all pressures grow in proportion.
+    pub(super) fn scale_burst(&mut self, ratio: f64) {
+        self.burst_pressure_kPa = self.burst_pressure_kPa.map(|burst| six(ratio * burst));
+        self.burst_range_kPa = self.burst_range_kPa.map(|range| range.map(|end| six(ratio * end)));
+    }
+
     /// Its name among `count` chambers, as text.
     pub(super) fn name(&self, count: usize) -> String {
         let [x, y] = self.at_mm;
@@ -368,7 +378,7 @@ fn seams(region: &InflatedRegion, pieces: &DrawnPieces) -> Vec<SeamPrediction> {
     let names = distinct(region.seams.iter().map(|pull| seam_name(pull, pieces)));
     let of_name = names.into_iter().filter_map(|(name, numbers)| {
         let pulls: Vec<&SeamPull> = numbers.iter().map(|number| &region.seams[number - 1]).collect();
-        of_seam(name, &pulls)
+        of_seam(name, &pulls, region.is_parted)
     });
     of_name.collect()
 }
@@ -385,10 +395,10 @@ fn seam_name(pull: &SeamPull, pieces: &DrawnPieces) -> String {
     nearest.map(|seam| seam.name.clone()).filter(|name| !name.is_empty()).unwrap_or_else(|| "seam".to_owned())
 }
 
-fn of_seam(seam: String, pulls: &[&SeamPull]) -> Option<SeamPrediction> {
-    // Each edge of a weld's band bears the pull of its own side.
+fn of_seam(seam: String, pulls: &[&SeamPull], is_parted: bool) -> Option<SeamPrediction> {
+    // Each edge of a weld's band bears the pull of its own side. Between chambers of different pressure one side may bear all of it.
     let place = |pull: &SeamPull| {
-        let share = if matches!(pull.seam, RegionSeam::Weld(_)) { 0.5 } else { 1.0 };
+        let share = if matches!(pull.seam, RegionSeam::Weld(_)) && !is_parted { 0.5 } else { 1.0 };
         at(pull.pull.scaled(share * 1e-3), pull.at)
     };
     // Compared on the finest mesh, as in the shell.

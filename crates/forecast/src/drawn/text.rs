@@ -3,6 +3,7 @@
 use crate::drawn::averaged::pull_range;
 use crate::drawn::measures::{MeasurePrediction, MeasuredQuantity};
 use crate::drawn::prediction::{ChamberPrediction, DrawnPrediction};
+use crate::drawn::pressures::PortPressure;
 use crate::interval::{Interval, scaled};
 use crate::meshed::{MeshedPlace, MeshedValue};
 use crate::ranges::shown::{self, line, listed};
@@ -18,6 +19,9 @@ pub fn text(spec: &Spec, prediction: &DrawnPrediction, is_full: bool) -> String 
     let (evidence, count) = (&prediction.evidence, prediction.chambers.len());
     let choice = evidence.accuracy.as_ref().map_or_else(|| evidence.choice.clone(), ToString::to_string);
     line(&mut out, "model", format!("{} ({choice})", prediction.model));
+    for PortPressure { port, pressure_kPa } in prediction.pressures_kPa.iter().flatten() {
+        line(&mut out, &format!("pressure at {port}"), format!("{} kPa", Readable(*pressure_kPa)));
+    }
     line(&mut out, "mass of one piece", prediction.mass_g.map(|mass| format!("{} g", Readable(mass))));
     line(
         &mut out,
@@ -56,7 +60,9 @@ fn of_measure(out: &mut String, measure: &MeasurePrediction) {
         let flat = format!("flat {} {unit}", shown::rounded(flat));
         let value =
             inflated.map_or(flat.clone(), |inflated| format!("{}; {flat}", number(inflated, None, unit)));
-        line(out, &format!("{}, {word}", measure.measure), value);
+        let reference =
+            measure.angle_to.as_ref().filter(|_| word == "angle").map(|name| format!(" to {name}"));
+        line(out, &format!("{}, {word}{}", measure.measure, reference.unwrap_or_default()), value);
     }
 }
 

@@ -229,6 +229,7 @@ impl Requirements {
             friction_most: None,
             mass: Some(self.mass),
             largest_force: self.largest_force,
+            chambers: Vec::new(),
         }
     }
 

@@ -47,7 +47,7 @@ impl Field {
         let own =
             |(section, word, _): &&(&str, &str, ValueShape)| (*section, *word) == (key.section(), key.key());
         let (_, _, shape) = SHAPES.iter().find(own)?;
-        let others = [key::sheet::COPIES, key::mask::KIND];
+        let others = [key::sheet::COPIES, key::mask::KIND, key::load::CHAMBERS];
         let is_of_drawing = key.section() == key::drawing::FILE.section() || others.contains(&key);
         (key != key::root::SCHEMA
             && !is_of_drawing
@@ -161,7 +161,11 @@ fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &ValueShape) -
             return sides.map(|[width, depth]| KeyValue::Word(format!("{width} x {depth}")));
         }
         ValueShape::Or(shape, _) => return taken(section, key, shape),
-        ValueShape::Sections | ValueShape::Lists(_) | ValueShape::Texts | ValueShape::Choices(_) => None,
+        ValueShape::Sections
+        | ValueShape::Lists(_)
+        | ValueShape::Quantities(..)
+        | ValueShape::Texts
+        | ValueShape::Choices(_) => None,
     }
     .map(KeyValue::Number)
 }
@@ -228,6 +232,7 @@ mod tests {
             ValueShape::Text
             | ValueShape::Texts
             | ValueShape::Lists(_)
+            | ValueShape::Quantities(..)
             | ValueShape::Choices(_)
             | ValueShape::Sections => "x".to_owned(),
         }
@@ -260,6 +265,7 @@ mod tests {
             "drawing.layers",
             "mask.kind",
             "sheet.copies",
+            "load.chambers",
             "build.with",
         ];
         assert_eq!(others, known);

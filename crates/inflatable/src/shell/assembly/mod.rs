@@ -34,7 +34,7 @@ pub struct Energy {
     pub membrane: f64,
     /// Energy of bending.
     pub bending: f64,
-    /// Below the sheet, down to z = 0.
+    /// Below the sheet, down to z = 0, each part by its part of the pressure: the pressure's work is p V.
     pub volume: f64,
     /// Energy of contact, in the augmented Lagrangian.
     pub contact: f64,
@@ -124,7 +124,7 @@ impl Assembly {
             *moments = std::array::from_fn(|i| k[i][0] * alpha[0] + k[i][1] * alpha[1] + k[i][2] * alpha[2]);
             energy.membrane += self.sheet.membrane(piece, x).energy(&piece.flat);
             energy.bending += dot(alpha, *moments) / 2.0;
-            energy.volume += piece.pressurised(volume::volume(x));
+            energy.volume += piece.load * volume::volume(x);
         }
         energy.bending += self.sheet.kinks.iter().map(|kink| kink.energy(&state.points)).sum::<f64>();
         energy
@@ -167,7 +167,7 @@ impl Assembly {
             let x = piece.corners.map(|corner| state.points[corner]);
             let mut gradient = [0.0; 9];
             self.sheet.membrane(piece, x).add_gradient(&piece.flat, &mut gradient);
-            volume::add_gradient(x, -piece.pressurised(pressure), &mut gradient);
+            volume::add_gradient(x, -piece.load * pressure, &mut gradient);
             for i in (0..3).filter(|_| piece.bends) {
                 let weights = facet.weights(i);
                 for k in 0..3 {
@@ -237,8 +237,7 @@ impl Assembly {
         for t in triangles {
             let piece = &self.sheet.pieces[t];
             let turning = piece.edges.map(|edge| self.turning[edge]);
-            let loads =
-                Loads { pressure: piece.pressurised(pressure), turning, turned: self.turned[t], tangent };
+            let loads = Loads { pressure: piece.load * pressure, turning, turned: self.turned[t], tangent };
             let facets = (&self.facets[t], &self.facets[..]);
             local::fill((&self.sheet, &self.supports), piece, &state.points, facets, loads, &mut local);
             let mut places = self.pattern.places[t].iter();

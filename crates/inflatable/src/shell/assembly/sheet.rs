@@ -30,18 +30,15 @@ pub(crate) struct Piece {
     pub(crate) stiffness: [[f64; 3]; 3],
     /// Pairs of edges across which the same corner lies: around a point with only three triangles.
     pub(crate) twins: [bool; 3],
-    /// How it bears compression if it is of the margin, which no pressure acts on.
-    pub(crate) margin: Option<Compression>,
+    /// How it bears compression, if otherwise than the sheet: on the margin, and in chambers without pressure.
+    pub(crate) law: Option<Compression>,
+    /// The part of the tube's pressure that acts on it: 1, less in a chamber of lower pressure, 0 on the margin.
+    pub(crate) load: f64,
     /// Whether it and its neighbours resist being turned against each other.
     pub(crate) bends: bool,
 }
 
 impl Piece {
-    /// The part of a tube's `pressure`, or of the volume below its sheet, that counts for it: all of it or nothing.
-    pub(crate) fn pressurised(&self, pressure: f64) -> f64 {
-        if self.margin.is_some() { 0.0 } else { pressure }
-    }
-
     /// Takes its bending from it.
     fn flatten(&mut self) {
         (self.beyond, self.lean) = ([Beyond::Nothing; 3], [0.0; 3]);
@@ -97,7 +94,7 @@ impl Sheet {
 
     /// The stretched triangle `piece` with its corners at `corners`.
     pub(crate) fn membrane(&self, piece: &Piece, corners: [Vector; 3]) -> Membrane {
-        match piece.margin.unwrap_or(self.compression) {
+        match piece.law.unwrap_or(self.compression) {
             Compression::Elastic => Membrane::new(self.fabric, &piece.flat, corners),
             Compression::Wrinkled(left) => Membrane::wrinkled(self.fabric, &piece.flat, corners, left),
         }
@@ -173,7 +170,8 @@ impl Sheet {
         let (tube, margin) = self.pieces.split_at_mut(first);
         for piece in margin {
             piece.flatten();
-            piece.margin = Some(law);
+            piece.law = Some(law);
+            piece.load = 0.0;
         }
         for piece in tube {
             for beyond in &mut piece.beyond {
@@ -183,6 +181,16 @@ impl Sheet {
             }
             piece.twins = twins(&piece.beyond);
         }
+    }
+
+    /// Puts this part of the pressure on one of its triangles.
+    pub(crate) fn set_load(&mut self, triangle: usize, part: f64) {
+        self.pieces[triangle].load = part;
+    }
+
+    /// Lets one of its triangles bear compression as `law` says.
+    pub(crate) fn set_law(&mut self, triangle: usize, law: Compression) {
+        self.pieces[triangle].law = Some(law);
     }
 
     /// Whether it bears no compression.
@@ -252,7 +260,8 @@ fn piece(mesh: &Mesh, fabric: Fabric, t: usize) -> Piece {
         flat,
         stiffness: bending::stiffness(fabric, &flat),
         twins,
-        margin: None,
+        law: None,
+        load: 1.0,
         bends: true,
     }
 }

@@ -75,9 +75,9 @@ impl Assembly {
     /// way and does not count.
     pub(crate) fn contact_areas(&self, is_wall: impl Fn(Plane) -> bool) -> Vec<f64> {
         let Sheet { pieces, points, areas, .. } = &self.sheet;
-        let gives_way = |piece: &Piece| matches!(piece.margin, Some(Compression::Wrinkled(_)));
+        let gives_way = |piece: &Piece| matches!(piece.law, Some(Compression::Wrinkled(_)));
         let mut tributary = if pieces.iter().any(gives_way) {
-            sheet::areas(points.len(), pieces.iter().filter(|piece| piece.margin.is_none()))
+            sheet::areas(points.len(), pieces.iter().filter(|piece| piece.law.is_none()))
         } else {
             areas.clone()
         };

@@ -1,6 +1,6 @@
 //! The inflated chamber in SI units.
 
-use crate::shell::assembly::Sheet;
+use crate::shell::assembly::{Compression, Sheet};
 use crate::shell::cases::refinement::Evidence;
 use crate::shell::cases::region::chambers::FlatRegion;
 use crate::shell::cases::region::measure::{Measured, NUMBERS};
@@ -34,6 +34,11 @@ impl Wrinkles {
     /// The treatment for sheets like those of `tube`.
     pub(super) fn of(tube: &Tube) -> Self {
         if tube.bendability() > MOST_RESOLVED { Self::Averaged } else { Self::Resolved }
+    }
+
+    /// The response of a sheet of `tube` without stiffness against compression.
+    pub(super) fn law(tube: &Tube) -> Compression {
+        Compression::Wrinkled(LEFT * tube.stretch())
     }
 
     /// Prepares a sheet of `tube`, whose welds are released.
@@ -93,6 +98,8 @@ pub struct InflatedRegion {
     pub pull_at: [f64; 2],
     /// The pull along each seam.
     pub seams: Vec<SeamPull>,
+    /// Whether chambers between its walls have different pressures.
+    pub is_parted: bool,
     /// Largest principal stretch. At a sharp corner that points into the chamber it has no limit, and its mesh
     /// error is then large.
     pub stretch: Value,
@@ -172,6 +179,7 @@ pub(super) fn answer(
         seal_pull: pull.scaled(y),
         pull_at: largest.map_or([0.0; 2], |largest| largest.at),
         seams,
+        is_parted: !case.partial.is_empty(),
         stretch,
         stretch_at: place(measured.stretch_at),
         tension: tension.scaled(y),

@@ -1,5 +1,6 @@
 //! From loops and welds to chambers.
 
+use crate::shell::cases::region::pressures::PartialPressure;
 use crate::shell::element::Fabric;
 use crate::shell::mesh::{FlatChamber, MeshFault};
 use geom::{Path, Point};
@@ -17,6 +18,8 @@ pub struct FlatRegion {
     pub band: f64,
     /// Places of the flat sheet whose positions after inflation are wanted, m.
     pub probes: Vec<[f64; 2]>,
+    /// Chambers of lower pressure between its walls.
+    pub partial: Vec<PartialPressure>,
 }
 
 /// The chambers that `loops` enclose, in the order of their outlines, each with its islands and with those of the open `welds` that begin in

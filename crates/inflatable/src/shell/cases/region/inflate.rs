@@ -7,6 +7,7 @@ use crate::shell::cases::refinement::{Family, Watch};
 use crate::shell::cases::region::answer::{InflatedRegion, Wrinkles, answer};
 use crate::shell::cases::region::chambers::FlatRegion;
 use crate::shell::cases::region::measure::{self, Measured, NUMBERS};
+use crate::shell::cases::region::pressures::PartialPressure;
 use crate::shell::cases::region::probes;
 use crate::shell::cases::region::seams::{self, Station};
 use crate::shell::cases::region::supports::{self, SealedNodes};
@@ -108,9 +109,12 @@ fn on_meshes(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<Inf
     let tube = softened(tube);
     let chamber = case.chamber.by(width);
     let (coarsest, curve_of) = chamber.mesh(fineness.cells)?;
+    let partial: Vec<PartialPressure> = case.partial.iter().map(|part| part.in_units(width)).collect();
     let hold = |meshed: &Meshed, sheet: &mut Sheet| {
-        let supports = supports::symmetric(meshed, &SealedNodes::new(&chamber, meshed), sheet);
+        let sealed = SealedNodes::new(&chamber, &partial, meshed);
+        let supports = supports::symmetric(meshed, &sealed, sheet);
         Wrinkles::of(&tube).prepare(sheet, &tube);
+        load_parts(&sealed, sheet, &tube);
         supports
     };
     let family = Family { tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
@@ -119,7 +123,7 @@ fn on_meshes(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<Inf
     let mut probed: Vec<Vec<[f64; 3]>> = Vec::new();
     let mut last = (Measured::default(), InflatedShape::default(), Surface::default());
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
-        let sealed = SealedNodes::new(&chamber, meshed);
+        let sealed = SealedNodes::new(&chamber, &partial, meshed);
         let state: State = measure::aligned(&solver.assembly.sheet, &equilibrium.state);
         let measured = measure::measure(solver, meshed, (&state, equilibrium.pressure), &sealed);
         let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
@@ -137,6 +141,16 @@ fn on_meshes(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<Inf
     })?;
     let inflated = answer(case, &tube, (values, evidence), &pulls, last);
     Ok(InflatedRegion { probed, ..inflated })
+}
+
+/// Puts its part of the pressure on each triangle. A sheet without pressure buckles at any compression.
+fn load_parts(sealed: &SealedNodes, sheet: &mut Sheet, tube: &Tube) {
+    for (triangle, part) in sealed.parts.iter().enumerate().filter(|(_, part)| **part != 1.0) {
+        sheet.set_load(triangle, *part);
+        if *part == 0.0 {
+            sheet.set_law(triangle, Wrinkles::law(tube));
+        }
+    }
 }
 
 /// p W/Y below which a sheet that bears no compression is computed as if it stretched as much: some 0.1 % of its lengths. Stiffer ones come

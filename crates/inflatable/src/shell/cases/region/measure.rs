@@ -3,6 +3,7 @@
 use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::region::stability;
 use crate::shell::cases::region::supports::SealedNodes;
+use crate::shell::element::volume::volume;
 use crate::shell::mesh::Meshed;
 use crate::shell::solver::Solver;
 
@@ -26,7 +27,8 @@ pub(super) fn measure(
     sealed: &SealedNodes,
 ) -> Measured {
     let mesh = &meshed.mesh;
-    let volume = 2.0 * solver.assembly.energy(state).volume;
+    let volumes = mesh.triangles.iter().map(|corners| volume(corners.map(|corner| state.points[corner])));
+    let volume = 2.0 * volumes.sum::<f64>();
     let top = (0..mesh.points.len()).max_by(|a, b| state.points[*a][2].total_cmp(&state.points[*b][2]));
     let top = top.unwrap_or_default();
     let extent = |axis: usize| {

@@ -9,12 +9,20 @@ pub(super) fn positions(mesh: &Mesh, state: &State, places: &[[f64; 2]]) -> Vec<
     places.iter().map(|place| position(mesh, state, *place)).collect()
 }
 
+/// The triangle that holds `place` of the flat sheet, or is nearest to it.
+pub(super) fn triangle_at(mesh: &Mesh, place: [f64; 2]) -> Option<usize> {
+    let of_triangles = mesh.triangles.iter().map(|corners| weights(mesh, corners, place));
+    let holder =
+        of_triangles.enumerate().max_by(|(_, a), (_, b)| least_weight(a).total_cmp(&least_weight(b)));
+    holder.map(|(triangle, _)| triangle)
+}
+
 fn position(mesh: &Mesh, state: &State, place: [f64; 2]) -> [f64; 3] {
-    let weighted = mesh.triangles.iter().map(|corners| (corners, weights(mesh, corners, place)));
-    let holder = weighted.max_by(|(_, a), (_, b)| least_weight(a).total_cmp(&least_weight(b)));
-    let Some((corners, weights)) = holder else { return [place[0], place[1], 0.0] };
+    let Some(triangle) = triangle_at(mesh, place) else { return [place[0], place[1], 0.0] };
+    let corners = &mesh.triangles[triangle];
+    let shares = weights(mesh, corners, place);
     let points = corners.map(|corner| state.points[corner]);
-    std::array::from_fn(|axis| (0..3).map(|corner| weights[corner] * points[corner][axis]).sum())
+    std::array::from_fn(|axis| (0..3).map(|corner| shares[corner] * points[corner][axis]).sum())
 }
 
 fn least_weight(weights: &[f64; 3]) -> f64 {

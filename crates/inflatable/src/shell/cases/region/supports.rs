@@ -1,6 +1,7 @@
 //! Supports of a chamber: with z = 0 as its plane of symmetry, and where it leaves that plane.
 
 use crate::shell::assembly::{Sheet, Supports};
+use crate::shell::cases::region::pressures::{PartialPressure, parts_of_pressure};
 use crate::shell::mesh::{Border, FlatChamber, Meshed};
 use geom::Point;
 
@@ -10,11 +11,13 @@ pub(super) struct SealedNodes {
     pub(super) points: Vec<bool>,
     /// Edges of islands, and on welds.
     pub(super) welds: Vec<usize>,
+    /// The part of the pressure on each triangle.
+    pub(super) parts: Vec<f64>,
 }
 
 impl SealedNodes {
-    /// The sealed nodes of a mesh of `chamber`.
-    pub(super) fn new(chamber: &FlatChamber, meshed: &Meshed) -> Self {
+    /// The sealed nodes of a mesh of `chamber` with parts of the pressure. Without pressure the sheets lie on each other.
+    pub(super) fn new(chamber: &FlatChamber, partial: &[PartialPressure], meshed: &Meshed) -> Self {
         let mesh = &meshed.mesh;
         let mut points = vec![false; mesh.points.len()];
         for (edge, _) in mesh.edges.iter().zip(&meshed.piece_of).filter(|(_, piece)| piece.is_some()) {
@@ -29,7 +32,14 @@ impl SealedNodes {
             }
         }
         let is_weld = |edge: &usize| meshed.piece_of[*edge].is_some() && mesh.edges[*edge].border.is_none();
-        Self { points, welds: (0..mesh.edges.len()).filter(is_weld).collect() }
+        let welds: Vec<usize> = (0..mesh.edges.len()).filter(is_weld).collect();
+        let parts = parts_of_pressure(partial, mesh, &welds);
+        for (corners, _) in mesh.triangles.iter().zip(&parts).filter(|(_, part)| **part == 0.0) {
+            for corner in corners {
+                points[*corner] = true;
+            }
+        }
+        Self { points, welds, parts }
     }
 }
 

@@ -35,8 +35,14 @@ fn line(from: [f64; 2], to: [f64; 2]) -> Path {
 }
 
 fn inflated(chamber: &FlatChamber, t: f64, pressure: f64, cells: f64) -> InflatedRegion {
-    let case =
-        FlatRegion { chamber: chamber.clone(), fabric: fabric(t), pressure, band: 0.003, probes: Vec::new() };
+    let case = FlatRegion {
+        chamber: chamber.clone(),
+        fabric: fabric(t),
+        pressure,
+        band: 0.003,
+        probes: Vec::new(),
+        partial: Vec::new(),
+    };
     region(&case, Fineness { cells, cuts: 2 }, &Watch::default()).expect("an equilibrium")
 }
 
@@ -201,7 +207,7 @@ fn welds_and_islands_hold_both_sheets_together() {
 /// the sealed nodes.
 fn at_rest(chamber: &FlatChamber, bendability: f64) -> (Solver, Equilibrium, SealedNodes) {
     let (meshed, _) = chamber.mesh(5.0).expect("a mesh");
-    let sealed = SealedNodes::new(chamber, &meshed);
+    let sealed = SealedNodes::new(chamber, &[], &meshed);
     let bending = 1e-5;
     let mut sheet = Sheet::new(&meshed.mesh, Fabric::isotropic(1.0, bending, 0.3));
     let supports = symmetric(&meshed, &sealed, &mut sheet);
@@ -270,8 +276,14 @@ fn loops_are_chambers_islands_and_welds_whichever_way_they_run() {
 #[test]
 fn curves_that_cross_are_refused_in_words() {
     let run = |chamber: FlatChamber| {
-        let case =
-            FlatRegion { chamber, fabric: fabric(0.3e-3), pressure: 5e3, band: 0.003, probes: Vec::new() };
+        let case = FlatRegion {
+            chamber,
+            fabric: fabric(0.3e-3),
+            pressure: 5e3,
+            band: 0.003,
+            probes: Vec::new(),
+            partial: Vec::new(),
+        };
         region(&case, Fineness { cells: 3.0, cuts: 2 }, &Watch::default())
     };
     let out = one(&[rectangle(0.04, 0.04)], &[line([0.01, 0.02], [0.06, 0.02])]);
