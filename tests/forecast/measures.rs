@@ -125,7 +125,7 @@ fn measures_lie_in_one_chamber() {
 fn bimorph(chambers: &str) -> Result<InflatedDrawing, ShellRefusal> {
     let text = format!(
         "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\nseam = [\"w\"]\nport = [\"p\"]\n\
-         measure = [\"m\"]\n[load]\npressure = \"10 kPa\"\n[load.chambers]\n{chambers}"
+         measure = [\"m\"]\n[fabric]\nthickness = \"0.1 mm\"\n[load]\npressure = \"10 kPa\"\n[load.chambers]\n{chambers}"
     );
     let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"80mm\" viewBox=\"0 0 200 80\">\
         <g id=\"a\"><rect x=\"20\" y=\"20\" width=\"80\" height=\"40\"/></g><g id=\"w\"><path id=\"wall\" d=\"M20 40H100\"/></g>\
