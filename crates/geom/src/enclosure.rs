@@ -22,9 +22,9 @@ impl Enclosures {
                 }
             }
             // Ends of neighbours agree to rounding only: the ray must see one point.
-            let own = pieces.iter().rposition(|(_, _, other)| *other != number).map_or(0, |last| last + 1);
-            for i in own..pieces.len() {
-                let next = if i + 1 < pieces.len() { i + 1 } else { own };
+            let first = pieces.iter().rposition(|(_, _, other)| *other != number).map_or(0, |last| last + 1);
+            for i in first..pieces.len() {
+                let next = if i + 1 < pieces.len() { i + 1 } else { first };
                 pieces[i].1[1] = pieces[next].1[0];
             }
         }
@@ -37,15 +37,15 @@ impl Enclosures {
     /// The numbers of the paths that enclose `p` (an odd number of times), ascending.
     pub fn around(&self, p: Point) -> Vec<usize> {
         let ray = Bounds { min: p, max: Point::new(self.right.max(p.x), p.y) };
-        let mut met: Vec<usize> = Vec::new();
+        let mut crossed: Vec<usize> = Vec::new();
         self.index.visit(&ray, |i| {
             let (piece, [start, end], path) = &self.pieces[i];
             if (start.y <= p.y) != (end.y <= p.y) && abscissa(piece, *start, *end, p.y) > p.x {
-                met.push(*path);
+                crossed.push(*path);
             }
         });
-        met.sort_unstable();
-        let odd = met.chunk_by(|a, b| a == b).filter(|run| run.len() % 2 == 1);
+        crossed.sort_unstable();
+        let odd = crossed.chunk_by(|a, b| a == b).filter(|run| run.len() % 2 == 1);
         odd.filter_map(|run| run.first().copied()).collect()
     }
 }
@@ -54,17 +54,17 @@ impl Enclosures {
 fn monotone(segment: &Segment) -> Vec<Segment> {
     let Segment::Arc(arc) = segment else { return vec![*segment] };
     let top = std::f64::consts::FRAC_PI_2;
-    let mut at = vec![0.0, 1.0];
+    let mut fractions = vec![0.0, 1.0];
     // Turns at which the tangent is level lie half a turn apart.
     let first = ((arc.start_angle.min(arc.end_angle()) - top) / (2.0 * top)).ceil();
     for i in 0..3 {
         let t = ((first + f64::from(i)) * 2.0 * top + top - arc.start_angle) / arc.sweep;
         if t > 0.0 && t < 1.0 {
-            at.push(t);
+            fractions.push(t);
         }
     }
-    at.sort_by(f64::total_cmp);
-    at.windows(2).map(|t| segment.part(t[0], t[1])).collect()
+    fractions.sort_by(f64::total_cmp);
+    fractions.windows(2).map(|t| segment.part(t[0], t[1])).collect()
 }
 
 /// The abscissa at which the monotone `piece` from `start` to `end` has the ordinate `y`.

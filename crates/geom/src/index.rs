@@ -27,10 +27,10 @@ impl BoxIndex {
 
     /// The numbers of the boxes that share a point with `zone`, ascending.
     pub fn overlapping(&self, zone: &Bounds) -> Vec<usize> {
-        let mut found = Vec::new();
-        self.visit(zone, |number| found.push(number));
-        found.sort_unstable();
-        found
+        let mut numbers = Vec::new();
+        self.visit(zone, |number| numbers.push(number));
+        numbers.sort_unstable();
+        numbers
     }
 
     /// Whether `is` is true for the number of any box that shares a point with `zone`. The search stops at the first such box.
@@ -42,20 +42,20 @@ impl BoxIndex {
 
     /// The least `distance` from `p` of the items in the boxes; infinite if there is none. No item is nearer than its box.
     pub fn least(&self, p: Point, mut distance: impl FnMut(usize) -> f64) -> f64 {
-        let mut least = f64::INFINITY;
+        let mut shortest = f64::INFINITY;
         // Bound on the rounding of a squared distance.
         let slack = 1.0 + 1e-12;
         let mut see = |number, square: f64| {
-            if square > least * least * slack {
+            if square > shortest * shortest * slack {
                 return Err(());
             }
-            least = distance(number).min(least);
+            shortest = distance(number).min(shortest);
             Ok(())
         };
         if let Some(tree) = &self.0 {
             let _ = tree.visit_neighbors(p.x, p.y, &mut see);
         }
-        least
+        shortest
     }
 }
 
@@ -136,25 +136,25 @@ mod tests {
     use super::*;
 
     /// Boxes of 1 mm along a diagonal.
-    fn at(i: u32) -> Bounds {
+    fn staircase(i: u32) -> Bounds {
         let corner = Point::new(3.0 * f64::from(i), 2.0 * f64::from(i));
         Bounds { min: corner, max: Point::new(corner.x + 1.0, corner.y + 1.0) }
     }
 
     #[test]
     fn the_nearest_box_is_found_as_by_looking_at_all() {
-        let boxes: Vec<Bounds> = (0..100).map(at).collect();
+        let boxes: Vec<Bounds> = (0..100).map(staircase).collect();
         let index = BoxIndex::new(boxes.iter().copied());
         for p in
             [Point::new(-5.0, 1.0), Point::new(77.0, 41.0), Point::new(150.0, 90.0), Point::new(900.0, 0.0)]
         {
-            let all = boxes.iter().map(|bounds| bounds.distance(p)).fold(f64::INFINITY, f64::min);
-            let mut asked = 0;
-            let least = index.least(p, |number| {
-                asked += 1;
+            let expected = boxes.iter().map(|bounds| bounds.distance(p)).fold(f64::INFINITY, f64::min);
+            let mut calls = 0;
+            let distance = index.least(p, |number| {
+                calls += 1;
                 boxes[number].distance(p)
             });
-            assert!(least == all && asked < 30, "{least} is not {all}, by {asked}");
+            assert!(distance == expected && calls < 30, "{distance} is not {expected}, by {calls}");
         }
         assert_eq!(BoxIndex::default().least(Point::ORIGIN, |_| 0.0), f64::INFINITY);
     }
@@ -163,13 +163,13 @@ mod tests {
     fn a_growing_index_knows_what_is_in_it() {
         let mut index = GrowingIndex::default();
         for i in 0..300 {
-            assert!(!index.any(&at(i), |_| true), "{i}");
-            index.push(at(i));
-            assert!((0..=i).all(|known| index.any(&at(known), |number| number == known as usize)), "{i}");
+            assert!(!index.any(&staircase(i), |_| true), "{i}");
+            index.push(staircase(i));
+            assert!((0..=i).all(|known| index.any(&staircase(known), |number| number == known as usize)), "{i}");
         }
         index.truncate(40);
-        assert!(index.any(&at(39), |_| true) && !index.any(&at(40), |_| true) && index.len() == 40);
-        index.push(at(70));
-        assert!(index.any(&at(70), |number| number == 40) && !index.any(&at(0), |_| false));
+        assert!(index.any(&staircase(39), |_| true) && !index.any(&staircase(40), |_| true) && index.len() == 40);
+        index.push(staircase(70));
+        assert!(index.any(&staircase(70), |number| number == 40) && !index.any(&staircase(0), |_| false));
     }
 }

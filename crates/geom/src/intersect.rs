@@ -38,21 +38,21 @@ fn line_line(a: &Line, b: &Line) -> Option<Point> {
         return None;
     }
     let (t, s) = (w.cross(v) / det, w.cross(u) / det);
-    let inside = |x: f64| (-SLACK..=1.0 + SLACK).contains(&x);
-    (inside(t) && inside(s)).then(|| a.start.lerp(a.end, t))
+    let fractions = -SLACK..=1.0 + SLACK;
+    (fractions.contains(&t) && fractions.contains(&s)).then(|| a.start.lerp(a.end, t))
 }
 
 fn line_arc(line: &Line, arc: &Arc) -> Vec<Point> {
     let d = line.direction();
     let length = line.length();
     let to_center = arc.center - line.start;
-    let (along, off) = (to_center.dot(d), d.cross(to_center));
-    let square = arc.radius * arc.radius - off * off;
+    let (foot, distance) = (to_center.dot(d), d.cross(to_center));
+    let square = arc.radius * arc.radius - distance * distance;
     if square < 0.0 {
         return Vec::new();
     }
     let half = square.sqrt();
-    [along - half, along + half]
+    [foot - half, foot + half]
         .into_iter()
         .filter(|s| (-SLACK * length..=length * (1.0 + SLACK)).contains(s))
         .map(|s| line.start + d * s)
@@ -61,20 +61,20 @@ fn line_arc(line: &Line, arc: &Arc) -> Vec<Point> {
 }
 
 fn arc_arc(a: &Arc, b: &Arc) -> Vec<Point> {
-    let between = b.center - a.center;
-    let d = between.length();
+    let axis = b.center - a.center;
+    let d = axis.length();
     if d == 0.0 {
         return Vec::new();
     }
-    let along = (d * d + a.radius * a.radius - b.radius * b.radius) / (2.0 * d);
-    let square = a.radius * a.radius - along * along;
+    let foot = (d * d + a.radius * a.radius - b.radius * b.radius) / (2.0 * d);
+    let square = a.radius * a.radius - foot * foot;
     if square < 0.0 {
         return Vec::new();
     }
-    let (u, half) = (between.normalized(), square.sqrt());
+    let (u, half) = (axis.normalized(), square.sqrt());
     [half, -half]
         .into_iter()
-        .map(|h| a.center + u * along + u.perp() * h)
+        .map(|h| a.center + u * foot + u.perp() * h)
         .filter(|p| on_arc(a, *p) && on_arc(b, *p))
         .collect()
 }

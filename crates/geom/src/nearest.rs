@@ -19,7 +19,7 @@ impl Path {
     /// The point of the path nearest to `p`; `None` for the empty path. Of equals the first is taken.
     pub fn nearest(&self, p: Point) -> Option<Nearest> {
         let mut best: Option<Nearest> = None;
-        let mut before = 0.0;
+        let mut start = 0.0;
         for (i, segment) in self.segments.iter().enumerate() {
             let length = segment.length();
             if best.is_none_or(|best| may_be_within(segment, p, best.distance)) {
@@ -27,10 +27,10 @@ impl Path {
                 let point = segment.point(t);
                 let distance = point.distance(p);
                 if best.is_none_or(|best| distance < best.distance) {
-                    best = Some(Nearest { distance, point, segment: i, s: before + t * length });
+                    best = Some(Nearest { distance, point, segment: i, s: start + t * length });
                 }
             }
-            before += length;
+            start += length;
         }
         best
     }
@@ -45,28 +45,29 @@ impl Path {
 
     /// Distance from `p` to the path's furthest point; 0 for the empty path.
     pub fn furthest(&self, p: Point) -> f64 {
-        let of = |segment: &Segment| {
-            let ends = segment.start().distance(p).max(segment.end().distance(p));
-            match segment {
-                // On a circle the furthest point lies beyond the centre.
-                Segment::Arc(arc) if arc.fraction_of((arc.center - p).angle(), 0.0).is_some() => {
-                    arc.center.distance(p) + arc.radius
-                }
-                _ => ends,
-            }
-        };
-        self.segments.iter().map(of).fold(0.0, f64::max)
+        self.segments.iter().map(|segment| furthest(segment, p)).fold(0.0, f64::max)
     }
 }
 
-/// Whether `segment` may be within `far` of `p`, without trigonometry: no point of an arc is nearer than its circle.
-fn may_be_within(segment: &Segment, p: Point, far: f64) -> bool {
+/// Largest distance from `p` to a point of `segment`.
+fn furthest(segment: &Segment, p: Point) -> f64 {
+    match segment {
+        // On a circle the furthest point lies beyond the centre.
+        Segment::Arc(arc) if arc.fraction_of((arc.center - p).angle(), 0.0).is_some() => {
+            arc.center.distance(p) + arc.radius
+        }
+        Segment::Line(_) | Segment::Arc(_) => segment.start().distance(p).max(segment.end().distance(p)),
+    }
+}
+
+/// Whether `segment` may be within `limit` of `p`, without trigonometry: no point of an arc is nearer than its circle.
+fn may_be_within(segment: &Segment, p: Point, limit: f64) -> bool {
     match segment {
         Segment::Line(_) => true,
         // The slack is above the rounding of both distances.
         Segment::Arc(arc) => {
             let from_center = arc.center.distance(p);
-            (from_center - arc.radius).abs() <= far + 1e-12 * (from_center + arc.radius)
+            (from_center - arc.radius).abs() <= limit + 1e-12 * (from_center + arc.radius)
         }
     }
 }

@@ -61,7 +61,7 @@ impl Path {
         self.segments.iter().map(Segment::bounds).fold(Bounds::EMPTY, Bounds::union)
     }
 
-    /// The same points travelled the other way, from the last to the first.
+    /// This path travelled the other way, from the last to the first.
     pub fn reversed(&self) -> Self {
         Self { segments: self.segments.iter().rev().map(Segment::reversed).collect(), closed: self.closed }
     }
@@ -112,15 +112,15 @@ impl Path {
         // Pieces shorter than this are rounding, not geometry; a path's own pieces are far longer.
         let dust = 1e-12 * total;
         let mut segments = Vec::new();
-        let mut at = 0.0;
+        let mut s = 0.0;
         for segment in self.segments.iter().cycle() {
             let length = segment.length();
-            let (a, b) = ((from - at).max(0.0), (to - at).min(length));
+            let (a, b) = ((from - s).max(0.0), (to - s).min(length));
             if b - a > dust {
                 segments.push(segment.part(a / length, b / length));
             }
-            at += length;
-            if at >= to || (!self.closed && at >= total) {
+            s += length;
+            if s >= to || (!self.closed && s >= total) {
                 break;
             }
         }

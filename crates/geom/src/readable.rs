@@ -11,8 +11,7 @@ impl fmt::Display for Readable {
         if x == 0.0 || !x.is_finite() {
             return write!(f, "{}", if x == 0.0 { 0.0 } else { x });
         }
-        let decimals = decimals(x);
-        let text = format!("{x:.decimals$}");
+        let text = format!("{x:.0$}", decimals(x));
         let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
         f.write_str(if text == "-0" { "0" } else { text })
     }

@@ -56,14 +56,14 @@ impl Segment {
     pub fn part(&self, t0: f64, t1: f64) -> Self {
         match self {
             Self::Line(line) => {
-                let at = |t: f64| if t == 1.0 { line.end } else { line.start.lerp(line.end, t) };
-                Self::Line(Line::new(at(t0), at(t1)))
+                let [start, end] = [t0, t1].map(|t| if t == 1.0 { line.end } else { line.start.lerp(line.end, t) });
+                Self::Line(Line::new(start, end))
             }
             Self::Arc(arc) => Self::Arc(arc.part(t0, t1)),
         }
     }
 
-    /// The same points travelled the other way.
+    /// This segment travelled the other way.
     pub fn reversed(&self) -> Self {
         match self {
             Self::Line(line) => Self::Line(Line::new(line.end, line.start)),
@@ -97,7 +97,7 @@ impl Segment {
         self.bounds_of([self.start(), self.end()])
     }
 
-    /// The same with the ends given by the caller: on an arc they cost more than all the rest.
+    /// The bounds, with the ends given by the caller: on an arc they cost more than all the rest.
     pub fn bounds_of(&self, ends: [Point; 2]) -> Bounds {
         let ends = Bounds::of_points(ends);
         match self {
