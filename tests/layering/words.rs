@@ -22,12 +22,13 @@ const NAMELESS: &str = "\
     within without won worn worth written yet you your yours";
 
 /// Words that name a side, an end or a direction where their opposites are named too.
-const OPPOSITES: [(&str, &str); 6] = [
+const OPPOSITES: [(&str, &str); 7] = [
     ("left", "right"),
     ("from", "to"),
     ("before", "after"),
     ("inside", "outside"),
     ("above", "below"),
+    ("up", "down"),
     ("along", "across"),
 ];
 

@@ -32,17 +32,17 @@ impl StarAssembly {
         machine: &Machine,
     ) -> Result<(Self, Vec<SheetLayout>, Vec<Warning>), Refusals> {
         let mut distinct: Vec<StarDesign> = Vec::new();
-        let mut which: Vec<usize> = Vec::new();
+        let mut part_numbers: Vec<usize> = Vec::new();
         let mut refusals = Refusals::new();
         for (i, star) in spec.stars.iter().enumerate() {
             let same = |other: usize| spec.stars[other].same_part(star);
             if let Some(twin) = (0..i).find(|other| same(*other)) {
-                which.extend(which.get(twin).copied());
+                part_numbers.extend(part_numbers.get(twin).copied());
                 continue;
             }
             match StarDesign::new(spec, star) {
                 Ok(design) => {
-                    which.push(distinct.len());
+                    part_numbers.push(distinct.len());
                     distinct.push(design);
                 }
                 Err(found) => refusals.extend(found.into_iter().map(|refusal| refusal.of_star(i + 1))),
@@ -50,12 +50,12 @@ impl StarAssembly {
         }
         refusals.or(())?;
         let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.process.ramp.0)).collect();
-        let footprints: Vec<Bounds> = which.iter().map(|i| boxes[*i]).collect();
+        let footprints: Vec<Bounds> = part_numbers.iter().map(|i| boxes[*i]).collect();
         let (places, sheets) = place(&footprints, &spec.sheet, machine)?;
         let stack = Stack::new(spec)?;
-        let parts: Vec<&StarDesign> = which.iter().map(|i| &distinct[*i]).collect();
+        let parts: Vec<&StarDesign> = part_numbers.iter().map(|i| &distinct[*i]).collect();
         let frame = Frame::new(spec, &stack, &parts)?;
-        let stars = PlacedPart::all(Self::KIND, &which, places);
+        let stars = PlacedPart::place_all(Self::KIND, &part_numbers, places);
         let assembly = Self { distinct, stars, stack, frame };
         let warnings = assembly
             .firsts()
@@ -72,7 +72,7 @@ impl StarAssembly {
 
     /// The contact of each star with the object of `spec`, bottom first; `None` without an object.
     pub fn meetings(&self, spec: &Spec) -> Option<Vec<Meeting>> {
-        let object = Object::of(spec.load.as_ref()?)?;
+        let object = Object::new(spec.load.as_ref()?)?;
         let holes: Vec<f64> =
             self.stars.iter().map(|placed| self.part(placed).star.hole(&spec.seal)).collect();
         Some(object.meetings(&self.stack.stars, &holes))

@@ -113,14 +113,14 @@ impl Star {
         let mut corner =
             ContourHinge { center: self.d_p, radius: corner_radius, half: (PI - self.phi_e) / 2.0 };
         let mut tip = ContourHinge { center: self.d_t, radius: tip_radius, half: (PI - self.phi_i) / 2.0 };
-        let (concave, phi, away) = match side {
+        let (concave, phi, axis) = match side {
             Side::Hole => (&mut tip, self.phi_i, -1.0),
             Side::Outside => (&mut corner, self.phi_e, 1.0),
         };
-        let grown = (least_radius - concave.radius).max(0.0);
-        concave.radius += grown;
-        concave.center += away * grown / libm::sin(phi / 2.0);
-        let arm = self.l - grown / libm::tan(phi / 2.0);
+        let growth = (least_radius - concave.radius).max(0.0);
+        concave.radius += growth;
+        concave.center += axis * growth / libm::sin(phi / 2.0);
+        let arm = self.l - growth / libm::tan(phi / 2.0);
         // An arm as short as a rounding error does not count: the smallest real ones are 1e6 times longer.
         if arm > 1e-9 * self.l {
             return Some(Trimmed::Arms { corner, tip, arm });
@@ -165,10 +165,10 @@ impl Star {
         if t.is_nan() || t <= 0.0 {
             return None;
         }
-        let seen = Point::polar(t, a) - Point::new(d, 0.0);
+        let meeting = Point::polar(t, a) - Point::new(d, 0.0);
         Some(match side {
-            Side::Hole => PI - seen.angle(),
-            Side::Outside => seen.angle(),
+            Side::Hole => PI - meeting.angle(),
+            Side::Outside => meeting.angle(),
         })
     }
 
@@ -234,12 +234,12 @@ impl Contour {
 
     /// Arc length from the beginning to the middle of the first segment of `part`; `None` if it has none.
     pub fn middle_of(&self, part: Part) -> Option<f64> {
-        let mut before = 0.0;
+        let mut start = 0.0;
         for (p, segment) in &self.parts {
             if *p == part {
-                return Some(before + segment.length() / 2.0);
+                return Some(start + segment.length() / 2.0);
             }
-            before += segment.length();
+            start += segment.length();
         }
         None
     }

@@ -32,7 +32,7 @@ impl CutLines {
     pub fn new(kerf: f64, star: &Star, outline: &Outline, mask: &MaskPlate) -> Result<Self, Refusal> {
         leaves_holes(kerf, &outline.registration)?;
         let inside = |path: &Path, what| tool_inside(path, kerf, what);
-        let around = |path: &Path, what| tool_around(path, kerf, what);
+        let tool_path = |path: &Path, what| tool_around(path, kerf, what);
         // All windows are the first one, turned; without a kerf they stay as they are, to the bit.
         let windows = match mask.windows.first() {
             Some(first) if kerf > 0.0 => {
@@ -44,9 +44,9 @@ impl CutLines {
         };
         Ok(Self {
             kerf,
-            outside: around(&outline.outside, "the outline")?,
+            outside: tool_path(&outline.outside, "the outline")?,
             hole: inside(&outline.hole, "the star's hole")?,
-            plate: around(&mask.plate, "the mask's plate")?,
+            plate: tool_path(&mask.plate, "the mask's plate")?,
             windows,
         })
     }
@@ -63,9 +63,9 @@ pub(super) fn leaves_no_hole(kerf: f64, diameter: f64) -> bool {
 /// Refuses a cut `kerf` wide that leaves nothing of one of these registration holes.
 pub(super) fn leaves_holes(kerf: f64, holes: &[Circle]) -> Result<(), Refusal> {
     let Some(hole) = holes.iter().find(|hole| leaves_no_hole(kerf, hole.diameter)) else { return Ok(()) };
-    let (found, diameter) = (Readable(kerf), Readable(hole.diameter));
+    let (width, diameter) = (Readable(kerf), Readable(hole.diameter));
     Err(refusal(
-        format!("a cut of {found} mm leaves nothing of a registration hole of {diameter} mm"),
+        format!("a cut of {width} mm leaves nothing of a registration hole of {diameter} mm"),
         format!("kerf must be at most {} mm", Most((hole.diameter - SMALLEST_HOLE).max(0.0))),
     ))
 }
@@ -74,24 +74,24 @@ pub(super) fn leaves_holes(kerf: f64, holes: &[Circle]) -> Result<(), Refusal> {
 ///
 /// # Errors
 /// If the cut is wider than that.
-pub(super) fn tool_inside(path: &Path, kerf: f64, what: &str) -> Result<Path, Refusal> {
-    offset(path, -0.5 * kerf).ok_or_else(|| too_wide(kerf, path, -0.5, what))
+pub(super) fn tool_inside(path: &Path, kerf: f64, subject: &str) -> Result<Path, Refusal> {
+    offset(path, -0.5 * kerf).ok_or_else(|| too_wide(kerf, path, -0.5, subject))
 }
 
 /// The line of a tool with this kerf that cuts around `path`.
 ///
 /// # Errors
 /// If the cut is too wide for it.
-pub(super) fn tool_around(path: &Path, kerf: f64, what: &str) -> Result<Path, Refusal> {
-    offset(path, 0.5 * kerf).ok_or_else(|| too_wide(kerf, path, 0.5, what))
+pub(super) fn tool_around(path: &Path, kerf: f64, subject: &str) -> Result<Path, Refusal> {
+    offset(path, 0.5 * kerf).ok_or_else(|| too_wide(kerf, path, 0.5, subject))
 }
 
 /// The refusal of a kerf that leaves nothing of `path`, which `share` of it moves outwards, with the widest that does.
-fn too_wide(kerf: f64, path: &Path, share: f64, what: &str) -> Refusal {
-    let most = Readable(hundredths_down(largest(kerf, |kerf| offset(path, share * kerf).is_some())));
+fn too_wide(kerf: f64, path: &Path, share: f64, subject: &str) -> Refusal {
+    let widest = Readable(hundredths_down(largest(kerf, |kerf| offset(path, share * kerf).is_some())));
     refusal(
-        format!("a cut of {} mm leaves nothing of {what}", Readable(kerf)),
-        format!("kerf must be at most {most} mm"),
+        format!("a cut of {} mm leaves nothing of {subject}", Readable(kerf)),
+        format!("kerf must be at most {widest} mm"),
     )
 }
 
@@ -105,8 +105,8 @@ pub(super) fn largest(mut fails: f64, is_fit: impl Fn(f64) -> bool) -> f64 {
     fits
 }
 
-fn refusal(found: String, remedy: String) -> Refusal {
-    Refusal::new(key::cut::KERF, RefusalCode::WideKerf, found, remedy)
+fn refusal(fault: String, remedy: String) -> Refusal {
+    Refusal::new(key::cut::KERF, RefusalCode::WideKerf, fault, remedy)
 }
 
 /// The lines of a drawing of a part.

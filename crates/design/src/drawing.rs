@@ -123,7 +123,7 @@ impl Shape {
     }
 
     /// The shape without the paths of a figure that lie outside `window`; `None` if the whole shape does.
-    pub fn shown(self, window: &Bounds) -> Option<Self> {
+    pub fn clipped(self, window: &Bounds) -> Option<Self> {
         match self {
             Self::Figure(mut paths) => {
                 paths.retain(|path| path.bounds().overlaps(window));
@@ -171,7 +171,7 @@ impl Drawing {
             }
             Product::Drawing(_) => vec![seams(Layer::Seal, &|_| true)],
         };
-        Self::on(design, sheet, layers)
+        Self::of_sheet(design, sheet, layers)
     }
 
     /// The outlines of all pieces on sheet `sheet`, holes first, so that no part moves before its holes are made.
@@ -196,7 +196,7 @@ impl Drawing {
             (Layer::CutHole, inside),
             (Layer::CutOutside, outside),
         ];
-        Self::on(design, sheet, layers)
+        Self::of_sheet(design, sheet, layers)
     }
 
     /// The outlines of the sheet of fabric that has the valves: as [`Self::outlines`], with the holes of the valves. `None` without valves.
@@ -277,7 +277,7 @@ impl Drawing {
         }
     }
 
-    fn on(design: &Design, sheet: usize, layers: Vec<(Layer, Vec<Shape>)>) -> Option<Self> {
+    fn of_sheet(design: &Design, sheet: usize, layers: Vec<(Layer, Vec<Shape>)>) -> Option<Self> {
         let layout = design.sheets.iter().find(|layout| layout.index == sheet)?;
         Some(Self { origin: Origin::LowerLeft, width: layout.width, height: layout.height, layers })
     }
@@ -299,9 +299,9 @@ fn plate_label(radius: f64, plate: &Plate) -> Vec<Path> {
     let strip = radius - plate.opening;
     let height = (1.5 * radius / lettering::width(&text, 1.0)).min(0.1 * strip).min(5.0);
     let middle = plate.opening + 0.2 * strip;
-    let mut out = lettering::around(&text, Point::ORIGIN, middle, std::f64::consts::FRAC_PI_2, height);
-    out.push(Path::through(&[Point::new(middle - height, 0.0), Point::new(middle + height, 0.0)]));
-    out
+    let mut strokes = lettering::circular_text(&text, Point::ORIGIN, middle, std::f64::consts::FRAC_PI_2, height);
+    strokes.push(Path::through(&[Point::new(middle - height, 0.0), Point::new(middle + height, 0.0)]));
+    strokes
 }
 
 #[cfg(test)]
@@ -313,8 +313,8 @@ mod tests {
         let stroke = |x: f64| Path::through(&[Point::new(x, 0.0), Point::new(x + 1.0, 0.0)]);
         let window = Bounds { min: Point::new(-0.5, -0.5), max: Point::new(4.0, 4.0) };
         let figure = |places: &[f64]| Shape::Figure(places.iter().map(|x| stroke(*x)).collect());
-        assert_eq!(figure(&[0.0, 3.0, 6.0]).shown(&window), Some(figure(&[0.0, 3.0])));
-        assert_eq!(figure(&[6.0]).shown(&window), None);
+        assert_eq!(figure(&[0.0, 3.0, 6.0]).clipped(&window), Some(figure(&[0.0, 3.0])));
+        assert_eq!(figure(&[6.0]).clipped(&window), None);
         assert_eq!(Shape::figure(Vec::new()), None);
     }
 }

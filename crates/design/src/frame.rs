@@ -50,24 +50,24 @@ impl Frame {
         let (post, clearance) = (frame.post_diameter.0, frame.clearance.0);
         let mut refusals = Refusals::new();
         if leaves_no_hole(frame.kerf.0, post) {
-            let found =
+            let fault =
                 format!("a cut of {} leaves no hole for a post of {}", frame.kerf, frame.post_diameter);
             let remedy = format!("kerf must be at most {} mm", Most((post - SMALLEST_HOLE).max(0.0)));
-            refusals.push(Refusal::new(key::frame::KERF, RefusalCode::WideKerf, found, remedy));
+            refusals.push(Refusal::new(key::frame::KERF, RefusalCode::WideKerf, fault, remedy));
         }
         let reach = stars.iter().map(|part| part.outline.reach).fold(0.0, f64::max);
         let circle = reach + clearance + post / 2.0;
         let mut plates: Vec<Plate> = Vec::new();
         for i in 0..=stars.len() {
-            let beside = &stars[i.saturating_sub(1)..(i + 1).min(stars.len())];
-            let opening = opening(beside.iter().map(|part| part.star.rho_0), clearance);
-            let falling = beside.iter().find(|part| !part.star.lies_on(opening));
+            let neighbours = &stars[i.saturating_sub(1)..(i + 1).min(stars.len())];
+            let radius = opening(neighbours.iter().map(|part| part.star.rho_0), clearance);
+            let falling = neighbours.iter().find(|part| !part.star.lies_on(radius));
             if let (Some(part), true) = (falling, refusals.is_empty()) {
-                refusals.push(falls_through(i + 1, part.star.d_t, opening));
+                refusals.push(falls_through(i + 1, part.star.d_t, radius));
             }
-            match plates.iter_mut().find(|plate| plate.opening == opening) {
+            match plates.iter_mut().find(|plate| plate.opening == radius) {
                 Some(plate) => plate.numbers.push(i + 1),
-                None => plates.push(Plate { opening, numbers: vec![i + 1] }),
+                None => plates.push(Plate { opening: radius, numbers: vec![i + 1] }),
             }
         }
         let hoses: Vec<Hose> = stars
@@ -80,11 +80,11 @@ impl Frame {
             })
             .collect();
         let posts = posts_on(circle, frame.posts, &hoses);
-        let around = post / 2.0 + clearance;
-        if let Some((free, needed)) = met(&posts, around, &hoses) {
+        let clear_radius = post / 2.0 + clearance;
+        if let Some((free, needed_room)) = obstructed(&posts, clear_radius, &hoses) {
             let helps =
-                |count: u32, hoses: &[Hose]| met(&posts_on(circle, count, hoses), around, hoses).is_none();
-            refusals.push(meets_hose(frame.posts, (free, needed), &hoses, helps));
+                |count: u32, hoses: &[Hose]| obstructed(&posts_on(circle, count, hoses), clear_radius, hoses).is_none();
+            refusals.push(meets_hose(frame.posts, (free, needed_room), &hoses, helps));
         }
         refusals.or(Self {
             plates,
@@ -134,9 +134,9 @@ struct Hose {
 impl Hose {
     /// Distance of `p` from the half line from the axis outwards.
     fn distance(&self, p: Point) -> f64 {
-        let along = geom::Vec2::unit(self.direction);
+        let direction = geom::Vec2::unit(self.direction);
         let v = p - Point::ORIGIN;
-        if v.dot(along) > 0.0 { along.cross(v).abs() } else { v.length() }
+        if v.dot(direction) > 0.0 { direction.cross(v).abs() } else { v.length() }
     }
 }
 
@@ -146,13 +146,13 @@ fn posts_on(circle: f64, count: u32, hoses: &[Hose]) -> Vec<Point> {
     (0..count).map(|i| Point::polar(circle, first + TAU * f64::from(i) / f64::from(count))).collect()
 }
 
-/// How far the middle of the first hose that `posts` obstruct is from one of them, and how far it must be; `around` is what a post needs
+/// How far the middle of the first hose that `posts` obstruct is from one of them, and how far it must be; `clear_radius` is what a post needs
 /// beside a hose.
-fn met(posts: &[Point], around: f64, hoses: &[Hose]) -> Option<(f64, f64)> {
+fn obstructed(posts: &[Point], clear_radius: f64, hoses: &[Hose]) -> Option<(f64, f64)> {
     hoses.iter().find_map(|hose| {
-        let needed = hose.half_width + around;
+        let needed_room = hose.half_width + clear_radius;
         let free = posts.iter().map(|post| hose.distance(*post)).fold(f64::INFINITY, f64::min);
-        (free < needed).then_some((free, needed))
+        (free < needed_room).then_some((free, needed_room))
     })
 }
 
@@ -160,11 +160,11 @@ fn met(posts: &[Point], around: f64, hoses: &[Hose]) -> Option<(f64, f64)> {
 fn first_post(count: u32, hoses: &[Hose]) -> f64 {
     let step = TAU / f64::from(count);
     // A direction that differs by a whole step is the same one; rounding must not change that.
-    let within = |angle: f64| {
+    let in_sector = |angle: f64| {
         let a = angle.rem_euclid(step);
         if step - a < 1e-9 { 0.0 } else { a }
     };
-    let mut directions: Vec<f64> = hoses.iter().map(|hose| within(hose.direction)).collect();
+    let mut directions: Vec<f64> = hoses.iter().map(|hose| in_sector(hose.direction)).collect();
     directions.sort_by(f64::total_cmp);
     let Some(first) = directions.first().copied() else { return step / 2.0 };
     directions.push(first + step);
@@ -179,17 +179,17 @@ fn first_post(count: u32, hoses: &[Hose]) -> f64 {
 
 fn falls_through(plate: usize, tips: f64, opening: f64) -> Refusal {
     let (tips, opening) = (Readable(tips), Readable(opening));
-    let found = format!(
+    let fault = format!(
         "the tips of a star bend {tips} mm from the axis, the opening of plate {plate} has a radius of {opening} mm"
     );
     let remedy = "make clearance smaller, or neighbouring stars less different";
-    Refusal::new(key::frame::CLEARANCE, RefusalCode::ArmsFallThrough, found, remedy)
+    Refusal::new(key::frame::CLEARANCE, RefusalCode::ArmsFallThrough, fault, remedy)
 }
 
 /// `helps` returns whether a number of posts leaves free hoses in these directions.
 fn meets_hose(
     posts: u32,
-    (free, needed): (f64, f64),
+    (free, needed_room): (f64, f64),
     hoses: &[Hose],
     helps: impl Fn(u32, &[Hose]) -> bool,
 ) -> Refusal {
@@ -207,8 +207,8 @@ fn meets_hose(
         Some(count) => format!("make posts {count}, and {lined}"),
         None => "make post_diameter or clearance smaller, or take a thinner hose".to_owned(),
     };
-    let (free, needed) = (Readable(free), Readable(needed));
-    let found =
-        format!("with {posts} posts one would be {free} mm from the middle of a hose that needs {needed} mm");
-    Refusal::new(key::frame::POSTS, RefusalCode::PostMeetsHose, found, remedy)
+    let (free, needed_room) = (Readable(free), Readable(needed_room));
+    let fault =
+        format!("with {posts} posts one would be {free} mm from the middle of a hose that needs {needed_room} mm");
+    Refusal::new(key::frame::POSTS, RefusalCode::PostMeetsHose, fault, remedy)
 }

@@ -42,7 +42,7 @@ impl Channel {
 
     /// The outer contour at `delta`, opened by the channel: from the mouth inwards, around the star, out to the mouth.
     ///
-    /// Both ends run `beyond` past the mouth. Fillets are at least `least_radius` round.
+    /// Both ends run `excess` past the mouth. Fillets are at least `least_radius` round.
     ///
     /// # Errors
     /// If the channel with its strips does not fit on the tip's arc, or ends before it begins.
@@ -52,17 +52,17 @@ impl Channel {
         contour: &Contour,
         delta: f64,
         least_radius: f64,
-        beyond: f64,
+        excess: f64,
     ) -> Result<Path, Refusal> {
         let tip = contour.parts.iter().position(|(part, _)| *part == Part::Tip(self.tip));
-        let Some((at, Segment::Arc(arc))) = tip.map(|at| (at, contour.parts[at].1)) else {
+        let Some((index, Segment::Arc(arc))) = tip.map(|index| (index, contour.parts[index].1)) else {
             return Err(self.too_wide(star.w, delta, star.r_i + star.w + delta));
         };
         let junction = self.fitted(star, arc.sweep / 2.0, delta, least_radius)?;
-        let end = self.mouth - star.d_t + beyond;
-        let (into, out) = sides(star.tip_ray(self.tip), &arc, &junction, end);
-        let rest = contour.parts[at + 1..].iter().chain(&contour.parts[..at]).map(|(_, segment)| *segment);
-        Ok(Path::open(into.into_iter().chain(rest).chain(out).collect()))
+        let end = self.mouth - star.d_t + excess;
+        let (inward, outward) = sides(star.tip_ray(self.tip), &arc, &junction, end);
+        let rest = contour.parts[index + 1..].iter().chain(&contour.parts[..index]).map(|(_, segment)| *segment);
+        Ok(Path::open(inward.into_iter().chain(rest).chain(outward).collect()))
     }
 
     /// The channel of `inlet` on a disc of flat radius `radius` about the origin, towards +X.
@@ -76,16 +76,16 @@ impl Channel {
     }
 
     /// The circle `delta` outside of a disc of flat radius `radius`, opened by the channel: from the mouth inwards, around, and out
-    /// to the mouth, both ends `beyond` past it; `None` if the channel has no room on the disc. Fillets are at least `least_radius` round.
-    pub fn open_disc(&self, radius: f64, delta: f64, least_radius: f64, beyond: f64) -> Option<Path> {
+    /// to the mouth, both ends `excess` past it; `None` if the channel has no room on the disc. Fillets are at least `least_radius` round.
+    pub fn open_disc(&self, radius: f64, delta: f64, least_radius: f64, excess: f64) -> Option<Path> {
         let rim = radius + delta;
         let junction = self.junction(rim, delta, least_radius)?;
         if junction.x >= self.mouth {
             return None;
         }
         let circle = Arc::new(Point::ORIGIN, rim, -PI, 2.0 * PI);
-        let (into, out) = sides(0.0, &circle, &junction, self.mouth + beyond);
-        Some(Path::open(into.into_iter().chain(out).collect()))
+        let (inward, outward) = sides(0.0, &circle, &junction, self.mouth + excess);
+        Some(Path::open(inward.into_iter().chain(outward).collect()))
     }
 
     /// Area that the channel adds to what the contour at `delta` encloses, mm^2, the contour's arc at the tip of radius
@@ -115,9 +115,9 @@ impl Channel {
         }
         let end = self.mouth - star.d_t;
         if junction.x >= end {
-            let found = format!("the mouth would lie {} mm inside the flap", Readable(junction.x - end));
+            let fault = format!("the mouth would lie {} mm inside the flap", Readable(junction.x - end));
             let remedy = format!("length must be above {} mm", Least(junction.x - star.r_i - star.w));
-            return Err(Refusal::new(key::inlet::LENGTH, RefusalCode::ShortInlet, found, remedy));
+            return Err(Refusal::new(key::inlet::LENGTH, RefusalCode::ShortInlet, fault, remedy));
         }
         Ok(junction)
     }
@@ -142,12 +142,12 @@ impl Channel {
             return None;
         }
         let (width, tube) = (Readable(2.0 * self.half_width), Readable(star.w));
-        let found = format!(
+        let fault = format!(
             "the hose's channel on star {index} is {width} mm wide, wider than the tube of {tube} mm that it feeds"
         );
-        let most = Most(round_tube(star.w));
-        let remedy = format!("a hose that is no thicker than the inflated tube has at most {most} mm");
-        Some(Warning::new(key::inlet::TUBE_DIAMETER, RefusalCode::ThickHose, found, remedy))
+        let thickest = Most(round_tube(star.w));
+        let remedy = format!("a hose that is no thicker than the inflated tube has at most {thickest} mm");
+        Some(Warning::new(key::inlet::TUBE_DIAMETER, RefusalCode::ThickHose, fault, remedy))
     }
 
     fn too_wide(&self, width: f64, delta: f64, room: f64) -> Refusal {
@@ -157,11 +157,11 @@ impl Channel {
         let key = blamed([(key::inlet::TUBE_DIAMETER, hose / 4.0), (key::star::TUBE_WIDTH, 30.0 / width)]);
         let (tip, [wide, room]) =
             (self.tip, [self.half_width + delta, room.max(0.0)].map(|half| Readable(2.0 * half)));
-        let found = format!(
+        let fault = format!(
             "the channel{strips} would be {wide} mm wide and meet an arm, where tip {tip} leaves {room} mm"
         );
         let remedy = "make tube_diameter, band or allowance smaller, or the tube wider";
-        Refusal::new(key, RefusalCode::InletMeetsArm, found, remedy)
+        Refusal::new(key, RefusalCode::InletMeetsArm, fault, remedy)
     }
 
     /// The cut across the mouth: from one end of an open outline to its other.
@@ -181,16 +181,16 @@ impl Channel {
 /// The two sides of the channel along `ray` with their fillets and the remainder of `arc`: inwards and outwards.
 fn sides(ray: f64, arc: &Arc, junction: &Junction, end: f64) -> (Vec<Segment>, Vec<Segment>) {
     let (along, across) = (Vec2::unit(ray), Vec2::unit(ray).perp());
-    let at = |x: f64, y: f64| -> Point { arc.center + along * x + across * y };
+    let point = |x: f64, y: f64| -> Point { arc.center + along * x + across * y };
     let Junction { psi, x, y, radius } = *junction;
     let turn = FRAC_PI_2 - psi;
-    let mut into = vec![Line::new(at(end, y), at(x, y)).into()];
-    let mut out = vec![Arc::new(arc.center, arc.radius, arc.start_angle, arc.sweep / 2.0 - psi).into()];
+    let mut inward = vec![Line::new(point(end, y), point(x, y)).into()];
+    let mut outward = vec![Arc::new(arc.center, arc.radius, arc.start_angle, arc.sweep / 2.0 - psi).into()];
     if radius > 0.0 {
-        into.push(Arc::new(at(x, y + radius), radius, ray - FRAC_PI_2, -turn).into());
-        out.push(Arc::new(at(x, -y - radius), radius, ray - psi + PI, -turn).into());
+        inward.push(Arc::new(point(x, y + radius), radius, ray - FRAC_PI_2, -turn).into());
+        outward.push(Arc::new(point(x, -y - radius), radius, ray - psi + PI, -turn).into());
     }
-    into.push(Arc::new(arc.center, arc.radius, ray + psi, arc.sweep / 2.0 - psi).into());
-    out.push(Line::new(at(x, -y), at(end, -y)).into());
-    (into, out)
+    inward.push(Arc::new(arc.center, arc.radius, ray + psi, arc.sweep / 2.0 - psi).into());
+    outward.push(Line::new(point(x, -y), point(end, -y)).into());
+    (inward, outward)
 }

@@ -64,47 +64,47 @@ struct Chord {
 }
 
 impl JointCut {
-    /// The cut of tip `tip` that is nearest to the axis, with knobs of radius `most` or less; `None` if there is no room for one.
-    pub(super) fn new(star: &Star, outline: &Outline, mask: &MaskPlate, tip: u32, most: f64) -> Option<Self> {
+    /// The cut of tip `tip` that is nearest to the axis, with knobs of radius `largest` or less; `None` if there is no room for one.
+    pub(super) fn new(star: &Star, outline: &Outline, mask: &MaskPlate, tip: u32, largest: f64) -> Option<Self> {
         let ray = star.tip_ray(tip);
         let motion = Isometry::rotation(-ray);
         let windows = mask.windows.iter().map(|window| motion.path(window).bounds());
-        let behind = windows.fold(Bounds::EMPTY, Bounds::union).max.x + BRIDGE;
+        let window_end = windows.fold(Bounds::EMPTY, Bounds::union).max.x + BRIDGE;
         let holes = outline.registration.iter();
         let plate = motion.path(&mask.plate);
-        let around = Around {
+        let surroundings = Around {
             bounds: plate.segments.iter().map(Segment::bounds).collect(),
             plate,
-            most,
+            most: largest,
             holes: holes.map(|hole| (motion.point(hole.center), hole.diameter / 2.0)).collect(),
         };
-        let mut at = behind.max(0.0);
-        let step = STEP.max((star.tip_reach() - at) / PLACES);
-        while at < star.tip_reach() {
-            if let Some((radius, knobs)) = around.room(at, star.half_sector()) {
-                return Some(Self { tip, ray, at, radius, knobs });
+        let mut x = window_end.max(0.0);
+        let step = STEP.max((star.tip_reach() - x) / PLACES);
+        while x < star.tip_reach() {
+            if let Some((radius, knobs)) = surroundings.room(x, star.half_sector()) {
+                return Some(Self { tip, ray, at: x, radius, knobs });
             }
-            at += step;
+            x += step;
         }
         None
     }
 
     /// The tip's edge and that of the remainder of `edge`; `None` if they do not meet as they should.
     pub(super) fn split(&self, edge: &Path) -> Option<(Path, Path)> {
-        let there = Isometry::rotation(-self.ray).path(edge);
-        let chord = enclosed_chord(&there, self.at)?;
-        let (total, (_, from), (_, to)) = (there.length(), chord.low, chord.high);
-        let beyond = if to > from { to } else { to + total };
-        let tip = there.part(from, beyond).then(self.line(&chord, PLAY).reversed());
-        let rest = there.part(beyond, from + total).then(self.line(&chord, 0.0));
+        let turned = Isometry::rotation(-self.ray).path(edge);
+        let chord = enclosed_chord(&turned, self.at)?;
+        let (total, (_, from), (_, to)) = (turned.length(), chord.low, chord.high);
+        let far_end = if to > from { to } else { to + total };
+        let tip = turned.part(from, far_end).then(self.line(&chord, PLAY).reversed());
+        let rest = turned.part(far_end, from + total).then(self.line(&chord, 0.0));
         let back = Isometry::rotation(self.ray);
         Some((back.path(&Path { closed: true, ..tip }), back.path(&Path { closed: true, ..rest })))
     }
 
     /// The joint across `edge`, as the middle has it.
     pub(super) fn joint(&self, edge: &Path) -> Option<Path> {
-        let there = Isometry::rotation(-self.ray).path(edge);
-        let chord = enclosed_chord(&there, self.at)?;
+        let turned = Isometry::rotation(-self.ray).path(edge);
+        let chord = enclosed_chord(&turned, self.at)?;
         Some(Isometry::rotation(self.ray).path(&self.line(&chord, 0.0)))
     }
 
@@ -114,14 +114,14 @@ impl JointCut {
         let neck = (radius.powi(2) - (self.radius / 2.0).powi(2)).sqrt();
         let half = PI - libm::acos(self.radius / 2.0 / radius);
         let mut segments: Vec<Segment> = Vec::new();
-        let mut here = Point::new(self.at, chord.low.0);
+        let mut pen = Point::new(self.at, chord.low.0);
         for y in &self.knobs {
             let foot = Point::new(self.at, y - neck);
-            segments.push(Line::new(here, foot).into());
+            segments.push(Line::new(pen, foot).into());
             segments.push(Arc::new(self.center(*y), radius, -half, 2.0 * half).into());
-            here = Point::new(self.at, y + neck);
+            pen = Point::new(self.at, y + neck);
         }
-        segments.push(Line::new(here, Point::new(self.at, chord.high.0)).into());
+        segments.push(Line::new(pen, Point::new(self.at, chord.high.0)).into());
         Path::open(segments)
     }
 
@@ -131,61 +131,61 @@ impl JointCut {
 }
 
 impl Around {
-    /// Radius and places of the knobs for which a joint at `at` has room; `None` if it has none.
-    fn room(&self, at: f64, half_sector: f64) -> Option<(f64, Vec<f64>)> {
-        let Chord { low: (low, _), high: (high, _) } = chord(&self.plate, &self.bounds, at)?;
+    /// Radius and places of the knobs for which a joint at `x` has room; `None` if it has none.
+    fn room(&self, x: f64, half_sector: f64) -> Option<(f64, Vec<f64>)> {
+        let Chord { low: (low, _), high: (high, _) } = chord(&self.plate, &self.bounds, x)?;
         let in_sector = |y: f64| {
-            let end = Point::new(at, y);
+            let end = Point::new(x, y);
             end.angle().abs() + NOTCH / end.distance(Point::ORIGIN) < half_sector
         };
         let hits = |(hole, radius): &(Point, f64)| {
-            (low..high).contains(&hole.y) && (hole.x - at).abs() < radius + WALL
+            (low..high).contains(&hole.y) && (hole.x - x).abs() < radius + WALL
         };
         // The dearest test is the last one.
-        if !in_sector(low) || !in_sector(high) || self.holes.iter().any(hits) || !is_within(&self.plate, at) {
+        if !in_sector(low) || !in_sector(high) || self.holes.iter().any(hits) || !is_within(&self.plate, x) {
             return None;
         }
         let (middle, quarter) = (f64::midpoint(low, high), (high - low) / 4.0);
         let free = |radius: f64, y: f64| {
-            let center = Point::new(at + radius / 2.0, y);
+            let center = Point::new(x + radius / 2.0, y);
             let clear = |(hole, r): &(Point, f64)| hole.distance(center) >= radius + r + WALL;
-            self.plate.distance(center) >= radius + WALL && self.holes.iter().all(clear)
+            self.plate.distance(center) >= radius + WALL && self.holes.iter().place_all(clear)
         };
         let radii = RADII.into_iter().filter(|radius| *radius <= self.most);
         let two = radii.clone().filter(|radius| quarter >= radius + WALL);
         let two = two.map(|radius| (radius, vec![middle - quarter, middle + quarter]));
-        let one = radii.map(|radius| (radius, vec![middle]));
-        two.chain(one).find(|(radius, places)| places.iter().all(|y| free(*radius, *y)))
+        let single = radii.map(|radius| (radius, vec![middle]));
+        two.chain(single).find(|(radius, places)| places.iter().place_all(|y| free(*radius, *y)))
     }
 }
 
 /// The height of a crossing, and how far along the path it lies.
 type Crossing = (f64, f64);
 
-/// The part of the line x = `at` around the X axis that lies within the closed `path`.
-fn enclosed_chord(path: &Path, at: f64) -> Option<Chord> {
+/// The part of the line x = `x` around the X axis that lies within the closed `path`.
+fn enclosed_chord(path: &Path, x: f64) -> Option<Chord> {
     let bounds: Vec<Bounds> = path.segments.iter().map(Segment::bounds).collect();
-    chord(path, &bounds, at).filter(|_| is_within(path, at))
+    chord(path, &bounds, x).filter(|_| is_within(path, x))
 }
 
-/// Whether the point of the X axis at `at` lies within the closed `path`.
-fn is_within(path: &Path, at: f64) -> bool {
-    path.encloses(Point::ORIGIN + Vec2::new(at, 0.0))
+/// Whether the point of the X axis at `x` lies within the closed `path`.
+fn is_within(path: &Path, x: f64) -> bool {
+    path.encloses(Point::ORIGIN + Vec2::new(x, 0.0))
 }
 
 /// Rounding of bounds, mm.
 const ROUNDING: f64 = 1e-6;
 
-/// The nearest crossings of the line x = `at` and `path` on both sides of the X axis; `bounds` are those of its segments.
-fn chord(path: &Path, bounds: &[Bounds], at: f64) -> Option<Chord> {
-    let far = bounds.iter().fold(0.0, |far: f64, b| far.max(b.max.y.abs()).max(b.min.y.abs())) + 1.0;
-    let line = Line::new(Point::new(at, -far), Point::new(at, far)).into();
+/// The nearest crossings of the line x = `x` and `path` on both sides of the X axis; `bounds` are those of its segments.
+fn chord(path: &Path, bounds: &[Bounds], x: f64) -> Option<Chord> {
+    let reach = bounds.iter().fold(0.0, |reach: f64, b| reach.max(b.max.y.abs()).max(b.min.y.abs())) + 1.0;
+    let line = Line::new(Point::new(x, -reach), Point::new(x, reach)).into();
     let (mut low, mut high) = (None::<Crossing>, None::<Crossing>);
-    let mut before = 0.0;
+    let mut start = 0.0;
     for (segment, bounds) in path.segments.iter().zip(bounds) {
-        let is_crossed = (bounds.min.x - ROUNDING..=bounds.max.x + ROUNDING).contains(&at);
+        let is_crossed = (bounds.min.x - ROUNDING..=bounds.max.x + ROUNDING).contains(&x);
         for meet in is_crossed.then(|| intersections(segment, &line)).into_iter().flatten() {
-            let end = (meet.y, before + segment.nearest_fraction(meet) * segment.length());
+            let end = (meet.y, start + segment.nearest_fraction(meet) * segment.length());
             if meet.y < 0.0 && low.is_none_or(|known| known.0 < meet.y) {
                 low = Some(end);
             }
@@ -193,7 +193,7 @@ fn chord(path: &Path, bounds: &[Bounds], at: f64) -> Option<Chord> {
                 high = Some(end);
             }
         }
-        before += segment.length();
+        start += segment.length();
     }
     low.zip(high).map(|(low, high)| Chord { low, high })
 }

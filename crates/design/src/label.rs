@@ -26,25 +26,25 @@ pub(super) fn on_outline(part: &StarDesign, placed: &PlacedPart) -> Vec<Path> {
     let rim = part.star.r_i + part.star.w + part.shape.band;
     let strip = part.outline.flap;
     let text = format!("STAR {} THIS SIDE UP WARP ", placed.index);
-    let at = |p: Point| placed.placement.point(p);
+    let place = |p: Point| placed.placement.point(p);
     let turn = placed.placement.rotation;
     let Some(line) = fit(part, &text, rim + strip / 2.0, strip) else { return Vec::new() };
-    let center = at(part.star.tip_center(line.stretch.tip));
-    let mut out = lettering::around(&text, center, rim + strip / 2.0, line.middle(part) + turn, line.height);
+    let center = place(part.star.tip_center(line.stretch.tip));
+    let mut strokes = lettering::circular_text(&text, center, rim + strip / 2.0, line.middle(part) + turn, line.height);
     // Behind the text: the advance of the last blank is half of the arrow's length.
-    let behind = lettering::width(&text, line.height) / 2.0;
-    let direction = line.middle(part) + turn - behind / (rim + strip / 2.0);
-    out.extend(arrow(center + Vec2::unit(direction) * (rim + strip / 2.0), 0.8 * line.height));
-    out
+    let half_angle = lettering::width(&text, line.height) / 2.0;
+    let direction = line.middle(part) + turn - half_angle / (rim + strip / 2.0);
+    strokes.extend(arrow(center + Vec2::unit(direction) * (rim + strip / 2.0), 0.8 * line.height));
+    strokes
 }
 
 /// The labels of a drawn piece where it is placed, in the sheet's frame: the warp runs along X.
 pub(super) fn on_piece(piece: &DrawnPiece, placed: &PlacedPart) -> Vec<Path> {
-    let mut out: Vec<Path> = piece.labels.strokes.iter().map(|path| placed.placement.path(path)).collect();
+    let mut strokes: Vec<Path> = piece.labels.strokes.iter().map(|path| placed.placement.path(path)).collect();
     if let Some((middle, half)) = piece.labels.warp {
-        out.extend(arrow(placed.placement.point(middle), half));
+        strokes.extend(arrow(placed.placement.point(middle), half));
     }
-    out
+    strokes
 }
 
 /// The star's number and its side on the border of a mask, mirrored or not, in the mask's frame.
@@ -56,7 +56,7 @@ pub(super) fn on_mask(part: &StarDesign, mask: &MaskPlate, star: usize, mirrored
     let Some(line) = fit(part, &text, radius, mask.border) else { return Vec::new() };
     let (motion, sign) = if mirrored { (Isometry::mirror(), -1.0) } else { (Isometry::IDENTITY, 1.0) };
     let center = motion.point(part.star.tip_center(line.stretch.tip));
-    lettering::around(&text, center, radius, sign * line.middle(part), line.height)
+    lettering::circular_text(&text, center, radius, sign * line.middle(part), line.height)
 }
 
 /// A text that has found its place.
@@ -121,7 +121,7 @@ fn free(part: &StarDesign, tip: u32, edge: f64) -> Option<Stretch> {
 
 /// A double arrow along X.
 pub(super) fn arrow(middle: Point, half: f64) -> Vec<Path> {
-    let at = |x: f64, y: f64| middle + Vec2::new(x, y) * half;
-    let head = |x: f64| Path::through(&[at(0.6 * x, 0.4), at(x, 0.0), at(0.6 * x, -0.4)]);
-    vec![Path::through(&[at(-1.0, 0.0), at(1.0, 0.0)]), head(-1.0), head(1.0)]
+    let point = |x: f64, y: f64| middle + Vec2::new(x, y) * half;
+    let head = |x: f64| Path::through(&[point(0.6 * x, 0.4), point(x, 0.0), point(0.6 * x, -0.4)]);
+    vec![Path::through(&[point(-1.0, 0.0), point(1.0, 0.0)]), head(-1.0), head(1.0)]
 }

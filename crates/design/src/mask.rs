@@ -41,13 +41,13 @@ impl MaskPlate {
     pub fn new(spec: &Spec, star_spec: &StarSpec, star: &Star, outline: &Outline) -> Result<Self, Refusal> {
         let mask = &spec.mask;
         let zone = Zone::new(star, &spec.seal, mask);
-        let Reach { hinge, most } = zone.reach();
-        let (wanted, extent) = match mask.extent {
-            Some(wanted) if wanted.0 > most => return Err(too_far(wanted.0, most)),
-            Some(wanted) => (wanted.0, wanted.0),
+        let Reach { hinge, most: longest } = zone.reach();
+        let (wish, extent) = match mask.extent {
+            Some(wish) if wish.0 > longest => return Err(too_far(wish.0, longest)),
+            Some(wish) => (wish.0, wish.0),
             None => {
-                let wanted = star_spec.tube_width.0.max(hinge);
-                (wanted, wanted.min(most))
+                let default_extent = star_spec.tube_width.0.max(hinge);
+                (default_extent, default_extent.min(longest))
             }
         };
         let window = zone.window(extent)?;
@@ -59,10 +59,10 @@ impl MaskPlate {
         }
         let border = mask.border.0;
         let plate = offset(&outline.outside, border).ok_or_else(|| {
-            let found = format!("the outline cannot be grown by {} mm", Readable(border));
-            Refusal::new(key::mask::BORDER, RefusalCode::NoPlate, found, "make border smaller")
+            let fault = format!("the outline cannot be grown by {} mm", Readable(border));
+            Refusal::new(key::mask::BORDER, RefusalCode::NoPlate, fault, "make border smaller")
         })?;
-        Ok(Self { plate, windows, extent, wanted, border })
+        Ok(Self { plate, windows, extent, wanted: wish, border })
     }
 
     /// A default that was cut, for the mask of star number `index`, which is `star`.
@@ -71,21 +71,21 @@ impl MaskPlate {
             return None;
         }
         let hinge = Zone::hinge(star);
-        let [extent, hinged, wanted] =
+        let [extent, hinged, wish] =
             [self.extent, hinge, self.wanted].map(|length| Readable(hundredths_down(length)));
         let part = if self.extent < hinge {
             format!("less than the hinge of {hinged} mm")
         } else {
-            format!("less than the default of {wanted} mm")
+            format!("less than the default of {wish} mm")
         };
-        let found = format!(
+        let fault = format!(
             "the coating windows of star {index} reach {extent} mm from a corner's apex, {part}: neighbouring windows \
              leave no more room"
         );
         let remedy = format!(
             "write extent = \"{extent} mm\" in [mask] to accept it; fewer points or a larger inner_radius make room"
         );
-        Some(Warning::new(key::mask::EXTENT, RefusalCode::ShortWindow, found, remedy))
+        Some(Warning::new(key::mask::EXTENT, RefusalCode::ShortWindow, fault, remedy))
     }
 
     /// The caption of every page on which the mask of star number `star` is printed.
@@ -105,12 +105,12 @@ impl MaskPlate {
     }
 }
 
-fn too_far(wanted: f64, most: f64) -> Refusal {
+fn too_far(wish: f64, longest: f64) -> Refusal {
     Refusal::new(
         key::mask::EXTENT,
         RefusalCode::LongExtent,
-        format!("at {} mm neighbouring windows would leave no bridge or run past the arms", Readable(wanted)),
-        format!("extent must be at most {} mm", Readable(hundredths_down(most))),
+        format!("at {} mm neighbouring windows would leave no bridge or run past the arms", Readable(wish)),
+        format!("extent must be at most {} mm", Readable(hundredths_down(longest))),
     )
 }
 
@@ -118,11 +118,11 @@ fn too_far(wanted: f64, most: f64) -> Refusal {
 fn thin_rim(rim: f64, spec: &Spec) -> Refusal {
     let [border, allowance] =
         [spec.mask.border, spec.seal.allowance].map(|width| Least(width.0 + LEAST_RIM - rim));
-    let found =
+    let fault =
         format!("{} mm of the mask's plate stay between its edge and the coating windows", Readable(rim));
     let remedy =
         format!("border must be at least {border} mm; or alone: an allowance of at least {allowance} mm");
-    Refusal::new(key::mask::BORDER, RefusalCode::ThinRim, found, remedy)
+    Refusal::new(key::mask::BORDER, RefusalCode::ThinRim, fault, remedy)
 }
 
 /// Density of VPS-32 (Elite Double 32), kg/m^3, by its maker.
@@ -144,8 +144,8 @@ impl MaskPlate {
     /// two thirds of this. Less tilt leaves more: twice as much at 14.5 degrees.
     pub fn coating_um(&self) -> [f64; 2] {
         let x = self.extent / 1e3;
-        let [least, most] = FLUIDITY;
-        [most, least].map(|phi| 1e6 * (x / (DENSITY * GRAVITY * phi)).sqrt())
+        let [thinnest, thickest] = FLUIDITY;
+        [thickest, thinnest].map(|phi| 1e6 * (x / (DENSITY * GRAVITY * phi)).sqrt())
     }
 }
 

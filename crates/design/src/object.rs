@@ -47,21 +47,21 @@ impl Meeting {
 
 impl Object {
     /// The object of `load`: a ball unless another shape is given, as tall as wide unless a height is given. `None` without a size.
-    pub fn of(load: &Load) -> Option<Self> {
+    pub fn new(load: &Load) -> Option<Self> {
         let radius = load.object_radius?.0;
         let height = load.object_height.map_or(2.0 * radius, |height| height.0);
         Some(Self { radius, height, shape: load.object_shape.unwrap_or(ObjectShape::Ball) })
     }
 
-    /// The largest radius of the object of `load` if it is to have the radius `wanted` where it has `there` now, all in mm: one without a
+    /// The largest radius of the object of `load` if it is to have the radius `local_goal` where it has `local_radius` now, all in mm: one without a
     /// height of its own grows in height, too.
-    pub fn widest_for(load: &Load, there: f64, wanted: f64) -> f64 {
-        let radius = load.object_radius.map_or(there, |radius| radius.0);
+    pub fn widest_for(load: &Load, local_radius: f64, local_goal: f64) -> f64 {
+        let radius = load.object_radius.map_or(local_radius, |radius| radius.0);
         match load.object_height {
             // r(z)^2 = R^2 - z^2, with the same z.
-            None => (radius * radius - there * there + wanted * wanted).max(0.0).sqrt(),
-            Some(_) if there > 0.0 => radius * wanted / there,
-            Some(_) => wanted,
+            None => (radius * radius - local_radius * local_radius + local_goal * local_goal).max(0.0).sqrt(),
+            Some(_) if local_radius > 0.0 => radius * local_goal / local_radius,
+            Some(_) => local_goal,
         }
     }
 
@@ -105,7 +105,7 @@ impl Object {
             (Some(low), Some(high)) => 0.5 * (low + high),
             _ => 0.0,
         };
-        let from = |below: f64| -> Vec<Meeting> {
+        let spread = |below: f64| -> Vec<Meeting> {
             let meeting = |height: &f64| {
                 let z = height - middle;
                 let radius = self.radius_at(z);
@@ -117,7 +117,7 @@ impl Object {
         };
         let passed =
             |all: &[Meeting]| all.iter().zip(holes).filter(|(one, hole)| one.entering <= **hole).count();
-        let (below, above) = (from(1.0), from(-1.0));
+        let (below, above) = (spread(1.0), spread(-1.0));
         if passed(&above) > passed(&below) { above } else { below }
     }
 
@@ -129,15 +129,15 @@ impl Object {
 
     /// The assumption about its shape between `stars` stars; `None` if there is none, or one star alone grips its middle.
     pub fn assumed(load: &Load, stars: usize) -> Option<String> {
-        let own = Self::of(load).filter(|_| stars > 1)?;
-        let shape = own.shape.word();
+        let object = Self::new(load).filter(|_| stars > 1)?;
+        let shape = object.shape.word();
         match (load.object_height, load.object_shape) {
             (Some(_), Some(_)) => None,
             (Some(_), None) => Some(format!("assumed to be a {shape}: set object_shape")),
-            (None, Some(_)) => Some(format!("assumed to be {} tall: set object_height", own.height())),
+            (None, Some(_)) => Some(format!("assumed to be {} tall: set object_height", object.height())),
             (None, None) => Some(format!(
                 "assumed to be a {shape} {} tall: set object_height and object_shape",
-                own.height()
+                object.height()
             )),
         }
     }
@@ -155,38 +155,38 @@ impl Star {
 pub fn does_not_enter(spec: &Spec, (inner, hole): (f64, f64), entering: f64, widest: Option<f64>) -> Refusal {
     let key = spec.load.as_ref().map_or(key::load::OBJECT_DIAMETER, Load::size_key);
     let flap = inner - hole;
-    let ([across, rho, less], most) = ([2.0 * entering, inner, flap].map(Readable), Most(2.0 * hole));
-    let found = format!(
-        "the object is {across} mm across, the cut hole {most} mm (inner radius {rho} mm less {less} mm of \
+    let ([diameter, rho, margin], hole_diameter) = ([2.0 * entering, inner, flap].map(Readable), Most(2.0 * hole));
+    let fault = format!(
+        "the object is {diameter} mm across, the cut hole {hole_diameter} mm (inner radius {rho} mm less {margin} mm of \
          band and flap): it does not enter"
     );
-    let wanted = entering + room(Length(entering)).0 + flap;
+    let needed_radius = entering + room(Length(entering)).0 + flap;
     let narrower = widest.map_or_else(String::new, |radius| {
         format!("an object of at most {} mm across, or ", Most(2.0 * radius))
     });
     // An inner radius that lets it in is not enough where the inflated star opens less than its hole.
     let larger = if widest.is_some_and(|radius| radius > hole - 1e-6) {
-        format!("an inner_radius of at least {} mm", Least(wanted))
+        format!("an inner_radius of at least {} mm", Least(needed_radius))
     } else {
         "a larger inner_radius, with which the star also opens wider than the object".to_owned()
     };
     let remedy = format!("{narrower}{larger}");
-    Refusal::new(key, RefusalCode::ObjectTooWide, found, remedy)
+    Refusal::new(key, RefusalCode::ObjectTooWide, fault, remedy)
 }
 
 /// The warning that an object which passes the hole of `star`, number `index`, has little room.
 pub(super) fn tight(spec: &Spec, index: usize, star: &Star, meeting: Meeting) -> Option<Warning> {
     let (hole, entering) = (star.hole(&spec.seal), meeting.entering);
-    let (gap, wanted) = (hole - entering, room(Length(entering)).0);
-    (gap >= 0.0 && gap < TIGHT * wanted).then(|| {
-        let (room, across) = (Most(gap), Most(2.0 * hole));
-        let (wanted, inner) = (Readable(wanted), Least(star.rho_0 + wanted - gap));
+    let (gap, usual_gap) = (hole - entering, room(Length(entering)).0);
+    (gap >= 0.0 && gap < TIGHT * usual_gap).then(|| {
+        let (room, hole_diameter) = (Most(gap), Most(2.0 * hole));
+        let (usual_gap, inner) = (Readable(usual_gap), Least(star.rho_0 + usual_gap - gap));
         Warning::new(
             key::star::INNER_RADIUS.of_star(index),
             RefusalCode::TightHole,
-            format!("{room} mm of room between the object and the cut hole of {across} mm across"),
+            format!("{room} mm of room between the object and the cut hole of {hole_diameter} mm across"),
             format!(
-                "inner_radius of {inner} mm leaves {wanted} mm and needs no exact alignment; check that the star still \
+                "inner_radius of {inner} mm leaves {usual_gap} mm and needs no exact alignment; check that the star still \
                  holds the object"
             ),
         )
@@ -204,7 +204,7 @@ mod tests {
             object_shape: shape,
             ..Load::default()
         };
-        Object::of(&load).expect("a size")
+        Object::new(&load).expect("a size")
     }
 
     fn radii(object: Object, heights: &[f64]) -> Vec<f64> {
@@ -222,11 +222,11 @@ mod tests {
                 object_shape: shape,
                 ..Load::default()
             };
-            let at = |load: &Load| Object::of(load).expect("a size").radius_at(20.0);
-            let now = load(60.0);
+            let local_radius = |load: &Load| Object::new(load).expect("a size").radius_at(20.0);
+            let current = load(60.0);
             for wanted in [30.0, 55.0, 70.0] {
-                let found = at(&load(Object::widest_for(&now, at(&now), wanted)));
-                assert!((found - wanted).abs() < 1e-9, "{height:?} {shape:?} {wanted}: {found}");
+                let radius = local_radius(&load(Object::widest_for(&current, local_radius(&current), wanted)));
+                assert!((radius - wanted).abs() < 1e-9, "{height:?} {shape:?} {wanted}: {radius}");
             }
         }
     }
@@ -234,10 +234,10 @@ mod tests {
     /// A ball of 180 mm has a radius of 80.6 mm at 40 mm off its middle.
     #[test]
     fn a_ball_is_met_at_each_star_s_height() {
-        let found = radii(object(90.0, None, None), &[25.0, 65.0, 105.0]);
-        let off = 8100.0_f64 - 1600.0;
-        assert!((found[0] - off.sqrt()).abs() < 1e-12 && (found[0] - 80.62).abs() < 0.01, "{found:?}");
-        assert_eq!([found[1], found[2]], [90.0, found[0]]);
+        let ball_radii = radii(object(90.0, None, None), &[25.0, 65.0, 105.0]);
+        let square = 8100.0_f64 - 1600.0;
+        assert!((ball_radii[0] - square.sqrt()).abs() < 1e-12 && (ball_radii[0] - 80.62).abs() < 0.01, "{ball_radii:?}");
+        assert_eq!([ball_radii[1], ball_radii[2]], [90.0, ball_radii[0]]);
         assert_eq!(radii(object(15.0, None, None), &[0.0, 40.0]), [0.0, 0.0]);
         assert_eq!(radii(object(15.0, Some(100.0), Some(ObjectShape::Cylinder)), &[0.0, 40.0]), [15.0, 15.0]);
         assert_eq!(
@@ -261,8 +261,8 @@ mod tests {
     #[test]
     fn one_star_alone_grips_the_middle_whatever_the_shape() {
         for shape in [None, Some(ObjectShape::Ball), Some(ObjectShape::Cylinder)] {
-            let of = object(30.0, Some(1.0), shape).equal_meetings(1, 40.0, 50.0);
-            assert_eq!(of, [Meeting { radius: 30.0, entering: 30.0, slope: 0.0 }]);
+            let meeting = object(30.0, Some(1.0), shape).equal_meetings(1, 40.0, 50.0);
+            assert_eq!(meeting, [Meeting { radius: 30.0, entering: 30.0, slope: 0.0 }]);
         }
     }
 
@@ -286,8 +286,8 @@ mod tests {
             ..Load::default()
         };
         assert_eq!(Object::assumed(&load(None, None), 1), None);
-        let both = Object::assumed(&load(None, None), 2).expect("two stars");
-        assert!(both.contains("ball 180 mm tall"), "{both}");
+        let assumption = Object::assumed(&load(None, None), 2).expect("two stars");
+        assert!(assumption.contains("ball 180 mm tall"), "{assumption}");
         assert!(Object::assumed(&load(Some(57.0), None), 2).is_some());
         assert_eq!(Object::assumed(&load(Some(57.0), Some(ObjectShape::Ball)), 2), None);
         assert_eq!(Object::assumed(&Load::default(), 2), None);

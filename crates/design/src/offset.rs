@@ -5,23 +5,23 @@ use cavalier_contours::polyline::PlineSource;
 use geom::Path;
 use sealed::{of_polyline, polyline};
 
-/// A closed counterclockwise path whose every point lies `by` outside `path`, round at its outward corners, or `-by` inside
+/// A closed counterclockwise path whose every point lies `distance` outside `path`, round at its outward corners, or `-by` inside
 /// it; `None` if nothing comes out, or what is shrunk falls apart.
-pub(super) fn offset(path: &Path, by: f64) -> Option<Path> {
-    if by == 0.0 {
+pub(super) fn offset(path: &Path, distance: f64) -> Option<Path> {
+    if distance == 0.0 {
         return Some(path.clone());
     }
     // To the right of a counterclockwise path is outside.
-    let loops = polyline(path).parallel_offset(-by);
-    let out = if by > 0.0 {
+    let loops = polyline(path).parallel_offset(-distance);
+    let largest = if distance > 0.0 {
         // Where a wedge closes up, the offset also has islands.
         loops.iter().max_by(|a, b| a.area().total_cmp(&b.area()))?
     } else {
         loops.first().filter(|_| loops.len() == 1)?
     };
-    let out = of_polyline(out);
-    let area = out.area();
-    (area > 0.0 && (area > path.area()) == (by > 0.0)).then_some(out)
+    let contour = of_polyline(contour);
+    let area = contour.area();
+    (area > 0.0 && (area > path.area()) == (distance > 0.0)).then_some(contour)
 }
 
 #[cfg(test)]
@@ -42,8 +42,8 @@ mod tests {
     fn a_rectangle_grows_and_shrinks_as_it_must() {
         let path = rectangle(20.0, 10.0);
         for by in [1e-3, 0.1, 3.0] {
-            let grown = offset(&path, by).expect("there is room").area();
-            assert!((grown - (200.0 + 60.0 * by + PI * by * by)).abs() < 1e-9, "{by}: {grown}");
+            let area = offset(&path, by).expect("there is room").area();
+            assert!((area - (200.0 + 60.0 * by + PI * by * by)).abs() < 1e-9, "{by}: {area}");
             let shrunk = offset(&path, -by).expect("it is wide enough").area();
             assert!((shrunk - (20.0 - 2.0 * by) * (10.0 - 2.0 * by)).abs() < 1e-9, "{by}: {shrunk}");
         }
@@ -54,10 +54,10 @@ mod tests {
     fn what_vanishes_or_falls_apart_is_nothing() {
         assert_eq!(offset(&rectangle(20.0, 10.0), -5.5), None);
         // A dumbbell whose handle is 1 wide.
-        let at = |x: f64, y: f64| Point::new(x, y);
-        let half = [at(0.0, 0.0), at(10.0, 0.0), at(10.0, 4.5), at(20.0, 4.5), at(20.0, 0.0), at(30.0, 0.0)];
+        let point = |x: f64, y: f64| Point::new(x, y);
+        let half = [point(0.0, 0.0), point(10.0, 0.0), point(10.0, 4.5), point(20.0, 4.5), point(20.0, 0.0), point(30.0, 0.0)];
         let corners: Vec<Point> =
-            half.into_iter().chain(half.into_iter().rev().map(|p| at(p.x, 10.0 - p.y))).collect();
+            half.into_iter().chain(half.into_iter().rev().map(|p| point(p.x, 10.0 - p.y))).collect();
         let line = |i: usize| Line::new(corners[i], corners[(i + 1) % corners.len()]).into();
         let dumbbell = Path::closed((0..corners.len()).map(line).collect());
         assert!(offset(&dumbbell, -0.4).is_some());

@@ -57,18 +57,18 @@ impl Outline {
         }
         let delta = band + seal.allowance.0;
         let Some(flap) = star.contour(Side::Outside, delta, 0.0) else { return Err(refusals) };
-        let punched = punched(star, flap, first, seal, hole_diameter);
-        let Some((flap, registration)) = refusals.keep(punched) else { return Err(refusals) };
+        let ears = punched(star, flap, first, seal, hole_diameter);
+        let Some((flap, registration)) = refusals.keep(ears) else { return Err(refusals) };
         let reach = flap.path().furthest(Point::ORIGIN);
-        let outside = match channel {
+        let outer = match channel {
             Some(channel) => {
                 refusals.keep(channel.open(star, &flap, delta, 0.0, 0.0)).map(Channel::mouth_cut)
             }
             None => Some(flap.path()),
         };
-        match (outside, hole) {
-            (Some(outside), Some(hole)) if refusals.is_empty() => {
-                Ok(Self { outside, hole, reach, flap: seal.allowance.0, registration })
+        match (outer, hole) {
+            (Some(outer), Some(hole)) if refusals.is_empty() => {
+                Ok(Self { outside: outer, hole, reach, flap: seal.allowance.0, registration })
             }
             _ => Err(refusals),
         }

@@ -12,10 +12,10 @@ impl TileGrid<'_> {
     pub(super) fn overview(&self, drawing: &Drawing, tiles: &[Tile]) -> Page {
         let corner = drawing.corner();
         let extent = Bounds { min: corner, max: corner + Vec2::new(drawing.width, drawing.height) };
-        let all = tiles.iter().map(|tile| tile.shown).fold(extent, Bounds::union);
-        let scale = (self.window.width() / all.width()).min(self.window.height() / all.height());
+        let union = tiles.iter().map(|tile| tile.shown).fold(extent, Bounds::union);
+        let scale = (self.window.width() / union.width()).min(self.window.height() / union.height());
         let shift = self.window.center() - Point::ORIGIN;
-        let small = Scaled { scale, shift: shift - (all.center() - Point::ORIGIN) * scale };
+        let small = Scaled { scale, shift: shift - (union.center() - Point::ORIGIN) * scale };
         let mut layers: Vec<(Layer, Vec<Shape>)> = drawing
             .layers
             .iter()

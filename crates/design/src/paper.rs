@@ -72,7 +72,7 @@ impl Paper {
     }
 
     /// Whether `drawing` can be printed on it: on at most 100 tiles, and on no page larger than 10 m.
-    pub fn takes(self, drawing: &Drawing) -> bool {
+    pub fn has_room_for(self, drawing: &Drawing) -> bool {
         let cut = self.cut(drawing);
         cut.columns * cut.rows <= MOST_TILES && cut.width.max(cut.height) <= LARGEST
     }
@@ -82,7 +82,7 @@ impl Paper {
     ///
     /// Empty if it cannot be printed, see [`Paper::takes`].
     pub fn pages(self, drawing: &Drawing, caption: &str) -> Vec<Page> {
-        if !self.takes(drawing) {
+        if !self.has_room_for(drawing) {
             return Vec::new();
         }
         let grid = TileGrid { caption, ..self.cut(drawing) };
@@ -95,17 +95,17 @@ impl Paper {
     /// The pages of `drawing` without a caption: on paper that stands or lies, from the drawing's corner or from that of what is drawn, as it
     /// takes the fewest pages. Of equals the first is taken.
     fn cut(self, drawing: &Drawing) -> TileGrid<'static> {
-        let whole = Bounds {
+        let extent = Bounds {
             min: drawing.corner(),
             max: drawing.corner() + Vec2::new(drawing.width, drawing.height),
         };
-        let upright = self.grid(drawing, whole, false);
+        let upright = self.grid(drawing, extent, false);
         if upright.columns * upright.rows <= 1.0 {
             return upright;
         }
         let part = extent(drawing);
-        let others = [
-            self.grid(drawing, whole, true),
+        let alternatives = [
+            self.grid(drawing, extent, true),
             self.grid(drawing, part, false),
             self.grid(drawing, part, true),
         ];
@@ -113,7 +113,7 @@ impl Paper {
             if grid.columns * grid.rows > MOST_TILES { usize::MAX } else { grid.tiles(drawing).len() }
         };
         let (mut best, mut fewest) = (pages(&upright), upright);
-        for grid in others {
+        for grid in alternatives {
             let count = pages(&grid);
             if count < best {
                 (best, fewest) = (count, grid);
@@ -122,29 +122,29 @@ impl Paper {
         fewest
     }
 
-    /// The division of the part `of` a drawing into pages; `lies` turns the paper.
-    fn grid(self, drawing: &Drawing, of: Bounds, lies: bool) -> TileGrid<'static> {
+    /// The division of the part `extent` a drawing into pages; `is_turned` turns the paper.
+    fn grid(self, drawing: &Drawing, extent: Bounds, is_turned: bool) -> TileGrid<'static> {
         let (width, height) = match self {
             Self::Large => {
-                let beside = 2.0 * (WHITE + MARKS);
-                ((drawing.width + beside).max(LEAST_WIDTH), drawing.height + beside - MARKS + FOOT)
+                let border = 2.0 * (WHITE + MARKS);
+                ((drawing.width + border).max(LEAST_WIDTH), drawing.height + border - MARKS + FOOT)
             }
             Self::A4 => (210.0, 297.0),
             Self::Letter => (215.9, 279.4),
         };
-        let (width, height) = if lies { (height, width) } else { (width, height) };
-        let beside = WHITE + MARKS;
-        let corner = Point::new(beside, WHITE + FOOT);
-        let window = Bounds { min: corner, max: Point::new(width - beside, height - beside) };
+        let (width, height) = if is_turned { (height, width) } else { (width, height) };
+        let border = WHITE + MARKS;
+        let corner = Point::new(border, WHITE + FOOT);
+        let window = Bounds { min: corner, max: Point::new(width - border, height - border) };
         let steps = Vec2::new(window.width() - OVERLAP, window.height() - OVERLAP);
         let count = |extent: f64, step: f64| ((extent - OVERLAP) / step - 1e-9).ceil().max(1.0);
         let (columns, rows) = match self {
             Self::Large => (1.0, 1.0),
-            _ => (count(of.width(), steps.x), count(of.height(), steps.y)),
+            _ => (count(extent.width(), steps.x), count(extent.height(), steps.y)),
         };
         TileGrid {
             paper: self,
-            corner: of.min,
+            corner: extent.min,
             width,
             height,
             window,
@@ -193,13 +193,13 @@ impl TileGrid<'_> {
             while column < self.columns {
                 let shift = Vec2::new(column * self.steps.x, row * self.steps.y);
                 let min = self.corner + shift;
-                let shown = Bounds { min, max: min + (self.window.max - self.window.min) };
+                let seen_area = Bounds { min, max: min + (self.window.max - self.window.min) };
                 let inner = |is: bool| if is { OVERLAP / 2.0 } else { 0.0 };
                 let low = Vec2::new(inner(column > 0.0), inner(row > 0.0));
                 let high = Vec2::new(inner(column + 1.0 < self.columns), inner(row + 1.0 < self.rows));
-                let own = Bounds { min: shown.min + low, max: shown.max - high };
-                if holds(drawing, &own) {
-                    tiles.push(Tile { name: format!("{letter}{}", column + 1.0), shown, own });
+                let own_area = Bounds { min: seen_area.min + low, max: seen_area.max - high };
+                if shows(drawing, &own_area) {
+                    tiles.push(Tile { name: format!("{letter}{}", column + 1.0), shown: seen_area, own: own_area });
                 }
                 column += 1.0;
             }
@@ -216,15 +216,15 @@ impl TileGrid<'_> {
             .iter()
             .map(|(layer, shapes)| {
                 let moved = shapes.iter().map(|shape| shape.moved(&motion));
-                (*layer, moved.filter_map(|shape| shape.shown(&self.window)).collect())
+                (*layer, moved.filter_map(|shape| shape.clipped(&self.window)).collect())
             })
             .collect();
         layers.push((Layer::PaperMark, vec![Shape::Figure(self.marks(&tile.name))]));
-        self.with(&tile.name, layers)
+        self.page(&tile.name, layers)
     }
 
     /// A page of this paper.
-    pub(super) fn with(&self, name: &str, layers: Vec<(Layer, Vec<Shape>)>) -> Page {
+    pub(super) fn page(&self, name: &str, layers: Vec<(Layer, Vec<Shape>)>) -> Page {
         let (width, height) = (self.width, self.height);
         Page {
             name: name.to_owned(),
@@ -239,7 +239,7 @@ impl TileGrid<'_> {
     }
 
     fn marks(&self, name: &str) -> Vec<Path> {
-        let mut out = Vec::new();
+        let mut strokes = Vec::new();
         let w = &self.window;
         let corners = [
             (w.min, Vec2::new(1.0, 1.0)),
@@ -250,44 +250,44 @@ impl TileGrid<'_> {
         for (corner, inwards) in corners {
             // A millimetre clear of the window.
             let (x, y) = (Vec2::new(inwards.x, 0.0), Vec2::new(0.0, inwards.y));
-            out.push(Path::through(&[corner - x * 1.0, corner - x * MARKS]));
-            out.push(Path::through(&[corner - y * 1.0, corner - y * MARKS]));
+            strokes.push(Path::through(&[corner - x * 1.0, corner - x * MARKS]));
+            strokes.push(Path::through(&[corner - y * 1.0, corner - y * MARKS]));
             if self.columns * self.rows > 1.0 && !self.alone {
                 let middle = corner + inwards * (OVERLAP / 2.0);
                 for arm in [Vec2::new(3.0, 0.0), Vec2::new(0.0, 3.0)] {
-                    out.push(Path::through(&[middle - arm, middle + arm]));
+                    strokes.push(Path::through(&[middle - arm, middle + arm]));
                 }
             }
         }
-        self.foot(name, &mut out);
-        out
+        self.foot(name, &mut strokes);
+        strokes
     }
 
     /// Ruler, check square and name.
-    fn foot(&self, name: &str, out: &mut Vec<Path>) {
-        out.push(Path::through(&[at(0.0, 2.0), at(100.0, 2.0)]));
+    fn foot(&self, name: &str, strokes: &mut Vec<Path>) {
+        strokes.push(Path::through(&[foot_point(0.0, 2.0), foot_point(100.0, 2.0)]));
         for centimetre in 0_u32..=10 {
             let x = 10.0 * f64::from(centimetre);
             let tall = if centimetre.is_multiple_of(5) { 5.0 } else { 3.0 };
-            out.push(Path::through(&[at(x, 2.0), at(x, 2.0 + tall)]));
+            strokes.push(Path::through(&[foot_point(x, 2.0), foot_point(x, 2.0 + tall)]));
         }
-        out.extend(lettering::lettered("100 MM", at(76.0, 6.0), 2.5));
-        out.push(Path::rectangle(&Bounds { min: at(110.0, 0.0), max: at(130.0, 20.0) }));
-        out.extend(lettering::lettered("20 MM", at(112.5, 9.0), 2.5));
+        strokes.extend(lettering::lettered("100 MM", foot_point(76.0, 6.0), 2.5));
+        strokes.push(Path::rectangle(&Bounds { min: foot_point(110.0, 0.0), max: foot_point(130.0, 20.0) }));
+        strokes.extend(lettering::lettered("20 MM", foot_point(112.5, 9.0), 2.5));
         let (columns, rows, paper) = (self.columns, self.rows, self.paper_name());
         let page = match self.paper {
             Paper::Large => paper,
             _ if self.alone => format!("ONE PAGE ON {paper}"),
             _ => format!("PAGE {name} OF {rows} X {columns} ON {paper}"),
         };
-        out.extend(lettering::lettered(&page, at(0.0, 14.0), 3.0));
-        out.extend(lettering::lettered(self.caption, at(0.0, 20.0), 3.0));
-        out.extend(lettering::lettered("PRINT AT 100 PER CENT", at(134.0, 9.0), 2.0));
+        strokes.extend(lettering::lettered(&page, foot_point(0.0, 14.0), 3.0));
+        strokes.extend(lettering::lettered(self.caption, foot_point(0.0, 20.0), 3.0));
+        strokes.extend(lettering::lettered("PRINT AT 100 PER CENT", foot_point(134.0, 9.0), 2.0));
     }
 }
 
 /// A point of the foot, from the lower left corner of the area that every printer prints.
-pub(super) fn at(x: f64, y: f64) -> Point {
+pub(super) fn foot_point(x: f64, y: f64) -> Point {
     Point::new(WHITE + x, WHITE + y)
 }
 
@@ -302,19 +302,19 @@ fn extent(drawing: &Drawing) -> Bounds {
 }
 
 /// Whether a line of the part crosses `cell`, or the part fills it. Every closed path except labels is an edge of it.
-fn holds(drawing: &Drawing, cell: &Bounds) -> bool {
+fn shows(drawing: &Drawing, cell: &Bounds) -> bool {
     let frame = Path::rectangle(cell);
-    let mut around = 0;
+    let mut enclosing = 0;
     for (_, shapes) in drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label) {
         for path in shapes.iter().flat_map(|shape| shape.paths().into_owned()) {
             let starts_inside = path.start().is_some_and(|start| cell.contains(start));
             if starts_inside || !path_intersections(&path, &frame).is_empty() {
                 return true;
             }
-            around += usize::from(path.closed && path.encloses(cell.center()));
+            enclosing += usize::from(path.closed && path.encloses(cell.center()));
         }
     }
-    !around.is_multiple_of(2)
+    !enclosing.is_multiple_of(2)
 }
 
 #[cfg(test)]
@@ -336,20 +336,20 @@ mod tests {
         for paper in [Paper::A4, Paper::Letter] {
             let grid = paper.cut(&drawing);
             let tiles = grid.tiles(&drawing);
-            let all = grid.columns * grid.rows;
+            let total = grid.columns * grid.rows;
             let count = f64::from(u32::try_from(tiles.len()).expect("few"));
-            assert!(count < all, "{paper:?}: {count} of {all}");
+            assert!(count < total, "{paper:?}: {count} of {total}");
             for i in 0..3600 {
                 let direction = TAU * f64::from(i) / 3600.0;
                 for radius in [300.0, 420.0] {
                     let p = Point::polar(radius, direction);
-                    let shown = tiles.iter().filter(|tile| tile.own.contains(p)).count();
-                    assert!(shown >= 1 && tiles.iter().any(|tile| tile.shown.contains(p)), "{paper:?} {p:?}");
+                    let holders = tiles.iter().filter(|tile| tile.own.contains(p)).count();
+                    assert!(holders >= 1 && tiles.iter().any(|tile| tile.shown.contains(p)), "{paper:?} {p:?}");
                 }
             }
             // The axis lies in the opening, where there is nothing to print, unless its page shows some of the ring.
             let around_axis = |tile: &&Tile| tile.own.contains(Point::ORIGIN);
-            assert!(tiles.iter().filter(around_axis).all(|tile| holds(&drawing, &tile.own)));
+            assert!(tiles.iter().filter(around_axis).place_all(|tile| shows(&drawing, &tile.own)));
         }
     }
 
@@ -396,9 +396,9 @@ mod tests {
                 let marks = page.drawing.layers.iter().filter(|(layer, _)| *layer == Layer::PaperMark);
                 for shape in marks.flat_map(|(_, shapes)| shapes) {
                     let bounds = shape.bounds().union(page.window);
-                    let inside = paper.grown(-WHITE + 1e-9);
+                    let printable = paper.grown(-WHITE + 1e-9);
                     assert!(
-                        inside.contains(bounds.min) && inside.contains(bounds.max),
+                        printable.contains(bounds.min) && printable.contains(bounds.max),
                         "{bounds:?} of {w} x {h}"
                     );
                 }

@@ -83,42 +83,42 @@ impl FreeArea {
         }
     }
 
-    fn takes(self, bounds: &Bounds) -> bool {
+    fn has_room_for(self, bounds: &Bounds) -> bool {
         bounds.width() <= self.width && bounds.height() <= self.height
     }
 
     /// Whether the sheet or the machine is too small for one of `parts`; the refusal names the sides that all of them need.
     fn refuse(self, parts: &[Bounds], sheet: &Sheet, machine: &Machine) -> Result<(), Refusal> {
-        let is_taken = |part: &&Bounds| self.takes(part) || sheet.turn && self.takes(&turned(part));
+        let is_taken = |part: &&Bounds| self.has_room_for(part) || sheet.turn && self.has_room_for(&turned(part));
         let size = |part: &Bounds| Point::new(part.width(), part.height());
-        let needed = parts.iter().filter(|part| !is_taken(part)).map(size);
-        let Some(needed) = needed.reduce(|a, b| Point::new(a.x.max(b.x), a.y.max(b.y))) else {
+        let oversized = parts.iter().filter(|part| !is_taken(part)).map(size);
+        let Some(largest) = largest.reduce(|a, b| Point::new(a.x.max(b.x), a.y.max(b.y))) else {
             return Ok(());
         };
-        let part = &Bounds { min: Point::ORIGIN, max: needed };
+        let part = &Bounds { min: Point::ORIGIN, max: largest };
         fits(part, sheet)?;
         let Some((x, y)) = machine.bench.work_area else { return Ok(()) };
         let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
-        let needed = size(tenths_up(part.width()), tenths_up(part.height()));
+        let size_text = size(tenths_up(part.width()), tenths_up(part.height()));
         let missing = Readable(tenths_up((part.width() - self.width).max(part.height() - self.height)));
-        let reached = if self.width.min(self.height) > 0.0 {
+        let reach_text = if self.width.min(self.height) > 0.0 {
             format!("within the margins {} reaches {}", machine.name, size(self.width, self.height))
         } else {
             format!("the margins leave nothing of what {} reaches", machine.name)
         };
-        let found = format!("a part with its ramps needs {needed}; {reached}");
+        let fault = format!("a part with its ramps needs {oversized}; {reach_text}");
         let remedy = format!(
             "{missing} mm are missing: a smaller part, a smaller margin in [sheet], or a machine with more than {}",
             size(x.0, y.0)
         );
-        Err(Refusal::new(key::machine::PROFILE, RefusalCode::OutOfReach, found, remedy))
+        Err(Refusal::new(key::machine::PROFILE, RefusalCode::OutOfReach, fault, remedy))
     }
 }
 
 impl<'a> Rows<'a> {
     fn new(sheet: &'a Sheet, room: FreeArea, columns: usize) -> Self {
-        let (next, used) = (Point::ORIGIN, Point::ORIGIN);
-        Self { sheet, room, columns, next, row_height: 0.0, in_row: 0, used, done: Vec::new() }
+        let (next, extent) = (Point::ORIGIN, Point::ORIGIN);
+        Self { sheet, room, columns, next, row_height: 0.0, in_row: 0, used: extent, done: Vec::new() }
     }
 
     fn add(&mut self, part: &Bounds) -> Placement {
@@ -150,7 +150,7 @@ impl<'a> Rows<'a> {
         let fits_row = self.in_row < self.columns
             && self.next.x + lying.width() <= self.room.width
             && self.next.y + lying.height() <= self.room.height;
-        self.sheet.turn && self.room.takes(&lying) && (!self.room.takes(part) || ends_row && fits_row)
+        self.sheet.turn && self.room.has_room_for(&lying) && (!self.room.has_room_for(part) || ends_row && fits_row)
     }
 
     fn end_sheet(&mut self) {
@@ -165,13 +165,13 @@ impl<'a> Rows<'a> {
 }
 
 /// The box that a piece needs on its sheet: the tool's way around it, and the bands with ramps of length `ramp`.
-pub(super) fn footprint(shape: &SealedShape, around: &Path, ramp: f64) -> Bounds {
+pub(super) fn footprint(shape: &SealedShape, tool_path: &Path, ramp: f64) -> Bounds {
     shape
         .seams
         .iter()
         .map(|seam| seam.run().then(seam.lead_in(ramp)).then(seam.lead_out(ramp)).bounds())
         .map(|bounds| bounds.grown(shape.band / 2.0))
-        .fold(around.bounds(), Bounds::union)
+        .fold(tool_path.bounds(), Bounds::union)
 }
 
 /// Rounding of sizes, mm: a part that needs all of a sheet fits on it.
@@ -196,7 +196,7 @@ fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
     ];
     let short: Vec<_> = sides.into_iter().filter(|(_, _, needed, room)| needed > room).collect();
     let Some((key, ..)) = short.first() else { return Ok(()) };
-    let found = short.iter().map(|(_, word, needed, room)| {
+    let faults = short.iter().map(|(_, word, needed, room)| {
         if *room > 2.0 * ROUNDING {
             format!("{} mm {word} where the margins leave {} mm", Least(*needed), Most(*room))
         } else {
@@ -204,12 +204,12 @@ fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
         }
     });
     let remedy = short.iter().map(|(key, _, needed, _)| {
-        let least = Least(needed + 2.0 * sheet.margin.0);
-        format!("`{}` at least {least} mm", key.key())
+        let smallest = Least(needed + 2.0 * sheet.margin.0);
+        format!("`{}` at least {smallest} mm", key.key())
     });
-    let found = format!("a part is {}", found.collect::<Vec<_>>().join(", and one is "));
+    let fault = format!("a part is {}", fault.collect::<Vec<_>>().join(", and one is "));
     let remedy = format!("must be {}", remedy.collect::<Vec<_>>().join(" and "));
-    Err(Refusal::new(*key, RefusalCode::SheetTooSmall, found, remedy))
+    Err(Refusal::new(*key, RefusalCode::SheetTooSmall, fault, remedy))
 }
 
 /// One piece on its sheet.
@@ -234,8 +234,8 @@ impl PlacedPart {
     }
 
     /// Pieces of one `kind`, numbered from 1, of which each is one of the distinct ones and has its place.
-    pub(super) fn all(kind: &'static str, which: &[usize], places: Vec<Placement>) -> Vec<Self> {
-        let placed = which.iter().zip(places).zip(1..);
+    pub(super) fn place_all(kind: &'static str, part_numbers: &[usize], places: Vec<Placement>) -> Vec<Self> {
+        let placed = part_numbers.iter().zip(places).zip(1..);
         placed
             .map(|((&distinct, (sheet, placement)), index)| Self { kind, index, distinct, sheet, placement })
             .collect()

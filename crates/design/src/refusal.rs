@@ -23,14 +23,14 @@ pub struct Refusal {
 
 impl Refusal {
     /// A refusal that points at `key`.
-    pub fn new(key: KeyPath, code: RefusalCode, found: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self { key, code, found: found.into(), remedy: remedy.into(), drawn: None }
+    pub fn new(key: KeyPath, code: RefusalCode, finding: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self { key, code, found: finding.into(), remedy: remedy.into(), drawn: None }
     }
 
     /// The same refusal, found at a place of the drawing.
     #[must_use]
-    pub fn drawn_at(self, drawn: DrawnPlace) -> Self {
-        Self { drawn: Some(Box::new(drawn)), ..self }
+    pub fn drawn_at(self, place: DrawnPlace) -> Self {
+        Self { drawn: Some(Box::new(place)), ..self }
     }
 
     /// The same refusal about star `index`, if it concerns one of the keys that stars can have of their own.
@@ -60,28 +60,28 @@ impl Refusals {
         Self(Vec::new())
     }
 
-    /// What was `made`; nothing, with its refusals, if it was not.
-    pub(super) fn keep<T>(&mut self, made: Result<T, impl Into<Self>>) -> Option<T> {
-        made.map_err(|refused| self.0.extend(refused.into())).ok()
+    /// What was `result`; nothing, with its refusals, if it was not.
+    pub(super) fn keep<T>(&mut self, result: Result<T, impl Into<Self>>) -> Option<T> {
+        result.map_err(|refused| self.0.extend(refused.into())).ok()
     }
 
     /// These refusals without those of one code at one key that follow the first.
     pub(super) fn each_once(self) -> Self {
-        let mut kept = Self::new();
+        let mut distinct = Self::new();
         for refusal in self {
-            if !kept.iter().any(|known| known.code == refusal.code && known.key == refusal.key) {
-                kept.push(refusal);
+            if !distinct.iter().any(|known| known.code == refusal.code && known.key == refusal.key) {
+                distinct.push(refusal);
             }
         }
-        kept
+        distinct
     }
 
-    /// `made`, unless something was refused.
+    /// `value`, unless something was refused.
     ///
     /// # Errors
     /// These refusals, if there is at least one.
-    pub fn or<T>(self, made: T) -> Result<T, Self> {
-        if self.0.is_empty() { Ok(made) } else { Err(self) }
+    pub fn or<T>(self, value: T) -> Result<T, Self> {
+        if self.0.is_empty() { Ok(value) } else { Err(self) }
     }
 }
 
@@ -137,11 +137,11 @@ mod tests {
 
     #[test]
     fn refusals_say_all_of_themselves() {
-        let one =
+        let refusal =
             |key: KeyPath| Refusal::new(key, RefusalCode::NoArm, "found".to_owned(), "remedy".to_owned());
-        let both: Refusals = [one(key::star::POINTS), one(key::seal::BAND)].into_iter().collect();
-        assert_eq!(both.to_string(), "star.points: found; remedy\nseal.band: found; remedy");
-        assert_eq!(both.clone().or(()), Err(both));
+        let pair: Refusals = [refusal(key::star::POINTS), refusal(key::seal::BAND)].into_iter().collect();
+        assert_eq!(pair.to_string(), "star.points: found; remedy\nseal.band: found; remedy");
+        assert_eq!(pair.clone().or(()), Err(pair));
         assert_eq!(Refusals::new().or(7), Ok(7));
     }
 }

@@ -78,22 +78,22 @@ pub(super) fn sites(
         (nearest, Some((2.0 * r).max(nearest - cut + r)))
     };
     let tip = |k: u32| (k - 1) % star.n + 1;
-    let (beside, across) = (tip(first + 1), tip(first + 1 + star.n / 2));
+    let (neighbour, opposite) = (tip(first + 1), tip(first + 1 + star.n / 2));
     let round = ear.unwrap_or(2.0 * r);
     let reach = libm::asin((round / radius).min(1.0));
     let turn = TURN.min(half - 1.1 * reach);
     if turn * radius < 2.0 * round {
         let (hole, arc) = (Length(diameter), Readable(half * radius));
-        let needed = Readable(radius * 2.2 * reach + 2.0 * round);
+        let needed_room = Readable(radius * 2.2 * reach + 2.0 * round);
         return Err(Refusal::new(
             key::sheet::HOLE_DIAMETER,
             RefusalCode::NoRoomForHoles,
-            format!("two holes of {hole} side by side need {needed} mm of a tip's arc of {arc} mm"),
+            format!("two holes of {hole} side by side need {needed_room} mm of a tip's arc of {arc} mm"),
             "make hole_diameter smaller, or \"0 mm\" for no registration holes",
         ));
     }
     let site = |tip, turn| Site { tip, turn, radius, ear };
-    Ok([site(beside, 0.0), site(beside, turn), site(across, 0.0)])
+    Ok([site(neighbour, 0.0), site(neighbour, turn), site(opposite, 0.0)])
 }
 
 /// The tip's arc `segment` with an ear around every hole of `sites` that needs one.
@@ -101,16 +101,16 @@ pub(super) fn with_ears<'a>(segment: Segment, sites: impl Iterator<Item = &'a Si
     let Segment::Arc(arc) = segment else { return vec![segment] };
     let ray = arc.start_angle + arc.sweep / 2.0;
     let mut pieces = Vec::new();
-    let mut from = arc.start_angle;
+    let mut angle = arc.start_angle;
     for site in sites {
         let Some(ear) = site.ear else { continue };
         let Root { beta, foot } = site.root(ear, arc.radius);
         let direction = ray + site.turn;
         let center = arc.center + Vec2::unit(direction) * site.radius;
-        pieces.push(Arc::new(arc.center, arc.radius, from, direction - beta - from).into());
+        pieces.push(Arc::new(arc.center, arc.radius, angle, direction - beta - angle).into());
         pieces.push(Arc::new(center, ear, direction - foot, 2.0 * foot).into());
-        from = direction + beta;
+        angle = direction + beta;
     }
-    pieces.push(Arc::new(arc.center, arc.radius, from, arc.end_angle() - from).into());
+    pieces.push(Arc::new(arc.center, arc.radius, angle, arc.end_angle() - angle).into());
     pieces
 }

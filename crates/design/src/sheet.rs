@@ -33,8 +33,8 @@ impl Design {
     /// Every reason for which a piece cannot be made or does not fit on a sheet.
     pub fn new(spec: &Spec, machine: &Machine) -> Result<Self, Refusals> {
         if let Some(drawing) = &spec.drawing {
-            let (drawn, sheets, warnings) = DrawnPieces::new(spec, drawing, machine)?;
-            return Ok(Self { product: Product::Drawing(Box::new(drawn)), sheets, warnings });
+            let (pieces, sheets, warnings) = DrawnPieces::new(spec, drawing, machine)?;
+            return Ok(Self { product: Product::Drawing(Box::new(pieces)), sheets, warnings });
         }
         let (assembly, sheets, warnings) = StarAssembly::new(spec, machine)?;
         Ok(Self { product: Product::Stars(Box::new(assembly)), sheets, warnings })
@@ -52,7 +52,7 @@ impl Design {
     pub fn drawn(&self) -> Option<&DrawnPieces> {
         match &self.product {
             Product::Stars(_) => None,
-            Product::Drawing(drawn) => Some(drawn),
+            Product::Drawing(pieces) => Some(pieces),
         }
     }
 
@@ -85,7 +85,7 @@ impl Design {
     /// The first piece of each distinct kind, in order.
     pub fn firsts(&self) -> impl Iterator<Item = &PlacedPart> {
         let placed = self.placed();
-        let is_first = |i: &usize| placed[..*i].iter().all(|other| other.distinct != placed[*i].distinct);
+        let is_first = |i: &usize| placed[..*i].iter().place_all(|other| other.distinct != placed[*i].distinct);
         (0..placed.len()).filter(is_first).map(|i| &placed[i])
     }
 
@@ -93,19 +93,19 @@ impl Design {
     /// nearest to the one before; of equals the lowest.
     pub fn nearest_first(&self, sheet: usize) -> Vec<&PlacedPart> {
         let middle = |placed: &PlacedPart| placed.placement.point(self.part(placed).middle());
-        let mut left: Vec<(&PlacedPart, Point)> =
+        let mut remaining: Vec<(&PlacedPart, Point)> =
             self.on_sheet(sheet).map(|placed| (placed, middle(placed))).collect();
-        let mut out = Vec::with_capacity(left.len());
-        let mut here = Point::ORIGIN;
-        while let Some(next) = (0..left.len())
+        let mut order = Vec::with_capacity(remaining.len());
+        let mut position = Point::ORIGIN;
+        while let Some(next) = (0..remaining.len())
             // Rounding must not decide between pieces that are equally far away.
-            .reduce(|a, b| if left[b].1.distance(here) < left[a].1.distance(here) - 1e-6 { b } else { a })
+            .reduce(|a, b| if remaining[b].1.distance(position) < remaining[a].1.distance(position) - 1e-6 { b } else { a })
         {
-            let (placed, middle) = left.remove(next);
-            here = middle;
-            out.push(placed);
+            let (placed, middle) = remaining.remove(next);
+            position = middle;
+            order.push(placed);
         }
-        out
+        order
     }
 
     /// The pieces on sheet number `sheet`, in order.

@@ -50,30 +50,30 @@ impl Stack {
         let thickness = spec.frame.plate_thickness.0;
         let count = spec.stars.len();
         // Distance that one star requires from its middle to the middle of a plate.
-        let needs = |i: usize| 0.5 * (inflated_height(spec.stars[i].tube_width).0 + thickness);
+        let half_height = |i: usize| 0.5 * (inflated_height(spec.stars[i].tube_width).0 + thickness);
         let mut refusals = Refusals::new();
         for i in 1..count {
             let pitch = spec.stars[i].pitch.0;
-            let needed = 2.0 * needs(i - 1).max(needs(i));
-            if pitch < needed {
-                refusals.push(too_tight(i, pitch, needed, thickness));
+            let needed_pitch = 2.0 * half_height(i - 1).max(half_height(i));
+            if pitch < needed_pitch {
+                refusals.push(too_tight(i, pitch, needed_pitch, thickness));
             }
         }
         refusals.or(())?;
-        let bottom = needs(0).max(spec.stars[1.min(count - 1)].pitch.0 / 2.0);
-        let top = needs(count - 1).max(spec.stars[count - 1].pitch.0 / 2.0);
-        let mut at = thickness / 2.0;
-        let (mut stars, mut turns, mut plates) = (Vec::new(), Vec::new(), vec![at]);
+        let bottom = half_height(0).max(spec.stars[1.min(count - 1)].pitch.0 / 2.0);
+        let top = half_height(count - 1).max(spec.stars[count - 1].pitch.0 / 2.0);
+        let mut height = thickness / 2.0;
+        let (mut stars, mut turns, mut plates) = (Vec::new(), Vec::new(), vec![height]);
         let mut turn = 0.0;
         for (i, star) in spec.stars.iter().enumerate() {
-            at += if i == 0 { bottom } else { star.pitch.0 / 2.0 };
+            height += if i == 0 { bottom } else { star.pitch.0 / 2.0 };
             turn += star.rotation.rad();
-            stars.push(at);
+            stars.push(height);
             turns.push(turn);
-            at += spec.stars.get(i + 1).map_or(top, |above| above.pitch.0 / 2.0);
-            plates.push(at);
+            height += spec.stars.get(i + 1).map_or(top, |above| above.pitch.0 / 2.0);
+            plates.push(height);
         }
-        Ok(Self { stars, turns, plates, height: at + thickness / 2.0 })
+        Ok(Self { stars, turns, plates, height: height + thickness / 2.0 })
     }
 
     /// The warning that the plates on both sides of star `index` are too far apart to keep its arms in their plane.
@@ -84,24 +84,24 @@ impl Stack {
         let gap = self.plates.get(index)? - self.plates.get(index - 1)? - plate.0;
         // The distance of a star alone is that of [stack]; of others that of the one above where it has one.
         let key = if index > 1 { key::stack::PITCH.of_star(index) } else { key::stack::PITCH };
-        let found = format!(
+        let fault = format!(
             "the plates leave {gap:.1} mm for star {index}, whose inflated tube is {tube:.1} mm high"
         );
         let remedy = format!("a pitch of {} keeps its arms in their plane", pitch_for(width, plate));
-        (gap > LOOSE * tube).then(|| Warning::new(key, RefusalCode::WideFrame, found, remedy))
+        (gap > LOOSE * tube).then(|| Warning::new(key, RefusalCode::WideFrame, fault, remedy))
     }
 }
 
-fn too_tight(below: usize, pitch: f64, needed: f64, thickness: f64) -> Refusal {
+fn too_tight(below: usize, pitch: f64, needed_pitch: f64, thickness: f64) -> Refusal {
     let above = below + 1;
-    let [room, tube] = [pitch - thickness, needed - thickness].map(Readable);
-    let [pitch, plates, least] = [pitch, thickness, (needed * 100.0).ceil() / 100.0].map(Readable);
-    let found = format!(
+    let [room, tube] = [pitch - thickness, needed_pitch - thickness].map(Readable);
+    let [pitch, plates, smallest] = [pitch, thickness, (needed_pitch * 100.0).ceil() / 100.0].map(Readable);
+    let fault = format!(
         "between star {below} and star {above} a pitch of {pitch} mm leaves {room} mm between plates of \
          {plates} mm, the inflated tube is {tube} mm high"
     );
-    let remedy = format!("pitch must be at least {least} mm");
-    Refusal::new(key::stack::PITCH.of_star(above), RefusalCode::TubeBetweenPlates, found, remedy)
+    let remedy = format!("pitch must be at least {smallest} mm");
+    Refusal::new(key::stack::PITCH.of_star(above), RefusalCode::TubeBetweenPlates, fault, remedy)
 }
 
 #[cfg(test)]

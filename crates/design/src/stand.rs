@@ -24,8 +24,8 @@ impl Stand {
     ///
     /// Each star meets a ball at its own height, so the middle of the ball is that of the stack. A cylinder may also stand on the table if the
     /// highest star reaches no higher.
-    pub fn of(spec: &Spec) -> Option<Self> {
-        let object = Object::of(spec.load.as_ref()?)?;
+    pub fn new(spec: &Spec) -> Option<Self> {
+        let object = Object::new(spec.load.as_ref()?)?;
         let stack = Stack::new(spec).ok()?;
         let (low, high) = (*stack.stars.first()?, *stack.stars.last()?);
         let (middle, height) = (f64::midpoint(low, high), object.height().0);
@@ -49,9 +49,9 @@ impl Stand {
         let mut doubts = Vec::new();
         if self.base < 0.0 {
             let lift = Least(tenths_up(-self.base));
-            let over = if self.turned >= 0.0 { ", or turn the gripper over" } else { "" };
+            let alternative = if self.turned >= 0.0 { ", or turn the gripper over" } else { "" };
             doubts.push(format!(
-                "the stars lie too high for an object of {} mm on a table: lift it by {lift} mm{over}",
+                "the stars lie too high for an object of {} mm on a table: lift it by {lift} mm{alternative}",
                 Readable(self.height)
             ));
         }
@@ -75,7 +75,7 @@ mod tests {
         let text = starter("x").expect("a name").replace("[stack]", &format!("[stack]\n{stack}"));
         let text = format!("{text}\n[load]\n{load}\n");
         let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
-        Stand::of(&spec).expect("an object")
+        Stand::new(&spec).expect("an object")
     }
 
     /// The middle of a star of the starter is 22.5 mm above the base: half a pitch of 40 mm and half a plate of 5 mm.

@@ -68,12 +68,12 @@ impl Star {
         // Rounding may leave a corner that is straight to 1e-16; below a microradian no arc is left to seal.
         if phi_e >= PI - 1e-6 {
             let (tips, corners) = (spec.tip_angle, Readable(phi_e.to_degrees()));
-            let found = format!(
+            let fault = format!(
                 "with {n} points and a tip angle of {tips} the reentrant corners would open to {corners} deg"
             );
-            let most = Most(180.0 - 360.0 / f64::from(n));
-            let remedy = format!("tip_angle must be below {most} deg for {n} points");
-            return Err(Refusal::new(key::star::TIP_ANGLE, RefusalCode::StraightCorner, found, remedy));
+            let widest = Most(180.0 - 360.0 / f64::from(n));
+            let remedy = format!("tip_angle must be below {widest} deg for {n} points");
+            return Err(Refusal::new(key::star::TIP_ANGLE, RefusalCode::StraightCorner, fault, remedy));
         }
         let l = arm_length(spec);
         if l <= 0.0 {
@@ -145,8 +145,8 @@ fn too_large(spec: &StarSpec, star: &Star) -> Refusal {
         (key::star::INNER_RADIUS, spec.inner_radius.0 / 50.0),
         (key::star::TUBE_WIDTH, spec.tube_width.0 / 30.0),
     ]);
-    let found = format!("the tips would lie {:.1} m from the axis", star.tip_reach() / 1000.0);
-    let (most, angle) = (Readable(LARGEST / 1000.0), spec.tip_angle);
-    let remedy = format!("at most {most} m: make tip_angle wider than {angle}, or the star smaller");
-    Refusal::new(key, RefusalCode::TooLarge, found, remedy)
+    let fault = format!("the tips would lie {:.1} m from the axis", star.tip_reach() / 1000.0);
+    let (largest, angle) = (Readable(LARGEST / 1000.0), spec.tip_angle);
+    let remedy = format!("at most {largest} m: make tip_angle wider than {angle}, or the star smaller");
+    Refusal::new(key, RefusalCode::TooLarge, fault, remedy)
 }

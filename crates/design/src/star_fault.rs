@@ -39,22 +39,22 @@ fn out_of_line(spec: &StarSpec, key: KeyPath) -> f64 {
 
 /// The refusal of a star whose arms would be `l` mm long, 0 or less. Its changes leave arms between bands of half width `half`, mm.
 pub(super) fn no_arm(spec: &StarSpec, l: f64, half: f64) -> Refusal {
-    let (blamed, remedy) = remedy(spec, half, None);
+    let (blamed, advice) = remedy(spec, half, None);
     let StarSpec { points, inner_radius, tube_width, tip_angle, .. } = spec;
     let radii = [("a tip radius", spec.tip_radius), ("a corner radius", spec.corner_radius)].into_iter();
     let round = radii.filter(|(_, radius)| radius.0 > 0.0);
     let round = round.map(|(what, radius)| format!(", {what} of {radius}")).collect::<Vec<_>>().concat();
     let l = if l > -0.05 { -0.0 } else { l };
-    let found = format!(
+    let fault = format!(
         "with {points} points, an inner radius of {inner_radius}, a tube width of {tube_width}{round} and a \
          tip angle of {tip_angle} the arms would be {l:.1} mm long"
     );
-    Refusal::new(blamed, RefusalCode::NoArm, found, remedy)
+    Refusal::new(blamed, RefusalCode::NoArm, fault, advice)
 }
 
 /// The key to blame and the remedy where the `band` of a star with arms uses them up.
 pub(super) fn arms_for_band(spec: &StarSpec, band: Length) -> (KeyPath, String) {
-    let narrower = greatest(band.0, |band| has_arms(spec, band / 2.0));
+    let narrower = largest(band.0, |band| has_arms(spec, band / 2.0));
     remedy(spec, band.0 / 2.0, narrower.map(|most| (key::seal::BAND, format!("below {} mm", Readable(most)))))
 }
 
@@ -86,35 +86,35 @@ fn single_changes(spec: &StarSpec, half: f64) -> Vec<(KeyPath, String)> {
     };
     let points = (3..spec.points).rev().find(|n| fits(&|star| star.points = *n));
     let straight = 180.0 - 360.0 / f64::from(spec.points) - 0.005;
-    let radius = least([spec.inner_radius.0, WIDEST], |mm| fits(&|star| star.inner_radius = Length(mm)));
-    let width = greatest(spec.tube_width.0, |mm| fits(&|star| star.tube_width = Length(mm)));
-    let angle = least([spec.tip_angle.0, straight], |deg| fits(&|star| star.tip_angle = Angle(deg)));
-    let tip = greatest(spec.tip_radius.0, |mm| fits(&|star| star.tip_radius = Length(mm)));
-    let corner = greatest(spec.corner_radius.0, |mm| fits(&|star| star.corner_radius = Length(mm)));
-    let below = |limit: f64| format!("below {} mm", Readable(limit));
+    let radius = smallest([spec.inner_radius.0, WIDEST], |mm| fits(&|star| star.inner_radius = Length(mm)));
+    let width = largest(spec.tube_width.0, |mm| fits(&|star| star.tube_width = Length(mm)));
+    let angle = smallest([spec.tip_angle.0, straight], |deg| fits(&|star| star.tip_angle = Angle(deg)));
+    let tip = largest(spec.tip_radius.0, |mm| fits(&|star| star.tip_radius = Length(mm)));
+    let corner = largest(spec.corner_radius.0, |mm| fits(&|star| star.corner_radius = Length(mm)));
+    let upper_limit = |limit: f64| format!("below {} mm", Readable(limit));
     let changes = [
         (key::star::POINTS, points.map(|most| format!("at most {most}"))),
         (key::star::INNER_RADIUS, radius.map(|limit| format!("above {} mm", Readable(limit)))),
-        (key::star::TUBE_WIDTH, width.map(below)),
+        (key::star::TUBE_WIDTH, width.map(upper_limit)),
         (key::star::TIP_ANGLE, angle.map(|limit| format!("above {} deg", Readable(limit)))),
-        (key::star::TIP_RADIUS, tip.map(below)),
-        (key::star::CORNER_RADIUS, corner.map(below)),
+        (key::star::TIP_RADIUS, tip.map(upper_limit)),
+        (key::star::CORNER_RADIUS, corner.map(upper_limit)),
     ];
     changes.into_iter().filter_map(|(key, change)| Some((key, change?))).collect()
 }
 
 /// The least hundredth above `from` that `fits`, where all larger ones up to `to` do; `None` if none does.
-fn least([from, to]: [f64; 2], fits: impl Fn(f64) -> bool) -> Option<f64> {
-    between((100.0 * from).floor(), (100.0 * to).floor(), fits)
+fn smallest([from, to]: [f64; 2], fits: impl Fn(f64) -> bool) -> Option<f64> {
+    first_fitting((100.0 * from).floor(), (100.0 * to).floor(), fits)
 }
 
-/// The greatest hundredth below `from` that `fits`, where all smaller ones above 0 do; `None` if none does.
-fn greatest(from: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
-    if from > 0.01 { between((100.0 * from).ceil(), 1.0, fits) } else { None }
+/// The greatest hundredth below `start` that `fits`, where all smaller ones above 0 do; `None` if none does.
+fn largest(start: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
+    if start > 0.01 { first_fitting((100.0 * start).ceil(), 1.0, fits) } else { None }
 }
 
 /// Of the whole hundredths from `bad`, which does not fit, to `good` the first that `fits`.
-fn between(mut bad: f64, mut good: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
+fn first_fitting(mut bad: f64, mut good: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
     if !fits(good / 100.0) {
         return None;
     }
@@ -130,9 +130,9 @@ fn between(mut bad: f64, mut good: f64, fits: impl Fn(f64) -> bool) -> Option<f6
 fn has_arms(spec: &StarSpec, half: f64) -> bool {
     let sector = 2.0 * PI / f64::from(spec.points);
     let (l, phi) = (arm_length(spec), spec.tip_angle.rad());
-    let left = |radius: Length, phi: f64| l - (half - radius.0).max(0.0) / libm::tan(phi / 2.0);
-    let least = left(spec.tip_radius, phi).min(left(spec.corner_radius, phi + sector));
-    phi + sector < PI - 1e-6 && l > 0.0 && least > 1e-9 * l
+    let arm_left = |radius: Length, phi: f64| l - (half - radius.0).max(0.0) / libm::tan(phi / 2.0);
+    let shortest = arm_left(spec.tip_radius, phi).min(arm_left(spec.corner_radius, phi + sector));
+    phi + sector < PI - 1e-6 && l > 0.0 && shortest > 1e-9 * l
 }
 
 /// Arm length l of the star that `spec` describes, mm; it may come out negative.
@@ -187,7 +187,7 @@ mod tests {
         for (key, change) in changes {
             let number =
                 change.split_whitespace().find_map(|word| word.parse::<f64>().ok()).expect("a number");
-            let with = |value: f64| {
+            let holds_with = |value: f64| {
                 let mut spec = bad.clone();
                 match key {
                     #[expect(
@@ -206,7 +206,7 @@ mod tests {
             };
             let worse = if change.contains("above") { number - 0.02 } else { number + 0.02 };
             let worse = if key == key::star::POINTS { number + 1.0 } else { worse };
-            assert!(with(number) && !with(worse), "{key}: {change}");
+            assert!(holds_with(number) && !holds_with(worse), "{key}: {change}");
         }
     }
 }

@@ -40,9 +40,9 @@ pub(super) fn star_seam(
     let overlap = seal.overlap.0;
     let length = center_line.length();
     if overlap > length / 2.0 {
-        let found = format!("an overlap of {} on a loop of {} mm", seal.overlap, Readable(length));
+        let fault = format!("an overlap of {} on a loop of {} mm", seal.overlap, Readable(length));
         let remedy = format!("overlap must be at most half the loop, {} mm", Most(length / 2.0));
-        return Err(Refusal::new(key::seal::OVERLAP, RefusalCode::LongOverlap, found, remedy));
+        return Err(Refusal::new(key::seal::OVERLAP, RefusalCode::LongOverlap, fault, remedy));
     }
     Ok(seam(center_line, overlap))
 }
@@ -55,10 +55,10 @@ pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {
         (key::seal::HOLE_ALLOWANCE, seal.hole_allowance.0),
     ]);
     let Seal { band, hole_allowance: flap, .. } = seal;
-    let (radius, least) = (Readable(star.rho_0), Least(band.0 + flap.0));
-    let found = format!("a band of {band} and a flap of {flap} close the hole of radius {radius} mm");
-    let remedy = format!("inner_radius must be above band and hole_allowance together, {least} mm");
-    Refusal::new(key, RefusalCode::HoleClosed, found, remedy)
+    let (radius, smallest) = (Readable(star.rho_0), Least(band.0 + flap.0));
+    let fault = format!("a band of {band} and a flap of {flap} close the hole of radius {radius} mm");
+    let remedy = format!("inner_radius must be above band and hole_allowance together, {smallest} mm");
+    Refusal::new(key, RefusalCode::HoleClosed, fault, remedy)
 }
 
 fn band_eats_arm(star: &Star, side: Side, band: Length) -> Refusal {
@@ -67,7 +67,7 @@ fn band_eats_arm(star: &Star, side: Side, band: Length) -> Refusal {
         Side::Outside => (star.r_e, star.phi_e, "reentrant corners"),
     };
     let (key, remedy) = arms_for_band(&star.spec(), band);
-    let [taken, long] = [(band.0 / 2.0 - radius) / libm::tan(phi / 2.0), star.l].map(Readable);
-    let found = format!("at the {hinge} a band of {band} takes {taken} mm of arms that are {long} mm long");
-    Refusal::new(key, RefusalCode::BandEatsArm, found, remedy)
+    let [loss, long] = [(band.0 / 2.0 - radius) / libm::tan(phi / 2.0), star.l].map(Readable);
+    let fault = format!("at the {hinge} a band of {band} takes {loss} mm of arms that are {long} mm long");
+    Refusal::new(key, RefusalCode::BandEatsArm, fault, remedy)
 }

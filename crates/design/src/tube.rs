@@ -11,7 +11,7 @@ pub fn round_tube(flat: f64) -> f64 {
 /// Height of a tube whose flat width is `flat`, and that is `inflated` wide as seen from above: its section is an ellipse with the
 /// fabric's length; 0 where it is as wide as flat.
 pub fn tube_height(flat: f64, inflated: f64) -> f64 {
-    let around = |height: f64| {
+    let perimeter = |height: f64| {
         // Ramanujan's second, good to 1e-4 for the flattest ellipse and to 1e-9 for those of tubes.
         let (a, b) = (inflated / 2.0, height / 2.0);
         let h = ((a - b) / (a + b)).powi(2);
@@ -24,7 +24,7 @@ pub fn tube_height(flat: f64, inflated: f64) -> f64 {
     let (mut low, mut high) = (0.0, flat);
     for _ in 0..60 {
         let middle = f64::midpoint(low, high);
-        if around(middle) < 2.0 * flat { low = middle } else { high = middle }
+        if perimeter(middle) < 2.0 * flat { low = middle } else { high = middle }
     }
     low
 }
@@ -37,7 +37,7 @@ mod tests {
     fn the_fabric_keeps_its_length() {
         assert!((PI * round_tube(30.0) - 60.0).abs() < 1e-12);
         assert!((tube_height(30.0, round_tube(30.0)) - round_tube(30.0)).abs() < 1e-9);
-        let around = |a: f64, b: f64| {
+        let perimeter = |a: f64, b: f64| {
             // A thousand chords.
             let point = |i: u32| {
                 let turn = f64::from(i) * PI / 500.0;
@@ -52,7 +52,7 @@ mod tests {
         };
         for width in [20.0, 22.0, 24.0, 27.0] {
             let height = tube_height(30.0, width);
-            assert!((around(width, height) - 60.0).abs() < 0.01, "{width} {height}");
+            assert!((perimeter(width, height) - 60.0).abs() < 0.01, "{width} {height}");
             assert!(height < round_tube(30.0));
         }
         assert_eq!(tube_height(30.0, 30.0), 0.0);

@@ -62,9 +62,9 @@ impl<'a> Zone<'a> {
         Self { star, delta_h, delta_o, creep: 0.0 }.crept(mask.creep.0)
     }
 
-    /// The same windows with `more` creep.
-    fn crept(self, more: f64) -> Self {
-        Self { delta_h: self.delta_h - more, delta_o: self.delta_o - more, creep: self.creep + more, ..self }
+    /// The same windows with `growth` creep.
+    fn crept(self, growth: f64) -> Self {
+        Self { delta_h: self.delta_h - growth, delta_o: self.delta_o - growth, creep: self.creep + growth, ..self }
     }
 
     /// Greatest reach of the windows before the plate between them is too narrow or the arms end.
@@ -77,13 +77,13 @@ impl<'a> Zone<'a> {
         let bridge = BRIDGE.min((star.d_p - flap) * libm::sin(alpha));
         let room = star.d_p * libm::sin(alpha) - bridge / 2.0;
         let hinge = Self::hinge(star);
-        let most = if room < flap * libm::sin(h + alpha) {
+        let longest = if room < flap * libm::sin(h + alpha) {
             grip * (libm::asin(room / flap) - alpha)
         } else {
             let x = (room - flap * libm::sin(h + alpha)) / libm::sin(star.phi_i / 2.0);
             hinge + x.min(star.l)
         };
-        Reach { hinge, most }
+        Reach { hinge, most: longest }
     }
 
     /// From a corner's apex to the end of its hinge, along the gripping edge, mm.
@@ -104,7 +104,7 @@ impl<'a> Zone<'a> {
         let cut = self.cut(extent, hole).ok_or_else(|| self.nothing_left(extent))?;
         let round = self.star.r_e - self.delta_o;
         let mut side: Vec<Segment> = Vec::new();
-        let outside_end = self.at(cut.angles[0], round.max(0.0), 0.0);
+        let outside_end = self.point(cut.angles[0], round.max(0.0), 0.0);
         if !cut.meets && round <= 0.0 {
             let vertex = Point::new(self.star.d_p - round / libm::cos(self.half()), 0.0);
             push(&mut side, vertex, cut.inner);
@@ -112,24 +112,24 @@ impl<'a> Zone<'a> {
             push(&mut side, outside_end, cut.inner);
         }
         push(&mut side, cut.inner, cut.outer);
-        push(&mut side, cut.outer, self.at(cut.angles[1], hole, 0.0));
+        push(&mut side, cut.outer, self.point(cut.angles[1], hole, 0.0));
         let center = Point::new(self.star.d_p, 0.0);
         let arc = |radius: f64, from: f64, to: f64| -> Segment {
             Arc::new(center, radius, PI - from, from - to).into()
         };
         let mirror = Isometry::mirror();
         let back: Vec<Segment> = side.iter().rev().map(|s| mirror.segment(&s.reversed())).collect();
-        let mut all = side;
-        all.push(arc(hole, cut.angles[1], -cut.angles[1]));
-        all.extend(back);
+        let mut segments = side;
+        segments.push(arc(hole, cut.angles[1], -cut.angles[1]));
+        segments.extend(back);
         if !cut.meets && round > 0.0 {
-            all.push(arc(round, -cut.angles[0], cut.angles[0]));
+            segments.push(arc(round, -cut.angles[0], cut.angles[0]));
         }
-        Ok(Path::closed(all))
+        Ok(Path::closed(segments))
     }
 
     /// The point at radius `rho` in direction `a` from P, moved by `c` along the arm.
-    fn at(&self, a: f64, rho: f64, c: f64) -> Point {
+    fn point(&self, a: f64, rho: f64, c: f64) -> Point {
         let (sin, cos) = libm::sincos(a);
         Point::new(self.star.d_p, 0.0) + Vec2::new(-cos, sin) * rho + Vec2::new(sin, cos) * c
     }
@@ -151,42 +151,42 @@ impl<'a> Zone<'a> {
         // The crossing of the cut with the corner's ray.
         let axis = -c / libm::tan(a);
         let round = self.star.r_e - self.delta_o;
-        let outside = if round > 0.0 { on_circle(round) } else { straight.then_some((round, h)) };
-        let outside = outside.filter(|(rho, _)| *rho > axis);
-        let bottom = outside.map_or(axis, |(rho, _)| rho);
+        let outer = if round > 0.0 { on_circle(round) } else { straight.then_some((round, h)) };
+        let outer = outer.filter(|(rho, _)| *rho > axis);
+        let bottom = outer.map_or(axis, |(rho, _)| rho);
         if hole_angle <= 0.0 || bottom >= top {
             return None;
         }
-        let inner = match outside {
-            Some(_) => self.at(a, bottom, c),
-            None => Point::new(self.at(a, axis, c).x, 0.0),
+        let inner = match outer {
+            Some(_) => self.point(a, bottom, c),
+            None => Point::new(self.point(a, axis, c).x, 0.0),
         };
-        let angles = [outside.map_or(0.0, |(_, angle)| angle), hole_angle];
-        Some(WindowCut { inner, meets: outside.is_none(), outer: self.at(a, top, c), angles })
+        let angles = [outer.map_or(0.0, |(_, angle)| angle), hole_angle];
+        Some(WindowCut { inner, meets: outer.is_none(), outer: self.point(a, top, c), angles })
     }
 
     fn nothing_left(&self, extent: f64) -> Refusal {
-        let most = Readable(hundredths_down(self.most_creep(extent)));
+        let largest = Readable(hundredths_down(self.most_creep(extent)));
         let room = self.star.w + self.delta_h + self.delta_o + 2.0 * self.creep;
         let [creep, deep, long] = [self.creep, room, extent].map(Readable);
-        let found = format!(
+        let fault = format!(
             "a creep of {creep} mm leaves nothing of a window {deep} mm deep and {long} mm long on each side"
         );
-        let remedy = format!("creep must be at most {most} mm");
-        Refusal::new(key::mask::CREEP, RefusalCode::NoWindow, found, remedy)
+        let remedy = format!("creep must be at most {largest} mm");
+        Refusal::new(key::mask::CREEP, RefusalCode::NoWindow, fault, remedy)
     }
 
     /// The largest creep that leaves something of a window with cuts at `extent`, where this one leaves nothing.
     fn most_creep(&self, extent: f64) -> f64 {
-        let (mut least, mut most) = (0.0, self.creep);
+        let (mut low, mut high) = (0.0, self.creep);
         // Halved until the ends differ by rounding: a refusal may take its time.
         for _ in 0..60 {
-            let creep = 0.5 * (least + most);
+            let creep = 0.5 * (low + high);
             let zone = self.crept(creep - self.creep);
             let hole = self.star.r_e + self.star.w + zone.delta_h;
-            if zone.cut(extent, hole).is_some() { least = creep } else { most = creep }
+            if zone.cut(extent, hole).is_some() { low = creep } else { high = creep }
         }
-        least
+        low
     }
 }
 

@@ -29,10 +29,10 @@ impl Decimals {
     }
 
     /// Appends `x` in decimal notation without trailing zeros, never `-0`.
-    pub fn write(self, out: &mut String, x: f64) {
+    pub fn write(self, text: &mut String, x: f64) {
         let quanta = self.0.quanta(x);
         if quanta < 0 {
-            out.push('-');
+            text.push('-');
         }
         let (mut rest, mut decimals) = (quanta.unsigned_abs(), self.0.decimals());
         while decimals > 0 && rest.is_multiple_of(10) {
@@ -52,15 +52,15 @@ impl Decimals {
         }
         // One by one: checking a few bytes for UTF-8, and copying them, takes longer.
         for byte in &digits.text[digits.at..] {
-            out.push(char::from(*byte));
+            text.push(char::from(*byte));
         }
     }
 
     /// `x` as text, see [`Decimals::write`].
     pub fn text(self, x: f64) -> String {
-        let mut out = String::new();
-        self.write(&mut out, x);
-        out
+        let mut text = String::new();
+        self.write(&mut text, x);
+        text
     }
 }
 

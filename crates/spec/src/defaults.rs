@@ -48,19 +48,19 @@ fn write(lines: &mut Vec<String>, section: &str, key: &str, value: &str) {
         .iter()
         .position(|line| line.starts_with('['))
         .map_or(lines.len(), |n| start + 1 + n);
-    let says = |line: &str, mark: &str| {
+    let has_key = |line: &str, mark: &str| {
         let bare = line.strip_prefix(mark).and_then(|line| line.strip_prefix(key));
         bare.is_some_and(|rest| rest.trim_start().starts_with('='))
     };
-    if lines[start..end].iter().any(|line| says(line, "")) {
+    if lines[start..end].iter().any(|line| has_key(line, "")) {
         return;
     }
-    let shown = (start..end).find(|at| ["# ", "## "].iter().any(|mark| says(&lines[*at], mark)));
-    match shown {
+    let template_line = (start..end).find(|at| ["# ", "## "].iter().any(|mark| has_key(&lines[*at], mark)));
+    match template_line {
         Some(at) => {
             let words = lines[at].rsplit_once(" # ").map_or("", |(_, words)| words).to_owned();
-            let written = format!("{key} = {value}");
-            lines[at] = if words.is_empty() { written } else { format!("{written:32}  # {words}") };
+            let entry = format!("{key} = {value}");
+            lines[at] = if words.is_empty() { entry } else { format!("{entry:32}  # {words}") };
         }
         None => lines.insert(start + 1, format!("{key} = {value}")),
     }
@@ -72,14 +72,14 @@ mod tests {
     use crate::reading::read;
     use crate::starter::starter;
 
-    fn with(config: &str) -> Result<String, Faults> {
+    fn default_text(config: &str) -> Result<String, Faults> {
         with_defaults(&starter("x").expect("a name"), &Source::new("config.toml", config))
     }
 
     #[test]
     fn defaults_of_ones_own_are_written_where_the_starter_shows_the_key() {
         let config = "[machine]\nprofile = 'grbl' # ours\nfeed_floor = \"chop\"\n[sheet]\nwidth = \"400 mm\"\n[fabric]\nseal_strength = \"2.5 N/mm\"\n";
-        let text = with(config).expect("sound");
+        let text = default_text(config).expect("sound");
         let spec = read(&Source::new("x", text.as_str())).unwrap_or_else(|faults| panic!("{faults}")).spec;
         assert_eq!(
             (spec.machine.profile.as_str(), spec.sheet.width.map(|width| width.0)),
@@ -113,7 +113,7 @@ mod tests {
             ("[star]\npoints = 3\n", "unknown-section"),
             ("{", "not-a-spec"),
         ] {
-            let faults = with(config).expect_err(config);
+            let faults = default_text(config).expect_err(config);
             assert_eq!(faults.list()[0].code, code, "{faults}");
         }
     }

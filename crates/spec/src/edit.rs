@@ -59,19 +59,19 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
     let entries = star.entries();
     let searched = entries.iter().map(|(key, _)| *key).chain([key::star::INNER_RADIUS, key::stack::PITCH]);
     let has_own = |(key, star): &(KeyPath, usize)| raw.span_of(key.of_star(*star)) != raw.span_of(*key);
-    let own = searched.flat_map(|key| (1..=spec.stars.len()).map(move |star| (key, star))).filter(has_own);
-    let own = own.map(|(key, star)| {
+    let own_keys = searched.flat_map(|key| (1..=spec.stars.len()).map(move |star| (key, star))).filter(has_own);
+    let star_faults = star_faults.map(|(key, star)| {
         let message = format!("star {star} has its own `{}`", key.key());
         Fault::error(FaultCode::OwnValue, raw.span_of(key.of_star(star)), message)
             .label(format!("a value in [{}] does not reach it", key.section()))
             .help(format!("move it into [{}]", key.section()))
     });
-    let own: Vec<Fault> = own.collect();
-    if !own.is_empty() {
-        return Err(Faults::new(source, own));
+    let star_faults: Vec<Fault> = star_faults.collect();
+    if !star_faults.is_empty() {
+        return Err(Faults::new(source, star_faults));
     }
-    let (text, found) = read_back(source, with_values(source, &entries)?)?;
-    if found.stars.first().map(StarEdit::of) == Some(*star) {
+    let (text, spec_read) = read_back(source, with_values(source, &entries)?)?;
+    if spec_read.stars.first().map(StarEdit::of) == Some(*star) {
         Ok(text)
     } else {
         Err(cannot_edit(source, raw.span_of(key::star::POINTS), "the star", "must take new values"))
@@ -102,8 +102,8 @@ fn read_back(source: &Source, text: String) -> Result<(String, Spec), Faults> {
     read(&edited).map(|reading| (edited.text, reading.spec))
 }
 
-fn cannot_edit(source: &Source, at: Range<usize>, what: &str, label: &str) -> Faults {
-    let fault = Fault::error(FaultCode::Edit, at, format!("{what} cannot be edited here"));
+fn cannot_edit(source: &Source, place: Range<usize>, subject: &str, label: &str) -> Faults {
+    let fault = Fault::error(FaultCode::Edit, place, format!("{subject} cannot be edited here"));
     Faults::new(source, vec![fault.label(label).help("write its section with one key a line")])
 }
 
@@ -123,7 +123,7 @@ pub fn with_values(source: &Source, values: &[(KeyPath, String)]) -> Result<Stri
 /// # Errors
 /// If `source` or a value is not TOML, or the section of a key cannot be edited.
 pub fn edited(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String, Faults> {
-    let mut document = document(source)?;
+    let mut tree = document(source)?;
     // One of the two size keys replaces the other, unless both are set here.
     let replaced = |key: KeyPath| {
         let other = key.twin()?;
@@ -133,7 +133,7 @@ pub fn edited(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<Str
     let replaced: Vec<_> = set_sizes.filter_map(|(key, _)| replaced(*key)).collect();
     for (key, value) in replaced.into_iter().chain(values.iter().copied()) {
         let Some(value) = value else {
-            let root = document.as_table_mut();
+            let root = tree.as_table_mut();
             let section: Option<&mut dyn TableLike> = match key.section() {
                 "" => Some(root),
                 name => root.get_mut(name).and_then(Item::as_table_like_mut),
@@ -141,16 +141,16 @@ pub fn edited(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<Str
             let is_emptied =
                 section.is_some_and(|section| section.remove(key.key()).is_some() && section.is_empty());
             if is_emptied && !key.section().is_empty() {
-                let _ = document.remove(key.section());
+                let _ = tree.remove(key.section());
             }
             continue;
         };
         let value: Value = value.parse().map_err(|error| syntax(source, &error))?;
         if key.section().is_empty() {
-            set(document.as_table_mut(), false, key.key(), value);
+            set(tree.as_table_mut(), false, key.key(), value);
             continue;
         }
-        let item = document.entry(key.section()).or_insert_with(toml_edit::table);
+        let item = tree.entry(key.section()).or_insert_with(toml_edit::table);
         let inline = item.is_inline_table();
         let Some(section) = item.as_table_like_mut() else {
             // Not in a valid spec.
@@ -158,7 +158,7 @@ pub fn edited(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<Str
         };
         set(section, inline, key.key(), value);
     }
-    Ok(document.to_string())
+    Ok(tree.to_string())
 }
 
 /// The text of `source` with other comments behind values. `renewed` takes section, key and comment, "" for none, and returns the new
@@ -170,8 +170,8 @@ pub fn with_comments(
     source: &Source,
     mut renewed: impl FnMut(&str, &str, &str) -> String,
 ) -> Result<String, Faults> {
-    let mut document = document(source)?;
-    for (section, item) in document.iter_mut() {
+    let mut tree = document(source)?;
+    for (section, item) in tree.iter_mut() {
         let Some(table) = item.as_table_mut() else { continue };
         for (key, item) in table.iter_mut() {
             let Some(value) = item.as_value_mut() else { continue };
@@ -184,7 +184,7 @@ pub fn with_comments(
             }
         }
     }
-    Ok(document.to_string())
+    Ok(tree.to_string())
 }
 
 /// The text of `source` as TOML with its layout.
@@ -237,11 +237,11 @@ mod tests {
     #[test]
     fn single_values_are_set_wherever_they_stand() {
         let source = |text: &str| Source::new("x", text);
-        let more = with_value(&source(TEXT), key::stack::COUNT, "4").expect("a count");
-        assert!(more.contains("count = 4\n") && more.contains("# the end"), "{more}");
+        let larger = with_value(&source(TEXT), key::stack::COUNT, "4").expect("a count");
+        assert!(larger.contains("count = 4\n") && larger.contains("# the end"), "{larger}");
         let load = with_value(&source(TEXT), key::load::PRESSURE, "\"20 kPa\"").expect("a pressure");
-        let found = read(&source(&load)).expect("valid").spec;
-        assert_eq!(found.load.and_then(|load| load.pressure).map(|p| p.0), Some(20.0));
+        let loaded = read(&source(&load)).expect("valid").spec;
+        assert_eq!(loaded.load.and_then(|load| load.pressure).map(|p| p.0), Some(20.0));
         let dotted = TEXT.replace("[stack]\ncount = 2\n", "").replace("[star]", "stack.count = 2\n[star]");
         assert!(
             with_value(&source(&dotted), key::stack::COUNT, "3")

@@ -70,8 +70,8 @@ impl Fault {
     }
 
     /// The same fault, found at a place of the drawing.
-    pub fn drawn_at(self, drawn: Option<Box<DrawnPlace>>) -> Self {
-        Self { drawn, ..self }
+    pub fn drawn_at(self, place: Option<Box<DrawnPlace>>) -> Self {
+        Self { drawn: place, ..self }
     }
 
     /// The same fault with the remedy `help`.
@@ -90,33 +90,33 @@ pub fn shortened(text: &str) -> Cow<'_, str> {
     if text.len() <= LONGEST_WORD {
         return Cow::Borrowed(text);
     }
-    let (mut out, mut word, mut length) = (String::with_capacity(text.len().min(LONGEST_MESSAGE)), 0, 0);
+    let (mut short, mut word, mut length) = (String::with_capacity(text.len().min(LONGEST_MESSAGE)), 0, 0);
     for c in text.chars() {
         word = if c.is_whitespace() { 0 } else { word + 1 };
         if length >= LONGEST_MESSAGE {
-            out.push_str(" ...");
+            short.push_str(" ...");
             break;
         }
         match word {
             ..=LONGEST_WORD => {
-                out.push(c);
+                short.push(c);
                 length += 1;
             }
-            _ if word == LONGEST_WORD + 1 => out.push_str("..."),
+            _ if word == LONGEST_WORD + 1 => short.push_str("..."),
             _ => {}
         }
     }
-    Cow::Owned(out)
+    Cow::Owned(short)
 }
 
 /// `text` made fit for a message: between backticks, on one line, cut at 60 characters.
 pub(super) fn quoted(text: &str) -> String {
     const LONGEST: usize = 60;
-    let mut shown: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();
+    let mut start: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();
     if text.chars().nth(LONGEST).is_some() {
-        shown.push_str("...");
+        start.push_str("...");
     }
-    format!("`{}`", shown.replace("\\\"", "\"").replace("\\'", "'"))
+    format!("`{}`", start.replace("\\\"", "\"").replace("\\'", "'"))
 }
 
 #[cfg(test)]
@@ -125,9 +125,9 @@ mod tests {
 
     #[test]
     fn names_of_any_length_leave_a_message_readable() {
-        let found = shortened(&format!("layer \"{}\" has no role", "é".repeat(100_000))).into_owned();
-        assert!(found.starts_with("layer \"é") && found.ends_with("é... has no role"), "{found}");
-        assert!(found.chars().count() < 250);
+        let message = shortened(&format!("layer \"{}\" has no role", "é".repeat(100_000))).into_owned();
+        assert!(message.starts_with("layer \"é") && message.ends_with("é... has no role"), "{message}");
+        assert!(message.chars().count() < 250);
         assert!(shortened(&"a ".repeat(100_000)).len() < 9_000);
         let usual = "the drawing has no layer \"a\": ".repeat(20);
         assert_eq!(shortened(&usual), usual);

@@ -43,8 +43,8 @@ impl Faults {
 
     /// The line of the text in which `fault` begins, from 1; the last one if it is about what is not written.
     pub fn line_of(&self, fault: &Fault) -> usize {
-        let before = self.source.text.trim_end_matches('\n').bytes().take(fault.span.start);
-        1 + before.filter(|byte| *byte == b'\n').count()
+        let text_before = self.source.text.trim_end_matches('\n').bytes().take(fault.span.start);
+        1 + text_before.filter(|byte| *byte == b'\n').count()
     }
 
     /// The text that contains them.
@@ -94,18 +94,18 @@ impl Source {
         match std::str::from_utf8(bytes) {
             Ok(text) => Ok(Self::new(name, text)),
             Err(error) => {
-                let at = error.valid_up_to();
-                let byte = bytes.get(at).copied().unwrap_or_default();
-                let line_end = bytes[at..].iter().position(|b| *b == b'\n').map_or(bytes.len(), |n| at + n);
-                let shown = String::from_utf8_lossy(&bytes[..line_end]);
+                let start = error.valid_up_to();
+                let byte = bytes.get(start).copied().unwrap_or_default();
+                let line_end = bytes[start..].iter().position(|b| *b == b'\n').map_or(bytes.len(), |n| start + n);
+                let text = String::from_utf8_lossy(&bytes[..line_end]);
                 let fault = Fault::error(
                     FaultCode::NotText,
-                    at..at + 1,
-                    format!("byte {} is {byte:#04x}: not UTF-8", at + 1),
+                    start..start + 1,
+                    format!("byte {} is {byte:#04x}: not UTF-8", start + 1),
                 )
                 .label("the text ends here")
                 .help("save the file as UTF-8");
-                Err(Faults::new(&Self::new(name, shown), vec![fault]))
+                Err(Faults::new(&Self::new(name, text), vec![fault]))
             }
         }
     }
@@ -134,19 +134,19 @@ mod tests {
         let text = "schema = 2\n[star]\npoints = 2\nwdith = 3\n[[stack.star]]\nindex = 1\n[[stack.star]]\nindex = 2\n\
                     pitch = 4\n[fog]\n";
         let faults = crate::read(&Source::new("a", text)).expect_err("many");
-        let found: Vec<_> = faults
+        let places: Vec<_> = faults
             .list()
             .iter()
             .map(|fault| (faults.line_of(fault), faults.key_of(fault).unwrap_or_default()))
             .collect();
-        let has =
-            |line: usize, key: &str| assert!(found.contains(&(line, key.to_owned())), "{key}: {found:?}");
-        has(1, "schema");
-        has(2, "star"); // the missing key
-        has(3, "star.points");
-        has(4, "star.wdith");
-        has(9, "stack.star[2].pitch");
-        has(10, "fog");
+        let assert_has =
+            |line: usize, key: &str| assert!(places.contains(&(line, key.to_owned())), "{key}: {places:?}");
+        assert_has(1, "schema");
+        assert_has(2, "star"); // the missing key
+        assert_has(3, "star.points");
+        assert_has(4, "star.wdith");
+        assert_has(9, "stack.star[2].pitch");
+        assert_has(10, "fog");
     }
 
     #[test]

@@ -34,15 +34,15 @@ impl Document {
     /// One fault if `root` is plainly another kind of file than this one.
     pub(super) fn mistaken(self, root: &RawTable) -> Option<Fault> {
         let is = |document: Self| document.words().1.iter().any(|key| root.get(key).is_some());
-        let others = [Self::Spec, Self::Profile, Self::Study].into_iter().filter(|other| *other != self);
+        let other_kinds = [Self::Spec, Self::Profile, Self::Study].into_iter().filter(|other| *other != self);
         let other =
-            others.into_iter().find(|other| is(*other)).filter(|_| self != Self::Defaults && !is(self))?;
-        let ((own, ..), (name, _, use_of_it)) = (self.words(), other.words());
-        let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {name}, not {own}"));
+            other_kinds.into_iter().find(|other| is(*other)).filter(|_| self != Self::Defaults && !is(self))?;
+        let ((kind_words, ..), (name, _, use_of_it)) = (self.words(), other.words());
+        let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {name}, not {kind_words}"));
         Some(
             fault
                 .label("its sections are those of such a file")
-                .help(format!("{use_of_it}; here {own} is read")),
+                .help(format!("{use_of_it}; here {kind_words} is read")),
         )
     }
 }
@@ -54,10 +54,10 @@ pub(super) fn fault(text: &str) -> Option<Fault> {
             .label("the text is one line");
         return Some(fault.help("save the file with line ends of LF or CRLF"));
     }
-    let kind = kind(text)?;
-    let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {kind}, not TOML"))
+    let format = kind(text)?;
+    let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {format}, not TOML"))
         .label("recognised by its beginning");
-    let new = if kind.ends_with("drawing") { "new --drawing FILE" } else { "new" };
+    let new = if format.ends_with("drawing") { "new --drawing FILE" } else { "new" };
     Some(fault.help(format!(
         "name a TOML file instead: a build keeps its own beside its files, and `stargrip-cam {new}` writes one to begin with"
     )))

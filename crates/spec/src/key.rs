@@ -151,11 +151,11 @@ mod tests {
         let (raw, _) = RawSpec::parse(text);
         let mut reader = Reader::new(&raw);
         let _ = read_spec(&mut reader);
-        let (own, taken): (BTreeSet<_>, BTreeSet<_>) =
-            reader.taken().partition(|(section, _)| *section == "stack.star");
-        assert_eq!(taken, ALL.iter().map(|key| (key.section(), key.key())).collect());
+        let (star_keys, keys_taken): (BTreeSet<_>, BTreeSet<_>) =
+            reader.keys_taken().partition(|(section, _)| *section == "stack.star");
+        assert_eq!(keys_taken, ALL.iter().map(|key| (key.section(), key.key())).collect());
         let names = ALL.iter().filter_map(|key| key.own_name()).chain(["index"]);
-        assert_eq!(own, names.map(|name| ("stack.star", name)).collect());
+        assert_eq!(star_keys, names.map(|name| ("stack.star", name)).collect());
     }
 
     #[test]

@@ -36,7 +36,7 @@ fn check_friction(s: &mut Section<'_, '_>, load: &Load) {
         ("friction_most", load.friction_most, "below", Ordering::Less),
     ];
     for (key, end, word, beyond) in ends {
-        let (found, label, help) = match (load.friction, end) {
+        let (message, label, help) = match (load.friction, end) {
             (Some(friction), Some(end)) if end.partial_cmp(&friction) == Some(beyond) => (
                 format!("`{key}` is {end}, {word} `friction`, {friction}"),
                 "the friction lies between friction_least and friction_most",
@@ -50,7 +50,7 @@ fn check_friction(s: &mut Section<'_, '_>, load: &Load) {
             ),
             _ => continue,
         };
-        s.report(Fault::error(FaultCode::Conflict, s.place_of(key), found).label(label).help(help));
+        s.report(Fault::error(FaultCode::Conflict, s.place_of(key), message).label(label).help(help));
     }
 }
 

@@ -106,13 +106,13 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// These limits, replaced by those that a `later` line sets.
-    pub(crate) fn then(self, later: Self) -> Self {
+    /// These limits, replaced by those that a `newer` line sets.
+    pub(crate) fn replaced_by(self, newer: Self) -> Self {
         Self {
-            lowest_speed: later.lowest_speed.or(self.lowest_speed),
-            top_speed: later.top_speed.or(self.top_speed),
-            acceleration: later.acceleration.or(self.acceleration),
-            idle_timeout: later.idle_timeout.or(self.idle_timeout),
+            lowest_speed: newer.lowest_speed.or(self.lowest_speed),
+            top_speed: newer.top_speed.or(self.top_speed),
+            acceleration: newer.acceleration.or(self.acceleration),
+            idle_timeout: newer.idle_timeout.or(self.idle_timeout),
         }
     }
 }

@@ -38,22 +38,22 @@ pub fn comma(text: &str) -> Option<(&'static str, String)> {
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let unsigned = text.trim_start_matches(['+', '-']);
     let end = unsigned.find(|c: char| !c.is_ascii_digit() && c != ',' && c != '.').unwrap_or(unsigned.len());
-    let (whole, rest) = unsigned[..end].split_once(',')?;
+    let (integer, rest) = unsigned[..end].split_once(',')?;
     let (groups, decimals) = rest.split_once('.').map_or((rest, None), |(groups, rest)| (groups, Some(rest)));
     let groups: Vec<&str> = groups.split(',').collect();
-    if !digits(whole)
+    if !digits(integer)
         || !groups.iter().all(|group| digits(group))
         || decimals.is_some_and(|rest| rest.contains(','))
     {
         return None;
     }
-    let [point, whole] = [".", ""].map(|mark| format!("\"{}\"", text.replace(',', mark)));
+    let [point, joined] = [".", ""].map(|mark| format!("\"{}\"", text.replace(',', mark)));
     let is_decimal = groups.len() == 1 && decimals.is_none();
     match (groups.iter().all(|group| group.len() == 3), is_decimal) {
         (true, true) => {
-            Some(("a number has no comma", format!("{whole} if the comma separates thousands, else {point}")))
+            Some(("a number has no comma", format!("{integer} if the comma separates thousands, else {point}")))
         }
-        (true, false) => Some(("thousands have no comma", whole)),
+        (true, false) => Some(("thousands have no comma", joined)),
         (false, true) => Some(("a decimal point is needed, not a comma", point)),
         (false, false) => None,
     }
@@ -111,14 +111,14 @@ pub(super) fn malformed(
         (_, QuantityFault::UnknownUnit(unit)) => (
             FaultCode::UnknownUnit,
             format!("{} is not a unit of {name}: must be one of {units}", quoted(unit)),
-            meant(kind, text, unit).map(|meant| format!("did you mean \"{meant}\"?")),
+            corrected(kind, text, unit).map(|meant| format!("did you mean \"{meant}\"?")),
         ),
     };
     Fault { help, ..Fault::error(code, span, message).label(label) }
 }
 
 /// The whole quantity in the unit that `unit` abbreviates; `text` ends with `unit`.
-fn meant(kind: QuantityKind, text: &str, unit: &str) -> Option<String> {
+fn corrected(kind: QuantityKind, text: &str, unit: &str) -> Option<String> {
     let number = text.trim().strip_suffix(unit)?.trim();
     if kind == Temperature::KIND && FAHRENHEIT.contains(&unit) {
         let celsius = (number.parse::<f64>().ok()? - 32.0) / 1.8;
@@ -126,6 +126,6 @@ fn meant(kind: QuantityKind, text: &str, unit: &str) -> Option<String> {
     }
     let usual =
         SYNONYMS.iter().find(|(name, _)| name.eq_ignore_ascii_case(unit)).map_or(unit, |(_, usual)| usual);
-    let (near, _) = kind.units.iter().find(|(name, _)| name.eq_ignore_ascii_case(usual))?;
-    Some(format!("{number} {near}"))
+    let (name, _) = kind.units.iter().find(|(name, _)| name.eq_ignore_ascii_case(usual))?;
+    Some(format!("{number} {name}"))
 }

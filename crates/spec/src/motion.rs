@@ -107,11 +107,11 @@ impl Motion {
     fn speed_at(&self, rate: f64, displacement: [f64; 3]) -> Option<f64> {
         let steps = self.steps_per_mm?;
         let length = displacement.iter().map(|d| d * d).sum::<f64>().sqrt();
-        let most = steps.iter().zip(displacement).map(|(s, d)| s * d.abs()).fold(0.0, f64::max);
-        if most <= 0.0 {
+        let largest = steps.iter().zip(displacement).map(|(s, d)| s * d.abs()).fold(0.0, f64::max);
+        if largest <= 0.0 {
             return Some(self.min_feed.0);
         }
-        Some((rate * length / most).max(self.min_feed.0))
+        Some((rate * length / largest).max(self.min_feed.0))
     }
 
     /// The lowest speeds over all directions of the XY plane: the least and the greatest, mm/s; `None` if unknown.
@@ -119,8 +119,8 @@ impl Motion {
     /// The least is along the axis with more steps, the greatest where X and Y step equally often.
     pub fn speed_range(&self) -> Option<(f64, f64)> {
         let [x, y, _] = self.steps_per_mm.unwrap_or([1.0, 1.0, 1.0]);
-        let along = if x >= y { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
-        Some((self.lowest_speed(along)?, self.lowest_speed(self.worst_direction())?))
+        let axis = if x >= y { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
+        Some((self.lowest_speed(axis)?, self.lowest_speed(self.worst_direction())?))
     }
 
     /// Steps per mm that let the controller hold `speed` (mm/s): along an axis and at 45 degrees. `None` if the rate is
@@ -172,8 +172,8 @@ mod tests {
 
     #[test]
     fn grbl_at_80_steps_is_four_to_five_times_too_fast() {
-        let (least, most) = motion([80.0, 80.0, 400.0], 30.52).speed_range().expect("known");
-        assert!((least * 60.0 - 22.89).abs() < 0.01 && (most * 60.0 - 32.37).abs() < 0.01, "{least} {most}");
+        let (slowest, fastest) = motion([80.0, 80.0, 400.0], 30.52).speed_range().expect("known");
+        assert!((slowest * 60.0 - 22.89).abs() < 0.01 && (fastest * 60.0 - 32.37).abs() < 0.01, "{slowest} {fastest}");
         let (axis, diagonal) = motion([80.0; 3], 30.52).steps_needed(0.1).expect("known");
         assert!((axis - 305.2).abs() < 0.01 && (diagonal - 431.6).abs() < 0.1);
     }
@@ -182,15 +182,15 @@ mod tests {
     fn the_range_bounds_every_direction() {
         for steps in [[80.0, 80.0, 400.0], [100.0, 250.0, 400.0], [320.0, 80.0, 1.0]] {
             let m = motion(steps, 30.52);
-            let (least, most) = m.speed_range().expect("known");
-            let mut reached = (f64::INFINITY, 0.0_f64);
+            let (slowest, fastest) = m.speed_range().expect("known");
+            let mut extremes = (f64::INFINITY, 0.0_f64);
             for i in 0..3600 {
                 let (s, c) = (f64::from(i) * 0.1_f64.to_radians()).sin_cos();
                 let v = m.lowest_speed([c, s, 0.0]).expect("known");
-                assert!(v >= least * (1.0 - 1e-12) && v <= most * (1.0 + 1e-12), "{steps:?} {i}");
-                reached = (reached.0.min(v), reached.1.max(v));
+                assert!(v >= slowest * (1.0 - 1e-12) && v <= fastest * (1.0 + 1e-12), "{steps:?} {i}");
+                extremes = (extremes.0.min(v), extremes.1.max(v));
             }
-            assert!((reached.0 / least - 1.0).abs() < 1e-3 && (reached.1 / most - 1.0).abs() < 1e-2);
+            assert!((extremes.0 / slowest - 1.0).abs() < 1e-3 && (extremes.1 / fastest - 1.0).abs() < 1e-2);
         }
     }
 
@@ -199,12 +199,12 @@ mod tests {
     fn the_shortest_move_has_its_steps_in_every_direction() {
         for steps in [[80.0, 80.0, 400.0], [100.0, 250.0, 400.0]] {
             let m = Motion { min_move_steps: 6.0, ..motion(steps, 32.0) };
-            let least = m.least_move();
-            let most = |degrees: f64| {
+            let shortest = m.least_move();
+            let steps_at = |degrees: f64| {
                 let (s, c) = degrees.to_radians().sin_cos();
-                least * (steps[0] * c.abs()).max(steps[1] * s.abs())
+                shortest * (steps[0] * c.abs()).max(steps[1] * s.abs())
             };
-            let fewest = (0..3600).map(|i| most(0.1 * f64::from(i))).fold(f64::INFINITY, f64::min);
+            let fewest = (0..3600).map(|i| steps_at(0.1 * f64::from(i))).fold(f64::INFINITY, f64::min);
             assert!(fewest > 6.0 - 1e-9 && fewest < 6.02, "{fewest}");
         }
         assert_eq!(Motion::UNKNOWN.least_move(), 0.0);

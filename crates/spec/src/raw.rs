@@ -21,8 +21,8 @@ impl RawSpec {
         let root: RawTable = root.get_ref().into();
         let faults = syntax::faults(&errors, text);
         // The tables that the parser recovers between so many errors are arbitrary.
-        let kept = if errors.len() < syntax::FLOOD { root } else { RawTable(Vec::new()) };
-        (Self { root: kept }, faults)
+        let sound_root = if errors.len() < syntax::FLOOD { root } else { RawTable(Vec::new()) };
+        (Self { root: sound_root }, faults)
     }
 
     /// A document in which nothing but `key` is written.
@@ -31,10 +31,10 @@ impl RawSpec {
             RawTable(vec![RawEntry { key: name.to_owned(), key_span: value.span.clone(), value }])
         };
         let span = value.span.clone();
-        let own = entry(key.key(), value);
+        let table = entry(key.key(), value);
         let root = match key.section() {
-            "" => own,
-            section => entry(section, RawValue { kind: RawKind::Table(own), span }),
+            "" => table,
+            section => entry(section, RawValue { kind: RawKind::Table(table), span }),
         };
         Self { root }
     }
@@ -47,12 +47,12 @@ impl RawSpec {
     /// Place of the value that decides `key`: of a star's key its own `[[stack.star]]` before the common section;
     /// `None` if it was not written.
     pub fn find(&self, key: KeyPath) -> Option<Range<usize>> {
-        let own = key.star().zip(key.own_name()).and_then(|(star, name)| self.own(star)?.get(name));
+        let own_value = key.star().zip(key.own_name()).and_then(|(star, name)| self.own(star)?.get(name));
         let common = || match key.section() {
             "" => self.root.get(key.key()),
             _ => self.section(key)?.as_table()?.get(key.key()),
         };
-        let value = own.or_else(common);
+        let value = own_value.or_else(common);
         value.map(|value| value.span.clone())
     }
 
@@ -103,20 +103,20 @@ impl RawSpec {
 
 /// The deepest key of `table`, which is `path`, whose name or value holds `span`.
 fn key_at(table: &RawTable, span: &Range<usize>, path: &str) -> Option<String> {
-    let within =
+    let contains =
         |place: &Range<usize>| place.start <= span.start && span.start < place.end && span.end <= place.end;
     table.0.iter().find_map(|entry| {
         let dot = if path.is_empty() { "" } else { "." };
         let name = format!("{path}{dot}{}", entry.key);
         let elements = entry.value.as_list().unwrap_or_default();
-        let inside = entry.value.as_table().and_then(|table| key_at(table, span, &name)).or_else(|| {
+        let nested = entry.value.as_table().and_then(|table| key_at(table, span, &name)).or_else(|| {
             let tables = elements.iter().zip(1..).filter_map(|(item, i)| Some((item.as_table()?, item, i)));
-            let mut found = tables.map(|(table, item, i)| {
+            let mut names = tables.map(|(table, item, i)| {
                 let name = format!("{name}[{i}]");
-                key_at(table, span, &name).or_else(|| within(&item.span).then_some(name))
+                key_at(table, span, &name).or_else(|| contains(&item.span).then_some(name))
             });
-            found.find_map(|found| found)
+            names.find_map(|names| names)
         });
-        inside.or_else(|| (within(&entry.key_span) || within(&entry.value.span)).then_some(name))
+        nested.or_else(|| (contains(&entry.key_span) || contains(&entry.value.span)).then_some(name))
     })
 }

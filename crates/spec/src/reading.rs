@@ -97,39 +97,39 @@ pub(super) fn read_with<T>(
         return Err(Faults::new(source, vec![fault]));
     }
     let mut reader = Reader::new(&raw);
-    let found = body(&mut reader);
-    let others = reader.finish();
-    faults.extend(if faults.is_empty() { others } else { beyond_syntax(others, &faults, &source.text) });
+    let value = body(&mut reader);
+    let unread_keys = reader.finish();
+    faults.extend(if faults.is_empty() { unread_keys } else { beyond_syntax(unread_keys, &faults, &source.text) });
     let faults = Faults::new(source, faults);
-    if faults.refuse() { Err(faults) } else { Ok((found, faults, raw)) }
+    if faults.refuse() { Err(faults) } else { Ok((value, faults, raw)) }
 }
 
-/// Near broken syntax, keys are lost and values are the parser's guesses: keeps the faults of `others` that do not come from
+/// Near broken syntax, keys are lost and values are the parser's guesses: keeps the faults of `key_faults` that do not come from
 /// that.
-fn beyond_syntax(others: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fault> {
+fn beyond_syntax(key_faults: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fault> {
     let line = |at: usize| text.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count();
-    let broken: Vec<usize> = syntax.iter().map(|fault| line(fault.span.start)).collect();
+    let broken_lines: Vec<usize> = syntax.iter().map(|fault| line(fault.span.start)).collect();
     // Without the bracket of its header, a section's keys are read as others.
     let unclosed = syntax.iter().find(|fault| fault.message == "unclosed table").map(|fault| {
-        let (at, end) = (fault.span.start, text.len());
-        at..text.get(at..).and_then(|rest| rest.find("\n[")).map_or(end, |length| at + length)
+        let (start, end) = (fault.span.start, text.len());
+        start..text.get(start..).and_then(|rest| rest.find("\n[")).map_or(end, |length| start + length)
     });
     let is_sound = |fault: &Fault| {
         fault.code != FaultCode::MissingKey.as_str()
             && fault.span != (0..0)
             && !unclosed.as_ref().is_some_and(|lost| lost.contains(&fault.span.start))
-            && !broken.contains(&line(fault.span.start))
+            && !broken_lines.contains(&line(fault.span.start))
     };
-    others.into_iter().filter(is_sound).collect()
+    key_faults.into_iter().filter(is_sound).collect()
 }
 
 /// Reports a `schema` that is not `version`, the only supported one.
 pub(super) fn read_schema(root: &mut Section<'_, '_>, version: u32) {
-    let found = root.count("schema", 0, u32::MAX);
+    let schema = root.count("schema", 0, u32::MAX);
     root.narrow("schema", ValueShape::Count(version, version));
-    if let Some(found) = found.filter(|found| *found != version) {
+    if let Some(schema) = schema.filter(|schema| *schema != version) {
         let allowed = format!("must be {version}, the only version this program supports");
-        root.refuse(FaultCode::Schema, "schema", format!("`schema` is {found}"), allowed);
+        root.refuse(FaultCode::Schema, "schema", format!("`schema` is {schema}"), allowed);
     }
 }
 

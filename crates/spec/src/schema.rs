@@ -109,9 +109,9 @@ pub fn machine_schema() -> String {
     let notes = profile_notes();
     let mut sections = sections_of(&reader, &notes);
     let clamps = sections.remove(CLAMPS).unwrap_or_default().object("");
-    let about = notes.of_section(CLAMPS);
+    let description = notes.of_section(CLAMPS);
     let mut root = sections.remove("").unwrap_or_default();
-    let list = json!({ "type": "array", "description": about, "items": clamps });
+    let list = json!({ "type": "array", "description": description, "items": clamps });
     let _ = root.keys.insert(CLAMPS, list);
     let _ = sections.insert("", root);
     text_of(sections, &notes, ("A machine profile for stargrip-cam", "One controller and its iron."))
@@ -147,7 +147,7 @@ fn sections_of(reader: &Reader<'_>, notes: &Notes) -> BTreeMap<&'static str, Sec
 fn text_of(
     mut sections: BTreeMap<&'static str, SectionSchema>,
     notes: &Notes,
-    (title, about): (&str, &str),
+    (title, description): (&str, &str),
 ) -> String {
     let mut root = sections.remove("").unwrap_or_default();
     for (name, section) in sections {
@@ -156,7 +156,7 @@ fn text_of(
         }
         let _ = root.keys.insert(name, section.object(notes.of_section(name)));
     }
-    let mut object = root.object(about);
+    let mut object = root.object(description);
     object["$schema"] = json!("http://json-schema.org/draft-07/schema#");
     object["title"] = json!(title);
     if object["properties"].get(EITHER[0]).is_some() {
@@ -188,21 +188,21 @@ impl SectionSchema {
 }
 
 fn property(section: &str, key: &str, shape: &ValueShape, notes: &Notes) -> Value {
-    let (mut value, told) = shape.schema();
+    let (mut value, range_words) = shape.schema();
     // A key of a single star has the meaning of the same key in the section for all stars.
     let homes: &[(&str, &str)] = match (section, key) {
         (LIST, "inlet_tip") => &[(LIST, "inlet_tip"), ("inlet", "tip")],
         (LIST, _) => &[(LIST, key), ("star", key), ("stack", key)],
         _ => &[(section, key)],
     };
-    let found = homes.iter().filter_map(|home| notes.of_key(*home));
-    let note = found.fold(None, |best: Option<&Note>, note| match best {
+    let notes_of_key = homes.iter().filter_map(|home| notes.of_key(*home));
+    let note = notes_of_key.fold(None, |best: Option<&Note>, note| match best {
         // The list's own lines are examples without a meaning.
         Some(best) if !best.meaning.is_empty() && section != LIST => Some(best),
         _ => Some(note),
     });
     let meaning = note.map_or("", |note| note.meaning.as_str());
-    let sentences = [Some(sentence(meaning)), told].into_iter().flatten().filter(|text| !text.is_empty());
+    let sentences = [Some(sentence(meaning)), range_words].into_iter().flatten().filter(|text| !text.is_empty());
     let description = sentences.collect::<Vec<_>>().join(" ");
     if !description.is_empty() {
         value["description"] = json!(description);
@@ -229,7 +229,7 @@ mod tests {
     }
 
     /// The property of `key` in `section`.
-    fn at<'s>(schema: &'s Value, section: &str, key: &str) -> &'s Value {
+    fn property_of<'s>(schema: &'s Value, section: &str, key: &str) -> &'s Value {
         let home = if section.is_empty() { schema } else { &schema["properties"][section] };
         &home["properties"][key]
     }
@@ -238,17 +238,17 @@ mod tests {
     fn every_key_of_the_reader_is_in_the_schema_and_no_other() {
         let schema = read();
         for key in key::ALL {
-            assert!(at(&schema, key.section(), key.key()).is_object(), "{key}");
+            assert!(property_of(&schema, key.section(), key.key()).is_object(), "{key}");
         }
         let count = |object: &Value| object["properties"].as_object().map_or(0, Map::len);
         let sections: std::collections::BTreeSet<&str> =
             key::ALL.iter().map(|key| key.section()).filter(|name| !name.is_empty()).collect();
-        let inside: usize = sections.iter().map(|name| count(&schema["properties"][*name])).sum();
-        assert_eq!(count(&schema) - sections.len() + inside, key::ALL.len());
-        let own = key::ALL.iter().filter_map(|key| key.own_name()).chain(["index"]);
+        let section_keys: usize = sections.iter().map(|name| count(&schema["properties"][*name])).sum();
+        assert_eq!(count(&schema) - sections.len() + section_keys, key::ALL.len());
+        let star_keys = key::ALL.iter().filter_map(|key| key.own_name()).chain(["index"]);
         let stars = &schema["properties"]["stack"]["properties"]["star"]["items"];
         let mut number = 0;
-        for name in own {
+        for name in star_keys {
             assert!(stars["properties"][name].is_object(), "{name}");
             number += 1;
         }
@@ -260,7 +260,7 @@ mod tests {
     fn every_key_says_what_it_means_and_has_a_default_or_an_example() {
         let schema = read();
         for key in key::ALL.iter().filter(|key| key.to_string() != "stack.star") {
-            let property = at(&schema, key.section(), key.key());
+            let property = property_of(&schema, key.section(), key.key());
             assert!(
                 property["description"].as_str().is_some_and(|text| text.len() > 10),
                 "{key}: {property}"
@@ -270,12 +270,12 @@ mod tests {
                 "{key}: {property}"
             );
         }
-        assert_eq!(at(&schema, "seal", "speed")["default"], json!("0.1 mm/s"));
-        assert_eq!(at(&schema, "load", "pressure")["examples"], json!(["37 kPa"]));
+        assert_eq!(property_of(&schema, "seal", "speed")["default"], json!("0.1 mm/s"));
+        assert_eq!(property_of(&schema, "load", "pressure")["examples"], json!(["37 kPa"]));
         assert_eq!(schema["required"], json!(["schema", "name"]));
         assert_eq!(schema["oneOf"], json!([{ "required": ["star"] }, { "required": ["drawing"] }]));
-        assert_eq!(at(&schema, "machine", "program")["enum"], json!(["star", "piece", "sheet"]));
-        assert_eq!(at(&schema, "fabric", "poisson_ratio")["exclusiveMinimum"], json!(-1.0));
+        assert_eq!(property_of(&schema, "machine", "program")["enum"], json!(["star", "piece", "sheet"]));
+        assert_eq!(property_of(&schema, "fabric", "poisson_ratio")["exclusiveMinimum"], json!(-1.0));
         assert!(
             schema["properties"]["star"]["description"]
                 .as_str()
@@ -290,8 +290,8 @@ mod tests {
         let mut looked_at = |keys: &Value| {
             for (key, property) in keys["properties"].as_object().expect("keys") {
                 if property["type"] != "object" && key != CLAMPS {
-                    let told = property["description"].as_str();
-                    assert!(told.is_some_and(|text| text.len() > 10), "{key}: {property}");
+                    let description = property["description"].as_str();
+                    assert!(description.is_some_and(|text| text.len() > 10), "{key}: {property}");
                     assert!(property["examples"].is_array() != property.get("default").is_some(), "{key}");
                     number += 1;
                 }
@@ -304,12 +304,12 @@ mod tests {
         looked_at(&schema["properties"][CLAMPS]["items"]);
         assert!(number > 35, "{number}");
         assert_eq!(schema["required"], json!(["schema", "name", "dialect", "heights", "program"]));
-        let x = at(&schema, "work_area", "x");
+        let x = property_of(&schema, "work_area", "x");
         assert!(
             x["anyOf"].as_array().is_some_and(|ways| ways.contains(&json!({ "const": "unknown" }))),
             "{x}"
         );
-        assert_eq!(at(&schema, "program", "start")["type"], json!("array"));
+        assert_eq!(property_of(&schema, "program", "start")["type"], json!("array"));
     }
 
     #[test]
@@ -329,7 +329,7 @@ mod tests {
             (defaults[..end].to_vec(), defaults[end..].to_vec())
         };
         let clamp = sections.iter().position(|line| *line == "[keep_out]").expect("clamps");
-        let written = format!(
+        let explicit = format!(
             "{bare}{}\n{}\n{rest}{}\n",
             root.join("\n"),
             sections[..clamp].join("\n"),
@@ -338,8 +338,8 @@ mod tests {
         let read = |text: &str| {
             read_machine(&Source::new("profile", text)).unwrap_or_else(|why| panic!("{why}\n{text}"))
         };
-        assert_eq!(read(&format!("{bare}{rest}")), read(&written));
-        assert_ne!(read(&format!("{bare}{rest}")), read(&written.replace("arcs = true", "arcs = false")));
+        assert_eq!(read(&format!("{bare}{rest}")), read(&explicit));
+        assert_ne!(read(&format!("{bare}{rest}")), read(&explicit.replace("arcs = true", "arcs = false")));
     }
 
     #[test]

@@ -45,32 +45,32 @@ impl ValueShape {
     /// The JSON Schema, and the conditions that it cannot express, in words.
     pub(super) fn schema(&self) -> (Value, Option<String>) {
         let texts = || json!({ "type": "array", "items": { "type": "string" } });
-        let (schema, told) = match self {
+        let (schema, range_words) = match self {
             Self::Quantity(kind, allowed) => {
                 let (name, units) = (capital(&article(kind.name)), kind.unit_list());
-                let told = format!("{name} with its unit ({units}); {}.", allowed.in_words(kind.unit()));
+                let range_words = format!("{name} with its unit ({units}); {}.", allowed.in_words(kind.unit()));
                 let pattern = format!(r"^\s*{NUMBER}\s*({})\s*$", alternatives(*kind));
-                (json!({ "type": "string", "pattern": pattern }), told)
+                (json!({ "type": "string", "pattern": pattern }), range_words)
             }
             Self::Area(allowed) => {
-                let told = allowed.in_words(Length::KIND.unit());
+                let range_words = allowed.in_words(Length::KIND.unit());
                 let unit = alternatives(Length::KIND);
                 let pattern = format!("^\\s*{NUMBER}\\s*({unit})?\\s*[x\u{d7}]\\s*{NUMBER}\\s*({unit})\\s*$");
                 let schema = json!({ "type": "string", "pattern": pattern });
-                (schema, format!("Two lengths with an x between; each {told}."))
+                (schema, format!("Two lengths with an x between; each {range_words}."))
             }
             Self::Number(allowed) => (allowed.schema(), format!("A plain number; {}.", allowed.in_words(""))),
             Self::Count(low, high) => {
                 let schema = json!({ "type": "integer", "minimum": low, "maximum": high });
-                let told = format!("A whole number from {low} to {high}.");
-                (schema, if low == high { format!("Always {low}.") } else { told })
+                let range_words = format!("A whole number from {low} to {high}.");
+                (schema, if low == high { format!("Always {low}.") } else { range_words })
             }
             Self::Or(shape, words) => {
-                let (schema, told) = shape.schema();
+                let (schema, range_words) = shape.schema();
                 let ways = std::iter::once(schema).chain(words.iter().map(|word| json!({ "const": word })));
                 let list: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
-                let told = format!("{} Or {}.", told.unwrap_or_default(), list.join(" or "));
-                (json!({ "anyOf": ways.collect::<Vec<_>>() }), told)
+                let range_words = format!("{} Or {}.", range_words.unwrap_or_default(), list.join(" or "));
+                (json!({ "anyOf": ways.collect::<Vec<_>>() }), range_words)
             }
             Self::Choice(words) => {
                 (json!({ "type": "string", "enum": words }), format!("One of {}.", words.join(", ")))
@@ -98,7 +98,7 @@ impl ValueShape {
                 return (schema, None);
             }
         };
-        (schema, Some(told))
+        (schema, Some(range_words))
     }
 }
 

@@ -19,8 +19,8 @@ impl Source {
     }
 }
 
-/// The last place at or before `at` where a character of `text` begins or the text ends.
-pub(super) fn boundary(text: &str, at: usize) -> usize {
-    let at = at.min(text.len());
-    (0..=at).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
+/// The last place at or before `place` where a character of `text` begins or the text ends.
+pub(super) fn boundary(text: &str, place: usize) -> usize {
+    let limit = limit.min(text.len());
+    (0..=limit).rev().find(|limit| text.is_char_boundary(*limit)).unwrap_or(0)
 }

@@ -72,19 +72,19 @@ fn read_place(s: &mut Section<'_, '_>, base: &StarSpec) -> StarSpec {
 
 /// The inlet, `None` if there is none, and the tip that carries it.
 fn read_inlet(s: &mut Section<'_, '_>) -> (Option<Inlet>, Option<u32>) {
-    let none = s.truth("none").unwrap_or(false);
+    let has_none = s.truth("none").unwrap_or(false);
     let inlet = Inlet {
         tube_diameter: s.length("tube_diameter", SIZE, 4.0),
         length: s.length("length", SIZE, 20.0),
         fillet: s.length("fillet", EXTRA, 1.0),
     };
     let tip = s.count("tip", 1, MOST);
-    if !none {
+    if !has_none {
         return (Some(inlet), tip);
     }
-    let others: Vec<_> = s.other_keys("none").into_iter().map(|key| format!("`{key}`")).collect();
-    if !others.is_empty() {
-        let message = format!("[inlet] has `none = true` beside {}", others.join(", "));
+    let other_keys: Vec<_> = s.other_keys("none").into_iter().map(|key| format!("`{key}`")).collect();
+    if !other_keys.is_empty() {
+        let message = format!("[inlet] has `none = true` beside {}", other_keys.join(", "));
         let fault = Fault::error(FaultCode::Conflict, s.place_of("none"), message)
             .label("no inlet, so no other key is allowed here")
             .help("delete the other keys, or this one");
@@ -107,7 +107,7 @@ fn read_list(stack: &mut Section<'_, '_>) {
 
 /// The values in which single stars differ.
 fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32, has_inlet: bool) {
-    let mut seen = [false; MOST as usize + 1];
+    let mut has_section = [false; MOST as usize + 1];
     for value in reader.raw.overrides() {
         let mut section = reader.element("stack.star", value);
         if section.is_written() {
@@ -129,8 +129,8 @@ fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32,
         let tip = section.count("inlet_tip", 1, MOST);
         star.inlet_tip = tip.unwrap_or(star.inlet_tip);
         if tip.is_some() && !has_inlet {
-            let found = "`inlet_tip` without an inlet";
-            section.refuse(FaultCode::Conflict, "inlet_tip", found, "[inlet] has `none = true`");
+            let message = "`inlet_tip` without an inlet";
+            section.refuse(FaultCode::Conflict, "inlet_tip", message, "[inlet] has `none = true`");
         }
         if index == Some(1) && stars.len() > 1 && section.has("pitch") {
             let fault = Fault::warning(FaultCode::NoEffect, section.place_of("pitch"), "`pitch` of star 1")
@@ -139,7 +139,7 @@ fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32,
             section.report(fault);
         }
         let Some(slot) = slot else { continue };
-        if std::mem::replace(&mut seen[slot], true) {
+        if std::mem::replace(&mut has_section[slot], true) {
             let message = format!("`index` is {slot}");
             let fault = Fault::error(FaultCode::DuplicateIndex, section.place_of("index"), message)
                 .label("this star has a section already")

@@ -34,12 +34,12 @@ pub fn drawing_starter(
 ) -> Result<String, String> {
     let mut roles = String::new();
     for (word, role) in LayerRole::ALL {
-        let own: Vec<&(String, LayerRole, String)> = layers.iter().filter(|layer| layer.1 == role).collect();
-        for (layer, _, reason) in &own {
+        let role_layers: Vec<&(String, LayerRole, String)> = layers.iter().filter(|layer| layer.1 == role).collect();
+        for (layer, _, reason) in &role_layers {
             let _ = writeln!(roles, "# {}: {reason}", in_quotes(layer));
         }
-        if !own.is_empty() {
-            let names: Vec<String> = own.iter().map(|(layer, ..)| in_quotes(layer)).collect();
+        if !role_layers.is_empty() {
+            let names: Vec<String> = role_layers.iter().map(|(layer, ..)| in_quotes(layer)).collect();
             let _ = writeln!(roles, "{word} = [{}]", names.join(", "));
         }
     }
@@ -108,9 +108,9 @@ mod tests {
         {
             assert_eq!(spec(&starter(name).expect("a name")).name, name);
         }
-        let why = |name: &str| starter(name).expect_err("no name");
-        assert!(why("a\nb").contains("without control characters, here is U+000A"));
-        assert!(why("").contains("at least one visible character"));
+        let refusal = |name: &str| starter(name).expect_err("no name");
+        assert!(refusal("a\nb").contains("without control characters, here is U+000A"));
+        assert!(refusal("").contains("at least one visible character"));
     }
 
     /// Labels and ids of a drawing may have any character.
@@ -133,11 +133,11 @@ mod tests {
 
     #[test]
     fn everything_shown_as_absent_can_be_written() {
-        let with = spec(&switched_on("## "));
-        let without = spec(&starter("x").expect("a name"));
-        assert_eq!((without.load, without.sheet.width, without.mask.extent), (None, None, None));
-        assert!(with.load.is_some() && with.sheet.width.is_some() && with.mask.extent.is_some());
-        assert!(with.fabric.seal_strength.is_some() && with.fabric.areal_density.is_some());
-        assert!(with.stars[0].inner_radius < without.stars[0].inner_radius);
+        let full = spec(&switched_on("## "));
+        let bare = spec(&starter("x").expect("a name"));
+        assert_eq!((bare.load, bare.sheet.width, bare.mask.extent), (None, None, None));
+        assert!(full.load.is_some() && full.sheet.width.is_some() && full.mask.extent.is_some());
+        assert!(full.fabric.seal_strength.is_some() && full.fabric.areal_density.is_some());
+        assert!(full.stars[0].inner_radius < bare.stars[0].inner_radius);
     }
 }

@@ -10,8 +10,8 @@ use std::fmt;
 pub use geom::readable::Readable;
 
 /// A number of things: "1 finding", "91 findings".
-pub fn counted(number: usize, what: &str) -> String {
-    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
+pub fn counted(number: usize, noun: &str) -> String {
+    format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }
 
 /// The reason why a text is not a quantity of the required kind.
@@ -51,8 +51,8 @@ impl QuantityKind {
         if unit.is_empty() {
             return Err(QuantityFault::NoUnit);
         }
-        let known = self.units.iter().find(|(name, _)| *name == unit);
-        let (unit, factor) = known.ok_or_else(|| QuantityFault::UnknownUnit(unit.to_owned()))?;
+        let entry = self.units.iter().find(|(name, _)| *name == unit);
+        let (unit, factor) = entry.ok_or_else(|| QuantityFault::UnknownUnit(unit.to_owned()))?;
         let base = Some(value * factor).filter(|base| base.is_finite()).ok_or(QuantityFault::NotANumber)?;
         Ok((base, unit))
     }
@@ -64,7 +64,7 @@ impl QuantityKind {
     }
 
     /// `value`, in the base unit, as it is printed.
-    fn shown(self, value: f64) -> String {
+    fn rounded_text(self, value: f64) -> String {
         let unit = self.small.filter(|_| value != 0.0 && libm::fabs(value) < 0.1);
         format!("{} {}", Readable(value / self.factor(unit)), unit.unwrap_or(self.unit()))
     }
@@ -129,14 +129,14 @@ fn split_number(text: &str) -> Option<(f64, &str)> {
     let bytes = text.as_bytes();
     let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
     let mut end = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
-    let whole = digits(end);
-    end += whole;
+    let digits_before = digits(end);
+    end += digits_before;
     let mut decimals = 0;
     if bytes.get(end) == Some(&b'.') {
         decimals = digits(end + 1);
         end += 1 + decimals;
     }
-    if whole + decimals == 0 {
+    if digits_before + decimals == 0 {
         return None;
     }
     // An exponent counts as one only if digits follow: "2e" would otherwise swallow a unit's first letter.
@@ -148,7 +148,7 @@ fn split_number(text: &str) -> Option<(f64, &str)> {
         }
     }
     let value: f64 = text[..end].parse().ok()?;
-    value.is_finite().then(|| (value, text[end..].trim()))
+    value.is_finite().replaced_by(|| (value, text[end..].trim()))
 }
 
 macro_rules! quantities {
@@ -169,7 +169,7 @@ macro_rules! quantities {
 
         impl fmt::Display for $name {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(&Self::KIND.shown(self.0))
+                f.write_str(&Self::KIND.rounded_text(self.0))
             }
         }
     )+};

@@ -27,32 +27,32 @@ const COMPARED: usize = 40;
 /// Most unknown keys for which similar ones are looked up.
 const HINTED: usize = 200;
 
-/// A fault for each key and section of the text that is not in `known`, in the order of the text; the first have a hint.
-pub(super) fn faults(known: &[Known<'_>]) -> Vec<Fault> {
-    let entries = known.iter().flat_map(|one| {
+/// A fault for each key and section of the text that is not in `sections`, in the order of the text; the first have a hint.
+pub(super) fn faults(sections: &[Known<'_>]) -> Vec<Fault> {
+    let entries = sections.iter().flat_map(|one| {
         let entries = one.table.into_iter().flat_map(|table| &table.0);
         entries.map(move |entry| (one, entry))
     });
     let is_unknown = |(one, entry): &(&Known<'_>, &RawEntry)| {
-        let is_section = one.section.is_empty() && section_names(known).any(|name| name == entry.key);
+        let is_section = one.section.is_empty() && section_names(sections).any(|name| name == entry.key);
         !is_section && !one.keys.contains(&entry.key.as_str())
     };
     let mut unknown: Vec<_> = entries.filter(is_unknown).collect();
     unknown.sort_by_key(|(_, entry)| entry.key_span.start);
-    let fault = |(i, (one, entry))| fault(one, entry, known, i < HINTED);
+    let fault = |(i, (one, entry))| fault(one, entry, sections, i < HINTED);
     unknown.into_iter().enumerate().map(fault).collect()
 }
 
-/// The fault of the unknown `entry` of `one`, with a hint if `is_hinted`.
-fn fault(one: &Known<'_>, entry: &RawEntry, known: &[Known<'_>], is_hinted: bool) -> Fault {
+/// The fault of the unknown `entry` of `place`, with a hint if `is_hinted`.
+fn fault(place: &Known<'_>, entry: &RawEntry, sections: &[Known<'_>], is_hinted: bool) -> Fault {
     let (word, place) = (entry.key.as_str(), entry.key_span.clone());
-    let table = entry.value.as_table().filter(|_| one.section.is_empty());
+    let table = entry.value.as_table().filter(|_| place.section.is_empty());
     let fault = if table.is_some() {
         Fault::error(FaultCode::UnknownSection, place, format!("unknown section [{}]", bare(word)))
             .label("no section has this name")
     } else {
         let home =
-            if one.section.is_empty() { String::new() } else { format!(" in {}", header(one.section)) };
+            if place.section.is_empty() { String::new() } else { format!(" in {}", header(place.section)) };
         Fault::error(FaultCode::UnknownKey, place, format!("unknown key {}{home}", quoted(word)))
             .label("no key has this name here")
     };
@@ -60,10 +60,10 @@ fn fault(one: &Known<'_>, entry: &RawEntry, known: &[Known<'_>], is_hinted: bool
         return fault;
     }
     fault.help(match table {
-        Some(table) => section_hint(word, table, known),
-        None => diameter_hint(word, &entry.value, one)
-            .or_else(|| star_size_hint(word, &entry.value, one))
-            .unwrap_or_else(|| key_hint(word, one, known)),
+        Some(table) => section_hint(word, table, sections),
+        None => diameter_hint(word, &entry.value, place)
+            .or_else(|| star_size_hint(word, &entry.value, place))
+            .unwrap_or_else(|| key_hint(word, place, sections)),
     })
 }
 
@@ -86,15 +86,15 @@ fn bare(word: &str) -> String {
 }
 
 /// The sections of the first level.
-fn section_names<'k>(known: &'k [Known<'_>]) -> impl Iterator<Item = &'static str> + 'k {
-    known.iter().map(|one| one.section).filter(|name| !name.is_empty() && !name.contains('.'))
+fn section_names<'k>(sections: &'k [Known<'_>]) -> impl Iterator<Item = &'static str> + 'k {
+    sections.iter().map(|one| one.section).filter(|name| !name.is_empty() && !name.contains('.'))
 }
 
 /// The hint for an unknown section: of the similar names first one that has all keys of `table`.
-fn section_hint(word: &str, table: &RawTable, known: &[Known<'_>]) -> String {
-    let names = || section_names(known);
+fn section_hint(word: &str, table: &RawTable, sections: &[Known<'_>]) -> String {
+    let names = || section_names(sections);
     let has_all = |name: &&str| {
-        let section = known.iter().find(|one| one.section == *name);
+        let section = sections.iter().find(|one| one.section == *name);
         section.is_some_and(|one| table.0.iter().all(|entry| one.keys.contains(&entry.key.as_str())))
     };
     match nearest(word, names().filter(has_all)).or_else(|| nearest(word, names())) {
@@ -111,9 +111,9 @@ pub(super) fn radius_of(word: &str) -> Option<String> {
 }
 
 /// The hint for a diameter where the key is a radius: the radius, with half of the value.
-fn diameter_hint(word: &str, value: &RawValue, here: &Known<'_>) -> Option<String> {
+fn diameter_hint(word: &str, value: &RawValue, place: &Known<'_>) -> Option<String> {
     let radius = radius_of(word)?;
-    let _ = here.keys.iter().find(|key| **key == radius)?;
+    let _ = place.keys.iter().find(|key| **key == radius)?;
     let half = match &value.kind {
         RawKind::Text(text) => Length::parse(text).ok().map(|length| Length(0.5 * length.0)),
         _ => None,
@@ -125,8 +125,8 @@ fn diameter_hint(word: &str, value: &RawValue, here: &Known<'_>) -> Option<Strin
 }
 
 /// The hint for the hole or the outer size of a star, which are no keys: the key that decides them.
-fn star_size_hint(word: &str, value: &RawValue, here: &Known<'_>) -> Option<String> {
-    let _ = here.keys.iter().find(|key| **key == "inner_radius")?;
+fn star_size_hint(word: &str, value: &RawValue, place: &Known<'_>) -> Option<String> {
+    let _ = place.keys.iter().find(|key| **key == "inner_radius")?;
     let (place, part) = match word.split_once('_')? {
         (place, "diameter") => (place, 0.5),
         (place, "radius") => (place, 1.0),
@@ -158,29 +158,29 @@ const DEFAULT_FLAP: f64 = 3.0;
 
 /// The hint for a key: a similar one in the section, the same one elsewhere, a similar one elsewhere, else all keys of the
 /// section.
-fn key_hint(word: &str, here: &Known<'_>, known: &[Known<'_>]) -> String {
+fn key_hint(word: &str, place: &Known<'_>, sections: &[Known<'_>]) -> String {
     let home = |one: &Known<'_>| match one.section {
         "" => "before the first section".to_owned(),
         name => format!("in {}", header(name)),
     };
-    let elsewhere = || known.iter().filter(|one| one.section != here.section);
-    if let Some((_, key)) = MEANT.iter().find(|(other, key)| *other == word && here.keys.contains(key)) {
+    let elsewhere = || sections.iter().filter(|one| one.section != place.section);
+    if let Some((_, key)) = MEANT.iter().find(|(other, key)| *other == word && place.keys.contains(key)) {
         return format!("did you mean `{key}`?");
     }
-    if let Some(there) = elsewhere().find(|one| one.keys.contains(&word)) {
-        return format!("`{word}` belongs {}", home(there));
+    if let Some(section) = elsewhere().find(|one| one.keys.contains(&word)) {
+        return format!("`{word}` belongs {}", home(section));
     }
     // A key with a word before it, `object_mass` for `mass`, is that key.
     let is_last = |key: &&str| word.strip_suffix(key).is_some_and(|before| before.ends_with('_'));
-    let last = here.keys.iter().copied().find(|key| is_last(key));
-    if let Some(near) = last.or_else(|| nearest(word, here.keys.iter().copied())) {
-        return format!("did you mean `{near}`?");
+    let last = place.keys.iter().copied().find(|key| is_last(key));
+    if let Some(suggestion) = last.or_else(|| nearest(word, place.keys.iter().copied())) {
+        return format!("did you mean `{suggestion}`?");
     }
-    let near = elsewhere().find_map(|one| nearest(word, one.keys.iter().copied()).map(|near| (near, one)));
-    if let Some((near, there)) = near {
-        return format!("did you mean `{near}`, which belongs {}?", home(there));
+    let suggestions = elsewhere().find_map(|one| nearest(word, one.keys.iter().copied()).map(|suggestions| (suggestions, one)));
+    if let Some((suggestion, section)) = suggestion {
+        return format!("did you mean `{suggestion}`, which belongs {}?", home(section));
     }
-    format!("keys here are {}", here.keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", "))
+    format!("keys here are {}", place.keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", "))
 }
 
 /// Required keys of one section that are not written.
@@ -201,10 +201,10 @@ const DRAWING: &str = "or, for a drawing of your own:\n[drawing]\nfile = \"outli
 impl Missing {
     /// The same without the keys that are only misspelt: an unknown key of the section, or an unknown
     /// section, that is near, or a diameter; `None` if nothing is left.
-    pub(super) fn but_for(mut self, known: &[Known<'_>]) -> Option<Self> {
-        let is_known = |section: &str| known.iter().any(|one| one.section == section);
+    pub(super) fn but_for(mut self, sections: &[Known<'_>]) -> Option<Self> {
+        let is_known = |section: &str| sections.iter().any(|one| one.section == section);
         let misspelt = |section: &str, key: &str| {
-            known.iter().filter(|one| one.section == section).any(|one| {
+            sections.iter().filter(|one| one.section == section).any(|one| {
                 let words = one.table.into_iter().flat_map(|table| &table.0).map(|entry| entry.key.as_str());
                 let mut unknown =
                     words.filter(|word| !(one.keys.contains(word) || section.is_empty() && is_known(word)));
@@ -272,11 +272,11 @@ mod tests {
 
     #[test]
     fn slips_are_forgiven_and_other_words_are_not() {
-        let known = ["tube_width", "tip_angle", "points"];
-        assert_eq!(nearest("tube_widht", known), Some("tube_width"));
-        assert_eq!(nearest("Tube-Width", known), Some("tube_width"));
-        assert_eq!(nearest("point", known), Some("points"));
-        assert_eq!(nearest("colour", known), None);
-        assert_eq!(nearest(&"tube_width".repeat(100_000), known), None);
+        let keys = ["tube_width", "tip_angle", "points"];
+        assert_eq!(nearest("tube_widht", keys), Some("tube_width"));
+        assert_eq!(nearest("Tube-Width", keys), Some("tube_width"));
+        assert_eq!(nearest("point", keys), Some("points"));
+        assert_eq!(nearest("colour", keys), None);
+        assert_eq!(nearest(&"tube_width".repeat(100_000), keys), None);
     }
 }

@@ -58,8 +58,8 @@ pub(super) struct RawTable(pub(super) Vec<RawEntry>);
 impl RawTable {
     /// The value of `key`.
     pub(super) fn get(&self, key: &str) -> Option<&RawValue> {
-        let at = self.0.binary_search_by(|entry| entry.key.as_str().cmp(key)).ok()?;
-        self.0.get(at).map(|entry| &entry.value)
+        let index = self.0.binary_search_by(|entry| entry.key.as_str().cmp(key)).ok()?;
+        self.0.get(index).map(|entry| &entry.value)
     }
 }
 
@@ -86,7 +86,7 @@ impl RawValue {
     pub(super) fn in_words(&self) -> String {
         match &self.kind {
             RawKind::Text(text) => format!("the text {}", quoted(text)),
-            RawKind::Number(number) => format!("the number {}", number.shown()),
+            RawKind::Number(number) => format!("the number {}", number.shortened_text()),
             RawKind::Truth(truth) => truth.to_string(),
             RawKind::Date => "a date".to_owned(),
             RawKind::List(_) => "a list".to_owned(),
@@ -97,7 +97,7 @@ impl RawValue {
 
 impl RawNumber {
     /// The number as it was written, cut if it is very long.
-    pub(super) fn shown(&self) -> String {
+    pub(super) fn shortened_text(&self) -> String {
         const LONGEST: usize = 30;
         let cut = self.text.chars().take(LONGEST).collect::<String>();
         if cut.len() < self.text.len() { format!("{cut}...") } else { cut }
@@ -133,10 +133,10 @@ impl From<&toml::Spanned<DeValue<'_>>> for RawValue {
 
 impl From<&DeInteger<'_>> for RawNumber {
     fn from(number: &DeInteger<'_>) -> Self {
-        let whole = i64::from_str_radix(number.as_str(), number.radix()).ok();
+        let integer = i64::from_str_radix(number.as_str(), number.radix()).ok();
         #[expect(clippy::cast_precision_loss, reason = "no range reaches to where integers are lost")]
-        let value = whole.map_or(f64::NAN, |whole| whole as f64);
-        Self { text: number.to_string(), value, is_integer: true, whole }
+        let value = integer.map_or(f64::NAN, |integer| integer as f64);
+        Self { text: number.to_string(), value, is_integer: true, whole: integer }
     }
 }
 

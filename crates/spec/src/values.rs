@@ -35,12 +35,12 @@ impl Setting {
 
 /// The settings of `source`, which must be a valid spec: all keys in the starter's order, then those of single stars.
 pub fn settings(source: &Source) -> Vec<Setting> {
-    settings_of(source, known(TEMPLATE))
+    settings_of(source, known_keys(TEMPLATE))
 }
 
 /// [`settings`] for a form, with the keys that exclude one of the starter's: those of `[drawing]`, and `object_radius`.
 pub fn form_settings(source: &Source) -> Vec<Setting> {
-    settings_of(source, known(TEMPLATE).chain(known(INSTEAD)))
+    settings_of(source, known_keys(TEMPLATE).chain(known_keys(INSTEAD)))
 }
 
 /// [`settings`] of a spec with a drawing: with `[drawing]`, and without the defaults of keys that only stars have.
@@ -62,36 +62,36 @@ fn is_of_stars(setting: &Setting) -> bool {
 
 /// Whether `key` has a default value.
 pub fn has_default(key: KeyPath) -> bool {
-    known(TEMPLATE)
-        .chain(known(INSTEAD))
+    known_keys(TEMPLATE)
+        .chain(known_keys(INSTEAD))
         .any(|own| (own.section, own.key) == (key.section(), key.key()) && own.default.is_some())
 }
 
 fn settings_of(source: &Source, keys: impl Iterator<Item = KnownKey>) -> Vec<Setting> {
     let (raw, _) = RawSpec::parse(&source.text);
-    let written = |section: &str, key: &str| -> Option<String> {
+    let written_value = |section: &str, key: &str| -> Option<String> {
         let table = if section.is_empty() { Some(raw.root()) } else { raw.root().get(section)?.as_table() };
-        Some(shown(table?.get(key)?))
+        Some(shortened_text(table?.get(key)?))
     };
-    let mut out: Vec<Setting> = keys
+    let mut list: Vec<Setting> = keys
         .map(|KnownKey { section, key, default, meaning }| {
-            let own = written(section, key);
-            let given = own.is_some();
-            let value = own.or_else(|| default.map(str::to_owned));
+            let own_value = written_value(section, key);
+            let is_written = own_value.is_some();
+            let value = own_value.or_else(|| default.map(str::to_owned));
             Setting {
                 section: section.to_owned(),
                 key: key.to_owned(),
                 value,
-                given,
+                given: is_written,
                 meaning: meaning.to_owned(),
             }
         })
         .filter(|setting| setting.key != "schema")
         .collect();
     for star in raw.overrides().iter().filter_map(RawValue::as_table) {
-        out.extend(of_star(star));
+        list.extend(of_star(star));
     }
-    out
+    list
 }
 
 /// The settings of a `[[stack.star]]`.
@@ -101,17 +101,17 @@ fn of_star(star: &RawTable) -> impl Iterator<Item = Setting> {
     others.map(move |entry| Setting {
         section: section.clone(),
         key: entry.key.clone(),
-        value: Some(shown(&entry.value)),
+        value: Some(shortened_text(&entry.value)),
         given: true,
         meaning: String::new(),
     })
 }
 
 /// A value as people write it, without quotes.
-fn shown(value: &RawValue) -> String {
+fn shortened_text(value: &RawValue) -> String {
     match &value.kind {
         RawKind::Text(text) => text.clone(),
-        RawKind::Number(number) => number.shown(),
+        RawKind::Number(number) => number.shortened_text(),
         RawKind::Truth(truth) => truth.to_string(),
         RawKind::List(list) => list.iter().map(shown).collect::<Vec<_>>().join(", "),
         RawKind::Table(table) => {
@@ -131,7 +131,7 @@ struct KnownKey {
 }
 
 /// The keys in `notes`, written as the starter, but those of single stars.
-fn known(notes: &'static str) -> impl Iterator<Item = KnownKey> {
+fn known_keys(notes: &'static str) -> impl Iterator<Item = KnownKey> {
     let mut section = "";
     notes.lines().filter_map(move |line| {
         let (line, has_default) = match (line.strip_prefix("## "), line.strip_prefix("# ")) {
@@ -149,7 +149,7 @@ fn known(notes: &'static str) -> impl Iterator<Item = KnownKey> {
             return None;
         }
         let (value, meaning) = rest.split_once("  #").unwrap_or((rest, ""));
-        let default = has_default.then(|| value.trim().trim_matches('"'));
+        let default = has_default.replaced_by(|| value.trim().trim_matches('"'));
         Some(KnownKey { section, key, default, meaning: meaning.trim() })
     })
 }
@@ -165,26 +165,26 @@ mod tests {
         tube_width = '30 mm'\ntip_angle = \"30 deg\"\n[stack]\ncount = 2\n[[stack.star]]\nindex = 2\ninner_radius = \"4 cm\"\n";
 
     fn of(text: &str, section: &str, key: &str) -> Setting {
-        let all = settings(&Source::new("x", text));
-        let own =
-            all.iter().filter(|setting| (setting.section.as_str(), setting.key.as_str()) == (section, key));
-        let own: Vec<&Setting> = own.collect();
-        assert_eq!(own.len(), 1, "{section}.{key}");
-        own[0].clone()
+        let list = settings(&Source::new("x", text));
+        let matching =
+            list.iter().filter(|setting| (setting.section.as_str(), setting.key.as_str()) == (section, key));
+        let matching: Vec<&Setting> = matching.collect();
+        assert_eq!(matching.len(), 1, "{section}.{key}");
+        matching[0].clone()
     }
 
     #[test]
     fn what_was_written_stands_beside_the_defaults() {
         let setting = |section, key| {
-            let Setting { value, given, .. } = of(MARKED, section, key);
-            (value.unwrap_or_default(), given)
+            let Setting { value, given: is_written, .. } = of(MARKED, section, key);
+            (value.unwrap_or_default(), is_written)
         };
-        let said = |value: &str, given| (value.to_owned(), given);
-        assert_eq!(setting("star", "tube_width"), said("30 mm", true));
-        assert_eq!(setting("seal", "band"), said("3 mm", true));
-        assert_eq!(setting("seal", "speed"), said("0.1 mm/s", false));
-        assert_eq!(setting("stack", "count"), said("2", true));
-        assert_eq!(setting("star 2", "inner_radius"), said("4 cm", true));
+        let expected = |value: &str, given| (value.to_owned(), given);
+        assert_eq!(setting("star", "tube_width"), expected("30 mm", true));
+        assert_eq!(setting("seal", "band"), expected("3 mm", true));
+        assert_eq!(setting("seal", "speed"), expected("0.1 mm/s", false));
+        assert_eq!(setting("stack", "count"), expected("2", true));
+        assert_eq!(setting("star 2", "inner_radius"), expected("4 cm", true));
         assert_eq!(of(MARKED, "load", "pressure").value, None);
         assert!(of(MARKED, "seal", "band").meaning.contains("width of the sealed strip"));
     }
@@ -192,9 +192,9 @@ mod tests {
     #[test]
     fn a_form_has_every_key_once() {
         let text = MARKED.replace("[stack]", "[load]\nobject_radius = \"30 mm\"\n[stack]");
-        let all = form_settings(&Source::new("x", text));
+        let list = form_settings(&Source::new("x", text));
         let named = |key: &key::KeyPath| {
-            all.iter()
+            list.iter()
                 .filter(|one| (one.section.as_str(), one.key.as_str()) == (key.section(), key.key()))
                 .count()
         };
@@ -202,18 +202,18 @@ mod tests {
         let missing: Vec<_> =
             key::ALL.iter().filter(|key| named(key) != 1).map(ToString::to_string).collect();
         assert_eq!(missing, ["schema", "stack.star"]);
-        let join = all.iter().find(|one| one.key == "join").expect("a drawing's key");
+        let join = list.iter().find(|one| one.key == "join").expect("a drawing's key");
         assert_eq!((join.value.as_deref(), join.given), (Some("0.02 mm"), false));
-        let radius = all.iter().find(|one| one.key == "object_radius").expect("its own key");
+        let radius = list.iter().find(|one| one.key == "object_radius").expect("its own key");
         assert_eq!((radius.value.as_deref(), radius.given), (Some("30 mm"), true));
     }
 
     #[test]
     fn a_drawing_has_its_own_keys_and_none_of_stars() {
         let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"a\"]\n[load]\npressure = \"5 kPa\"\n";
-        let all = drawing_settings(&Source::new("x", text));
-        let has = |section: &str, key: &str| {
-            all.iter().any(|one| (one.section.as_str(), one.key.as_str()) == (section, key))
+        let list = drawing_settings(&Source::new("x", text));
+        let has_key = |section: &str, key: &str| {
+            list.iter().any(|one| (one.section.as_str(), one.key.as_str()) == (section, key))
         };
         for (section, key) in [
             ("drawing", "file"),
@@ -222,7 +222,7 @@ mod tests {
             ("seal", "band"),
             ("inlet", "tube_diameter"),
         ] {
-            assert!(has(section, key), "[{section}] {key}");
+            assert!(has_key(section, key), "[{section}] {key}");
         }
         let roles = all.iter().find(|one| one.key == "layers").and_then(|one| one.value.as_deref());
         assert_eq!(roles, Some("air: a"));
@@ -234,7 +234,7 @@ mod tests {
             ("inlet", "tip"),
             ("machine", "program"),
         ] {
-            assert!(!has(section, key), "[{section}] {key}");
+            assert!(!has_key(section, key), "[{section}] {key}");
         }
     }
 
@@ -243,9 +243,9 @@ mod tests {
     fn the_defaults_are_the_readers() {
         let bare = starter("x").expect("a name");
         let mut text = String::new();
-        let all = settings(&Source::new("x", bare.clone()));
+        let list = settings(&Source::new("x", bare.clone()));
         let mut section = String::new();
-        for setting in &all {
+        for setting in &list {
             let Some(value) = &setting.value else { continue };
             if setting.section != section {
                 section.clone_from(&setting.section);
@@ -259,6 +259,6 @@ mod tests {
         let spec =
             |text: String| read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
         assert_eq!(spec(format!("schema = 1\n{text}")), spec(bare));
-        assert!(all.len() > 40, "{}", all.len());
+        assert!(list.len() > 40, "{}", list.len());
     }
 }

@@ -146,10 +146,10 @@ impl Vocabulary {
 
     /// Every code that the controller supports: letter, number, command; in this order.
     pub fn codes(self) -> impl Iterator<Item = (char, f64, Command)> {
-        let mut known: Vec<CodeRow> =
+        let mut rows: Vec<CodeRow> =
             self.codes.concat().into_iter().filter(|(.., command)| self.reads(*command)).collect();
-        known.sort_unstable_by_key(|(letter, tenths, _)| (*letter, *tenths));
-        known
+        rows.sort_unstable_by_key(|(letter, tenths, _)| (*letter, *tenths));
+        rows
             .into_iter()
             .map(|(letter, tenths, command)| (char::from(letter), f64::from(tenths) / 10.0, command))
     }
@@ -160,8 +160,8 @@ impl Vocabulary {
         let is = |(l, tenths, _): &&CodeRow| {
             *l == letter && f64::from(*tenths) == (number * 10.0).round() && is_whole
         };
-        let mut known = self.codes.iter().flat_map(|codes| codes.iter());
-        known.find(is).map(|(.., command)| *command).filter(|command| self.reads(*command))
+        let mut rows = self.codes.iter().flat_map(|codes| codes.iter());
+        rows.find(is).map(|(.., command)| *command).filter(|command| self.reads(*command))
     }
 
     /// Whether the controller supports a code of its family.

@@ -9,12 +9,12 @@ use spec::{DrawnPlace, KeyPath, key};
 /// A fault of the file.
 pub(super) fn unreadable(fault: &Fault) -> Refusal {
     let elements = fault.place.element.iter().cloned().collect();
-    let at = fault.place.at.map(|at| [at.x, at.y]);
+    let point = fault.place.at.map(|point| [point.x, point.y]);
     let text = clause(&fault.text);
-    let found = if fault.place.is_file() { text } else { format!("{}: {text}", fault.place) };
+    let finding = if fault.place.is_file() { text } else { format!("{}: {text}", fault.place) };
     let refusal =
-        Refusal::new(key::drawing::FILE, RefusalCode::UnreadableDrawing, found, clause(&fault.remedy));
-    refusal.drawn_at(DrawnPlace { elements, at })
+        Refusal::new(key::drawing::FILE, RefusalCode::UnreadableDrawing, finding, clause(&fault.remedy));
+    refusal.drawn_at(DrawnPlace { elements, at: point })
 }
 
 /// A sentence of the reader as a clause of a message: no capital, unless the word has more of them, and no full stop.
@@ -31,18 +31,18 @@ pub(super) fn clause(sentence: &str) -> String {
 
 /// A fault of the shape, or a warning about it.
 pub(super) fn refusal(fault: &ShapeFault) -> Refusal {
-    let (key, code) = of(fault);
+    let (key, code) = key_and_code(fault);
     let place = DrawnPlace { elements: fault.names.clone(), at: Some([fault.place.x, fault.place.y]) };
     Refusal::new(key, code, found_at(&fault.what, fault.place), fault.remedy.clone()).drawn_at(place)
 }
 
-/// The finding `what`, and its place.
-pub(super) fn found_at(what: &str, place: Point) -> String {
-    format!("{what} at X {:.3} Y {:.3} mm", place.x, place.y)
+/// The finding `subject`, and its place.
+pub(super) fn found_at(subject: &str, place: Point) -> String {
+    format!("{subject} at X {:.3} Y {:.3} mm", place.x, place.y)
 }
 
 /// The key that is best changed, and the code.
-fn of(fault: &ShapeFault) -> (KeyPath, RefusalCode) {
+fn key_and_code(fault: &ShapeFault) -> (KeyPath, RefusalCode) {
     use key::drawing::{FILE, JOIN, LAYERS};
     match fault.code {
         ShapeCode::NotFinite => (FILE, RefusalCode::CurveNotFinite),

@@ -8,9 +8,9 @@ const LEAST_JOIN: f64 = 1e-3;
 /// The parts of `path` that lie in the air, which `loops` bound. An end that lies within `join` of a loop ends on it.
 pub(super) fn within_air(path: &Path, loops: &[Path], join: f64) -> Vec<Path> {
     let join = join.max(LEAST_JOIN);
-    let around = Enclosures::new(loops);
-    let is_in = |p: Point| around.around(p).len() % 2 == 1;
-    let mut out: Vec<Vec<Segment>> = vec![Vec::new()];
+    let enclosures = Enclosures::new(loops);
+    let is_in = |p: Point| enclosures.circular_text(p).len() % 2 == 1;
+    let mut runs: Vec<Vec<Segment>> = vec![Vec::new()];
     for segment in reaching(path, loops, join) {
         let hits = loops
             .iter()
@@ -20,35 +20,35 @@ pub(super) fn within_air(path: &Path, loops: &[Path], join: f64) -> Vec<Path> {
         for cut in cuts.windows(2).filter(|cut| (cut[1] - cut[0]) * segment.length() > 1e-6) {
             let part = segment.part(cut[0], cut[1]);
             if !is_in(part.point(0.5)) {
-                out.push(Vec::new());
-            } else if let Some(last) = out.last_mut() {
+                runs.push(Vec::new());
+            } else if let Some(last) = runs.last_mut() {
                 last.push(part);
             }
         }
     }
-    out.into_iter().filter(|segments| !segments.is_empty()).map(Path::open).collect()
+    runs.into_iter().filter(|segments| !segments.is_empty()).map(Path::open).collect()
 }
 
 /// The segments of `path`, and straight on over the loop at an end that lies on it.
 fn reaching(path: &Path, loops: &[Path], join: f64) -> Vec<Segment> {
     let mut segments = path.segments.clone();
-    let near = |p: &Point| !path.closed && loops.iter().any(|edge| edge.distance(*p) <= join);
-    if let Some((end, along)) = path.end().filter(near).zip(path.tangent_at(path.length())) {
-        segments.push(Line::new(end, end + along * (2.0 * join)).into());
+    let is_near_air = |p: &Point| !path.closed && loops.iter().any(|edge| edge.distance(*p) <= join);
+    if let Some((end, direction)) = path.end().filter(is_near_air).zip(path.tangent_at(path.length())) {
+        segments.push(Line::new(end, end + direction * (2.0 * join)).into());
     }
-    if let Some((start, along)) = path.start().filter(near).zip(path.tangent_at(0.0)) {
-        segments.insert(0, Line::new(start - along * (2.0 * join), start).into());
+    if let Some((start, direction)) = path.start().filter(is_near_air).zip(path.tangent_at(0.0)) {
+        segments.insert(0, Line::new(start - direction * (2.0 * join), start).into());
     }
     segments
 }
 
 /// Whether two regions of air are so near to each other that their seams share a band, or lie within a band's width of each other.
 pub(super) fn share_a_band(air: &[Path], band: f64) -> bool {
-    let near = 3.0 * band + 1e-3;
+    let limit = 3.0 * band + 1e-3;
     let regions: Vec<Enclosures> = air.iter().map(|edge| Enclosures::new([edge])).collect();
     let is_in = |inner: usize, outer: usize| {
         let place = air[inner].start();
-        inner != outer && place.is_some_and(|place| !regions[outer].around(place).is_empty())
+        inner != outer && place.is_some_and(|place| !regions[outer].circular_text(place).is_empty())
     };
     let count = air.len();
     let is_island: Vec<bool> =
@@ -62,8 +62,8 @@ pub(super) fn share_a_band(air: &[Path], band: f64) -> bool {
     };
     (0..count).any(|a| {
         (0..a).any(|b| {
-            let boxes = air[a].bounds().grown(near).overlaps(&air[b].bounds());
-            boxes && parted_by_fabric(a, b) && path_distance(&air[a], &air[b]) <= near
+            let boxes = air[a].bounds().grown(limit).overlaps(&air[b].bounds());
+            boxes && parted_by_fabric(a, b) && path_distance(&air[a], &air[b]) <= limit
         })
     })
 }

@@ -48,12 +48,12 @@ pub(super) fn labels(
     allowance: f64,
 ) -> DrawnLabels {
     let mut flap_room = FlapRoom { room, holes, taken: Vec::new() };
-    let mut out = DrawnLabels::default();
+    let mut drawn_labels = DrawnLabels::default();
     let flap = 0.5 * (shape.band + allowance);
     for seam in shape.seams.iter().filter(|seam| !seam.name.is_empty()).take(MOST) {
         let text: String = seam.name.to_uppercase().replace('_', "-").chars().take(LONGEST).collect();
         if let Some((strokes, ..)) = flap_room.write(seam, &text, shape.band, flap) {
-            out.strokes.extend(strokes);
+            drawn_labels.strokes.extend(strokes);
         }
     }
     let edges = shape.seams.iter().filter(|seam| seam.role == Role::Boundary);
@@ -62,10 +62,10 @@ pub(super) fn labels(
     if let Some((strokes, end, height)) =
         longest.and_then(|seam| flap_room.write(seam, SIDE, shape.band, flap))
     {
-        out.strokes.extend(strokes);
-        out.warp = Some((end, 0.7 * height));
+        drawn_labels.strokes.extend(strokes);
+        drawn_labels.warp = Some((end, 0.7 * height));
     }
-    out
+    drawn_labels
 }
 
 /// One character of a text: its middle, and its strokes.
@@ -79,12 +79,12 @@ impl FlapRoom<'_> {
             let close = 0.5 * band + (MARGIN + 0.55) * height;
             for station in STATIONS {
                 for aside in [-flap, -close, close] {
-                    let found = along(&seam.center_line, station, aside, text, height);
-                    let Some(glyphs) = found.filter(|glyphs| self.is_free(glyphs, MARGIN * height)) else {
+                    let text_glyphs = text_along(&seam.center_line, station, aside, text, height);
+                    let Some(glyphs) = text_glyphs.filter(|glyphs| self.is_free(glyphs, MARGIN * height)) else {
                         continue;
                     };
-                    let around = |(middle, _): &Glyph| Bounds::of_points([*middle]).grown(0.5 * height);
-                    self.taken.extend(glyphs.iter().map(around));
+                    let glyph_box = |(middle, _): &Glyph| Bounds::of_points([*middle]).grown(0.5 * height);
+                    self.taken.extend(glyphs.iter().map(glyph_box));
                     let end = glyphs.iter().rev().nth(1).map_or(Point::ORIGIN, |(middle, _)| *middle);
                     let strokes = glyphs.into_iter().flat_map(|(_, strokes)| strokes).collect();
                     return Some((strokes, end, height));
@@ -96,39 +96,39 @@ impl FlapRoom<'_> {
 
     fn is_free(&self, glyphs: &[Glyph], margin: f64) -> bool {
         let off_holes =
-            |p: Point| self.holes.iter().all(|hole| hole.center.distance(p) >= 0.5 * hole.diameter + margin);
-        let off_texts = |p: Point| self.taken.iter().all(|bounds| !bounds.contains(p));
+            |p: Point| self.holes.iter().place_all(|hole| hole.center.distance(p) >= 0.5 * hole.diameter + margin);
+        let off_texts = |p: Point| self.taken.iter().place_all(|bounds| !bounds.contains(p));
         let free = |p: Point| self.room.is_free(p, margin, margin) && off_holes(p) && off_texts(p);
         let ends = |strokes: &[Path]| {
-            strokes.iter().flat_map(|path| &path.segments).all(|line| free(line.start()) && free(line.end()))
+            strokes.iter().flat_map(|path| &path.segments).place_all(|line| free(line.start()) && free(line.end()))
         };
         // The middles first: most places fail there.
-        glyphs.iter().all(|(middle, _)| free(*middle)) && glyphs.iter().all(|(_, strokes)| ends(strokes))
+        glyphs.iter().place_all(|(middle, _)| free(*middle)) && glyphs.iter().place_all(|(_, strokes)| ends(strokes))
     }
 }
 
-/// The characters of `text` along a path, their middles `aside` mm to its left, around the part `station` of its length, as upright as can
+/// The characters of `text` along a path, their middles `offset` mm to its left, around the part `station` of its length, as upright as can
 /// be; `None` where the path is too short or bends too sharply.
-fn along(path: &Path, station: f64, aside: f64, text: &str, height: f64) -> Option<Vec<Glyph>> {
+fn text_along(path: &Path, station: f64, offset: f64, text: &str, height: f64) -> Option<Vec<Glyph>> {
     let (total, width) = (path.length(), lettering::width(text, height));
     let middle = station * total;
     let way = path.tangent_at(middle)?;
     let forward = if way.x < -1e-6 || way.x < 1e-6 && way.y < 0.0 { -1.0 } else { 1.0 };
     let scale = height / lettering::CAPITAL;
-    let (mut before, mut glyphs) = (way, Vec::new());
+    let (mut direction, mut glyphs) = (way, Vec::new());
     for (i, c) in (0_u32..).zip(text.chars()) {
         let right = (f64::from(i) * lettering::ADVANCE + 2.0) * scale - 0.5 * width;
         let s = middle + forward * right;
         let s = if path.closed { s.rem_euclid(total) } else { s };
-        let (at, tangent) = (path.point_at(s)?, path.tangent_at(s)?);
-        let bends = i > 0 && before.cross(tangent).abs() > TURN;
+        let (point, tangent) = (path.point_at(s)?, path.tangent_at(s)?);
+        let bends = i > 0 && direction.cross(tangent).abs() > TURN;
         if width > 0.9 * total || !(0.0..=total).contains(&s) || bends {
             return None;
         }
-        before = tangent;
-        let (center, along) = (at + tangent.perp() * aside, tangent * forward);
-        let origin = center - along * (2.0 * scale) - along.perp() * (0.5 * height);
-        glyphs.push((center, lettering::glyph(c, origin, along, height).collect()));
+        direction = tangent;
+        let (center, writing) = (point + tangent.perp() * offset, tangent * forward);
+        let origin = center - writing * (2.0 * scale) - writing.perp() * (0.5 * height);
+        glyphs.push((center, lettering::glyph(c, origin, writing, height).collect()));
     }
     Some(glyphs)
 }

@@ -38,7 +38,7 @@ pub(super) fn rings(drawing: &Artwork) -> Vec<DrawnLoop> {
 fn joined(open: &[(usize, &Path)]) -> Vec<DrawnLoop> {
     let ends: Vec<Point> =
         open.iter().flat_map(|(_, path)| [path.start(), path.end()]).map(Option::unwrap_or_default).collect();
-    let partners = partners(&ends);
+    let neighbours = partners(&ends);
     let mut is_walked = vec![false; open.len()];
     let mut rings = Vec::new();
     for first in 0..open.len() {
@@ -48,7 +48,7 @@ fn joined(open: &[(usize, &Path)]) -> Vec<DrawnLoop> {
             let (number, path) = open[end / 2];
             elements.push(number);
             segments.extend(if end % 2 == 0 { path.segments.clone() } else { path.reversed().segments });
-            let Some(next) = partners[end ^ 1] else { break };
+            let Some(next) = neighbours[end ^ 1] else { break };
             end = next;
         }
         if end == 2 * first && elements.len() > 1 {
@@ -66,15 +66,15 @@ fn partners(ends: &[Point]) -> Vec<Option<usize>> {
     for (number, end) in ends.iter().enumerate() {
         cells.entry(cell(end)).or_default().push(number);
     }
-    let near = |number: usize| -> Option<usize> {
+    let nearest_end = |number: usize| -> Option<usize> {
         let [x, y] = cell(&ends[number]);
-        let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [x + i, y + j]));
-        let others = around.filter_map(|cell| cells.get(&cell)).flatten().copied();
+        let cells_nearby = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [x + i, y + j]));
+        let candidates = cells_nearby.filter_map(|cell| cells.get(&cell)).flatten().copied();
         let mut meeting =
-            others.filter(|other| *other != number && ends[*other].distance(ends[number]) <= MEETS);
+            candidates.filter(|other| *other != number && ends[*other].distance(ends[number]) <= MEETS);
         meeting.next().filter(|_| meeting.next().is_none())
     };
-    let nearest: Vec<Option<usize>> = (0..ends.len()).map(near).collect();
+    let nearest: Vec<Option<usize>> = (0..ends.len()).map(nearest_end).collect();
     let is_mutual = |number: usize| nearest[number].filter(|other| nearest[*other] == Some(number));
     (0..ends.len()).map(is_mutual).collect()
 }

@@ -38,33 +38,33 @@ pub(super) fn registration(
     let slack = 1e-6;
     let free: Vec<Point> =
         places.filter(|p| room.is_free(*p, shape.band + r - slack, 2.0 * r - slack)).collect();
-    let Some(triangle) = triangle(&free, DIFFERENCE * diameter) else { return Vec::new() };
-    triangle.map(|center| Circle { center, diameter }).to_vec()
+    let Some(corners) = triangle(&free, DIFFERENCE * diameter) else { return Vec::new() };
+    corners.map(|center| Circle { center, diameter }).to_vec()
 }
 
 /// Two of `places` that are farthest apart, and a third one such that the sides of the triangle differ most; `None` where they do not
-/// differ by `least`. Of equal ones the first: rounding does not decide.
-fn triangle(places: &[Point], least: f64) -> Option<[Point; 3]> {
+/// differ by `min_difference`. Of equal ones the first: rounding does not decide.
+fn triangle(places: &[Point], min_difference: f64) -> Option<[Point; 3]> {
     let better = |value: f64, than: f64| value > than + 1e-6;
-    let (mut ends, mut far) = (None, 0.0);
+    let (mut ends, mut base) = (None, 0.0);
     for (i, a) in places.iter().enumerate() {
         for b in &places[i + 1..] {
-            if better(a.distance(*b), far) {
-                (ends, far) = (Some([*a, *b]), a.distance(*b));
+            if better(a.distance(*b), base) {
+                (ends, base) = (Some([*a, *b]), a.distance(*b));
             }
         }
     }
     let [a, b] = ends?;
-    let (mut third, mut most) = (None, 0.0);
+    let (mut third, mut largest) = (None, 0.0);
     for c in places {
-        let (near, other) = (a.distance(*c), b.distance(*c));
-        let sides = [near, other, (near - other).abs(), (far - near).abs(), (far - other).abs()];
+        let (first_side, other) = (a.distance(*c), b.distance(*c));
+        let sides = [first_side, other, (first_side - other).abs(), (base - first_side).abs(), (base - other).abs()];
         let difference = sides.into_iter().fold(f64::INFINITY, f64::min);
-        if better(difference, most) {
-            (third, most) = (Some(*c), difference);
+        if better(difference, largest) {
+            (third, largest) = (Some(*c), difference);
         }
     }
-    third.filter(|_| most >= least).map(|c| [a, c, b])
+    third.filter(|_| largest >= min_difference).map(|c| [a, c, b])
 }
 
 /// The warning where there is no room for registration holes of this diameter.

@@ -57,7 +57,7 @@ fn port(figure: &Figure) -> PortPlace {
 pub(super) fn refusals(drawing: &Artwork, spec: &DrawingSpec) -> Refusals {
     let mut refusals: Refusals = without_role(drawing, spec).into_iter().collect();
     refusals.extend(unknown(drawing, spec));
-    refusals.extend(drawing.notes.iter().filter_map(|note| lost(note, spec)));
+    refusals.extend(drawing.notes.iter().filter_map(|note| lost_geometry(note, spec)));
     refusals.extend(drawing.faults.iter().filter_map(|fault| faulty(fault, spec)));
     let with_curves = names_of_curves(drawing, spec);
     let annotations = drawing.notes.iter().filter(|note| note.weight == Weight::Annotation);
@@ -69,9 +69,9 @@ pub(super) fn refusals(drawing: &Artwork, spec: &DrawingSpec) -> Refusals {
     );
     let lonely = points(drawing, spec).filter(|element| lacks_curves(element.names(), spec, &with_curves));
     refusals.extend(lonely.map(|element| {
-        let found = format!("{} is a point, and its layer should have curves", element.id);
+        let fault = format!("{} is a point, and its layer should have curves", element.id);
         let remedy = "draw the curves on that layer, or name it in `port` or `ignore`";
-        Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, found, remedy).drawn_at(place(element))
+        Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, fault, remedy).drawn_at(place(element))
     }));
     refusals
 }
@@ -194,14 +194,14 @@ fn without_role(drawing: &Artwork, spec: &DrawingSpec) -> Vec<Refusal> {
     }
     let refusal = |(layer, elements): (&str, Vec<&Element>)| {
         let first = elements[0];
-        let at = middle(first);
-        let found = found_at(&format!("layer {layer:?} has no role: {}, first", listed(&elements)), at);
+        let center = middle(first);
+        let fault = found_at(&format!("layer {layer:?} has no role: {}, first", listed(&elements)), center);
         let words: Vec<&str> = spec.layers.iter().map(|(name, _)| name.as_str()).collect();
-        let near = nearest(layer, words).map_or(String::new(), |near| format!("; did you mean {near:?}?"));
-        let remedy = format!("name it in one of the lists of [drawing.layers], or in `ignore`{near}");
+        let hint = nearest(layer, words).map_or(String::new(), |hint| format!("; did you mean {hint:?}?"));
+        let remedy = format!("name it in one of the lists of [drawing.layers], or in `ignore`{hint}");
         let elements = elements.iter().map(|element| element.id.clone()).collect();
-        let place = DrawnPlace { elements, at: Some([at.x, at.y]) };
-        Refusal::new(key::drawing::LAYERS, RefusalCode::LayerWithoutRole, found, remedy).drawn_at(place)
+        let place = DrawnPlace { elements, at: Some([center.x, center.y]) };
+        Refusal::new(key::drawing::LAYERS, RefusalCode::LayerWithoutRole, fault, remedy).drawn_at(place)
     };
     by_layer.into_iter().map(refusal).collect()
 }
@@ -211,8 +211,8 @@ fn unknown(drawing: &Artwork, spec: &DrawingSpec) -> Vec<Refusal> {
     let of_elements = drawing.elements.iter().flat_map(Element::names);
     let of_notes = drawing.notes.iter().flat_map(Note::places).flat_map(Place::names);
     let of_faults = drawing.faults.iter().flat_map(|fault| fault.place.names());
-    let known: BTreeSet<&str> = of_elements.chain(of_notes).chain(of_faults).collect();
-    let missing = spec.layers.iter().filter(|(name, _)| !known.contains(name.as_str()));
+    let names: BTreeSet<&str> = of_elements.chain(of_notes).chain(of_faults).collect();
+    let missing = spec.layers.iter().filter(|(name, _)| !names.contains(name.as_str()));
     let mut layers: Vec<&str> = Vec::new();
     for name in layer_names(drawing, spec.is_dxf()) {
         if !layers.contains(&name) {
@@ -220,8 +220,8 @@ fn unknown(drawing: &Artwork, spec: &DrawingSpec) -> Vec<Refusal> {
         }
     }
     let refusal = |(name, _): &(String, LayerRole)| {
-        let found = format!("the drawing has no layer {name:?}");
-        let remedy = match nearest(name, known.iter().copied()) {
+        let fault = format!("the drawing has no layer {name:?}");
+        let remedy = match nearest(name, names.iter().copied()) {
             Some(near) => format!("did you mean {near:?}?"),
             None if layers.is_empty() => {
                 "it has no layer with anything on it: draw the edges of the air".to_owned()
@@ -231,13 +231,13 @@ fn unknown(drawing: &Artwork, spec: &DrawingSpec) -> Vec<Refusal> {
                 format!("its layers are {}", layers.join(", "))
             }
         };
-        Refusal::new(key::drawing::LAYERS, RefusalCode::UnknownLayer, found, remedy)
+        Refusal::new(key::drawing::LAYERS, RefusalCode::UnknownLayer, fault, remedy)
     };
     missing.map(refusal).collect()
 }
 
 /// Geometry that the drawing shows and that could not be read.
-fn lost(note: &Note, spec: &DrawingSpec) -> Option<Refusal> {
+fn lost_geometry(note: &Note, spec: &DrawingSpec) -> Option<Refusal> {
     let ignored = spec.role(note.place.names()) == Some(LayerRole::Ignore);
     if !matches!(note.weight, Weight::Lost | Weight::Changed) || ignored {
         return None;
@@ -263,8 +263,8 @@ fn listed(elements: &[&Element]) -> String {
 }
 
 fn place(element: &Element) -> DrawnPlace {
-    let at = middle(element);
-    DrawnPlace { elements: vec![element.id.clone()], at: Some([at.x, at.y]) }
+    let center = middle(element);
+    DrawnPlace { elements: vec![element.id.clone()], at: Some([center.x, center.y]) }
 }
 
 /// A point of an element.

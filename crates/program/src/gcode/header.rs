@@ -74,8 +74,8 @@ fn conditions(writer: &mut Writer<'_>, machine: &Machine, program: &Program) {
             writer.facts(&format!("chop-steps: x={x} y={y} z={z}"));
             writer.facts(&format!("chop-ticks: rate_Hz={rate} tick_s={tick}"));
             if stepper.first_rate.is_some() || stepper.least_steps > 0.0 {
-                let (first, least) = (number(stepper.first_rate.unwrap_or(0.0)), number(stepper.least_steps));
-                writer.facts(&format!("chop-moves: first_Hz={first} least_steps={least}"));
+                let (first, steps) = (number(stepper.first_rate.unwrap_or(0.0)), number(stepper.least_steps));
+                writer.facts(&format!("chop-moves: first_Hz={first} least_steps={steps}"));
             }
         }
         let axes =

@@ -53,13 +53,13 @@ pub fn gcode(spec: &Spec, machine: &Machine, program: &Program, thumbnails: &[Th
 
 /// The text that hosts of the dialect read of a program that takes `seconds`; `None` where they read none.
 pub fn estimate(dialect: Dialect, seconds: f64) -> Option<String> {
-    Spelling::of(dialect).estimate(seconds)
+    Spelling::new(dialect).estimate(seconds)
 }
 
-/// `steps` alone at `pace`, with the iron at `from`, as text without header, start, pauses and end.
-pub fn steps_text(facts: Facts<'_>, steps: &[Step], pace: Pace, from: Point) -> String {
+/// `steps` alone at `pace`, with the iron at `start`, as text without header, start, pauses and end.
+pub fn steps_text(facts: Facts<'_>, steps: &[Step], pace: Pace, start: Point) -> String {
     let mut writer = Writer::new(facts);
-    writer.at = writer.round(from);
+    writer.at = writer.round(start);
     let mut job = Job::new(pace, writer);
     for step in steps {
         job.step(step);
@@ -95,15 +95,15 @@ impl<'a> Job<'a> {
         let Facts { process, seal, .. } = self.writer.facts;
         match step {
             Step::Height(level) => {
-                if let Some(whole) = &mut self.whole {
-                    whole.clock.height(*level);
+                if let Some(run) = &mut self.whole {
+                    run.clock.height(*level);
                 }
                 self.writer.height(height_of(process, *level));
             }
             Step::Heat(_) => self.heat(),
             Step::Travel(to) => {
-                if let Some(whole) = &mut self.whole {
-                    whole.clock.travel(*to);
+                if let Some(run) = &mut self.whole {
+                    run.clock.travel(*to);
                 }
                 self.writer.travel(*to);
             }
@@ -139,10 +139,10 @@ impl<'a> Job<'a> {
             Heating::Operator => {
                 // As many digits as a line has room for.
                 let t = Readable(seal.temperature.0);
-                let told = format!("set the iron to {t} C, standby off, wait until hot, press start");
-                self.writer.comment(&told);
-                if let Some(whole) = &self.whole {
-                    self.writer.line(&whole.machine.script.pause);
+                let request = format!("set the iron to {t} C, standby off, wait until hot, press start");
+                self.writer.comment(&request);
+                if let Some(run) = &self.whole {
+                    self.writer.line(&run.machine.script.pause);
                 }
             }
             Heating::Hotend => {
@@ -155,11 +155,11 @@ impl<'a> Job<'a> {
     /// One piece in contact, or on the way down or up, in as many strokes as the pace makes of it.
     fn seal(&mut self, piece: &Segment, heights: Option<(f64, f64)>) {
         self.progress();
-        let Self { writer, whole, pacer, .. } = self;
+        let Self { writer, whole: run, pacer, .. } = self;
         let unit = writer.facts.controller.dwell.unit;
         pacer.strokes(piece, heights, |stroke| {
-            if let Some(whole) = whole {
-                whole.clock.add(stroke.piece.end(), stroke.height, stroke.seconds);
+            if let Some(run) = run {
+                run.clock.add(stroke.piece.end(), stroke.height, stroke.seconds);
             }
             writer.cut(&stroke.piece, stroke.height, stroke.speed);
             if stroke.dwell > 0.0 {
@@ -170,14 +170,14 @@ impl<'a> Job<'a> {
 
     /// Writes the progress of the job, at every whole per cent of its time.
     fn progress(&mut self) {
-        let Some(whole) = &mut self.whole else { return };
-        let (total, done) = (whole.program.time, whole.clock.elapsed);
-        let percent = (100.0 * done / total).floor().clamp(0.0, 100.0);
-        if percent > whole.percent {
-            whole.percent = percent;
-            let left = (total - done).max(0.0);
-            self.writer.comment(&format!("progress: percent={percent} remaining_s={left:.0}"));
-            if let Some(line) = self.writer.spelling.progress(percent, (left / 60.0).ceil()) {
+        let Some(run) = &mut self.whole else { return };
+        let (total, elapsed) = (run.program.time, run.clock.elapsed);
+        let percent = (100.0 * elapsed / total).floor().clamp(0.0, 100.0);
+        if percent > run.percent {
+            run.percent = percent;
+            let remaining = (total - elapsed).max(0.0);
+            self.writer.comment(&format!("progress: percent={percent} remaining_s={remaining:.0}"));
+            if let Some(line) = self.writer.spelling.progress(percent, (remaining / 60.0).ceil()) {
                 self.writer.line(&line);
             }
         }

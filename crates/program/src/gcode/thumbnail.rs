@@ -26,9 +26,9 @@ impl Thumbnail {
         let mut rest = text.as_str();
         while !rest.is_empty() {
             // Base64 is ASCII.
-            let (line, after) = rest.split_at(rest.len().min(THUMBNAIL_LINE));
+            let (line, tail) = rest.split_at(rest.len().min(THUMBNAIL_LINE));
             writer.comment(line);
-            rest = after;
+            rest = tail;
         }
         writer.comment("thumbnail end");
     }

@@ -52,7 +52,7 @@ impl<'a> Writer<'a> {
             out: String::new(),
             facts,
             decimals: Decimals::for_tolerance(facts.path),
-            spelling: Spelling::of(facts.controller.dialect),
+            spelling: Spelling::new(facts.controller.dialect),
             at: Point::ORIGIN,
             feed: None,
         }
@@ -121,11 +121,11 @@ impl<'a> Writer<'a> {
     }
 
     /// As fast as possible, in the plane.
-    pub(super) fn travel(&mut self, to: Point) {
-        let to = self.round(to);
-        self.word("G0 X", to.x);
-        self.word(" Y", to.y);
-        self.at = to;
+    pub(super) fn travel(&mut self, end: Point) {
+        let end = self.round(end);
+        self.word("G0 X", end.x);
+        self.word(" Y", end.y);
+        self.at = end;
         self.end_travel();
     }
 

@@ -52,16 +52,16 @@ impl Chop {
     /// The chop of a seal of `spec` on `machine`; `None` where too little is known of the machine.
     pub fn new(spec: &Spec, machine: &Machine) -> Option<Self> {
         let (motion, speed, band) = (&machine.motion, spec.seal.speed.0, spec.seal.band.0);
-        let least = motion.least_move();
-        let strokes = if least > 0.0 { SHORT_STROKES } else { STROKES };
+        let least_move = motion.least_move();
+        let strokes = if least_move > 0.0 { SHORT_STROKES } else { STROKES };
         let chop = Self {
             speed: motion.chop_speed(speed)?,
-            longest: (band / strokes).max(least),
-            least,
+            longest: (band / strokes).max(least_move),
+            least: least_move,
             file: Precision { path: spec.accuracy.path, arcs: machine.controller.arcs },
             acceleration: motion.acceleration?.0,
             step: machine.controller.dwell.step.0,
-            rest: (band / 10.0).max(2.0 * least) / speed,
+            rest: (band / 10.0).max(2.0 * least_move) / speed,
             start_delay: motion.start_delay.0,
             stepper: stepper(motion),
         };
@@ -95,14 +95,14 @@ impl Chop {
     /// Steps of the three axes from one position to another; 0 where the stepper is unknown.
     pub(super) fn steps(&self, from: [f64; 3], to: [f64; 3]) -> [f64; 3] {
         let Some(stepper) = self.stepper else { return [0.0; 3] };
-        let (from, to) = (stepper.at(from), stepper.at(to));
+        let (from, to) = (stepper.steps_at(from), stepper.steps_at(to));
         std::array::from_fn(|i| to[i] - from[i])
     }
 
     /// Whether the controller makes a move of these steps; else it joins it to the next.
-    pub(super) fn makes(&self, steps: [f64; 3]) -> bool {
-        let most = steps.into_iter().map(f64::abs).fold(0.0, f64::max);
-        self.stepper.is_none_or(|stepper| most >= stepper.least_steps)
+    pub(super) fn executes(&self, steps: [f64; 3]) -> bool {
+        let largest = steps.into_iter().map(f64::abs).fold(0.0, f64::max);
+        self.stepper.is_none_or(|stepper| largest >= stepper.least_steps)
     }
 
     /// Time from rest to rest, s, of these steps along a way of `length` mm.

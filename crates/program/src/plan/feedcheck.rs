@@ -43,9 +43,9 @@ pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program
 /// Every reason for which `machine` cannot run the feed check of `programs`, one after the other.
 pub fn feed_check_refusals(spec: &Spec, machine: &Machine, programs: &[Program]) -> Refusals {
     let steps = programs.iter().flat_map(|program| program.steps.clone()).collect();
-    let whole = Program::new(spec, machine, SCOPE, steps, Vec::new());
+    let program = Program::new(spec, machine, SCOPE, steps, Vec::new());
     let mut refusals = contradictions(spec, machine, programs);
-    refusals.extend(beyond(machine, "the feed check", &whole.steps, "a machine that reaches as far"));
-    refusals.extend(clamps_in_the_way(spec, machine, &[], &[whole]));
+    refusals.extend(beyond(machine, "the feed check", &program.steps, "a machine that reaches as far"));
+    refusals.extend(clamps_in_the_way(spec, machine, &[], &[program]));
     refusals
 }

@@ -20,15 +20,15 @@ const LONGEST_TIME: f64 = 1e6;
 
 /// The reason for which the programs of `design` would have more moves than a job may have; they are counted, not made.
 pub fn too_many_moves(spec: &Spec, machine: &Machine, design: &Design) -> Option<Refusal> {
-    let moves = moves(spec, machine, design);
-    if moves <= MOST_MOVES {
+    let total = moves(spec, machine, design);
+    if total <= MOST_MOVES {
         return None;
     }
-    let found = format!("the job has {moves:.0} moves in contact");
-    let (count, pieces) =
+    let fault = format!("the job has {total:.0} moves in contact");
+    let (key, pieces) =
         if spec.has_stars() { (key::stack::COUNT, "stars") } else { (key::sheet::COPIES, "pieces") };
     let remedy = format!("at most {MOST_MOVES:.0} are written: build fewer or smaller {pieces} at a time");
-    Some(Refusal::new(count, RefusalCode::JobTooLarge, found, remedy))
+    Some(Refusal::new(key, RefusalCode::JobTooLarge, fault, remedy))
 }
 
 /// Moves in contact that the programs of `design` have: pieces, or the strokes of each.
@@ -46,23 +46,23 @@ fn moves(spec: &Spec, machine: &Machine, design: &Design) -> f64 {
         };
         way.iter().map(of_segment).sum()
     };
-    let batches = batches(design, spec.machine.program);
-    batches.iter().map(|(_, pieces)| of_way(&contacts(machine, pieces))).sum()
+    let sheets = batches(design, spec.machine.program);
+    sheets.iter().map(|(_, pieces)| of_way(&contacts(machine, pieces))).sum()
 }
 
 /// The segments in contact that seal `pieces`, each with the change of height along it.
 fn contacts(machine: &Machine, pieces: &[PlacedPiece<'_>]) -> Vec<(Segment, f64)> {
     let heights = &machine.process.heights;
     let rise = heights.travel.0 - heights.contact.0;
-    let mut out = Vec::new();
+    let mut contacts = Vec::new();
     for seam in laid_seams(pieces, machine.process.ramp.0) {
         for (path, rise) in [(&seam.lead_in, rise), (&seam.run, 0.0), (&seam.lead_out, rise)] {
             let flat = path.length();
             let along = |segment: &Segment| (*segment, rise * segment.length() / flat);
-            out.extend(path.segments.iter().map(along));
+            contacts.extend(path.segments.iter().map(along));
         }
     }
-    out
+    contacts
 }
 
 /// The reason for which one of `programs` takes longer than a program may.
@@ -71,7 +71,7 @@ pub(super) fn too_long(spec: &Spec, programs: &[Program]) -> Option<Refusal> {
     if longest.time < LONGEST_TIME {
         return None;
     }
-    let found = format!("a program takes {:.0} h", longest.time / 3600.0);
+    let fault = format!("a program takes {:.0} h", longest.time / 3600.0);
     let piece = if spec.has_stars() { "star" } else { "piece" };
     let speeds: Option<Vec<f64>> =
         programs.iter().map(|program| fast_enough(spec.seal.speed.0, program)).collect();
@@ -83,18 +83,18 @@ pub(super) fn too_long(spec: &Spec, programs: &[Program]) -> Option<Refusal> {
         "it must take less than {:.0} h: one program a {piece}, a smaller {piece}{faster}",
         LONGEST_TIME / 3600.0,
     );
-    Some(Refusal::new(key::seal::SPEED, RefusalCode::JobTooLarge, found, remedy))
+    Some(Refusal::new(key::seal::SPEED, RefusalCode::JobTooLarge, fault, remedy))
 }
 
 /// The speed, to three digits, at which a program that was planned at `speed` is short enough; `None` if its travels alone take too
 /// long.
 fn fast_enough(speed: f64, program: &Program) -> Option<f64> {
     let contact: f64 = program.seams.iter().map(|seam| seam.time).sum();
-    let left = LONGEST_TIME - (program.time - contact);
+    let available = LONGEST_TIME - (program.time - contact);
     // What does not depend on the speed, such as the start of each stroke, is within the last digit.
-    let least = 1.001 * speed * contact / left;
-    let digit = libm::pow(10.0, libm::log10(least).floor() - 2.0);
-    (left > 0.0).then(|| digit * (least / digit).ceil())
+    let speed_needed = 1.001 * speed * contact / available;
+    let digit = libm::pow(10.0, libm::log10(speed_needed).floor() - 2.0);
+    (available > 0.0).then(|| digit * (speed_needed / digit).ceil())
 }
 
 #[cfg(test)]
@@ -104,24 +104,24 @@ mod tests {
     use spec::{Source, read, starter};
 
     /// Strokes of a program as they are made, one by one.
-    fn made(program: &Program, speed: f64) -> u32 {
-        let (mut pacer, mut made) = (Pacer::new(program.pace, speed), 0);
+    fn stroke_count(program: &Program, speed: f64) -> u32 {
+        let (mut pacer, mut count) = (Pacer::new(program.pace, speed), 0);
         for step in &program.steps {
             match step {
                 Step::TouchDown(ramp) | Step::Lift(ramp) => {
                     for (piece, from, to) in ramp.with_heights() {
-                        pacer.strokes(piece, Some((from, to)), |_| made += 1);
+                        pacer.strokes(piece, Some((from, to)), |_| count += 1);
                     }
                 }
                 Step::Seal(pieces) => {
                     for piece in pieces {
-                        pacer.strokes(piece, None, |_| made += 1);
+                        pacer.strokes(piece, None, |_| count += 1);
                     }
                 }
                 _ => {}
             }
         }
-        made
+        count
     }
 
     #[test]
@@ -143,8 +143,8 @@ mod tests {
             let machine = Machine::builtin(name).expect("built in");
             let design = Design::new(&spec, &machine).expect("a design");
             let programs = seal_programs(&spec, &machine, &design);
-            let made: u32 = programs.iter().map(|program| made(program, spec.seal.speed.0)).sum();
-            assert_eq!(moves(&spec, &machine, &design), f64::from(made), "{name}");
+            let strokes: u32 = programs.iter().map(|program| stroke_count(program, spec.seal.speed.0)).sum();
+            assert_eq!(moves(&spec, &machine, &design), f64::from(strokes), "{name}");
         }
     }
 

@@ -42,32 +42,32 @@ pub(super) fn clamps_in_the_way(
     let refusal = |zone: &KeepOut| {
         let passes = zone.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
         let place = clamp_bounds(zone);
-        let near = index.overlapping(&place);
-        let mut met = near
+        let candidates = index.overlapping(&place);
+        let mut collisions = candidates
             .into_iter()
             .map(|number| &ways[number])
             .filter(|way| (way.low || !passes) && box_distance(&place, &way.piece) <= way.reach);
-        let first = met.next()?;
+        let first = collisions.next()?;
         // A way with the iron down meets the clamp whatever its height.
-        let met = if first.low { first } else { met.find(|way| way.low).unwrap_or(first) };
-        let piece = listed(&met.program.pieces);
+        let collision = if first.low { first } else { collision.find(|way| way.low).unwrap_or(first) };
+        let piece = listed(&collision.program.pieces);
         let travel = machine.process.heights.travel;
         let lower = match zone.height {
-            _ if met.low => String::new(),
+            _ if collision.low => String::new(),
             None => format!("; give its height, if it is below the travel height of {travel}"),
             Some(height) if machine.process.heights.park <= height => {
                 format!("; or raise the travel height above {height}, and the park height above that")
             }
             Some(height) => format!("; or raise the travel height above {height}"),
         };
-        let other = if met.program.pieces.is_empty() { "" } else { "; or change [sheet]" };
-        let at = met.piece.point(met.piece.nearest_fraction(place.center()));
+        let other = if collision.program.pieces.is_empty() { "" } else { "; or change [sheet]" };
+        let contact = collision.piece.point(collision.piece.nearest_fraction(place.center()));
         Some(Refusal::new(
             key::machine::PROFILE,
             RefusalCode::ClampInTheWay,
             format!(
                 "{} of {piece} meets the clamp {:?} at X {:.1} Y {:.1} mm",
-                met.what, zone.name, at.x, at.y
+                collision.what, zone.name, contact.x, contact.y
             ),
             format!("move the clamp{lower}{other}"),
         ))
@@ -89,30 +89,30 @@ fn listed(pieces: &[PieceName]) -> String {
 /// The ways of a program, from X0 Y0 on: contacts first, as a clamp in a seal's way is best reported as such.
 fn ways(program: &Program, reach: f64) -> Vec<Way<'_>> {
     let way = |what, piece: Segment, reach: f64, low| {
-        let near = piece.bounds().grown(reach);
-        Way { what, program, piece, near, reach, low }
+        let zone = piece.bounds().grown(reach);
+        Way { what, program, piece, near: zone, reach, low }
     };
     let followed = |piece: &Segment| match program.purpose {
         Purpose::Seal => way("the seal", *piece, reach, true),
         Purpose::Trace => way("the trace", *piece, 0.0, false),
     };
     let mut ways: Vec<Way<'_>> = contact(&program.steps).map(|(piece, _)| followed(piece)).collect();
-    let mut at = Point::ORIGIN;
+    let mut position = Point::ORIGIN;
     for step in &program.steps {
         match step {
             Step::Trace(pieces) => ways.extend(pieces.iter().map(followed)),
-            Step::Travel(to) if at != *to => {
-                let line = Line::new(at, *to).into();
+            Step::Travel(to) if position != *to => {
+                let line = Line::new(position, *to).into();
                 ways.push(way("the way to or from a seam", line, reach, false));
             }
             _ => {}
         }
-        at = match step {
+        position = match step {
             Step::Travel(to) => *to,
             Step::Lift(Ramp { pieces, .. }) | Step::Trace(pieces) | Step::Seal(pieces) => {
-                pieces.last().map_or(at, Segment::end)
+                pieces.last().map_or(position, Segment::end)
             }
-            _ => at,
+            _ => position,
         };
     }
     ways

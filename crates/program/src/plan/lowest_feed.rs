@@ -44,8 +44,8 @@ fn lowest_on(
 
 pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -> Option<Refusal> {
     let speed = spec.seal.speed.0;
-    let wanted = spec.machine.feed_floor == FeedFloor::Chop;
-    let (mut most, mut flatness) = (0.0_f64, 0.0_f64);
+    let chops = spec.machine.feed_floor == FeedFloor::Chop;
+    let (mut floor, mut flatness) = (0.0_f64, 0.0_f64);
     for program in programs {
         flatness = flatness.max(ramp_flatness(&program.steps));
         if let Pace::Chopped(chop) = program.pace {
@@ -57,22 +57,22 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
             continue;
         }
         let Some(lowest) = lowest_of(&machine.motion, &program.steps) else {
-            return wanted.then(|| cannot_chop(machine, speed));
+            return chops.then(|| cannot_chop(machine, speed));
         };
-        most = most.max(lowest);
+        floor = floor.max(lowest);
     }
-    if most <= speed * (1.0 + 1e-9) {
+    if floor <= speed * (1.0 + 1e-9) {
         return None;
     }
-    if wanted {
+    if chops {
         return Some(cannot_chop(machine, speed));
     }
-    let (least, flat) = machine.motion.speed_range().unwrap_or((most, most));
+    let (slowest, flat) = machine.motion.speed_range().unwrap_or((floor, floor));
     if flat <= speed * (1.0 + 1e-9) {
-        return Some(slow_ramps(speed, machine, most, flatness));
+        return Some(slow_ramps(speed, machine, floor, flatness));
     }
-    let most = most.max(flat);
-    let at = match machine.motion.steps_per_mm {
+    let fastest = fastest.max(flat);
+    let steps = match machine.motion.steps_per_mm {
         Some([x, y, _]) if x == y => format!("at {x} steps/mm "),
         Some([x, y, _]) => format!("at {x} (X) and {y} (Y) steps/mm "),
         None => String::new(),
@@ -81,13 +81,13 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
         key::seal::SPEED,
         RefusalCode::FeedFloor,
         format!(
-            "{at}{} runs this {}",
+            "{steps}{} runs this {}",
             machine.controller.dialect.title(),
-            actual_speed(&machine.motion, speed, (least, most))
+            actual_speed(&machine.motion, speed, (slowest, fastest))
         ),
         format!(
             "write `feed_floor = \"chop\"` in [machine]; or a speed of at least {:.2} mm/s{}",
-            (most * (1.0 - 1e-9) * 100.0).ceil() / 100.0,
+            (fastest * (1.0 - 1e-9) * 100.0).ceil() / 100.0,
             finer_steps(&machine.motion, speed, flatness)
         ),
     ))
@@ -101,8 +101,8 @@ pub fn actual_speed(motion: &Motion, speed: f64, range: (f64, f64)) -> String {
         return format!("up to {percent:.1} % too fast, for it rounds up to whole steps a second");
     }
     // No controller runs below the programmed speed.
-    let (least, most) = (range.0.max(speed), range.1);
-    let runs = if most - least < 0.005 { format!("{most:.2}") } else { format!("{least:.2} to {most:.2}") };
+    let (slowest, fastest) = (range.0.max(speed), range.1);
+    let runs = if fastest - slowest < 0.005 { format!("{fastest:.2}") } else { format!("{slowest:.2} to {fastest:.2}") };
     format!("at {runs} mm/s instead of {speed}")
 }
 
@@ -153,17 +153,17 @@ fn slow_ramps(speed: f64, machine: &Machine, lowest: f64, flatness: f64) -> Refu
 fn too_fast_to_chop(spec: &Spec, machine: &Machine, chop: &Chop) -> Option<Refusal> {
     let (speed, stroke) = (spec.seal.speed, spec.seal.band.0 / 2.0);
     if 2.0 * chop.least > stroke {
-        let found = format!("the controller makes no move below {:.3} mm in every direction", chop.least);
+        let fault = format!("the controller makes no move below {:.3} mm in every direction", chop.least);
         let remedy =
             format!("band must be at least {:.2} mm, or the profile have finer steps", 4.0 * chop.least);
-        return Some(Refusal::new(key::seal::BAND, RefusalCode::NoChop, found, remedy));
+        return Some(Refusal::new(key::seal::BAND, RefusalCode::NoChop, fault, remedy));
     }
     if chop.longest <= stroke && chop.rest >= 2.0 * chop.step {
         return None;
     }
     let seconds = stroke / chop.speed + chop.cost();
     let limit = (stroke / seconds).min(spec.seal.band.0 / 10.0 / (2.0 * chop.step));
-    let found = format!(
+    let fault = format!(
         "a stroke of {stroke:.3} mm at {:.3} mm/s takes {seconds:.3} s with the shortest dwell, too long for {speed}",
         chop.speed
     );
@@ -177,16 +177,16 @@ fn too_fast_to_chop(spec: &Spec, machine: &Machine, chop: &Chop) -> Option<Refus
             format!("strokes must be slower: {} in the profile", slower_strokes(machine, chop)),
         )
     };
-    Some(Refusal::new(key, RefusalCode::NoChop, found, remedy))
+    Some(Refusal::new(key, RefusalCode::NoChop, fault, remedy))
 }
 
 /// The change of a profile that lets the controller travel strokes more slowly than those of `chop`.
 fn slower_strokes(machine: &Machine, chop: &Chop) -> &'static str {
     let motion = &machine.motion;
-    let any = Motion { min_feed: Speed(0.0), ..*motion };
+    let unlimited = Motion { min_feed: Speed(0.0), ..*motion };
     if motion.chop_feed.is_some() {
         "a lower `chop_feed`"
-    } else if any.chop_speed(0.0).is_some_and(|speed| speed < chop.speed / 2.0) {
+    } else if unlimited.chop_speed(0.0).is_some_and(|speed| speed < chop.speed / 2.0) {
         "a lower `min_feed`"
     } else {
         "more steps per mm"
@@ -200,7 +200,7 @@ fn long_rest(spec: &Spec, machine: &Machine, chop: &Chop, program: &Program) -> 
         return None;
     }
     let (rest, overdue) = (chop.rest, program.overdue);
-    let (key, found, remedy) = if chop.least > 0.0 {
+    let (key, fault, remedy) = if chop.least > 0.0 {
         let (key, rounder) = if spec.drawing.is_some() {
             (key::drawing::FILE, "round the drawn corners")
         } else {
@@ -229,7 +229,7 @@ fn long_rest(spec: &Spec, machine: &Machine, chop: &Chop, program: &Program) -> 
             ),
         )
     };
-    Some(Refusal::new(key, RefusalCode::NoChop, found, remedy))
+    Some(Refusal::new(key, RefusalCode::NoChop, fault, remedy))
 }
 
 /// The profile's own `chop_feed` is one that the controller runs faster, on the ramps or in the plane.

@@ -82,14 +82,14 @@ impl Pacer {
         Self { pace, speed, early: 0.0, overdue: 0.0, run: PacedRun::default() }
     }
 
-    /// Hands the strokes of `piece` to `each`, in order; `heights` are those of its two ends where they differ.
-    pub fn strokes(&mut self, piece: &Segment, heights: Option<(f64, f64)>, mut each: impl FnMut(Stroke)) {
+    /// Hands the strokes of `piece` to `emit`, in order; `heights` are those of its two ends where they differ.
+    pub fn strokes(&mut self, piece: &Segment, heights: Option<(f64, f64)>, mut emit: impl FnMut(Stroke)) {
         let rise = heights.map_or(0.0, |(from, to)| to - from);
         let length = libm::hypot(piece.length(), rise);
         let Pace::Chopped(chop) = self.pace else {
             let seconds = length / self.speed;
             let height = heights.map(|(_, to)| to);
-            each(Stroke { piece: *piece, height, speed: self.speed, dwell: 0.0, seconds });
+            emit(Stroke { piece: *piece, height, speed: self.speed, dwell: 0.0, seconds });
             return;
         };
         let base = heights.map_or(0.0, |(from, _)| from);
@@ -100,9 +100,9 @@ impl Pacer {
             let (low, high) = (base + rise * (i / count), base + rise * ((i + 1.0) / count));
             let is_last = i + 1.0 >= count;
             let height = heights.map(|(_, to)| if is_last { to } else { high });
-            let written = Written::new(&part, [low, height.unwrap_or(low)], chop.file);
-            let (moving, dwell) = self.stroke(&chop, &written);
-            each(Stroke { piece: part, height, speed: chop.speed, dwell, seconds: moving + dwell });
+            let move_written = Written::new(&part, [low, height.unwrap_or(low)], chop.file);
+            let (moving, dwell) = self.stroke(&chop, &move_written);
+            emit(Stroke { piece: part, height, speed: chop.speed, dwell, seconds: moving + dwell });
             i += 1.0;
         }
     }
@@ -117,21 +117,21 @@ impl Pacer {
     }
 
     /// Adds a stroke to the run; the time that it adds, and the dwell after it, s.
-    fn stroke(&mut self, chop: &Chop, written: &Written) -> (f64, f64) {
-        let Written { from, to, length } = *written;
-        let (before, steps) = (self.run, chop.steps(from, to));
-        let waiting = std::array::from_fn(|i| before.waiting[i] + steps[i]);
-        let mut run = PacedRun { length: before.length + length, waiting, ..before };
-        let is_made = chop.makes(waiting);
+    fn stroke(&mut self, chop: &Chop, move_written: &Written) -> (f64, f64) {
+        let Written { from, to, length } = *move_written;
+        let (run_before, steps) = (self.run, chop.steps(from, to));
+        let waiting = std::array::from_fn(|i| run_before.waiting[i] + steps[i]);
+        let mut run = PacedRun { length: run_before.length + length, waiting, ..run_before };
+        let is_made = chop.executes(waiting);
         if is_made {
-            run.steps = std::array::from_fn(|i| before.steps[i] + waiting[i].abs());
+            run.steps = std::array::from_fn(|i| run_before.steps[i] + waiting[i].abs());
             run.waiting = [0.0; 3];
             run.seconds = chop.moving(run.steps, run.length);
         }
-        let moving = run.seconds - before.seconds;
+        let moving = run.seconds - run_before.seconds;
         self.early += length / self.speed - moving;
-        let most = if is_made { (chop.rest / chop.step + 1e-9).floor() } else { 0.0 };
-        let dwell = ((self.early / chop.step).round().min(most) * chop.step).max(0.0);
+        let longest_dwell = if is_made { (chop.rest / chop.step + 1e-9).floor() } else { 0.0 };
+        let dwell = ((self.early / chop.step).round().min(longest_dwell) * chop.step).max(0.0);
         self.early -= dwell;
         if is_made {
             self.overdue = self.overdue.max(self.early);
@@ -163,7 +163,7 @@ mod tests {
 
     /// Marlin of most boards: six steps at 45 degrees are 0.106 mm.
     fn marlin() -> Chop {
-        let least = 6.0 * 2.0_f64.sqrt() / 80.0;
+        let shortest = 6.0 * 2.0_f64.sqrt() / 80.0;
         let stepper = GRBL.stepper.map(|stepper| Stepper {
             rate: 32.0,
             tick: 0.0,
@@ -171,19 +171,19 @@ mod tests {
             least_steps: 6.0,
             ..stepper
         });
-        Chop { speed: 1.7, longest: 2.0 / 13.0, least, acceleration: 3000.0, step: 1e-3, stepper, ..GRBL }
+        Chop { speed: 1.7, longest: 2.0 / 13.0, least: shortest, acceleration: 3000.0, step: 1e-3, stepper, ..GRBL }
     }
 
     /// Time of one stroke from rest to rest, s.
-    fn alone(chop: &Chop, from: [f64; 3], to: [f64; 3], length: f64) -> f64 {
+    fn seconds_from_rest(chop: &Chop, from: [f64; 3], to: [f64; 3], length: f64) -> f64 {
         let steps = chop.steps(from, to).map(f64::abs);
         chop.moving(steps, length)
     }
 
     fn strokes(piece: Segment, heights: Option<(f64, f64)>) -> Vec<Stroke> {
-        let mut out = Vec::new();
-        Pacer::new(Pace::Chopped(GRBL), 0.1).strokes(&piece, heights, |stroke| out.push(stroke));
-        out
+        let mut strokes = Vec::new();
+        Pacer::new(Pace::Chopped(GRBL), 0.1).strokes(&piece, heights, |stroke| strokes.push(stroke));
+        strokes
     }
 
     #[test]
@@ -191,15 +191,15 @@ mod tests {
         let line: Segment = Line::new(Point::ORIGIN, Point::new(8.0, 6.0)).into();
         let arc: Segment = Arc::new(Point::ORIGIN, 33.0, 0.3, -2.0).into();
         for (piece, heights) in [(line, None), (arc, None), (line, Some((5.0, -0.3)))] {
-            let found = strokes(piece, heights);
+            let strokes_made = strokes(piece, heights);
             let length = piece.length().hypot(heights.map_or(0.0, |(a, b)| b - a));
-            let seconds: f64 = found.iter().map(|stroke| stroke.seconds).sum();
+            let seconds: f64 = strokes_made.iter().map(|stroke| stroke.seconds).sum();
             // Half a dwell's step; the file's positions, which are rounded, make the way a little longer or shorter.
             assert!((seconds - length / 0.1).abs() <= 0.025 + 2e-3, "{seconds} for {length} mm");
-            assert!(found.iter().all(|s| s.piece.length() <= 0.2 + 1e-9 && s.dwell < 2.0));
+            assert!(strokes_made.iter().all(|s| s.piece.length() <= 0.2 + 1e-9 && s.dwell < 2.0));
             let steps = |s: &Stroke| s.dwell / 0.05;
-            assert!(found.iter().all(|s| (steps(s) - steps(s).round()).abs() < 1e-6));
-            assert_eq!(found.last().and_then(|s| s.height), heights.map(|(_, to)| to));
+            assert!(strokes_made.iter().all(|s| (steps(s) - steps(s).round()).abs() < 1e-6));
+            assert_eq!(strokes_made.last().and_then(|s| s.height), heights.map(|(_, to)| to));
         }
     }
 
@@ -214,12 +214,12 @@ mod tests {
             pacer.strokes(&line, None, |stroke| strokes.push(stroke));
             assert!(strokes.iter().any(|stroke| stroke.dwell == 0.0), "strokes too short for dwells");
             // The timing on the controller.
-            let (mut begun, mut seconds) = (0.0, 0.0);
+            let (mut start, mut seconds) = (0.0, 0.0);
             for stroke in &strokes {
                 let end = stroke.piece.end().x;
                 if stroke.dwell > 0.0 || end > 10.0 - 1e-9 {
-                    seconds += alone(&chop, [begun, 0.0, 0.0], [end, 0.0, 0.0], end - begun) + stroke.dwell;
-                    begun = end;
+                    seconds += seconds_from_rest(&chop, [start, 0.0, 0.0], [end, 0.0, 0.0], end - start) + stroke.dwell;
+                    start = end;
                 }
             }
             assert!((seconds - 20.0).abs() < 0.002 * 20.0, "{seconds}");
@@ -232,7 +232,7 @@ mod tests {
         let chop = marlin();
         let stepper = chop.stepper.expect("known");
         let mut pacer = Pacer::new(Pace::Chopped(chop), 0.1);
-        let (mut at, mut due, mut spent, mut short) = (stepper.at([1.0, 0.0, 0.0]), 0.0, 0.0, 0);
+        let (mut position, mut due, mut spent, mut short) = (stepper.steps_at([1.0, 0.0, 0.0]), 0.0, 0.0, 0);
         for i in 0..40_u32 {
             let arc: Segment = Arc::new(Point::ORIGIN, 1.0, 0.0446 * f64::from(i), 0.0446).into();
             pacer.strokes(&arc, None, |stroke| {
@@ -241,10 +241,10 @@ mod tests {
                 short += usize::from(stroke.dwell == 0.0);
                 if stroke.dwell > 0.0 {
                     let end = stroke.piece.end();
-                    let now = stepper.at([end.x, end.y, 0.0]);
-                    let most = (now[0] - at[0]).abs().max((now[1] - at[1]).abs());
-                    assert!((6.0..=12.0).contains(&most), "{most} steps");
-                    at = now;
+                    let next = stepper.steps_at([end.x, end.y, 0.0]);
+                    let largest = (next[0] - position[0]).abs().max((next[1] - position[1]).abs());
+                    assert!((6.0..=12.0).contains(&largest), "{largest} steps");
+                    position = next;
                 }
             });
         }
@@ -279,7 +279,7 @@ mod tests {
     #[test]
     fn the_wait_of_a_start_is_part_of_the_stroke() {
         let slow = Chop { start_delay: 0.1, ..GRBL };
-        let [a, b] = [GRBL, slow].map(|chop| alone(&chop, [0.0; 3], [0.2, 0.0, 0.0], 0.2));
+        let [a, b] = [GRBL, slow].map(|chop| seconds_from_rest(&chop, [0.0; 3], [0.2, 0.0, 0.0], 0.2));
         assert!((b - a - 0.1).abs() < 1e-12);
     }
 
@@ -295,18 +295,18 @@ mod tests {
     fn strokes_meet_end_to_end_and_climb_evenly() {
         let line: Segment = Line::new(Point::new(1.0, 2.0), Point::new(4.0, 6.0)).into();
         let (from, to) = (5.0, -0.3);
-        let found = strokes(line, Some((from, to)));
+        let strokes_made = strokes(line, Some((from, to)));
         // The way is 7.29 mm in space: 37 strokes, none longer than 0.2 mm.
-        assert_eq!(found.len(), 37);
-        let (mut here, mut way) = (line.start(), 0.0);
-        for stroke in &found {
-            assert!(stroke.piece.start().distance(here) < 1e-12);
-            here = stroke.piece.end();
+        assert_eq!(strokes_made.len(), 37);
+        let (mut position, mut way) = (line.start(), 0.0);
+        for stroke in &strokes_made {
+            assert!(stroke.piece.start().distance(position) < 1e-12);
+            position = stroke.piece.end();
             way += stroke.piece.length() / line.length();
             let height = stroke.height.expect("a height");
             assert!((height - (from + way * (to - from))).abs() < 1e-12, "{height} at {way}");
         }
-        assert!(here.distance(line.end()) < 1e-12);
+        assert!(position.distance(line.end()) < 1e-12);
         let level = strokes(line, None);
         assert!(level.len() == 25 && level.iter().all(|stroke| stroke.height.is_none()));
     }
@@ -325,8 +325,8 @@ mod tests {
     #[test]
     fn a_steady_piece_is_one_stroke() {
         let line: Segment = Line::new(Point::ORIGIN, Point::new(3.0, 4.0)).into();
-        let mut found = Vec::new();
-        Pacer::new(Pace::Steady, 0.1).strokes(&line, None, |stroke| found.push(stroke));
-        assert_eq!((found.len(), found[0].seconds, found[0].dwell), (1, 50.0, 0.0));
+        let mut strokes_made = Vec::new();
+        Pacer::new(Pace::Steady, 0.1).strokes(&line, None, |stroke| strokes_made.push(stroke));
+        assert_eq!((strokes_made.len(), strokes_made[0].seconds, strokes_made[0].dwell), (1, 50.0, 0.0));
     }
 }

@@ -12,27 +12,27 @@ use spec::{Machine, ProgramScope, key};
 pub fn pressed_beyond(machine: &Machine, design: &Design) -> Option<Refusal> {
     let (ramp, heights) = (machine.process.ramp.0, machine.process.heights);
     let (low, high) = (heights.contact.0, heights.travel.0);
-    let below = ramp * (-low).max(0.0) / (high - low);
+    let excess = ramp * (-low).max(0.0) / (high - low);
     batches(design, ProgramScope::Sheet).iter().find_map(|(_, pieces)| {
-        let (name, band, at) = sealed_beyond(pieces, below)?;
+        let (name, band, end) = sealed_beyond(pieces, excess)?;
         let half = band / 2.0;
-        let place = format!("X {:.3} Y {:.3} mm", at.x, at.y);
+        let place = format!("X {:.3} Y {:.3} mm", end.x, end.y);
         Some(Refusal::new(
             key::machine::PROFILE,
             RefusalCode::LongRamp,
-            format!("on the profile's ramp of {ramp} mm the iron presses {below:.3} mm past an end of {name} at {place} of the sheet"),
+            format!("on the profile's ramp of {ramp} mm the iron presses {excess:.3} mm past an end of {name} at {place} of the sheet"),
             format!(
                 "{half} mm are allowed, half a band: a ramp of at most {} mm, or `contact` nearer to 0",
-                Most(ramp * half / below)
+                Most(ramp * half / excess)
             ),
         ))
     })
 }
 
-/// The first open seam of `pieces` past whose end `below` mm reach more than half a band into a piece: its name, its band, and the end.
-fn sealed_beyond(pieces: &[PlacedPiece<'_>], below: f64) -> Option<(String, f64, Point)> {
+/// The first open seam of `pieces` past whose end `excess` mm reach more than half a band into a piece: its name, its band, and the end.
+fn sealed_beyond(pieces: &[PlacedPiece<'_>], excess: f64) -> Option<(String, f64, Point)> {
     let band = pieces.iter().map(|piece| piece.shape.band).fold(f64::INFINITY, f64::min);
-    if below <= band / 2.0 + 1e-6 {
+    if excess <= band / 2.0 + 1e-6 {
         return None;
     }
     let cuts: Vec<Path> =
@@ -40,12 +40,12 @@ fn sealed_beyond(pieces: &[PlacedPiece<'_>], below: f64) -> Option<(String, f64,
     let cuts = Enclosures::new(&cuts);
     let is_on_piece = |way: &Path| {
         // From the end of the seam outwards; a stretch shorter than half a band is no seam.
-        let steps = (below / band).ceil().max(1.0) * 4.0;
-        let share = |i: f64| band / 2.0 + (below - band / 2.0) * i / steps;
-        let mut along = (0..).map(f64::from).take_while(|i| *i <= steps).map(share);
-        along.any(|s| way.point_at(s).is_some_and(|p| !cuts.around(p).is_empty()))
+        let steps = (excess / band).ceil().max(1.0) * 4.0;
+        let share = |i: f64| band / 2.0 + (excess - band / 2.0) * i / steps;
+        let mut distances = (0..).map(f64::from).take_while(|i| *i <= steps).map(share);
+        distances.any(|s| way.point_at(s).is_some_and(|p| !cuts.around(p).is_empty()))
     };
-    laid_seams(pieces, below).into_iter().filter(|seam| seam.overlap <= 0.0).find_map(|seam| {
+    laid_seams(pieces, excess).into_iter().filter(|seam| seam.overlap <= 0.0).find_map(|seam| {
         let ways = [seam.lead_in.reversed(), seam.lead_out];
         let way = ways.into_iter().find(is_on_piece)?;
         Some((seam.name.to_string(), band, way.start()?))

@@ -106,13 +106,13 @@ impl Ramp {
     /// The pieces, each with the heights at its two ends.
     pub fn with_heights(&self) -> impl Iterator<Item = (&Segment, f64, f64)> {
         let total: f64 = self.pieces.iter().map(Segment::length).sum();
-        let mut done = 0.0;
+        let mut length = 0.0;
         let last = self.pieces.len();
         self.pieces.iter().zip(1..).map(move |(piece, i)| {
-            let before = self.from + (self.to - self.from) * (done / total);
-            done += piece.length();
-            let height = if i == last { self.to } else { self.from + (self.to - self.from) * (done / total) };
-            (piece, before, height)
+            let start_height = self.from + (self.to - self.from) * (length / total);
+            length += piece.length();
+            let height = if i == last { self.to } else { self.from + (self.to - self.from) * (length / total) };
+            (piece, start_height, height)
         })
     }
 }

@@ -15,28 +15,28 @@ fn shortest(spec: &Spec) -> f64 {
 /// The pieces of a ramp without **crumbs**: pieces whose start and end are the same in a program. The piece after a crumb begins
 /// where the one before it ends, so the way moves by less than a crumb; start and end of the ramp do not change.
 pub(super) fn without_crumbs(pieces: Vec<Segment>, spec: &Spec) -> Vec<Segment> {
-    let least = shortest(spec);
+    let limit = shortest(spec);
     let Some(end) = pieces.last().map(Segment::end) else { return pieces };
-    if pieces.iter().all(|piece| piece.length() >= least) {
+    if pieces.iter().all(|piece| piece.length() >= limit) {
         return pieces;
     }
-    let mut kept: Vec<Segment> = Vec::with_capacity(pieces.len());
-    let mut at = pieces[0].start();
+    let mut long_enough: Vec<Segment> = Vec::with_capacity(pieces.len());
+    let mut end_so_far = pieces[0].start();
     for piece in &pieces {
         // From the last end that was kept, so that many crumbs are a way. Pieces turn by 90 degrees at most: none ends where it began.
-        if piece.end().distance(at) >= least {
-            kept.push(between(piece, at, piece.end()));
-            at = piece.end();
+        if piece.end().distance(end_so_far) >= limit {
+            long_enough.push(with_ends(piece, end_so_far, piece.end()));
+            end_so_far = piece.end();
         }
     }
-    let Some(last) = kept.pop() else { return pieces };
-    kept.push(between(&last, last.start(), end));
-    kept
+    let Some(last) = long_enough.pop() else { return pieces };
+    long_enough.push(with_ends(&last, last.start(), end));
+    long_enough
 }
 
 /// The piece with other ends, to the bit as it is where they are its own.
-fn between(piece: &Segment, start: Point, end: Point) -> Segment {
-    if piece.start() == start && piece.end() == end { *piece } else { piece.between(start, end) }
+fn with_ends(piece: &Segment, start: Point, end: Point) -> Segment {
+    if piece.start() == start && piece.end() == end { *piece } else { piece.with_ends(start, end) }
 }
 
 /// The reason for which the ramps of `programs` are too steep.
@@ -48,16 +48,16 @@ pub(super) fn too_steep(spec: &Spec, machine: &Machine, programs: &[Program]) ->
         });
         ramps.map(|ramp| least_move(ramp, program.pace)).fold(f64::INFINITY, f64::min)
     };
-    let (found, needed) = (programs.iter().map(least).fold(f64::INFINITY, f64::min), shortest(spec));
-    if found >= needed {
+    let (shortest_part, limit) = (programs.iter().map(least).fold(f64::INFINITY, f64::min), shortest(spec));
+    if shortest_part >= limit {
         return None;
     }
     let ramp = machine.process.ramp;
     Some(Refusal::new(
         key::machine::PROFILE,
         RefusalCode::SteepRamp,
-        format!("on the profile's ramp of {ramp} the iron moves {found:.6} mm along the fabric at a time"),
-        format!("a ramp of at least {} mm is needed", Least(ramp.0 * needed / found)),
+        format!("on the profile's ramp of {ramp} the iron moves {shortest_part:.6} mm along the fabric at a time"),
+        format!("a ramp of at least {} mm is needed", Least(ramp.0 * limit / shortest_part)),
     ))
 }
 
@@ -92,34 +92,34 @@ mod tests {
     /// Crumbs at the start, one after another in the middle, and at the end: the ramp begins and ends where it did.
     #[test]
     fn crumbs_are_left_out_and_the_ends_stay() {
-        let spec = spec();
-        let least = shortest(&spec);
-        let c = 0.4 * least;
+        let design_spec = spec();
+        let limit = shortest(&design_spec);
+        let c = 0.4 * limit;
         let mut ramp =
             chain(&[(-c, 0.0), (0.0, 0.0), (2.0, 0.0), (2.0, c), (2.0, 2.0 * c), (2.0, 3.0 * c), (2.0, 3.0)]);
         ramp.push(Arc::new(Point::new(1.0, 3.0), 1.0, 0.0, 1.5).into());
-        let at = ramp[6].end();
-        ramp.push(Line::new(at, Point::new(at.x, at.y + c)).into());
-        let kept = without_crumbs(ramp.clone(), &spec);
-        assert_eq!(kept.len(), 4, "{kept:?}");
-        assert!(kept.iter().all(|piece| piece.length() >= least));
-        assert!(kept.windows(2).all(|pair| pair[0].end().distance(pair[1].start()) < 1e-12));
+        let end = ramp[6].end();
+        ramp.push(Line::new(end, Point::new(end.x, end.y + c)).into());
+        let pieces = without_crumbs(ramp.clone(), &design_spec);
+        assert_eq!(pieces.len(), 4, "{pieces:?}");
+        assert!(pieces.iter().all(|piece| piece.length() >= limit));
+        assert!(pieces.windows(2).all(|pair| pair[0].end().distance(pair[1].start()) < 1e-12));
         assert!(
-            kept[0].start().distance(ramp[0].start()) < 1e-12
-                && kept[3].end().distance(ramp[7].end()) < 1e-12
+            pieces[0].start().distance(ramp[0].start()) < 1e-12
+                && pieces[3].end().distance(ramp[7].end()) < 1e-12
         );
         let way = |pieces: &[Segment], t: f64| {
             pieces.iter().map(|piece| piece.distance(Point::new(2.0, t))).fold(f64::INFINITY, f64::min)
         };
-        assert!(way(&kept, 1.5) < least);
+        assert!(way(&pieces, 1.5) < limit);
     }
 
     #[test]
     fn what_has_no_crumbs_stays_as_it_is_and_one_crumb_alone_too() {
-        let spec = spec();
+        let design_spec = spec();
         let ramp = chain(&[(0.0, 0.0), (0.01, 0.0), (3.0, 1.0)]);
-        assert_eq!(without_crumbs(ramp.clone(), &spec), ramp);
+        assert_eq!(without_crumbs(ramp.clone(), &design_spec), ramp);
         let short = chain(&[(0.0, 0.0), (1e-5, 0.0)]);
-        assert_eq!(without_crumbs(short.clone(), &spec), short);
+        assert_eq!(without_crumbs(short.clone(), &design_spec), short);
     }
 }

@@ -8,11 +8,11 @@ use spec::{Machine, key};
 /// Slack, mm: rounding.
 const SLACK: f64 = 1e-6;
 
-/// The refusal of `steps` that `machine` cannot reach; `None` if it can, or if its work area is unknown. `what` has these
+/// The refusal of `steps` that `machine` cannot reach; `None` if it can, or if its work area is unknown. `subject` has these
 /// steps, and `remedy` makes them smaller.
-pub fn beyond(machine: &Machine, what: &str, steps: &[Step], remedy: &str) -> Option<Refusal> {
+pub fn beyond(machine: &Machine, subject: &str, steps: &[Step], remedy: &str) -> Option<Refusal> {
     let (x, y) = machine.bench.work_area?;
-    let reached = steps
+    let extent = steps
         .iter()
         .filter_map(|step| match step {
             Step::TouchDown(ramp) | Step::Lift(ramp) => Some(&ramp.pieces),
@@ -22,15 +22,15 @@ pub fn beyond(machine: &Machine, what: &str, steps: &[Step], remedy: &str) -> Op
         .map(|pieces| Path::open(pieces.clone()).bounds())
         .fold(Bounds::EMPTY, Bounds::union);
     let area = Bounds { min: Point::new(-SLACK, -SLACK), max: Point::new(x.0 + SLACK, y.0 + SLACK) };
-    if area.contains(reached.min) && area.contains(reached.max) {
+    if area.contains(extent.min) && area.contains(extent.max) {
         return None;
     }
     Some(Refusal::new(
         key::machine::PROFILE,
         RefusalCode::OutOfReach,
         format!(
-            "{what} needs X {:.1} to {:.1} mm, Y {:.1} to {:.1} mm; the machine reaches 0 to {:.1} mm, 0 to {:.1} mm",
-            reached.min.x, reached.max.x, reached.min.y, reached.max.y, x.0, y.0
+            "{subject} needs X {:.1} to {:.1} mm, Y {:.1} to {:.1} mm; the machine reaches 0 to {:.1} mm, 0 to {:.1} mm",
+            extent.min.x, extent.max.x, extent.min.y, extent.max.y, x.0, y.0
         ),
         format!(
             "must lie inside the profile's [work_area]: {remedy}; or correct [work_area], if it is larger"

@@ -38,8 +38,8 @@ pub(super) fn scope(purpose: Purpose, sheet: usize, pieces: &[PlacedPiece<'_>]) 
     Scope { purpose, sheet, pieces: pieces.iter().map(|piece| piece.name.clone()).collect() }
 }
 
-/// The program that seals `laid`, in their order.
-pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, laid: &[LaidSeam]) -> Program {
+/// The program that seals `seams_laid`, in their order.
+pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, seams_laid: &[LaidSeam]) -> Program {
     let cuts = Cuts::of_seal(spec, machine);
     let (high, low) = (machine.process.heights.travel.0, machine.process.heights.contact.0);
     // A ramp is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
@@ -49,7 +49,7 @@ pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, laid: &[LaidSe
     };
     let mut steps = vec![Step::Height(Height::Park), Step::Heat(spec.seal.temperature)];
     let mut seams = Vec::new();
-    for seam in laid {
+    for seam in seams_laid {
         let (down, up) = (ramp(&seam.lead_in, high, low), ramp(&seam.lead_out, low, high));
         let Some(start) = down.pieces.first().map(Segment::start) else { continue };
         let length = seam.run.length();

@@ -30,30 +30,30 @@ impl<'a> Clock<'a> {
         Self { machine, at: Point::ORIGIN, height, last: None, elapsed: 0.0 }
     }
 
-    /// Adds a move or wait that took `seconds` and ended at `to`.
-    pub fn add(&mut self, to: Point, height: Option<f64>, seconds: f64) {
-        self.at = to;
+    /// Adds a move or wait that took `seconds` and ended at `end`.
+    pub fn add(&mut self, end: Point, height: Option<f64>, seconds: f64) {
+        self.at = end;
         self.height = height.unwrap_or(self.height);
         self.last = None;
         self.elapsed += seconds;
     }
 
     /// Adds a travel in the plane.
-    pub fn travel(&mut self, to: Point) {
-        self.go([to.x - self.at.x, to.y - self.at.y, 0.0]);
-        self.at = to;
+    pub fn travel(&mut self, end: Point) {
+        self.go([end.x - self.at.x, end.y - self.at.y, 0.0]);
+        self.at = end;
     }
 
     /// Adds a move straight up or down.
     pub fn height(&mut self, level: Height) {
-        let to = height_of(&self.machine.process, level);
-        self.go([0.0, 0.0, to - self.height]);
-        self.height = to;
+        let height = height_of(&self.machine.process, level);
+        self.go([0.0, 0.0, height - self.height]);
+        self.height = height;
     }
 
     fn go(&mut self, way: [f64; 3]) {
         let Some(mut travel) = Travel::new(self.machine, way) else { return };
-        let spared = self.last.map_or(0.0, |last| travel.follows(&last));
+        let spared = self.last.map_or(0.0, |last| travel.join(&last));
         self.elapsed += travel.seconds() - spared;
         self.last = Some(travel);
     }

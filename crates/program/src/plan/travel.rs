@@ -47,11 +47,11 @@ impl Travel {
         }
         let (whole_speed, whole_ramp, bend) = habits(machine.controller.dialect);
         let share = way.iter().fold(0.0_f64, |most, d| most.max(d.abs())) / length;
-        let along = |limit: f64, whole: bool| if whole { limit } else { limit / share };
+        let limit_along = |limit: f64, whole: bool| if whole { limit } else { limit / share };
         Some(Self {
             length,
-            speed: along(machine.process.travel_speed.0, whole_speed),
-            acceleration: machine.motion.acceleration.map(|a| along(a.0, whole_ramp)),
+            speed: limit_along(machine.process.travel_speed.0, whole_speed),
+            acceleration: machine.motion.acceleration.map(|a| limit_along(a.0, whole_ramp)),
             entry: 0.0,
             bend,
             upright: way[2] != 0.0,
@@ -60,16 +60,16 @@ impl Travel {
 
     /// Time to rest, s.
     pub(super) fn seconds(&self) -> f64 {
-        self.until(0.0)
+        self.time_to(0.0)
     }
 
-    /// Begins where `before` ends; the time that `before` no longer needs, s.
-    pub(super) fn follows(&mut self, before: &Self) -> f64 {
-        if before.upright == self.upright {
+    /// Begins where `previous` ends; the time that `previous` no longer needs, s.
+    pub(super) fn join(&mut self, previous: &Self) -> f64 {
+        if previous.upright == self.upright {
             return 0.0;
         }
-        self.entry = self.bend.min(self.speed).min(before.speed).min(self.reach()).min(before.reach());
-        before.seconds() - before.until(self.entry)
+        self.entry = self.bend.min(self.speed).min(previous.speed).min(self.reach()).min(previous.reach());
+        previous.seconds() - previous.time_to(self.entry)
     }
 
     /// The highest speed that can be reached from rest, or stopped from.
@@ -78,7 +78,7 @@ impl Travel {
     }
 
     /// Time up to its end, which is passed at the speed `exit`, s.
-    fn until(&self, exit: f64) -> f64 {
+    fn time_to(&self, exit: f64) -> f64 {
         let Some(a) = self.acceleration else { return self.length / self.speed };
         let ends = 0.5 * (self.entry * self.entry + exit * exit);
         let top = self.speed.min((a * self.length + ends).sqrt());
@@ -127,14 +127,14 @@ mod tests {
     #[test]
     fn a_bend_saves_time_where_it_is_no_stop() {
         let saved = |dialect: &str, second: [f64; 3]| {
-            let machine = machine(dialect);
-            let first = Travel::new(&machine, [100.0, 0.0, 0.0]).expect("a way");
-            let mut next = Travel::new(&machine, second).expect("a way");
-            let alone = next.seconds();
-            next.follows(&first) + alone - next.seconds()
+            let profile = machine(dialect);
+            let first = Travel::new(&profile, [100.0, 0.0, 0.0]).expect("a way");
+            let mut next = Travel::new(&profile, second).expect("a way");
+            let seconds = next.seconds();
+            next.join(&first) + seconds - next.seconds()
         };
-        let each = 5.0 / 10.0 - 25.0 / 400.0;
-        assert!((saved("klipper", [0.0, 0.0, -100.0]) - 2.0 * each).abs() < 1e-9);
+        let saving = 5.0 / 10.0 - 25.0 / 400.0;
+        assert!((saved("klipper", [0.0, 0.0, -100.0]) - 2.0 * saving).abs() < 1e-9);
         assert_eq!(saved("klipper", [0.0, 100.0, 0.0]), 0.0);
         assert_eq!(saved("grbl", [0.0, 0.0, -100.0]), 0.0);
     }

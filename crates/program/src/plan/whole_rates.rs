@@ -15,10 +15,10 @@ use spec::{Motion, StepRate};
 /// rate a little above n becomes n + 1.
 pub(super) fn rounded_up(motion: &Motion, speed: f64) -> Option<f64> {
     let ([x, y, _], true) = (motion.steps_per_mm?, motion.has_whole_rates()) else { return None };
-    let StepRate::AtLeast(least) = motion.step_rate else { return None };
+    let StepRate::AtLeast(floor) = motion.step_rate else { return None };
     let rate = speed * x * y / libm::hypot(x, y);
-    let whole = rate.ceil().max(least);
-    Some((whole / rate - 1.0).max(1.0 / whole))
+    let raised = rate.ceil().max(floor);
+    Some((raised / rate - 1.0).max(1.0 / raised))
 }
 
 /// Rates of a stroke, steps/s.
@@ -38,16 +38,16 @@ const MANY: f64 = 1e4;
 const END_SPEED: f64 = 0.05;
 
 impl WholeRates {
-    /// The rates at `per_mm` steps/mm along the way, at `speed` mm/s and `acceleration` mm/s^2, none below `least` steps/s; the
+    /// The rates at `per_mm` steps/mm along the way, at `speed` mm/s and `acceleration` mm/s^2, none below `floor` steps/s; the
     /// first step has a rate of `first` steps/s at least, if there is such a rate.
-    pub(super) fn new(per_mm: f64, speed: f64, acceleration: f64, least: f64, first: Option<f64>) -> Self {
+    pub(super) fn new(per_mm: f64, speed: f64, acceleration: f64, floor: f64, first: Option<f64>) -> Self {
         let slow = match first {
             Some(first) => (END_SPEED * per_mm).ceil().max(first),
             None => ((0.5 * acceleration / per_mm).sqrt().min(speed) * per_mm).round(),
         };
         Self {
-            slow: slow.max(least),
-            even: (speed * per_mm - 1e-6).ceil().max(least),
+            slow: slow.max(floor),
+            even: (speed * per_mm - 1e-6).ceil().max(floor),
             acceleration: (acceleration * per_mm).ceil(),
             has_first: first.is_some(),
         }
@@ -78,22 +78,22 @@ impl WholeRates {
             up = (steps / 2.0).ceil();
             down = steps - up;
         }
-        let (mut elapsed, mut top, mut made) = (1.0 / slow, slow, 1.0);
+        let (mut elapsed, mut top, mut count) = (1.0 / slow, slow, 1.0);
         let (mut ramp, mut brake) = (0.0, 0.0);
-        while made < steps {
-            let interval = if made <= up {
+        while count < steps {
+            let interval = if count <= up {
                 top = (slow + (acceleration * ramp).floor()).min(even);
                 ramp += 1.0 / top;
                 1.0 / top
-            } else if made > steps - down {
-                let now = (top - (acceleration * brake).floor()).max(slow);
-                brake += 1.0 / now;
-                1.0 / now
+            } else if count > steps - down {
+                let rate = (top - (acceleration * brake).floor()).max(slow);
+                brake += 1.0 / rate;
+                1.0 / rate
             } else {
                 1.0 / even
             };
             elapsed += interval;
-            made += 1.0;
+            count += 1.0;
         }
         elapsed
     }
@@ -101,16 +101,16 @@ impl WholeRates {
     /// Time where ramps begin at the rate of their acceleration.
     fn time_from_rest(&self, steps: f64) -> f64 {
         let Self { slow, even, acceleration, .. } = *self;
-        let whole = self.ramp().ceil();
+        let ramp_steps = self.ramp().ceil();
         // Where the even rate is not reached, half of the steps speed up.
-        let meets = 2.0 * whole > steps;
-        let up = if meets { (steps / 2.0).round() } else { whole };
-        let down = if meets { steps - up } else { whole };
-        let (mut ramp, mut rate, mut made) = (0.0, slow, 0.0);
-        while made < up {
+        let has_no_even_part = 2.0 * ramp_steps > steps;
+        let up = if has_no_even_part { (steps / 2.0).round() } else { ramp_steps };
+        let down = if has_no_even_part { steps - up } else { ramp_steps };
+        let (mut ramp, mut rate, mut count) = (0.0, slow, 0.0);
+        while count < up {
             rate = (slow + (acceleration * ramp).floor()).min(even);
             ramp += 1.0 / rate;
-            made += 1.0;
+            count += 1.0;
         }
         let mut elapsed = ramp;
         let flat = steps - up - down;
@@ -120,12 +120,12 @@ impl WholeRates {
         } else {
             ramp = 0.0;
         }
-        made = 0.0;
-        while made < down {
-            let now = (rate - (acceleration * ramp).floor()).max(slow);
-            ramp += 1.0 / now;
-            elapsed += 1.0 / now;
-            made += 1.0;
+        count = 0.0;
+        while count < down {
+            let next_rate = (rate - (acceleration * ramp).floor()).max(slow);
+            ramp += 1.0 / next_rate;
+            elapsed += 1.0 / next_rate;
+            count += 1.0;
         }
         elapsed
     }
@@ -150,10 +150,10 @@ mod tests {
         assert!((worst(98.0, 0.1) - 1.0 / 7.0).abs() < 1e-12);
         assert_eq!(rounded_up(&Motion::UNKNOWN, 0.1), None);
         // No direction is worse, and one comes near.
-        let reached =
+        let errors =
             (0..9000).map(|i| (f64::from(i) * 1e-2).to_radians().cos()).filter(|c| *c > 0.5_f64.sqrt());
-        let most = reached.map(|c| (80.0 * c).ceil() / (80.0 * c) - 1.0).fold(0.0, f64::max);
-        assert!(most <= worst(800.0, 0.1) && most > 0.99 * worst(800.0, 0.1), "{most}");
+        let worst_found = errors.map(|c| (80.0 * c).ceil() / (80.0 * c) - 1.0).fold(0.0, f64::max);
+        assert!(worst_found <= worst(800.0, 0.1) && worst_found > 0.99 * worst(800.0, 0.1), "{worst_found}");
     }
 
     fn rates(per_mm: f64, speed: f64, acceleration: f64, first: Option<f64>) -> WholeRates {
@@ -167,8 +167,8 @@ mod tests {
         let first = rates(80.0, 0.68, 3000.0, Some(120.0)).seconds(12.0);
         assert!((first - (1.0 / 120.0 + 11.0 / 55.0)).abs() < 1e-12, "{first}");
         // Later versions round 54.4 steps/s to the nearest for the ends of ramps, and up for the rest.
-        let later = rates(80.0, 0.68, 3000.0, None).seconds(12.0);
-        assert!((later - (2.0 / 54.0 + 10.0 / 55.0)).abs() < 1e-12, "{later}");
+        let rounded_ramp = rates(80.0, 0.68, 3000.0, None).seconds(12.0);
+        assert!((rounded_ramp - (2.0 / 54.0 + 10.0 / 55.0)).abs() < 1e-12, "{rounded_ramp}");
         // Faster than the first step there is a ramp of a step, and none down.
         let fast = rates(80.0, 1.7, 3000.0, Some(120.0)).seconds(12.0);
         assert!((fast - (2.0 / 120.0 + 10.0 / 136.0)).abs() < 1e-12, "{fast}");

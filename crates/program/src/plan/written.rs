@@ -11,10 +11,10 @@ pub(super) const STRAIGHT: f64 = 0.25;
 /// Whether a file of the tolerance `path` states `piece` as a straight move.
 pub fn is_straight(piece: &Segment, path: Length) -> bool {
     let Segment::Arc(arc) = piece else { return true };
-    let within = STRAIGHT * path.0;
+    let tolerance = STRAIGHT * path.0;
     // `1 - cos x <= x^2 / 2` decides most cases without a cosine.
     let at_most = arc.radius * arc.sweep * arc.sweep / 8.0;
-    at_most <= within || arc.radius * (1.0 - libm::cos(arc.sweep / 2.0)) <= within
+    at_most <= tolerance || arc.radius * (1.0 - libm::cos(arc.sweep / 2.0)) <= tolerance
 }
 
 /// The precision of moves in a file.
@@ -68,15 +68,15 @@ mod tests {
     #[test]
     fn ends_are_rounded_and_flat_arcs_are_straight() {
         let line: Segment = Line::new(Point::new(1.000_4, 0.0), Point::new(2.000_6, 0.0)).into();
-        let written = Written::new(&line, [0.0, 0.0], file(0.01));
-        assert_eq!((written.from, written.to), ([1.0, 0.0, 0.0], [2.001, 0.0, 0.0]));
-        assert!((written.length - 1.001).abs() < 1e-12);
+        let rounded = Written::new(&line, [0.0, 0.0], file(0.01));
+        assert_eq!((rounded.from, rounded.to), ([1.0, 0.0, 0.0], [2.001, 0.0, 0.0]));
+        assert!((rounded.length - 1.001).abs() < 1e-12);
         // 0.2 mm along a circle of 1 mm have a sagitta of 0.005 mm.
         let arc: Segment = Arc::new(Point::ORIGIN, 1.0, 0.0, 0.2).into();
         for (path, length) in [(0.01, 0.2), (0.1, 2.0 * 0.1_f64.sin())] {
             assert_eq!(is_straight(&arc, Length(path)), path > 0.05);
-            let written = Written::new(&arc, [0.0, 0.0], file(path));
-            assert!((written.length - length).abs() < 1e-3, "{path}: {}", written.length);
+            let rounded = Written::new(&arc, [0.0, 0.0], file(path));
+            assert!((rounded.length - length).abs() < 1e-3, "{path}: {}", rounded.length);
         }
         assert!(Written::new(&arc, [3.0, -1.0], file(0.001)).length > 4.0);
     }

@@ -32,14 +32,14 @@ pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
 
 /// Reads the length of a line: `verify` accepts no program with longer ones than the dialect has.
 fn read_line_length(root: &mut Section<'_, '_>, dialect: Dialect) -> usize {
-    let (found, most) = (root.count("line_length", 72, 255).unwrap_or(72), dialect.longest_line());
-    if found > most {
+    let (length, longest) = (root.count("line_length", 72, 255).unwrap_or(72), dialect.longest_line());
+    if length > longest {
         let name = dialect.name();
-        let found =
-            format!("`line_length` is {found}, but controllers of `{name}` read no longer lines than {most}");
-        root.refuse(FaultCode::Conflict, "line_length", found, format!("must be at most {most}"));
+        let message =
+            format!("`line_length` is {length}, but controllers of `{name}` read no longer lines than {longest}");
+        root.refuse(FaultCode::Conflict, "line_length", message, format!("must be at most {longest}"));
     }
-    found.min(most) as usize
+    length.min(longest) as usize
 }
 
 /// Dwells of exactly the programmed time.
@@ -48,9 +48,9 @@ const EXACT: Dwells = Dwells { unit: DwellUnit::Seconds, step: Duration(1e-3) };
 /// Reads `[dwell]` of a controller of the family `dialect`.
 pub(super) fn read_dwells(s: &mut Section<'_, '_>, dialect: Dialect) -> Dwells {
     let units = [("s", DwellUnit::Seconds), ("ms", DwellUnit::Milliseconds)];
-    let written = s.choice("unit", &units);
+    let written_unit = s.choice("unit", &units);
     Dwells {
-        unit: check_dwell_unit(s, dialect, written),
+        unit: check_dwell_unit(s, dialect, written_unit),
         step: s.quantity("step", Allowed::closed(1e-3, 1.0)).unwrap_or(EXACT.step),
     }
 }

@@ -37,7 +37,7 @@ pub(super) fn unless<T>(
     if s.take(key, ValueShape::Text).and_then(|value| value.as_text()) == Some(word) {
         return None;
     }
-    let found = read(s);
+    let value = read(s);
     s.or_word(key, word);
-    Some(found)
+    Some(value)
 }

@@ -60,15 +60,15 @@ pub(super) fn effect(line: &str, vocabulary: Vocabulary) -> Option<Effect> {
             _ => None,
         };
     }
-    let words = words(line)?;
+    let parts = words(line)?;
     let command = |(letter, number): &(u8, f64)| vocabulary.command(*letter, *number);
-    match (words.first().and_then(command)?, &words[1..]) {
-        (Command::Setting, parameters) => setting(words[0], parameters).map(Effect::Setting),
+    match (parts.first().and_then(command)?, &parts[1..]) {
+        (Command::Setting, parameters) => setting(parts[0], parameters).map(Effect::Setting),
         (Command::HeatOnly, [(b'S', 0.0)]) => Some(Effect::HeaterOff),
         (Command::Pause, []) => Some(Effect::Pause),
         (Command::End, []) => Some(Effect::End),
         _ => {
-            let modes: Vec<Command> = words.iter().map(command).collect::<Option<_>>()?;
+            let modes: Vec<Command> = parts.iter().map(command).collect::<Option<_>>()?;
             let groups = |i: usize| modes[..i].iter().any(|other| other.group() == modes[i].group());
             let right = modes.iter().all(|mode| is_mode(*mode)) && !(0..modes.len()).any(groups);
             right.then_some(Effect::Modes)
@@ -78,10 +78,10 @@ pub(super) fn effect(line: &str, vocabulary: Vocabulary) -> Option<Effect> {
 
 /// The lines of `part` that programs for `vocabulary` may carry, in words.
 pub(super) fn allowed(part: LinePart, vocabulary: Vocabulary) -> String {
-    let mut all: Vec<String> = Vec::new();
+    let mut names: Vec<String> = Vec::new();
     for (letter, number, command) in vocabulary.codes() {
         let code = format!("{letter}{number}");
-        all.extend(match (command, part) {
+        names.extend(match (command, part) {
             (Command::Pause, LinePart::Pause) | (Command::End, LinePart::End) => Some(code),
             (_, LinePart::Pause) => None,
             (Command::HeatOnly, _) => Some(format!("{code} S0")),
@@ -96,8 +96,8 @@ pub(super) fn allowed(part: LinePart, vocabulary: Vocabulary) -> String {
         .words
         .iter()
         .filter(|(_, command)| (*command == Command::Pause) == (part == LinePart::Pause));
-    all.extend(named.map(|(word, _)| (*word).to_owned()));
-    all.join(", ")
+    names.extend(named.map(|(word, _)| (*word).to_owned()));
+    names.join(", ")
 }
 
 /// Whether programs are written in this mode.
@@ -149,7 +149,7 @@ fn setting(code: (u8, f64), parameters: &[(u8, f64)]) -> Option<Limits> {
             let is = |(letter, speed): &(u8, f64)| b"ST".contains(letter) && *speed >= 0.0;
             let repeated = rest.iter().any(|(letter, _)| *letter == first.0);
             let right = parameters.iter().all(is) && !repeated;
-            right.then(|| lowest(parameters.iter().map(|(_, speed)| *speed).fold(0.0, f64::max)))
+            right.replaced_by(|| lowest(parameters.iter().map(|(_, speed)| *speed).fold(0.0, f64::max)))
         }
         _ => None,
     }
@@ -157,29 +157,29 @@ fn setting(code: (u8, f64), parameters: &[(u8, f64)]) -> Option<Limits> {
 
 /// A setting of Klipper: a word with `NAME=number` parameters.
 fn named_setting<'a>(word: &str, parameters: impl Iterator<Item = &'a str>) -> Option<Limits> {
-    let mut given: Vec<(&str, f64)> = Vec::new();
+    let mut settings: Vec<(&str, f64)> = Vec::new();
     for parameter in parameters {
         let (name, value) = parameter.split_once('=')?;
         let value =
             number(value).filter(|value| *value > 0.0 || OTHER_LIMITS.contains(&name) && *value >= 0.0)?;
-        if given.iter().any(|(other, _)| *other == name) {
+        if settings.iter().any(|(other, _)| *other == name) {
             return None;
         }
-        given.push((name, value));
+        settings.push((name, value));
     }
-    let value = |name: &str| given.iter().find(|(other, _)| *other == name).map(|(_, value)| *value);
-    match (word, given.as_slice()) {
+    let value = |name: &str| settings.iter().find(|(other, _)| *other == name).map(|(_, value)| *value);
+    match (word, settings.as_slice()) {
         ("SET_IDLE_TIMEOUT", [("TIMEOUT", seconds)]) => {
             Some(Limits { idle_timeout: Some(Duration(*seconds)), ..Limits::default() })
         }
         ("SET_VELOCITY_LIMIT", [_, ..]) => {
-            let known = |name: &str| ["VELOCITY", "ACCEL"].contains(&name) || OTHER_LIMITS.contains(&name);
+            let is_setting = |name: &str| ["VELOCITY", "ACCEL"].contains(&name) || OTHER_LIMITS.contains(&name);
             let limits = Limits {
                 top_speed: value("VELOCITY").map(Speed),
                 acceleration: value("ACCEL").map(Acceleration),
                 ..Limits::default()
             };
-            given.iter().all(|(name, _)| known(name)).then_some(limits)
+            settings.iter().all(|(name, _)| is_setting(name)).then_some(limits)
         }
         _ => None,
     }
@@ -190,8 +190,8 @@ mod tests {
     use super::*;
     use crate::machine::Dialect;
 
-    fn of(dialect: Dialect, line: &str) -> Option<Effect> {
-        effect(line, Vocabulary::of(dialect))
+    fn effect_of(dialect: Dialect, line: &str) -> Option<Effect> {
+        effect(line, Vocabulary::effect_of(dialect))
     }
 
     #[test]
@@ -203,31 +203,31 @@ mod tests {
             (Dialect::Grbl, "G91.1"),
             (Dialect::LinuxCnc, "G61"),
         ] {
-            assert_eq!(of(dialect, line), Some(Effect::Modes), "{line}");
+            assert_eq!(effect_of(dialect, line), Some(Effect::Modes), "{line}");
         }
-        let setting = |dialect, line| match of(dialect, line) {
+        let setting = |dialect, line| match effect_of(dialect, line) {
             Some(Effect::Setting(set)) => set,
             other => panic!("{line}: {other:?}"),
         };
-        let none = Limits::default();
-        assert_eq!(setting(Dialect::RepRapFirmware, "T0"), none);
+        let no_limits = Limits::default();
+        assert_eq!(setting(Dialect::RepRapFirmware, "T0"), no_limits);
         for (dialect, line, speed) in
             [(Dialect::RepRapFirmware, "M203 I6", 0.1), (Dialect::Marlin, "M205 S0 T2", 2.0)]
         {
-            assert_eq!(setting(dialect, line), Limits { lowest_speed: Some(Speed(speed)), ..none });
+            assert_eq!(setting(dialect, line), Limits { lowest_speed: Some(Speed(speed)), ..no_limits });
         }
         assert_eq!(
             setting(Dialect::Klipper, "SET_IDLE_TIMEOUT TIMEOUT=86400"),
-            Limits { idle_timeout: Some(Duration(86400.0)), ..none }
+            Limits { idle_timeout: Some(Duration(86400.0)), ..no_limits }
         );
         assert_eq!(
             setting(Dialect::Klipper, "SET_VELOCITY_LIMIT ACCEL=500 VELOCITY=50"),
-            Limits { top_speed: Some(Speed(50.0)), acceleration: Some(Acceleration(500.0)), ..none }
+            Limits { top_speed: Some(Speed(50.0)), acceleration: Some(Acceleration(500.0)), ..no_limits }
         );
-        assert_eq!(of(Dialect::Marlin, "M104 S0"), Some(Effect::HeaterOff));
-        assert_eq!(of(Dialect::Marlin, "M84"), Some(Effect::End));
-        assert_eq!(of(Dialect::Klipper, "PAUSE"), Some(Effect::Pause));
-        assert_eq!(of(Dialect::RepRapFirmware, "M226"), Some(Effect::Pause));
+        assert_eq!(effect_of(Dialect::Marlin, "M104 S0"), Some(Effect::HeaterOff));
+        assert_eq!(effect_of(Dialect::Marlin, "M84"), Some(Effect::End));
+        assert_eq!(effect_of(Dialect::Klipper, "PAUSE"), Some(Effect::Pause));
+        assert_eq!(effect_of(Dialect::RepRapFirmware, "M226"), Some(Effect::Pause));
     }
 
     #[test]
@@ -273,21 +273,21 @@ mod tests {
                 "G",
                 "G--5",
             ] {
-                assert_eq!(of(dialect, line), None, "{dialect:?}: {line}");
+                assert_eq!(effect_of(dialect, line), None, "{dialect:?}: {line}");
             }
         }
     }
 
     #[test]
     fn the_allowed_lines_are_named() {
-        let vocabulary = Vocabulary::of(Dialect::Klipper);
+        let vocabulary = Vocabulary::effect_of(Dialect::Klipper);
         assert_eq!(
             allowed(LinePart::Start, vocabulary),
             "G21, G90, M104 S0, SET_IDLE_TIMEOUT, SET_VELOCITY_LIMIT"
         );
         assert_eq!(allowed(LinePart::Pause, vocabulary), "PAUSE");
         assert_eq!(
-            allowed(LinePart::End, Vocabulary::of(Dialect::Grbl)),
+            allowed(LinePart::End, Vocabulary::effect_of(Dialect::Grbl)),
             "G17, G21, G61, G90, G91.1, G94, M2, M30"
         );
     }

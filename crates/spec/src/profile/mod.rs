@@ -49,7 +49,7 @@ pub(crate) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let name = root.name().unwrap_or_default();
     let description = root.checked_text("description", FaultCode::Name, |text| {
         let is_wrong = text.chars().any(misleads) || text.chars().count() > DESCRIPTION_LENGTH;
-        is_wrong.then(|| format!("must be one line of at most {DESCRIPTION_LENGTH} characters"))
+        is_wrong.replaced_by(|| format!("must be one line of at most {DESCRIPTION_LENGTH} characters"))
     });
     let description = description.unwrap_or_default();
     let mut controller = read_controller(&mut root);
@@ -74,8 +74,8 @@ impl Machine {
         // A profile of our own that does not read is a fault of this program; a test reads each of them.
         let machine = text.and_then(|text| read_machine(&Source::new(name, text)).ok());
         machine.ok_or_else(|| {
-            let known: Vec<&str> = builtin_machines().collect();
-            format!("no machine {name:?} comes with the program; there are {}", known.join(", "))
+            let names: Vec<&str> = builtin_machines().collect();
+            format!("no machine {name:?} comes with the program; there are {}", names.join(", "))
         })
     }
 }
@@ -159,9 +159,9 @@ mod tests {
     #[test]
     fn a_work_area_is_known_whole_or_not_at_all() {
         let text = builtin_machine("generic").expect("built in");
-        let known =
+        let filled_in =
             text.replace("x = \"unknown\"", "x = \"60 cm\"").replace("y = \"unknown\"", "y = \"400 mm\"");
-        let machine = read_machine(&Source::new("known", known)).expect("valid");
+        let machine = read_machine(&Source::new("known", filled_in)).expect("valid");
         assert_eq!(machine.bench.work_area, Some((Length(600.0), Length(400.0))));
         assert_eq!(codes("x = \"unknown\"", "x = \"60 cm\""), ["conflict"]);
         assert_eq!(codes("x = \"unknown\"", "x = 600"), ["conflict", "no-unit"]);

@@ -29,9 +29,9 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         [Some(x), Some(y), Some(z)] => Some([x, y, z]),
         [None, None, None] => None,
         _ => {
-            let found = "[motion] has the steps of some axes only";
+            let message = "[motion] has the steps of some axes only";
             let allowed = "must set `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them";
-            s.report(Fault::error(FaultCode::Conflict, s.place(), found).label(allowed));
+            s.report(Fault::error(FaultCode::Conflict, s.place(), message).label(allowed));
             None
         }
     };

@@ -57,9 +57,9 @@ fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights
         if let (Some(low), Some(high)) = (low, high)
             && high <= low
         {
-            let (found, allowed) =
+            let (message, allowed) =
                 (format!("`{high_key}` is {high}"), format!("must be above `{low_key}`, {low}"));
-            s.refuse(FaultCode::OutOfRange, high_key, found, allowed);
+            s.refuse(FaultCode::OutOfRange, high_key, message, allowed);
         }
     }
     Heights {

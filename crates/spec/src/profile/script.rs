@@ -52,7 +52,7 @@ fn read_commands(
                 if let Some(fault) = contradiction(key, &line, span, set, stated) {
                     s.report(fault);
                 }
-                *limits = limits.then(set);
+                *limits = limits.replaced_by(set);
             }
             Some(Effect::End) if Some(i) != last => {
                 let message = format!("a line of `{key}` is {}", quoted(&line));
@@ -84,12 +84,12 @@ fn read_command(
     controller: &Controller,
 ) -> (String, Option<Effect>) {
     let (key, vocabulary) = (part.key(), Vocabulary::for_controller(controller));
-    let found = effect(line, vocabulary).filter(|effect| match effect {
+    let line_effect = effect(line, vocabulary).filter(|effect| match effect {
         Effect::Modes | Effect::Setting(_) | Effect::HeaterOff => part != LinePart::Pause,
         Effect::Pause => part == LinePart::Pause,
         Effect::End => part == LinePart::End,
     });
-    if is_plain(line) && !line.trim().is_empty() && found.is_none() {
+    if is_plain(line) && !line.trim().is_empty() && line_effect.is_none() {
         let message = format!("a line of `{key}` is {}", quoted(line));
         let may = format!(
             "must be one of {}: `verify` knows what these do, and proves every line of a program",
@@ -102,7 +102,7 @@ fn read_command(
         };
         s.report(Fault::error(FaultCode::ProgramLine, span.clone(), message).label(may).help(remedy));
     }
-    (read_line(s, key, line, span, controller.line_length), found)
+    (read_line(s, key, line, span, controller.line_length), line_effect)
 }
 
 /// Limits that a line of a program sets for the moves that follow; `None` if it sets none, or is not allowed in a profile.

@@ -25,7 +25,7 @@ impl Notes {
     /// Reads `text`: sections below the words about them, keys before or below theirs.
     pub(super) fn of(text: &str) -> Self {
         let mut notes = Self { keys: BTreeMap::new(), sections: BTreeMap::new() };
-        let (mut section, mut above) = (String::new(), Vec::new());
+        let (mut section, mut words_above) = (String::new(), Vec::new());
         for line in text.lines() {
             let (is_default, bare) = match line.strip_prefix("## ") {
                 Some(bare) => (false, bare),
@@ -36,20 +36,20 @@ impl Notes {
             let code = if bare.starts_with(' ') { "" } else { code };
             if let Some(name) = code.trim().strip_prefix('[').map(|name| name.trim_matches(['[', ']'])) {
                 name.clone_into(&mut section);
-                above.push(words);
-                let about = above.join(" ").trim().to_owned();
-                let _ = notes.sections.insert(section.clone(), about);
+                words_above.push(words);
+                let section_words = words_above.join(" ").trim().to_owned();
+                let _ = notes.sections.insert(section.clone(), section_words);
             } else if let Some((key, value)) =
                 code.split_once(" = ").and_then(|(key, value)| Some((key, json_of(value)?)))
             {
-                let meaning = if words.is_empty() { above.join(" ") } else { words.to_owned() };
+                let meaning = if words.is_empty() { words_above.join(" ") } else { words.to_owned() };
                 let note = Note { meaning: meaning.trim_end_matches('.').to_owned(), value, is_default };
                 let _ = notes.keys.entry((section.clone(), key.to_owned())).or_insert(note);
             } else if line.starts_with("# ") {
-                above.push(bare);
+                words_above.push(bare);
                 continue;
             }
-            above.clear();
+            words_above.clear();
         }
         notes
     }

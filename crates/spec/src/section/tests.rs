@@ -5,9 +5,9 @@ use crate::allowed::SIZE;
 fn bed(text: &str) -> Result<[f64; 2], (&'static str, String)> {
     let (raw, _) = RawSpec::parse(&format!("[mask]\nbed = \"{text}\"\n"));
     let mut reader = Reader::new(&raw);
-    let found = reader.section("mask").area("bed", SIZE);
+    let area = reader.section("mask").area("bed", SIZE);
     let fault = reader.faults.first().map(|fault| (fault.code, fault.message.clone()));
-    found.map(|both| both.map(|length| length.0)).ok_or_else(|| fault.expect("a fault"))
+    area.map(|both| both.map(|length| length.0)).ok_or_else(|| fault.expect("a fault"))
 }
 
 #[test]

@@ -32,7 +32,7 @@ impl<'r> Section<'_, 'r> {
     /// A path, or a name that a file may have; a wrong one is a fault of `code` with the words `allowed`.
     pub(crate) fn path(&mut self, key: &'static str, code: FaultCode, allowed: &str) -> Option<String> {
         let is_wrong = |path: &str| path.trim().is_empty() || path.chars().any(misleads);
-        self.checked_text(key, code, |path| is_wrong(path).then(|| allowed.to_owned()))
+        self.checked_text(key, code, |path| is_wrong(path).replaced_by(|| allowed.to_owned()))
     }
 
     /// The key `name`, by the rules of [`check_name`].
@@ -71,7 +71,7 @@ impl<'r> Section<'_, 'r> {
     pub(crate) fn choice<T: Copy>(&mut self, key: &'static str, choices: &[(&'static str, T)]) -> Option<T> {
         let shape = ValueShape::Choice(choices.iter().map(|(name, _)| *name).collect());
         let (word, span) = self.word(key, shape)?;
-        self.chosen(key, (word, span), choices)
+        self.choice_of(key, (word, span), choices)
     }
 
     /// Some of `choices`, words in quotes in a list, without duplicates; `None` if the key is absent or one of its words is not a
@@ -82,33 +82,33 @@ impl<'r> Section<'_, 'r> {
         choices: &[(&'static str, T)],
     ) -> Option<Vec<T>> {
         let shape = ValueShape::Choices(choices.iter().map(|(name, _)| *name).collect());
-        let mut all = Vec::new();
+        let mut values = Vec::new();
         for word in self.listed(key, shape)? {
-            let found = self.chosen(key, word, choices)?;
-            if !all.contains(&found) {
-                all.push(found);
+            let value = self.choice_of(key, word, choices)?;
+            if !values.contains(&value) {
+                values.push(value);
             }
         }
-        Some(all)
+        Some(values)
     }
 
     /// The one of `choices` that `word` names; reports a word that is not a choice.
-    fn chosen<T: Copy>(
+    fn choice_of<T: Copy>(
         &mut self,
         key: &'static str,
         (word, span): (&str, Range<usize>),
         choices: &[(&'static str, T)],
     ) -> Option<T> {
-        if let Some((_, found)) = choices.iter().find(|(name, _)| *name == word) {
-            return Some(*found);
+        if let Some((_, value)) = choices.iter().find(|(name, _)| *name == word) {
+            return Some(*value);
         }
         let list = choices.iter().map(|(name, _)| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
         let mut fault =
             Fault::error(FaultCode::UnknownChoice, span, format!("`{key}` is {}", quoted(word))).label(
                 if choices.len() == 1 { format!("must be {list}") } else { format!("must be one of {list}") },
             );
-        if let Some(near) = unknown::nearest(word, choices.iter().map(|(name, _)| *name)) {
-            fault = fault.help(format!("did you mean \"{near}\"?"));
+        if let Some(suggestion) = unknown::nearest(word, choices.iter().map(|(name, _)| *name)) {
+            fault = fault.help(format!("did you mean \"{suggestion}\"?"));
         }
         self.report(fault);
         None
