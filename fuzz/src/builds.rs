@@ -37,7 +37,7 @@ pub(super) fn built(spec_text: &str, name: &str, kinds: &[Kind]) -> Built {
     let spec_text = format!("{spec_text}{section}profile = \"{name}\"\n");
     let sources = Sources { spec: &spec_text, machine: spec::builtin_machine(name).expect("built in") };
     let spec = spec::read(&Source::new("spec.toml", spec_text.as_str())).expect("valid").spec;
-    build(&spec, &machine, sources, &KindRequest::only(kinds)).expect("a gripper")
+    build(&spec, &machine, sources, &KindRequest::exactly(kinds)).expect("a gripper")
 }
 
 /// Directories that hold the programs of every dialect, chopped ones too, then the drawings, then the printed parts, then all.

@@ -17,7 +17,7 @@ pub(super) fn spec(bytes: &[u8]) {
         Err(faults) => return shown::faults(&faults),
     };
     let Some(star) = reading.spec.stars.first() else { return };
-    match with_star(&source, &StarEdit::of(star)) {
+    match with_star(&source, &StarEdit::new(star)) {
         Ok(text) => {
             let again = spec::read(&Source::new("again", text)).expect("read back");
             assert_eq!(again.spec, reading.spec);

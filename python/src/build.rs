@@ -164,7 +164,7 @@ impl Build {
         anyway: bool,
         version: &str,
     ) -> PyResult<Self> {
-        let own = Tool::this().version;
+        let own = Tool::current().version;
         if version != own {
             let text =
                 format!("a build of version {version} was pickled, this is version {own}: build it again");
@@ -177,7 +177,7 @@ impl Build {
         let Self { given, request, anyway, .. } = slf.get();
         let names = |kinds: &[Kind]| kinds.iter().map(|kind| kind.name()).collect::<Vec<_>>();
         let spec = Spec { given: Arc::clone(given) };
-        let kept = (spec, names(&request.only), names(&request.with), *anyway, Tool::this().version);
+        let kept = (spec, names(&request.only), names(&request.with), *anyway, Tool::current().version);
         Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(slf.py())?))
     }
 

@@ -87,7 +87,7 @@ impl Design {
     fn _repr_svg_(&self) -> Option<String> {
         let Loaded { reading, machine, .. } = self.given.as_ref();
         let forecast = Forecast::of(reading.spec.clone(), machine.clone()).ok()?;
-        let built = forecast.build(self.given.sources(), &KindRequest::only(&[Kind::PreviewSvg]));
+        let built = forecast.build(self.given.sources(), &KindRequest::exactly(&[Kind::PreviewSvg]));
         let preview = built.artifacts.into_iter().find(|file| file.output.kind == Kind::PreviewSvg)?;
         String::from_utf8(preview.bytes).ok()
     }

@@ -85,6 +85,6 @@ mod _native {
         super::answer::add_properties::<DrawnPrediction>(module.py())?;
         super::answer::add_properties::<Chamber>(module.py())?;
         super::answer::add_properties::<ActuatorPrediction>(module.py())?;
-        module.add("__version__", stargrip_cam::manifest::Tool::this().version)
+        module.add("__version__", stargrip_cam::manifest::Tool::current().version)
     }
 }

@@ -17,13 +17,13 @@ use spec::units::{Force, Length, Mass, Most, Pressure, Stated, counted, factor, 
 use spec::{Allowed, FeedFloor, Machine, ObjectShape, Source, Spec};
 
 /// Masses of objects, kg.
-pub const MASSES: Allowed = Allowed::above(0.0, 1e4);
+pub const MASSES: Allowed = Allowed::half_open(0.0, 1e4);
 /// Pressures of pumps, kPa.
 pub const PRESSURES: Allowed = Allowed::closed(1e-3, 1e6);
 /// Friction between corners and object.
-pub const FRICTIONS: Allowed = Allowed::above(0.0, 10.0);
+pub const FRICTIONS: Allowed = Allowed::half_open(0.0, 10.0);
 /// Radial forces of one star on the object, N.
-pub const FORCES: Allowed = Allowed::above(0.0, 1e6);
+pub const FORCES: Allowed = Allowed::half_open(0.0, 1e6);
 
 /// Inner radius of curvature of tips and corners: at 2 mm the load on the seal is about two fifths of the load at sharp ones.
 const ROUND: Length = Length(2.0);
@@ -52,7 +52,7 @@ pub fn sheet(text: &str) -> Result<[Length; 2], String> {
     let (width, height) = text.split_once(['x', 'X', '\u{d7}']).ok_or_else(fault)?;
     let side = |text: &str| {
         let text = text.trim().trim_end_matches("mm").trim();
-        text.parse().ok().filter(|mm| SIZE.holds(*mm)).map(Length).ok_or_else(fault)
+        text.parse().ok().filter(|mm| SIZE.contains(*mm)).map(Length).ok_or_else(fault)
     };
     Ok([side(width)?, side(height)?])
 }
@@ -298,7 +298,7 @@ impl Request {
                     })
                 });
                 let width = self.object.quantity;
-                let unit = (!USUAL_SIZES.holds(width.0))
+                let unit = (!USUAL_SIZES.contains(width.0))
                     .then(|| format!("an object {} across: is the unit right (mm, cm, m, in)?", self.object));
                 NoGripper::Infeasible(unit.into_iter().chain(reasons).collect(), near.collect())
             })?;

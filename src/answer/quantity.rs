@@ -12,9 +12,9 @@ pub const EXTRA: Allowed = Allowed::closed(0.0, 1e5);
 pub fn number(allowed: Allowed) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
     move |text| {
         let found = text.trim().parse::<f64>().ok();
-        found.filter(|number| allowed.holds(*number)).ok_or_else(|| {
+        found.filter(|number| allowed.contains(*number)).ok_or_else(|| {
             let otherwise = format!("{} {}", remedy(text, "it is a number and"), allowed.in_words(""));
-            match percent(text).filter(|ratio| allowed.holds(*ratio)) {
+            match percent(text).filter(|ratio| allowed.contains(*ratio)) {
                 Some(ratio) => format!("not a percentage: write {}; {otherwise}", Readable(ratio)),
                 None => otherwise,
             }
@@ -42,7 +42,7 @@ pub fn stated<Q: Quantity>(
 
 fn within<Q: Quantity>(allowed: Allowed, found: Q) -> Result<Q, String> {
     let wrong = || format!("the {} {}", Q::KIND.name, allowed.in_words(Q::KIND.unit()));
-    Some(found).filter(|found| allowed.holds(found.base())).ok_or_else(wrong)
+    Some(found).filter(|found| allowed.contains(found.base())).ok_or_else(wrong)
 }
 
 /// Reads a quantity with its unit, "1.2 kg", or a bare number of its base unit, which older commands take; the base unit's number.
@@ -118,7 +118,7 @@ mod tests {
 
     #[test]
     fn numbers_are_finite_and_in_their_range() {
-        let ratio = number(Allowed::above(0.0, 1e3));
+        let ratio = number(Allowed::half_open(0.0, 1e3));
         assert_eq!(ratio(" 1.5"), Ok(1.5));
         for text in ["nan", "NaN", "inf", "-inf", "infinity", "1e999", "0", "-1", "1e4", "", "x", "1.5 kg"] {
             let why = ratio(text).expect_err(text);
@@ -163,7 +163,7 @@ mod tests {
 
     #[test]
     fn a_bare_number_is_one_of_the_base_unit() {
-        let mass = quantity_or_number::<Mass>(Allowed::above(0.0, 1e6));
+        let mass = quantity_or_number::<Mass>(Allowed::half_open(0.0, 1e6));
         assert_eq!([mass("1.2"), mass("1.2 kg"), mass("1200 g")], [Ok(1.2), Ok(1.2), Ok(1.2)]);
         assert_eq!(mass("1.2 N"), Err("write the mass as a number and one of kg, g, lb, oz".to_owned()));
         assert_eq!(mass("-1"), Err("the mass must be more than 0 kg and at most 1000000 kg".to_owned()));
@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn ranges_rise() {
-        let angles = range::<Angle>(Allowed::between(0.0, 180.0));
+        let angles = range::<Angle>(Allowed::open(0.0, 180.0));
         assert_eq!(angles("10 deg..1 rad").map(|(from, to)| from.0 < to.0), Ok(true));
         assert_eq!(angles("30 deg"), Ok((Angle(30.0), Angle(30.0))));
         assert_eq!(

@@ -17,7 +17,7 @@ use spec::units::{Angle, Length, Pressure};
 use spec::{Allowed, ModelChoice};
 
 /// Angles between arms.
-const BETWEEN: Allowed = Allowed::between(0.0, 180.0);
+const BETWEEN: Allowed = Allowed::open(0.0, 180.0);
 /// Most angles of one curve.
 const MOST_ANGLES: u32 = 10_000;
 
@@ -37,7 +37,7 @@ pub(super) struct Args {
     #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Angle>(BETWEEN))]
     angle: Angle,
     /// Gauge pressure.
-    #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Pressure>(Allowed::above(0.0, 1e5)))]
+    #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Pressure>(Allowed::half_open(0.0, 1e5)))]
     pressure: Pressure,
     /// Thickness of the fabric.
     #[arg(long, default_value = "0.3 mm", allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE))]
@@ -46,7 +46,7 @@ pub(super) struct Args {
     #[arg(long, default_value = "128 MPa", allow_hyphen_values = true, value_parser = quantity::<Pressure>(Allowed::closed(1e-3, 1e9)))]
     young_modulus: Pressure,
     /// Poisson ratio of the fabric.
-    #[arg(long, default_value_t = 0.39, allow_hyphen_values = true, value_parser = number(Allowed::above(-1.0, 0.5)))]
+    #[arg(long, default_value_t = 0.39, allow_hyphen_values = true, value_parser = number(Allowed::half_open(-1.0, 0.5)))]
     poisson_ratio: f64,
     /// The model to use; auto is section.
     #[arg(long, value_name = "MODEL", default_value = "auto", value_parser = words(&ModelChoice::ALL, &MODELS))]

@@ -183,7 +183,7 @@ fn answered(args: &Args, made: &PublishedOutput) -> Result<Option<Value>, Failur
 /// Reports the kinds that are kept or left out.
 fn request(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity) -> KindRequest {
     let mut request = args.kinds.request().of_spec(&forecast.spec);
-    let before: Vec<Kind> = extras_of(target).into_iter().filter(|kind| !request.takes(*kind)).collect();
+    let before: Vec<Kind> = extras_of(target).into_iter().filter(|kind| !request.includes(*kind)).collect();
     if before.is_empty() {
         return request;
     }

@@ -33,7 +33,7 @@ pub(super) struct Args {
     #[arg(required_unless_present_any = ["inflated_angle", "disc_width", "bias_strip"])]
     results: Option<PathBuf>,
     /// Required strength of the seal, such as "1.2 N/mm".
-    #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity::<LineForce>(Allowed::above(0.0, 1e4)), conflicts_with = "spec", requires = "results")]
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity::<LineForce>(Allowed::half_open(0.0, 1e4)), conflicts_with = "spec", requires = "results")]
     needed: Option<LineForce>,
     /// The spec whose seal must hold: the largest load on it at the pressure of its `load` section.
     /// For a drawing the shell is computed: seconds to minutes.

@@ -89,7 +89,8 @@ mod tests {
 
     #[test]
     fn findings_of_one_kind_are_counted_after_the_first_few() {
-        let finding = |line: usize, code: FindingCode| Finding::at(code, line, "x", "y").in_file("a.gcode");
+        let finding =
+            |line: usize, code: FindingCode| Finding::in_line(code, line, "x", "y").in_file("a.gcode");
         let mut findings: Vec<Finding> =
             (1..90).map(|line| finding(line, FindingCode::OutsideWorkArea)).collect();
         findings.push(finding(7, FindingCode::WrongFeed));
@@ -106,7 +107,7 @@ mod unproven_tests {
     use proof::verify::FindingCode;
 
     fn unproven(profile: &str, file: &str) -> Unproven {
-        let finding = Finding::at(FindingCode::WrongFeed, 7, "F5", "F6").in_file(file);
+        let finding = Finding::in_line(FindingCode::WrongFeed, 7, "F5", "F6").in_file(file);
         Unproven { findings: vec![finding], spec: "star.toml".to_owned(), profile: profile.to_owned() }
     }
 

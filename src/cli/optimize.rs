@@ -32,7 +32,7 @@ pub(super) struct Args {
     #[arg(long, default_value = "3..12", value_parser = |text: &str| whole(text, "points", [3, 64]))]
     points: (u32, u32),
     /// Tip angles; default: 10 to 90 deg.
-    #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Angle>(Allowed::between(0.0, 180.0)))]
+    #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Angle>(Allowed::open(0.0, 180.0)))]
     tip_angle: Option<(Angle, Angle)>,
     /// Tube widths; default: half to one and a half times the spec's.
     #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Length>(SIZE))]
@@ -56,13 +56,13 @@ pub(super) struct Args {
     #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Length>(SIZE))]
     grasp: Option<(Length, Length)>,
     /// Payload of the stack, such as "1.2 kg", with the pressure, object and friction of `[load]`.
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true, value_parser = quantity_or_number::<Mass>(Allowed::above(0.0, 1e6)))]
+    #[arg(long, value_name = "MASS", allow_hyphen_values = true, value_parser = quantity_or_number::<Mass>(Allowed::half_open(0.0, 1e6)))]
     payload: Option<f64>,
     /// Largest radial force of one star, such as "20 N"; default: the `[load]`'s largest_force.
-    #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity_or_number::<Force>(Allowed::above(0.0, 1e6)))]
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity_or_number::<Force>(Allowed::half_open(0.0, 1e6)))]
     largest_force: Option<f64>,
     /// Least burst pressure over pressure; default: 1.5 if the seal's strength is given, as for `new`.
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, value_parser = number(Allowed::half_open(0.0, 1e3)))]
     burst_margin: Option<f64>,
     #[command(flatten)]
     verbosity: Verbosity,
@@ -101,7 +101,7 @@ pub(super) fn answer(
     let base = Candidate::of(read).ok_or_else(|| Failure::message("the spec has no star"))?;
     // A text that cannot take a star is refused before the search.
     if let Some(star) = read.stars.first() {
-        let _ = with_star(&loaded.source, &StarEdit::of(star))?;
+        let _ = with_star(&loaded.source, &StarEdit::new(star))?;
     }
     let (goal, constraints) = wanted(args, loaded, &base)?;
     let table = RingTable::new().map_err(Failure::message)?;

@@ -194,7 +194,7 @@ fn in_memory_json(proven: &Proven) -> Value {
 /// The kinds that were not made because they were not requested.
 fn left_out(proven: &Proven) -> Vec<Kind> {
     let asked = proven.built().manifest.request();
-    Kind::ALL.iter().copied().filter(|kind| !asked.takes(*kind)).collect()
+    Kind::ALL.iter().copied().filter(|kind| !asked.includes(*kind)).collect()
 }
 
 /// The file name of the page that shows most of the gripper.

@@ -40,7 +40,7 @@ pub(super) struct Args {
     model: Option<ModelChoice>,
     /// The cheapest model with an error of at most this, such as "2 %": the table of section, then coarse, medium and fine shells. It needs a
     /// pressure.
-    #[arg(long, value_name = "ERROR", allow_hyphen_values = true, value_parser = quantity::<Percent>(Allowed::above(0.0, 100.0)), conflicts_with_all = ["model", "fineness", "vtu"])]
+    #[arg(long, value_name = "ERROR", allow_hyphen_values = true, value_parser = quantity::<Percent>(Allowed::half_open(0.0, 100.0)), conflicts_with_all = ["model", "fineness", "vtu"])]
     accuracy: Option<Percent>,
     /// Also the force on round objects of these radii, at most 7: "20 mm..40 mm/5".
     #[arg(long, value_name = "FROM..TO/COUNT", allow_hyphen_values = true, value_parser = radii)]

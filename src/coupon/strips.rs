@@ -10,7 +10,7 @@ use spec::units::{Length, Quantity, Speed, Temperature};
 use spec::{Allowed, CONTACT, Machine, SEAL_SPEEDS, Spec, TOXIC};
 
 /// Temperatures of strips, C: no coating melts in a hot room, and from the upper end on the release layer is toxic.
-pub const TEMPERATURES: Allowed = Allowed::between(40.0, TOXIC.0);
+pub const TEMPERATURES: Allowed = Allowed::open(40.0, TOXIC.0);
 /// Width of a specimen of the T-peel test, mm (ASTM F88).
 pub(super) const WIDTH: f64 = 25.0;
 /// Length of its legs, mm.
@@ -109,7 +109,7 @@ impl StripGrid {
 
 /// The first of `values` that is not `allowed`, as text with the allowed ones.
 fn outside<Q: Quantity>(word: &str, values: &[Q], allowed: Allowed) -> Option<String> {
-    let wrong = values.iter().find(|value| !allowed.holds(value.base()))?;
+    let wrong = values.iter().find(|value| !allowed.contains(value.base()))?;
     Some(format!("a {word} of {wrong}; it {}", allowed.in_words(Q::KIND.unit())))
 }
 

@@ -233,7 +233,7 @@ impl<'a> Table<'a> {
                 continue;
             }
             match cell.parse::<f64>() {
-                Ok(number) if column.allowed.holds(number) => *value = Some(number),
+                Ok(number) if column.allowed.contains(number) => *value = Some(number),
                 _ => {
                     let place = self.cell(line, place);
                     self.faults.push(bad_number(column, cell, place));

@@ -33,7 +33,7 @@ pub fn manifest_of(
     let mass = parts().map(|part| part.mass(&spec.fabric).map(thousandths));
     let at_pressure = prediction.filter(|prediction| prediction.first.bendability.is_some());
     Manifest {
-        tool: Tool::this(),
+        tool: Tool::current(),
         name: spec.name.clone(),
         files: Vec::new(),
         posts: assembly.map_or_else(Vec::new, bill::posts),

@@ -57,7 +57,7 @@ impl MadeCoupons {
         });
         leaks.collect::<Refusals>().or(())?;
         let file = |name: String, kind: Kind, text: &str| Artifact {
-            output: Output::of(kind),
+            output: Output::new(kind),
             name,
             bytes: text.as_bytes().to_vec(),
         };
@@ -98,7 +98,7 @@ impl MadeCoupons {
     /// Reads every program among `files`, whose manifest is `written`, and compares all files with these.
     fn proof(&self, written: &CouponManifest, files: &OutputFiles<'_>) -> Proof {
         let mut proof = Proof::default();
-        if written.tool != Tool::this() {
+        if written.tool != Tool::current() {
             proof.written_by = Some(written.tool.version.clone());
         }
         for file in &self.files {
@@ -239,7 +239,7 @@ fn manifest(
 ) -> CouponManifest {
     let only = CouponGroup::NAMES.iter().filter(|(_, group)| groups.contains(group));
     CouponManifest {
-        tool: Tool::this(),
+        tool: Tool::current(),
         name: spec.name.clone(),
         coupons: CouponChoice {
             temperatures: grid.temperatures.iter().map(|t| t.0).collect(),
@@ -248,7 +248,7 @@ fn manifest(
             repeats: grid.repeats,
             only: only.map(|(name, _)| (*name).to_owned()).collect(),
         },
-        files: files.iter().map(ManifestFile::of).collect(),
+        files: files.iter().map(ManifestFile::new).collect(),
         pieces: coupons.iter().map(|coupon| coupon_piece(&coupon.name, &coupon.program)).collect(),
     }
 }

@@ -49,13 +49,13 @@ pub fn feed_check(
         return Err(FeedCheckFault::Wrong(findings));
     }
     let bytes = text.as_bytes().to_vec();
-    let program = Artifact { output: Output::of(Kind::TraceGcode), name: name.to_owned(), bytes };
+    let program = Artifact { output: Output::new(Kind::TraceGcode), name: name.to_owned(), bytes };
     let manifest = FeedCheckManifest {
-        tool: Tool::this(),
+        tool: Tool::current(),
         name: spec.name.clone(),
         spec: sources.spec.to_owned(),
         machine: sources.machine.to_owned(),
-        files: vec![ManifestFile::of(&program)],
+        files: vec![ManifestFile::new(&program)],
     };
     Ok(ProvenFeedCheck { text, manifest })
 }
@@ -78,7 +78,7 @@ pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) 
     if !manifest.files.iter().any(|entry| entry.sha256 == sha256) {
         findings.add(FindingCode::Hash, sha256.clone(), "the hash in the manifest");
     }
-    let other = (manifest.tool != Tool::this()).then(|| manifest.tool.version.clone());
+    let other = (manifest.tool != Tool::current()).then(|| manifest.tool.version.clone());
     let text = String::from_utf8_lossy(found);
     let (right, deviation, wrong) = made(&spec, &machine, Some(text.as_ref()));
     let deviation = wrong.is_empty().then_some(deviation);
@@ -89,7 +89,7 @@ pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) 
     }
     let by = if equal { Method::Bytes } else { Method::Reading };
     let file =
-        FileProof { path: name.to_owned(), output: Output::of(Kind::TraceGcode), by, sha256, deviation };
+        FileProof { path: name.to_owned(), output: Output::new(Kind::TraceGcode), by, sha256, deviation };
     let findings = findings.into_vec().into_iter().map(|finding| finding.in_file(name)).collect();
     Proof { findings, files: vec![file], written_by: other, unproven: Vec::new() }
 }

@@ -20,7 +20,7 @@ impl Forecast {
         let request = request.clone().of_spec(&self.spec);
         let mut artifacts = Vec::new();
         self.make(sources, &request, |artifact| artifacts.push(artifact));
-        let entries = artifacts.iter().map(ManifestFile::of).collect();
+        let entries = artifacts.iter().map(ManifestFile::new).collect();
         Built { manifest: self.manifest(entries, &request), forecast: self, artifacts }
     }
 

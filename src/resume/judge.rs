@@ -27,7 +27,7 @@ pub(super) fn contradiction(record: &Record, text: &str, seconds: f64) -> Option
     let mut head = text.lines().zip(1..).take_while(|(line, _)| !line.starts_with("G0"));
     head.find_map(|(line, number)| {
         let allowed = wrong(record, limits_set_by(line, &record.controller)?, seconds)?;
-        Some(Finding::at(FindingCode::ProfileLine, number, line, allowed))
+        Some(Finding::in_line(FindingCode::ProfileLine, number, line, allowed))
     })
 }
 

@@ -128,7 +128,7 @@ impl<'a> StatedFigures<'a> {
                 "resume" => None,
                 _ => self.wrong_seam(comment),
             }?;
-            Some(Finding::at(FindingCode::OtherComment, comment.line, comment.text.clone(), allowed))
+            Some(Finding::in_line(FindingCode::OtherComment, comment.line, comment.text.clone(), allowed))
         })
     }
 

@@ -162,7 +162,7 @@ impl<'a> Toolpath<'a> {
     }
 
     fn timed(&self, step: Move, before: Option<&TimedMove>, title: Option<usize>) -> TimedMove {
-        let (record, phase) = (self.record, Phase::of(&step, &self.record.process.heights));
+        let (record, phase) = (self.record, Phase::new(&step, &self.record.process.heights));
         let along = before
             .filter(|b| matches!(b.phase, Phase::Contact | Phase::Up) && phase != Phase::Down)
             .map_or(0.0, |b| b.along + if b.phase == Phase::Contact { b.step.length() } else { 0.0 });

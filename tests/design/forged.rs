@@ -22,7 +22,7 @@ fn forged_in(mut build: Built, file: &str, change: impl Fn(&[u8]) -> Vec<u8>) ->
     let bytes = change(&artifact.bytes);
     assert_ne!(artifact.bytes, bytes, "nothing was forged");
     artifact.bytes = bytes;
-    build.manifest.files = build.artifacts.iter().map(ManifestFile::of).collect();
+    build.manifest.files = build.artifacts.iter().map(ManifestFile::new).collect();
     read_back(&build.output_files()).findings
 }
 
@@ -62,7 +62,7 @@ fn paper_that_is_not_the_written_one_is_found() {
         let mut build = build();
         let page = build.artifacts.iter_mut().find(|artifact| artifact.name == PAPER).expect("a page");
         page.bytes = change(&page.bytes);
-        build.manifest.files = build.artifacts.iter().map(ManifestFile::of).collect();
+        build.manifest.files = build.artifacts.iter().map(ManifestFile::new).collect();
         let findings = prove_files(&build.output_files()).findings;
         let is_found = findings.iter().any(|finding| finding.code == "differs" && finding.file == PAPER);
         assert!(is_found, "{findings:#?}");
@@ -195,7 +195,7 @@ fn a_mask_of_the_other_face_is_no_mask_of_this_one() {
     let (one, other) = (at("star-1-mask.svg"), at("star-1-mask-mirrored.svg"));
     let bytes = build.artifacts[one].bytes.clone();
     build.artifacts[one].bytes = std::mem::replace(&mut build.artifacts[other].bytes, bytes);
-    build.manifest.files = build.artifacts.iter().map(ManifestFile::of).collect();
+    build.manifest.files = build.artifacts.iter().map(ManifestFile::new).collect();
     let findings = read_back(&build.output_files()).findings;
     for name in ["star-1-mask.svg", "star-1-mask-mirrored.svg"] {
         assert!(findings.iter().any(|f| f.code == "deviation" && f.file == name), "{findings:#?}");

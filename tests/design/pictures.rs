@@ -294,7 +294,7 @@ proptest! {
         let text = format!("{}[stack]\ncount = {count}\npitch = \"{} mm\"\n", shape.toml(), shape.w.max(20.0));
         let spec = support::read(&text);
         let sources = Sources { spec: &text, machine: support::generic() };
-        let request = KindRequest::only(&[Kind::PreviewSvg]);
+        let request = KindRequest::exactly(&[Kind::PreviewSvg]);
         if let Ok(build) = build(&spec, &support::machine(), sources, &request) {
             let faults = faults(&build);
             prop_assert!(faults.is_empty(), "{text}\n{faults:#?}");

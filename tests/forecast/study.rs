@@ -277,7 +277,7 @@ fn a_reader_that_has_enough_stops_the_run() {
 fn any_key_of_the_spec_varies_and_means_what_it_means_there() {
     let table = RingTable::new().expect("solved");
     for name in Field::names() {
-        let field = Field::of(&name).expect("a key");
+        let field = Field::find(&name).expect("a key");
         let value = match name.as_str() {
             "name" => "another",
             "machine.profile" => "grbl",

@@ -65,7 +65,13 @@ struct Chord {
 
 impl JointCut {
     /// The cut of tip `tip` that is nearest to the axis, with knobs of radius `largest` or less; `None` if there is no room for one.
-    pub(super) fn new(star: &Star, outline: &Outline, mask: &MaskPlate, tip: u32, largest: f64) -> Option<Self> {
+    pub(super) fn new(
+        star: &Star,
+        outline: &Outline,
+        mask: &MaskPlate,
+        tip: u32,
+        largest: f64,
+    ) -> Option<Self> {
         let ray = star.tip_ray(tip);
         let motion = Isometry::rotation(-ray);
         let windows = mask.windows.iter().map(|window| motion.path(window).bounds());
@@ -149,13 +155,13 @@ impl Around {
         let free = |radius: f64, y: f64| {
             let center = Point::new(x + radius / 2.0, y);
             let clear = |(hole, r): &(Point, f64)| hole.distance(center) >= radius + r + WALL;
-            self.plate.distance(center) >= radius + WALL && self.holes.iter().place_all(clear)
+            self.plate.distance(center) >= radius + WALL && self.holes.iter().all(clear)
         };
         let radii = RADII.into_iter().filter(|radius| *radius <= self.most);
         let two = radii.clone().filter(|radius| quarter >= radius + WALL);
         let two = two.map(|radius| (radius, vec![middle - quarter, middle + quarter]));
         let single = radii.map(|radius| (radius, vec![middle]));
-        two.chain(single).find(|(radius, places)| places.iter().place_all(|y| free(*radius, *y)))
+        two.chain(single).find(|(radius, places)| places.iter().all(|y| free(*radius, *y)))
     }
 }
 

@@ -80,7 +80,7 @@ impl Paper {
     /// The pages on which `drawing` is printed, row by row from the upper left; `caption` names it on every page. Where they are
     /// several, an overview comes first.
     ///
-    /// Empty if it cannot be printed, see [`Paper::takes`].
+    /// Empty if it cannot be printed, see [`Paper::has_room_for`].
     pub fn pages(self, drawing: &Drawing, caption: &str) -> Vec<Page> {
         if !self.has_room_for(drawing) {
             return Vec::new();
@@ -199,7 +199,11 @@ impl TileGrid<'_> {
                 let high = Vec2::new(inner(column + 1.0 < self.columns), inner(row + 1.0 < self.rows));
                 let own_area = Bounds { min: seen_area.min + low, max: seen_area.max - high };
                 if shows(drawing, &own_area) {
-                    tiles.push(Tile { name: format!("{letter}{}", column + 1.0), shown: seen_area, own: own_area });
+                    tiles.push(Tile {
+                        name: format!("{letter}{}", column + 1.0),
+                        shown: seen_area,
+                        own: own_area,
+                    });
                 }
                 column += 1.0;
             }
@@ -344,12 +348,15 @@ mod tests {
                 for radius in [300.0, 420.0] {
                     let p = Point::polar(radius, direction);
                     let holders = tiles.iter().filter(|tile| tile.own.contains(p)).count();
-                    assert!(holders >= 1 && tiles.iter().any(|tile| tile.shown.contains(p)), "{paper:?} {p:?}");
+                    assert!(
+                        holders >= 1 && tiles.iter().any(|tile| tile.shown.contains(p)),
+                        "{paper:?} {p:?}"
+                    );
                 }
             }
             // The axis lies in the opening, where there is nothing to print, unless its page shows some of the ring.
             let around_axis = |tile: &&Tile| tile.own.contains(Point::ORIGIN);
-            assert!(tiles.iter().filter(around_axis).place_all(|tile| shows(&drawing, &tile.own)));
+            assert!(tiles.iter().filter(around_axis).all(|tile| shows(&drawing, &tile.own)));
         }
     }
 

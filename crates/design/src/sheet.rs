@@ -85,7 +85,7 @@ impl Design {
     /// The first piece of each distinct kind, in order.
     pub fn firsts(&self) -> impl Iterator<Item = &PlacedPart> {
         let placed = self.placed();
-        let is_first = |i: &usize| placed[..*i].iter().place_all(|other| other.distinct != placed[*i].distinct);
+        let is_first = |i: &usize| placed[..*i].iter().all(|other| other.distinct != placed[*i].distinct);
         (0..placed.len()).filter(is_first).map(|i| &placed[i])
     }
 
@@ -99,7 +99,13 @@ impl Design {
         let mut position = Point::ORIGIN;
         while let Some(next) = (0..remaining.len())
             // Rounding must not decide between pieces that are equally far away.
-            .reduce(|a, b| if remaining[b].1.distance(position) < remaining[a].1.distance(position) - 1e-6 { b } else { a })
+            .reduce(|a, b| {
+                if remaining[b].1.distance(position) < remaining[a].1.distance(position) - 1e-6 {
+                    b
+                } else {
+                    a
+                }
+            })
         {
             let (placed, middle) = remaining.remove(next);
             position = middle;

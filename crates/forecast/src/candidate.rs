@@ -188,7 +188,7 @@ impl Candidate {
     /// The cases of its stars, each with the slopes of the object at such stars, the lowest star's first; empty where all are as `asked`, the
     /// case of `star`.
     fn different_cases(&self, star: &Star, asked: &Case) -> Result<Vec<(Case, Vec<f64>)>, RefusedDesign> {
-        let object = Object::of(&self.load).filter(|_| self.stars > 1);
+        let object = Object::new(&self.load).filter(|_| self.stars > 1);
         if self.unequal.is_empty() {
             let meetings = object.map_or_else(Vec::new, |object| self.different_meetings(&object, star));
             return Ok(meetings
@@ -241,7 +241,7 @@ impl Candidate {
 
     /// The most stars of a stack that is not taller than its object, at least 1.
     pub fn most_stars(&self) -> u32 {
-        let Some(object) = Object::of(&self.load) else { return u32::MAX };
+        let Some(object) = Object::new(&self.load) else { return u32::MAX };
         let stars =
             ((object.height().0 - self.plate.0) / self.star.pitch.0.max(1e-3)).floor().clamp(1.0, 1e3);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1000")]

@@ -34,7 +34,7 @@ pub fn verdict(spec: &Spec, prediction: &Prediction) -> Option<Verdict> {
         star_force_N: hardest.and_then(|star| star.object_force_N),
         star_force_range_N: hardest.and_then(|star| star.ranges.object_force_N),
         star_flap_force_N: largest_flap_force(stars),
-        base_height_mm: Stand::of(spec).map(|stand| stand.base),
+        base_height_mm: Stand::new(spec).map(|stand| stand.base),
         largest_force_N: load.largest_force.map(|force| force.0),
         stars: stars.len(),
         assumed: Object::assumed(load, stars.len()),
@@ -150,7 +150,7 @@ impl VerdictLines {
         if load.object_radius.is_some() && !judged.is_refuted() {
             judged.mass(load, stars, prediction.payload());
         }
-        if let Some(stand) = Stand::of(spec) {
+        if let Some(stand) = Stand::new(spec) {
             stand.doubts().into_iter().for_each(|text| judged.doubt(&[], text));
         }
         judged

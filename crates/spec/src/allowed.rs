@@ -27,17 +27,17 @@ impl Allowed {
     }
 
     /// `low < x <= high`.
-    pub const fn above(low: f64, high: f64) -> Self {
+    pub const fn half_open(low: f64, high: f64) -> Self {
         Self { low, low_in: false, high, high_in: true }
     }
 
     /// `low < x < high`.
-    pub const fn between(low: f64, high: f64) -> Self {
+    pub const fn open(low: f64, high: f64) -> Self {
         Self { low, low_in: false, high, high_in: false }
     }
 
     /// Whether `x` is in the range.
-    pub fn holds(self, x: f64) -> bool {
+    pub fn contains(self, x: f64) -> bool {
         let low = if self.low_in { x >= self.low } else { x > self.low };
         let high = if self.high_in { x <= self.high } else { x < self.high };
         low && high
@@ -69,19 +69,19 @@ mod tests {
 
     #[test]
     fn ends_are_in_or_out_as_said() {
-        assert!(Allowed::closed(0.0, 1.0).holds(0.0) && Allowed::closed(0.0, 1.0).holds(1.0));
-        assert!(!Allowed::above(0.0, 1.0).holds(0.0) && Allowed::above(0.0, 1.0).holds(1.0));
-        assert!(!Allowed::between(0.0, 1.0).holds(1.0) && Allowed::between(0.0, 1.0).holds(0.5));
+        assert!(Allowed::closed(0.0, 1.0).contains(0.0) && Allowed::closed(0.0, 1.0).contains(1.0));
+        assert!(!Allowed::half_open(0.0, 1.0).contains(0.0) && Allowed::half_open(0.0, 1.0).contains(1.0));
+        assert!(!Allowed::open(0.0, 1.0).contains(1.0) && Allowed::open(0.0, 1.0).contains(0.5));
         for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            assert!(!Allowed::closed(-1e300, 1e300).holds(x));
+            assert!(!Allowed::closed(-1e300, 1e300).contains(x));
         }
     }
 
     #[test]
     fn words_name_both_ends() {
-        assert_eq!(Allowed::above(-1.0, 0.5).in_words(""), "must be more than -1 and at most 0.5");
+        assert_eq!(Allowed::half_open(-1.0, 0.5).in_words(""), "must be more than -1 and at most 0.5");
         assert_eq!(
-            Allowed::between(0.0, 180.0).in_words("deg"),
+            Allowed::open(0.0, 180.0).in_words("deg"),
             "must be more than 0 deg and less than 180 deg"
         );
     }

@@ -29,7 +29,7 @@ pub struct StarEdit {
 
 impl StarEdit {
     /// The values that `star` has already.
-    pub fn of(star: &StarSpec) -> Self {
+    pub fn new(star: &StarSpec) -> Self {
         let StarSpec { points, tube_width, tip_angle, tip_radius, corner_radius, .. } = *star;
         Self { points, tube_width, tip_angle, tip_radius, corner_radius }
     }
@@ -59,7 +59,8 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
     let entries = star.entries();
     let searched = entries.iter().map(|(key, _)| *key).chain([key::star::INNER_RADIUS, key::stack::PITCH]);
     let has_own = |(key, star): &(KeyPath, usize)| raw.span_of(key.of_star(*star)) != raw.span_of(*key);
-    let own_keys = searched.flat_map(|key| (1..=spec.stars.len()).map(move |star| (key, star))).filter(has_own);
+    let own_keys =
+        searched.flat_map(|key| (1..=spec.stars.len()).map(move |star| (key, star))).filter(has_own);
     let star_faults = star_faults.map(|(key, star)| {
         let message = format!("star {star} has its own `{}`", key.key());
         Fault::error(FaultCode::OwnValue, raw.span_of(key.of_star(star)), message)
@@ -71,7 +72,7 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
         return Err(Faults::new(source, star_faults));
     }
     let (text, spec_read) = read_back(source, with_values(source, &entries)?)?;
-    if spec_read.stars.first().map(StarEdit::of) == Some(*star) {
+    if spec_read.stars.first().map(StarEdit::new) == Some(*star) {
         Ok(text)
     } else {
         Err(cannot_edit(source, raw.span_of(key::star::POINTS), "the star", "must take new values"))
@@ -379,10 +380,10 @@ mod tests {
             };
             let text = edited(LAYOUTS[layout], &star);
             let spec = read(&Source::new("back", text.as_str())).map_err(|f| TestCaseError::fail(f.to_string()))?.spec;
-            prop_assert_eq!(StarEdit::of(&spec.stars[0]), star);
+            prop_assert_eq!(StarEdit::new(&spec.stars[0]), star);
             // With the old values back, the spec is the old one.
             let old = read(&Source::new("old", LAYOUTS[layout])).expect("valid").spec;
-            let back = edited(&text, &StarEdit::of(&old.stars[0]));
+            let back = edited(&text, &StarEdit::new(&old.stars[0]));
             prop_assert_eq!(read(&Source::new("x", back)).expect("valid").spec, old);
         }
     }

@@ -99,7 +99,11 @@ pub(super) fn read_with<T>(
     let mut reader = Reader::new(&raw);
     let value = body(&mut reader);
     let unread_keys = reader.finish();
-    faults.extend(if faults.is_empty() { unread_keys } else { beyond_syntax(unread_keys, &faults, &source.text) });
+    faults.extend(if faults.is_empty() {
+        unread_keys
+    } else {
+        beyond_syntax(unread_keys, &faults, &source.text)
+    });
     let faults = Faults::new(source, faults);
     if faults.refuse() { Err(faults) } else { Ok((value, faults, raw)) }
 }
@@ -187,7 +191,7 @@ pub(super) fn read_fabric(s: &mut Section<'_, '_>) -> Fabric {
     Fabric {
         thickness: s.length("thickness", SIZE, 0.3),
         young_modulus: s.quantity("young_modulus", Allowed::closed(1e-3, 1e9)).unwrap_or(Pressure(128e3)),
-        poisson_ratio: s.number("poisson_ratio", Allowed::above(-1.0, 0.5)).unwrap_or(0.39),
+        poisson_ratio: s.number("poisson_ratio", Allowed::half_open(-1.0, 0.5)).unwrap_or(0.39),
         seal_strength: s.quantity("seal_strength", Allowed::closed(1e-6, 1e4)),
         areal_density: s.quantity("areal_density", Allowed::closed(1e-6, 1e4)),
         bending_stiffness: s.quantity("bending_stiffness", Allowed::closed(1e-9, 1e9)),
@@ -199,7 +203,7 @@ pub(super) fn read_fabric(s: &mut Section<'_, '_>) -> Fabric {
 
 fn read_seal(s: &mut Section<'_, '_>) -> Seal {
     let seal = Seal {
-        temperature: s.quantity("temperature", Allowed::above(0.0, 400.0)).unwrap_or(Temperature(200.0)),
+        temperature: s.quantity("temperature", Allowed::half_open(0.0, 400.0)).unwrap_or(Temperature(200.0)),
         speed: s.quantity("speed", SEAL_SPEEDS).unwrap_or(Speed(0.1)),
         band: s.length("band", SIZE, 2.0),
         overlap: s.length("overlap", EXTRA, 5.0),
@@ -331,6 +335,6 @@ fn read_accuracy(s: &mut Section<'_, '_>) -> Accuracy {
     Accuracy {
         path: s.length("path", Allowed::closed(1e-4, 1.0), 0.001),
         model: s.choice("model", &ModelChoice::ALL).unwrap_or(ModelChoice::Auto),
-        response: s.quantity("response", Allowed::above(0.0, 100.0)).unwrap_or(Percent(50.0)),
+        response: s.quantity("response", Allowed::half_open(0.0, 100.0)).unwrap_or(Percent(50.0)),
     }
 }

@@ -84,8 +84,8 @@ pub fn schema() -> String {
     let (raw, _) = RawSpec::parse("[stack]\ncount = 64\n[[stack.star]]\nindex = 1\n");
     let mut reader = Reader::new(&raw);
     let _ = read_spec(&mut reader);
-    let mut notes = Notes::of(TEMPLATE);
-    notes.keys.extend(Notes::of(INSTEAD).keys);
+    let mut notes = Notes::read(TEMPLATE);
+    notes.keys.extend(Notes::read(INSTEAD).keys);
     let mut sections = sections_of(&reader, &notes);
     let list = sections.remove(LIST).unwrap_or_default().object(notes.of_section(LIST));
     if let Some(stars) = sections.get_mut("stack").and_then(|stack| stack.keys.get_mut("star")) {
@@ -119,10 +119,10 @@ pub fn machine_schema() -> String {
 
 /// The notes on a profile's keys.
 fn profile_notes() -> Notes {
-    let mut notes = Notes::of(builtin_machine("generic").unwrap_or_default());
+    let mut notes = Notes::read(builtin_machine("generic").unwrap_or_default());
     // The values of `generic` belong to one machine and are not defaults.
     notes.keys.values_mut().for_each(|note| note.is_default = false);
-    for (key, mut more) in Notes::of(MORE).keys {
+    for (key, mut more) in Notes::read(MORE).keys {
         if let Some(note) = notes.keys.get_mut(&key).filter(|_| more.meaning.is_empty()) {
             more.meaning = std::mem::take(&mut note.meaning);
         }
@@ -202,7 +202,8 @@ fn property(section: &str, key: &str, shape: &ValueShape, notes: &Notes) -> Valu
         _ => Some(note),
     });
     let meaning = note.map_or("", |note| note.meaning.as_str());
-    let sentences = [Some(sentence(meaning)), range_words].into_iter().flatten().filter(|text| !text.is_empty());
+    let sentences =
+        [Some(sentence(meaning)), range_words].into_iter().flatten().filter(|text| !text.is_empty());
     let description = sentences.collect::<Vec<_>>().join(" ");
     if !description.is_empty() {
         value["description"] = json!(description);

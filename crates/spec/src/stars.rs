@@ -54,7 +54,7 @@ fn read_shape(s: &mut Section<'_, '_>, base: &StarSpec) -> StarSpec {
         points: s.count("points", 3, MOST).unwrap_or(base.points),
         inner_radius: s.quantity("inner_radius", SIZE).unwrap_or(base.inner_radius),
         tube_width: s.quantity("tube_width", SIZE).unwrap_or(base.tube_width),
-        tip_angle: s.quantity("tip_angle", Allowed::between(0.0, 180.0)).unwrap_or(base.tip_angle),
+        tip_angle: s.quantity("tip_angle", Allowed::open(0.0, 180.0)).unwrap_or(base.tip_angle),
         tip_radius: s.quantity("tip_radius", EXTRA).unwrap_or(base.tip_radius),
         corner_radius: s.quantity("corner_radius", EXTRA).unwrap_or(base.corner_radius),
         ..base.clone()

@@ -148,7 +148,7 @@ fn split_number(text: &str) -> Option<(f64, &str)> {
         }
     }
     let value: f64 = text[..end].parse().ok()?;
-    value.is_finite().replaced_by(|| (value, text[end..].trim()))
+    value.is_finite().then(|| (value, text[end..].trim()))
 }
 
 macro_rules! quantities {

@@ -149,7 +149,7 @@ fn known_keys(notes: &'static str) -> impl Iterator<Item = KnownKey> {
             return None;
         }
         let (value, meaning) = rest.split_once("  #").unwrap_or((rest, ""));
-        let default = has_default.replaced_by(|| value.trim().trim_matches('"'));
+        let default = has_default.then(|| value.trim().trim_matches('"'));
         Some(KnownKey { section, key, default, meaning: meaning.trim() })
     })
 }

@@ -122,7 +122,7 @@ impl Vocabulary {
     };
 
     /// The words of a controller of family `dialect` that draws arcs if its family does.
-    pub const fn of(dialect: Dialect) -> Self {
+    pub const fn for_dialect(dialect: Dialect) -> Self {
         match dialect {
             Dialect::Generic => Self::GENERIC,
             Dialect::LinuxCnc => Self::LINUXCNC,
@@ -135,7 +135,7 @@ impl Vocabulary {
 
     /// The words of `controller`.
     pub const fn for_controller(controller: &Controller) -> Self {
-        let family = Self::of(controller.dialect);
+        let family = Self::for_dialect(controller.dialect);
         if controller.arcs { family } else { family.without_arcs() }
     }
 
@@ -149,8 +149,7 @@ impl Vocabulary {
         let mut rows: Vec<CodeRow> =
             self.codes.concat().into_iter().filter(|(.., command)| self.reads(*command)).collect();
         rows.sort_unstable_by_key(|(letter, tenths, _)| (*letter, *tenths));
-        rows
-            .into_iter()
+        rows.into_iter()
             .map(|(letter, tenths, command)| (char::from(letter), f64::from(tenths) / 10.0, command))
     }
 

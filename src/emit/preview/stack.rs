@@ -225,8 +225,8 @@ impl<'a> StackView<'a> {
 impl SideObject {
     /// The object of `spec` beside a stack that is `stack` mm high; `None` without one. What lies further than that from the stack is cut off.
     fn of(spec: &Spec, stack: f64) -> Option<Self> {
-        let object = Object::of(spec.load.as_ref()?)?;
-        let stand = Stand::of(spec)?;
+        let object = Object::new(spec.load.as_ref()?)?;
+        let stand = Stand::new(spec)?;
         let (low, top) = (stand.object, stand.object + object.height().0);
         let shown = [low.max(-stack), top.min(2.0 * stack)];
         let middle = f64::midpoint(low, top);

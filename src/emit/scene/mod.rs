@@ -85,7 +85,7 @@ fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[PosedStar]) -> Option
 
 /// The spec's object where the stars meet it, its axis that of the stars, on a support where it must be lifted; empty without one.
 fn object(glb: &mut Glb, spec: &Spec) -> Option<Vec<Node>> {
-    let (load, stand) = (spec.load.as_ref()?, Stand::of(spec)?);
+    let (load, stand) = (spec.load.as_ref()?, Stand::new(spec)?);
     let radius = load.object_radius?.0;
     let half = load.object_height.map_or(radius, |height| height.0 / 2.0);
     let curve = match load.object_shape {

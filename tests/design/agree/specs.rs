@@ -332,7 +332,7 @@ fn asked(dice: &mut Dice) -> KindRequest {
         0 => KindRequest { with: extras, ..KindRequest::default() },
         1 | 2 => {
             let only: Vec<Kind> = (0..=dice.below(3)).map(|_| dice.one_of(Kind::ALL)).collect();
-            KindRequest::only(&only)
+            KindRequest::exactly(&only)
         }
         3..=6 => {
             let with = (0..=dice.below(2)).map(|_| dice.one_of(&extras)).collect();

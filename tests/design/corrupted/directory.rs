@@ -169,7 +169,7 @@ fn what_was_not_asked_for_is_not_missed_and_all_else_is() {
     let (spec, machine) = (support::read(PAPER), support::machine());
     let sources = Sources { spec: PAPER, machine: support::generic() };
     let some =
-        stargrip_cam::pipeline::build(&spec, &machine, sources, &KindRequest::only(&[Kind::PreviewSvg]))
+        stargrip_cam::pipeline::build(&spec, &machine, sources, &KindRequest::exactly(&[Kind::PreviewSvg]))
             .expect("a design");
     let proof = prove_files(&some.output_files());
     assert_eq!(proof.findings, []);

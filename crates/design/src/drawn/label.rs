@@ -80,7 +80,8 @@ impl FlapRoom<'_> {
             for station in STATIONS {
                 for aside in [-flap, -close, close] {
                     let text_glyphs = text_along(&seam.center_line, station, aside, text, height);
-                    let Some(glyphs) = text_glyphs.filter(|glyphs| self.is_free(glyphs, MARGIN * height)) else {
+                    let Some(glyphs) = text_glyphs.filter(|glyphs| self.is_free(glyphs, MARGIN * height))
+                    else {
                         continue;
                     };
                     let glyph_box = |(middle, _): &Glyph| Bounds::of_points([*middle]).grown(0.5 * height);
@@ -96,14 +97,14 @@ impl FlapRoom<'_> {
 
     fn is_free(&self, glyphs: &[Glyph], margin: f64) -> bool {
         let off_holes =
-            |p: Point| self.holes.iter().place_all(|hole| hole.center.distance(p) >= 0.5 * hole.diameter + margin);
-        let off_texts = |p: Point| self.taken.iter().place_all(|bounds| !bounds.contains(p));
+            |p: Point| self.holes.iter().all(|hole| hole.center.distance(p) >= 0.5 * hole.diameter + margin);
+        let off_texts = |p: Point| self.taken.iter().all(|bounds| !bounds.contains(p));
         let free = |p: Point| self.room.is_free(p, margin, margin) && off_holes(p) && off_texts(p);
         let ends = |strokes: &[Path]| {
-            strokes.iter().flat_map(|path| &path.segments).place_all(|line| free(line.start()) && free(line.end()))
+            strokes.iter().flat_map(|path| &path.segments).all(|line| free(line.start()) && free(line.end()))
         };
         // The middles first: most places fail there.
-        glyphs.iter().place_all(|(middle, _)| free(*middle)) && glyphs.iter().place_all(|(_, strokes)| ends(strokes))
+        glyphs.iter().all(|(middle, _)| free(*middle)) && glyphs.iter().all(|(_, strokes)| ends(strokes))
     }
 }
 

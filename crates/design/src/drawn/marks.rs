@@ -58,7 +58,8 @@ fn triangle(places: &[Point], min_difference: f64) -> Option<[Point; 3]> {
     let (mut third, mut largest) = (None, 0.0);
     for c in places {
         let (first_side, other) = (a.distance(*c), b.distance(*c));
-        let sides = [first_side, other, (first_side - other).abs(), (base - first_side).abs(), (base - other).abs()];
+        let sides =
+            [first_side, other, (first_side - other).abs(), (base - first_side).abs(), (base - other).abs()];
         let difference = sides.into_iter().fold(f64::INFINITY, f64::min);
         if better(difference, largest) {
             (third, largest) = (Some(*c), difference);

@@ -35,7 +35,7 @@ pub(super) fn is_page(name: &str) -> bool {
 
 /// The colour among the names of an element.
 pub(super) fn colour_of(element: &Element) -> Option<&str> {
-    let hex = |digits: &str| digits.len() == 6 && digits.bytes().place_all(|digit| digit.is_ascii_hexdigit());
+    let hex = |digits: &str| digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
     let number = |digits: &str| digits.parse::<u8>().is_ok();
     let is_colour = |name: &&str| {
         name.trim_start_matches("fill ").strip_prefix('#').is_some_and(hex)

@@ -182,7 +182,7 @@ fn any_slow(models: &[ModelChoice]) -> bool {
 fn model_setting(model: ModelChoice) -> (Field, KeyValue) {
     let known = ModelChoice::ALL.iter().find(|(_, own)| *own == model);
     let word = known.map_or("auto", |(word, _)| word);
-    let field = Field::of(&key::accuracy::MODEL.to_string());
+    let field = Field::find(&key::accuracy::MODEL.to_string());
     #[expect(clippy::expect_used, reason = "a test reads every key")]
     let field = field.expect("a key");
     (field, KeyValue::Word(word.to_owned()))

@@ -200,14 +200,14 @@ mod tests {
 
     #[test]
     fn units_end_the_names_of_columns() {
-        let name = |key: &str| of_field(&Field::of(key).expect("a key")).name;
+        let name = |key: &str| of_field(&Field::find(key).expect("a key")).name;
         assert_eq!(name("star.tube_width"), "star.tube_width_mm");
         assert_eq!(name("fabric.seal_strength"), "fabric.seal_strength_N_per_mm");
         assert_eq!(name("fabric.areal_density"), "fabric.areal_density_kg_per_m2");
         assert_eq!(name("fabric.bending_stiffness"), "fabric.bending_stiffness_N_mm");
         assert_eq!(name("accuracy.response"), "accuracy.response_percent");
         assert_eq!(name("load.friction"), "load.friction");
-        let kind = |key: &str| of_field(&Field::of(key).expect("a key")).kind;
+        let kind = |key: &str| of_field(&Field::find(key).expect("a key")).kind;
         assert_eq!(
             ["star.points", "load.friction", "mask.mirror"].map(kind),
             [ColumnKind::Whole, ColumnKind::Real, ColumnKind::Text]

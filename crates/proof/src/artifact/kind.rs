@@ -237,7 +237,7 @@ pub struct KindRequest {
 
 impl KindRequest {
     /// These kinds and no others; all default kinds if `kinds` is empty.
-    pub fn only(kinds: &[Kind]) -> Self {
+    pub fn exactly(kinds: &[Kind]) -> Self {
         Self { only: kinds.to_vec(), with: Vec::new() }
     }
 
@@ -260,7 +260,7 @@ impl KindRequest {
     }
 
     /// Whether files of `kind` are made.
-    pub fn takes(&self, kind: Kind) -> bool {
+    pub fn includes(&self, kind: Kind) -> bool {
         let named = if self.only.is_empty() { !kind.is_extra() } else { self.only.contains(&kind) };
         named || kind.is_source() || self.with.contains(&kind)
     }
@@ -297,20 +297,20 @@ mod request_tests {
     #[test]
     fn extras_come_where_they_are_named_and_sources_always() {
         let kinds = |request: &KindRequest| -> Vec<Kind> {
-            Kind::ALL.iter().copied().filter(|kind| request.takes(*kind)).collect()
+            Kind::ALL.iter().copied().filter(|kind| request.includes(*kind)).collect()
         };
         let extras: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| kind.is_extra()).collect();
         assert!(extras.contains(&Kind::PreviewPng), "{extras:?}");
-        let all = kinds(&KindRequest::default());
-        assert_eq!(all.len() + extras.len(), Kind::ALL.len());
-        assert!(extras.iter().all(|extra| !all.contains(extra)));
-        let with = KindRequest { with: extras, ..KindRequest::default() };
-        assert_eq!(kinds(&with), Kind::ALL);
-        let some = KindRequest { only: vec![Kind::SealGcode], with: vec![Kind::PreviewPng] };
+        let defaults = kinds(&KindRequest::default());
+        assert_eq!(defaults.len() + extras.len(), Kind::ALL.len());
+        assert!(extras.iter().all(|extra| !defaults.contains(extra)));
+        let with_extras = KindRequest { with: extras, ..KindRequest::default() };
+        assert_eq!(kinds(&with_extras), Kind::ALL);
+        let request = KindRequest { only: vec![Kind::SealGcode], with: vec![Kind::PreviewPng] };
         let sources: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| kind.is_source()).collect();
-        assert_eq!(kinds(&some), [&sources[..], &[Kind::SealGcode, Kind::PreviewPng]].concat());
+        assert_eq!(kinds(&request), [&sources[..], &[Kind::SealGcode, Kind::PreviewPng]].concat());
         assert_eq!(
-            kinds(&KindRequest::only(&[Kind::PreviewPng])),
+            kinds(&KindRequest::exactly(&[Kind::PreviewPng])),
             [&sources[..], &[Kind::PreviewPng]].concat()
         );
     }

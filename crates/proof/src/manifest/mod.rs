@@ -146,7 +146,7 @@ pub struct ManifestSeam {
 
 impl Tool {
     /// This program, in this version.
-    pub fn this() -> Self {
+    pub fn current() -> Self {
         Self { name: spec::PROGRAM.to_owned(), version: env!("CARGO_PKG_VERSION").to_owned() }
     }
 }
@@ -172,7 +172,7 @@ fn json(manifest: &impl Serialize) -> Vec<u8> {
 
 impl ManifestFile {
     /// The entry of one artifact.
-    pub fn of(artifact: &Artifact) -> Self {
+    pub fn new(artifact: &Artifact) -> Self {
         Self::with_hash(artifact, sha256(&artifact.bytes))
     }
 

@@ -33,22 +33,22 @@ pub struct Finding {
 
 impl Finding {
     /// A finding about a whole file, which is not known yet.
-    pub fn new(code: impl Code, found: impl Into<String>, allowed: impl Into<String>) -> Self {
-        Self::at(code, None, found, allowed)
+    pub fn new(code: impl Code, fault: impl Into<String>, allowed: impl Into<String>) -> Self {
+        Self::in_line(code, None, fault, allowed)
     }
 
     /// A finding about a line of a file that is not known yet.
-    pub fn at(
+    pub fn in_line(
         code: impl Code,
         line: impl Into<Option<usize>>,
-        found: impl Into<String>,
+        fault: impl Into<String>,
         allowed: impl Into<String>,
     ) -> Self {
         Self {
             file: String::new(),
             line: line.into(),
             code: code.as_str(),
-            found: fit(found.into()),
+            found: fit(fault.into()),
             allowed: fit(allowed.into()),
         }
     }
@@ -78,8 +78,8 @@ pub struct Findings {
 
 impl Findings {
     /// Adds a finding about the whole file.
-    pub fn add(&mut self, code: impl Code, found: impl Into<String>, allowed: impl Into<String>) {
-        self.push(Finding::new(code, found, allowed));
+    pub fn add(&mut self, code: impl Code, fault: impl Into<String>, allowed: impl Into<String>) {
+        self.push(Finding::new(code, fault, allowed));
     }
 
     /// Adds a finding about a line.
@@ -87,10 +87,10 @@ impl Findings {
         &mut self,
         code: impl Code,
         line: impl Into<Option<usize>>,
-        found: impl Into<String>,
+        fault: impl Into<String>,
         allowed: impl Into<String>,
     ) {
-        self.push(Finding::at(code, line, found, allowed));
+        self.push(Finding::in_line(code, line, fault, allowed));
     }
 
     /// Adds a finding that exists already.
@@ -126,8 +126,8 @@ impl Findings {
     /// All that were kept, and one more that counts the rest, if there is one.
     pub fn into_vec(mut self) -> Vec<Finding> {
         if self.dropped > 0 {
-            let found = format!("{} more findings", self.dropped);
-            self.kept.push(Finding::new(FindingCode::MoreFindings, found, "none"));
+            let fault = format!("{} more findings", self.dropped);
+            self.kept.push(Finding::new(FindingCode::MoreFindings, fault, "none"));
         }
         self.kept
     }
@@ -140,20 +140,20 @@ fn fit(text: String) -> String {
     if !long && !text.contains(misleads) {
         return text;
     }
-    let mut out = String::new();
+    let mut escaped = String::new();
     for c in text.chars().take(LONGEST) {
-        if misleads(c) { out.extend(c.escape_default()) } else { out.push(c) }
+        if misleads(c) { escaped.extend(c.escape_default()) } else { escaped.push(c) }
     }
-    out + if long { "..." } else { "" }
+    escaped + if long { "..." } else { "" }
 }
 
 /// A piece of a file, fit to be shown: short, on one line, quoted.
 pub(super) fn quote(text: &str) -> String {
-    let mut shown: String = text.chars().take(QUOTATION).collect();
-    if shown.len() < text.len() {
-        shown.push_str("...");
+    let mut start: String = text.chars().take(QUOTATION).collect();
+    if start.len() < text.len() {
+        start.push_str("...");
     }
-    format!("{shown:?}")
+    format!("{start:?}")
 }
 
 #[cfg(test)]
@@ -162,7 +162,7 @@ mod tests {
 
     #[test]
     fn shows_file_line_and_both_sides() {
-        let finding = Finding::at(FindingCode::WrongFeed, 7, "F12", "F6").in_file("star-1.gcode");
+        let finding = Finding::in_line(FindingCode::WrongFeed, 7, "F12", "F6").in_file("star-1.gcode");
         assert_eq!(finding.to_string(), "star-1.gcode:7: wrong-feed: found F12, allowed F6");
         let json = serde_json::to_string(&finding).unwrap();
         assert_eq!(
@@ -173,10 +173,10 @@ mod tests {
 
     #[test]
     fn no_finding_commands_a_terminal_or_fills_it() {
-        let finding = Finding::at(FindingCode::UnknownWord, 1, "/Ro\u{7f}t\u{9b}\n", "x".repeat(5000));
+        let finding = Finding::in_line(FindingCode::UnknownWord, 1, "/Ro\u{7f}t\u{9b}\n", "x".repeat(5000));
         assert_eq!(finding.found, "/Ro\\u{7f}t\\u{9b}\\n");
         assert_eq!(finding.allowed.len(), LONGEST + 3);
-        assert_eq!(Finding::at(FindingCode::UnknownWord, 1, "µ 星", "").found, "µ 星");
+        assert_eq!(Finding::in_line(FindingCode::UnknownWord, 1, "µ 星", "").found, "µ 星");
     }
 
     #[test]
@@ -185,9 +185,9 @@ mod tests {
         for line in 0..250 {
             findings.add_at(FindingCode::UnknownWord, line, "x", "y");
         }
-        let all = findings.into_vec();
-        assert_eq!(all.len(), LIMIT + 1);
-        assert_eq!(all[LIMIT].found, "150 more findings");
+        let list = findings.into_vec();
+        assert_eq!(list.len(), LIMIT + 1);
+        assert_eq!(list[LIMIT].found, "150 more findings");
     }
 
     #[test]

@@ -35,8 +35,9 @@ fn read_line_length(root: &mut Section<'_, '_>, dialect: Dialect) -> usize {
     let (length, longest) = (root.count("line_length", 72, 255).unwrap_or(72), dialect.longest_line());
     if length > longest {
         let name = dialect.name();
-        let message =
-            format!("`line_length` is {length}, but controllers of `{name}` read no longer lines than {longest}");
+        let message = format!(
+            "`line_length` is {length}, but controllers of `{name}` read no longer lines than {longest}"
+        );
         root.refuse(FaultCode::Conflict, "line_length", message, format!("must be at most {longest}"));
     }
     length.min(longest) as usize

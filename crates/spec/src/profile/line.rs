@@ -149,7 +149,7 @@ fn setting(code: (u8, f64), parameters: &[(u8, f64)]) -> Option<Limits> {
             let is = |(letter, speed): &(u8, f64)| b"ST".contains(letter) && *speed >= 0.0;
             let repeated = rest.iter().any(|(letter, _)| *letter == first.0);
             let right = parameters.iter().all(is) && !repeated;
-            right.replaced_by(|| lowest(parameters.iter().map(|(_, speed)| *speed).fold(0.0, f64::max)))
+            right.then(|| lowest(parameters.iter().map(|(_, speed)| *speed).fold(0.0, f64::max)))
         }
         _ => None,
     }
@@ -173,7 +173,8 @@ fn named_setting<'a>(word: &str, parameters: impl Iterator<Item = &'a str>) -> O
             Some(Limits { idle_timeout: Some(Duration(*seconds)), ..Limits::default() })
         }
         ("SET_VELOCITY_LIMIT", [_, ..]) => {
-            let is_setting = |name: &str| ["VELOCITY", "ACCEL"].contains(&name) || OTHER_LIMITS.contains(&name);
+            let is_setting =
+                |name: &str| ["VELOCITY", "ACCEL"].contains(&name) || OTHER_LIMITS.contains(&name);
             let limits = Limits {
                 top_speed: value("VELOCITY").map(Speed),
                 acceleration: value("ACCEL").map(Acceleration),

@@ -49,7 +49,7 @@ pub(crate) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let name = root.name().unwrap_or_default();
     let description = root.checked_text("description", FaultCode::Name, |text| {
         let is_wrong = text.chars().any(misleads) || text.chars().count() > DESCRIPTION_LENGTH;
-        is_wrong.replaced_by(|| format!("must be one line of at most {DESCRIPTION_LENGTH} characters"))
+        is_wrong.then(|| format!("must be one line of at most {DESCRIPTION_LENGTH} characters"))
     });
     let description = description.unwrap_or_default();
     let mut controller = read_controller(&mut root);

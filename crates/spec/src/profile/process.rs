@@ -12,7 +12,7 @@ use crate::value::RawValue;
 /// Height in contact: above the release layer the iron seals nothing.
 pub const CONTACT: Allowed = Allowed::closed(lowest_contact(true), 0.0);
 /// Heights without contact: above the release layer, below any gantry.
-pub(super) const HEIGHT: Allowed = Allowed::above(0.0, 1000.0);
+pub(super) const HEIGHT: Allowed = Allowed::half_open(0.0, 1000.0);
 /// Speeds of moves without sealing, up to 10 m/s.
 const FAST: Allowed = Allowed::closed(0.01, 1e4);
 

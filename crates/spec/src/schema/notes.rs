@@ -23,7 +23,7 @@ pub(super) struct Notes {
 
 impl Notes {
     /// Reads `text`: sections below the words about them, keys before or below theirs.
-    pub(super) fn of(text: &str) -> Self {
+    pub(super) fn read(text: &str) -> Self {
         let mut notes = Self { keys: BTreeMap::new(), sections: BTreeMap::new() };
         let (mut section, mut words_above) = (String::new(), Vec::new());
         for line in text.lines() {

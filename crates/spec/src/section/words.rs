@@ -32,7 +32,7 @@ impl<'r> Section<'_, 'r> {
     /// A path, or a name that a file may have; a wrong one is a fault of `code` with the words `allowed`.
     pub(crate) fn path(&mut self, key: &'static str, code: FaultCode, allowed: &str) -> Option<String> {
         let is_wrong = |path: &str| path.trim().is_empty() || path.chars().any(misleads);
-        self.checked_text(key, code, |path| is_wrong(path).replaced_by(|| allowed.to_owned()))
+        self.checked_text(key, code, |path| is_wrong(path).then(|| allowed.to_owned()))
     }
 
     /// The key `name`, by the rules of [`check_name`].

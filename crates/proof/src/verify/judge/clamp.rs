@@ -71,12 +71,12 @@ impl<'a> Clamps<'a> {
 
     /// A move along `path`, at height `z` at the least.
     fn pass(&self, path: &Segment, z: f64, line: usize, findings: &mut Findings) {
-        let near = self.index.overlapping(&path.bounds().grown(self.reach + ROUNDING));
-        let zones = near.into_iter().map(|number| &self.zones[number]);
+        let candidates = self.index.overlapping(&path.bounds().grown(self.reach + ROUNDING));
+        let zones = candidates.into_iter().map(|number| &self.zones[number]);
         for zone in zones.filter(|zone| zone.is_met(path, z, self.reach)) {
-            let found = format!("a move at Z{z} through the clamp {:?}", zone.clamp.name);
+            let fault = format!("a move at Z{z} through the clamp {:?}", zone.clamp.name);
             let allowed = format!("{} mm off every clamp", self.reach);
-            findings.add_at(FindingCode::ClampInTheWay, line, found, allowed);
+            findings.add_at(FindingCode::ClampInTheWay, line, fault, allowed);
         }
     }
 }
@@ -103,7 +103,7 @@ mod tests {
     use crate::verify::read::gcode::{Dialect, each_line};
     use spec::units::Length;
 
-    fn found(text: &str, zones: &[KeepOut], reach: f64) -> Vec<Finding> {
+    fn findings_of(text: &str, zones: &[KeepOut], reach: f64) -> Vec<Finding> {
         let (mut judge, mut findings) = (Clamps::new(zones, reach), Findings::default());
         each_line(text.split_inclusive('\n'), Dialect::GENERIC, |line| judge.see(line, &mut findings));
         findings.into_vec()
@@ -115,7 +115,7 @@ mod tests {
         let zone = KeepOut { name: "vice".to_owned(), x, y, width, depth, height: height.map(Length) };
         let text = format!("G21\nG90\nG0 X0 Y0 Z9\n{body}\n");
         let zones = [zone];
-        let findings = found(&text, &zones, reach);
+        let findings = findings_of(&text, &zones, reach);
         assert!(findings.iter().all(|finding| finding.code == "clamp-in-the-way"));
         findings.iter().map(|finding| finding.line).collect()
     }
@@ -138,11 +138,11 @@ mod tests {
     /// Each of many clamps is found by the moves through it alone, wherever it lies among the others.
     #[test]
     fn every_clamp_of_many_is_found() {
-        let at = |i: usize| Length(f64::from(u32::try_from(i).expect("few")) * 10.0);
+        let position = |i: usize| Length(f64::from(u32::try_from(i).expect("few")) * 10.0);
         let clamp = |i: usize| KeepOut {
             name: i.to_string(),
-            x: at(i % 30),
-            y: at(i / 30),
+            x: position(i % 30),
+            y: position(i / 30),
             width: Length(4.0),
             depth: Length(4.0),
             height: None,
@@ -152,9 +152,13 @@ mod tests {
             let (x, y) = (zones[i].x.0, zones[i].y.0);
             let text = format!("G21\nG90\nG0 X{} Y{} Z9\nG0 X{}\n", x - 3.0, y + 2.0, x + 5.0);
             // The way there, in line 3, crosses others.
-            let found = found(&text, &zones, 1.0).into_iter().filter(|finding| finding.line == Some(4));
-            let found: Vec<String> = found.map(|finding| finding.to_string()).collect();
-            assert!(found.len() == 1 && found[0].contains(&format!("the clamp \"{i}\"")), "{found:?}");
+            let clamp_findings =
+                findings_of(&text, &zones, 1.0).into_iter().filter(|finding| finding.line == Some(4));
+            let texts: Vec<String> = texts.map(|finding| finding.to_string()).collect();
+            assert!(
+                texts.len() == 1 && texts[0].contains(&format!("the clamp \"{i}\"")),
+                "{clamp_findings:?}"
+            );
         }
     }
 
@@ -173,18 +177,18 @@ mod tests {
             let height = Some(Length(30.0));
             let zones = [KeepOut { name: "vice".to_owned(), x, y, width, depth, height }];
             let text = format!("G21\nG90\nG0 Z{z}\nG0 X30 Y50\n");
-            found(&text, &zones, 1.0).iter().map(|finding| finding.line).collect::<Vec<_>>()
+            findings_of(&text, &zones, 1.0).iter().map(|finding| finding.line).collect::<Vec<_>>()
         };
         assert_eq!((zone(30.0), zone(31.0)), (vec![Some(4)], vec![]));
     }
 
     #[test]
     fn what_passes_above_a_clamp_by_its_lower_end_is_free() {
-        let over = |from: f64, to: f64| format!("G0 X0 Y22.5\nG0 Z{from}\nG1 X60 Z{to} F600");
-        let found = |from, to| !lines(&over(from, to), 1.0, Some(4.0)).is_empty();
-        assert!(!found(4.001, 4.001) && !found(4.001, 9.0) && !found(9.0, 4.001));
-        assert!(found(4.0, 4.0) && found(4.0, 9.0) && found(9.0, 4.0));
-        assert!(!lines(&over(9.0, 9.0), 1.0, None).is_empty());
+        let program = |from: f64, to: f64| format!("G0 X0 Y22.5\nG0 Z{from}\nG1 X60 Z{to} F600");
+        let collides = |from, to| !lines(&program(from, to), 1.0, Some(4.0)).is_empty();
+        assert!(!collides(4.001, 4.001) && !collides(4.001, 9.0) && !collides(9.0, 4.001));
+        assert!(collides(4.0, 4.0) && collides(4.0, 9.0) && collides(9.0, 4.0));
+        assert!(!lines(&program(9.0, 9.0), 1.0, None).is_empty());
     }
 
     #[test]

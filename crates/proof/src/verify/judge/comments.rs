@@ -30,31 +30,31 @@ pub(super) struct CommentJudge<'a> {
 impl<'a> CommentJudge<'a> {
     pub(super) fn new(task: &'a ProgramTask<'a>) -> Self {
         // A comment that is longer than a line goes on in a second one.
-        let most = 2 * expected_comments(task, true).len() + 1;
-        Self { task, found: Vec::new(), most, chopped: false }
+        let limit = 2 * expected_comments(task, true).len() + 1;
+        Self { task, found: Vec::new(), most: limit, chopped: false }
     }
 
     /// Compares all comments with those of the design.
     fn compare(&self, findings: &mut Findings) {
-        let mut wanted = expected_comments(self.task, self.chopped).into_iter();
-        let mut found = self.found.iter().peekable();
-        while let Some(comment) = found.next() {
-            let next = wanted.next();
+        let mut expected = expected_comments(self.task, self.chopped).into_iter();
+        let mut comments = self.found.iter().peekable();
+        while let Some(comment) = comments.next() {
+            let next = expected.next();
             let mut text = comment.text.clone();
             while let Some(words) =
-                found.peek().and_then(|more| continued(&text, next.as_deref(), &more.text))
+                comments.peek().and_then(|more| continued(&text, next.as_deref(), &more.text))
             {
                 text.push_str(words);
-                let _ = found.next();
+                let _ = comments.next();
             }
-            if !next.as_ref().is_some_and(|wanted| says(&text, wanted)) {
-                let allowed = next.map_or("no further such comment".to_owned(), |wanted| quote(&wanted));
+            if !next.as_ref().is_some_and(|expected| agrees(&text, expected)) {
+                let allowed = next.map_or("no further such comment".to_owned(), |expected| quote(&expected));
                 findings.add_at(FindingCode::OtherComment, comment.line, quote(&comment.text), allowed);
                 return;
             }
         }
-        if let Some(wanted) = wanted.next() {
-            findings.add(FindingCode::OtherComment, "no such comment", quote(&wanted));
+        if let Some(missing) = missing.next() {
+            findings.add(FindingCode::OtherComment, "no such comment", quote(&missing));
         }
     }
 }
@@ -76,37 +76,39 @@ impl Judge for CommentJudge<'_> {
     }
 }
 
-/// The words of the comment `next`, a blank before each, if `found` has fewer than `wanted` and `next` the same key.
-fn continued<'t>(found: &str, wanted: Option<&str>, next: &'t str) -> Option<&'t str> {
-    let wanted = wanted?;
-    let (key, _) = wanted.split_once(": ")?;
-    let is_short = found.split(' ').count() < wanted.split(' ').count();
+/// The words of the comment `next`, a blank before each, if `comment` has fewer than `expected` and `next` the same key.
+fn continued<'t>(comment: &str, expected: Option<&str>, next: &'t str) -> Option<&'t str> {
+    let expected = expected?;
+    let (key, _) = expected.split_once(": ")?;
+    let is_short = comment.split(' ').count() < expected.split(' ').count();
     next.strip_prefix(key)?.strip_prefix(':').filter(|_| is_short)
 }
 
 /// Whether both have the same words, with the same numbers.
-fn says(found: &str, wanted: &str) -> bool {
-    let (found, wanted) = (found.split(' '), wanted.split(' '));
-    found.clone().count() == wanted.clone().count() && found.zip(wanted).all(|(a, b)| a == b || is_same(a, b))
+fn agrees(comment: &str, expected: &str) -> bool {
+    let (words, expected_words) = (words.split(' '), expected_words.split(' '));
+    words.clone().count() == expected_words.clone().count()
+        && words.zip(expected_words).all(|(a, b)| a == b || is_same(a, b))
 }
 
 /// Whether both are the same `word=number`, or the same number, to the digits that are written.
-fn is_same(found: &str, wanted: &str) -> bool {
-    let ((word, found), (other, wanted)) = match (found.split_once('='), wanted.split_once('=')) {
-        (Some(found), Some(wanted)) => (found, wanted),
-        // The operator's temperature is alone in its comment.
-        (None, None) => (("", found), ("", wanted)),
-        _ => return false,
-    };
+fn is_same(word: &str, expected: &str) -> bool {
+    let ((word, number_text), (other, expected_text)) =
+        match (number_text.split_once('='), expected_text.split_once('=')) {
+            (Some(number_text), Some(expected_text)) => (number_text, expected_text),
+            // The operator's temperature is alone in its comment.
+            (None, None) => (("", number_text), ("", expected_text)),
+            _ => return false,
+        };
     let number = |text: &str| text.parse::<f64>().ok().filter(|x| x.is_finite());
-    let Some((found, wanted)) = number(found).zip(number(wanted)) else { return false };
+    let Some((value, right)) = number(value).zip(number(right)) else { return false };
     let allowed = match word {
         "time_s" => TIME,
         "length_mm" => LENGTH,
-        "" => OPERATORS * wanted.abs(),
-        _ => EXACT * wanted.abs().max(1.0),
+        "" => OPERATORS * right.abs(),
+        _ => EXACT * right.abs().max(1.0),
     };
-    word == other && (found - wanted).abs() <= allowed
+    word == other && (value - right).abs() <= allowed
 }
 
 #[cfg(test)]
@@ -115,8 +117,8 @@ mod tests {
 
     #[test]
     fn figures_are_compared_by_value_and_words_by_letters() {
-        let wanted = "seam: seam=1 star=2 loop=inner length_mm=10.00049 time_s=100.4";
-        assert!(says("seam: seam=1 star=2 loop=inner length_mm=10.000 time_s=100", wanted));
+        let expected = "seam: seam=1 star=2 loop=inner length_mm=10.00049 time_s=100.4";
+        assert!(agrees("seam: seam=1 star=2 loop=inner length_mm=10.000 time_s=100", expected));
         for wrong in [
             "seam: seam=1 star=2 loop=inner length_mm=10.002 time_s=100",
             "seam: seam=1 star=2 loop=inner length_mm=10.000 time_s=101",
@@ -126,7 +128,7 @@ mod tests {
             "seam: seam=1 star=2 loop=inner length_mm=nan time_s=100",
             "length: seam=1 star=2 loop=inner length_mm=10.000 time_s=100",
         ] {
-            assert!(!says(wrong, wanted), "{wrong}");
+            assert!(!agrees(wrong, expected), "{wrong}");
         }
     }
 }

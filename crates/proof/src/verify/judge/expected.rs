@@ -40,9 +40,9 @@ impl OutputFiles<'_> {
 
     /// The names of all entries.
     pub fn names(&self) -> impl Iterator<Item = &str> {
-        let others = self.others.iter().map(|(name, _)| name.as_ref());
+        let other_names = self.others.iter().map(|(name, _)| name.as_ref());
         let long = self.long.iter().map(|(name, _)| name.as_ref());
-        self.files.iter().map(|(name, _)| name.as_ref()).chain(others).chain(long)
+        self.files.iter().map(|(name, _)| name.as_ref()).chain(other_names).chain(long)
     }
 
     /// The finding that there is no file called `name`, which should be `allowed`: another entry has its name, or one that is not

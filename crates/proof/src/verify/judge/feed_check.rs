@@ -76,8 +76,8 @@ struct Timed<'a> {
 }
 
 impl<'a> Timed<'a> {
-    fn new(rules: &'a IronRules<'a>, area: Bounds, wanted: Vec<f64>) -> Self {
-        Self { rules, area, wanted, drawn: 0, seconds: 0.0, waited: false, moving: false }
+    fn new(rules: &'a IronRules<'a>, area: Bounds, durations: Vec<f64>) -> Self {
+        Self { rules, area, wanted: durations, drawn: 0, seconds: 0.0, waited: false, moving: false }
     }
 
     /// The end of a line, which a pause should be.
@@ -85,11 +85,11 @@ impl<'a> Timed<'a> {
         if !std::mem::take(&mut self.moving) {
             return;
         }
-        let (found, wanted) = (self.seconds, self.wanted.get(self.drawn).copied().unwrap_or(0.0));
-        if (found - wanted).abs() > TIME * wanted || !paused {
-            let after = if paused { "before a pause" } else { "without a pause after it" };
-            let found = format!("a line of {found:.3} s {after}");
-            findings.add_at(FindingCode::WrongFeed, line, found, format!("{wanted:.3} s, and a pause"));
+        let (seconds, expected) = (self.seconds, self.wanted.get(self.drawn).copied().unwrap_or(0.0));
+        if (seconds - expected).abs() > TIME * expected || !paused {
+            let place = if paused { "before a pause" } else { "without a pause after it" };
+            let fault = format!("a line of {seconds:.3} s {place}");
+            findings.add_at(FindingCode::WrongFeed, line, fault, format!("{expected:.3} s, and a pause"));
         }
         self.drawn += 1;
     }
@@ -99,20 +99,20 @@ impl Judge for Timed<'_> {
     fn step(&mut self, step: &Move, findings: &mut Findings) {
         let waited = std::mem::take(&mut self.waited);
         if self.rules.phase(step) != Phase::Clear {
-            let found = format!("Z{}", step.to.z);
-            findings.add_at(FindingCode::LowTrace, step.line, found, "travel height or above");
+            let fault = format!("Z{}", step.to.z);
+            findings.add_at(FindingCode::LowTrace, step.line, fault, "travel height or above");
         }
         if !(self.area.contains(step.from.xy()) && self.area.contains(step.to.xy())) {
-            let found = format!("a move to ({:.3}, {:.3})", step.to.x, step.to.y);
-            findings.add_at(FindingCode::OutsideWorkArea, step.line, found, "the lines of the check");
+            let fault = format!("a move to ({:.3}, {:.3})", step.to.x, step.to.y);
+            findings.add_at(FindingCode::OutsideWorkArea, step.line, fault, "the lines of the check");
         }
         if step.kind == MoveKind::Rapid {
             self.end_of_line(step.line, false, findings);
             return;
         }
         if !std::mem::replace(&mut self.moving, true) && !waited {
-            let (found, allowed) = ("a line without a pause before it", "a pause before and after each line");
-            findings.add_at(FindingCode::ProfileLine, step.line, found, allowed);
+            let (fault, allowed) = ("a line without a pause before it", "a pause before and after each line");
+            findings.add_at(FindingCode::ProfileLine, step.line, fault, allowed);
         }
         let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
         let chopped = self.rules.chops && self.rules.motion.acceleration.is_some();
@@ -138,8 +138,8 @@ impl Judge for Timed<'_> {
 
     fn end(&mut self, findings: &mut Findings) {
         if self.drawn != self.wanted.len() {
-            let (found, allowed) = (format!("{} lines", self.drawn), format!("{} lines", self.wanted.len()));
-            findings.add(FindingCode::MissingSeam, found, allowed);
+            let (fault, allowed) = (format!("{} lines", self.drawn), format!("{} lines", self.wanted.len()));
+            findings.add(FindingCode::MissingSeam, fault, allowed);
         }
     }
 }

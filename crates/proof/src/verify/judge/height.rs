@@ -26,16 +26,16 @@ impl Judge for HeightJudge<'_> {
         let (travel, park) = (self.heights.travel.0, self.heights.park.0);
         let Bounds { min, max } = self.area;
         let [x, y, z] = step.to;
-        let up = z.is_some_and(|z| (travel - HEIGHT..=park + HEIGHT).contains(&z));
+        let is_up = z.is_some_and(|z| (travel - HEIGHT..=park + HEIGHT).contains(&z));
         let rises = z.is_some_and(|z| (z - park).abs() <= HEIGHT) && step.named == [false, false, true];
-        let within =
+        let is_on_sheet =
             x.is_none_or(|x| (min.x..=max.x).contains(&x)) && y.is_none_or(|y| (min.y..=max.y).contains(&y));
-        if !(up && within && step.kind == MoveKind::Rapid && (rises || !self.is_first)) {
-            let told = |(name, value): (char, Option<f64>)| value.map(|value| format!("{name}{value}"));
-            let axes: Vec<String> = "XYZ".chars().zip(step.to).filter_map(told).collect();
+        if !(is_up && is_on_sheet && step.kind == MoveKind::Rapid && (rises || !self.is_first)) {
+            let axis_text = |(name, value): (char, Option<f64>)| value.map(|value| format!("{name}{value}"));
+            let axes: Vec<String> = "XYZ".chars().zip(step.to).filter_map(axis_text).collect();
             let allowed = format!("first G0 Z{park}, then G0 within the sheet at Z{travel} to Z{park}");
-            let found = format!("a move to {}", axes.join(" "));
-            findings.add_at(FindingCode::BlindMove, step.line, found, allowed);
+            let fault = format!("a move to {}", axes.join(" "));
+            findings.add_at(FindingCode::BlindMove, step.line, fault, allowed);
         }
         self.is_first = false;
     }

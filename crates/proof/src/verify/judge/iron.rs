@@ -60,12 +60,12 @@ impl Judge for IronJudge<'_> {
             ),
         }
         if step.kind == MoveKind::Rapid {
-            let (found, allowed) = ("G0 below travel height", "G1, G2 or G3 at seal speed");
-            blame(FindingCode::RapidInContact, found.to_owned(), allowed.to_owned());
+            let (fault, allowed) = ("G0 below travel height", "G1, G2 or G3 at seal speed");
+            blame(FindingCode::RapidInContact, fault.to_owned(), allowed.to_owned());
         }
         if step.path.is_none() {
-            let (found, allowed) = ("a vertical move below travel height", "a ramp along the path");
-            blame(FindingCode::Plunge, found.to_owned(), allowed.to_owned());
+            let (fault, allowed) = ("a vertical move below travel height", "a ramp along the path");
+            blame(FindingCode::Plunge, fault.to_owned(), allowed.to_owned());
         }
         if step.from.z.min(step.to.z) < contact - HEIGHT {
             blame(FindingCode::TooDeep, format!("Z{}", step.to.z), format!("Z{contact} or above"));
@@ -91,26 +91,26 @@ impl Judge for IronRest<'_> {
     fn dwell(&mut self, dwell: &Dwell, findings: &mut Findings) {
         self.waited += dwell.seconds;
         let (waited, longest) = (self.waited, self.rules.longest_rest());
-        let Some(here) = self.here else {
-            let found = format!("{} s away from the fabric", dwell.seconds);
-            findings.add_at(FindingCode::IronAtRest, dwell.line, found, "waits between strokes only");
+        let Some(line_of_rest) = self.here else {
+            let fault = format!("{} s away from the fabric", dwell.seconds);
+            findings.add_at(FindingCode::IronAtRest, dwell.line, fault, "waits between strokes only");
             return;
         };
         if waited > longest {
-            let found = if waited > dwell.seconds {
-                format!("{waited} s since line {here}")
+            let fault = if waited > dwell.seconds {
+                format!("{waited} s since line {line_of_rest}")
             } else {
                 format!("{waited} s")
             };
             let allowed = format!("at most {longest:.2} s");
-            findings.add_at(FindingCode::IronAtRest, dwell.line, found, allowed);
+            findings.add_at(FindingCode::IronAtRest, dwell.line, fault, allowed);
         }
     }
 
     fn pause(&mut self, pause: &Pause, findings: &mut Findings) {
         if pause.at.is_some_and(|at| at.z < self.rules.process.heights.travel.0 - HEIGHT) {
-            let (found, allowed) = ("a pause on the fabric", "pauses above travel height only");
-            findings.add_at(FindingCode::IronAtRest, pause.line, found, allowed);
+            let (fault, allowed) = ("a pause on the fabric", "pauses above travel height only");
+            findings.add_at(FindingCode::IronAtRest, pause.line, fault, allowed);
         }
     }
 }
@@ -121,25 +121,25 @@ pub(super) struct Cold<'a>(pub(super) &'a IronRules<'a>);
 impl Judge for Cold<'_> {
     fn step(&mut self, step: &Move, findings: &mut Findings) {
         if self.0.phase(step) != Phase::Clear {
-            let found = format!("Z{}", step.to.z);
-            findings.add_at(FindingCode::LowTrace, step.line, found, "travel height or above");
+            let fault = format!("Z{}", step.to.z);
+            findings.add_at(FindingCode::LowTrace, step.line, fault, "travel height or above");
         }
         let speed = self.0.process.trace_speed.0 * 60.0;
         let right = step.feed.is_some_and(|feed| (feed - speed).abs() <= 1e-3 * speed);
         if step.kind == MoveKind::Feed && !right {
-            let found = step.feed.map_or("no feed".to_owned(), |feed| format!("F{feed}"));
-            findings.add_at(FindingCode::WrongFeed, step.line, found, format!("F{speed}"));
+            let fault = step.feed.map_or("no feed".to_owned(), |feed| format!("F{feed}"));
+            findings.add_at(FindingCode::WrongFeed, step.line, fault, format!("F{speed}"));
         }
     }
 
     fn pause(&mut self, pause: &Pause, findings: &mut Findings) {
-        let (found, allowed) = ("a pause as for heating", "a trace without heating and pauses");
-        findings.add_at(FindingCode::HotTrace, pause.line, found, allowed);
+        let (fault, allowed) = ("a pause as for heating", "a trace without heating and pauses");
+        findings.add_at(FindingCode::HotTrace, pause.line, fault, allowed);
     }
 
     fn dwell(&mut self, dwell: &Dwell, findings: &mut Findings) {
-        let found = format!("{} s", dwell.seconds);
-        findings.add_at(FindingCode::IronAtRest, dwell.line, found, "no wait in a trace");
+        let fault = format!("{} s", dwell.seconds);
+        findings.add_at(FindingCode::IronAtRest, dwell.line, fault, "no wait in a trace");
     }
 }
 
@@ -151,8 +151,8 @@ impl TravelFeed {
         let allowed = self.0.0 * 60.0;
         let other = feed.filter(|feed| (feed - allowed).abs() > 1e-6 * allowed);
         if let Some(feed) = other.filter(|_| kind == MoveKind::Rapid) {
-            let found = format!("a G0 at F{feed}, the feed in force");
-            findings.add_at(FindingCode::TravelFeed, line, found, format!("F{allowed}"));
+            let fault = format!("a G0 at F{feed}, the feed in force");
+            findings.add_at(FindingCode::TravelFeed, line, fault, format!("F{allowed}"));
         }
     }
 }

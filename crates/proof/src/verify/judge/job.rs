@@ -58,9 +58,9 @@ impl Judge for Area {
         if let Some(Bounds { min, max }) = step.path.map(|path| path.bounds())
             && !(self.allowed.contains(min) && self.allowed.contains(max))
         {
-            let found = format!("a move from ({:.3}, {:.3}) to ({:.3}, {:.3})", min.x, min.y, max.x, max.y);
+            let fault = format!("a move from ({:.3}, {:.3}) to ({:.3}, {:.3})", min.x, min.y, max.x, max.y);
             let allowed = format!("(0, 0) to ({:.3}, {:.3})", self.reach.max.x, self.reach.max.y);
-            findings.add_at(FindingCode::OutsideWorkArea, step.line, found, allowed);
+            findings.add_at(FindingCode::OutsideWorkArea, step.line, fault, allowed);
         }
     }
 }
@@ -72,8 +72,8 @@ struct FirstWords;
 impl Judge for FirstWords {
     fn line(&mut self, line: &Line<'_>, findings: &mut Findings) {
         if findings.is_empty() && line.text.trim_start().starts_with(['X', 'Y', 'Z', 'I', 'J', 'F']) {
-            let found = quote(line.text.trim());
-            findings.add_at(FindingCode::UnusedWord, line.number, found, "G0, G1, G2 or G3 first");
+            let fault = quote(line.text.trim());
+            findings.add_at(FindingCode::UnusedWord, line.number, fault, "G0, G1, G2 or G3 first");
         }
     }
 }

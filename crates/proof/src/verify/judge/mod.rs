@@ -74,13 +74,13 @@ fn judged<'a>(
     judges: Vec<Box<dyn Judge + '_>>,
     findings: &mut Findings,
 ) -> f64 {
-    let mut own = Findings::default();
+    let mut own_findings = Findings::default();
     let mut judges: Vec<_> = judges.into_iter().map(|judge| (judge, Findings::default())).collect();
     each_line(lines, dialect, |line| {
         for (judge, found) in &mut judges {
             judge.see(line, found);
         }
-        own.extend(line.events.iter().filter_map(|event| match event {
+        own_findings.extend(line.events.iter().filter_map(|event| match event {
             Event::Finding(finding) => Some(finding.clone()),
             _ => None,
         }));
@@ -91,7 +91,7 @@ fn judged<'a>(
         deviation = deviation.max(judge.deviation());
         findings.absorb(found);
     }
-    findings.absorb(own);
+    findings.absorb(own_findings);
     deviation
 }
 

@@ -59,27 +59,27 @@ impl<'a> Paced<'a> {
             self.schedule.spent += step.length() / feed + rest;
             true
         } else if self.rules.chops {
-            let told = self.rules.motion.chop_speed(speed).unwrap_or(feed);
-            if (feed - told).abs() > ROUNDING * told {
-                let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", told * 60.0));
-                findings.add_at(FindingCode::WrongFeed, step.line, found, allowed);
+            let chop_feed = self.rules.motion.chop_speed(speed).unwrap_or(feed);
+            if (feed - chop_feed).abs() > ROUNDING * chop_feed {
+                let (fault, allowed) = (format!("F{}", feed * 60.0), format!("F{}", chop_feed * 60.0));
+                findings.add_at(FindingCode::WrongFeed, step.line, fault, allowed);
             }
             self.stroke(step, feed, rest);
             if rest > 0.0 && self.schedule.run.is_short() {
                 let allowed = format!("at least {} steps", self.rules.motion.min_move_steps);
-                let found = "a dwell after fewer steps than the controller makes at once";
-                findings.add_at(FindingCode::ShortStroke, step.line, found, allowed);
+                let fault = "a dwell after fewer steps than the controller makes at once";
+                findings.add_at(FindingCode::ShortStroke, step.line, fault, allowed);
             }
             let longest = self.longest(feed);
             if step.length() > longest + 0.01 {
-                let found = format!("a stroke of {:.3} mm", step.length());
+                let fault = format!("a stroke of {:.3} mm", step.length());
                 let allowed = format!("at most {longest:.3} mm");
-                findings.add_at(FindingCode::LongStroke, step.line, found, allowed);
+                findings.add_at(FindingCode::LongStroke, step.line, fault, allowed);
             }
             rest > 0.0
         } else {
-            let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", speed * 60.0));
-            findings.add_at(FindingCode::WrongFeed, step.line, found, allowed);
+            let (fault, allowed) = (format!("F{}", feed * 60.0), format!("F{}", speed * 60.0));
+            findings.add_at(FindingCode::WrongFeed, step.line, fault, allowed);
             return;
         };
         // A move that the controller has not begun yet would seem late: it is judged together with the moves that it is joined
@@ -95,9 +95,9 @@ impl<'a> Paced<'a> {
         let lowest_of = |way| if is_steady { motion.lowest_speed(way) } else { motion.lowest_stroke(way) };
         let lowest = step.path.and_then(|path| lowest_along(&path, step.to.z - step.from.z, lowest_of));
         if let Some(lowest) = lowest.filter(|lowest| feed < lowest * (1.0 - ROUNDING)) {
-            let found = format!("F{:.3}, which the controller runs at {:.3}", feed * 60.0, lowest * 60.0);
+            let fault = format!("F{:.3}, which the controller runs at {:.3}", feed * 60.0, lowest * 60.0);
             let allowed = format!("at least F{:.3}", lowest * 60.0);
-            findings.add_at(FindingCode::BelowFloor, step.line, found, allowed);
+            findings.add_at(FindingCode::BelowFloor, step.line, fault, allowed);
         }
     }
 
@@ -116,12 +116,12 @@ impl<'a> Paced<'a> {
     /// The longest stroke, mm: a tenth of the band, or the length that leaves time for the shortest dwell.
     fn longest(&self, feed: f64) -> f64 {
         let IronRules { seal, dwell_step, .. } = self.rules;
-        let least = self.start_and_stop(feed) + dwell_step;
+        let shortest_time = self.start_and_stop(feed) + dwell_step;
         let spared = 1.0 / seal.speed.0 - 1.0 / feed;
-        let needed = if spared > 0.0 { least / spared } else { 0.0 };
+        let length = if spared > 0.0 { shortest_time / spared } else { 0.0 };
         // Where two strokes that the controller makes do not fit, one is nearly as long as both.
-        let needed = needed.max(2.0 * shortest_move(self.rules.motion));
-        needed.clamp(seal.band.0 / 10.0, seal.band.0 / 2.0)
+        let stroke_length = stroke_length.max(2.0 * shortest_move(self.rules.motion));
+        stroke_length.clamp(seal.band.0 / 10.0, seal.band.0 / 2.0)
     }
 
     /// Time that a run takes beside that of its length, s.
@@ -142,19 +142,19 @@ impl<'a> Paced<'a> {
     fn on_time(&mut self, step: &Move, stopped: bool, findings: &mut Findings) {
         let (speed, feed) = (self.rules.seal.speed.0, step.feed.unwrap_or(0.0) / 60.0);
         let Schedule { due, spent, stop, .. } = self.schedule;
-        let off = spent - due;
+        let error = spent - due;
         let quantum = self.rules.dwell_step;
         let allowed = MEAN * due + 0.6 * quantum + 0.01;
         // One run alone may be early or late by a dwell's step.
-        let alone = MEAN * (due - stop.0) + quantum + 0.015;
-        let late = if stopped { 0.0 } else { self.unfinished(feed) };
-        let within = |off: f64, most: f64| -most <= off && off <= most + late;
-        if !(within(off, allowed) && within(off - stop.1, alone)) {
-            let found = format!("{off:+.3} s off the schedule of {speed} mm/s");
-            findings.add_at(FindingCode::WrongFeed, step.line, found, format!("{allowed:.3} s"));
+        let tolerance_of_stroke = MEAN * (due - stop.0) + quantum + 0.015;
+        let lateness = if stopped { 0.0 } else { self.unfinished(feed) };
+        let is_on_schedule = |error: f64, most: f64| -most <= error && error <= most + lateness;
+        if !(is_on_schedule(error, allowed) && is_on_schedule(error - stop.1, tolerance_of_stroke)) {
+            let fault = format!("{error:+.3} s off the schedule of {speed} mm/s");
+            findings.add_at(FindingCode::WrongFeed, step.line, fault, format!("{allowed:.3} s"));
             self.schedule = Schedule::default();
         } else if stopped {
-            self.schedule.stop = (due, off);
+            self.schedule.stop = (due, error);
         }
     }
 }
@@ -185,12 +185,14 @@ impl Judge for Paced<'_> {
 /// that of a displacement.
 fn lowest_along(path: &Segment, rise: f64, lowest_of: impl Fn([f64; 3]) -> Option<f64>) -> Option<f64> {
     let length = path.length();
-    let at = |t: f64| {
+    let lowest_at = |t: f64| {
         let u = path.tangent(t);
         lowest_of([u.x * length, u.y * length, rise])
     };
     let places = if matches!(path, Segment::Line(_)) { 0 } else { 16 };
-    (0..=places).map(|i| at(f64::from(i) / 16.0)).try_fold(0.0, |worst: f64, lowest| Some(worst.max(lowest?)))
+    (0..=places)
+        .map(|i| lowest_at(f64::from(i) / 16.0))
+        .try_fold(0.0, |worst: f64, lowest| Some(worst.max(lowest?)))
 }
 
 #[cfg(test)]
@@ -201,8 +203,8 @@ mod tests {
     use spec::units::Acceleration;
     use spec::{Motion, StepRate};
 
-    fn close(found: f64, expected: f64) {
-        assert!((found / expected - 1.0).abs() < 1e-12, "{found}, expected {expected}");
+    fn close(actual: f64, expected: f64) {
+        assert!((actual / expected - 1.0).abs() < 1e-12, "{actual}, expected {expected}");
     }
 
     /// From rest to rest: L / v + v / a where the speed is reached, 2 sqrt(L / a) where it is not.
@@ -229,10 +231,10 @@ mod tests {
             ..Motion::UNKNOWN
         };
         let line: Segment = Line::new(Point::ORIGIN, Point::polar(4.0, 30_f64.to_radians())).into();
-        let found = |rise: f64| lowest_along(&line, rise, |way| motion.lowest_speed(way)).expect("known");
-        close(found(3.0), 30.52 * 5.0 / 1200.0);
-        close(found(-3.0), found(3.0));
+        let lowest = |rise: f64| lowest_along(&line, rise, |way| motion.lowest_speed(way)).expect("known");
+        close(lowest(3.0), 30.52 * 5.0 / 1200.0);
+        close(lowest(-3.0), lowest(3.0));
         // Level, it is X: 80 x 4 cos 30 times in 4 mm, more often than Y.
-        close(found(0.0), 30.52 / (80.0 * 30_f64.to_radians().cos()));
+        close(lowest(0.0), 30.52 / (80.0 * 30_f64.to_radians().cos()));
     }
 }

@@ -37,7 +37,7 @@ pub enum Phase {
 
 impl Phase {
     /// The phase of the iron in a move.
-    pub fn of(step: &Move, heights: &Heights) -> Self {
+    pub fn new(step: &Move, heights: &Heights) -> Self {
         let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
         if low >= heights.travel.0 - HEIGHT {
             Self::Clear
@@ -66,7 +66,7 @@ impl<'a> IronRules<'a> {
 
     /// The phase of the iron in a move.
     pub(super) fn phase(&self, step: &Move) -> Phase {
-        Phase::of(step, &self.process.heights)
+        Phase::new(step, &self.process.heights)
     }
 
     /// The longest time at rest, s: the time for a tenth of the band, as a longer rest leaves a scar; or that of two of the

@@ -46,7 +46,7 @@ impl Judge for ScriptJudge<'_> {
     fn line(&mut self, line: &Line<'_>, findings: &mut Findings) {
         if line.is_motion() {
             self.moved = true;
-            self.tail.again(line.number);
+            self.tail.restart(line.number);
         } else if is_code(line.text.trim()) {
             if self.moved {
                 self.tail.next(line);
@@ -86,7 +86,7 @@ impl<'a> WantedLine<'a> {
     }
 
     /// Begins anew after `line`.
-    fn again(&mut self, line: usize) {
+    fn restart(&mut self, line: usize) {
         (self.come, self.last, self.wrong) = (0, line, None);
     }
 
@@ -105,12 +105,12 @@ impl<'a> WantedLine<'a> {
     }
 
     fn end(&self, findings: &mut Findings) {
-        let wanted = self.lines.get(self.come).map(|line| format!("{}, as in the profile", quote(line)));
+        let missing = self.lines.get(self.come).map(|line| format!("{}, as in the profile", quote(line)));
         if let Some(line) = self.wrong {
-            let allowed = wanted.unwrap_or_else(|| "no further line, as in the profile".to_owned());
+            let allowed = missing.unwrap_or_else(|| "no further line, as in the profile".to_owned());
             findings.add_at(FindingCode::ProfileLine, line, quote(&self.text), allowed);
-        } else if let Some(wanted) = wanted {
-            findings.add_at(FindingCode::ProfileLine, self.last, "nothing more", wanted);
+        } else if let Some(missing) = missing {
+            findings.add_at(FindingCode::ProfileLine, self.last, "nothing more", missing);
         }
     }
 }
@@ -140,19 +140,20 @@ impl Body {
         Self { heat, heated: false, moved: false, pending: Vec::new() }
     }
 
-    fn judge(&mut self, told: &PendingLine, within: bool, findings: &mut Findings) {
-        let right = match (&told.heat, within) {
-            (None, within) => !within,
+    fn judge(&mut self, pending: &PendingLine, is_within: bool, findings: &mut Findings) {
+        let right = match (&pending.heat, is_within) {
+            (None, is_within) => !is_within,
             (Some(heat), false) => heat.celsius == 0.0 && !heat.waits,
             (Some(heat), true) => {
-                let wanted = self.heat.filter(|_| !std::mem::replace(&mut self.heated, true));
-                heat.waits && wanted.is_some_and(|wanted| (wanted.0 - heat.celsius).abs() <= SAME)
+                let temperature = self.heat.filter(|_| !std::mem::replace(&mut self.heated, true));
+                heat.waits
+                    && temperature.is_some_and(|temperature| (temperature.0 - heat.celsius).abs() <= SAME)
             }
         };
         if right {
             return;
         }
-        let (code, allowed) = match (&told.heat, self.heat) {
+        let (code, allowed) = match (&pending.heat, self.heat) {
             (None, _) => {
                 (FindingCode::ProfileLine, "modes and settings before the first motion only".to_owned())
             }
@@ -161,12 +162,12 @@ impl Body {
             }
             (_, None) => (FindingCode::StrayHeat, "no heating".to_owned()),
         };
-        findings.add_at(code, told.line, told.text.clone(), allowed);
+        findings.add_at(code, pending.line, pending.text.clone(), allowed);
     }
 
-    fn judge_pending(&mut self, within: bool, findings: &mut Findings) {
+    fn judge_pending(&mut self, is_within: bool, findings: &mut Findings) {
         for told in std::mem::take(&mut self.pending) {
-            self.judge(&told, within, findings);
+            self.judge(&told, is_within, findings);
         }
     }
 }
@@ -178,7 +179,7 @@ impl Judge for Body {
             Event::Setting => Some(None),
             _ => None,
         });
-        let told = |heat| PendingLine { line: line.number, text: quote(line.text.trim_end()), heat };
+        let pending = |heat| PendingLine { line: line.number, text: quote(line.text.trim_end()), heat };
         if line.is_motion() {
             // What stood before the first motion is the head.
             self.judge_pending(self.moved, findings);
@@ -186,9 +187,9 @@ impl Judge for Body {
         }
         for heat in heats {
             if line.is_motion() || self.pending.len() >= PENDING {
-                self.judge(&told(heat), true, findings);
+                self.judge(&pending(heat), true, findings);
             } else {
-                self.pending.push(told(heat));
+                self.pending.push(pending(heat));
             }
         }
     }

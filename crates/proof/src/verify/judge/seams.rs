@@ -59,14 +59,14 @@ impl<'a> Sealed<'a> {
     fn lift(&mut self, findings: &mut Findings) {
         match self.now.take() {
             Some(SeamContact::Seam(walks)) => {
-                let [down, run, up] = *walks;
-                for walk in [run, down, up] {
+                let [down, run, lift] = *walks;
+                for walk in [run, down, lift] {
                     self.deviation = self.deviation.max(walk.end(self.tolerance, findings));
                 }
             }
             Some(SeamContact::Extra(line)) => {
-                let found = "a contact that the design does not have";
-                findings.add_at(FindingCode::ExtraSeam, line, found, "only its seams");
+                let fault = "a contact that the design does not have";
+                findings.add_at(FindingCode::ExtraSeam, line, fault, "only its seams");
             }
             None => {}
         }
@@ -81,19 +81,19 @@ impl Judge for Sealed<'_> {
             return;
         }
         let expected = &mut self.expected;
-        let now = self.now.get_or_insert_with(|| match expected.next() {
+        let current = self.now.get_or_insert_with(|| match expected.next() {
             Some(seam) => SeamContact::Seam(Box::new(walks(seam))),
             None => SeamContact::Extra(None),
         });
-        match now {
+        match current {
             SeamContact::Extra(line) if phase == Phase::Contact => *line = line.or(Some(step.line)),
             SeamContact::Extra(_) => {}
             SeamContact::Seam(walks) => {
-                let [down, run, up] = &mut **walks;
+                let [down, run, lift] = &mut **walks;
                 match phase {
                     Phase::Contact => run.step(step),
                     _ if run.first.is_none() => down.step(step),
-                    _ => up.step(step),
+                    _ => lift.step(step),
                 }
             }
         }
@@ -102,8 +102,8 @@ impl Judge for Sealed<'_> {
     fn end(&mut self, findings: &mut Findings) {
         self.lift(findings);
         for seam in self.expected.by_ref() {
-            let found = format!("no {}", seam.name);
-            findings.add(FindingCode::MissingSeam, found, "every seam of the design");
+            let fault = format!("no {}", seam.name);
+            findings.add(FindingCode::MissingSeam, fault, "every seam of the design");
         }
     }
 
@@ -130,11 +130,11 @@ impl Traced {
     pub(super) fn new(task: &ProgramTask<'_>) -> Self {
         let frame = SeamWalk::new(&task.frame, "frame".to_owned(), task.frame.length());
         let paths: Vec<SeamWalk> = std::iter::once(frame).chain(task.seams.iter().map(walk)).collect();
-        let (tolerance, wanted) = (task.spec.accuracy.path.0, task.seams.len());
+        let (tolerance, seam_count) = (task.spec.accuracy.path.0, task.seams.len());
         Self {
             tolerance,
             paths: paths.into_iter(),
-            wanted,
+            wanted: seam_count,
             found: 0,
             inside: false,
             now: None,
@@ -168,14 +168,14 @@ impl Judge for Traced {
 
     fn end(&mut self, findings: &mut Findings) {
         self.leave(findings);
-        let found = self.found.saturating_sub(1);
+        let count = self.found.saturating_sub(1);
         if self.found == 0 {
             self.now = self.paths.next();
             self.leave(findings);
         }
-        if found != self.wanted {
-            let (found, allowed) = (format!("{found} paths"), format!("{} paths", self.wanted));
-            findings.add(FindingCode::MissingSeam, found, allowed);
+        if count != self.wanted {
+            let (fault, allowed) = (format!("{count} paths"), format!("{} paths", self.wanted));
+            findings.add(FindingCode::MissingSeam, fault, allowed);
         }
     }
 
@@ -196,8 +196,8 @@ struct SeamWalk {
 }
 
 impl SeamWalk {
-    fn new(path: &Path, name: String, once: f64) -> Self {
-        Self { follower: Follower::new(path), name, once, first: None, last: None }
+    fn new(path: &Path, name: String, circumference: f64) -> Self {
+        Self { follower: Follower::new(path), name, once: circumference, first: None, last: None }
     }
 
     fn step(&mut self, step: &Move) {
@@ -210,38 +210,43 @@ impl SeamWalk {
 
     /// Reports how it left its path; the largest deviation, mm.
     fn end(self, tolerance: f64, findings: &mut Findings) -> f64 {
-        let Self { name, once, first, last, .. } = self;
+        let Self { name, once: circumference, first, last, .. } = self;
         let walked = self.follower.finish();
         let (length, deviation) = (walked.exact_length, walked.largest());
         if deviation.is_nan() || deviation > tolerance {
             let line = first.map(|first| walked.step.max(first));
-            let found = if deviation.is_finite() {
+            let fault = if deviation.is_finite() {
                 format!("{deviation:.6} mm off the {name}")
             } else {
                 format!("no move along the {name}")
             };
-            findings.add_at(FindingCode::Deviation, line, found, format!("{tolerance} mm"));
+            findings.add_at(FindingCode::Deviation, line, fault, format!("{tolerance} mm"));
         }
         // Along the path, rounding at both ends may add up.
         let slack = 2.0 * tolerance;
         if walked.start > slack {
-            let found = format!("the {name} begins {:.3} mm late", walked.start);
-            findings.add_at(FindingCode::LateStart, first, found, "its start");
+            let fault = format!("the {name} begins {:.3} mm late", walked.start);
+            findings.add_at(FindingCode::LateStart, first, fault, "its start");
         }
-        if walked.end < once - slack {
-            let found = format!("the {name} ends {:.3} mm before it is closed", once - walked.end);
-            findings.add_at(FindingCode::OpenLoop, last, found, format!("{once:.3} mm"));
+        if walked.end < circumference - slack {
+            let fault = format!("the {name} ends {:.3} mm before it is closed", circumference - walked.end);
+            findings.add_at(FindingCode::OpenLoop, last, fault, format!("{circumference:.3} mm"));
         } else if walked.end < length - slack {
-            let found = format!("{:.3} mm of overlap on the {name}", walked.end - once);
-            findings.add_at(FindingCode::MissingOverlap, last, found, format!("{:.3} mm", length - once));
+            let fault = format!("{:.3} mm of overlap on the {name}", walked.end - circumference);
+            findings.add_at(
+                FindingCode::MissingOverlap,
+                last,
+                fault,
+                format!("{:.3} mm", length - circumference),
+            );
         }
         if let Some((back, line)) = walked.backwards.filter(|(back, _)| *back > slack) {
-            let found = format!("{back:.3} mm back along the {name}");
-            findings.add_at(FindingCode::Backwards, line, found, "forwards only");
+            let fault = format!("{back:.3} mm back along the {name}");
+            findings.add_at(FindingCode::Backwards, line, fault, "forwards only");
         }
         if let Some((gap, line)) = walked.jump.filter(|(gap, _)| *gap > tolerance) {
-            let found = format!("a gap of {gap:.3} mm in the {name}");
-            findings.add_at(FindingCode::Jump, line, found, "an unbroken path");
+            let fault = format!("a gap of {gap:.3} mm in the {name}");
+            findings.add_at(FindingCode::Jump, line, fault, "an unbroken path");
         }
         deviation
     }

@@ -22,10 +22,11 @@ impl StrokeRun {
     /// The run with one more move from `from` to `to`, of this length, mm.
     pub(super) fn and(self, motion: &Motion, from: [f64; 3], to: [f64; 3], length: f64) -> Self {
         let scale = motion.steps_per_mm.unwrap_or([1.0; 3]);
-        let whole = |mm: f64, axis: usize| (mm * scale[axis]).round();
-        let joined: [f64; 3] = std::array::from_fn(|i| self.joined[i] + whole(to[i], i) - whole(from[i], i));
-        let most = joined.into_iter().map(f64::abs).fold(0.0, f64::max);
-        let is_short = motion.steps_per_mm.is_some() && most < motion.min_move_steps;
+        let steps_of = |mm: f64, axis: usize| (mm * scale[axis]).round();
+        let joined: [f64; 3] =
+            std::array::from_fn(|i| self.joined[i] + steps_of(to[i], i) - steps_of(from[i], i));
+        let largest = joined.into_iter().map(f64::abs).fold(0.0, f64::max);
+        let is_short = motion.steps_per_mm.is_some() && largest < motion.min_move_steps;
         let run = Self { joined, is_short, length: self.length + length, ..self };
         if is_short {
             return run;
@@ -85,21 +86,21 @@ pub(super) fn shortest_move(motion: &Motion) -> f64 {
 }
 
 /// Time on Marlin (repository MarlinFirmware/Marlin, planner.cpp and stepper.cpp): every step has a rate of its own, in whole
-/// steps a second, which is rounded up and is never below the `least`; versions up to 2.0.x begin and end with the rate `first`.
+/// steps a second, which is rounded up and is never below the `floor`; versions up to 2.0.x begin and end with the rate `first`.
 fn whole_rates(
     steps: f64,
     length: f64,
     (speed, acceleration): (f64, f64),
-    least: f64,
+    floor: f64,
     first: Option<f64>,
 ) -> f64 {
     let scale = steps / length;
-    let even = (speed * scale - 1e-6).ceil().max(least);
+    let even = (speed * scale - 1e-6).ceil().max(floor);
     if let Some(first) = first.filter(|_| steps <= 1e4) {
-        let first = first.max((0.05 * scale).ceil()).max(least);
+        let first = first.max((0.05 * scale).ceil()).max(floor);
         return with_first(steps, even, (acceleration * scale).ceil(), first);
     }
-    let slow = (speed.min((acceleration / scale / 2.0).sqrt()) * scale).round().max(least);
+    let slow = (speed.min((acceleration / scale / 2.0).sqrt()) * scale).round().max(floor);
     let gain = (acceleration * scale).ceil();
     let ramp = ((even.powi(2) - slow.powi(2)) / gain / 2.0).ceil().max(0.0);
     if steps > 1e4 {
@@ -107,20 +108,20 @@ fn whole_rates(
     }
     let up = if ramp + ramp > steps { (0.5 * steps).round() } else { ramp };
     let brake = if ramp + ramp > steps { up } else { steps - ramp };
-    let (mut made, mut total, mut since, mut top) = (0.0, 0.0, 0.0, slow);
-    while made < steps {
-        total += if made < up {
+    let (mut count, mut total, mut ramp_time, mut top) = (0.0, 0.0, 0.0, slow);
+    while count < steps {
+        total += if count < up {
             top = even.min(slow + (gain * total).floor());
             1.0 / top
-        } else if made < brake {
-            (top, since) = (even, 0.5 / even);
+        } else if count < brake {
+            (top, ramp_time) = (even, 0.5 / even);
             1.0 / even
         } else {
-            let each = 1.0 / slow.max(top - (gain * since).floor());
-            since += each;
-            each
+            let interval = 1.0 / slow.max(top - (gain * ramp_time).floor());
+            ramp_time += interval;
+            interval
         };
-        made += 1.0;
+        count += 1.0;
     }
     total
 }
@@ -129,7 +130,7 @@ fn whole_rates(
 fn with_first(steps: f64, even: f64, gain: f64, first: f64) -> f64 {
     let part = 0.5 * (even - first).max(0.0) * (even + first) / gain;
     let meet = (0.5 * steps).ceil();
-    let (gained, lost) =
+    let (gained, braking) =
         if part.ceil() + part.floor() > steps { (meet, steps - meet) } else { (part.ceil(), part.floor()) };
     let (mut total, mut rising, mut falling, mut top) = (first.recip(), 0.0, 0.0, first);
     let mut step = 1.0;
@@ -138,7 +139,7 @@ fn with_first(steps: f64, even: f64, gain: f64, first: f64) -> f64 {
             top = (first + (gain * rising).floor()).min(even);
             rising += top.recip();
             top
-        } else if step + lost > steps {
+        } else if step + braking > steps {
             let rate = first.max(top - (gain * falling).floor());
             falling += rate.recip();
             rate
@@ -151,11 +152,11 @@ fn with_first(steps: f64, even: f64, gain: f64, first: f64) -> f64 {
     total
 }
 
-/// The time of a step on FluidNC that should take `told`, s (repository bdring/FluidNC, Stepper.cpp): cycles of 20 MHz are
+/// The time of a step on FluidNC that should take `interval`, s (repository bdring/FluidNC, Stepper.cpp): cycles of 20 MHz are
 /// halved, up to three times, until 8,000 of them, in 32 bits, are below 20 million; 16 bits of them are counted.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a step takes a day at most")]
-fn early(told: f64) -> f64 {
-    let mut cycles = (told * 2e7).ceil() as u64;
+fn early(interval: f64) -> f64 {
+    let mut cycles = (interval * 2e7).ceil() as u64;
     let mut halvings = 0;
     while halvings < 3 && (cycles * 8000) & 0xffff_ffff >= 20_000_000 {
         cycles /= 2;
@@ -176,59 +177,64 @@ struct Ramps {
 impl Ramps {
     fn new(length: f64, speed: f64, acceleration: f64) -> Self {
         // Half the way is for speeding up, if the speed is not reached before.
-        let reached = speed.min((acceleration * length).sqrt());
-        let even = length - reached * reached / acceleration;
-        Self { length, acceleration, reached, time: 2.0 * reached / acceleration + even / reached }
+        let top_speed = speed.min((acceleration * length).sqrt());
+        let even = length - top_speed * top_speed / acceleration;
+        Self {
+            length,
+            acceleration,
+            reached: top_speed,
+            time: 2.0 * top_speed / acceleration + even / top_speed,
+        }
     }
 
     /// The part of the way that is done at `t`, 0 to 1.
-    fn done(&self, t: f64) -> f64 {
+    fn part_done(&self, t: f64) -> f64 {
         // From the nearer end both halves look the same.
-        let (near, turned) = if 2.0 * t > self.time { (self.time - t, true) } else { (t, false) };
-        let whole = self.reached / self.acceleration;
-        let ramp = near.clamp(0.0, whole);
-        let way = 0.5 * self.acceleration * ramp * ramp + self.reached * (near - ramp).max(0.0);
+        let (from_end, turned) = if 2.0 * t > self.time { (self.time - t, true) } else { (t, false) };
+        let ramp_time = self.reached / self.acceleration;
+        let ramp = from_end.clamp(0.0, ramp_time);
+        let way = 0.5 * self.acceleration * ramp * ramp + self.reached * (from_end - ramp).max(0.0);
         if turned { 1.0 - way / self.length } else { way / self.length }
     }
 
     /// Time for `steps` whole steps along it, s; `interval` returns the real time of a step from its nominal one.
     fn ticked(&self, steps: f64, tick: f64, interval: impl Fn(f64) -> f64) -> f64 {
-        let (mut spent, mut made) = (0.0_f64, 0.0_f64);
+        let (mut spent, mut count) = (0.0_f64, 0.0_f64);
         // The end of the last stretch: time, steps and parts of a step, and time that is kept for the step begun there.
-        let (mut cut, mut reached, mut kept) = (0.0_f64, 0.0_f64, 0.0_f64);
-        while made < steps {
-            let (now, counted) = self.stretch(cut, tick, (reached + 1.25).min(steps) / steps);
+        let (mut cut, mut part, mut carry) = (0.0_f64, 0.0_f64, 0.0_f64);
+        while count < steps {
+            let (time, interval_time) = self.stretch(cut, tick, (part + 1.25).min(steps) / steps);
             // The last of the way takes long, and is nothing: a stretch that ends in it has done all.
-            let over = now >= self.time || self.done(now) > 1.0 - 1e-9;
-            let here = if over { steps } else { steps * self.done(now) };
-            let told = (counted + kept) / (here - made);
-            let whole = if over { steps } else { (here + 1e-9).floor() };
-            spent += (whole - made) * interval(told);
-            kept = (here - whole) * told;
-            (cut, reached, made) = (now, here, whole);
+            let is_over = time >= self.time || self.part_done(time) > 1.0 - 1e-9;
+            let steps_due = if is_over { steps } else { steps * self.part_done(time) };
+            let interval_of_step = (interval_time + carry) / (steps_due - count);
+            let whole_steps = if is_over { steps } else { (steps_due + 1e-9).floor() };
+            spent += (whole_steps - count) * interval(interval_of_step);
+            carry = (steps_due - whole_steps) * interval_of_step;
+            (cut, part, count) = (time, steps_due, whole_steps);
         }
         spent
     }
 
-    /// The end of the stretch from `cut`, which goes on to the part `enough` of the way at least, and its counted time, s.
-    fn stretch(&self, cut: f64, tick: f64, enough: f64) -> (f64, f64) {
+    /// The end of the stretch from `cut`, which goes on to the part `goal` of the way at least, and its counted time, s.
+    fn stretch(&self, cut: f64, tick: f64, goal: f64) -> (f64, f64) {
         let at_speed = self.reached / self.acceleration;
-        let (mut now, mut counted, mut allowed) = (cut, 0.0_f64, 0.0_f64);
-        while now < self.time && (counted + 1e-9 < allowed || self.done(now) < enough - 1e-9) {
-            while counted + 1e-9 >= allowed {
+        let (mut time, mut counted_time, mut allowed) = (cut, 0.0_f64, 0.0_f64);
+        while time < self.time && (counted_time + 1e-9 < allowed || self.part_done(time) < goal - 1e-9) {
+            while counted_time + 1e-9 >= allowed {
                 allowed += tick;
             }
-            let next = (now + allowed - counted).min(self.time);
-            if now < at_speed && at_speed < next {
-                let way = self.length * (self.done(at_speed) - self.done(cut));
-                counted += way / (0.5 * (self.acceleration * now + self.reached));
-                now = at_speed;
+            let next = (time + allowed - counted_time).min(self.time);
+            if time < at_speed && at_speed < next {
+                let way = self.length * (self.part_done(at_speed) - self.part_done(cut));
+                counted_time += way / (0.5 * (self.acceleration * time + self.reached));
+                time = at_speed;
             } else {
-                counted += next - now;
-                now = next;
+                counted_time += next - time;
+                time = next;
             }
         }
-        (now, counted)
+        (time, counted_time)
     }
 }
 
@@ -244,8 +250,8 @@ mod tests {
             let length = f64::from(i) * 1e-3;
             for (speed, a) in [(0.5, 10.0), (20.0, 10.0), (5.0, 500.0)] {
                 let steps = (length * 400.0).round().max(1.0);
-                let found = Ramps::new(length, speed, a).ticked(steps, 0.01, |told| told.min(1.0));
-                assert!(found.is_finite() && found > 0.0, "{length} {speed} {a}: {found}");
+                let seconds = Ramps::new(length, speed, a).ticked(steps, 0.01, |told| told.min(1.0));
+                assert!(seconds.is_finite() && seconds > 0.0, "{length} {speed} {a}: {seconds}");
             }
         }
     }
@@ -269,8 +275,8 @@ mod tests {
                 ..Motion::UNKNOWN
             };
             let run = StrokeRun::default().and(&motion, [0.0; 3], to, 0.2);
-            let found = run.seconds(&motion, 0.64741);
-            assert!((found - seconds).abs() < 5e-5, "{acceleration} {to:?}: {found}");
+            let measured = run.seconds(&motion, 0.64741);
+            assert!((measured - seconds).abs() < 5e-5, "{acceleration} {to:?}: {measured}");
         }
     }
 }

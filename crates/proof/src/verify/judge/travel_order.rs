@@ -41,16 +41,16 @@ impl TravelOrder {
         tolerance: f64,
     ) -> Self {
         let (park, travel) = (heights.park.0, heights.travel.0);
-        let mut at = [None, None, Some(park)];
-        let mut waypoints = vec![Waypoint::Rapid(at)];
+        let mut position = [None, None, Some(park)];
+        let mut waypoints = vec![Waypoint::Rapid(position)];
         if hot {
             waypoints.push(Waypoint::Comment("heat"));
         }
         for start in starts {
-            at = [Some(start.x), Some(start.y), at[2]];
-            waypoints.push(Waypoint::Rapid(at));
-            at[2] = Some(travel);
-            waypoints.push(Waypoint::Rapid(at));
+            position = [Some(start.x), Some(start.y), position[2]];
+            waypoints.push(Waypoint::Rapid(position));
+            position[2] = Some(travel);
+            waypoints.push(Waypoint::Rapid(position));
             if hot {
                 waypoints.push(Waypoint::Comment("seam"));
             }
@@ -62,42 +62,45 @@ impl TravelOrder {
         Self { waypoints, passed: 0, tolerance, on_path: false }
     }
 
-    /// Whether `found` is the waypoint `wanted`.
-    fn is(&self, found: &Waypoint, wanted: &Waypoint) -> bool {
-        let (Waypoint::Rapid(found), Waypoint::Rapid(wanted)) = (found, wanted) else {
-            return found == wanted;
+    /// Whether `waypoint` is the waypoint `expected`.
+    fn is(&self, waypoint: &Waypoint, expected: &Waypoint) -> bool {
+        let (Waypoint::Rapid(place), Waypoint::Rapid(expected_place)) = (place, expected_place) else {
+            return place == expected_place;
         };
-        let near = |slack: f64| {
-            move |(found, wanted): (&Option<f64>, &Option<f64>)| {
-                wanted.is_none_or(|wanted| found.is_some_and(|found| (found - wanted).abs() <= slack))
+        let is_near = |slack: f64| {
+            move |(place, expected_place): (&Option<f64>, &Option<f64>)| {
+                expected_place.is_none_or(|expected_place| {
+                    place.is_some_and(|place| (place - expected_place).abs() <= slack)
+                })
             }
         };
-        found[..2].iter().zip(&wanted[..2]).all(near(self.tolerance)) && near(HEIGHT)((&found[2], &wanted[2]))
+        place[..2].iter().zip(&expected_place[..2]).all(is_near(self.tolerance))
+            && is_near(HEIGHT)((&place[2], &expected_place[2]))
     }
 
     /// The next waypoint, as it was found.
-    fn pass(&mut self, found: &Waypoint, line: usize, findings: &mut Findings) {
-        if self.waypoints.get(self.passed).is_some_and(|wanted| self.is(found, wanted)) {
+    fn pass(&mut self, waypoint: &Waypoint, line: usize, findings: &mut Findings) {
+        if self.waypoints.get(self.passed).is_some_and(|wanted| self.is(waypoint, wanted)) {
             self.passed += 1;
             return;
         }
         let allowed = self.waypoints.get(self.passed).map_or("the end".to_owned(), told);
         // If it comes later, what is between is missing; else it is one too many. Of many findings the first do.
-        let later = if findings.is_full() { None } else { self.later(found) };
-        if let Some(later) = later {
-            self.passed = later + 1;
+        let place = if findings.is_full() { None } else { self.later_place(waypoint) };
+        if let Some(place) = place {
+            self.passed = place + 1;
         }
-        let code = match found {
+        let code = match waypoint {
             Waypoint::Comment(_) => FindingCode::OtherComment,
             _ => FindingCode::StrayTravel,
         };
-        findings.add_at(code, line, told(found), format!("{allowed} next"));
+        findings.add_at(code, line, in_words(waypoint), format!("{allowed} next"));
     }
 
     /// A later place in the order; the way up from the last path fits too many moves to be identified.
-    fn later(&self, found: &Waypoint) -> Option<usize> {
+    fn later_place(&self, waypoint: &Waypoint) -> Option<usize> {
         let vague = |waypoint: &Waypoint| matches!(waypoint, Waypoint::Rapid([None, ..]));
-        let fits = |waypoint: &Waypoint| !vague(waypoint) && self.is(found, waypoint);
+        let fits = |waypoint: &Waypoint| !vague(waypoint) && self.is(waypoint, waypoint);
         (self.passed..self.waypoints.len()).find(|i| fits(&self.waypoints[*i]))
     }
 }
@@ -124,18 +127,19 @@ impl Judge for TravelOrder {
     }
 
     fn end(&mut self, findings: &mut Findings) {
-        if let Some(wanted) = self.waypoints.get(self.passed) {
-            findings.add(FindingCode::StrayTravel, "the end", format!("{} next", told(wanted)));
+        if let Some(missing) = self.waypoints.get(self.passed) {
+            findings.add(FindingCode::StrayTravel, "the end", format!("{} next", in_words(missing)));
         }
     }
 }
 
 /// A waypoint in words.
-fn told(waypoint: &Waypoint) -> String {
+fn in_words(waypoint: &Waypoint) -> String {
     match waypoint {
         Waypoint::Rapid(to) => {
-            let told = |(name, value): (char, &Option<f64>)| value.map(|value| format!("{name}{value:.4}"));
-            let axes: Vec<String> = "XYZ".chars().zip(to).filter_map(told).collect();
+            let axis_text =
+                |(name, value): (char, &Option<f64>)| value.map(|value| format!("{name}{value:.4}"));
+            let axes: Vec<String> = "XYZ".chars().zip(to).filter_map(axis_text).collect();
             format!("G0 to {}", axes.join(" "))
         }
         Waypoint::Comment(key) => format!("the comment {key:?}"),
@@ -164,7 +168,7 @@ mod tests {
     ];
 
     /// Code and line (of the way, from 0) of each finding in it.
-    fn found(way: &[&str]) -> Vec<(&'static str, Option<usize>)> {
+    fn findings_of(way: &[&str]) -> Vec<(&'static str, Option<usize>)> {
         let heights = Heights { contact: Length(0.0), travel: Length(5.0), park: Length(30.0) };
         let judge = TravelOrder::new(&heights, [Point::new(10.0, 20.0)], true, 1e-3);
         let text = format!("G21\nG90\nG94\n{}\nM2\n", way.join("\n"));
@@ -172,14 +176,14 @@ mod tests {
         let lines = text.split_inclusive('\n');
         let _ = judged(lines, Dialect::GENERIC, vec![Box::new(judge)], &mut findings);
         let findings = findings.into_vec();
-        let ours = |code: &str| ["stray-travel", "other-comment"].contains(&code);
-        let ours = findings.iter().filter(|finding| ours(finding.code));
-        ours.map(|finding| (finding.code, finding.line.map(|line| line - 4))).collect()
+        let is_ours = |code: &str| ["stray-travel", "other-comment"].contains(&code);
+        let of_order = findings.iter().filter(|finding| of_order(finding.code));
+        of_order.map(|finding| (finding.code, finding.line.map(|line| line - 4))).collect()
     }
 
     #[test]
     fn the_way_of_a_job_is_found_right() {
-        assert_eq!(found(&WAY), []);
+        assert_eq!(findings_of(&WAY), []);
     }
 
     #[test]
@@ -190,16 +194,19 @@ mod tests {
             way
         };
         let stray = |line: usize| vec![("stray-travel", Some(line))];
-        assert_eq!(found(&changed(3, &["G0 X10 Y20", "G0 X80 Y80", "G0 X10 Y20"])).len(), 2);
-        assert_eq!(found(&changed(8, &["G0 Z30", "G0 X80 Y80"])), stray(9));
-        assert_eq!(found(&changed(9, &["G0 X0 Y1"])), [stray(9), vec![("stray-travel", None)]].concat());
-        assert_eq!(found(&changed(8, &[])), [stray(8), vec![("stray-travel", None)]].concat());
-        assert_eq!(found(&changed(5, &[])), stray(5));
-        let mut late = WAY;
-        late.swap(5, 6);
-        assert_eq!(found(&late), [stray(5), vec![("other-comment", Some(6))]].concat());
+        assert_eq!(findings_of(&changed(3, &["G0 X10 Y20", "G0 X80 Y80", "G0 X10 Y20"])).len(), 2);
+        assert_eq!(findings_of(&changed(8, &["G0 Z30", "G0 X80 Y80"])), stray(9));
+        assert_eq!(
+            findings_of(&changed(9, &["G0 X0 Y1"])),
+            [stray(9), vec![("stray-travel", None)]].concat()
+        );
+        assert_eq!(findings_of(&changed(8, &[])), [stray(8), vec![("stray-travel", None)]].concat());
+        assert_eq!(findings_of(&changed(5, &[])), stray(5));
+        let mut swapped = WAY;
+        swapped.swap(5, 6);
+        assert_eq!(findings_of(&swapped), [stray(5), vec![("other-comment", Some(6))]].concat());
         let mut early = WAY;
         early.swap(4, 5);
-        assert_eq!(found(&early), [vec![("other-comment", Some(4))], stray(5)].concat());
+        assert_eq!(findings_of(&early), [vec![("other-comment", Some(4))], stray(5)].concat());
     }
 }

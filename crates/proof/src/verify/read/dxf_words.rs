@@ -46,7 +46,7 @@ pub(in crate::verify) fn check(text: &str, frame: &DxfFrame<'_>) -> Result<(), F
     if seed == right {
         return Ok(());
     }
-    Err(Finding::at(FindingCode::UnknownWord, line, format!("$HANDSEED {seed}"), right))
+    Err(Finding::in_line(FindingCode::UnknownWord, line, format!("$HANDSEED {seed}"), right))
 }
 
 struct Tag<'a> {
@@ -56,8 +56,8 @@ struct Tag<'a> {
 }
 
 fn wrong(tag: &Tag<'_>, allowed: &str) -> Finding {
-    let found = format!("{} {}", tag.code, quote(tag.value));
-    Finding::at(FindingCode::UnknownWord, tag.line, found, allowed)
+    let fault = format!("{} {}", tag.code, quote(tag.value));
+    Finding::in_line(FindingCode::UnknownWord, tag.line, fault, allowed)
 }
 
 /// The tags of a file, beside the frame that they should have.
@@ -81,8 +81,8 @@ impl<'a> Tags<'a> {
         let line = self.line + 1;
         self.line += 2;
         let Some(value) = self.lines.next() else {
-            let found = "a group code without a value";
-            return Err(Finding::at(FindingCode::Truncated, line, found, "pairs of lines"));
+            let fault = "a group code without a value";
+            return Err(Finding::in_line(FindingCode::Truncated, line, fault, "pairs of lines"));
         };
         Ok(Some(Tag { line, code: code.trim_ascii(), value }))
     }
@@ -95,11 +95,13 @@ impl<'a> Tags<'a> {
 
     /// The next tag, which must have this group code.
     fn take(&mut self, code: &str, allowed: &str) -> Result<Tag<'a>, Finding> {
-        let said = || format!("{code} {allowed}");
+        let expectation = || format!("{code} {allowed}");
         match self.next()? {
             Some(tag) if tag.code == code => Ok(tag),
-            Some(tag) => Err(wrong(&tag, &said())),
-            None => Err(Finding::at(FindingCode::Truncated, self.line, "the end of the file", said())),
+            Some(tag) => Err(wrong(&tag, &expectation())),
+            None => {
+                Err(Finding::in_line(FindingCode::Truncated, self.line, "the end of the file", expectation()))
+            }
         }
     }
 

@@ -35,28 +35,28 @@ impl Number<'_> {
 pub(super) fn read(text: &str, exponent: bool) -> Option<Number<'_>> {
     let bytes = text.as_bytes();
     let is_negative = bytes.first() == Some(&b'-');
-    let mut at = usize::from(is_negative || bytes.first() == Some(&b'+'));
-    let (whole, mut all) = digits(&bytes[at..], 0);
-    at += whole;
+    let mut index = usize::from(is_negative || bytes.first() == Some(&b'+'));
+    let (integer_digits, mut mantissa) = digits(&bytes[index..], 0);
+    index += integer_digits;
     let mut fraction = 0;
-    if bytes.get(at) == Some(&b'.') {
-        at += 1;
-        (fraction, all) = digits(&bytes[at..], all);
-        at += fraction;
+    if bytes.get(index) == Some(&b'.') {
+        index += 1;
+        (fraction, mantissa) = digits(&bytes[index..], mantissa);
+        index += fraction;
     }
-    if whole + fraction == 0 {
+    if integer_digits + fraction == 0 {
         return None;
     }
-    let mut is_plain = whole + fraction <= EXACT;
-    if exponent && let Some(power) = power(&bytes[at..]) {
-        at += power;
+    let mut is_plain = integer_digits + fraction <= EXACT;
+    if exponent && let Some(exponent_part) = power(&bytes[index..]) {
+        index += exponent_part;
         is_plain = false;
     }
-    // Only ASCII bytes were passed over, so `at` is a character boundary.
-    let (number, rest) = text.split_at(at);
+    // Only ASCII bytes were passed over, so `index` is a character boundary.
+    let (number, rest) = text.split_at(index);
     let value = if is_plain {
         #[expect(clippy::cast_precision_loss, reason = "exact, see EXACT")]
-        let value = all as f64 / TENS[fraction];
+        let value = mantissa as f64 / TENS[fraction];
         Some(if is_negative { -value } else { value })
     } else {
         number.parse().ok()
@@ -64,19 +64,19 @@ pub(super) fn read(text: &str, exponent: bool) -> Option<Number<'_>> {
     Some(Number { value: value.filter(|x| x.abs() <= LARGEST), text: number, rest })
 }
 
-/// The number of digits at the front of `bytes`, and the value of the digits `before` continued by them.
-fn digits(bytes: &[u8], before: u64) -> (usize, u64) {
-    let (mut count, mut all) = (0, before);
+/// The number of digits at the front of `bytes`, and the value of the digits `high_digits` continued by them.
+fn digits(bytes: &[u8], high_digits: u64) -> (usize, u64) {
+    let (mut count, mut value) = (0, high_digits);
     for byte in bytes {
         let digit = byte.wrapping_sub(b'0');
         if digit > 9 {
             break;
         }
         // A number of more digits than fit is not used.
-        all = all.wrapping_mul(10).wrapping_add(u64::from(digit));
+        value = value.wrapping_mul(10).wrapping_add(u64::from(digit));
         count += 1;
     }
-    (count, all)
+    (count, value)
 }
 
 /// Length of the exponent at the front of `bytes`, if there is one.

@@ -69,9 +69,9 @@ mod tests {
         let good = triangle();
         assert_eq!(read_stl(&good[..good.len() - 1]), None);
         assert_eq!(read_stl(&[]), None);
-        let mut many = good.clone();
-        many[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
-        assert_eq!(read_stl(&many), None);
+        let mut truncated = good.clone();
+        truncated[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
+        assert_eq!(read_stl(&truncated), None);
         let mut odd = good;
         odd[96..100].copy_from_slice(&f32::NAN.to_le_bytes());
         assert_eq!(read_stl(&odd), None);

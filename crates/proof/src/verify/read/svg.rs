@@ -36,7 +36,7 @@ pub fn read_svg(text: &str, origin: SvgOrigin) -> Drawing {
 pub(in crate::verify) fn parse(text: &str) -> Result<Document<'_>, Finding> {
     Document::parse(text).map_err(|error| {
         let line = usize::try_from(error.pos().row).ok();
-        Finding::at(FindingCode::BadXml, line, quote(&error.to_string()), "well-formed XML")
+        Finding::in_line(FindingCode::BadXml, line, quote(&error.to_string()), "well-formed XML")
     })
 }
 
@@ -69,30 +69,31 @@ impl SvgReader {
         &mut self,
         node: Node<'_, '_>,
         code: FindingCode,
-        found: impl Into<String>,
+        fault: impl Into<String>,
         allowed: impl Into<String>,
     ) {
-        self.findings.add_at(code, line_of(node), found, allowed);
+        self.findings.add_at(code, line_of(node), fault, allowed);
     }
 
     /// Checks the scale; returns the height in user units (0 if there is none).
     fn page(&mut self, root: Node<'_, '_>) -> f64 {
         let mm = |name: &str| root.attribute(name)?.trim().strip_suffix("mm").and_then(number::value);
         let view = root.attribute("viewBox").and_then(|view| numbers_in(view, |c| matches!(c, ' ' | ',')));
-        let (Some(width), Some(height), Some(&[left, top, w, h])) =
+        let (Some(width), Some(height), Some(&[left_edge, top, w, h])) =
             (mm("width"), mm("height"), view.as_deref())
         else {
-            let found = ["width", "height", "viewBox"].map(|name| quote(root.attribute(name).unwrap_or("")));
+            let attributes =
+                ["width", "height", "viewBox"].map(|name| quote(root.attribute(name).unwrap_or("")));
             let allowed = "width and height in mm, and a viewBox";
-            self.blame(root, FindingCode::WrongScale, found.join(", "), allowed);
+            self.blame(root, FindingCode::WrongScale, attributes.join(", "), allowed);
             return 0.0;
         };
         if width != w || height != h || width <= 0.0 || height <= 0.0 {
-            let found = format!("{width} x {height} mm for {w} x {h} user units");
-            self.blame(root, FindingCode::WrongScale, found, "1 user unit = 1 mm, and a size > 0");
+            let fault = format!("{width} x {height} mm for {w} x {h} user units");
+            self.blame(root, FindingCode::WrongScale, fault, "1 user unit = 1 mm, and a size > 0");
         }
         self.drawing.page = Some((width, height));
-        self.drawing.corner = Some((left, top));
+        self.drawing.corner = Some((left_edge, top));
         h
     }
 
@@ -154,8 +155,8 @@ impl SvgReader {
         for (value, name) in values.iter_mut().zip(names) {
             let Some(text) = node.attribute(name) else { continue };
             let Some(number) = number::value(text.trim()) else {
-                let found = format!("{name}={}", quote(text));
-                self.blame(node, FindingCode::BadNumber, found, "a plain number");
+                let fault = format!("{name}={}", quote(text));
+                self.blame(node, FindingCode::BadNumber, fault, "a plain number");
                 return None;
             };
             *value = number;
@@ -175,8 +176,8 @@ impl SvgReader {
     fn rect(&mut self, node: Node<'_, '_>) -> Option<Path> {
         let [x, y, w, h, rx, ry] = self.numbers(node, ["x", "y", "width", "height", "rx", "ry"])?;
         if w <= 0.0 || h <= 0.0 || rx != 0.0 || ry != 0.0 {
-            let found = format!("{w} x {h}, corners {rx}, {ry}");
-            self.blame(node, FindingCode::BadNumber, found, "a size > 0 and sharp corners");
+            let fault = format!("{w} x {h}, corners {rx}, {ry}");
+            self.blame(node, FindingCode::BadNumber, fault, "a size > 0 and sharp corners");
             return None;
         }
         let corners = [(x, y), (x + w, y), (x + w, y + h), (x, y + h)].map(|(x, y)| Point::new(x, y));
@@ -195,9 +196,9 @@ impl SvgReader {
     }
 }
 
-/// The numbers of a list, with characters between them that are `between`.
-fn numbers_in(text: &str, between: impl Fn(char) -> bool) -> Option<Vec<f64>> {
-    text.split(between).filter(|word| !word.is_empty()).map(number::value).collect()
+/// The numbers of a list, with characters between them that are `is_separator`.
+fn numbers_in(text: &str, is_separator: impl Fn(char) -> bool) -> Option<Vec<f64>> {
+    text.split(is_separator).filter(|word| !word.is_empty()).map(number::value).collect()
 }
 
 /// The lines from point to point.

@@ -17,7 +17,7 @@ pub(super) fn parse(d: &str) -> (Vec<Path>, Option<Finding>) {
 fn draw(scan: &mut PathScan<'_>, pen: &mut PathPen) -> Result<(), Finding> {
     while let Some(command) = scan.command()? {
         if command == 'Z' {
-            begun(pen)?;
+            check_begun(pen)?;
             pen.close(JOIN);
             continue;
         }
@@ -32,26 +32,26 @@ fn draw(scan: &mut PathScan<'_>, pen: &mut PathPen) -> Result<(), Finding> {
                 'A' => {
                     let (rx, ry, turned) = (scan.radius()?, scan.radius()?, scan.number()?);
                     if turned != 0.0 {
-                        let found = format!("an arc turned by {turned} deg");
+                        let fault = format!("an arc turned by {turned} deg");
                         return Err(Finding::new(
                             FindingCode::BadArc,
-                            found,
+                            fault,
                             "0, as a circle needs no turning",
                         ));
                     }
                     let (large, sweep, end) = (scan.flag()?, scan.flag()?, scan.point()?);
                     if rx != ry {
-                        let found = format!("an ellipse with radii {rx} and {ry}");
-                        return Err(Finding::new(FindingCode::BadArc, found, "circular arcs"));
+                        let fault = format!("an ellipse with radii {rx} and {ry}");
+                        return Err(Finding::new(FindingCode::BadArc, fault, "circular arcs"));
                     }
                     if let Some(segment) = arc(pen.here, end, rx.abs(), large, sweep) {
-                        begun(pen)?;
+                        check_begun(pen)?;
                         pen.push(segment, end);
                     }
                 }
                 _ => {
-                    let found = format!("path command {command}");
-                    return Err(Finding::new(FindingCode::UnknownWord, found, ALLOWED));
+                    let fault = format!("path command {command}");
+                    return Err(Finding::new(FindingCode::UnknownWord, fault, ALLOWED));
                 }
             }
             first = false;
@@ -61,13 +61,13 @@ fn draw(scan: &mut PathScan<'_>, pen: &mut PathPen) -> Result<(), Finding> {
 }
 
 /// Checks that a path has begun.
-fn begun(pen: &PathPen) -> Result<(), Finding> {
+fn check_begun(pen: &PathPen) -> Result<(), Finding> {
     let fault = || Finding::new(FindingCode::BadPath, "a path that does not begin with M", ALLOWED);
     pen.start.map(|_| ()).ok_or_else(fault)
 }
 
 fn line(pen: &mut PathPen, end: Point) -> Result<(), Finding> {
-    begun(pen)?;
+    check_begun(pen)?;
     pen.push(Line::new(pen.here, end), end);
     Ok(())
 }
@@ -162,8 +162,8 @@ fn arc(from: Point, to: Point, radius: f64, large: bool, sweep: bool) -> Option<
     let r = radius.max(half);
     // Factored, so that it stays exact for arcs near 180 degrees, where the difference of the squares cancels.
     let apothem = ((r - half) * (r + half)).sqrt();
-    let left = if large == sweep { -apothem } else { apothem };
-    let center = from.midpoint(to) + chord.perp() * (left / (2.0 * half));
+    let offset = if large == sweep { -apothem } else { apothem };
+    let center = from.midpoint(to) + chord.perp() * (offset / (2.0 * half));
     let angle = 2.0 * libm::atan2(half, apothem);
     let turn = if large { std::f64::consts::TAU - angle } else { angle };
     let turn = if sweep { turn } else { -turn };
@@ -209,10 +209,10 @@ mod tests {
                     let (a, b) = (exact.start(), exact.end());
                     let (large, sweep) = (u8::from(degrees > 180.0), u8::from(sign > 0.0));
                     let d = format!("M{} {}A{radius} {radius} 0 {large}{sweep}{} {}", a.x, a.y, b.x, b.y);
-                    let Segment::Arc(found) = good(&d)[0].segments[0] else { panic!("{d}") };
+                    let Segment::Arc(fitted) = good(&d)[0].segments[0] else { panic!("{d}") };
                     // Near 180 degrees the centre hangs on the square root of a rounding error.
-                    assert!(found.center.distance(exact.center) < 1e-6 * radius, "{d}: {found:?}");
-                    assert!((found.sweep - exact.sweep).abs() < 1e-5, "{d}: {found:?}");
+                    assert!(fitted.center.distance(exact.center) < 1e-6 * radius, "{d}: {fitted:?}");
+                    assert!((fitted.sweep - exact.sweep).abs() < 1e-5, "{d}: {fitted:?}");
                 }
             }
         }

@@ -99,66 +99,66 @@ struct WordReader<'a> {
 }
 
 impl WordReader<'_> {
-    fn refuse(&mut self, node: Node<'_, '_>, found: &str, allowed: &str) {
+    fn refuse(&mut self, node: Node<'_, '_>, fault: &str, allowed: &str) {
         self.faults += 1;
-        self.findings.add_at(FindingCode::UnknownWord, line_of(node), found, allowed);
+        self.findings.add_at(FindingCode::UnknownWord, line_of(node), fault, allowed);
     }
 
     fn node(&mut self, node: Node<'_, '_>) {
-        let inside = node.parent_element().map_or("", |parent| parent.tag_name().name());
+        let parent = node.parent_element().map_or("", |parent| parent.tag_name().name());
         if node.is_text() {
             let blank = node.text().is_some_and(|text| text.trim_ascii().is_empty());
-            if !blank && inside != "title" {
+            if !blank && parent != "title" {
                 self.refuse(node, &quote(node.text().unwrap_or("")), "nothing between elements");
             }
         } else if node.is_element() {
-            self.element(node, inside);
+            self.element(node, parent);
         } else {
             // A comment has no effect, but an instruction may name a style sheet.
             self.refuse(node, "a comment or an instruction", "elements only");
         }
     }
 
-    fn element(&mut self, node: Node<'_, '_>, inside: &str) {
+    fn element(&mut self, node: Node<'_, '_>, parent: &str) {
         let name = node.tag_name().name();
         let row = DRAWING.iter().find(|(known, ..)| *known == name);
         let Some((_, parents, attributes)) = row else {
             self.refuse(node, &format!("<{name}>"), "shapes of lines and arcs, in groups");
             return;
         };
-        if !parents.contains(&inside) {
+        if !parents.contains(&parent) {
             let allowed = format!("<{name}> in {}", parents.join(" or "));
-            self.refuse(node, &format!("<{name}> in <{inside}>"), &allowed);
+            self.refuse(node, &format!("<{name}> in <{parent}>"), &allowed);
         }
         if node.tag_name().namespace() != Some(SVG) {
             self.refuse(node, &format!("<{name}> of another namespace"), SVG);
         }
         let layer = node.attribute("id").unwrap_or("");
         for attribute in node.attributes() {
-            let known = match attribute.namespace() {
+            let name = match attribute.namespace() {
                 None => attribute.name().to_owned(),
                 Some(INKSCAPE) => format!("inkscape:{}", attribute.name()),
                 Some(other) => format!("{other}:{}", attribute.name()),
             };
             let value = attribute.value();
-            let says = attributes.iter().find(|(name, _)| *name == known);
-            if !says.is_some_and(|(_, says)| self.fits(*says, value, layer)) {
-                let allowed = self.allowed(attributes, says.map(|(_, says)| *says), layer);
-                self.refuse(node, &format!("{known}={} on <{name}>", quote(value)), &allowed);
+            let rule = attributes.iter().find(|(name, _)| *name == name);
+            if !rule.is_some_and(|(_, rule)| self.fits(*rule, value, layer)) {
+                let allowed = self.allowed(attributes, rule.map(|(_, rule)| *rule), layer);
+                self.refuse(node, &format!("{name}={} on <{name}>", quote(value)), &allowed);
             }
         }
-        let says = |name: &str| match name.strip_prefix("inkscape:") {
+        let is_present = |name: &str| match name.strip_prefix("inkscape:") {
             Some(name) => node.has_attribute((INKSCAPE, name)),
             None => node.has_attribute(name),
         };
-        let missing = attributes.iter().find(|(name, _)| !says(name));
+        let missing = attributes.iter().find(|(name, _)| !is_present(name));
         if let Some((missing, _)) = missing {
             self.refuse(node, &format!("<{name}> without {missing}"), &format!("with {missing}"));
         }
     }
 
-    fn fits(&self, says: Says, value: &str, layer: &str) -> bool {
-        match says {
+    fn fits(&self, rule: Says, value: &str, layer: &str) -> bool {
+        match rule {
             Says::Shape => true,
             Says::Is(word) => value == word,
             Says::LayerColour => (self.colour)(layer) == Some(value),
@@ -167,8 +167,8 @@ impl WordReader<'_> {
         }
     }
 
-    fn allowed(&self, attributes: &[(&str, Says)], says: Option<Says>, layer: &str) -> String {
-        match says {
+    fn allowed(&self, attributes: &[(&str, Says)], rule: Option<Says>, layer: &str) -> String {
+        match rule {
             Some(Says::Is(word)) => word.to_owned(),
             Some(Says::LayerColour) => (self.colour)(layer).unwrap_or("a layer of the drawing").to_owned(),
             Some(Says::Layer) => layer.to_owned(),

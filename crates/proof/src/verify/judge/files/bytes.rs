@@ -8,13 +8,13 @@ use crate::verify::finding::quote;
 use crate::verify::judge::files::proof::{Method, Proof};
 use crate::verify::{Finding, FindingCode, OutputFiles};
 
-/// Names the first difference of the file `name` of `found` from `right`, made anew; if it is equal, it is proven by that, and
+/// Names the first difference of the file `name` of `files` from `right`, made anew; if it is equal, it is proven by that, and
 /// its hash is returned if it was taken.
-pub fn compare_bytes(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &mut Proof) -> Option<String> {
+pub fn compare_bytes(name: &str, right: &[u8], files: &OutputFiles<'_>, proof: &mut Proof) -> Option<String> {
     // A missing file is a finding of its own.
-    let bytes = found.get(name)?;
+    let bytes = files.get(name)?;
     if bytes == right {
-        return mark_equal(name, right, found, proof);
+        return mark_equal(name, right, files, proof);
     }
     // The manifest's hashes differ with the files, which have been named.
     if !(name == MANIFEST && proof.findings.iter().any(|finding| finding.file != MANIFEST)) {
@@ -23,10 +23,10 @@ pub fn compare_bytes(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &
     None
 }
 
-/// Marks the file `name` of `found` as proven by its bytes if they are equal to `right`, made anew; its hash then, if it was
+/// Marks the file `name` of `files` as proven by its bytes if they are equal to `right`, made anew; its hash then, if it was
 /// taken.
-pub fn mark_equal(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &mut Proof) -> Option<String> {
-    let _ = found.get(name).filter(|bytes| *bytes == right)?;
+pub fn mark_equal(name: &str, right: &[u8], files: &OutputFiles<'_>, proof: &mut Proof) -> Option<String> {
+    let _ = files.get(name).filter(|bytes| *bytes == right)?;
     let file = proof.files.iter_mut().find(|file| file.path == name)?;
     // Spec, profile and drawing are the sources of all other files: they are not made anew.
     if !file.output.kind.is_source() {
@@ -35,31 +35,32 @@ pub fn mark_equal(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &mut
     Some(file.sha256.clone())
 }
 
-/// The first difference of `found` from `right`.
-pub fn first_difference(found: &[u8], right: &[u8]) -> Finding {
-    let at = found.iter().zip(right).take_while(|(a, b)| a == b).count();
+/// The first difference of `actual` from `right`.
+pub fn first_difference(actual: &[u8], right: &[u8]) -> Finding {
+    let place = actual.iter().zip(right).take_while(|(a, b)| a == b).count();
     let line_of = |bytes: &[u8]| {
-        let start = bytes[..at].iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
+        let start = bytes[..place].iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
         // A long line is cut to the part where it differs.
-        let start = start.max(at.saturating_sub(30));
+        let start = start.max(place.saturating_sub(30));
         let rest = &bytes[start..];
         let end = rest.iter().position(|byte| *byte == b'\n').unwrap_or(rest.len());
         String::from_utf8_lossy(&rest[..end]).into_owned()
     };
-    let is_text = [found, right].iter().all(|bytes| std::str::from_utf8(bytes).is_ok());
-    if !right.contains(&b'\r') && found.iter().filter(|byte| **byte != b'\r').eq(right) {
+    let is_text = [actual, right].iter().all(|bytes| std::str::from_utf8(bytes).is_ok());
+    if !right.contains(&b'\r') && actual.iter().filter(|byte| **byte != b'\r').eq(right) {
         return Finding::new(FindingCode::Differs, "carriage returns (CR)", "none: nothing else differs");
     }
     if !is_text {
-        let said = |bytes: &[u8]| bytes.get(at).map_or("the end".to_owned(), |byte| format!("{byte:#04x}"));
-        let place = format!("{} at byte {at}", said(found));
-        return Finding::new(FindingCode::Differs, place, said(right));
+        let byte_text =
+            |bytes: &[u8]| bytes.get(place).map_or("the end".to_owned(), |byte| format!("{byte:#04x}"));
+        let place = format!("{} at byte {place}", byte_text(actual));
+        return Finding::new(FindingCode::Differs, place, byte_text(right));
     }
-    let line = found[..at].split(|byte| *byte == b'\n').count();
-    let said = |bytes: &[u8]| {
-        if at >= bytes.len() { "the end of the file".to_owned() } else { quote(&line_of(bytes)) }
+    let line = actual[..place].split(|byte| *byte == b'\n').count();
+    let line_text = |bytes: &[u8]| {
+        if place >= bytes.len() { "the end of the file".to_owned() } else { quote(&line_of(bytes)) }
     };
-    Finding::at(FindingCode::Differs, line, said(found), said(right))
+    Finding::in_line(FindingCode::Differs, line, line_text(actual), line_text(right))
 }
 
 #[cfg(test)]

@@ -37,17 +37,17 @@ pub(super) fn read_page(
     };
     let mut drawing = svg::read_document(&document, origin);
     findings.extend(std::mem::take(&mut drawing.findings));
-    within_page(&drawing, exact, findings);
+    check_page(&drawing, exact, findings);
     // Extents are written with as many decimals as coordinates.
-    let near =
+    let is_near =
         |(a, b): (f64, f64), (c, d): (f64, f64)| (a - c).abs() <= tolerance && (b - d).abs() <= tolerance;
     let size = (exact.width, exact.height);
-    if !drawing.page.is_some_and(|page| near(page, size))
-        || !drawing.corner.is_some_and(|at| near(at, corner))
+    if !drawing.page.is_some_and(|page| is_near(page, size))
+        || !drawing.corner.is_some_and(|at| is_near(at, corner))
     {
-        let shown = |((w, h), (x, y)): ((f64, f64), (f64, f64))| format!("{w} x {h} mm from ({x}, {y})");
-        let found = drawing.page.zip(drawing.corner).map_or("no page".to_owned(), shown);
-        findings.add(FindingCode::WrongSize, found, shown((size, corner)));
+        let page_text = |((w, h), (x, y)): ((f64, f64), (f64, f64))| format!("{w} x {h} mm from ({x}, {y})");
+        let fault = drawing.page.zip(drawing.corner).map_or("no page".to_owned(), page_text);
+        findings.add(FindingCode::WrongSize, fault, page_text((size, corner)));
     }
     drawing
 }
@@ -58,14 +58,14 @@ fn layers(exact: &Exact, colours: Colours) -> impl Iterator<Item = (&'static str
 }
 
 /// Checks that everything is inside the page: a reader may cut off the rest.
-fn within_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
+fn check_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
     let corner = exact.corner();
     let page = Bounds { min: corner, max: Point::new(corner.x + exact.width, corner.y + exact.height) };
     let page = page.grown(1e-3);
     for (layer, paths) in &drawing.layers {
         let bounds = paths.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
-        let inside = paths.is_empty() || page.contains(bounds.min) && page.contains(bounds.max);
-        if !inside {
+        let is_inside = paths.is_empty() || page.contains(bounds.min) && page.contains(bounds.max);
+        if !is_inside {
             findings.add(FindingCode::OutsidePage, format!("{bounds} on layer {layer}"), page.to_string());
         }
     }
@@ -74,10 +74,10 @@ fn within_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
 /// Reads a DXF, of which every tag must be one that the drawing's file has.
 pub(super) fn read_plan(text: &str, exact: &Exact, spec: &Spec, findings: &mut Findings) -> Drawing {
     let corner = exact.corner();
-    let layers: Vec<(&str, &str)> =
+    let layer_names: Vec<(&str, &str)> =
         layers(exact, spec.cut.colours).map(|(name, look)| (name, look.dxf)).collect();
     let frame = DxfFrame {
-        layers: &layers,
+        layers: &layer_names,
         min: (corner.x, corner.y),
         max: (corner.x + exact.width, corner.y + exact.height),
         tolerance: spec.accuracy.path.0,
@@ -91,32 +91,33 @@ pub(super) fn read_plan(text: &str, exact: &Exact, spec: &Spec, findings: &mut F
 }
 
 /// Compares the drawing read with the expected one; the largest deviation either way.
-pub(super) fn compare(found: &Drawing, exact: &Exact, tolerance: f64, findings: &mut Findings) -> f64 {
+pub(super) fn compare(read: &Drawing, exact: &Exact, tolerance: f64, findings: &mut Findings) -> f64 {
     let mut largest = 0.0_f64;
-    for (name, paths) in found.layers.iter().filter(|(_, paths)| !paths.is_empty()) {
+    for (name, paths) in read.layers.iter().filter(|(_, paths)| !paths.is_empty()) {
         if !exact.layers.iter().any(|(layer, _)| layer.name() == name) {
-            let found = format!("{} paths on layer {name}", paths.len());
-            findings.add(FindingCode::UnknownLayer, found, "only the layers of the drawing");
+            let fault = format!("{} paths on layer {name}", paths.len());
+            findings.add(FindingCode::UnknownLayer, fault, "only the layers of the drawing");
         }
     }
-    order(found, exact, findings);
+    order(read, exact, findings);
     for (layer, shapes) in &exact.layers {
         let expected: Vec<Path> = shapes.iter().flat_map(paths_of).collect();
-        let paths = found.layer(layer.name());
+        let paths = read.layer(layer.name());
         largest = largest.max(compare_layer(*layer, paths, &expected, tolerance, findings));
     }
     largest
 }
 
 /// Layers are in the drawing's order: holes are cut before the parts around them come loose.
-fn order(found: &Drawing, exact: &Exact, findings: &mut Findings) {
+fn order(read: &Drawing, exact: &Exact, findings: &mut Findings) {
     let right: Vec<&str> =
         exact.layers.iter().filter(|(_, shapes)| !shapes.is_empty()).map(|(layer, _)| layer.name()).collect();
-    let drawn: Vec<&str> =
-        found.order.iter().map(String::as_str).filter(|name| !found.layer(name).is_empty()).collect();
-    let known = drawn.iter().all(|name| right.contains(name)) && drawn.len() == right.len();
-    if known && drawn != right {
-        findings.add(FindingCode::Order, drawn.join(", "), right.join(", "));
+    let drawn_layers: Vec<&str> =
+        read.order.iter().map(String::as_str).filter(|name| !read.layer(name).is_empty()).collect();
+    let are_all_known =
+        drawn_layers.iter().all(|name| right.contains(name)) && drawn_layers.len() == right.len();
+    if are_all_known && drawn_layers != right {
+        findings.add(FindingCode::Order, drawn_layers.join(", "), right.join(", "));
     }
 }
 
@@ -136,20 +137,20 @@ fn compare_layer(
 ) -> f64 {
     let name = layer.name();
     if paths.len() != expected.len() {
-        let (found, allowed) = (format!("{} paths on layer {name}", paths.len()), expected.len().to_string());
-        findings.add(FindingCode::PathCount, found, allowed);
+        let (fault, allowed) = (format!("{} paths on layer {name}", paths.len()), expected.len().to_string());
+        findings.add(FindingCode::PathCount, fault, allowed);
     }
     let closed = |paths: &[Path]| paths.iter().filter(|path| path.closed).count();
     if closed(paths) != closed(expected) {
-        let found = format!("{} closed paths on layer {name}", closed(paths));
-        findings.add(FindingCode::OpenLoop, found, closed(expected).to_string());
+        let fault = format!("{} closed paths on layer {name}", closed(paths));
+        findings.add(FindingCode::OpenLoop, fault, closed(expected).to_string());
     }
     // Rounding moves each vertex by less than a tolerance, so a doubled stretch exceeds it by far.
     let (length, right) = (total(paths), total(expected));
     let slack: f64 = paths.iter().flat_map(|path| &path.segments).map(|_| tolerance).sum();
     if (length - right).abs() > slack.max(tolerance) {
-        let found = format!("{length:.3} mm on layer {name}");
-        findings.add(FindingCode::PathLength, found, format!("{right:.3} mm"));
+        let fault = format!("{length:.3} mm on layer {name}");
+        findings.add(FindingCode::PathLength, fault, format!("{right:.3} mm"));
     }
     if expected.is_empty() && paths.is_empty() {
         return 0.0;
@@ -160,15 +161,20 @@ fn compare_layer(
         None => {
             let measured = deviation(paths, expected).largest();
             if measured <= tolerance && paths.len() == expected.len() && paths.len() > 1 {
-                let found = format!("paths in another order on layer {name}");
-                findings.add(FindingCode::Order, found, "the order of the drawing");
+                let fault = format!("paths in another order on layer {name}");
+                findings.add(FindingCode::Order, fault, "the order of the drawing");
             }
             measured
         }
     };
     if measured.is_nan() || measured > tolerance {
-        let off = if measured.is_finite() { &format!("{measured:.6} mm") } else { "no path to measure" };
-        findings.add(FindingCode::Deviation, format!("{off} on layer {name}"), format!("{tolerance} mm"));
+        let deviation =
+            if measured.is_finite() { &format!("{measured:.6} mm") } else { "no path to measure" };
+        findings.add(
+            FindingCode::Deviation,
+            format!("{deviation} on layer {name}"),
+            format!("{tolerance} mm"),
+        );
     }
     measured
 }
@@ -203,25 +209,26 @@ fn in_step(path: &Path, right: &Path, tolerance: f64) -> Option<f64> {
     let mut largest = 0.0_f64;
     let mut pieces = path.segments.iter();
     for exact in &right.segments {
-        let mut done = 0.0;
-        while done < 1.0 {
+        let mut progress = 0.0;
+        while progress < 1.0 {
             let piece = pieces.next()?;
             let end = piece.end();
-            let here = if end.distance(exact.end()) <= tolerance { 1.0 } else { exact.nearest_fraction(end) };
-            if here <= done {
+            let reach =
+                if end.distance(exact.end()) <= tolerance { 1.0 } else { exact.nearest_fraction(end) };
+            if reach <= progress {
                 return None;
             }
-            let whole = done == 0.0 && here >= 1.0;
-            let part = if whole { *exact } else { exact.part(done, here) };
-            largest = largest.max(apart(piece, &part, &mut scratch));
-            done = here;
+            let is_whole = progress == 0.0 && reach >= 1.0;
+            let part = if is_whole { *exact } else { exact.part(progress, reach) };
+            largest = largest.max(separation(piece, &part, &mut scratch));
+            progress = reach;
         }
     }
     pieces.next().is_none().then_some(largest)
 }
 
 /// The largest distance between two segments.
-fn apart(a: &Segment, b: &Segment, scratch: &mut Vec<f64>) -> f64 {
+fn separation(a: &Segment, b: &Segment, scratch: &mut Vec<f64>) -> f64 {
     if let (Segment::Line(a), Segment::Line(b)) = (a, b) {
         // Between the ends, the distance changes evenly.
         return a.start.distance(b.start).max(a.end.distance(b.end));
@@ -272,22 +279,22 @@ impl Seals {
         let mut findings = Vec::new();
         for (i, DrawnCurves { sheet, file, layers }) in self.0.iter().enumerate() {
             let Some(first) = self.0[..i].iter().find(|seen| seen.sheet == *sheet) else { continue };
-            let DrawnCurves { file: other, layers: theirs, .. } = first;
+            let DrawnCurves { file: other, layers: other_layers, .. } = first;
             let is_faulty = |file: &str| proven.iter().any(|finding| finding.file == file);
             if is_faulty(other) && !is_faulty(file) {
                 continue;
             }
             for (layer, count, length) in layers {
-                let twin = theirs.iter().find(|(name, _, _)| name == layer);
+                let twin = other_layers.iter().find(|(name, _, _)| name == layer);
                 // As much as the rounding of a hundred vertices each could add up to.
                 if twin.is_some_and(|(_, c, l)| c == count && (l - length).abs() <= 200.0 * tolerance) {
                     continue;
                 }
-                let found = format!("{count} paths of {length:.3} mm on layer {layer}");
+                let fault = format!("{count} paths of {length:.3} mm on layer {layer}");
                 let allowed = twin.map_or(format!("none, as in {other}"), |(_, c, l)| {
                     format!("{c} of {l:.3} mm, as in {other}")
                 });
-                findings.push(Finding::new(FindingCode::FormatsDisagree, found, allowed).in_file(file));
+                findings.push(Finding::new(FindingCode::FormatsDisagree, fault, allowed).in_file(file));
             }
         }
         findings
@@ -303,8 +310,8 @@ mod tests {
     fn half_disc(pieces: u32) -> Path {
         let (left, right) = (Point::new(-20.0, 0.0), Point::new(20.0, 0.0));
         let arc: Segment = Arc::new(Point::ORIGIN, 20.0, 0.0, PI).into();
-        let at = |i: u32| f64::from(i) / f64::from(pieces);
-        let arcs = (0..pieces).map(|i| arc.part(at(i), at(i + 1)));
+        let fraction = |i: u32| f64::from(i) / f64::from(pieces);
+        let arcs = (0..pieces).map(|i| arc.part(fraction(i), fraction(i + 1)));
         Path::closed(arcs.chain([Line::new(left, right).into()]).collect())
     }
 
@@ -331,8 +338,8 @@ mod tests {
         let arc: Segment = arc.into();
         let exact = Path::open(vec![arc, line]);
         let cut = Path::open(vec![arc.part(0.0, 0.5), arc.part(0.5, 1.0), line]);
-        let beside = |path: &Path| Isometry::translation(Vec2::new(0.0, 30.0)).path(path);
-        let measured = one_by_one(&[cut.clone(), beside(&cut)], &[exact.clone(), beside(&exact)], 0.01);
+        let copy = |path: &Path| Isometry::translation(Vec2::new(0.0, 30.0)).path(path);
+        let measured = one_by_one(&[cut.clone(), copy(&cut)], &[exact.clone(), copy(&exact)], 0.01);
         assert!(measured.is_some_and(|distance| distance < 1e-9), "{measured:?}");
     }
 

@@ -8,32 +8,34 @@ use crate::verify::judge::expected::Expected;
 use crate::verify::{Finding, FindingCode};
 use design::StarAssembly;
 
-/// Reports every value in the text of the manifest `written` that differs from `right`, whose list of files is not compared.
-pub(super) fn check(text: &[u8], written: &Manifest, right: &Manifest) -> Vec<Finding> {
+/// Reports every value in the text of the manifest `manifest` that differs from `right`, whose list of files is not compared.
+pub(super) fn check(text: &[u8], manifest: &Manifest, right: &Manifest) -> Vec<Finding> {
     // The list of files and their kinds is judged by their names; another version may have written them.
-    let tool = crate::manifest::Tool { version: written.tool.version.clone(), ..right.tool.clone() };
-    let Manifest { files, only, with, .. } = written.clone();
+    let tool = crate::manifest::Tool { version: manifest.tool.version.clone(), ..right.tool.clone() };
+    let Manifest { files, only: only_kinds, with: with_kinds, .. } = manifest.clone();
     // The predictions of another version are not judged here; `prediction.json` is judged by itself.
-    let same = written.tool.version == right.tool.version;
-    let prediction = if same { right.prediction.clone() } else { written.prediction.clone() };
+    let is_same_version = manifest.tool.version == right.tool.version;
+    let prediction = if is_same_version { right.prediction.clone() } else { manifest.prediction.clone() };
     // Older versions wrote no pieces.
-    let pieces = if same || !written.pieces.is_empty() { right.pieces.clone() } else { Vec::new() };
-    let right = Manifest { tool, files, pieces, prediction, only, with, ..right.clone() };
+    let pieces =
+        if is_same_version || !manifest.pieces.is_empty() { right.pieces.clone() } else { Vec::new() };
+    let right =
+        Manifest { tool, files, pieces, prediction, only: only_kinds, with: with_kinds, ..right.clone() };
     let mut findings = Vec::new();
-    if let (Ok(found), Ok(right)) = (serde_json::from_slice::<Value>(text), serde_json::to_value(&right)) {
-        compare("", Some(&found), Some(&right), &mut findings);
+    if let (Ok(actual), Ok(right)) = (serde_json::from_slice::<Value>(text), serde_json::to_value(&right)) {
+        compare("", Some(&actual), Some(&right), &mut findings);
     }
     findings
 }
 
 /// A finding about the manifest.
-pub(super) fn wrong(found: impl Into<String>, allowed: impl Into<String>) -> Finding {
-    Finding::new(FindingCode::Manifest, found, allowed).in_file(MANIFEST)
+pub(super) fn wrong(fault: impl Into<String>, allowed: impl Into<String>) -> Finding {
+    Finding::new(FindingCode::Manifest, fault, allowed).in_file(MANIFEST)
 }
 
 /// Compares two values at `place`.
-fn compare(place: &str, found: Option<&Value>, right: Option<&Value>, findings: &mut Vec<Finding>) {
-    match (found, right) {
+fn compare(place: &str, actual: Option<&Value>, right: Option<&Value>, findings: &mut Vec<Finding>) {
+    match (actual, right) {
         (Some(Value::Object(a)), Some(Value::Object(b))) => {
             let keys = b.keys().chain(a.keys().filter(|key| !b.contains_key(*key)));
             for key in keys {
@@ -49,9 +51,9 @@ fn compare(place: &str, found: Option<&Value>, right: Option<&Value>, findings: 
         (Some(Value::Number(a)), Some(Value::Number(b))) if a.as_f64() == b.as_f64() => {}
         (a, b) if a == b => {}
         (a, b) => {
-            let said =
+            let value_text =
                 |value: Option<&Value>| value.map_or("nothing".to_owned(), |value| quote(&value.to_string()));
-            findings.push(wrong(format!("{place}: {}", said(a)), said(b)));
+            findings.push(wrong(format!("{place}: {}", value_text(a)), value_text(b)));
         }
     }
 }
@@ -64,12 +66,12 @@ pub(super) fn against_design(expected: &Expected<'_>, manifest: &Manifest) -> Ve
         let seam_mm: f64 = seams.iter().map(|seam| seam.run().length()).sum();
         // Older versions wrote no pieces.
         if let Some(piece) = manifest.pieces.iter().find(|piece| piece.name == name.word()) {
-            let found: f64 = piece.seams.iter().map(|seam| seam.length_mm).sum();
+            let length: f64 = piece.seams.iter().map(|seam| seam.length_mm).sum();
             // Each length is written in whole micrometres.
             let slack = 0.001 * f64::from(10 + u32::try_from(seams.len()).unwrap_or(u32::MAX - 10));
-            if (found - seam_mm).abs() > slack || piece.seams.len() != seams.len() {
-                let found = format!("{name}: {found} mm in {} seams", piece.seams.len());
-                findings.push(wrong(found, format!("{seam_mm:.3} mm in {}", seams.len())));
+            if (length - seam_mm).abs() > slack || piece.seams.len() != seams.len() {
+                let fault = format!("{name}: {length} mm in {} seams", piece.seams.len());
+                findings.push(wrong(fault, format!("{seam_mm:.3} mm in {}", seams.len())));
             }
         } else if expected.design.assembly().is_none() {
             findings.push(wrong(format!("no {name}"), "every piece of the design"));
@@ -90,8 +92,8 @@ fn against_assembly(design: &StarAssembly, manifest: &Manifest) -> Vec<Finding> 
             Some(star) if (star.seam_mm - seam_mm).abs() <= 0.01 && star.sheet == placed.sheet => {
                 let clear = design.part(placed).clear_radius();
                 if (star.clear_radius_mm - clear).abs() > 0.001 {
-                    let found = format!("star {}: a clear radius of {} mm", star.index, star.clear_radius_mm);
-                    findings.push(wrong(found, format!("{clear:.3} mm")));
+                    let fault = format!("star {}: a clear radius of {} mm", star.index, star.clear_radius_mm);
+                    findings.push(wrong(fault, format!("{clear:.3} mm")));
                 }
             }
             Some(star) => findings.push(wrong(

@@ -18,7 +18,7 @@ pub(super) fn look(layer: Layer, colours: Colours) -> LayerStyle {
     const GREEN: (&str, &str) = ("#00ff00", "3");
     const MAGENTA: (&str, &str) = ("#ff00ff", "6");
     const RED: (&str, &str) = ("#ff0000", "1");
-    let (one, ordered) = match layer {
+    let (single, ordered) = match layer {
         Layer::Seal | Layer::SealInner => (BLUE, BLUE),
         Layer::SealOuter | Layer::MaskJoint => (GREEN, GREEN),
         Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => (RED, RED),
@@ -26,12 +26,12 @@ pub(super) fn look(layer: Layer, colours: Colours) -> LayerStyle {
         Layer::Registration | Layer::PostHole => (RED, BLUE),
         Layer::Label | Layer::PaperMark => (BLUE, CYAN),
     };
-    let (svg, dxf) = if colours == Colours::One { one } else { ordered };
+    let (svg, dxf) = if colours == Colours::One { one: single } else { ordered };
     LayerStyle { svg, dxf }
 }
 
 /// A title as files hold it: 120 characters at most, and `_` for all but letters and digits of ASCII, blanks and `. , - _ + = : /`.
-pub(super) fn in_file(title: &str, most: usize) -> String {
-    let known = |c: char| c.is_ascii_alphanumeric() || " .,-_+=:/".contains(c);
-    title.chars().take(most).map(|c| if known(c) { c } else { '_' }).collect()
+pub(super) fn in_file(title: &str, limit: usize) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || " .,-_+=:/".contains(c);
+    title.chars().take(limit).map(|c| if is_plain(c) { c } else { '_' }).collect()
 }

@@ -26,30 +26,31 @@ pub(super) fn read(files: &OutputFiles<'_>) -> Result<Manifest, Finding> {
 pub(super) fn check<'a>(
     files: &OutputFiles<'_>,
     manifest: Option<&'a Manifest>,
-    wanted: &[Output],
+    expected: &[Output],
     findings: &mut Vec<Finding>,
 ) -> Entries<'a> {
-    let order: Vec<String> = wanted.iter().map(Output::name).collect();
-    let wanted: BTreeMap<String, &Output> = wanted.iter().map(|output| (output.name(), output)).collect();
-    let entries = manifest.map_or_else(Entries::new, |manifest| named(manifest, &wanted, findings));
-    for (name, output) in &wanted {
+    let order: Vec<String> = expected.iter().map(Output::name).collect();
+    let expected_names: BTreeMap<String, &Output> =
+        expected_names.iter().map(|output| (output.name(), output)).collect();
+    let entries = manifest.map_or_else(Entries::new, |manifest| named(manifest, &expected_names, findings));
+    for (name, output) in &expected_names {
         if manifest.is_some() && !entries.contains_key(name.as_str()) {
-            let (found, allowed) = ("not named in the manifest", format!("the {}", output.kind));
-            findings.push(Finding::new(FindingCode::Manifest, found, allowed).in_file(name));
+            let (fault, allowed) = ("not named in the manifest", format!("the {}", output.kind));
+            findings.push(Finding::new(FindingCode::Manifest, fault, allowed).in_file(name));
         }
         if files.get(name).is_none() {
             findings.push(files.lacks(name, &format!("the {}", output.kind)));
         }
     }
-    for name in files.names().filter(|name| *name != MANIFEST && !wanted.contains_key(*name)) {
-        let found = "a file that the design does not have";
-        let finding = Finding::new(FindingCode::UnnamedFile, found, "only files of the design");
+    for name in files.names().filter(|name| *name != MANIFEST && !expected_names.contains_key(*name)) {
+        let fault = "a file that the design does not have";
+        let finding = Finding::new(FindingCode::UnnamedFile, fault, "only files of the design");
         findings.push(finding.in_file(name));
     }
     let listed = manifest.map_or(&[][..], |manifest| &manifest.files).iter().map(|entry| &entry.path);
     if manifest.is_some() && findings.is_empty() && !listed.eq(&order) {
-        let found = "files in another order";
-        findings.push(Finding::new(FindingCode::Order, found, "the order of a build").in_file(MANIFEST));
+        let fault = "files in another order";
+        findings.push(Finding::new(FindingCode::Order, fault, "the order of a build").in_file(MANIFEST));
     }
     entries
 }

@@ -46,14 +46,14 @@ impl Deviation {
 ///
 /// The distances are exact to rounding for lines and arcs (extremes are computed, not sampled).
 pub fn deviation(file: &[Path], exact: &[Path]) -> Deviation {
-    let (from_file, from_exact) = (Prepared::all(file), Prepared::all(exact));
-    let there = directed(&from_file, &from_exact);
+    let (from_file, from_exact) = (Prepared::prepare_all(file), Prepared::prepare_all(exact));
+    let forth = directed(&from_file, &from_exact);
     let back = directed(&from_exact, &from_file);
     let closed = |paths: &[Path]| paths.iter().filter(|path| is_closed(path)).count();
     Deviation {
-        file_to_exact: there.distance,
+        file_to_exact: forth.distance,
         exact_to_file: back.distance,
-        at: there.max(back).at,
+        at: forth.max(back).at,
         file_length: file.iter().map(Path::length).sum(),
         exact_length: exact.iter().map(Path::length).sum(),
         file_count: file.len(),
@@ -66,13 +66,13 @@ pub fn deviation(file: &[Path], exact: &[Path]) -> Deviation {
 
 fn directed(probes: &[Prepared], targets: &[Prepared]) -> Farthest {
     let index = BoxIndex::new(targets.iter().map(|target| target.bounds));
-    let (mut near, mut scratch) = (Vec::new(), Vec::new());
+    let (mut candidates, mut scratch) = (Vec::new(), Vec::new());
     let mut worst = Farthest::default();
     for probe in probes {
-        let zone = zone(probe, |p| index.least(p, |number| targets[number].distance(p)));
-        near.clear();
-        near.extend(index.overlapping(&zone).into_iter().map(|number| &targets[number]));
-        worst = worst.max(by_halves(probe, &near, targets.len(), HALVINGS, &mut scratch));
+        let reach = zone(probe, |p| index.least(p, |number| targets[number].distance(p)));
+        candidates.clear();
+        candidates.extend(index.overlapping(&reach).into_iter().map(|number| &targets[number]));
+        worst = worst.max(by_halves(probe, &candidates, targets.len(), HALVINGS, &mut scratch));
     }
     worst
 }
@@ -87,27 +87,27 @@ fn by_pieces(probe: &Prepared, targets: &[&Prepared], halvings: u32, scratch: &m
     if targets.len() <= FEW || halvings == 0 {
         return furthest(probe, targets, scratch);
     }
-    let zone = zone(probe, |p| targets.iter().map(|t| t.distance(p)).fold(f64::INFINITY, f64::min));
-    let near: Vec<&Prepared> = targets.iter().copied().filter(|t| t.bounds.overlaps(&zone)).collect();
-    by_halves(probe, &near, targets.len(), halvings, scratch)
+    let reach = zone(probe, |p| targets.iter().map(|t| t.distance(p)).fold(f64::INFINITY, f64::min));
+    let candidates: Vec<&Prepared> = targets.iter().copied().filter(|t| t.bounds.overlaps(&reach)).collect();
+    by_halves(probe, &candidates, targets.len(), halvings, scratch)
 }
 
-/// As [`by_pieces`], of the `near` ones among `all` targets.
+/// As [`by_pieces`], of the `candidates` ones among `total` targets.
 fn by_halves(
     probe: &Prepared,
-    near: &[&Prepared],
-    all: usize,
+    candidates: &[&Prepared],
+    total: usize,
     halvings: u32,
     scratch: &mut Vec<f64>,
 ) -> Farthest {
-    if near.len() <= FEW {
-        return furthest(probe, near, scratch);
+    if candidates.len() <= FEW {
+        return furthest(probe, candidates, scratch);
     }
     // Where halving does not reduce the targets (many copies of one line), it ends early.
-    let rest = halvings.saturating_sub(if near.len() < all { 1 } else { 4 });
+    let rest = halvings.saturating_sub(if candidates.len() < total { 1 } else { 4 });
     let half = |a: f64, b: f64| Prepared::new(probe.segment.part(a, b));
-    let first = by_pieces(&half(0.0, 0.5), near, rest, scratch);
-    first.max(by_pieces(&half(0.5, 1.0), near, rest, scratch))
+    let first = by_pieces(&half(0.0, 0.5), candidates, rest, scratch);
+    first.max(by_pieces(&half(0.5, 1.0), candidates, rest, scratch))
 }
 
 fn is_closed(path: &Path) -> bool {
@@ -136,7 +136,7 @@ mod tests {
         ])
     }
 
-    fn near(a: f64, b: f64) {
+    fn assert_near(a: f64, b: f64) {
         assert!((a - b).abs() <= 1e-9 * (1.0 + b.abs()), "{a} is not {b}");
     }
 
@@ -149,7 +149,7 @@ mod tests {
             {
                 let d = deviation(&[file], std::slice::from_ref(&exact));
                 assert!(d.largest() <= 1e-12 * r.max(1.0), "{d:?}");
-                near(d.file_length, d.exact_length);
+                assert_near(d.file_length, d.exact_length);
                 assert_eq!((d.file_closed, d.exact_closed), (1, 1));
             }
         }
@@ -161,8 +161,8 @@ mod tests {
         for shift in [1e-6, 1e-3, 0.5] {
             let moved = Isometry::translation(Vec2::new(shift, 0.0)).path(&exact);
             let d = deviation(&[moved], std::slice::from_ref(&exact));
-            near(d.file_to_exact, shift);
-            near(d.exact_to_file, shift);
+            assert_near(d.file_to_exact, shift);
+            assert_near(d.exact_to_file, shift);
         }
     }
 
@@ -186,8 +186,8 @@ mod tests {
         let exact = Path::open(vec![Arc::new(Point::ORIGIN, r, 0.0, 1.0).into()]);
         let chord = Path::open(vec![Line::new(exact.start().unwrap(), exact.end().unwrap()).into()]);
         let d = deviation(&[chord], &[exact]);
-        near(d.file_to_exact, r * (1.0 - 0.5_f64.cos()));
-        near(d.exact_to_file, r * (1.0 - 0.5_f64.cos()));
+        assert_near(d.file_to_exact, r * (1.0 - 0.5_f64.cos()));
+        assert_near(d.exact_to_file, r * (1.0 - 0.5_f64.cos()));
 
         let corner = Path::open(vec![line((-2.0, 0.0), (0.0, 0.0)), line((0.0, 0.0), (0.0, 2.0))]);
         let cut = Path::open(vec![
@@ -198,7 +198,7 @@ mod tests {
         let d = deviation(&[cut], &[corner]);
         // On the cut, y = -x where both legs are equally far: x = -0.375.
         assert!((d.file_to_exact - 0.375).abs() < 1e-6, "{d:?}");
-        near(d.exact_to_file, 1.5 * 0.5 / 1.5_f64.hypot(0.5));
+        assert_near(d.exact_to_file, 1.5 * 0.5 / 1.5_f64.hypot(0.5));
     }
 
     #[test]
@@ -206,16 +206,16 @@ mod tests {
         let exact = stadium(20.0, 60.0);
         let cut = exact.part(5.0, exact.length());
         let d = deviation(&[cut], std::slice::from_ref(&exact));
-        near(d.exact_to_file, 2.5);
+        assert_near(d.exact_to_file, 2.5);
         assert!(d.file_closed == 0 && d.file_to_exact < 1e-12);
 
         let d = deviation(&[exact.clone(), exact.clone()], std::slice::from_ref(&exact));
         assert_eq!((d.file_count, d.exact_count), (2, 1));
-        near(d.file_length, 2.0 * d.exact_length);
+        assert_near(d.file_length, 2.0 * d.exact_length);
 
         let circle = Path::closed(vec![Arc::new(Point::new(30.0, 0.0), 3.0, 0.0, TAU).into()]);
         let d = deviation(&[exact.clone(), circle], std::slice::from_ref(&exact));
-        near(d.file_to_exact, 20.0);
+        assert_near(d.file_to_exact, 20.0);
         assert!(d.exact_to_file < 1e-12);
     }
 

@@ -123,8 +123,8 @@ impl Follower {
         // With an overlap each place near the start comes twice, and a rounded start may lie nearer to the second pass
         // (next to a corner): the first pass within the margin is meant, and then its nearest point.
         let roughly = track.project(p, (0.0, track.length), 0.0, MARGIN).s;
-        let around = track.within(roughly - 4.0 * MARGIN, roughly + 4.0 * MARGIN);
-        track.project(p, around, roughly, TIE)
+        let range = track.clamped(roughly - 4.0 * MARGIN, roughly + 4.0 * MARGIN);
+        track.project(p, range, roughly, TIE)
     }
 
     /// Measures the step that waits, of which `after` is the next.
@@ -133,55 +133,58 @@ impl Follower {
         let before = self.at.place;
         let ((low, high), gap) = self.advance(&step);
         // Most steps cannot be farther off than one was before.
-        let least = self.there.distance.min(self.back.distance);
+        let smallest = self.there.distance.min(self.back.distance);
         let ends = [before, self.at.place];
-        if gap <= TIE && self.track.bound(&step, (low, high), ends).is_some_and(|bound| bound <= least) {
+        if gap <= TIE && self.track.bound(&step, (low, high), ends).is_some_and(|bound| bound <= smallest) {
             return;
         }
-        let (near_low, near_high) = self.track.within(low - MARGIN, high + MARGIN);
-        let covered = self.track.between(near_low, near_high);
-        let out = furthest(&step, &self.track.targets[covered], &mut self.scratch);
-        let home = self.way_back((low, high), after, out.distance.max(TIE));
-        if out.distance.max(home.distance) > self.there.distance.max(self.back.distance) {
+        let (near_low, near_high) = self.track.clamped(low - MARGIN, high + MARGIN);
+        let covered = self.track.indices(near_low, near_high);
+        let forth = furthest(&step, &self.track.targets[covered], &mut self.scratch);
+        let home = self.way_back((low, high), after, forth.distance.max(TIE));
+        if forth.distance.max(home.distance) > self.there.distance.max(self.back.distance) {
             self.result.step = self.number;
         }
-        (self.there, self.back) = (self.there.max(out), self.back.max(home));
+        (self.there, self.back) = (self.there.max(forth), self.back.max(home));
     }
 
     /// Goes on to the end of `step`; the part of the exact path that was covered on the way, and the gap before it.
     fn advance(&mut self, step: &Prepared) -> ((f64, f64), f64) {
-        let (track, left) = (&self.track, self.at.s);
+        let (track, start) = (&self.track, self.at.s);
         let gap = self.before.map_or(0.0, |before| before.end.distance(step.start));
         note_larger(&mut self.result.jump, gap, self.number);
-        let mut at = left;
+        let mut place = start;
         if gap > TIE {
-            at = track.project(step.start, track.within(at - gap - MARGIN, at + gap + MARGIN), at, TIE).s;
+            place = track
+                .project(step.start, track.clamped(place - gap - MARGIN, place + gap + MARGIN), place, TIE)
+                .s;
         }
         let reach = step.length + MARGIN;
-        self.at = track.project(step.end, track.within(at - reach, at + reach), at + step.length, TIE);
+        self.at =
+            track.project(step.end, track.clamped(place - reach, place + reach), place + step.length, TIE);
         let next = self.at.s;
-        note_larger(&mut self.result.backwards, at - next, self.number);
-        ((left.min(at).min(next), left.max(at).max(next)), gap)
+        note_larger(&mut self.result.backwards, place - next, self.number);
+        ((start.min(place).min(next), start.max(place).max(next)), gap)
     }
 
     /// The largest distance from the part of the exact path between `low` and `high` to the step that waits and its two
-    /// neighbours; a distance below `enough` need not be exact.
-    fn way_back(&mut self, (low, high): (f64, f64), after: Option<&Prepared>, enough: f64) -> Farthest {
+    /// neighbours; a distance below `limit` need not be exact.
+    fn way_back(&mut self, (low, high): (f64, f64), after: Option<&Prepared>, limit: f64) -> Farthest {
         let mut home = Farthest::default();
-        let Some(here) = &self.here else { return home };
-        for k in self.track.between(low, high) {
+        let Some(step) = &self.here else { return home };
+        for k in self.track.indices(low, high) {
             let (target, begin) = (&self.track.targets[k], self.track.begins[k]);
             let (a, b) = ((low - begin).max(0.0), (high - begin).min(target.length));
             if b > a {
                 let part = Prepared::new(target.segment.part(a / target.length, b / target.length));
                 // Measured against one step only, the distance is an upper bound; mostly that is enough.
-                let alone = furthest(&part, std::slice::from_ref(here), &mut self.scratch);
-                home = home.max(if alone.distance <= enough {
-                    alone
+                let by_step = furthest(&part, std::slice::from_ref(step), &mut self.scratch);
+                home = home.max(if by_step.distance <= limit {
+                    by_step
                 } else {
-                    let around: Vec<&Prepared> =
-                        [self.before.as_ref(), Some(here), after].into_iter().flatten().collect();
-                    furthest(&part, &around, &mut self.scratch)
+                    let by_neighbours: Vec<&Prepared> =
+                        [self.before.as_ref(), Some(step), after].into_iter().flatten().collect();
+                    furthest(&part, &by_neighbours, &mut self.scratch)
                 });
             }
         }
@@ -290,16 +293,16 @@ mod tests {
     #[test]
     fn notices_a_doubled_run_and_a_step_back() {
         let exact = loop_of(20.0, 60.0).part(10.0, 200.0);
-        let once = moves(&exact, 5.0);
-        let twice: Vec<_> = once.iter().chain(&once).copied().collect();
+        let single = moves(&exact, 5.0);
+        let twice: Vec<_> = single.iter().chain(&single).copied().collect();
         let walk = follow(&twice, &exact);
         assert!(walk.length > 1.9 * walk.exact_length && walk.file_to_exact > 1.0, "{walk:?}");
 
-        let mut run = once.clone();
-        run.insert(11, once[10].reversed());
-        run.insert(12, once[10]);
+        let mut run = single.clone();
+        run.insert(11, single[10].reversed());
+        run.insert(12, single[10]);
         let walk = super::follow(&run, &exact);
-        assert!(walk.backwards.is_some_and(|(by, i)| i == 11 && (by - once[10].length()).abs() < 0.01));
+        assert!(walk.backwards.is_some_and(|(by, i)| i == 11 && (by - single[10].length()).abs() < 0.01));
         assert!(walk.largest() < 0.001);
     }
 

@@ -43,7 +43,7 @@ impl Prepared {
     }
 
     /// All segments of `paths`.
-    pub(in crate::verify) fn all<'a>(paths: impl IntoIterator<Item = &'a Path>) -> Vec<Self> {
+    pub(in crate::verify) fn prepare_all<'a>(paths: impl IntoIterator<Item = &'a Path>) -> Vec<Self> {
         paths.into_iter().flat_map(|path| &path.segments).map(|segment| Self::new(*segment)).collect()
     }
 
@@ -98,29 +98,31 @@ impl Prepared {
     }
 
     /// Adds the fractions of this segment at which its distance to `other` can be largest.
-    fn candidates(&self, other: &Self, out: &mut Vec<f64>) {
+    fn candidates(&self, other: &Self, fractions: &mut Vec<f64>) {
         match (&self.segment, &other.segment) {
             (Segment::Line(_), Segment::Line(_)) => {}
-            (Segment::Line(line), Segment::Arc(arc)) => out.push(line.nearest_fraction(arc.center)),
-            (Segment::Arc(_), Segment::Line(line)) => self.along((line.end - line.start).perp(), out),
+            (Segment::Line(line), Segment::Arc(arc)) => fractions.push(line.nearest_fraction(arc.center)),
+            (Segment::Arc(_), Segment::Line(line)) => {
+                self.add_directions((line.end - line.start).perp(), fractions)
+            }
             (Segment::Arc(a), Segment::Arc(b)) => {
-                let between = a.center - b.center;
-                if norm(between) > CONCENTRIC {
-                    self.along(between, out);
+                let axis = a.center - b.center;
+                if norm(axis) > CONCENTRIC {
+                    self.add_directions(axis, fractions);
                 }
             }
         }
         for p in [other.start, other.end] {
             match &self.segment {
-                Segment::Line(line) => out.push(line.nearest_fraction(p)),
-                Segment::Arc(arc) => self.along(p - arc.center, out),
+                Segment::Line(line) => fractions.push(line.nearest_fraction(p)),
+                Segment::Arc(arc) => self.add_directions(p - arc.center, fractions),
             }
         }
-        self.behind(other, out);
+        self.axis_crossings(other, fractions);
     }
 
     /// Adds the fractions at which this segment crosses the axis of an arc behind it, as far from one end as the other.
-    fn behind(&self, other: &Self, out: &mut Vec<f64>) {
+    fn axis_crossings(&self, other: &Self, fractions: &mut Vec<f64>) {
         let Segment::Arc(target) = &other.segment else { return };
         if other.faces(-other.axis) {
             return;
@@ -131,18 +133,18 @@ impl Prepared {
                 let (from, to) =
                     ((line.start - target.center).dot(normal), (line.end - target.center).dot(normal));
                 if from * to < 0.0 {
-                    out.push(from / (from - to));
+                    fractions.push(from / (from - to));
                 }
             }
             Segment::Arc(arc) => {
-                let off = (target.center - arc.center).dot(normal);
-                let square = arc.radius * arc.radius - off * off;
+                let distance = (target.center - arc.center).dot(normal);
+                let square = arc.radius * arc.radius - distance * distance;
                 if square >= 0.0 {
-                    let to_axis = normal * off;
+                    let to_axis = normal * distance;
                     for v in [to_axis + other.axis * square.sqrt(), to_axis + other.axis * -square.sqrt()] {
                         let p = arc.center + v;
                         if self.faces(v) && (p - target.center).dot(other.axis) < 0.0 {
-                            out.extend(arc.fraction_of(v.angle(), 1e-9));
+                            fractions.extend(arc.fraction_of(v.angle(), 1e-9));
                         }
                     }
                 }
@@ -151,11 +153,11 @@ impl Prepared {
     }
 
     /// Adds the fractions at which an arc points along `u`, forwards or backwards, from its centre.
-    fn along(&self, u: Vec2, out: &mut Vec<f64>) {
+    fn add_directions(&self, u: Vec2, fractions: &mut Vec<f64>) {
         let Segment::Arc(arc) = &self.segment else { return };
         for v in [u, -u] {
             if self.faces(v) {
-                out.extend(arc.fraction_of(v.angle(), 1e-9));
+                fractions.extend(arc.fraction_of(v.angle(), 1e-9));
             }
         }
     }
@@ -214,9 +216,9 @@ pub(in crate::verify) fn furthest<T: Borrow<Prepared>>(
     let mut before = Sample { t: 0.0, index: first_index, distance: first.distance };
     for i in 0..=scratch.len() {
         let t = scratch.get(i).copied().unwrap_or(1.0);
-        let (here, index) = if i == scratch.len() { (last, last_index) } else { nearest(t) };
-        let after = Sample { t, index, distance: here.distance };
-        worst = change_over(before, after, probe.length, BISECTIONS, worst.max(here), &nearest);
+        let (farthest, index) = if i == scratch.len() { (last, last_index) } else { nearest(t) };
+        let after = Sample { t, index, distance: farthest.distance };
+        worst = change_over(before, after, probe.length, BISECTIONS, worst.max(farthest), &nearest);
         before = after;
     }
     worst
@@ -248,9 +250,9 @@ fn change_over(
         return worst;
     }
     let t = 0.5 * (a.t + b.t);
-    let (here, index) = nearest(t);
-    let middle = Sample { t, index, distance: here.distance };
-    let worst = change_over(a, middle, length, depth - 1, worst.max(here), nearest);
+    let (farthest, index) = nearest(t);
+    let middle = Sample { t, index, distance: farthest.distance };
+    let worst = change_over(a, middle, length, depth - 1, worst.max(farthest), nearest);
     change_over(middle, b, length, depth - 1, worst, nearest)
 }
 
@@ -286,14 +288,14 @@ mod tests {
         }
 
         #[test]
-        fn furthest_agrees_with_brute_force(probe in segment(), others in proptest::collection::vec(segment(), 1..5)) {
-            let targets: Vec<Prepared> = others.into_iter().map(Prepared::new).collect();
+        fn furthest_agrees_with_brute_force(probe in segment(), segments in proptest::collection::vec(segment(), 1..5)) {
+            let targets: Vec<Prepared> = segments.into_iter().map(Prepared::new).collect();
             let worst = furthest(&Prepared::new(probe), &targets, &mut Vec::new());
             let nearest = |p| targets.iter().map(|t| t.segment.distance(p)).fold(f64::INFINITY, f64::min);
             prop_assert!((nearest(worst.at) - worst.distance).abs() < 1e-9);
             for i in 0..=SAMPLES {
-                let here = nearest(probe.point(f64::from(i) / f64::from(SAMPLES)));
-                prop_assert!(here <= worst.distance + 1e-7, "{here} at {i} against {worst:?}");
+                let distance = nearest(probe.point(f64::from(i) / f64::from(SAMPLES)));
+                prop_assert!(distance <= worst.distance + 1e-7, "{distance} at {i} against {worst:?}");
             }
         }
     }

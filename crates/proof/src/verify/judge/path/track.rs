@@ -27,7 +27,7 @@ pub(super) struct Passing {
 impl Track {
     pub(super) fn new(path: &Path) -> Self {
         let mut track = Self::default();
-        for target in Prepared::all([path]).into_iter().filter(|target| target.length > 0.0) {
+        for target in Prepared::prepare_all([path]).into_iter().filter(|target| target.length > 0.0) {
             track.begins.push(track.length);
             track.length += target.length;
             track.targets.push(target);
@@ -36,12 +36,12 @@ impl Track {
     }
 
     /// The part of `[from, to]` that exists.
-    pub(super) fn within(&self, from: f64, to: f64) -> (f64, f64) {
+    pub(super) fn clamped(&self, from: f64, to: f64) -> (f64, f64) {
         (from.max(0.0), to.min(self.length))
     }
 
     /// Indices of the segments that share more than a point with `[from, to]`; at least one.
-    pub(super) fn between(&self, from: f64, to: f64) -> std::ops::Range<usize> {
+    pub(super) fn indices(&self, from: f64, to: f64) -> std::ops::Range<usize> {
         let first = self.begins.partition_point(|s| *s <= from).saturating_sub(1);
         let last = self.begins.partition_point(|s| *s < to).max(first + 1);
         first..last
@@ -50,7 +50,7 @@ impl Track {
     /// The passage in `[from, to]` nearest to `p`; of places within `tie` the one next to `expected`.
     pub(super) fn project(&self, p: Point, (from, to): (f64, f64), expected: f64, tie: f64) -> Passing {
         let mut best = Passing { s: from, place: p, distance: f64::INFINITY };
-        for i in self.between(from, to) {
+        for i in self.indices(from, to) {
             let (target, begin) = (&self.targets[i], self.begins[i]);
             if target.bounds.distance(p) >= best.distance + tie {
                 continue;
@@ -76,43 +76,43 @@ impl Track {
     /// The most by which a straight step may be away from the part of the path between `low` and `high`, either way; `ends` are
     /// those of that part, in the order of the step. `None` if the part bends.
     pub(super) fn bound(&self, step: &Prepared, (low, high): (f64, f64), ends: [Point; 2]) -> Option<f64> {
-        let covered = self.between(low, high);
+        let covered = self.indices(low, high);
         let target = self.targets.get(covered.start).filter(|_| covered.len() == 1)?;
-        let off = [step.start - ends[0], step.end - ends[1]];
+        let offsets = [step.start - ends[0], step.end - ends[1]];
         match (&step.segment, &target.segment) {
             // Two lines are no farther apart than their ends.
-            (Segment::Line(_), Segment::Line(_)) => Some(off[0].length().max(off[1].length())),
+            (Segment::Line(_), Segment::Line(_)) => Some(offsets[0].length().max(offsets[1].length())),
             (Segment::Line(_), Segment::Arc(arc)) if high - low < arc.radius => {
-                Some(from_arc(off, ends, arc.center))
+                Some(from_arc(offsets, ends, arc.center))
             }
             _ => None,
         }
     }
 }
 
-/// The largest distance of a straight step from an arc around `center`, whose `ends` it misses by `off`; the arc is less than 1
+/// The largest distance of a straight step from an arc around `center`, whose `ends` it misses by `offsets`; the arc is less than 1
 /// rad.
 ///
 /// At a part `t` of the way along its chord, the arc is above it by 0 to `4 rise t (1 - t)`, with `rise = a^2 / (2 h)` for half a
 /// chord `a` at a distance `h` from the centre (from `sqrt(h^2 + z) - h <= z / (2 h)`), and the step by a value that is linear
-/// between the two of `off`: their difference is at most the height of a parabola, or one of `off` where the step is above.
-fn from_arc(off: [Vec2; 2], ends: [Point; 2], center: Point) -> f64 {
+/// between the two of `offsets`: their difference is at most the height of a parabola, or one of `offsets` where the step is above.
+fn from_arc(offsets: [Vec2; 2], ends: [Point; 2], center: Point) -> f64 {
     let chord = ends[1] - ends[0];
     if chord == Vec2::default() {
-        return off[0].length().max(off[1].length());
+        return offsets[0].length().max(offsets[1].length());
     }
-    let along = chord.normalized();
-    let out = ends[0].midpoint(ends[1]) - center;
-    let up = along.perp() * along.perp().dot(out).signum();
-    let rise = chord.dot(chord) / (8.0 * up.dot(out));
-    let [a, b] = off.map(|off| off.dot(up));
-    let below = if (a - b).abs() < 4.0 * rise {
+    let direction = chord.normalized();
+    let outward = ends[0].midpoint(ends[1]) - center;
+    let upward = direction.perp() * direction.perp().dot(outward).signum();
+    let rise = chord.dot(chord) / (8.0 * upward.dot(outward));
+    let [a, b] = offsets.map(|offsets| offsets.dot(upward));
+    let height = if (a - b).abs() < 4.0 * rise {
         rise - 0.5 * (a + b) + (a - b).powi(2) / (16.0 * rise)
     } else {
         f64::max(-a, -b)
     };
-    let [c, d] = off.map(|off| off.dot(along));
-    Vec2::new(below.max(a).max(b), c.abs().max(d.abs())).length()
+    let [c, d] = offsets.map(|offsets| offsets.dot(direction));
+    Vec2::new(height.max(a).max(b), c.abs().max(d.abs())).length()
 }
 
 #[cfg(test)]
@@ -130,19 +130,19 @@ mod tests {
             radius in 0.5..200.0_f64,
             start in -3.0..3.0_f64,
             sweep in prop_oneof![-0.99..-1e-6_f64, 1e-6..0.99_f64],
-            off in prop::array::uniform4(-1.0..1.0_f64),
+            offsets in prop::array::uniform4(-1.0..1.0_f64),
             size in prop_oneof![Just(0.0), Just(1e-4), Just(0.1)],
         ) {
             let arc = Arc::new(Point::new(3.0, -4.0), radius, start, sweep);
             let ends = [arc.start(), arc.end()];
-            let [a, b, c, d] = off.map(|x| x * size);
+            let [a, b, c, d] = offsets.map(|x| x * size);
             let line = Line::new(ends[0] + Vec2::new(a, b), ends[1] + Vec2::new(c, d));
             let (step, exact) = (Prepared::new(line.into()), Prepared::new(arc.into()));
             let mut scratch = Vec::new();
-            let there = furthest(&step, std::slice::from_ref(&exact), &mut scratch);
+            let forth = furthest(&step, std::slice::from_ref(&exact), &mut scratch);
             let back = furthest(&exact, std::slice::from_ref(&step), &mut scratch);
             let bound = from_arc([line.start - ends[0], line.end - ends[1]], ends, arc.center);
-            prop_assert!(there.max(back).distance <= bound + 1e-12, "{} {}", there.max(back).distance, bound);
+            prop_assert!(forth.max(back).distance <= bound + 1e-12, "{} {}", forth.max(back).distance, bound);
             let sagitta = radius * (1.0 - (0.5 * sweep).cos());
             prop_assert!(bound <= 1.2 * sagitta + 1.5 * size, "{bound}, a sagitta of {sagitta}");
         }
@@ -150,7 +150,7 @@ mod tests {
 
     #[test]
     fn a_step_on_the_spot_is_as_far_off_as_its_ends() {
-        let at = Point::new(1.0, 0.0);
-        assert_eq!(from_arc([Vec2::new(3.0, 4.0), Vec2::new(0.0, 1.0)], [at; 2], Point::ORIGIN), 5.0);
+        let center = Point::new(1.0, 0.0);
+        assert_eq!(from_arc([Vec2::new(3.0, 4.0), Vec2::new(0.0, 1.0)], [center; 2], Point::ORIGIN), 5.0);
     }
 }

@@ -29,8 +29,8 @@ impl Block {
                     return Err(Finding::new(FindingCode::UnknownWord, name(), allowed));
                 };
                 if let Some(other) = self.commands.iter().find(|c| c.group() == command.group()) {
-                    let found = format!("{} ({command:?}) beside {other:?}", name());
-                    return Err(Finding::new(CONFLICT, found, "one code of each group on a line"));
+                    let fault = format!("{} ({command:?}) beside {other:?}", name());
+                    return Err(Finding::new(CONFLICT, fault, "one code of each group on a line"));
                 }
                 self.commands.push(command);
                 continue;
@@ -64,13 +64,13 @@ impl Block {
     }
 
     /// Whether the line has the command.
-    pub(super) fn has(&self, command: Command) -> bool {
+    pub(super) fn has_command(&self, command: Command) -> bool {
         self.commands.contains(&command)
     }
 
     /// Words that contradict each other or belong to nothing on the line.
     fn check(&self) -> Result<(), Finding> {
-        let dwell = self.has(Command::Dwell);
+        let dwell = self.has_command(Command::Dwell);
         if dwell && self.has_any(b"XYZIJ") {
             return Err(Finding::new(CONFLICT, "a dwell with axis words", "P alone"));
         }
@@ -85,10 +85,10 @@ impl Block {
         } else if self.value(b'P').is_some() != dwell {
             return Err(Finding::new(FindingCode::UnusedWord, "P or a dwell, one of them", "both or none"));
         }
-        let own = |letter: u8| self.commands.iter().any(|command| command.own_letters().contains(&letter));
-        if let Some(letter) = b"PRST".iter().find(|l| self.value(**l).is_some() && !own(**l)) {
-            let found = format!("{} without its command", char::from(*letter));
-            return Err(Finding::new(FindingCode::UnusedWord, found, "words that a command uses"));
+        let is_own = |letter: u8| self.commands.iter().any(|command| command.own_letters().contains(&letter));
+        if let Some(letter) = b"PRST".iter().find(|l| self.value(**l).is_some() && !is_own(**l)) {
+            let fault = format!("{} without its command", char::from(*letter));
+            return Err(Finding::new(FindingCode::UnusedWord, fault, "words that a command uses"));
         }
         if let Some(p) = self.value(b'P').filter(|p| *p < 0.0) {
             return Err(Finding::new(FindingCode::BadNumber, format!("P{p}"), "a time >= 0"));
@@ -96,9 +96,9 @@ impl Block {
         if let Some(f) = self.value(b'F').filter(|f| *f <= 0.0) {
             return Err(Finding::new(FindingCode::BadFeed, format!("F{f}"), "a feed > 0"));
         }
-        if self.has_any(b"IJ") && !self.has_any(b"XY") && !own(b'I') {
-            let (found, allowed) = ("a centre without an end point", "X or Y with I, J");
-            return Err(Finding::new(FindingCode::BadArc, found, allowed));
+        if self.has_any(b"IJ") && !self.has_any(b"XY") && !is_own(b'I') {
+            let (fault, allowed) = ("a centre without an end point", "X or Y with I, J");
+            return Err(Finding::new(FindingCode::BadArc, fault, allowed));
         }
         Ok(())
     }

@@ -13,7 +13,7 @@ impl Dialect {
     /// only for a profile with `arcs = true`. G0 is read as G1, at the feed in force, as three of the controllers do.
     pub const GENERIC: Self = Self {
         name: "generic",
-        vocabulary: Vocabulary::of(spec::Dialect::Generic),
+        vocabulary: Vocabulary::for_dialect(spec::Dialect::Generic),
         line_length: 72,
         comments: Comments::Semicolon,
         forbidden: "()!~?",
@@ -26,7 +26,7 @@ impl Dialect {
     /// LinuxCNC: lines up to 255.
     pub const LINUXCNC: Self = Self {
         name: "linuxcnc",
-        vocabulary: Vocabulary::of(spec::Dialect::LinuxCnc),
+        vocabulary: Vocabulary::for_dialect(spec::Dialect::LinuxCnc),
         line_length: 255,
         travel_at_feed: false,
         ..Self::GENERIC
@@ -35,7 +35,7 @@ impl Dialect {
     /// GRBL 1.1: lines up to 80 (protocol.h), no G90.1, arcs by gcode.c, dwells in steps of 50 ms (nuts_bolts.c).
     pub const GRBL: Self = Self {
         name: "grbl",
-        vocabulary: Vocabulary::of(spec::Dialect::Grbl),
+        vocabulary: Vocabulary::for_dialect(spec::Dialect::Grbl),
         line_length: 80,
         travel_at_feed: false,
         dwell_step: 0.05,
@@ -52,7 +52,7 @@ impl Dialect {
     /// Marlin without its options: no arcs, planes or inches; lines up to 95 (MAX_CMD_SIZE); G4 P in ms; G0 as G1.
     pub const MARLIN: Self = Self {
         name: "marlin",
-        vocabulary: Vocabulary::of(spec::Dialect::Marlin),
+        vocabulary: Vocabulary::for_dialect(spec::Dialect::Marlin),
         line_length: 95,
         forbidden: "()!~?*",
         dwell: DwellUnit::Milliseconds,
@@ -62,7 +62,7 @@ impl Dialect {
     /// Klipper without `[gcode_arcs]`: G4 P in ms, PAUSE of `[pause_resume]`, extended commands; G0 as G1.
     pub const KLIPPER: Self = Self {
         name: "klipper",
-        vocabulary: Vocabulary::of(spec::Dialect::Klipper),
+        vocabulary: Vocabulary::for_dialect(spec::Dialect::Klipper),
         line_length: 255,
         ..Self::MARLIN
     };
@@ -70,13 +70,13 @@ impl Dialect {
     /// RepRapFirmware 3: G4 P in ms, arc centres always from the start; G0 as G1, as printers have it.
     pub const REPRAPFIRMWARE: Self = Self {
         name: "reprapfirmware",
-        vocabulary: Vocabulary::of(spec::Dialect::RepRapFirmware),
+        vocabulary: Vocabulary::for_dialect(spec::Dialect::RepRapFirmware),
         line_length: 255,
         ..Self::MARLIN
     };
 
     /// The table of a controller of family `dialect`.
-    pub fn of(dialect: spec::Dialect) -> Self {
+    pub fn new(dialect: spec::Dialect) -> Self {
         match dialect {
             spec::Dialect::Generic => Self::GENERIC,
             spec::Dialect::LinuxCnc => Self::LINUXCNC,
@@ -91,7 +91,7 @@ impl Dialect {
 
     /// The table for `controller`: its dialect, its words, its comments, and its lines if they are shorter.
     pub fn for_controller(controller: &Controller) -> Self {
-        let family = Self::of(controller.dialect);
+        let family = Self::new(controller.dialect);
         let dialect = Self {
             line_length: family.line_length.min(controller.line_length),
             vocabulary: Vocabulary::for_controller(controller),

@@ -64,8 +64,8 @@ impl Interpreter {
             self.block.set(command);
             self.execute(events);
         } else {
-            let (found, fault) = lexer::cut(line, &self.dialect, &self.alphabet, &mut self.words);
-            comment = found;
+            let (line_comment, fault) = lexer::cut(line, &self.dialect, &self.alphabet, &mut self.words);
+            comment = line_comment;
             let fault = fault.or_else(|| self.block.read(&self.words, &self.dialect).err());
             if let Some(fault) = fault {
                 events.push(Event::Finding(Finding { line: Some(self.line), ..fault }));
@@ -73,11 +73,11 @@ impl Interpreter {
                 self.execute(events);
             }
         }
-        let counted = match self.dialect.comments {
+        let counted_lines = match self.dialect.comments {
             Comments::Semicolon => line.strip_prefix("; "),
             Comments::Parentheses => line.strip_prefix('(').and_then(|line| line.strip_suffix(')')),
         };
-        self.sentinel = counted
+        self.sentinel = counted_lines
             .and_then(|text| text.strip_prefix(SENTINEL))
             .is_some_and(|rest| rest == format!("{} lines", self.line) && text.ends_with('\n'));
         if let Some(comment) = comment {
@@ -95,8 +95,8 @@ impl Interpreter {
             self.report(events, FindingCode::Truncated, "another last line", allowed);
         }
         if self.announced.take().is_some() {
-            let found = "a heating without a wait for it";
-            self.report(events, FindingCode::HeatWithoutPause, found, "M0 after it");
+            let fault = "a heating without a wait for it";
+            self.report(events, FindingCode::HeatWithoutPause, fault, "M0 after it");
         }
     }
 
@@ -112,18 +112,18 @@ impl Interpreter {
 
     fn execute(&mut self, events: &mut Vec<Event>) {
         if let Some(end) = self.ended {
-            let found = format!("words after the program's end in line {end}");
-            self.report(events, FindingCode::AfterEnd, found, "comments only");
+            let fault = format!("words after the program's end in line {end}");
+            self.report(events, FindingCode::AfterEnd, fault, "comments only");
             return;
         }
-        let pause = self.block.has(Command::Pause);
-        if self.block.has(Command::HeatAndWait) {
+        let pause = self.block.has_command(Command::Pause);
+        if self.block.has_command(Command::HeatAndWait) {
             // The operator need not wait: the controller waits itself.
             self.announced = None;
         }
         if !pause && self.announced.take().is_some() {
-            let found = "words between heating and pause";
-            self.report(events, FindingCode::HeatWithoutPause, found, "M0 first");
+            let fault = "words between heating and pause";
+            self.report(events, FindingCode::HeatWithoutPause, fault, "M0 first");
         }
         let (block, line, dialect) = (&self.block, self.line, &self.dialect);
         self.machine.execute(&mut Here { block, line, dialect, out: events });
@@ -132,7 +132,7 @@ impl Interpreter {
             self.machine.heated = heat.or(self.machine.heated);
             events.push(Event::Pause(Pause { line: self.line, at: self.machine.at(), heat }));
         }
-        if self.block.has(Command::End) {
+        if self.block.has_command(Command::End) {
             self.ended = Some(self.line);
             events.push(Event::End(self.line));
         }
@@ -142,10 +142,10 @@ impl Interpreter {
         &self,
         events: &mut Vec<Event>,
         code: FindingCode,
-        found: impl Into<String>,
+        fault: impl Into<String>,
         allowed: impl Into<String>,
     ) {
-        events.push(Event::Finding(Finding::at(code, self.line, found, allowed)));
+        events.push(Event::Finding(Finding::in_line(code, self.line, fault, allowed)));
     }
 
     fn remark(&mut self, text: &str, events: &mut Vec<Event>) {
@@ -153,8 +153,8 @@ impl Interpreter {
         if comment.key() == Some("heat") {
             self.announced = comment.number("temperature_C");
             if self.announced.is_none() {
-                let found = "heat without a temperature";
-                self.report(events, FindingCode::BadComment, found, "temperature_C=number");
+                let fault = "heat without a temperature";
+                self.report(events, FindingCode::BadComment, fault, "temperature_C=number");
             }
         }
         events.push(Event::Comment(comment));

@@ -41,7 +41,7 @@ impl Alphabet {
     }
 
     /// The kinds of all bytes of `line`, combined.
-    fn of(&self, line: &str) -> u8 {
+    fn kinds_of(&self, line: &str) -> u8 {
         line.bytes().fold(0, |kinds, byte| kinds | self.0[usize::from(byte)])
     }
 }
@@ -56,7 +56,7 @@ pub(super) fn cut<'a>(
     words: &mut Vec<Word>,
 ) -> (Option<&'a str>, Option<Finding>) {
     words.clear();
-    let kinds = alphabet.of(line);
+    let kinds = alphabet.kinds_of(line);
     if kinds & BAD != 0 {
         return (None, bad_character(line, dialect));
     }

@@ -19,8 +19,8 @@ pub(super) struct Here<'a> {
 }
 
 impl Here<'_> {
-    fn report(&mut self, code: FindingCode, found: impl Into<String>, allowed: impl Into<String>) {
-        self.out.push(Event::Finding(Finding::at(code, self.line, found, allowed)));
+    fn report(&mut self, code: FindingCode, fault: impl Into<String>, allowed: impl Into<String>) {
+        self.out.push(Event::Finding(Finding::position(code, self.line, fault, allowed)));
     }
 }
 
@@ -46,7 +46,7 @@ impl Machine {
     }
 
     /// The place of the tip, once all three axes were set.
-    pub(super) fn at(&self) -> Option<Point3> {
+    pub(super) fn position(&self) -> Option<Point3> {
         match self.position {
             [Some(x), Some(y), Some(z)] => Some(Point3::new(x, y, z)),
             _ => None,
@@ -54,95 +54,95 @@ impl Machine {
     }
 
     /// Executes a block's modes, dwell and motion (pause and end are the interpreter's).
-    pub(super) fn execute(&mut self, here: &mut Here<'_>) {
-        let Here { block, line, .. } = *here;
+    pub(super) fn execute(&mut self, context: &mut Here<'_>) {
+        let Here { block, line, .. } = *context;
         for command in &block.commands {
             self.modes.set(*command);
             let waits = *command == Command::HeatAndWait;
             if waits || *command == Command::HeatOnly {
                 let celsius = block.value(b'S').unwrap_or(0.0);
                 self.heated = Some(celsius).filter(|t| waits && *t > 0.0);
-                here.out.push(Event::Heat(Heat { line, celsius, waits }));
+                context.out.push(Event::Heat(Heat { line, celsius, waits }));
             }
         }
         if block.commands.iter().any(|command| command.is_setting()) {
-            here.out.push(Event::Setting);
+            context.out.push(Event::Setting);
         }
         if block.commands.iter().any(|command| command.stands_alone()) {
             return;
         }
         if let Some(f) = block.value(b'F') {
-            self.require(self.modes.units.is_some(), "units (G20, G21)", here);
-            self.require(self.modes.feed_mode.is_some(), "feed mode (G93, G94)", here);
+            self.require(self.modes.units.is_some(), "units (G20, G21)", context);
+            self.require(self.modes.feed_mode.is_some(), "feed mode (G93, G94)", context);
             self.modes.feed = Some(if self.modes.is_inverse_time() { f } else { f * self.modes.scale() });
         }
         if let Some(p) = block.value(b'P') {
-            here.out.push(Event::Dwell(Dwell { line, seconds: here.dialect.dwell_seconds(p) }));
+            context.out.push(Event::Dwell(Dwell { line, seconds: context.dialect.dwell_seconds(p) }));
         }
         if block.has_any(b"XYZIJ") {
-            self.travel(here);
-        } else if block.has(Command::ArcCw) || block.has(Command::ArcCcw) {
-            here.report(FindingCode::BadArc, "an arc without an end point", "X or Y with I, J");
+            self.travel(context);
+        } else if block.has_command(Command::ArcCw) || block.has_command(Command::ArcCcw) {
+            context.report(FindingCode::BadArc, "an arc without an end point", "X or Y with I, J");
         }
     }
 
-    fn travel(&mut self, here: &mut Here<'_>) {
-        let Here { block, line, .. } = *here;
+    fn travel(&mut self, context: &mut Here<'_>) {
+        let Here { block, line, .. } = *context;
         let Some(motion) = self.modes.motion else {
-            here.report(FindingCode::ModeUnset, "axis words before any motion", "G0, G1, G2 or G3 first");
+            context.report(FindingCode::ModeUnset, "axis words before any motion", "G0, G1, G2 or G3 first");
             return;
         };
-        self.require(self.modes.units.is_some(), "units (G20, G21)", here);
-        self.require(self.modes.distance.is_some(), "distance mode (G90, G91)", here);
-        let before = self.at();
-        let Some(to) = self.target(here) else { return };
+        self.require(self.modes.units.is_some(), "units (G20, G21)", context);
+        self.require(self.modes.distance.is_some(), "distance mode (G90, G91)", context);
+        let start = self.position();
+        let Some(to) = self.target(context) else { return };
         let kind = if motion == Command::Rapid { MoveKind::Rapid } else { MoveKind::Feed };
         let arcs = matches!(motion, Command::ArcCw | Command::ArcCcw);
         if !arcs && block.has_any(b"IJ") {
-            here.report(FindingCode::UnusedWord, "I or J on a straight move", "I, J with G2, G3 only");
+            context.report(FindingCode::UnusedWord, "I or J on a straight move", "I, J with G2, G3 only");
         }
-        let at_feed = kind == MoveKind::Feed || here.dialect.travel_at_feed;
+        let at_feed = kind == MoveKind::Feed || context.dialect.travel_at_feed;
         if at_feed && kind == MoveKind::Rapid {
-            self.require(self.modes.feed.is_some(), "feed (F)", here);
+            self.require(self.modes.feed.is_some(), "feed (F)", context);
         }
         let height_known = self.position[2].is_some() || block.value(b'Z').is_some();
         self.position = to;
-        let (Some(from), Some(to)) = (before, self.at()) else {
+        let (Some(from), Some(to)) = (start, self.position()) else {
             if kind == MoveKind::Feed || !height_known {
-                let found = "a move from a position that the program never set";
-                here.report(FindingCode::UnknownPosition, found, "rapids first: Z, then X and Y");
+                let fault = "a move from a position that the program never set";
+                context.report(FindingCode::UnknownPosition, fault, "rapids first: Z, then X and Y");
             }
             let named = [b'X', b'Y', b'Z'].map(|letter| block.value(letter).is_some());
             // Without a length, a feed by time does not define a speed.
             let feed = self.modes.feed.filter(|_| at_feed && !self.modes.is_inverse_time());
-            here.out.push(Event::Blind(BlindMove { line, kind, named, to: self.position, feed }));
+            context.out.push(Event::Blind(BlindMove { line, kind, named, to: self.position, feed }));
             return;
         };
         let path = if arcs {
-            self.arc(from.xy(), to.xy(), here)
+            self.arc(from.xy(), to.xy(), context)
         } else {
             (from.xy() != to.xy()).then(|| Line::new(from.xy(), to.xy()).into())
         };
         let mut step = Move { line, kind, from, to, path, feed: None, heated: self.heated };
         if at_feed {
-            step.feed = self.feed_of(&step, here);
+            step.feed = self.feed_of(&step, context);
         }
-        here.out.push(Event::Move(step));
+        context.out.push(Event::Move(step));
     }
 
     /// The position after the block; `None` if it is unknown.
-    fn target(&self, here: &mut Here<'_>) -> Option<[Option<f64>; 3]> {
+    fn target(&self, context: &mut Here<'_>) -> Option<[Option<f64>; 3]> {
         let mut to = self.position;
         for (axis, letter) in to.iter_mut().zip(*b"XYZ") {
-            let Some(value) = here.block.value(letter) else { continue };
+            let Some(value) = context.block.value(letter) else { continue };
             let value = value * self.modes.scale();
             if !self.modes.is_relative() {
                 *axis = Some(value);
-            } else if let Some(at) = axis {
-                *at += value;
+            } else if let Some(coordinate) = axis {
+                *coordinate += value;
             } else {
-                let found = format!("a displacement {} from an unknown position", char::from(letter));
-                here.report(FindingCode::UnknownPosition, found, "a position (G90) first");
+                let fault = format!("a displacement {} from an unknown position", char::from(letter));
+                context.report(FindingCode::UnknownPosition, fault, "a position (G90) first");
                 return None;
             }
         }
@@ -150,49 +150,49 @@ impl Machine {
     }
 
     /// The path of an arc; after a fault the chord, so that the rest can still be read.
-    fn arc(&mut self, from: Point, to: Point, here: &mut Here<'_>) -> Option<Segment> {
-        self.require(self.modes.plane.is_some(), "plane (G17)", here);
-        self.require(self.modes.centers.is_some(), "arc centre mode (G90.1, G91.1)", here);
+    fn arc(&mut self, from: Point, to: Point, context: &mut Here<'_>) -> Option<Segment> {
+        self.require(self.modes.plane.is_some(), "plane (G17)", context);
+        self.require(self.modes.centers.is_some(), "arc centre mode (G90.1, G91.1)", context);
         let chord = (from != to).then(|| Line::new(from, to).into());
         let absolute = self.modes.centers == Some(Command::CentersAbsolute);
-        let (i, j) = (here.block.value(b'I'), here.block.value(b'J'));
+        let (i, j) = (context.block.value(b'I'), context.block.value(b'J'));
         if (i.is_none() && j.is_none()) || (absolute && (i.is_none() || j.is_none())) {
-            here.report(FindingCode::BadArc, "an arc without a centre", "I and J");
+            context.report(FindingCode::BadArc, "an arc without a centre", "I and J");
             return chord;
         }
         let scale = self.modes.scale();
         let (i, j) = (i.unwrap_or(0.0) * scale, j.unwrap_or(0.0) * scale);
         let center = if absolute { Point::new(i, j) } else { Point::new(from.x + i, from.y + j) };
         let ccw = self.modes.motion == Some(Command::ArcCcw);
-        match arc(from, to, center, ccw, &here.dialect.arcs) {
+        match arc(from, to, center, ccw, &context.dialect.arcs) {
             Ok(arc) => Some(arc.into()),
             Err((found, allowed)) => {
-                here.report(FindingCode::BadArc, found, allowed);
+                context.report(FindingCode::BadArc, found, allowed);
                 chord
             }
         }
     }
 
     /// The feed of a move in mm/min.
-    fn feed_of(&mut self, step: &Move, here: &mut Here<'_>) -> Option<f64> {
-        self.require(self.modes.feed_mode.is_some(), "feed mode (G93, G94)", here);
+    fn feed_of(&mut self, step: &Move, context: &mut Here<'_>) -> Option<f64> {
+        self.require(self.modes.feed_mode.is_some(), "feed mode (G93, G94)", context);
         if self.modes.is_inverse_time() {
-            let feed = here.block.value(b'F').map(|f| f * step.length());
+            let feed = context.block.value(b'F').map(|f| f * step.length());
             if feed.is_none() {
-                here.report(FindingCode::BadFeed, "a move without F in inverse time", "F on each line");
+                context.report(FindingCode::BadFeed, "a move without F in inverse time", "F on each line");
             }
             return feed.filter(|f| *f > 0.0);
         }
-        self.require(self.modes.feed.is_some(), "feed (F)", here);
+        self.require(self.modes.feed.is_some(), "feed (F)", context);
         self.modes.feed
     }
 
     /// Reports, once, that something relied on a mode that the program has not set.
-    fn require(&mut self, set: bool, name: &'static str, here: &mut Here<'_>) {
+    fn require(&mut self, set: bool, name: &'static str, context: &mut Here<'_>) {
         if !set && !self.reported.contains(&name) {
             self.reported.push(name);
-            let found = format!("{name} not set");
-            here.report(FindingCode::ModeUnset, found, "every mode set before it is needed");
+            let fault = format!("{name} not set");
+            context.report(FindingCode::ModeUnset, fault, "every mode set before it is needed");
         }
     }
 }
@@ -220,8 +220,8 @@ pub(super) fn arc(
     let difference = (r1 - r2).abs();
     let allowed = tolerance.free.max((tolerance.relative * r1.max(r2)).min(tolerance.limit));
     if difference > allowed || r1 <= 0.0 || r2 <= 0.0 {
-        let found = format!("radius {r1:.4} mm at the start, {r2:.4} mm at the end");
-        return Err((found, format!("radii > 0 that differ by at most {allowed:.4} mm")));
+        let fault = format!("radius {r1:.4} mm at the start, {r2:.4} mm at the end");
+        return Err((fault, format!("radii > 0 that differ by at most {allowed:.4} mm")));
     }
     let (u, v) = (from - center, to - center);
     let sign = if ccw { 1.0 } else { -1.0 };
@@ -247,11 +247,11 @@ mod tests {
             for degrees in [5.0_f64, 90.0, 170.0, 180.0, 190.0, 355.0] {
                 for sign in [1.0, -1.0] {
                     let exact = Arc::new(Point::new(7.0, -3.0), radius, 0.7, sign * degrees.to_radians());
-                    let found =
+                    let fitted =
                         arc(exact.start(), exact.end(), exact.center, sign > 0.0, &Dialect::GENERIC.arcs)
                             .unwrap();
-                    assert!((found.sweep - exact.sweep).abs() < 1e-9, "{radius} {degrees}: {found:?}");
-                    assert!((found.radius - radius).abs() < 1e-9 * radius.max(1.0));
+                    assert!((fitted.sweep - exact.sweep).abs() < 1e-9, "{radius} {degrees}: {fitted:?}");
+                    assert!((fitted.radius - radius).abs() < 1e-9 * radius.max(1.0));
                 }
             }
         }
@@ -262,11 +262,11 @@ mod tests {
         for degrees in [0.02_f64, 0.2, 30.0, 89.0, 180.0, 260.0] {
             let exact = Arc::new(Point::new(7.1234, -3.4321), 30.0, 0.7, degrees.to_radians());
             let (from, to) = (round(exact.start()), round(exact.end()));
-            let found = arc(from, to, round(exact.center), true, &Dialect::GENERIC.arcs).unwrap();
-            assert!(found.start().distance(from) < 1e-9 && found.end().distance(to) < 1e-9, "{degrees}");
+            let fitted = arc(from, to, round(exact.center), true, &Dialect::GENERIC.arcs).unwrap();
+            assert!(fitted.start().distance(from) < 1e-9 && fitted.end().distance(to) < 1e-9, "{degrees}");
             let middle = exact.at_angle(exact.start_angle + 0.5 * exact.sweep);
-            let off = found.at_angle(found.start_angle + 0.5 * found.sweep).distance(middle);
-            assert!(off < 0.0015, "{degrees}: {off}");
+            let error = fitted.at_angle(fitted.start_angle + 0.5 * fitted.sweep).distance(middle);
+            assert!(error < 0.0015, "{degrees}: {error}");
         }
     }
 
@@ -275,11 +275,13 @@ mod tests {
         let p = Point::new(1.0, 0.0);
         let circle = arc(p, p, Point::ORIGIN, false, &Dialect::GENERIC.arcs).unwrap();
         assert_eq!(circle.sweep, -TAU);
-        let off = |dx: f64| arc(p, Point::new(0.0, 1.0 + dx), Point::ORIGIN, true, &Dialect::GENERIC.arcs);
-        assert!(off(0.0049).is_ok() && off(0.0051).is_err());
+        let arc_with_error =
+            |dx: f64| arc(p, Point::new(0.0, 1.0 + dx), Point::ORIGIN, true, &Dialect::GENERIC.arcs);
+        assert!(arc_with_error(0.0049).is_ok() && arc_with_error(0.0051).is_err());
         assert!(arc(p, p, p, true, &Dialect::GENERIC.arcs).is_err());
-        let far = Point::new(100.0, 0.0);
-        let big = |d: f64| arc(far, Point::new(0.0, 100.0 + d), Point::ORIGIN, true, &Dialect::GENERIC.arcs);
+        let far_start = Point::new(100.0, 0.0);
+        let big =
+            |d: f64| arc(far_start, Point::new(0.0, 100.0 + d), Point::ORIGIN, true, &Dialect::GENERIC.arcs);
         assert!(big(0.027).is_ok() && big(0.029).is_err());
     }
 }

@@ -56,9 +56,9 @@ fn other_modes_mean_the_same() {
         "G90.1\nG1 X25.4 F25.4\nG3 X50.8 Y25.4 I25.4 J25.4",
         "G93\nG1 X25.4 F1\nG3 X50.8 Y25.4 J25.4 F0.6366197723675814",
     ] {
-        let found = read(&program(body));
-        assert_eq!(found.findings, [], "{body}");
-        for (a, b) in metric.iter().zip(&found.moves) {
+        let result = read(&program(body));
+        assert_eq!(result.findings, [], "{body}");
+        for (a, b) in metric.iter().zip(&result.moves) {
             assert!((a.to.x - b.to.x).abs() < 1e-12 && (a.to.y - b.to.y).abs() < 1e-12, "{body}");
             assert!((a.length() - b.length()).abs() < 1e-9, "{body}");
             assert!(a.feed.zip(b.feed).is_some_and(|(a, b)| (a - b).abs() < 1e-9), "{body}: {b:?}");
