@@ -48,7 +48,7 @@ pub enum Part {
 /// A closed contour, counterclockwise from the beginning of arm 1 (or of tip 1 where no arm is left).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contour {
-    /// Its segments with their parts of the star. Hinges that shrank to a vertex have none.
+    /// Segments of the contour with their parts of the star. Hinges that shrank to a vertex have none.
     pub parts: Vec<(Part, Segment)>,
     /// Remaining length of each arm; 0 if the contour has no straight parts.
     pub arm: f64,
@@ -100,7 +100,7 @@ impl Star {
         Some(Contour { parts, arm: 0.0 })
     }
 
-    /// The same contour, trimmed but not yet drawn.
+    /// The offset contour, trimmed but not yet drawn.
     pub(super) fn trimmed(&self, side: Side, delta: f64, least_radius: f64) -> Option<Trimmed> {
         // Signed radii before trimming; their sum is always W + R_i + R_e.
         let (corner_radius, tip_radius) = match side {

@@ -96,9 +96,9 @@ pub enum Shape {
     Path(Path),
     /// A full circle.
     Circle {
-        /// Its centre.
+        /// Centre of the circle.
         center: Point,
-        /// Its radius.
+        /// Radius of the circle.
         radius: f64,
     },
     /// Paths that make one mark, such as the strokes of a label.

@@ -222,15 +222,15 @@ pub fn figures(spec: &Spec) -> Vec<Path> {
 /// A figure of a drawing, with the names that may give it a role.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RoledFigure {
-    /// Its id in the file.
+    /// Id of the element in the file.
     pub id: String,
-    /// Its names, innermost first.
+    /// Names of the element's layers, innermost first.
     pub layers: Vec<String>,
     /// The name that decides its role; without a role the one that a proposal takes.
     pub layer: String,
-    /// Its role; `None` if the spec gives it none.
+    /// Role of the element; `None` if the spec gives it none.
     pub role: Option<LayerRole>,
-    /// Its curve; of a point a line without length.
+    /// Curve of the element; of a point a line without length.
     pub path: Path,
 }
 

@@ -30,7 +30,7 @@ pub struct PieceCut<'a> {
 }
 
 impl<'a> FlatPiece<'a> {
-    /// Its seams, cut and ports.
+    /// Seams, cut and ports of the piece.
     pub fn shape(self) -> &'a SealedShape {
         match self {
             Self::Star(star) => &star.shape,
@@ -46,7 +46,7 @@ impl<'a> FlatPiece<'a> {
         }
     }
 
-    /// The same edges as drawn.
+    /// The edges of air as the spec or the drawing gives them.
     pub fn edges(self) -> &'a [Path] {
         match self {
             Self::Star(star) => &star.edges,

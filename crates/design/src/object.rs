@@ -65,17 +65,17 @@ impl Object {
         }
     }
 
-    /// Its height along the axis.
+    /// Height of the object along the axis.
     pub fn height(&self) -> Length {
         Length(self.height)
     }
 
-    /// Its shape.
+    /// Shape of the object.
     pub fn shape(&self) -> ObjectShape {
         self.shape
     }
 
-    /// Its radius `z` above its middle; 0 above and below it.
+    /// Radius of the object `z` above its middle; 0 above and below the object.
     pub fn radius_at(&self, z: f64) -> f64 {
         let part = 2.0 * z / self.height;
         match self.shape {

@@ -9,9 +9,9 @@ use spec::{Inlet, Seal};
 /// A round hole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle {
-    /// Its centre.
+    /// Centre of the hole.
     pub center: Point,
-    /// Its diameter.
+    /// Diameter of the hole.
     pub diameter: f64,
 }
 

@@ -54,7 +54,7 @@ impl Paper {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Large, Self::A4, Self::Letter];
 
-    /// Its name in file names and in the manifest; the large page has none.
+    /// Name of the paper in file names and in the manifest; the large page has none.
     pub fn name(self) -> Option<&'static str> {
         match self {
             Self::Large => None,

@@ -228,7 +228,7 @@ pub struct PlacedPart {
 }
 
 impl PlacedPart {
-    /// Its name: star 2.
+    /// Name of the piece: star 2.
     pub fn name(&self) -> PieceName {
         PieceName::numbered(self.kind, self.index)
     }

@@ -11,7 +11,7 @@ use spec::{DrawnPlace, KeyPath};
 pub struct Refusal {
     /// The key that is best changed; of the star concerned, where stars can differ in it.
     pub key: KeyPath,
-    /// Its code for scripts: "no-arm".
+    /// Code of the refusal for scripts: "no-arm".
     pub code: RefusalCode,
     /// The finding, with numbers.
     pub found: String,
@@ -27,13 +27,13 @@ impl Refusal {
         Self { key, code, found: finding.into(), remedy: remedy.into(), drawn: None }
     }
 
-    /// The same refusal, found at a place of the drawing.
+    /// This refusal, at a place of the drawing.
     #[must_use]
     pub fn drawn_at(self, place: DrawnPlace) -> Self {
         Self { drawn: Some(Box::new(place)), ..self }
     }
 
-    /// The same refusal about star `index`, if it concerns one of the keys that stars can have of their own.
+    /// This refusal about star `index`, if it concerns one of the keys that stars can have of their own.
     pub fn of_star(self, index: usize) -> Self {
         Self { key: self.key.of_star(index), ..self }
     }

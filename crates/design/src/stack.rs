@@ -23,7 +23,7 @@ pub fn least_pitch(width: Length, plate: Length) -> Length {
     Length(tenths_up(inflated_height(width).0 + plate.0))
 }
 
-/// The same with some play.
+/// Least pitch of stars of tube width `width` between plates of thickness `plate`, with some play.
 pub fn pitch_for(width: Length, plate: Length) -> Length {
     least_pitch(width, Length(plate.0 + PLAY))
 }

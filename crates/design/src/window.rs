@@ -62,7 +62,7 @@ impl<'a> Zone<'a> {
         Self { star, delta_h, delta_o, creep: 0.0 }.crept(mask.creep.0)
     }
 
-    /// The same windows with `growth` creep.
+    /// This zone with `growth` more creep.
     fn crept(self, growth: f64) -> Self {
         Self { delta_h: self.delta_h - growth, delta_o: self.delta_o - growth, creep: self.creep + growth, ..self }
     }

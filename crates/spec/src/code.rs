@@ -8,7 +8,7 @@ pub trait Code: Copy {
     /// The word for scripts: "no-arm".
     fn as_str(self) -> &'static str;
 
-    /// Its meaning and the remedy, in one sentence.
+    /// The meaning of the code and the remedy, in one sentence.
     fn meaning(self) -> &'static str;
 }
 

@@ -111,7 +111,7 @@ impl LayerRole {
         ("ignore", Self::Ignore),
     ];
 
-    /// Its word.
+    /// The word of the role in a spec.
     pub fn word(self) -> &'static str {
         Self::ALL.iter().find(|(_, own)| *own == self).map_or("", |(word, _)| word)
     }

@@ -88,7 +88,7 @@ pub fn with_value(source: &Source, key: KeyPath, value: &str) -> Result<String, 
     with_changes(source, &[(key, Some(value))])
 }
 
-/// The same with several values, of which only all together need be valid; `None` takes a key away, so that its default holds.
+/// `source` with several values, of which only all together need be valid; `None` takes a key away, so that its default holds.
 ///
 /// # Errors
 /// If `source`, a value or the result is refused.
@@ -271,7 +271,7 @@ mod tests {
         assert!(text.contains("# the end\n"), "{text}");
     }
 
-    /// The same star in every layout that TOML has for it.
+    /// One star in every layout that TOML has for it.
     const LAYOUTS: [&str; 9] = [
         TEXT,
         "schema = 1\nname = \"x\"\n[ star ]  # spaced\npoints = 5\ninner_radius = \"50 mm\"\ntube_width = \"3 cm\"\ntip_angle = \"30 deg\"",

@@ -64,17 +64,17 @@ impl Fault {
         Self { level: Severity::Warning, ..Self::error(code, span, message) }
     }
 
-    /// The same fault with `label`, the allowed values, at its caret.
+    /// This fault with `label`, the allowed values, at its caret.
     pub fn label(self, label: impl Into<String>) -> Self {
         Self { label: shortened(&label.into()).into_owned(), ..self }
     }
 
-    /// The same fault, found at a place of the drawing.
+    /// This fault, at a place of the drawing.
     pub fn drawn_at(self, place: Option<Box<DrawnPlace>>) -> Self {
         Self { drawn: place, ..self }
     }
 
-    /// The same fault with the remedy `help`.
+    /// This fault with the remedy `help`.
     pub fn help(self, help: impl Into<String>) -> Self {
         Self { help: Some(shortened(&help.into()).into_owned()), ..self }
     }

@@ -15,7 +15,7 @@ pub(super) enum Document {
 }
 
 impl Document {
-    /// Its name in messages, keys of the first level that no other kind has, and the remedy in messages.
+    /// The name of the kind in messages, keys of the first level that no other kind has, and the remedy in messages.
     const fn words(self) -> (&'static str, &'static [&'static str], &'static str) {
         match self {
             Self::Spec => {

@@ -21,7 +21,7 @@ impl KeyPath {
         self.section
     }
 
-    /// Its name in that section.
+    /// The name of the key in that section.
     pub const fn key(self) -> &'static str {
         self.key
     }
@@ -31,13 +31,13 @@ impl KeyPath {
         self.star
     }
 
-    /// The same key of star `index` (1 = bottom), if it is one that stars can have of their own.
+    /// This key of star `index` (1 = bottom), if it is one that stars can have of their own.
     #[must_use]
     pub fn of_star(self, index: usize) -> Self {
         Self { star: u32::try_from(index).ok().filter(|_| self.own_name().is_some()), ..self }
     }
 
-    /// Its name in a `[[stack.star]]`; `None` if single stars cannot have it different.
+    /// The name of the key in a `[[stack.star]]`; `None` if single stars cannot have it different.
     pub fn own_name(self) -> Option<&'static str> {
         match self.section {
             "star" => Some(self.key),

@@ -196,7 +196,7 @@ impl Dialect {
         }
     }
 
-    /// Its name in profiles and in programs.
+    /// The name of the dialect in profiles and in programs.
     pub fn name(self) -> &'static str {
         Self::NAMES.iter().find(|(_, dialect)| *dialect == self).map_or("", |(name, _)| name)
     }
@@ -262,6 +262,6 @@ pub struct KeepOut {
     pub width: Length,
     /// Extent along Y.
     pub depth: Length,
-    /// Its height above the release layer; `None`: the iron must not pass above it at any height.
+    /// Height of the clamp above the release layer; `None`: the iron must not pass above it at any height.
     pub height: Option<Length>,
 }

@@ -76,7 +76,7 @@ impl Extra {
         ("frame-stl", Self::FrameStl),
     ];
 
-    /// Its name.
+    /// The name of the extra file.
     pub fn name(self) -> &'static str {
         Self::ALL.iter().find(|(_, own)| *own == self).map_or("", |(name, _)| name)
     }
@@ -217,9 +217,9 @@ pub enum MaskKind {
 /// The bed of a 3-D printer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bed {
-    /// Its extent along X.
+    /// Extent along X.
     pub width: Length,
-    /// Its extent along Y.
+    /// Extent along Y.
     pub depth: Length,
 }
 
@@ -357,7 +357,7 @@ impl ObjectShape {
     /// Both, with the words that specs and arguments write.
     pub const ALL: [(&'static str, Self); 2] = [("cylinder", Self::Cylinder), ("ball", Self::Ball)];
 
-    /// Its word.
+    /// The word of the value in a spec.
     pub fn word(self) -> &'static str {
         Self::ALL.iter().find(|(_, own)| *own == self).map_or("", |(word, _)| word)
     }

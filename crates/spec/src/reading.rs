@@ -32,7 +32,7 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// The same with the `bytes` of the drawing that the spec names, if it names one.
+    /// This reading with the `bytes` of the drawing that the spec names, if it names one.
     #[must_use]
     pub fn with_drawing(mut self, bytes: &[u8]) -> Self {
         if let Some(drawing) = &mut self.spec.drawing {

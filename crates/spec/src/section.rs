@@ -183,7 +183,7 @@ impl<'r> Section<'_, 'r> {
         self.require_if(true, required);
     }
 
-    /// The same where the section is needed; else the keys are only registered as required in it.
+    /// Requires the keys where the section is needed; else they are only registered as required in it.
     pub(super) fn require_if(&mut self, is_needed: bool, required: &[(&'static str, &'static str)]) {
         self.reader.required.extend(required.iter().map(|(key, _)| (self.name, *key)));
         let keys: Vec<_> = required.iter().filter(|(key, _)| !self.has(key)).copied().collect();

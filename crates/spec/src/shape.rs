@@ -27,7 +27,7 @@ pub(super) enum ValueShape {
     Text,
     /// A list of texts.
     Texts,
-    /// The same, or one of these words instead.
+    /// A value of the shape, or one of these words instead.
     Or(Box<ValueShape>, Vec<&'static str>),
     /// One of these words.
     Choice(Vec<&'static str>),

@@ -28,7 +28,7 @@ pub enum QuantityFault {
 /// A kind of quantities.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuantityKind {
-    /// Its name in messages: "length".
+    /// The quantity in messages: "length".
     pub name: &'static str,
     /// Units in which it can be written, at least one, with the factor to the base unit; the first is the base.
     pub units: &'static [(&'static str, f64)],
@@ -79,7 +79,7 @@ impl QuantityKind {
 
 /// A physical quantity that a spec can state.
 pub trait Quantity: Copy + fmt::Display {
-    /// Its name and its units.
+    /// The name and the units of the quantity.
     const KIND: QuantityKind;
     /// Wraps a value in the base unit.
     fn from_base(value: f64) -> Self;

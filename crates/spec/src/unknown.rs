@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// A section that was read: its keys and its content in the text.
 pub(super) struct Known<'r> {
-    /// Its name; "" for the keys before the first section.
+    /// Name of the section; "" for the keys before the first section.
     pub(super) section: &'static str,
     /// The keys that were taken.
     pub(super) keys: Vec<&'static str>,
@@ -199,7 +199,7 @@ pub(super) struct Missing {
 const DRAWING: &str = "or, for a drawing of your own:\n[drawing]\nfile = \"outline.svg\"\nlayers = { air = [\"chamber\"], port = [\"inlet\"] }";
 
 impl Missing {
-    /// The same without the keys that are only misspelt: an unknown key of the section, or an unknown
+    /// These faults without the keys that are only misspelt: an unknown key of the section, or an unknown
     /// section, that is near, or a diameter; `None` if nothing is left.
     pub(super) fn but_for(mut self, sections: &[Known<'_>]) -> Option<Self> {
         let is_known = |section: &str| sections.iter().any(|one| one.section == section);

@@ -11,7 +11,7 @@ use crate::fault::quoted;
 pub(super) struct RawValue {
     /// The value.
     pub(super) kind: RawKind,
-    /// Its span, in bytes of the text; of a section, the span of its header.
+    /// Span of the value, in bytes of the text; of a section, the span of its header.
     pub(super) span: Range<usize>,
 }
 
@@ -32,7 +32,7 @@ pub(super) enum RawKind {
 pub(super) struct RawNumber {
     /// The text of the number, without underscores.
     pub(super) text: String,
-    /// Its value; NaN if it is too large.
+    /// Value of the number; NaN if it is too large.
     pub(super) value: f64,
     /// Whether it was written as an integer.
     pub(super) is_integer: bool,
@@ -47,7 +47,7 @@ pub(super) struct RawEntry {
     pub(super) key: String,
     /// The span of the key.
     pub(super) key_span: Range<usize>,
-    /// Its value.
+    /// Value of the key.
     pub(super) value: RawValue,
 }
 

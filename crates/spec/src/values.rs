@@ -18,11 +18,11 @@ pub struct Setting {
     pub section: String,
     /// The key.
     pub key: String,
-    /// Its value, without quotes; `None` where it is absent and has no default.
+    /// Value of the key, without quotes; `None` where it is absent and has no default.
     pub value: Option<String>,
     /// Whether it was written.
     pub given: bool,
-    /// Its meaning, in a few words; often empty.
+    /// Meaning of the key, in a few words; often empty.
     pub meaning: String,
 }
 

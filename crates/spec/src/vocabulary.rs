@@ -139,7 +139,7 @@ impl Vocabulary {
         if controller.arcs { family } else { family.without_arcs() }
     }
 
-    /// The same words without those for arcs.
+    /// This vocabulary without the words for arcs.
     pub const fn without_arcs(self) -> Self {
         Self { draws_arcs: false, ..self }
     }

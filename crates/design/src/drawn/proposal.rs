@@ -12,7 +12,7 @@ use spec::units::counted;
 
 /// Lines across an edge that are longer are no marks, mm.
 const LONGEST_MARK: f64 = 20.0;
-/// The same by the larger side of all closed curves: the unit may be a guess.
+/// Longest mark as a part of the larger side of all closed curves: the unit may be a guess.
 const MARK_OF_ALL: f64 = 0.1;
 /// Marks are shorter than this part of the larger side of all closed curves.
 const MARK_AT_MOST: f64 = 0.4;
@@ -302,7 +302,7 @@ impl EdgePaths {
 
 /// A layer of which nothing is read.
 pub(super) struct LeftOut {
-    /// Its name.
+    /// Name of the layer.
     pub layer: String,
     /// The text of the note on its first element.
     pub text: String,

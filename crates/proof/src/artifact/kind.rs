@@ -100,7 +100,7 @@ macro_rules! kinds {
             /// Every kind.
             pub const ALL: &'static [Self] = &[$(Self::$kind),+];
 
-            /// Its name in the manifest and on the command line.
+            /// Name of the kind in the manifest and on the command line.
             pub fn name(self) -> &'static str {
                 match self {
                     $(Self::$kind => $name,)+
@@ -167,7 +167,7 @@ kinds! {
     FrameStl: "frame-stl", Frame as Stl;
     /// A picture of the design.
     PreviewSvg: "preview-svg", Preview as Svg;
-    /// The same as pixels.
+    /// The preview as pixels.
     PreviewPng: "preview-png", Preview as Png;
     /// The prediction; only for a spec with a load.
     Prediction: "prediction", Prediction as Json;

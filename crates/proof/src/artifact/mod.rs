@@ -11,9 +11,9 @@ pub use output::{NGC, Output, OutputPart, outputs, program_ending, too_large};
 pub struct Artifact {
     /// Kind and part of the file.
     pub output: Output,
-    /// Its name in the output directory.
+    /// Name of the file in the output directory.
     pub name: String,
-    /// Its content.
+    /// Content of the file.
     pub bytes: Vec<u8>,
 }
 

@@ -47,7 +47,7 @@ pub struct ManifestMask {
     pub coating_um: [f64; 2],
     /// The assumptions of the estimate.
     pub coating_assumes: String,
-    /// Its pieces on the printer's bed in the spec; absent without a bed.
+    /// Pieces of the mask on the printer's bed in the spec; absent without a bed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pieces: Vec<ManifestPiece>,
 }
@@ -55,13 +55,13 @@ pub struct ManifestMask {
 /// One piece of a printed mask.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ManifestPiece {
-    /// Its number, from 1.
+    /// Number of the piece, from 1.
     pub piece: usize,
     /// The tip that was cut off; absent for the middle and for a mask in one piece.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tip: Option<u32>,
-    /// Its rotation about the star's axis, counterclockwise; in a mirrored mask clockwise.
+    /// Rotation of the piece about the star's axis, counterclockwise; in a mirrored mask clockwise.
     pub turn_deg: f64,
-    /// Its size on the bed, along X and Y.
+    /// Size of the piece on the bed, along X and Y.
     pub size_mm: [f64; 2],
 }

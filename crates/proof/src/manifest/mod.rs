@@ -46,10 +46,10 @@ pub struct Manifest {
     /// Fabric of all pieces, both sheets of each.
     #[serde(default)]
     pub fabric_mm2: f64,
-    /// Its mass, if the areal density is given: that of the whole stack, `stack_mass_g` of a prediction.
+    /// Mass of the gripper, if the areal density is given: that of the whole stack, `stack_mass_g` of a prediction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mass_g: Option<f64>,
-    /// Its prediction at the pressure of `[load]`; absent without one.
+    /// Prediction at the pressure of `[load]`; absent without one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub prediction: Option<ManifestPrediction>,
     /// The only requested kinds; absent if all default kinds were made.
@@ -63,9 +63,9 @@ pub struct Manifest {
 /// The program that wrote a manifest.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tool {
-    /// Its name.
+    /// Name of the program.
     pub name: String,
-    /// Its version.
+    /// Version of the program.
     pub version: String,
 }
 
@@ -123,10 +123,10 @@ pub struct ManifestStar {
     /// Fabric of both sheets.
     #[serde(default)]
     pub fabric_mm2: f64,
-    /// Its mass, if the areal density is given: `mass_g` of this star in a prediction.
+    /// Mass of the star, if the areal density is given: `mass_g` of this star in a prediction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mass_g: Option<f64>,
-    /// The same, loop by loop.
+    /// The star's seams, loop by loop.
     pub seams: Vec<ManifestSeam>,
 }
 
@@ -176,7 +176,7 @@ impl ManifestFile {
         Self::with_hash(artifact, sha256(&artifact.bytes))
     }
 
-    /// The same with a hash of the content that has been computed already.
+    /// The entry of one artifact, with a hash of the content that has been computed already.
     pub fn with_hash(artifact: &Artifact, sha256: String) -> Self {
         let Output { kind, part, tile, paper, mirrored, valves, .. } = artifact.output;
         Self {
@@ -214,21 +214,21 @@ impl ManifestFile {
 /// A piece with its seams.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SealedPiece {
-    /// Its name: "star-1", "disc".
+    /// Name of the piece: "star-1", "disc".
     pub name: String,
     /// The product: "star", "piece" of a drawing, or "coupon".
     pub kind: String,
     /// Time of its program without heating and pauses, s; absent without a program of its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_s: Option<f64>,
-    /// Its seams, in the order of sealing.
+    /// Seams of the piece, in the order of sealing.
     pub seams: Vec<SealedSeam>,
 }
 
 /// A seam of a piece.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SealedSeam {
-    /// Its name: "inner"; for a coupon the name of its piece, "strip-7".
+    /// Name of the seam: "inner"; for a coupon the name of its piece, "strip-7".
     pub name: String,
     /// Path in contact, overlap included, mm.
     pub length_mm: f64,

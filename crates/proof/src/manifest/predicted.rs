@@ -10,7 +10,7 @@ pub struct ManifestPrediction {
     pub holds: Option<bool>,
     /// Mass that friction holds, for the whole stack.
     pub payload_kg: Option<f64>,
-    /// Its range.
+    /// Range of `payload_kg`.
     pub payload_range_kg: Option<[f64; 2]>,
     /// All stars, bottom first.
     pub stars: Vec<ManifestStarPrediction>,
@@ -24,17 +24,17 @@ pub struct ManifestStarPrediction {
     pub model: String,
     /// Final inner radius.
     pub final_radius_mm: Option<f64>,
-    /// Its range.
+    /// Range of `final_radius_mm`.
     pub final_radius_range_mm: Option<[f64; 2]>,
     /// Range of radii that it can hold; the second is its largest opening.
     pub graspable_radius_mm: Option<[f64; 2]>,
     /// Radial stiffness at rest.
     pub radial_stiffness_N_per_m: Option<f64>,
-    /// Its range.
+    /// Range of `radial_stiffness_N_per_m`.
     pub radial_stiffness_range_N_per_m: Option<[f64; 2]>,
     /// Radial force on the object.
     pub object_force_N: Option<f64>,
-    /// Its range.
+    /// Range of `object_force_N`.
     pub object_force_range_N: Option<[f64; 2]>,
     /// Bendability 1/eps.
     pub bendability: Option<f64>,

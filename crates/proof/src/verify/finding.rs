@@ -53,7 +53,7 @@ impl Finding {
         }
     }
 
-    /// The same finding, about `file`.
+    /// This finding, about `file`.
     pub fn in_file(self, file: &str) -> Self {
         Self { file: file.to_owned(), ..self }
     }

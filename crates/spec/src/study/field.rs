@@ -176,7 +176,7 @@ pub(super) struct Leaf<'r> {
     pub(super) field: Field,
     /// The span of its name.
     pub(super) place: Range<usize>,
-    /// Its value.
+    /// The value of the key.
     pub(super) value: &'r RawValue,
 }
 

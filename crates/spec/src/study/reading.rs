@@ -38,9 +38,9 @@ pub struct StudyFile {
 /// A requested column.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wanted {
-    /// Its name.
+    /// Name of the output.
     pub name: String,
-    /// Its place in the text.
+    /// Place of the name in the text.
     pub place: Range<usize>,
 }
 

@@ -49,7 +49,7 @@ impl ProgramTask<'_> {
 /// No move leaves the sheet or the machine's reach.
 struct Area {
     reach: Bounds,
-    /// The same with room for rounding.
+    /// The work area with room for rounding.
     allowed: Bounds,
 }
 

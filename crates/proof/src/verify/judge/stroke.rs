@@ -126,7 +126,7 @@ fn whole_rates(
     total
 }
 
-/// The same where a stroke begins and ends at the rate `first`: the rate after a step is that of the time before it.
+/// Time of a stroke that begins and ends at the rate `first`: the rate after a step is that of the time before it.
 fn with_first(steps: f64, even: f64, gain: f64, first: f64) -> f64 {
     let part = 0.5 * (even - first).max(0.0) * (even + first) / gain;
     let meet = (0.5 * steps).ceil();

@@ -14,7 +14,7 @@ pub struct ProgramTask<'a> {
     pub machine: &'a Machine,
     /// Whether it seals; else it traces the way, cold.
     pub hot: bool,
-    /// Its scope, in the words of its comment: "sheet=1 stars=1-3", "piece=disc".
+    /// Scope of the program, in the words of its comment: "sheet=1 stars=1-3", "piece=disc".
     pub scope: String,
     /// The seams, in the order of sealing.
     pub seams: Vec<LaidSeam>,

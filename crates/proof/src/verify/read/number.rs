@@ -13,16 +13,16 @@ const TENS: [f64; EXACT + 1] =
 /// A number at the front of a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Number<'a> {
-    /// Its value; `None` beyond [`LARGEST`].
+    /// Value of the number; `None` beyond [`LARGEST`].
     pub(super) value: Option<f64>,
-    /// Its text.
+    /// Text of the number.
     pub(super) text: &'a str,
     /// The text behind it.
     pub(super) rest: &'a str,
 }
 
 impl Number<'_> {
-    /// Its value as the radius of an arc, which is no coordinate and may be as large as it likes; `None` if it is not finite.
+    /// The number as the radius of an arc, which is no coordinate and may be as large as it likes; `None` if it is not finite.
     pub(super) fn radius(&self) -> Option<f64> {
         self.value.or_else(|| self.text.parse().ok().filter(|radius: &f64| radius.is_finite()))
     }

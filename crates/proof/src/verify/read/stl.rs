@@ -24,7 +24,7 @@ pub fn read_stl(bytes: &[u8]) -> Option<Vec<StlFacet>> {
     read_solid(bytes).map(|(facets, _)| facets)
 }
 
-/// The same, with the data besides the corners.
+/// The facets of a binary STL, with the data besides the corners.
 pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<StlFacet>, SolidNotes)> {
     let count = usize::try_from(u32::from_le_bytes(bytes.get(80..HEAD)?.try_into().ok()?)).ok()?;
     if bytes.len() != HEAD.checked_add(FACET.checked_mul(count)?)? {

@@ -83,7 +83,7 @@ pub(super) fn against_design(expected: &Expected<'_>, manifest: &Manifest) -> Ve
     findings
 }
 
-/// The same of the figures that only a gripper of stars has.
+/// Compares with the design the figures that only a gripper of stars has.
 fn against_assembly(design: &StarAssembly, manifest: &Manifest) -> Vec<Finding> {
     let mut findings = Vec::new();
     for placed in &design.stars {

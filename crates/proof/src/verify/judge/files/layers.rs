@@ -26,7 +26,7 @@ pub(super) fn look(layer: Layer, colours: Colours) -> LayerStyle {
         Layer::Registration | Layer::PostHole => (RED, BLUE),
         Layer::Label | Layer::PaperMark => (BLUE, CYAN),
     };
-    let (svg, dxf) = if colours == Colours::One { one: single } else { ordered };
+    let (svg, dxf) = if colours == Colours::One { single } else { ordered };
     LayerStyle { svg, dxf }
 }
 

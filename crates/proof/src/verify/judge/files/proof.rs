@@ -42,15 +42,15 @@ struct CrossChecks {
 /// The result for one file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileProof {
-    /// Its name in the directory.
+    /// Name of the file in the directory.
     pub path: String,
-    /// Its kind.
+    /// Kind and subject of the file.
     pub output: Output,
     /// The method by which it was checked.
     pub by: Method,
     /// SHA-256 of its content, lower-case hexadecimal.
     pub sha256: String,
-    /// Its largest deviation from the exact geometry either way, mm; `None` for a file without measured geometry.
+    /// Largest deviation from the exact geometry either way, mm; `None` for a file without measured geometry.
     pub deviation: Option<f64>,
 }
 

@@ -130,7 +130,7 @@ pub struct ArcTolerance {
 /// A dialect: all properties of a controller that the interpreter needs. The tables are in the room `dialects`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dialect {
-    /// Its name in machine profiles.
+    /// Name of the dialect in machine profiles.
     pub name: &'static str,
     /// Longest line, in bytes without the line end.
     pub line_length: usize,

@@ -42,11 +42,11 @@ pub struct Move {
     pub line: usize,
     /// Rapid or at the feed.
     pub kind: MoveKind,
-    /// Its start.
+    /// Start of the move.
     pub from: Point3,
-    /// Its end.
+    /// End of the move.
     pub to: Point3,
-    /// Its path seen from above; `None` if it is vertical or goes nowhere.
+    /// Path of the move seen from above; `None` if it is vertical or goes nowhere.
     pub path: Option<Segment>,
     /// Feed in force, mm/min; `None` for a rapid that is as fast as the machine can, or if the program never gave one.
     pub feed: Option<f64>,
@@ -75,7 +75,7 @@ pub struct BlindMove {
     pub kind: MoveKind,
     /// Whether the line names the axes X, Y, Z.
     pub named: [bool; 3],
-    /// Its end, mm; coordinates that are unknown are `None`.
+    /// End of the move, mm; coordinates that are unknown are `None`.
     pub to: [Option<f64>; 3],
     /// Feed in force, mm/min; `None` for a rapid that is as fast as the machine can, or if the program never gave one.
     pub feed: Option<f64>,
