@@ -115,7 +115,7 @@ fn chosen(variable: &str) -> impl Fn(&str) -> bool {
 /// All programs of all designs and dialects, or of those in the variables `CLOCK_DESIGNS` and `CLOCK_DIALECTS`: minutes.
 /// `cargo test --release --locked --test machines clock:: -- --ignored --nocapture`
 #[test]
-#[ignore = "takes minutes; its table is in docs/machines.md"]
+#[ignore = "takes minutes; its table is in docs/clock.md"]
 fn every_program_on_every_machine_of_the_grid() {
     let mut table: BTreeMap<(String, &str), Worst> = BTreeMap::new();
     let (is_chosen, is_spoken) = (chosen("CLOCK_DESIGNS"), chosen("CLOCK_DIALECTS"));
