@@ -47,7 +47,7 @@ const KINDS: [(&str, &str); 7] = [
     ("nameless", "name it by a noun of the field, or a verb with its object"),
     ("leaning", "begin the doc with the noun: it is read alone"),
     ("shadowing", "give the local another name than the function that makes it"),
-    ("closures", "write a function with a name, or pass the closure where it is used"),
+    ("closures", "write a function: only a closure that is passed on may have a name in another function"),
     ("tuples", "write parameters, or a struct; only a pair of one kind may be a tuple"),
     ("long", "split the function"),
     ("unexplained", "say in two or three sentences how the function goes about it"),
@@ -129,8 +129,16 @@ impl<'a> Source<'a> {
         self.text(start + 1) == "(" && names.iter().any(|place| self.text(*place) == self.text(start))
     }
 
-    fn is_closure(&self, binding: &Binding) -> bool {
-        !binding.value.is_empty() && ["|", "||", "move"].contains(&self.text(binding.value.start))
+    /// Whether `binding` is a closure that its function calls by name: a function without a place of its own. A closure with a
+    /// name that is only passed on is an argument.
+    fn is_hidden_function(&self, binding: &Binding) -> bool {
+        let is_closure =
+            !binding.value.is_empty() && ["|", "||", "move"].contains(&self.text(binding.value.start));
+        let names = bound(&self.tokens, &binding.pattern);
+        let mut calls = self.scope(binding.pattern.start).filter(|place| {
+            self.text(*place + 1) == "(" && ![".", "::"].contains(&self.text(place.saturating_sub(1)))
+        });
+        is_closure && calls.any(|place| names.iter().any(|name| self.text(*name) == self.text(place)))
     }
 
     /// The lines of `function` without its comments, and its comments with those above it.
@@ -176,10 +184,9 @@ fn collect(faults: &mut Faults, name: &str, text: &str) {
         if lines > EXPLAINED && comments < 2 {
             unexplained.push(source.fault(function.name, &format!("{title} has {lines} lines")));
         }
-        let closure = source
-            .bindings
-            .iter()
-            .find(|binding| source.scope(binding.pattern.start) == scope && source.is_closure(binding));
+        let closure = source.bindings.iter().find(|binding| {
+            source.scope(binding.pattern.start) == scope && source.is_hidden_function(binding)
+        });
         closures.extend(
             closure.map(|binding| source.fault(binding.pattern.start, source.text(binding.pattern.start))),
         );
@@ -271,7 +278,9 @@ fn each_kind_of_fault_is_seen() {
     );
     assert_eq!(counts("fn f() { let outline = &mut outline(1); let x = a::x(1); }"), [0, 0, 1, 0, 0, 0, 0]);
     assert_eq!(
-        counts("fn f() { let g = |x| x; let h = || 1; fn i() { let j = move || 2; } }"),
+        counts(
+            "fn f() { let g = |x| x; g(1); fn i() { let j = move || 2; j() } fn k() { let l = |x| x; m(l) } }"
+        ),
         [0, 0, 0, 2, 0, 0, 0]
     );
     assert_eq!(
