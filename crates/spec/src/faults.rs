@@ -27,8 +27,8 @@ impl Faults {
 
     /// These faults and one more of the same text, if there is one.
     #[must_use]
-    pub fn with(self, another: Option<Fault>) -> Self {
-        Self::new(&self.source, self.list.into_iter().chain(another).collect())
+    pub fn with(self, addition: Option<Fault>) -> Self {
+        Self::new(&self.source, self.list.into_iter().chain(addition).collect())
     }
 
     /// The faults in the order of their places.
@@ -96,7 +96,8 @@ impl Source {
             Err(error) => {
                 let start = error.valid_up_to();
                 let byte = bytes.get(start).copied().unwrap_or_default();
-                let line_end = bytes[start..].iter().position(|b| *b == b'\n').map_or(bytes.len(), |n| start + n);
+                let line_end =
+                    bytes[start..].iter().position(|b| *b == b'\n').map_or(bytes.len(), |n| start + n);
                 let text = String::from_utf8_lossy(&bytes[..line_end]);
                 let fault = Fault::error(
                     FaultCode::NotText,

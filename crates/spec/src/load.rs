@@ -43,7 +43,7 @@ fn check_friction(s: &mut Section<'_, '_>, load: &Load) {
                 format!("write {key} = {friction}, or change friction"),
             ),
             // A faulty friction is reported already.
-            (None, _) if s.has(key) && !s.has("friction") => (
+            (None, _) if s.contains(key) && !s.contains("friction") => (
                 format!("`{key}` without `friction`"),
                 "it is an end of the range of `friction`",
                 format!("write friction, or delete {key}"),
@@ -58,7 +58,7 @@ fn check_friction(s: &mut Section<'_, '_>, load: &Load) {
 fn read_object_size(s: &mut Section<'_, '_>) -> (Option<Length>, bool) {
     let diameter: Option<Length> = s.quantity("object_diameter", SIZE);
     let radius = s.quantity("object_radius", SIZE);
-    if s.has("object_diameter") && s.has("object_radius") {
+    if s.contains("object_diameter") && s.contains("object_radius") {
         let message = "`object_diameter` and `object_radius` are both set";
         let fault = Fault::error(FaultCode::Conflict, s.place_of("object_radius"), message)
             .label("one of them gives the object's size")
@@ -66,7 +66,7 @@ fn read_object_size(s: &mut Section<'_, '_>) -> (Option<Length>, bool) {
         s.report(fault);
     }
     match diameter {
-        None if s.has("object_radius") => (radius, true),
+        None if s.contains("object_radius") => (radius, true),
         diameter => (diameter.map(|diameter| Length(0.5 * diameter.0)), false),
     }
 }

@@ -47,7 +47,8 @@ impl RawSpec {
     /// Place of the value that decides `key`: of a star's key its own `[[stack.star]]` before the common section;
     /// `None` if it was not written.
     pub fn find(&self, key: KeyPath) -> Option<Range<usize>> {
-        let own_value = key.star().zip(key.own_name()).and_then(|(star, name)| self.own(star)?.get(name));
+        let own_value =
+            key.star().zip(key.own_name()).and_then(|(star, name)| self.star_table(star)?.get(name));
         let common = || match key.section() {
             "" => self.root.get(key.key()),
             _ => self.section(key)?.as_table()?.get(key.key()),
@@ -75,7 +76,7 @@ impl RawSpec {
     }
 
     /// The `[[stack.star]]` of star `index`.
-    fn own(&self, index: u32) -> Option<&RawTable> {
+    fn star_table(&self, index: u32) -> Option<&RawTable> {
         self.overrides().iter().filter_map(RawValue::as_table).find(|table| {
             match table.get("index").map(|value| &value.kind) {
                 Some(RawKind::Number(number)) => number.whole == Some(i64::from(index)),

@@ -137,7 +137,7 @@ impl<'r> Section<'_, 'r> {
     }
 
     /// Whether `key` was written, whatever its value.
-    pub(super) fn has(&self, key: &str) -> bool {
+    pub(super) fn contains(&self, key: &str) -> bool {
         self.table.is_some_and(|table| table.get(key).is_some())
     }
 
@@ -186,7 +186,7 @@ impl<'r> Section<'_, 'r> {
     /// Requires the keys where the section is needed; else they are only registered as required in it.
     pub(super) fn require_if(&mut self, is_needed: bool, required: &[(&'static str, &'static str)]) {
         self.reader.required.extend(required.iter().map(|(key, _)| (self.name, *key)));
-        let keys: Vec<_> = required.iter().filter(|(key, _)| !self.has(key)).copied().collect();
+        let keys: Vec<_> = required.iter().filter(|(key, _)| !self.contains(key)).copied().collect();
         // A value in the section's place is reported already.
         let is_other = self.table.is_none() && self.reader.raw.root().get(self.name).is_some();
         if is_needed && !is_other && !keys.is_empty() {

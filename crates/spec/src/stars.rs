@@ -34,7 +34,7 @@ pub(super) fn read(reader: &mut Reader<'_>, has_drawing: bool) -> (Vec<StarSpec>
     let mut stack = reader.section("stack");
     let count = stack.count("count", 1, MOST);
     // A faulty count is reported already; then any index passes.
-    let highest = if count.is_none() && stack.has("count") { MOST } else { count.unwrap_or(1) };
+    let highest = if count.is_none() && stack.contains("count") { MOST } else { count.unwrap_or(1) };
     let base = StarSpec { inlet_tip: tip.unwrap_or(base.inlet_tip), ..read_place(&mut stack, &base) };
     read_list(&mut stack);
     let mut stars = vec![base; usize::try_from(count.unwrap_or(1)).unwrap_or(1)];
@@ -132,7 +132,7 @@ fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32,
             let message = "`inlet_tip` without an inlet";
             section.refuse(FaultCode::Conflict, "inlet_tip", message, "[inlet] has `none = true`");
         }
-        if index == Some(1) && stars.len() > 1 && section.has("pitch") {
+        if index == Some(1) && stars.len() > 1 && section.contains("pitch") {
             let fault = Fault::warning(FaultCode::NoEffect, section.place_of("pitch"), "`pitch` of star 1")
                 .label("has no effect: it is the distance from the star below, and star 1 is the bottom")
                 .help("write it into the section of star 2, or delete it");

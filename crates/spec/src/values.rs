@@ -97,8 +97,8 @@ fn settings_of(source: &Source, keys: impl Iterator<Item = KnownKey>) -> Vec<Set
 /// The settings of a `[[stack.star]]`.
 fn of_star(star: &RawTable) -> impl Iterator<Item = Setting> {
     let section = format!("star {}", star.get("index").map(shown).unwrap_or_default());
-    let others = star.0.iter().filter(|entry| entry.key != "index");
-    others.map(move |entry| Setting {
+    let entries = star.0.iter().filter(|entry| entry.key != "index");
+    entries.map(move |entry| Setting {
         section: section.clone(),
         key: entry.key.clone(),
         value: Some(shortened_text(&entry.value)),
@@ -164,7 +164,7 @@ mod tests {
     const MARKED: &str = "schema = 1\nname = \"x\"\nseal.band = \"3 mm\"\n[star]\npoints = 5\ninner_radius = \"50 mm\"\n\
         tube_width = '30 mm'\ntip_angle = \"30 deg\"\n[stack]\ncount = 2\n[[stack.star]]\nindex = 2\ninner_radius = \"4 cm\"\n";
 
-    fn of(text: &str, section: &str, key: &str) -> Setting {
+    fn setting_of(text: &str, section: &str, key: &str) -> Setting {
         let list = settings(&Source::new("x", text));
         let matching =
             list.iter().filter(|setting| (setting.section.as_str(), setting.key.as_str()) == (section, key));
@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn what_was_written_stands_beside_the_defaults() {
         let setting = |section, key| {
-            let Setting { value, given: is_written, .. } = of(MARKED, section, key);
+            let Setting { value, given: is_written, .. } = setting_of(MARKED, section, key);
             (value.unwrap_or_default(), is_written)
         };
         let expected = |value: &str, given| (value.to_owned(), given);
@@ -185,8 +185,8 @@ mod tests {
         assert_eq!(setting("seal", "speed"), expected("0.1 mm/s", false));
         assert_eq!(setting("stack", "count"), expected("2", true));
         assert_eq!(setting("star 2", "inner_radius"), expected("4 cm", true));
-        assert_eq!(of(MARKED, "load", "pressure").value, None);
-        assert!(of(MARKED, "seal", "band").meaning.contains("width of the sealed strip"));
+        assert_eq!(setting_of(MARKED, "load", "pressure").value, None);
+        assert!(setting_of(MARKED, "seal", "band").meaning.contains("width of the sealed strip"));
     }
 
     #[test]

@@ -96,7 +96,7 @@ pub(super) fn notes(drawing: &Artwork, spec: &DrawingSpec) -> Vec<String> {
 /// The points of the file with the role of a curve, as sketches and sewing patterns have them. A curve without length is none.
 fn points<'d>(drawing: &'d Artwork, spec: &'d DrawingSpec) -> impl Iterator<Item = &'d Element> {
     // Programs write lines without length where a path closes: those are lost without loss.
-    let nothing: BTreeSet<&str> = drawing
+    let without_length: BTreeSet<&str> = drawing
         .notes
         .iter()
         .filter(|note| note.text == NO_LENGTH)
@@ -108,7 +108,7 @@ fn points<'d>(drawing: &'d Artwork, spec: &'d DrawingSpec) -> impl Iterator<Item
                 spec.role(element.names()),
                 None | Some(LayerRole::Port | LayerRole::Measure | LayerRole::Ignore)
             )
-            && !nothing.contains(element.id.as_str())
+            && !without_length.contains(element.id.as_str())
     };
     drawing.elements.iter().filter(is_curve)
 }
@@ -157,8 +157,8 @@ fn lacks_curves<'n>(
 
 /// A text or a hatch on a layer that should have curves and has none.
 fn annotation(place: &Place) -> Refusal {
-    let found = format!("{place}: a text, dimension or hatch is not read, and its layer has no curves");
-    lost_at(place, found, &format!("convert it to curves, or {}", to_ignore(place)))
+    let fault = format!("{place}: a text, dimension or hatch is not read, and its layer has no curves");
+    lost_at(place, fault, &format!("convert it to curves, or {}", to_ignore(place)))
 }
 
 /// A faulty element that is not to be ignored.
@@ -178,10 +178,10 @@ fn to_ignore(place: &Place) -> String {
 }
 
 /// The refusal of geometry that is missing at `place`.
-fn lost_at(place: &Place, found: String, remedy: &str) -> Refusal {
+fn lost_at(place: &Place, fault: String, remedy: &str) -> Refusal {
     let elements = place.element.iter().cloned().collect();
-    let drawn = DrawnPlace { elements, at: place.at.map(|at| [at.x, at.y]) };
-    Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, found, remedy).drawn_at(drawn)
+    let drawn_place = DrawnPlace { elements, at: place.at.map(|at| [at.x, at.y]) };
+    Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, fault, remedy).drawn_at(drawn_place)
 }
 
 /// Elements without a role, by the layer that would give them one.

@@ -58,8 +58,8 @@ fn contacts(machine: &Machine, pieces: &[PlacedPiece<'_>]) -> Vec<(Segment, f64)
     for seam in laid_seams(pieces, machine.process.ramp.0) {
         for (path, rise) in [(&seam.lead_in, rise), (&seam.run, 0.0), (&seam.lead_out, rise)] {
             let flat = path.length();
-            let along = |segment: &Segment| (*segment, rise * segment.length() / flat);
-            contacts.extend(path.segments.iter().map(along));
+            let contact = |segment: &Segment| (*segment, rise * segment.length() / flat);
+            contacts.extend(path.segments.iter().map(contact));
         }
     }
     contacts

@@ -24,18 +24,18 @@ fn lowest_on(
     lowest: impl Fn(&Motion, [f64; 3]) -> Option<f64>,
 ) -> Option<f64> {
     let length = piece.length();
-    let along = |t: f64| {
+    let lowest_at = |t: f64| {
         let u = piece.tangent(t);
         lowest(motion, [u.x * length, u.y * length, rise])
     };
-    let mut worst = along(0.0)?.max(along(1.0)?);
+    let mut worst = lowest_at(0.0)?.max(lowest_at(1.0)?);
     if let Segment::Arc(arc) = piece {
         let [x, y, _] = motion.steps_per_mm.unwrap_or([1.0; 3]);
         let even = libm::atan2(x, y);
         let quarter = FRAC_PI_2 * arc.sweep.signum();
         for direction in [even, -even, 2.0 * FRAC_PI_2 - even, even - 2.0 * FRAC_PI_2] {
             if let Some(t) = arc.fraction_of(direction - quarter, 0.0) {
-                worst = worst.max(along(t)?);
+                worst = worst.max(lowest_at(t)?);
             }
         }
     }
@@ -102,7 +102,11 @@ pub fn actual_speed(motion: &Motion, speed: f64, range: (f64, f64)) -> String {
     }
     // No controller runs below the programmed speed.
     let (slowest, fastest) = (range.0.max(speed), range.1);
-    let runs = if fastest - slowest < 0.005 { format!("{fastest:.2}") } else { format!("{slowest:.2} to {fastest:.2}") };
+    let runs = if fastest - slowest < 0.005 {
+        format!("{fastest:.2}")
+    } else {
+        format!("{slowest:.2} to {fastest:.2}")
+    };
     format!("at {runs} mm/s instead of {speed}")
 }
 

@@ -41,14 +41,15 @@ fn with_ends(piece: &Segment, start: Point, end: Point) -> Segment {
 
 /// The reason for which the ramps of `programs` are too steep.
 pub(super) fn too_steep(spec: &Spec, machine: &Machine, programs: &[Program]) -> Option<Refusal> {
-    let least = |program: &Program| {
+    let shortest_of = |program: &Program| {
         let ramps = program.steps.iter().filter_map(|step| match step {
             Step::TouchDown(ramp) | Step::Lift(ramp) => Some(ramp),
             _ => None,
         });
         ramps.map(|ramp| least_move(ramp, program.pace)).fold(f64::INFINITY, f64::min)
     };
-    let (shortest_part, limit) = (programs.iter().map(least).fold(f64::INFINITY, f64::min), shortest(spec));
+    let (shortest_part, limit) =
+        (programs.iter().map(shortest_of).fold(f64::INFINITY, f64::min), shortest(spec));
     if shortest_part >= limit {
         return None;
     }
@@ -56,7 +57,9 @@ pub(super) fn too_steep(spec: &Spec, machine: &Machine, programs: &[Program]) ->
     Some(Refusal::new(
         key::machine::PROFILE,
         RefusalCode::SteepRamp,
-        format!("on the profile's ramp of {ramp} the iron moves {shortest_part:.6} mm along the fabric at a time"),
+        format!(
+            "on the profile's ramp of {ramp} the iron moves {shortest_part:.6} mm along the fabric at a time"
+        ),
         format!("a ramp of at least {} mm is needed", Least(ramp.0 * limit / shortest_part)),
     ))
 }

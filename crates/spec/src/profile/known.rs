@@ -14,7 +14,11 @@ pub(super) fn known_number(s: &mut Section<'_, '_>, key: &'static str, allowed: 
 }
 
 /// A quantity, or `None` for "unknown" and for nothing at all.
-pub(super) fn known<Q: Quantity>(s: &mut Section<'_, '_>, key: &'static str, allowed: Allowed) -> Option<Q> {
+pub(super) fn quantity_or_unknown<Q: Quantity>(
+    s: &mut Section<'_, '_>,
+    key: &'static str,
+    allowed: Allowed,
+) -> Option<Q> {
     known_as(s, key, |s| s.quantity(key, allowed))
 }
 

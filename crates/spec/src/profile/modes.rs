@@ -54,7 +54,7 @@ pub(super) fn check_dwell_unit(
 
 /// Reports the modes that the lines of `start`, in `[program]`, do not set and that programs for `controller` need.
 pub(super) fn check_modes(program: &mut Section<'_, '_>, start: &[String], controller: &Controller) {
-    if !program.has("start") {
+    if !program.contains("start") {
         return;
     }
     let is_set = |word: &str| start.iter().any(|line| words(line).any(|own| own == word));

@@ -5,7 +5,7 @@ use crate::allowed::Allowed;
 use crate::fault::Fault;
 use crate::machine::Dialect;
 use crate::motion::{Motion, StepRate};
-use crate::profile::known::{known, known_number, unless};
+use crate::profile::known::{known_number, quantity_or_unknown, unless};
 use crate::section::Section;
 use crate::units::{Duration, Speed};
 
@@ -57,10 +57,10 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         steps_per_mm,
         step_rate,
         min_feed: s.quantity("min_feed", Allowed::closed(0.0, 1e3)).unwrap_or(Speed(0.0)),
-        acceleration: known(s, "acceleration", Allowed::closed(LEAST_ACCELERATION, 1e6)),
-        chop_feed: known(s, "chop_feed", Allowed::closed(1e-3, 1e3)),
+        acceleration: quantity_or_unknown(s, "acceleration", Allowed::closed(LEAST_ACCELERATION, 1e6)),
+        chop_feed: quantity_or_unknown(s, "chop_feed", Allowed::closed(1e-3, 1e3)),
         start_delay: s.quantity("start_delay", Allowed::closed(0.0, 1.0)).unwrap_or(Duration(0.0)),
-        tick: known(s, "tick", Allowed::closed(0.0, 0.1)),
+        tick: quantity_or_unknown(s, "tick", Allowed::closed(0.0, 0.1)),
         wraps: dialect == Dialect::FluidNc,
         first_step_rate: rate.and_then(|rate| rate.or(first)),
         min_move_steps: s.number("min_move_steps", MOVE).unwrap_or(fewest),

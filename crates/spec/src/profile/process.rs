@@ -4,7 +4,7 @@ use crate::FaultCode;
 use crate::allowed::{Allowed, SIZE};
 use crate::fault::Fault;
 use crate::machine::{Bench, Heights, KeepOut, Process, lowest_contact};
-use crate::profile::known::{known, known_as};
+use crate::profile::known::{known_as, quantity_or_unknown};
 use crate::section::{Reader, Section};
 use crate::units::{Length, Speed};
 use crate::value::RawValue;
@@ -78,7 +78,7 @@ pub(super) fn read_bench(reader: &mut Reader<'_>) -> Bench {
 fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
     // A faulty side counts as set, so that it is not reported as missing too.
     let mut side =
-        |key| known_as(s, key, |s| s.quantity(key, SIZE).or_else(|| s.has(key).then_some(Length(1.0))));
+        |key| known_as(s, key, |s| s.quantity(key, SIZE).or_else(|| s.contains(key).then_some(Length(1.0))));
     match (side("x"), side("y")) {
         (Some(x), Some(y)) => Some((x, y)),
         (None, None) => None,
@@ -113,7 +113,7 @@ fn read_keep_out(reader: &mut Reader<'_>) -> Vec<KeepOut> {
                 y: s.length("y", place, 0.0),
                 width: s.length("width", SIZE, 1.0),
                 depth: s.length("depth", SIZE, 1.0),
-                height: known(&mut s, "height", HEIGHT),
+                height: quantity_or_unknown(&mut s, "height", HEIGHT),
             }
         })
         .collect()

@@ -42,7 +42,7 @@ fn read_commands(
     let key = part.key();
     let lines = s.texts(key).unwrap_or_default();
     let last = lines.len().checked_sub(1);
-    let is_written = s.has(key);
+    let is_written = s.contains(key);
     let mut read = Vec::with_capacity(lines.len());
     let mut ends = false;
     for (i, (line, span)) in lines.into_iter().enumerate() {

@@ -106,11 +106,11 @@ fn whole_rates(
     if steps > 1e4 {
         return steps / even;
     }
-    let up = if ramp + ramp > steps { (0.5 * steps).round() } else { ramp };
-    let brake = if ramp + ramp > steps { up } else { steps - ramp };
+    let end_of_ramp = if ramp + ramp > steps { (0.5 * steps).round() } else { ramp };
+    let brake = if ramp + ramp > steps { end_of_ramp } else { steps - ramp };
     let (mut count, mut total, mut ramp_time, mut top) = (0.0, 0.0, 0.0, slow);
     while count < steps {
-        total += if count < up {
+        total += if count < end_of_ramp {
             top = even.min(slow + (gain * total).floor());
             1.0 / top
         } else if count < brake {

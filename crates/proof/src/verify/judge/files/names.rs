@@ -58,7 +58,7 @@ pub(super) fn check<'a>(
 /// The manifest's entries, of equal ones the first.
 fn named<'a>(
     manifest: &'a Manifest,
-    wanted: &BTreeMap<String, &Output>,
+    expected_names: &BTreeMap<String, &Output>,
     findings: &mut Vec<Finding>,
 ) -> Entries<'a> {
     let mut entries = Entries::new();
@@ -67,7 +67,7 @@ fn named<'a>(
         let mut blame = |found: &str, allowed: String| {
             findings.push(Finding::new(FindingCode::Manifest, found, allowed).in_file(&entry.path));
         };
-        match wanted.get(&entry.path) {
+        match expected_names.get(&entry.path) {
             None => blame("named in the manifest", "only files of the design".to_owned()),
             Some(output) if entry.output() != **output => {
                 blame("named as another part or kind", format!("the {}", output.kind));
