@@ -131,6 +131,9 @@ impl MaskTiles {
         Err(large)
     }
 
+    /// The middle, with the tips that the bed has room for, and the other tips as pieces of their own.
+    ///
+    /// The largest middle is found first; then each tip that does not stay on it is split off and gets its best place on the bed.
     fn cut_up(division: &Division, mask: &MaskPlate, bed: Bed) -> Result<Self, TooLarge> {
         let Division { cuts, core, tips } = division;
         let too_large = |what, edge: &TurnedPath| TooLarge { what, size: edge.best_fit(bed).size };

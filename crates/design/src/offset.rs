@@ -19,7 +19,7 @@ pub(super) fn offset(path: &Path, distance: f64) -> Option<Path> {
     } else {
         loops.first().filter(|_| loops.len() == 1)?
     };
-    let contour = of_polyline(contour);
+    let contour = of_polyline(largest);
     let area = contour.area();
     (area > 0.0 && (area > path.area()) == (distance > 0.0)).then_some(contour)
 }
@@ -55,7 +55,14 @@ mod tests {
         assert_eq!(offset(&rectangle(20.0, 10.0), -5.5), None);
         // A dumbbell whose handle is 1 wide.
         let point = |x: f64, y: f64| Point::new(x, y);
-        let half = [point(0.0, 0.0), point(10.0, 0.0), point(10.0, 4.5), point(20.0, 4.5), point(20.0, 0.0), point(30.0, 0.0)];
+        let half = [
+            point(0.0, 0.0),
+            point(10.0, 0.0),
+            point(10.0, 4.5),
+            point(20.0, 4.5),
+            point(20.0, 0.0),
+            point(30.0, 0.0),
+        ];
         let corners: Vec<Point> =
             half.into_iter().chain(half.into_iter().rev().map(|p| point(p.x, 10.0 - p.y))).collect();
         let line = |i: usize| Line::new(corners[i], corners[(i + 1) % corners.len()]).into();

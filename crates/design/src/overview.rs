@@ -9,6 +9,9 @@ const NAME: f64 = 0.2;
 
 impl TileGrid<'_> {
     /// The overview of these `tiles` of `drawing`.
+    ///
+    /// The drawing, without its labels, and the tiles are scaled to the page's window. Each tile is a rectangle with its name
+    /// in the middle; how to print and tape is written in the foot.
     pub(super) fn overview(&self, drawing: &Drawing, tiles: &[Tile]) -> Page {
         let corner = drawing.corner();
         let extent = Bounds { min: corner, max: corner + Vec2::new(drawing.width, drawing.height) };

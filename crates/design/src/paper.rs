@@ -95,17 +95,17 @@ impl Paper {
     /// The pages of `drawing` without a caption: on paper that stands or lies, from the drawing's corner or from that of what is drawn, as it
     /// takes the fewest pages. Of equals the first is taken.
     fn cut(self, drawing: &Drawing) -> TileGrid<'static> {
-        let extent = Bounds {
+        let sheet_area = Bounds {
             min: drawing.corner(),
             max: drawing.corner() + Vec2::new(drawing.width, drawing.height),
         };
-        let upright = self.grid(drawing, extent, false);
+        let upright = self.grid(drawing, sheet_area, false);
         if upright.columns * upright.rows <= 1.0 {
             return upright;
         }
         let part = extent(drawing);
         let alternatives = [
-            self.grid(drawing, extent, true),
+            self.grid(drawing, sheet_area, true),
             self.grid(drawing, part, false),
             self.grid(drawing, part, true),
         ];
@@ -122,7 +122,10 @@ impl Paper {
         fewest
     }
 
-    /// The division of the part `extent` a drawing into pages; `is_turned` turns the paper.
+    /// The division of the part `extent` of a drawing into pages; `is_turned` turns the paper.
+    ///
+    /// The window is what a printer prints without marks and foot. Neighbours overlap, so each page after the first adds a
+    /// window less the overlap. The large page grows with the drawing instead.
     fn grid(self, drawing: &Drawing, extent: Bounds, is_turned: bool) -> TileGrid<'static> {
         let (width, height) = match self {
             Self::Large => {

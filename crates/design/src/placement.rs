@@ -89,10 +89,11 @@ impl FreeArea {
 
     /// Whether the sheet or the machine is too small for one of `parts`; the refusal names the sides that all of them need.
     fn refuse(self, parts: &[Bounds], sheet: &Sheet, machine: &Machine) -> Result<(), Refusal> {
-        let is_taken = |part: &&Bounds| self.has_room_for(part) || sheet.turn && self.has_room_for(&turned(part));
+        let is_taken =
+            |part: &&Bounds| self.has_room_for(part) || sheet.turn && self.has_room_for(&turned(part));
         let size = |part: &Bounds| Point::new(part.width(), part.height());
         let oversized = parts.iter().filter(|part| !is_taken(part)).map(size);
-        let Some(largest) = largest.reduce(|a, b| Point::new(a.x.max(b.x), a.y.max(b.y))) else {
+        let Some(largest) = oversized.reduce(|a, b| Point::new(a.x.max(b.x), a.y.max(b.y))) else {
             return Ok(());
         };
         let part = &Bounds { min: Point::ORIGIN, max: largest };
@@ -106,7 +107,7 @@ impl FreeArea {
         } else {
             format!("the margins leave nothing of what {} reaches", machine.name)
         };
-        let fault = format!("a part with its ramps needs {oversized}; {reach_text}");
+        let fault = format!("a part with its ramps needs {size_text}; {reach_text}");
         let remedy = format!(
             "{missing} mm are missing: a smaller part, a smaller margin in [sheet], or a machine with more than {}",
             size(x.0, y.0)
@@ -150,7 +151,9 @@ impl<'a> Rows<'a> {
         let fits_row = self.in_row < self.columns
             && self.next.x + lying.width() <= self.room.width
             && self.next.y + lying.height() <= self.room.height;
-        self.sheet.turn && self.room.has_room_for(&lying) && (!self.room.has_room_for(part) || ends_row && fits_row)
+        self.sheet.turn
+            && self.room.has_room_for(&lying)
+            && (!self.room.has_room_for(part) || ends_row && fits_row)
     }
 
     fn end_sheet(&mut self) {
@@ -207,7 +210,7 @@ fn fits(part: &Bounds, sheet: &Sheet) -> Result<(), Refusal> {
         let smallest = Least(needed + 2.0 * sheet.margin.0);
         format!("`{}` at least {smallest} mm", key.key())
     });
-    let fault = format!("a part is {}", fault.collect::<Vec<_>>().join(", and one is "));
+    let fault = format!("a part is {}", faults.collect::<Vec<_>>().join(", and one is "));
     let remedy = format!("must be {}", remedy.collect::<Vec<_>>().join(" and "));
     Err(Refusal::new(*key, RefusalCode::SheetTooSmall, fault, remedy))
 }

@@ -256,7 +256,10 @@ fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
     })
 }
 
-/// The table of roles.
+/// The table of roles: layers, each with its role, in the order of the text.
+///
+/// Each role has a list of layers. A wrong role, list or name is reported and left out, so that one reading reports all of
+/// them. A layer that has a role already keeps it.
 fn read_layers(s: &mut Section<'_, '_>) -> Vec<(String, LayerRole)> {
     let mut layers: Vec<(String, LayerRole)> = Vec::new();
     let Some(value) = s.take("layers", ValueShape::Lists(LayerRole::ALL.map(|(word, _)| word).to_vec()))

@@ -61,7 +61,7 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
     let has_own = |(key, star): &(KeyPath, usize)| raw.span_of(key.of_star(*star)) != raw.span_of(*key);
     let own_keys =
         searched.flat_map(|key| (1..=spec.stars.len()).map(move |star| (key, star))).filter(has_own);
-    let star_faults = star_faults.map(|(key, star)| {
+    let star_faults = own_keys.map(|(key, star)| {
         let message = format!("star {star} has its own `{}`", key.key());
         Fault::error(FaultCode::OwnValue, raw.span_of(key.of_star(star)), message)
             .label(format!("a value in [{}] does not reach it", key.section()))

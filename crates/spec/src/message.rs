@@ -50,9 +50,10 @@ pub fn comma(text: &str) -> Option<(&'static str, String)> {
     let [point, joined] = [".", ""].map(|mark| format!("\"{}\"", text.replace(',', mark)));
     let is_decimal = groups.len() == 1 && decimals.is_none();
     match (groups.iter().all(|group| group.len() == 3), is_decimal) {
-        (true, true) => {
-            Some(("a number has no comma", format!("{integer} if the comma separates thousands, else {point}")))
-        }
+        (true, true) => Some((
+            "a number has no comma",
+            format!("{integer} if the comma separates thousands, else {point}"),
+        )),
         (true, false) => Some(("thousands have no comma", joined)),
         (false, true) => Some(("a decimal point is needed, not a comma", point)),
         (false, false) => None,
@@ -80,6 +81,9 @@ pub(super) fn bare_number(kind: QuantityKind, key: &str, number: &str) -> String
 }
 
 /// The fault of a text that should be a quantity.
+///
+/// A comma or a typographic minus explains the text better than the parser's reason, so both are looked for first. The
+/// remedy is the text as it was probably meant.
 pub(super) fn malformed(
     kind: QuantityKind,
     key: &str,

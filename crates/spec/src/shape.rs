@@ -43,12 +43,16 @@ pub(super) enum ValueShape {
 
 impl ValueShape {
     /// The JSON Schema, and the conditions that it cannot express, in words.
+    ///
+    /// A quantity is a text with a pattern, since a schema has no units; its range is in the words. `Or` adds words to the
+    /// schema of another shape.
     pub(super) fn schema(&self) -> (Value, Option<String>) {
         let texts = || json!({ "type": "array", "items": { "type": "string" } });
         let (schema, range_words) = match self {
             Self::Quantity(kind, allowed) => {
                 let (name, units) = (capital(&article(kind.name)), kind.unit_list());
-                let range_words = format!("{name} with its unit ({units}); {}.", allowed.in_words(kind.unit()));
+                let range_words =
+                    format!("{name} with its unit ({units}); {}.", allowed.in_words(kind.unit()));
                 let pattern = format!(r"^\s*{NUMBER}\s*({})\s*$", alternatives(*kind));
                 (json!({ "type": "string", "pattern": pattern }), range_words)
             }

@@ -21,6 +21,6 @@ impl Source {
 
 /// The last place at or before `place` where a character of `text` begins or the text ends.
 pub(super) fn boundary(text: &str, place: usize) -> usize {
-    let limit = limit.min(text.len());
+    let limit = place.min(text.len());
     (0..=limit).rev().find(|limit| text.is_char_boundary(*limit)).unwrap_or(0)
 }

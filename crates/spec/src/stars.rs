@@ -106,6 +106,9 @@ fn read_list(stack: &mut Section<'_, '_>) {
 }
 
 /// The values in which single stars differ.
+///
+/// Each section begins with the values of its star, or of the first one if its `index` is faulty, so that its other faults
+/// are reported, too. Only the section of a star that exists changes it.
 fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32, has_inlet: bool) {
     let mut has_section = [false; MOST as usize + 1];
     for value in reader.raw.overrides() {

@@ -43,16 +43,19 @@ pub(super) fn faults(sections: &[Known<'_>]) -> Vec<Fault> {
     unknown.into_iter().enumerate().map(fault).collect()
 }
 
-/// The fault of the unknown `entry` of `place`, with a hint if `is_hinted`.
-fn fault(place: &Known<'_>, entry: &RawEntry, sections: &[Known<'_>], is_hinted: bool) -> Fault {
+/// The fault of the unknown `entry` of `section`, with a hint if `is_hinted`.
+fn fault(section: &Known<'_>, entry: &RawEntry, sections: &[Known<'_>], is_hinted: bool) -> Fault {
     let (word, place) = (entry.key.as_str(), entry.key_span.clone());
-    let table = entry.value.as_table().filter(|_| place.section.is_empty());
+    let table = entry.value.as_table().filter(|_| section.section.is_empty());
     let fault = if table.is_some() {
         Fault::error(FaultCode::UnknownSection, place, format!("unknown section [{}]", bare(word)))
             .label("no section has this name")
     } else {
-        let home =
-            if place.section.is_empty() { String::new() } else { format!(" in {}", header(place.section)) };
+        let home = if section.section.is_empty() {
+            String::new()
+        } else {
+            format!(" in {}", header(section.section))
+        };
         Fault::error(FaultCode::UnknownKey, place, format!("unknown key {}{home}", quoted(word)))
             .label("no key has this name here")
     };
@@ -111,9 +114,9 @@ pub(super) fn radius_of(word: &str) -> Option<String> {
 }
 
 /// The hint for a diameter where the key is a radius: the radius, with half of the value.
-fn diameter_hint(word: &str, value: &RawValue, place: &Known<'_>) -> Option<String> {
+fn diameter_hint(word: &str, value: &RawValue, section: &Known<'_>) -> Option<String> {
     let radius = radius_of(word)?;
-    let _ = place.keys.iter().find(|key| **key == radius)?;
+    let _ = section.keys.iter().find(|key| **key == radius)?;
     let half = match &value.kind {
         RawKind::Text(text) => Length::parse(text).ok().map(|length| Length(0.5 * length.0)),
         _ => None,
@@ -125,8 +128,8 @@ fn diameter_hint(word: &str, value: &RawValue, place: &Known<'_>) -> Option<Stri
 }
 
 /// The hint for the hole or the outer size of a star, which are no keys: the key that decides them.
-fn star_size_hint(word: &str, value: &RawValue, place: &Known<'_>) -> Option<String> {
-    let _ = place.keys.iter().find(|key| **key == "inner_radius")?;
+fn star_size_hint(word: &str, value: &RawValue, section: &Known<'_>) -> Option<String> {
+    let _ = section.keys.iter().find(|key| **key == "inner_radius")?;
     let (place, part) = match word.split_once('_')? {
         (place, "diameter") => (place, 0.5),
         (place, "radius") => (place, 1.0),
@@ -176,11 +179,15 @@ fn key_hint(word: &str, place: &Known<'_>, sections: &[Known<'_>]) -> String {
     if let Some(suggestion) = last.or_else(|| nearest(word, place.keys.iter().copied())) {
         return format!("did you mean `{suggestion}`?");
     }
-    let suggestions = elsewhere().find_map(|one| nearest(word, one.keys.iter().copied()).map(|suggestions| (suggestions, one)));
-    if let Some((suggestion, section)) = suggestion {
+    let suggestions = elsewhere()
+        .find_map(|one| nearest(word, one.keys.iter().copied()).map(|suggestions| (suggestions, one)));
+    if let Some((suggestion, section)) = suggestions {
         return format!("did you mean `{suggestion}`, which belongs {}?", home(section));
     }
-    format!("keys here are {}", place.keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", "))
+    format!(
+        "keys here are {}",
+        place.keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", ")
+    )
 }
 
 /// Required keys of one section that are not written.

@@ -11,6 +11,8 @@ pub const FEED_CHECK_TITLE: &str = "stargrip-cam feedcheck program";
 
 /// The feed check: every program of `checks` between two pauses, so that it can be timed. Nothing is heated.
 pub fn feed_check(spec: &Spec, machine: &Machine, checks: &[(&'static str, Program)]) -> String {
+    // Start and end are the profile's. Before each line the program goes to its start and pauses, so that a watch can be
+    // started; the pause after it stops the watch.
     let (facts, script) = (Facts::new(spec, machine), &machine.script);
     let mut writer = Writer::new(facts);
     writer.comment(FEED_CHECK_TITLE);

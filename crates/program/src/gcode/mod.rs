@@ -92,6 +92,8 @@ impl<'a> Job<'a> {
     }
 
     fn step(&mut self, step: &Step) {
+        // The clock of a whole program follows every step, for its progress. A contact begins with a pacer of its own: its
+        // strokes are counted from the touch-down on.
         let Facts { process, seal, .. } = self.writer.facts;
         match step {
             Step::Height(level) => {

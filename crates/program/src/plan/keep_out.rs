@@ -49,7 +49,7 @@ pub(super) fn clamps_in_the_way(
             .filter(|way| (way.low || !passes) && box_distance(&place, &way.piece) <= way.reach);
         let first = collisions.next()?;
         // A way with the iron down meets the clamp whatever its height.
-        let collision = if first.low { first } else { collision.find(|way| way.low).unwrap_or(first) };
+        let collision = if first.low { first } else { collisions.find(|way| way.low).unwrap_or(first) };
         let piece = listed(&collision.program.pieces);
         let travel = machine.process.heights.travel;
         let lower = match zone.height {

@@ -43,6 +43,8 @@ fn lowest_on(
 }
 
 pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -> Option<Refusal> {
+    // The lowest speed that the machine holds in every program decides. Where a program is chopped, its strokes must be
+    // possible instead. The remedy depends on what is too fast: only the ramps, or the seams, too.
     let speed = spec.seal.speed.0;
     let chops = spec.machine.feed_floor == FeedFloor::Chop;
     let (mut floor, mut flatness) = (0.0_f64, 0.0_f64);
@@ -71,7 +73,7 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     if flat <= speed * (1.0 + 1e-9) {
         return Some(slow_ramps(speed, machine, floor, flatness));
     }
-    let fastest = fastest.max(flat);
+    let fastest = floor.max(flat);
     let steps = match machine.motion.steps_per_mm {
         Some([x, y, _]) if x == y => format!("at {x} steps/mm "),
         Some([x, y, _]) => format!("at {x} (X) and {y} (Y) steps/mm "),

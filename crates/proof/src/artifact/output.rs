@@ -230,6 +230,9 @@ impl Output {
     }
 
     /// The exact geometry of the file; `None` if it is no drawing, or shows a part that `design` does not have.
+    ///
+    /// The subject says which part is drawn, the numbers which one of them. Masks of stars are coating masks, those of a
+    /// drawing's copies separators; solids have the outlines of their plates.
     pub fn drawing(&self, design: &Design) -> Option<Drawing> {
         let is_solid = self.kind.format() == Format::Stl;
         match self.kind.subject() {

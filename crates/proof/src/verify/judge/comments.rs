@@ -53,7 +53,7 @@ impl<'a> CommentJudge<'a> {
                 return;
             }
         }
-        if let Some(missing) = missing.next() {
+        if let Some(missing) = expected.next() {
             findings.add(FindingCode::OtherComment, "no such comment", quote(&missing));
         }
     }
@@ -86,22 +86,22 @@ fn continued<'t>(comment: &str, expected: Option<&str>, next: &'t str) -> Option
 
 /// Whether both have the same words, with the same numbers.
 fn agrees(comment: &str, expected: &str) -> bool {
-    let (words, expected_words) = (words.split(' '), expected_words.split(' '));
+    let (words, expected_words) = (comment.split(' '), expected.split(' '));
     words.clone().count() == expected_words.clone().count()
         && words.zip(expected_words).all(|(a, b)| a == b || is_same(a, b))
 }
 
 /// Whether both are the same `word=number`, or the same number, to the digits that are written.
 fn is_same(word: &str, expected: &str) -> bool {
-    let ((word, number_text), (other, expected_text)) =
-        match (number_text.split_once('='), expected_text.split_once('=')) {
-            (Some(number_text), Some(expected_text)) => (number_text, expected_text),
-            // The operator's temperature is alone in its comment.
-            (None, None) => (("", number_text), ("", expected_text)),
-            _ => return false,
-        };
+    let ((word, number_text), (other, expected_text)) = match (word.split_once('='), expected.split_once('='))
+    {
+        (Some(number_text), Some(expected_text)) => (number_text, expected_text),
+        // The operator's temperature is alone in its comment.
+        (None, None) => (("", word), ("", expected)),
+        _ => return false,
+    };
     let number = |text: &str| text.parse::<f64>().ok().filter(|x| x.is_finite());
-    let Some((value, right)) = number(value).zip(number(right)) else { return false };
+    let Some((value, right)) = number(number_text).zip(number(expected_text)) else { return false };
     let allowed = match word {
         "time_s" => TIME,
         "length_mm" => LENGTH,

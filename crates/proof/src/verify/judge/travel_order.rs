@@ -64,8 +64,8 @@ impl TravelOrder {
 
     /// Whether `waypoint` is the waypoint `expected`.
     fn is(&self, waypoint: &Waypoint, expected: &Waypoint) -> bool {
-        let (Waypoint::Rapid(place), Waypoint::Rapid(expected_place)) = (place, expected_place) else {
-            return place == expected_place;
+        let (Waypoint::Rapid(place), Waypoint::Rapid(expected_place)) = (waypoint, expected) else {
+            return waypoint == expected;
         };
         let is_near = |slack: f64| {
             move |(place, expected_place): (&Option<f64>, &Option<f64>)| {
@@ -84,7 +84,7 @@ impl TravelOrder {
             self.passed += 1;
             return;
         }
-        let allowed = self.waypoints.get(self.passed).map_or("the end".to_owned(), told);
+        let allowed = self.waypoints.get(self.passed).map_or("the end".to_owned(), in_words);
         // If it comes later, what is between is missing; else it is one too many. Of many findings the first do.
         let place = if findings.is_full() { None } else { self.later_place(waypoint) };
         if let Some(place) = place {
@@ -99,8 +99,8 @@ impl TravelOrder {
 
     /// A later place in the order; the way up from the last path fits too many moves to be identified.
     fn later_place(&self, waypoint: &Waypoint) -> Option<usize> {
-        let vague = |waypoint: &Waypoint| matches!(waypoint, Waypoint::Rapid([None, ..]));
-        let fits = |waypoint: &Waypoint| !vague(waypoint) && self.is(waypoint, waypoint);
+        let vague = |expected: &Waypoint| matches!(expected, Waypoint::Rapid([None, ..]));
+        let fits = |expected: &Waypoint| !vague(expected) && self.is(waypoint, expected);
         (self.passed..self.waypoints.len()).find(|i| fits(&self.waypoints[*i]))
     }
 }

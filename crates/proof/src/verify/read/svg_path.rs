@@ -14,6 +14,9 @@ pub(super) fn parse(d: &str) -> (Vec<Path>, Option<Finding>) {
     (pen.paths, fault)
 }
 
+/// Draws the commands of `scan` with `pen`, until the data end.
+///
+/// Only absolute commands of lines and circular arcs are allowed. A second pair of numbers after `M` is a line, as SVG has it.
 fn draw(scan: &mut PathScan<'_>, pen: &mut PathPen) -> Result<(), Finding> {
     while let Some(command) = scan.command()? {
         if command == 'Z' {

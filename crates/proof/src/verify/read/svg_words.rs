@@ -119,6 +119,10 @@ impl WordReader<'_> {
         }
     }
 
+    /// Compares an element and its attributes with the table of what a drawing has.
+    ///
+    /// The element must be in the table, in one of its parents and in the namespace of SVG. Each attribute must have a value
+    /// that its row allows, and each attribute of the row must be there.
     fn element(&mut self, node: Node<'_, '_>, parent: &str) {
         let name = node.tag_name().name();
         let row = DRAWING.iter().find(|(known, ..)| *known == name);
@@ -135,16 +139,16 @@ impl WordReader<'_> {
         }
         let layer = node.attribute("id").unwrap_or("");
         for attribute in node.attributes() {
-            let name = match attribute.namespace() {
+            let attribute_name = match attribute.namespace() {
                 None => attribute.name().to_owned(),
                 Some(INKSCAPE) => format!("inkscape:{}", attribute.name()),
                 Some(other) => format!("{other}:{}", attribute.name()),
             };
             let value = attribute.value();
-            let rule = attributes.iter().find(|(name, _)| *name == name);
+            let rule = attributes.iter().find(|(name, _)| *name == attribute_name);
             if !rule.is_some_and(|(_, rule)| self.fits(*rule, value, layer)) {
                 let allowed = self.allowed(attributes, rule.map(|(_, rule)| *rule), layer);
-                self.refuse(node, &format!("{name}={} on <{name}>", quote(value)), &allowed);
+                self.refuse(node, &format!("{attribute_name}={} on <{name}>", quote(value)), &allowed);
             }
         }
         let is_present = |name: &str| match name.strip_prefix("inkscape:") {

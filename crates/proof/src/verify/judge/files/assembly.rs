@@ -84,6 +84,10 @@ impl<'a> MeshPart<'a> {
     }
 }
 
+/// Findings about the printed pieces of the mask of `star`, laid together at their places.
+///
+/// An edge of a piece lies on the plate's own edges or on a joint. Each edge on a joint must have another piece's edge beside
+/// it, and the pieces must have all of the plate's edges and its area.
 fn put_together(star: &StarDesign, parts: &[MeshPart<'_>]) -> Vec<Finding> {
     let mut findings = Vec::new();
     let mask = &star.mask;

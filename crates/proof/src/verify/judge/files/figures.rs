@@ -84,6 +84,9 @@ pub(super) fn against_design(expected: &Expected<'_>, manifest: &Manifest) -> Ve
 }
 
 /// Compares with the design the figures that only a gripper of stars has.
+///
+/// Each star is found by its number and must have its seams' length, its sheet and its clear radius. Posts and plates are
+/// counted, since the manifest lists equal ones together.
 fn against_assembly(design: &StarAssembly, manifest: &Manifest) -> Vec<Finding> {
     let mut findings = Vec::new();
     for placed in &design.stars {

@@ -23,6 +23,8 @@ pub(super) fn read(files: &OutputFiles<'_>) -> Result<Manifest, Finding> {
 }
 
 /// Names every file that is missing, superfluous or misnamed. The entries of those that are not; none without a manifest.
+///
+/// The design decides which files there must be. The order of the manifest is compared only if nothing else is wrong.
 pub(super) fn check<'a>(
     files: &OutputFiles<'_>,
     manifest: Option<&'a Manifest>,
@@ -31,7 +33,7 @@ pub(super) fn check<'a>(
 ) -> Entries<'a> {
     let order: Vec<String> = expected.iter().map(Output::name).collect();
     let expected_names: BTreeMap<String, &Output> =
-        expected_names.iter().map(|output| (output.name(), output)).collect();
+        expected.iter().map(|output| (output.name(), output)).collect();
     let entries = manifest.map_or_else(Entries::new, |manifest| named(manifest, &expected_names, findings));
     for (name, output) in &expected_names {
         if manifest.is_some() && !entries.contains_key(name.as_str()) {

@@ -69,6 +69,9 @@ impl Block {
     }
 
     /// Words that contradict each other or belong to nothing on the line.
+    ///
+    /// A dwell and the commands that stand alone exclude others; a letter needs a command that reads it; then values are
+    /// checked. The first fault is returned: a line with one fault is not executed.
     fn check(&self) -> Result<(), Finding> {
         let dwell = self.has_command(Command::Dwell);
         if dwell && self.has_any(b"XYZIJ") {

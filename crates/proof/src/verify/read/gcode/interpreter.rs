@@ -51,6 +51,9 @@ impl Interpreter {
     }
 
     /// Reads the next line, with its line end if it has one, and adds its effects to `events`.
+    ///
+    /// A line that is one whole word of the dialect is executed at once; any other is cut into words, read as a block and
+    /// executed if it has no fault. Comments count after it, and the last one may state the number of lines.
     pub fn feed(&mut self, text: &str, events: &mut Vec<Event>) {
         self.line += 1;
         let line = text.strip_suffix('\n').unwrap_or(text);

@@ -54,6 +54,9 @@ impl Machine {
     }
 
     /// Executes a block's modes, dwell and motion (pause and end are the interpreter's).
+    ///
+    /// Modes count before the motion of their line, as controllers have it. A setting or a command that stands alone ends the
+    /// block.
     pub(super) fn execute(&mut self, context: &mut Here<'_>) {
         let Here { block, line, .. } = *context;
         for command in &block.commands {
@@ -86,6 +89,10 @@ impl Machine {
         }
     }
 
+    /// The move to the axis words of the block, with its path and its feed.
+    ///
+    /// A mode on which the move relies and which was never set is reported, and the move is made nevertheless, so that later
+    /// faults are seen. While a coordinate is unknown the move is a blind one.
     fn travel(&mut self, context: &mut Here<'_>) {
         let Here { block, line, .. } = *context;
         let Some(motion) = self.modes.motion else {
