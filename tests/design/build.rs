@@ -84,19 +84,19 @@ proptest! {
         let dxf = verify::read_dxf(&emit::dxf(&drawing, tolerance, Colours::One));
         for found in [&svg, &dxf] {
             prop_assert_eq!(&found.findings, &[]);
-            let off = deviation(found.layer("seal-outer"), &exact).largest();
-            prop_assert!(off <= 0.001, "{off} mm");
+            let deviation_of_drawing = deviation(found.layer("seal-outer"), &exact).largest();
+            prop_assert!(deviation_of_drawing <= 0.001, "{deviation_of_drawing} mm");
         }
         let run = read_back(&path);
-        let off = deviation(&[Path::open(run)], &exact).largest();
-        prop_assert!(off <= 0.001, "G-code is {off} mm off");
+        let deviation_of_program = deviation(&[Path::open(run)], &exact).largest();
+        prop_assert!(deviation_of_program <= 0.001, "G-code is {deviation_of_program} mm off");
     }
 }
 
 /// Two arcs of angle `sweep` whose ends two lines join; closed.
 fn arched(radius: f64, sweep: f64, clockwise: bool) -> Path {
-    let far = Point::new(4.0 * radius, 0.0);
-    let right = Arc::new(far, radius, -sweep / 2.0, sweep);
+    let center = Point::new(4.0 * radius, 0.0);
+    let right = Arc::new(center, radius, -sweep / 2.0, sweep);
     let left = Arc::new(Point::ORIGIN, radius, PI - sweep / 2.0, sweep);
     let path = Path::closed(vec![
         right.into(),

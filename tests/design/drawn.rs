@@ -17,7 +17,7 @@ use stargrip_cam::verify::{Finding, OutputFiles};
 use crate::support;
 
 /// A build of `text` whose drawing is `bytes`.
-fn drawn(text: &str, bytes: &[u8]) -> Result<Built, stargrip_cam::design::Refusals> {
+fn build_drawn(text: &str, bytes: &[u8]) -> Result<Built, stargrip_cam::design::Refusals> {
     let reading = spec::read(&Source::new("drawn", text)).unwrap_or_else(|faults| panic!("{faults}"));
     let spec = reading.with_drawing(bytes).spec;
     let sources = Sources { spec: text, machine: support::generic() };
@@ -29,8 +29,8 @@ fn drawn(text: &str, bytes: &[u8]) -> Result<Built, stargrip_cam::design::Refusa
 fn the_air_of_a_picture_is_open_at_its_ports() {
     let dir = File::new(env!("CARGO_MANIFEST_DIR")).join("designs/drawings");
     let text = fs::read_to_string(dir.join("hand-rest.toml")).expect("shipped");
-    let build = drawn(&text, &fs::read(dir.join("hand-rest.svg")).expect("shipped")).expect("makeable");
-    let piece = &build.forecast.design.drawn().expect("a drawing").pieces[0];
+    let build = build_drawn(&text, &fs::read(dir.join("hand-rest.svg")).expect("shipped")).expect("makeable");
+    let piece = &build.forecast.design.build_drawn().expect("a drawing").pieces[0];
     let air = piece.edges.iter().fold(Bounds::EMPTY, |all, edge| all.union(edge.bounds()));
     let (closed, cut) = (piece.air[0].bounds(), piece.part.outside.bounds());
     // A port on the left and one on the right.
@@ -42,7 +42,7 @@ fn the_air_of_a_picture_is_open_at_its_ports() {
 }
 
 /// A quarter of a turn at most, so that no arc's centre is lost in rounding.
-fn pieces(path: &Path) -> Vec<Segment> {
+fn pieces_of(path: &Path) -> Vec<Segment> {
     let cut = |segment: &Segment| -> Vec<Segment> {
         let count = match segment {
             Segment::Arc(arc) if arc.sweep.abs() > 1.6 => (arc.sweep.abs() / 1.5).ceil(),
@@ -55,56 +55,56 @@ fn pieces(path: &Path) -> Vec<Segment> {
 }
 
 fn svg(edges: &[(&str, &Path)], ports: &[Point]) -> String {
-    let mut out = String::from(
+    let mut text = String::from(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"2000mm\" height=\"2000mm\" viewBox=\"-1000 -1000 2000 2000\">\n<g id=\"tube\">\n",
     );
     for (id, path) in edges {
         let start = path.start().expect("a start");
-        let _ = write!(out, "<path id=\"{id}\" d=\"M {} {}", start.x, -start.y);
-        for piece in pieces(path) {
+        let _ = write!(text, "<path id=\"{id}\" d=\"M {} {}", start.x, -start.y);
+        for piece in pieces_of(path) {
             let to = piece.end();
             let _ = match piece {
-                Segment::Line(_) => write!(out, " L {} {}", to.x, -to.y),
+                Segment::Line(_) => write!(text, " L {} {}", to.x, -to.y),
                 Segment::Arc(arc) => {
                     // With Y down a counterclockwise arc goes by falling angles.
                     let flag = u8::from(arc.sweep < 0.0);
-                    write!(out, " A {r} {r} 0 0 {flag} {} {}", to.x, -to.y, r = arc.radius)
+                    write!(text, " A {r} {r} 0 0 {flag} {} {}", to.x, -to.y, r = arc.radius)
                 }
             };
         }
-        out += if path.closed { " Z\"/>\n" } else { "\"/>\n" };
+        text += if path.closed { " Z\"/>\n" } else { "\"/>\n" };
     }
-    out += "</g>\n<g id=\"hose\">\n";
+    text += "</g>\n<g id=\"hose\">\n";
     for at in ports {
-        let _ = writeln!(out, "<circle cx=\"{}\" cy=\"{}\" r=\"1\"/>", at.x, -at.y);
+        let _ = writeln!(text, "<circle cx=\"{}\" cy=\"{}\" r=\"1\"/>", at.x, -at.y);
     }
-    out + "</g>\n</svg>\n"
+    text + "</g>\n</svg>\n"
 }
 
 fn dxf(edges: &[(&str, &Path)], ports: &[Point]) -> String {
-    let mut out =
+    let mut text =
         String::from("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n");
-    out += "0\nSECTION\n2\nENTITIES\n";
+    text += "0\nSECTION\n2\nENTITIES\n";
     for (id, path) in edges {
-        let pieces = pieces(path);
+        let pieces = pieces_of(path);
         let last = pieces.last().map(Segment::end).filter(|_| !path.closed);
         let vertices = pieces.len() + usize::from(last.is_some());
         let _ =
-            write!(out, "0\nLWPOLYLINE\n5\n{id}\n8\ntube\n90\n{vertices}\n70\n{}\n", u8::from(path.closed));
+            write!(text, "0\nLWPOLYLINE\n5\n{id}\n8\ntube\n90\n{vertices}\n70\n{}\n", u8::from(path.closed));
         for piece in &pieces {
-            let _ = write!(out, "10\n{}\n20\n{}\n", piece.start().x, piece.start().y);
+            let _ = write!(text, "10\n{}\n20\n{}\n", piece.start().x, piece.start().y);
             if let Segment::Arc(arc) = piece {
-                let _ = write!(out, "42\n{}\n", (arc.sweep / 4.0).tan());
+                let _ = write!(text, "42\n{}\n", (arc.sweep / 4.0).tan());
             }
         }
         if let Some(last) = last {
-            let _ = write!(out, "10\n{}\n20\n{}\n", last.x, last.y);
+            let _ = write!(text, "10\n{}\n20\n{}\n", last.x, last.y);
         }
     }
     for at in ports {
-        let _ = write!(out, "0\nPOINT\n8\nhose\n10\n{}\n20\n{}\n", at.x, at.y);
+        let _ = write!(text, "0\nPOINT\n8\nhose\n10\n{}\n20\n{}\n", at.x, at.y);
     }
-    out + "0\nENDSEC\n0\nEOF\n"
+    text + "0\nENDSEC\n0\nEOF\n"
 }
 
 /// A spec of a drawing that is sealed as `star`.
@@ -144,7 +144,7 @@ fn shipped_stars_come_back_through_svg_and_dxf() {
                 ("edges.dxf", dxf(&[("A1", inner), ("A2", outer)], &ports)),
             ] {
                 let name = format!("{} {file}", path.display());
-                let back = drawn(&of_drawing(&spec, file), text.as_bytes())
+                let back = build_drawn(&of_drawing(&spec, file), text.as_bytes())
                     .unwrap_or_else(|refusals| panic!("{name}: {refusals}"));
                 assert_eq!(back.proof().findings, [], "{name}");
                 // The page's lower left is the origin of an SVG.
@@ -161,20 +161,21 @@ fn same_seams(part: &StarDesign, back: &Built, shift: Vec2, (name, speed): (&str
     let shape = back.forecast.design.part(&back.forecast.design.placed()[0]).shape();
     assert_eq!(shape.seams.len(), part.shape.seams.len(), "{name}");
     for seam in &part.shape.seams {
-        let own = Isometry::translation(shift).path(&seam.center_line);
-        let near = |other: &&Seam| {
-            furthest(&own, &other.center_line) < 1e-6 && furthest(&other.center_line, &own) < 1e-6
+        let moved_line = Isometry::translation(shift).path(&seam.center_line);
+        let is_near = |other: &&Seam| {
+            furthest(&moved_line, &other.center_line) < 1e-6
+                && furthest(&other.center_line, &moved_line) < 1e-6
         };
-        let other = shape.seams.iter().find(near);
+        let other = shape.seams.iter().find(is_near);
         let other = other.unwrap_or_else(|| panic!("{name}: no seam like {}", seam.name));
         assert!((other.center_line.length() - seam.center_line.length()).abs() < 1e-6, "{name}");
         let report = back.forecast.programs[0].seams.iter().find(|report| report.name.seam == other.name);
         let report = report.expect("a report");
-        let own = seam.run().length();
-        assert!((report.length - own).abs() < 1e-6, "{name}: {} mm, {own} mm", report.length);
+        let length = seam.run().length();
+        assert!((report.length - length).abs() < 1e-6, "{name}: {} mm, {moved_line} mm", report.length);
         let process = support::machine().process;
         let ramp = process.ramp.0.hypot(process.heights.travel.0 - process.heights.contact.0);
-        assert!((report.time * speed - own - 2.0 * ramp).abs() < 1e-6, "{name}: {} s", report.time);
+        assert!((report.time * speed - length - 2.0 * ramp).abs() < 1e-6, "{name}: {} s", report.time);
     }
 }
 
@@ -196,9 +197,10 @@ fn shipped_drawings_are_proven_from_their_directory() {
             .expect("a drawing")
             .file;
         let bytes = fs::read(folder.join(file)).expect("a drawing");
-        let made = drawn(&text, &bytes).unwrap_or_else(|refusals| panic!("{}: {refusals}", path.display()));
+        let result =
+            build_drawn(&text, &bytes).unwrap_or_else(|refusals| panic!("{}: {refusals}", path.display()));
         let files = || -> Vec<(String, Vec<u8>)> {
-            made.files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
+            result.files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
         };
         let prove = |files: &[(String, Vec<u8>)]| {
             let files =
@@ -223,15 +225,16 @@ fn repairs_are_told_and_colours_are_layers() {
     let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"200mm\" viewBox=\"0 0 200 200\"><g id=\"Layer 1\" fill=\"none\">\
         <rect id=\"a\" x=\"20\" y=\"20\" width=\"90\" height=\"60\" stroke=\"blue\"/><rect id=\"b\" x=\"20\" y=\"20\" width=\"90\" height=\"60\" stroke=\"blue\"/>\
         <path id=\"w\" d=\"M60 40V60\" stroke=\"lime\"/><path id=\"h\" d=\"M14 50H26\" stroke=\"red\"/></g></svg>";
-    let found = propose_layers("a.svg", svg.as_bytes(), None).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let proposal =
+        propose_layers("a.svg", svg.as_bytes(), None).unwrap_or_else(|refusals| panic!("{refusals}"));
     let roles: Vec<(&str, LayerRole)> =
-        found.layers.iter().map(|(layer, role, _)| (layer.as_str(), *role)).collect();
-    let wanted = [("#0000ff", LayerRole::Air), ("#00ff00", LayerRole::Seam), ("#ff0000", LayerRole::Port)];
-    assert_eq!(roles, wanted);
+        proposal.layers.iter().map(|(layer, role, _)| (layer.as_str(), *role)).collect();
+    let expected = [("#0000ff", LayerRole::Air), ("#00ff00", LayerRole::Seam), ("#ff0000", LayerRole::Port)];
+    assert_eq!(roles, expected);
     let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"#0000ff\"]\nseam = [\"#00ff00\"]\n\
         port = [\"#ff0000\"]\n";
-    let made = drawn(text, svg.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
-    let notes = &overview_json(&made.forecast, &[])["drawing_notes"];
+    let result = build_drawn(text, svg.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let notes = &overview_json(&result.forecast, &[])["drawing_notes"];
     assert!(
         notes[0]
             .as_str()
@@ -246,17 +249,22 @@ fn colours_texts_and_a_missing_unit_of_a_dxf_are_told() {
     let dxf = "0|SECTION|2|ENTITIES|0|CIRCLE|5|A|8|0|62|5|10|100|20|100|40|50|0|LINE|5|B|8|0|62|1|10|146|20|100|11|154|21|100|\
         0|TEXT|5|C|8|Notes|10|0|20|0|1|cushion|0|ENDSEC|0|EOF|"
         .replace('|', "\n");
-    let found = propose_layers("a.dxf", dxf.as_bytes(), None).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let proposal =
+        propose_layers("a.dxf", dxf.as_bytes(), None).unwrap_or_else(|refusals| panic!("{refusals}"));
     let roles: Vec<(&str, LayerRole)> =
-        found.layers.iter().map(|(layer, role, _)| (layer.as_str(), *role)).collect();
-    let wanted = [("color 5", LayerRole::Air), ("color 1", LayerRole::Port), ("Notes", LayerRole::Ignore)];
-    assert_eq!(roles, wanted);
-    assert!((found.size[0] - 104.0).abs() < 1e-9 && (found.size[1] - 100.0).abs() < 1e-9, "{:?}", found.size);
-    assert!(found.no_unit.is_some_and(|finding| finding.contains("$INSUNITS is missing")));
+        proposal.layers.iter().map(|(layer, role, _)| (layer.as_str(), *role)).collect();
+    let expected = [("color 5", LayerRole::Air), ("color 1", LayerRole::Port), ("Notes", LayerRole::Ignore)];
+    assert_eq!(roles, expected);
+    assert!(
+        (proposal.size[0] - 104.0).abs() < 1e-9 && (proposal.size[1] - 100.0).abs() < 1e-9,
+        "{:?}",
+        proposal.size
+    );
+    assert!(proposal.no_unit.is_some_and(|finding| finding.contains("$INSUNITS is missing")));
     let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.dxf\"\nunits = \"mm\"\npassage = \"5 mm\"\n[drawing.layers]\n\
         air = [\"color 5\"]\nport = [\"color 1\"]\nignore = [\"Notes\"]\n";
-    let made = drawn(text, dxf.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
-    let piece = &made.forecast.design.drawn().expect("a drawing").pieces[0];
+    let result = build_drawn(text, dxf.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let piece = &result.forecast.design.build_drawn().expect("a drawing").pieces[0];
     assert_eq!((piece.shape.ports.len(), piece.passage, piece.least_passage), (1, None, 5.0));
 }
 
@@ -269,9 +277,9 @@ fn holes_and_labels_lie_on_the_flap() {
     {
         let text = fs::read_to_string(folder.join(format!("{name}.toml"))).expect("a design");
         let bytes = fs::read(folder.join(format!("{name}.{file}"))).expect("a drawing");
-        let made = drawn(&text, &bytes).unwrap_or_else(|refusals| panic!("{name}: {refusals}"));
-        assert_eq!(made.forecast.design.warnings, [], "{name}");
-        let piece = &made.forecast.design.drawn().expect("a drawing").pieces[0];
+        let result = build_drawn(&text, &bytes).unwrap_or_else(|refusals| panic!("{name}: {refusals}"));
+        assert_eq!(result.forecast.design.warnings, [], "{name}");
+        let piece = &result.forecast.design.build_drawn().expect("a drawing").pieces[0];
         let (band, air) = (piece.shape.band, Enclosures::new(&piece.edges));
         let clear = |p: Point, from_band: f64, from_cut: f64| {
             let seams = piece.shape.seams.iter().map(|seam| seam.center_line.distance(p) - 0.5 * band);
@@ -355,14 +363,14 @@ fn a_faulty_drawing_is_refused_with_elements_and_places() {
     let drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\">\n\
         <g id=\"chamber\"><rect id=\"room\" x=\"10\" y=\"10\" width=\"60\" height=\"60\"/></g>\n\
         <g id=\"notes\"><path id=\"note\" d=\"M 1 1 L 2 2\"/></g>\n</svg>";
-    let refusals = drawn(text, drawing.as_bytes()).expect_err("a layer has no role");
+    let refusals = build_drawn(text, drawing.as_bytes()).expect_err("a layer has no role");
     let codes: Vec<String> = refusals.iter().map(|refusal| refusal.code.to_string()).collect();
     assert_eq!(codes, ["layer-without-role", "unknown-layer"]);
     let place = refusals[0].drawn.as_ref().expect("a place");
     assert_eq!(place.elements, ["room"]);
     assert!(refusals[1].remedy.contains("chamber"), "{}", refusals[1].remedy);
     // With its role it has no port, which is reported with its place.
-    let refusals = drawn(&text.replace("chambr", "chamber"), drawing.as_bytes()).expect_err("no port");
+    let refusals = build_drawn(&text.replace("chambr", "chamber"), drawing.as_bytes()).expect_err("no port");
     let codes: Vec<String> = refusals.iter().map(|refusal| refusal.code.to_string()).collect();
     assert_eq!(codes, ["chamber-without-port"]);
     assert!(refusals[0].drawn.as_ref().is_some_and(|place| place.at.is_some()));

@@ -7,13 +7,13 @@ use stargrip_cam::verify::Finding;
 
 use crate::support;
 
-fn build() -> Built {
+fn build_paper() -> Built {
     support::build(support::PAPER).expect("a design")
 }
 
 /// The findings if the content of `file` is changed and the manifest agrees.
 fn forged(file: &str, change: impl Fn(&[u8]) -> Vec<u8>) -> Vec<Finding> {
-    forged_in(build(), file, change)
+    forged_in(build_paper(), file, change)
 }
 
 fn forged_in(mut build: Built, file: &str, change: impl Fn(&[u8]) -> Vec<u8>) -> Vec<Finding> {
@@ -29,22 +29,22 @@ fn forged_in(mut build: Built, file: &str, change: impl Fn(&[u8]) -> Vec<u8>) ->
 #[track_caller]
 fn assert_found(file: &str, code: &str, change: impl Fn(&[u8]) -> Vec<u8>) {
     let findings = forged(file, change);
-    let found = findings.iter().any(|finding| finding.code == code && finding.file == file);
-    assert!(found, "no {code} for {file} in {findings:#?}");
+    let is_found = findings.iter().any(|finding| finding.code == code && finding.file == file);
+    assert!(is_found, "no {code} for {file} in {findings:#?}");
 }
 
-/// Replaces the first `from` after `after` by a text of the same length, so that offsets still hold.
-fn swap<'a>(after: &'a str, from: &'a str, to: &'a str) -> impl Fn(&[u8]) -> Vec<u8> + 'a {
+/// Replaces the first `from` after `anchor` by a text of the same length, so that offsets still hold.
+fn swap<'a>(anchor: &'a str, from: &'a str, to: &'a str) -> impl Fn(&[u8]) -> Vec<u8> + 'a {
     assert_eq!(from.len(), to.len());
     move |bytes| {
         let find = |needle: &[u8], start: usize| {
-            let at = bytes[start..].windows(needle.len()).position(|window| window == needle);
-            start + at.expect("what is to be forged")
+            let place = bytes[start..].windows(needle.len()).position(|window| window == needle);
+            start + place.expect("what is to be forged")
         };
-        let at = find(from.as_bytes(), find(after.as_bytes(), 0));
-        let mut out = bytes.to_vec();
-        out[at..at + to.len()].copy_from_slice(to.as_bytes());
-        out
+        let place = find(from.as_bytes(), find(anchor.as_bytes(), 0));
+        let mut forged = bytes.to_vec();
+        forged[place..place + to.len()].copy_from_slice(to.as_bytes());
+        forged
     }
 }
 
@@ -59,7 +59,7 @@ fn paper_that_is_not_the_written_one_is_found() {
         swap("/mask-plate BMC", "\nS\n", "\nn\n"),
         swap("/PrintScaling", "/None", "/Nine"),
     ] {
-        let mut build = build();
+        let mut build = build_paper();
         let page = build.artifacts.iter_mut().find(|artifact| artifact.name == PAPER).expect("a page");
         page.bytes = change(&page.bytes);
         build.manifest.files = build.artifacts.iter().map(ManifestFile::new).collect();
@@ -74,17 +74,17 @@ const SOLID: &str = "star-1-mask.stl";
 /// Changes facet `i` of a solid: 12 numbers.
 fn facet(i: usize, change: impl Fn(&mut [f32])) -> impl Fn(&[u8]) -> Vec<u8> {
     move |bytes| {
-        let at = 84 + 50 * i;
-        let mut numbers: Vec<f32> = bytes[at..at + 48]
+        let start = 84 + 50 * i;
+        let mut numbers: Vec<f32> = bytes[start..start + 48]
             .chunks_exact(4)
             .map(|b| f32::from_le_bytes(b.try_into().expect("four")))
             .collect();
         change(&mut numbers);
-        let mut out = bytes.to_vec();
-        for (slot, number) in out[at..at + 48].chunks_exact_mut(4).zip(numbers) {
+        let mut forged = bytes.to_vec();
+        for (slot, number) in forged[start..start + 48].chunks_exact_mut(4).zip(numbers) {
             slot.copy_from_slice(&number.to_le_bytes());
         }
-        out
+        forged
     }
 }
 
@@ -98,13 +98,13 @@ fn solids_with_holes_turned_or_moved_facets_are_found() {
     // One millimetre becomes one inch, or the whole moves: closed, but elsewhere.
     let moved = |scale: f32, shift: f32| {
         move |bytes: &[u8]| {
-            let mut out = bytes.to_vec();
+            let mut forged = bytes.to_vec();
             let count = (bytes.len() - 84) / 50;
             for i in 0..count {
                 let change = facet(i, |n| n[3..].iter_mut().for_each(|x| *x = *x * scale + shift));
-                out = change(&out);
+                forged = change(&forged);
             }
-            out
+            forged
         }
     };
     assert_found(SOLID, "wrong-volume", moved(1.01, 0.0));
@@ -141,14 +141,14 @@ const BED: &str = "[mask]\nbed = \"220 mm x 220 mm\"\n[star]";
 #[test]
 fn pieces_that_do_not_go_together_are_found() {
     let build = || support::build(&support::PAPER.replace("[star]", BED)).expect("a design");
-    assert_eq!(read_back(&build().output_files()).findings, []);
+    assert_eq!(read_back(&build_paper().output_files()).findings, []);
     let file = "star-1-mask-piece-2.stl";
     let moved = |by: f32| move |bytes: &[u8]| every_corner(bytes, |p| p[0] += by);
     let joints = |findings: &[Finding]| findings.iter().any(|finding| finding.code == "wrong-joint");
-    assert!(joints(&forged_in(build(), file, moved(0.3))));
-    assert!(!joints(&forged_in(build(), file, moved(0.001))));
-    let whole = build();
-    let mut files = whole.output_files();
+    assert!(joints(&forged_in(build_paper(), file, moved(0.3))));
+    assert!(!joints(&forged_in(build_paper(), file, moved(0.001))));
+    let gripper = build_paper();
+    let mut files = gripper.output_files();
     files.files.retain(|(name, _)| name != file);
     assert!(joints(&read_back(&files).findings));
 }
@@ -180,7 +180,7 @@ fn posts_and_plates_of_another_number_or_length_are_found() {
         |build: &mut Built| build.manifest.plates.clear(),
         |build: &mut Built| build.manifest.stars[0].clear_radius_mm += 0.1,
     ] {
-        let mut build = build();
+        let mut build = build_paper();
         change(&mut build);
         let findings = read_back(&build.output_files()).findings;
         assert!(findings.iter().any(|finding| finding.code == "manifest"), "{findings:#?}");
@@ -191,10 +191,11 @@ fn posts_and_plates_of_another_number_or_length_are_found() {
 fn a_mask_of_the_other_face_is_no_mask_of_this_one() {
     let text = format!("{}\n[mask]\nmirror = true\n", support::PAPER);
     let mut build = support::build(&text).expect("a design");
-    let at = |name: &str| build.artifacts.iter().position(|artifact| artifact.name == name).expect("a mask");
-    let (one, other) = (at("star-1-mask.svg"), at("star-1-mask-mirrored.svg"));
-    let bytes = build.artifacts[one].bytes.clone();
-    build.artifacts[one].bytes = std::mem::replace(&mut build.artifacts[other].bytes, bytes);
+    let index_of =
+        |name: &str| build.artifacts.iter().position(|artifact| artifact.name == name).expect("a mask");
+    let (first, other) = (index_of("star-1-mask.svg"), index_of("star-1-mask-mirrored.svg"));
+    let bytes = build.artifacts[first].bytes.clone();
+    build.artifacts[first].bytes = std::mem::replace(&mut build.artifacts[other].bytes, bytes);
     build.manifest.files = build.artifacts.iter().map(ManifestFile::new).collect();
     let findings = read_back(&build.output_files()).findings;
     for name in ["star-1-mask.svg", "star-1-mask-mirrored.svg"] {
@@ -203,7 +204,7 @@ fn a_mask_of_the_other_face_is_no_mask_of_this_one() {
 }
 
 /// Replaces the first `from` of a text.
-fn instead<'a>(from: &'a str, to: &'a str) -> impl Fn(&[u8]) -> Vec<u8> + 'a {
+fn replaced<'a>(from: &'a str, to: &'a str) -> impl Fn(&[u8]) -> Vec<u8> + 'a {
     move |bytes| {
         let text = String::from_utf8(bytes.to_vec()).expect("text");
         assert!(text.contains(from), "no {from:?}");
@@ -243,7 +244,7 @@ fn what_hides_moves_or_widens_a_drawing_is_found() {
             ("stroke=\"#", "stroke=\"#1", "unknown-word"),
             ("viewBox=\"", "viewBox=\"1", "wrong-size"),
         ] {
-            assert_found(file, code, instead(from, to));
+            assert_found(file, code, replaced(from, to));
         }
     }
     let holes_last = |bytes: &[u8]| {
@@ -270,7 +271,7 @@ fn what_hides_moves_or_widens_a_plan_is_found() {
             ("  0\nEOF\n", "999\nnote\n  0\nEOF\n"),
             ("  2\nENTITIES\n", "  2\nENTITIES\n  0\nTEXT\n  8\nlabel\n  1\nTHIS SIDE DOWN\n"),
         ] {
-            assert_found(file, "unknown-word", instead(from, to));
+            assert_found(file, "unknown-word", replaced(from, to));
         }
     }
     for (from, to) in [
@@ -278,7 +279,7 @@ fn what_hides_moves_or_widens_a_plan_is_found() {
         ("AcDbPolyline\n", "AcDbPolyline\n 43\n20\n"),
         ("AcDbPolyline\n", "AcDbPolyline\n 39\n1\n"),
     ] {
-        assert_found("sheet-1-seal.dxf", "unknown-word", instead(from, to));
+        assert_found("sheet-1-seal.dxf", "unknown-word", replaced(from, to));
     }
 }
 
@@ -288,9 +289,9 @@ fn solids_with_other_normals_notes_or_corners_are_found() {
     assert_found(SOLID, "bad-stl", facet(7, |n| n[0] += 0.01));
     let byte = |at: usize| {
         move |bytes: &[u8]| {
-            let mut out = bytes.to_vec();
-            out[at] ^= 1;
-            out
+            let mut forged = bytes.to_vec();
+            forged[at] ^= 1;
+            forged
         }
     };
     assert_found(SOLID, "wrong-title", byte(3));
@@ -299,13 +300,13 @@ fn solids_with_other_normals_notes_or_corners_are_found() {
     let moved = |bytes: &[u8]| {
         let corner = bytes[84 + 12..84 + 20].to_vec();
         let x = f32::from_le_bytes(corner[..4].try_into().expect("four")) + 0.01;
-        let mut out = bytes.to_vec();
+        let mut forged = bytes.to_vec();
         for at in (84..bytes.len()).step_by(50).flat_map(|facet| [12, 24, 36].map(|k| facet + k)) {
             if bytes[at..at + 8] == corner {
-                out[at..at + 4].copy_from_slice(&x.to_le_bytes());
+                forged[at..at + 4].copy_from_slice(&x.to_le_bytes());
             }
         }
-        out
+        forged
     };
     assert_found(SOLID, "deviation", moved);
 }
@@ -314,18 +315,18 @@ fn solids_with_other_normals_notes_or_corners_are_found() {
 #[test]
 fn no_figure_of_a_manifest_can_be_edited_unseen() {
     use serde_json::Value;
-    fn leaves(value: &Value, at: &str, out: &mut Vec<String>) {
+    fn leaves(value: &Value, path: &str, paths: &mut Vec<String>) {
         match value {
             Value::Object(map) => {
-                map.iter().for_each(|(key, value)| leaves(value, &format!("{at}/{key}"), out));
+                map.iter().for_each(|(key, value)| leaves(value, &format!("{path}/{key}"), paths));
             }
             Value::Array(list) => {
-                list.iter().enumerate().for_each(|(i, value)| leaves(value, &format!("{at}/{i}"), out));
+                list.iter().enumerate().for_each(|(i, value)| leaves(value, &format!("{path}/{i}"), paths));
             }
-            _ => out.push(at.to_owned()),
+            _ => paths.push(path.to_owned()),
         }
     }
-    let build = build();
+    let build = build_paper();
     let manifest = serde_json::to_value(&build.manifest).expect("plain data");
     let mut places = Vec::new();
     leaves(&manifest, "", &mut places);
@@ -343,8 +344,8 @@ fn no_figure_of_a_manifest_can_be_edited_unseen() {
         assert!(!read_back(&files).findings.is_empty(), "{place}");
     }
     let mut files = build.output_files();
-    let mut more = manifest.clone();
-    let _ = more.as_object_mut().expect("an object").insert("note".to_owned(), Value::from("x"));
-    files.files.last_mut().expect("the manifest").1 = serde_json::to_vec(&more).expect("JSON").into();
+    let mut with_note = manifest.clone();
+    let _ = with_note.as_object_mut().expect("an object").insert("note".to_owned(), Value::from("x"));
+    files.files.last_mut().expect("the manifest").1 = serde_json::to_vec(&with_note).expect("JSON").into();
     assert!(!read_back(&files).findings.is_empty());
 }

@@ -83,10 +83,13 @@ fn built(name: &str, machine: &str, clamp: &str) -> Option<Built> {
         quoted(clamp)
     );
     let read = spec::read(&Source::new("x", spec.clone())).ok()?.spec;
-    let known = spec::read_machine(&Source::new("y", profile.clone())).ok()?;
-    let (only, with) = KINDS.into_iter().partition(|kind| !kind.is_extra());
+    let profile_read = spec::read_machine(&Source::new("y", profile.clone())).ok()?;
+    let (default_kinds, extras) = KINDS.into_iter().partition(|kind| !kind.is_extra());
     let sources = Sources { spec: &spec, machine: &profile };
-    Some(pipeline::build(&read, &known, sources, &KindRequest { only, with }).expect("a gripper"))
+    Some(
+        pipeline::build(&read, &profile_read, sources, &KindRequest { only: default_kinds, with: extras })
+            .expect("a gripper"),
+    )
 }
 
 /// The structure of a file without its words: a list of its marks.
@@ -113,11 +116,12 @@ fn bones(file: &str, bytes: &[u8]) -> BTreeSet<String> {
             keys(&serde_json::from_slice(&bytes[20..20 + length]).expect("JSON"))
         }
         "png" => {
-            let (mut at, mut kinds) = (8, BTreeSet::new());
-            while at < bytes.len() {
-                let length = u32::from_be_bytes(bytes[at..at + 4].try_into().expect("four bytes")) as usize;
-                let _ = kinds.insert(String::from_utf8_lossy(&bytes[at + 4..at + 8]).into_owned());
-                at += 12 + length;
+            let (mut place, mut kinds) = (8, BTreeSet::new());
+            while place < bytes.len() {
+                let length =
+                    u32::from_be_bytes(bytes[place..place + 4].try_into().expect("four bytes")) as usize;
+                let _ = kinds.insert(String::from_utf8_lossy(&bytes[place + 4..place + 8]).into_owned());
+                place += 12 + length;
             }
             kinds
         }
@@ -166,7 +170,7 @@ fn keys(value: &Value) -> BTreeSet<String> {
 }
 
 /// The files that the program writes itself: spec and profile are copies of the inputs.
-fn written(built: &Built) -> Vec<(String, Vec<u8>)> {
+fn written_files(built: &Built) -> Vec<(String, Vec<u8>)> {
     let files =
         built.files().filter(|(name, _)| Path::new(name).extension().is_none_or(|ending| ending != "toml"));
     files.map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
@@ -174,7 +178,7 @@ fn written(built: &Built) -> Vec<(String, Vec<u8>)> {
 
 /// The same gripper with plain names.
 static PLAIN: LazyLock<Vec<(String, Vec<u8>)>> =
-    LazyLock::new(|| written(&built("plain", "plain", "plain").expect("a gripper")));
+    LazyLock::new(|| written_files(&built("plain", "plain", "plain").expect("a gripper")));
 
 fn words() -> impl Strategy<Value = String> {
     prop::collection::vec(prop::sample::select(HOSTILE.to_vec()), 1..5)
@@ -187,17 +191,17 @@ proptest! {
 
     #[test]
     fn names_mean_nothing_in_any_kind_of_file((name, machine, clamp) in (words(), words(), words())) {
-        let made = built(&name, &machine, &clamp);
-        prop_assume!(made.is_some());
-        let made = made.expect("assumed");
-        prop_assert_eq!(made.proof().findings, []);
-        let (made, plain) = (written(&made), &*PLAIN);
-        prop_assert_eq!(made.len(), plain.len());
-        for ((file, bytes), (other, plain)) in made.iter().zip(plain) {
+        let result = built(&name, &machine, &clamp);
+        prop_assume!(result.is_some());
+        let gripper = result.expect("assumed");
+        prop_assert_eq!(gripper.proof().findings, []);
+        let (files, plain) = (written_files(&gripper), &*PLAIN);
+        prop_assert_eq!(files.len(), plain.len());
+        for ((file, bytes), (other, plain)) in files.iter().zip(plain) {
             prop_assert_eq!(file, other);
             prop_assert_eq!(bones(file, bytes), bones(file, plain), "{}", file);
         }
-        let manifest = made.iter().find(|(file, _)| file == "manifest.json").expect("one");
+        let manifest = files.iter().find(|(file, _)| file == "manifest.json").expect("one");
         let manifest: Value = serde_json::from_slice(&manifest.1).expect("JSON");
         prop_assert_eq!(&manifest["name"], &name);
     }

@@ -7,22 +7,24 @@ use crate::support;
 
 /// The proposed layers of a file, after the spec with them was read and its design made.
 fn proposed(name: &str, text: &str) -> Vec<(String, LayerRole)> {
-    let found = propose_layers(name, text.as_bytes(), None).unwrap_or_else(|refusals| panic!("{refusals}"));
-    let spec = spec::drawing_starter("x", name, &found.layers, found.unit).expect("a name");
+    let proposal =
+        propose_layers(name, text.as_bytes(), None).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let spec = spec::drawing_starter("x", name, &proposal.layers, proposal.unit).expect("a name");
     let reading = spec::read(&Source::new("x", spec.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
     let spec = reading.with_drawing(text.as_bytes()).spec;
     let design = Design::new(&spec, &support::machine());
-    let design = design.unwrap_or_else(|refusals| panic!("{name}: {:?}: {refusals}", found.layers));
+    let design = design.unwrap_or_else(|refusals| panic!("{name}: {:?}: {refusals}", proposal.layers));
     let ports = design
         .drawn()
         .map_or(0, |drawn| drawn.pieces.iter().map(|piece| piece.shape.ports.len()).sum::<usize>());
     assert!(ports > 0, "{name}: no port");
-    found.layers.into_iter().map(|(layer, role, _)| (layer, role)).collect()
+    proposal.layers.into_iter().map(|(layer, role, _)| (layer, role)).collect()
 }
 
-fn same(found: &[(String, LayerRole)], wanted: &[(&str, LayerRole)]) {
-    let found: Vec<(&str, LayerRole)> = found.iter().map(|(layer, role)| (layer.as_str(), *role)).collect();
-    assert_eq!(found, wanted);
+fn assert_roles(proposal: &[(String, LayerRole)], expected: &[(&str, LayerRole)]) {
+    let roles: Vec<(&str, LayerRole)> =
+        proposal.iter().map(|(layer, role)| (layer.as_str(), *role)).collect();
+    assert_eq!(roles, expected);
 }
 
 const BOTH: [(&str, LayerRole); 2] = [("air", LayerRole::Air), ("port", LayerRole::Port)];
@@ -45,7 +47,7 @@ fn inkscape_layers_have_their_labels() {
     <path style="fill:none;stroke:#0000ff;stroke-width:0.264583" d="m 16,70 h 8" id="path1" />
   </g>
 </svg>"##;
-    same(&proposed("a.svg", text), &BOTH);
+    assert_roles(&proposed("a.svg", text), &BOTH);
     // A group around both, as of a parent layer, tells nothing apart; a text on a layer of its own is left out.
     let nested = text
         .replace(
@@ -53,15 +55,18 @@ fn inkscape_layers_have_their_labels() {
             "<g id=\"g9\" inkscape:label=\"Design\"><g inkscape:label=\"air\"",
         )
         .replace("</svg>", "</g><g id=\"n\" inkscape:label=\"notes\"><text id=\"t\">x</text></g></svg>");
-    same(&proposed("a.svg", &nested), &[BOTH[0], BOTH[1], ("notes", LayerRole::Ignore)]);
+    assert_roles(&proposed("a.svg", &nested), &[BOTH[0], BOTH[1], ("notes", LayerRole::Ignore)]);
     // With one layer the colours tell the figures apart.
-    let one = text
+    let one_layer_only = text
         .replace("</g>\n  <g inkscape:groupmode=\"layer\" id=\"layer2\" inkscape:label=\"port\">", "")
         .replace("#0000ff;stroke-width:0.264583\" d=", "#ff0000;stroke-width:0.264583\" d=");
-    same(&proposed("a.svg", &one), &[("#0000ff", LayerRole::Air), ("#ff0000", LayerRole::Port)]);
+    assert_roles(
+        &proposed("a.svg", &one_layer_only),
+        &[("#0000ff", LayerRole::Air), ("#ff0000", LayerRole::Port)],
+    );
     // A figure beside the layers: its colour is theirs, so its own name gives it the role.
-    let beside = text.replace("</svg>", "<rect id=\"r2\" x=\"60\" y=\"50\" width=\"40\" height=\"40\" style=\"fill:none;stroke:#0000ff\"/></svg>");
-    same(&proposed("a.svg", &beside), &[BOTH[0], BOTH[1], ("r2", LayerRole::Air)]);
+    let with_square = text.replace("</svg>", "<rect id=\"r2\" x=\"60\" y=\"50\" width=\"40\" height=\"40\" style=\"fill:none;stroke:#0000ff\"/></svg>");
+    assert_roles(&proposed("a.svg", &with_square), &[BOTH[0], BOTH[1], ("r2", LayerRole::Air)]);
 }
 
 /// Illustrator, Figma and Affinity write a root id, a frame or an artboard around everything.
@@ -81,7 +86,7 @@ fn frames_and_artboards_are_passed_over() {
             "<rect id=\"air\" x=\"20\" y=\"30\" width=\"120\" height=\"80\" stroke=\"black\"/><path id=\"port\" d=\"M 16 70 H 24\" stroke=\"black\"/>"
         ),
     ] {
-        same(&proposed("a.svg", &text), &BOTH);
+        assert_roles(&proposed("a.svg", &text), &BOTH);
     }
 }
 
@@ -92,7 +97,7 @@ fn layers_inside_of_blocks_count() {
         0|CIRCLE|5|A|8|AIR|10|50|20|50|40|40|0|LINE|5|B|8|PORT|10|86|20|50|11|94|21|50|0|ENDBLK|0|ENDSEC|\
         0|SECTION|2|ENTITIES|0|INSERT|5|C|8|0|2|B|10|0|20|0|0|ENDSEC|0|EOF|"
         .replace('|', "\n");
-    same(&proposed("a.dxf", &dxf), &[("AIR", LayerRole::Air), ("PORT", LayerRole::Port)]);
+    assert_roles(&proposed("a.dxf", &dxf), &[("AIR", LayerRole::Air), ("PORT", LayerRole::Port)]);
 }
 
 /// A unit that is given replaces the guess, and a fault behind a missing unit is listed.
@@ -101,10 +106,10 @@ fn a_unit_may_be_given_and_hides_no_fault() {
     let dxf = |y: &str| {
         format!("0|SECTION|2|ENTITIES|0|LINE|8|AIR|10|0|20|{y}|11|10|21|0|0|ENDSEC|0|EOF|").replace('|', "\n")
     };
-    let of = |unit| propose_layers("a.dxf", dxf("0").as_bytes(), unit).expect("a drawing");
-    let inches = of(artwork::Unit::from_name("in"));
+    let proposal_in = |unit| propose_layers("a.dxf", dxf("0").as_bytes(), unit).expect("a drawing");
+    let inches = proposal_in(artwork::Unit::from_name("in"));
     assert!((inches.size[0] - 254.0).abs() < 1e-9 && inches.no_unit.is_none(), "{inches:?}");
-    let guessed = of(None);
+    let guessed = proposal_in(None);
     assert!((guessed.size[0] - 10.0).abs() < 1e-9 && guessed.no_unit.is_some(), "{guessed:?}");
     let refusals = propose_layers("a.dxf", dxf("30,5").as_bytes(), None).expect_err("a comma").to_string();
     assert!(refusals.contains("$INSUNITS") && refusals.contains("\"30,5\""), "{refusals}");
@@ -124,9 +129,9 @@ fn hidden_and_unread_layers_are_named() {
     for (text, said) in
         [(dxf("CIRCLE", "-7"), "\"AIR\" is hidden"), (dxf("SOLID", "7"), "\"AIR\" can be read")]
     {
-        let found = propose_layers("a.dxf", text.as_bytes(), None).expect("a drawing");
-        assert_eq!(found.hidden.len(), usize::from(said.ends_with("hidden")), "{found:?}");
-        let spec = spec::drawing_starter("x", "a.dxf", &found.layers, found.unit).expect("a name");
+        let proposal = propose_layers("a.dxf", text.as_bytes(), None).expect("a drawing");
+        assert_eq!(proposal.hidden.len(), usize::from(said.ends_with("hidden")), "{proposal:?}");
+        let spec = spec::drawing_starter("x", "a.dxf", &proposal.layers, proposal.unit).expect("a name");
         let reading =
             spec::read(&Source::new("x", spec.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
         let spec = reading.with_drawing(text.as_bytes()).spec;
@@ -138,9 +143,11 @@ fn hidden_and_unread_layers_are_named() {
 }
 
 /// A cushion of 100 x 60 mm on layer "0" of a DXF, drawn with `edge`, and more entities.
-fn one_layer(edge: &str, more: &str) -> String {
-    format!("0|SECTION|2|HEADER|9|$INSUNITS|70|4|0|ENDSEC|0|SECTION|2|ENTITIES|{edge}{more}0|ENDSEC|0|EOF|")
-        .replace('|', "\n")
+fn one_layer(edge: &str, entities: &str) -> String {
+    format!(
+        "0|SECTION|2|HEADER|9|$INSUNITS|70|4|0|ENDSEC|0|SECTION|2|ENTITIES|{edge}{entities}0|ENDSEC|0|EOF|"
+    )
+    .replace('|', "\n")
 }
 
 const CLOSED_EDGE: &str =
@@ -164,14 +171,18 @@ fn open_edges() -> String {
 /// Handles name single entities where a file has one layer and no colours; edges may be lines whose ends meet.
 #[test]
 fn a_dxf_of_one_layer_has_its_port_by_name() {
-    let wanted = [("0", LayerRole::Air), ("LINE 30", LayerRole::Port)];
-    same(&proposed("a.dxf", &one_layer(CLOSED_EDGE, HOSE)), &wanted);
-    same(&proposed("a.dxf", &one_layer(&open_edges(), HOSE)), &wanted);
+    let expected = [("0", LayerRole::Air), ("LINE 30", LayerRole::Port)];
+    assert_roles(&proposed("a.dxf", &one_layer(CLOSED_EDGE, HOSE)), &expected);
+    assert_roles(&proposed("a.dxf", &one_layer(&open_edges(), HOSE)), &expected);
     // A weld that ends on the edge is none, and a point at a corner is left out.
-    let more = format!("{HOSE}0|LINE|8|0|5|31|10|90|20|50|11|105|21|50|0|POINT|8|0|5|32|10|20|20|20|");
-    let text = one_layer(CLOSED_EDGE, &more);
-    let found = propose_layers("a.dxf", text.as_bytes(), None).expect("a drawing");
-    same(&found.layers.into_iter().map(|(layer, role, _)| (layer, role)).collect::<Vec<_>>(), &wanted);
+    let hose_and_marks =
+        format!("{HOSE}0|LINE|8|0|5|31|10|90|20|50|11|105|21|50|0|POINT|8|0|5|32|10|20|20|20|");
+    let text = one_layer(CLOSED_EDGE, &hose_and_marks);
+    let proposal = propose_layers("a.dxf", text.as_bytes(), None).expect("a drawing");
+    assert_roles(
+        &proposal.layers.into_iter().map(|(layer, role, _)| (layer, role)).collect::<Vec<_>>(),
+        &expected,
+    );
     // Without handles the line of the file counts.
     let text = one_layer(CLOSED_EDGE, HOSE).replace("\n5\n2F", "").replace("\n5\n30", "");
     assert!(proposed("a.dxf", &text)[1].0.starts_with("LINE at line "));
@@ -181,12 +192,12 @@ fn a_dxf_of_one_layer_has_its_port_by_name() {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"140mm\" height=\"100mm\" viewBox=\"0 0 140 100\" fill=\"none\" stroke=\"black\">\
              <path d=\"M20 20h100v60\"/><path d=\"M120 80h-100v-60\"/><path {id} d=\"M16 50H24\"/></svg>"
         );
-        let found = proposed("a.svg", &text);
+        let roles = proposed("a.svg", &text);
         assert!(
-            found[0] == ("#000000".to_owned(), LayerRole::Air) && found[1].0.starts_with(name),
-            "{found:?}"
+            roles[0] == ("#000000".to_owned(), LayerRole::Air) && roles[1].0.starts_with(name),
+            "{proposal:?}"
         );
-        assert_eq!((found.len(), found[1].1), (2, LayerRole::Port));
+        assert_eq!((roles.len(), roles[1].1), (2, LayerRole::Port));
     }
 }
 
@@ -201,7 +212,7 @@ fn points_and_texts_beside_edges_are_left_out() {
             HOSE.replace("|8|0|", "|8|hose|")
         ),
     );
-    same(&proposed("a.dxf", &text), &[("0", LayerRole::Air), ("hose", LayerRole::Port)]);
+    assert_roles(&proposed("a.dxf", &text), &[("0", LayerRole::Air), ("hose", LayerRole::Port)]);
     let check = |text: &str, layers: &str| {
         let spec =
             format!("schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.dxf\"\n[drawing.layers]\n{layers}\n");
@@ -226,26 +237,26 @@ fn points_and_texts_beside_edges_are_left_out() {
 #[test]
 fn proposals_can_be_sealed() {
     let roles = |file: &str, text: &str| -> Vec<(String, LayerRole)> {
-        let found =
+        let proposal =
             propose_layers(file, text.as_bytes(), None).unwrap_or_else(|refusals| panic!("{refusals}"));
-        found.layers.into_iter().map(|(layer, role, _)| (layer, role)).collect()
+        proposal.layers.into_iter().map(|(layer, role, _)| (layer, role)).collect()
     };
     let layer = |text: &str, layer: &str| text.replace("|8|0|", &format!("|8|{layer}|"));
     // An outline alone is the edge of the air; its own holes are ignored.
-    let own = layer(CLOSED_EDGE, "cut-outside")
+    let own_layers = layer(CLOSED_EDGE, "cut-outside")
         + "0|CIRCLE|8|registration|10|30|20|30|40|2|0|CIRCLE|8|cut-hole|10|70|20|50|40|9|";
-    same(
-        &roles("a.dxf", &one_layer(&own, "")),
+    assert_roles(
+        &roles("a.dxf", &one_layer(&own_layers, "")),
         &[("cut-outside", LayerRole::Air), ("registration", LayerRole::Ignore), ("cut-hole", LayerRole::Air)],
     );
     // White is a background only where there is anything else.
     let white = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9in\" height=\"9in\" viewBox=\"0 0 9 9\"><path fill=\"#fff\" d=\"M1 1h6v6z\"/></svg>";
-    same(&roles("a.svg", white), &[("fill #ffffff", LayerRole::Air)]);
+    assert_roles(&roles("a.svg", white), &[("fill #ffffff", LayerRole::Air)]);
     // The centre of a hole is no port, and a point on the edge is one.
     let holes =
         layer(CLOSED_EDGE, "outer") + "0|CIRCLE|8|inner|10|60|20|50|40|5|0|POINT|8|centres|10|60|20|50|";
     let text = one_layer(&holes, &layer(HOSE, "hose"));
-    same(
+    assert_roles(
         &proposed("a.dxf", &text),
         &[
             ("outer", LayerRole::Air),
@@ -255,7 +266,7 @@ fn proposals_can_be_sealed() {
         ],
     );
     let point = layer(CLOSED_EDGE, "outer") + "0|POINT|8|place|10|20|20|50|";
-    same(
+    assert_roles(
         &proposed("a.dxf", &one_layer(&point, "")),
         &[("outer", LayerRole::Air), ("place", LayerRole::Port)],
     );
@@ -270,7 +281,7 @@ fn faults_of_single_elements_leave_the_rest() {
              <g id=\"port\"><path d=\"M16 50H24\"/></g><g id=\"{layer}\"><path id=\"scrap\" d=\"M10 10 L NaN,NaN\"/><use id=\"u\" href=\"#u\"/></g></svg>"
         )
     };
-    same(
+    assert_roles(
         &proposed("a.svg", &svg("notes")),
         &[("air", LayerRole::Air), ("port", LayerRole::Port), ("notes", LayerRole::Ignore)],
     );
@@ -279,13 +290,13 @@ fn faults_of_single_elements_leave_the_rest() {
         &(HOSE.replace("|8|0|", "|8|hose|")
             + "0|INSERT|8|scrap|5|77|2|none|10|0|20|0|0|SPLINE|8|scrap|5|78|71|3|"),
     );
-    same(
+    assert_roles(
         &proposed("a.dxf", &dxf),
         &[("0", LayerRole::Air), ("hose", LayerRole::Port), ("scrap", LayerRole::Ignore)],
     );
-    let found = propose_layers("a.svg", svg("air").as_bytes(), None).expect("a drawing");
-    assert_eq!(found.faults.len(), 2, "{found:?}");
-    let spec = spec::drawing_starter("x", "a.svg", &found.layers, found.unit).expect("a name");
+    let proposal = propose_layers("a.svg", svg("air").as_bytes(), None).expect("a drawing");
+    assert_eq!(proposal.faults.len(), 2, "{proposal:?}");
+    let spec = spec::drawing_starter("x", "a.svg", &proposal.layers, proposal.unit).expect("a name");
     let reading = spec::read(&Source::new("x", spec.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
     let refusals = Design::new(&reading.with_drawing(svg("air").as_bytes()).spec, &support::machine())
         .expect_err("faults");
@@ -301,11 +312,11 @@ fn every_figure_has_a_name() {
         let text = format!(
             "{head}<path fill=\"none\" {paint} d=\"M20 20h100v60h-100z\"/><path fill=\"none\" stroke=\"#0000ff\" d=\"M16 50H24\"/></svg>"
         );
-        let found = proposed("a.svg", &text);
-        assert!(found[0].0.starts_with("path at line 1") && found[1].0 == "#0000ff", "{found:?}");
+        let roles = proposed("a.svg", &text);
+        assert!(roles[0].0.starts_with("path at line 1") && roles[1].0 == "#0000ff", "{roles:?}");
     }
     let text = format!(
         "{head}<g id=\"l1\" inkscape:label=\"air&#10;outer\"><rect x=\"20\" y=\"20\" width=\"100\" height=\"60\"/></g><g inkscape:label=\"port&#13;\"><path d=\"M16 50H24\"/></g></svg>"
     );
-    same(&proposed("a.svg", &text), &[("air\nouter", LayerRole::Air), ("port\r", LayerRole::Port)]);
+    assert_roles(&proposed("a.svg", &text), &[("air\nouter", LayerRole::Air), ("port\r", LayerRole::Port)]);
 }

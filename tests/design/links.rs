@@ -36,17 +36,17 @@ fn linked(built: &Built) -> Option<String> {
 
 #[test]
 fn a_report_and_every_preview_lead_back_to_the_spec() {
-    let (text, drawn) = (format!("{PAPER}\n{LINK}"), format!("{PILLOW}\n{LINK}"));
-    for (text, plain, parts) in [(&text, PAPER, 1), (&drawn, PILLOW, 3)] {
-        let ((made, codes), (without, _)) = (built(text), built(plain));
-        assert_eq!(made.proof().findings, []);
+    let (text, drawing_text) = (format!("{PAPER}\n{LINK}"), format!("{PILLOW}\n{LINK}"));
+    for (text, plain, parts) in [(&text, PAPER, 1), (&drawing_text, PILLOW, 3)] {
+        let ((linked_build, codes), (plain_build, _)) = (built(text), built(plain));
+        assert_eq!(linked_build.proof().findings, []);
         assert!(!codes.contains(&"long-link".to_owned()), "{codes:?}");
-        let link = linked(&made).expect("a link");
+        let link = linked(&linked_build).expect("a link");
         assert!(link.starts_with("https://example.org/page/#spec="), "{link}");
         assert_eq!(link.split('&').count(), parts, "{link}");
-        assert_eq!(linked(&without), None);
-        assert!(text_of(&made, "preview.svg").contains(">This spec in the page<"));
-        assert!(!text_of(&without, "preview.svg").contains(">This spec in the page<"));
+        assert_eq!(linked(&plain_build), None);
+        assert!(text_of(&linked_build, "preview.svg").contains(">This spec in the page<"));
+        assert!(!text_of(&plain_build, "preview.svg").contains(">This spec in the page<"));
     }
 }
 
@@ -59,10 +59,10 @@ fn a_link_that_is_too_long_is_told_and_leaves_no_code() {
         char::from(b'a' + state.to_le_bytes()[7] % 26)
     });
     let text = format!("{PAPER}\n{} # {}\n", LINK.trim_end(), letters.take(6000).collect::<String>());
-    let (made, codes) = built(&text);
+    let (gripper, codes) = built(&text);
     assert!(codes.contains(&"long-link".to_owned()), "{codes:?}");
-    assert_eq!((made.proof().findings, linked(&made)), (Vec::new(), None));
-    assert!(!text_of(&made, "preview.svg").contains(">This spec in the page<"));
+    assert_eq!((gripper.proof().findings, linked(&gripper)), (Vec::new(), None));
+    assert!(!text_of(&gripper, "preview.svg").contains(">This spec in the page<"));
 }
 
 #[test]

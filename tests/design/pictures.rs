@@ -47,7 +47,7 @@ fn number(node: Node<'_, '_>, name: &str) -> f64 {
 }
 
 /// The words of a picture whose sheet is `height` high.
-fn words(picture: &str, height: f64) -> Vec<Word> {
+fn words_of(picture: &str, height: f64) -> Vec<Word> {
     let face = ttf_parser::Face::parse(FACE, 0).expect("a face");
     let advance = |c: char| {
         let glyph = face.glyph_index(c).unwrap_or_else(|| panic!("{c:?} is not in the face"));
@@ -60,12 +60,12 @@ fn words(picture: &str, height: f64) -> Vec<Word> {
             let text = node.text().unwrap_or("").to_owned();
             let size = number(node, "font-size");
             let width = size * text.chars().map(advance).sum::<f64>();
-            let left = match node.attribute("text-anchor") {
+            let offset = match node.attribute("text-anchor") {
                 Some("start") => 0.0,
                 Some("middle") => 0.5 * width,
                 _ => width,
             };
-            let (x, y) = (number(node, "x") - left, height - number(node, "y"));
+            let (x, y) = (number(node, "x") - offset, height - number(node, "y"));
             // From the lowest of g and y to the highest of l and d.
             let bounds =
                 Bounds { min: Point::new(x, y - 0.236 * size), max: Point::new(x + width, y + 0.76 * size) };
@@ -82,25 +82,26 @@ fn distance(bounds: &Bounds, path: &Path) -> f64 {
     if path.segments.iter().any(|segment| bounds.contains(segment.start())) {
         return 0.0;
     }
-    let near = path.segments.iter().flat_map(|s| sides.iter().map(move |side| segment_distance(side, s)));
-    near.fold(f64::INFINITY, f64::min)
+    let distances =
+        path.segments.iter().flat_map(|s| sides.iter().map(move |side| segment_distance(side, s)));
+    distances.fold(f64::INFINITY, f64::min)
 }
 
 /// Everything that is wrong with the labels of the pictures of a build.
 fn faults(build: &Built) -> Vec<String> {
     let design: &Design = &build.forecast.design;
-    let mut out = Vec::new();
+    let mut list = Vec::new();
     for (sheet, picture) in pictures(build) {
         let layout = design.sheets.iter().find(|layout| layout.index == sheet).expect("a sheet");
-        let words = words(&picture, layout.height);
-        let page = page(&picture, layout.height).grown(0.02);
+        let words = words_of(&picture, layout.height);
+        let page = page_of(&picture, layout.height).grown(0.02);
         for (i, word) in words.iter().enumerate() {
             if !page.contains(word.bounds.min) || !page.contains(word.bounds.max) {
-                out.push(format!("{:?} leaves the page", word.text));
+                list.push(format!("{:?} leaves the page", word.text));
             }
             for other in &words[..i] {
                 if word.bounds.overlaps(&other.bounds) {
-                    out.push(format!("{:?} covers {:?}", word.text, other.text));
+                    list.push(format!("{:?} covers {:?}", word.text, other.text));
                 }
             }
             for star in design.on_sheet(sheet) {
@@ -109,22 +110,22 @@ fn faults(build: &Built) -> Vec<String> {
                     if distance(&word.bounds, &star.placement.path(&seam.center_line))
                         <= 0.5 * part.shape.band - 0.01
                     {
-                        out.push(format!("{:?} lies on a band of star {}", word.text, star.index));
+                        list.push(format!("{:?} lies on a band of star {}", word.text, star.index));
                     }
                 }
                 let mouth =
                     part.channel.map(|channel| star.placement.point(channel.mouth_center(&part.star)));
                 if mouth.is_some_and(|mouth| word.bounds.contains(mouth)) {
-                    out.push(format!("{:?} covers the inlet of star {}", word.text, star.index));
+                    list.push(format!("{:?} covers the inlet of star {}", word.text, star.index));
                 }
             }
         }
     }
-    out
+    list
 }
 
 /// The area of the picture, in the frame of its sheet.
-fn page(picture: &str, height: f64) -> Bounds {
+fn page_of(picture: &str, height: f64) -> Bounds {
     let document = Document::parse(picture).expect("XML");
     let view = document.root_element().attribute("viewBox").expect("a view");
     let view: Vec<f64> = view.split(' ').map(|number| number.parse().expect("a number")).collect();
@@ -149,24 +150,29 @@ fn no_label_of_a_shipped_design_covers_another_a_band_or_the_inlet() {
         let build = built(&text, &profile);
         assert_eq!(faults(&build), Vec::<String>::new(), "{name}");
         let (_, picture) = pictures(&build).swap_remove(0);
-        let said = words(&picture, build.forecast.design.sheets[0].height);
-        let has = |word: &str| said.iter().any(|other| other.text == word);
+        let words = words_of(&picture, build.forecast.design.sheets[0].height);
+        let has_word = |word: &str| words.iter().any(|other| other.text == word);
         for word in
             ["X0 Y0", "X", "Y", "star 1", "this side up", "inlet", "tube", "sealed band", "flap", "plate 1"]
         {
-            assert!(has(word), "{name} does not say {word:?}");
+            assert!(has_word(word), "{name} does not say {word:?}");
         }
         let star = &build.forecast.design.assembly().expect("stars").distinct[0].star;
         for k in 1..=star.n {
-            let whole = has(&format!("tip {k}")) && has(&format!("corner {k}"));
-            assert!(whole || has(&format!("T{k}")) && has(&format!("C{k}")), "{name}: {k}");
+            let has_names = has_word(&format!("tip {k}")) && has_word(&format!("corner {k}"));
+            assert!(has_names || has_word(&format!("T{k}")) && has_word(&format!("C{k}")), "{name}: {k}");
         }
         let layout = &build.forecast.design.sheets[0];
-        assert!(has(&format!("{} mm", stargrip_cam::units::Readable(layout.width))), "{name}");
+        assert!(has_word(&format!("{} mm", stargrip_cam::units::Readable(layout.width))), "{name}");
         // On a screen of 1500 pixels nothing is below 7 of them.
-        let pixels = 1500.0 / page(&picture, layout.height).width();
-        let least = said.iter().min_by(|a, b| a.size.total_cmp(&b.size)).expect("words");
-        assert!(least.size * pixels > 5.0, "{name}: {:?} is {} pixels high", least.text, least.size * pixels);
+        let pixels = 1500.0 / page_of(&picture, layout.height).width();
+        let smallest = words.iter().min_by(|a, b| a.size.total_cmp(&b.size)).expect("words");
+        assert!(
+            smallest.size * pixels > 5.0,
+            "{name}: {:?} is {} pixels high",
+            smallest.text,
+            smallest.size * pixels
+        );
     }
 }
 
@@ -177,11 +183,11 @@ fn equal_stars_are_numbered_apart() {
         fs::read_to_string(File::new(env!("CARGO_MANIFEST_DIR")).join("designs/paper-gripper.toml"));
     let build = built(&gripper.expect("a design"), "generic");
     let (_, picture) = pictures(&build).swap_remove(0);
-    let said = words(&picture, build.forecast.design.sheets[0].height);
-    let times = |word: &str| said.iter().filter(|other| other.text == word).count();
-    assert!(times("stars 1, 2, 3") == 1, "{said:?}");
+    let words = words_of(&picture, build.forecast.design.sheets[0].height);
+    let times = |word: &str| words.iter().filter(|other| other.text == word).count();
+    assert!(times("stars 1, 2, 3") == 1, "{words:?}");
     // On the sheet, and from the side.
-    assert_eq!([times("star 1"), times("star 2"), times("star 3")], [2, 2, 2], "{said:?}");
+    assert_eq!([times("star 1"), times("star 2"), times("star 3")], [2, 2, 2], "{words:?}");
 }
 
 #[test]
@@ -197,8 +203,8 @@ fn clamps_work_area_object_and_the_closed_star_are_shown() {
     let build = build(&support::read(&text), &machine, sources, &KindRequest::default()).expect("a gripper");
     assert_eq!(faults(&build), Vec::<String>::new());
     let (_, picture) = pictures(&build).swap_remove(0);
-    let said = words(&picture, build.forecast.design.sheets[0].height);
-    let has = |word: &str| said.iter().any(|other| other.text.contains(word));
+    let words = words_of(&picture, build.forecast.design.sheets[0].height);
+    let has_word = |word: &str| words.iter().any(|other| other.text.contains(word));
     for word in [
         "left clamp of oak, 40 x 30",
         "clamp",
@@ -206,9 +212,9 @@ fn clamps_work_area_object_and_the_closed_star_are_shown() {
         "work area 345 x 900 mm",
         "object, 60 mm across",
     ] {
-        assert!(has(word), "{word}: {said:?}");
+        assert!(has_word(word), "{word}: {words:?}");
     }
-    assert!(has("shut on the object: 60.0 mm across") && has("sealed twice"), "{said:?}");
+    assert!(has_word("shut on the object: 60.0 mm across") && has_word("sealed twice"), "{words:?}");
 }
 
 /// The colours of a preview, as docs/pictures.md lists them.
@@ -231,7 +237,7 @@ fn pixels_show_the_design() {
             let sheet = file.output.part.sheet().expect("a sheet");
             let layout = design.sheets.iter().find(|layout| layout.index == sheet).expect("a sheet");
             let (_, picture) = pictures(&build).into_iter().find(|(own, _)| *own == sheet).expect("an SVG");
-            let page = page(&picture, layout.height);
+            let page = page_of(&picture, layout.height);
             let raster = read_png(&file.bytes).expect("a PNG");
             assert_eq!(raster.width.max(raster.height), 1920, "{name}");
             let scale = raster.width as f64 / page.width();
@@ -241,18 +247,21 @@ fn pixels_show_the_design() {
             };
             // The nearest of three colours: thin lines are smoothed.
             let nearest = |p: Point| {
-                let seen = color(p);
-                let off = |one: &[u8; 3]| -> u32 {
-                    one.iter().zip(seen).map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
+                let pixel = color(p);
+                let color_distance = |one: &[u8; 3]| -> u32 {
+                    one.iter().zip(pixel).map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
                 };
-                [TUBE, BAND, [0xf7, 0xf7, 0xf4]].into_iter().min_by_key(off).expect("three")
+                [TUBE, BAND, [0xf7, 0xf7, 0xf4]].into_iter().min_by_key(color_distance).expect("three")
             };
             for star in design.on_sheet(sheet) {
                 let part = design.assembly().expect("stars").part(star);
                 let share = |path: &Path, left: f64, right: [u8; 3]| {
                     let points = (0..60).filter_map(|k| {
-                        let at = (f64::from(k) + 0.5) / 60.0 * path.length();
-                        Some(star.placement.point(path.point_at(at)? + path.tangent_at(at)?.perp() * left))
+                        let station = (f64::from(k) + 0.5) / 60.0 * path.length();
+                        Some(
+                            star.placement
+                                .point(path.point_at(station)? + path.tangent_at(station)?.perp() * left),
+                        )
                     });
                     points.filter(|point| nearest(*point) == right).count()
                 };

@@ -14,8 +14,8 @@ const CONICAL: &str = include_str!("../../designs/conical-stack.toml");
 const DIGIT: f64 = 1e-4;
 
 fn text(built: &Built, file: &str) -> String {
-    let found = built.files().find(|(name, _)| *name == file);
-    let (_, bytes) = found.unwrap_or_else(|| panic!("no {file}"));
+    let file_found = built.files().find(|(name, _)| *name == file);
+    let (_, bytes) = file_found.unwrap_or_else(|| panic!("no {file}"));
     String::from_utf8(bytes.into_owned()).expect("text")
 }
 
@@ -29,8 +29,8 @@ fn number(value: &Value, path: &str) -> f64 {
 }
 
 #[track_caller]
-fn close(found: f64, expected: f64, tolerance: f64, what: &str) {
-    assert!((found - expected).abs() <= tolerance, "{what}: {found}, computed {expected}");
+fn close(value: f64, expected: f64, tolerance: f64, subject: &str) {
+    assert!((value - expected).abs() <= tolerance, "{subject}: {value}, computed {expected}");
 }
 
 /// Length, mm, and area, mm^2, of each shape of a layer of an SVG: of its `d` with M, L, A and Z, or of its circle.
@@ -63,13 +63,13 @@ fn measured(d: &str) -> (f64, f64) {
     }
     words.retain(|word| !word.is_empty());
     let (mut length, mut twice) = (0.0, 0.0);
-    let (mut at, mut start, mut i) = ([0.0; 2], [0.0; 2], 0);
+    let (mut pen, mut start, mut i) = ([0.0; 2], [0.0; 2], 0);
     let value = |i: usize| words[i].parse::<f64>().expect("a number");
     while i < words.len() {
         let (count, bulge) = match words[i].as_str() {
             "M" => {
-                at = [value(i + 1), value(i + 2)];
-                start = at;
+                pen = [value(i + 1), value(i + 2)];
+                start = pen;
                 i += 3;
                 continue;
             }
@@ -77,9 +77,9 @@ fn measured(d: &str) -> (f64, f64) {
             "A" => (7, Some((value(i + 1), words[i + 4] == "1", words[i + 5] == "1"))),
             _ => (0, None),
         };
-        let to = if count == 0 { start } else { [value(i + count - 1), value(i + count)] };
-        let chord = (to[0] - at[0]).hypot(to[1] - at[1]);
-        twice += at[0] * to[1] - at[1] * to[0];
+        let end = if count == 0 { start } else { [value(i + count - 1), value(i + count)] };
+        let chord = (end[0] - pen[0]).hypot(end[1] - pen[1]);
+        twice += pen[0] * end[1] - pen[1] * end[0];
         match bulge {
             None => length += chord,
             Some((r, is_large, is_positive)) => {
@@ -89,7 +89,7 @@ fn measured(d: &str) -> (f64, f64) {
                 twice += (if is_positive { 1.0 } else { -1.0 }) * r * r * (angle - angle.sin());
             }
         }
-        (at, i) = (to, i + count + 1);
+        (pen, i) = (end, i + count + 1);
     }
     (length, twice.abs() / 2.0)
 }
@@ -110,19 +110,19 @@ fn the_bill_is_that_of_the_drawings() {
         let bill = json(&built, "manifest.json");
         let (seal, outline) = (text(&built, "sheet-1-seal.svg"), text(&built, "sheet-1-outline.svg"));
         let (inner, outer) = (shapes(&seal, "seal-inner"), shapes(&seal, "seal-outer"));
-        let (outside, hole) = (areas(&outline, "cut-outside"), areas(&outline, "cut-hole"));
+        let (cut_areas, hole) = (areas(&outline, "cut-outside"), areas(&outline, "cut-hole"));
         let stars = bill["stars"].as_array().expect("stars");
-        assert_eq!([stars.len(), inner.len(), outer.len(), outside.len(), hole.len()], [3; 5]);
+        assert_eq!([stars.len(), inner.len(), outer.len(), cut_areas.len(), hole.len()], [3; 5]);
         let mut fabric = 0.0;
         for (k, star) in stars.iter().enumerate() {
             for (seam, (length, _)) in [inner[k], outer[k]].into_iter().enumerate() {
-                let at = |key: &str| number(star, &format!("/seams/{seam}/{key}"));
-                close(at("length_mm"), length + at("overlap_mm"), 2e-3, "a seam");
+                let seam_value = |key: &str| number(star, &format!("/seams/{seam}/{key}"));
+                close(seam_value("length_mm"), length + seam_value("overlap_mm"), 2e-3, "a seam");
                 // Down and up along the seam, 3 mm far and 5.3 mm high, at the speed of sealing: 0.1 mm/s.
                 let ramps = 2.0 * 3.0_f64.hypot(5.3);
-                close(at("time_s"), (at("length_mm") + ramps) / 0.1, 0.02, "a seam's time");
+                close(seam_value("time_s"), (seam_value("length_mm") + ramps) / 0.1, 0.02, "a seam's time");
             }
-            let sheets = 2.0 * (outside[k] - hole[k]);
+            let sheets = 2.0 * (cut_areas[k] - hole[k]);
             close(number(star, "/fabric_mm2"), sheets, 1200.0 * DIGIT, "a star's fabric");
             close(number(star, "/mass_g"), 0.2e-3 * sheets, 1e-3, "a star's mass");
             fabric += sheets;
@@ -159,8 +159,13 @@ fn the_reports_times_are_those_of_the_programs() {
             bill["stars"][k]["seams"].as_array().expect("seams").iter().map(|s| number(s, "/time_s")).sum();
         close(number(&bill["stars"][k], "/time_s"), seams, 2e-3, "a star's time");
         for seam in 0..2 {
-            let shown = number(program, &format!("/seams/{seam}/length_mm"));
-            close(shown, number(&bill["stars"][k], &format!("/seams/{seam}/length_mm")), 1e-9, "a seam");
+            let shown_length = number(program, &format!("/seams/{seam}/length_mm"));
+            close(
+                shown_length,
+                number(&bill["stars"][k], &format!("/seams/{seam}/length_mm")),
+                1e-9,
+                "a seam",
+            );
         }
     }
     close(number(&data, "/bill/fabric_mm2"), number(&bill, "/fabric_mm2"), 0.0, "fabric");
@@ -168,27 +173,29 @@ fn the_reports_times_are_those_of_the_programs() {
 
 /// Seconds of all moves after the operator starts, each at its feed; lines of words X, Y, Z, F alone.
 fn moved(code: &str) -> f64 {
-    let (mut at, mut feed, mut seconds, mut is_begun) = ([0.0; 3], 0.0, 0.0, false);
+    let (mut position, mut feed, mut seconds, mut is_begun) = ([0.0; 3], 0.0, 0.0, false);
     for line in code.lines() {
         is_begun |= line == "M0";
         if !line.starts_with("G0 ") && !line.starts_with("G1 ") {
             continue;
         }
-        let mut to: [f64; 3] = at;
+        let mut target: [f64; 3] = position;
         for word in line.split(' ').skip(1) {
             let value: f64 = word[1..].parse().expect("a number");
             match &word[..1] {
-                "X" => to[0] = value,
-                "Y" => to[1] = value,
-                "Z" => to[2] = value,
+                "X" => target[0] = value,
+                "Y" => target[1] = value,
+                "Z" => target[2] = value,
                 "F" => feed = value / 60.0,
                 other => panic!("{other} in {line}"),
             }
         }
         if is_begun {
-            seconds += (to[0] - at[0]).hypot(to[1] - at[1]).hypot(to[2] - at[2]) / feed;
+            seconds +=
+                (target[0] - position[0]).hypot(target[1] - position[1]).hypot(target[2] - position[2])
+                    / feed;
         }
-        at = to;
+        position = target;
     }
     seconds
 }
@@ -200,35 +207,35 @@ fn the_prediction_obeys_its_closed_forms() {
         "{GRIPPER}mass = \"0.5 kg\"\n[fabric]\nareal_density = \"0.2 kg/m^2\"\nseal_strength = \"9 N/mm\"\n"
     );
     let built = support::build(&spec).expect("a design");
-    let (said, bill) = (json(&built, "prediction.json"), json(&built, "manifest.json"));
-    let at = |path: &str| number(&said, path);
+    let (prediction, bill) = (json(&built, "prediction.json"), json(&built, "manifest.json"));
+    let value_at = |path: &str| number(&prediction, path);
     // Lengths in m, pressure in Pa, the fabric of the spec's defaults: E 128 MPa, nu 0.39, t 0.3 mm.
     let (n, radius, width, angle) = (5.0_f64, 0.050_f64, 0.030_f64, 30_f64.to_radians());
     let (p, e, nu, t, mu, g) = (37e3, 128e6, 0.39, 0.3e-3_f64, 0.3, 9.806_65);
     let (stretch, bending) = (e * t, e * t.powi(3) / (12.0 * (1.0 - nu * nu)));
     let (sin, cos) = (angle / 2.0).sin_cos();
     let arm = ((radius + width) * (PI / n).sin() - width * cos) / sin;
-    close(at("/arm_length_mm"), 1e3 * arm, 1e-9, "the arm");
-    close(at("/bendability"), p * width.powi(3) / bending, 1e-6, "1/eps");
-    close(at("/stretch"), p * width / stretch, 1e-12, "the stretch");
-    let closed = at("/final_radius_mm");
-    close(at("/contraction"), 1.0 - closed / 50.0, 1e-12, "the contraction");
+    close(value_at("/arm_length_mm"), 1e3 * arm, 1e-9, "the arm");
+    close(value_at("/bendability"), p * width.powi(3) / bending, 1e-6, "1/eps");
+    close(value_at("/stretch"), p * width / stretch, 1e-12, "the stretch");
+    let closed = value_at("/final_radius_mm");
+    close(value_at("/contraction"), 1.0 - closed / 50.0, 1e-12, "the contraction");
     for end in 0..2 {
-        let radius = at(&format!("/ranges/final_radius_mm/{}", 1 - end));
-        close(at(&format!("/ranges/contraction/{end}")), 1.0 - radius / 50.0, 1e-12, "its range");
-        let force = at(&format!("/stars/0/ranges/object_force_N/{end}"));
-        close(at(&format!("/stars/0/ranges/payload_kg/{end}")), mu * force / g, 1e-12, "its payload");
+        let radius = value_at(&format!("/ranges/final_radius_mm/{}", 1 - end));
+        close(value_at(&format!("/ranges/contraction/{end}")), 1.0 - radius / 50.0, 1e-12, "its range");
+        let force = value_at(&format!("/stars/0/ranges/object_force_N/{end}"));
+        close(value_at(&format!("/stars/0/ranges/payload_kg/{end}")), mu * force / g, 1e-12, "its payload");
     }
-    let force = at("/object_force_N");
-    close(at("/stars/0/payload_kg"), mu * force / g, 1e-12, "a star's payload");
-    close(at("/payload_kg"), 3.0 * mu * force / g, 1e-12, "the payload");
-    close(at("/verdict/force_N"), 3.0 * force, 1e-9, "the force");
-    close(at("/verdict/needed_N"), 0.5 * g / mu, 1e-9, "the force that is needed");
+    let force = value_at("/object_force_N");
+    close(value_at("/stars/0/payload_kg"), mu * force / g, 1e-12, "a star's payload");
+    close(value_at("/payload_kg"), 3.0 * mu * force / g, 1e-12, "the payload");
+    close(value_at("/verdict/force_N"), 3.0 * force, 1e-9, "the force");
+    close(value_at("/verdict/needed_N"), 0.5 * g / mu, 1e-9, "the force that is needed");
     // The hole is cut 3 mm inside of the seam's inner edge.
-    close(at("/hole_radius_mm"), 47.0, 1e-9, "the hole");
-    close(at("/object_gap_mm"), at("/hole_radius_mm") - 40.0, 1e-9, "the gap");
-    close(at("/graspable_radius_mm/0"), closed, 1e-12, "the smallest object");
-    close(at("/burst_margin"), at("/burst_pressure_kPa") / 37.0, 1e-9, "the margin");
-    close(at("/stack_mass_g"), number(&bill, "/mass_g"), 1e-3, "the mass");
-    close(number(&bill, "/prediction/payload_kg"), at("/payload_kg"), 0.0, "the bill's payload");
+    close(value_at("/hole_radius_mm"), 47.0, 1e-9, "the hole");
+    close(value_at("/object_gap_mm"), value_at("/hole_radius_mm") - 40.0, 1e-9, "the gap");
+    close(value_at("/graspable_radius_mm/0"), closed, 1e-12, "the smallest object");
+    close(value_at("/burst_margin"), value_at("/burst_pressure_kPa") / 37.0, 1e-9, "the margin");
+    close(value_at("/stack_mass_g"), number(&bill, "/mass_g"), 1e-3, "the mass");
+    close(number(&bill, "/prediction/payload_kg"), value_at("/payload_kg"), 0.0, "the bill's payload");
 }

@@ -37,8 +37,8 @@ fn piece(text: &str, file: &str, bytes: &[u8]) -> DrawnPiece {
 }
 
 /// The elements as an SVG of so many decimals, on layers of their own names.
-fn written(elements: &[Element], decimals: usize, form: Form) -> String {
-    let mut out = String::from(
+fn svg_of(elements: &[Element], decimals: usize, form: Form) -> String {
+    let mut text = String::from(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"2000mm\" height=\"2000mm\" viewBox=\"0 -2000 2000 2000\">\n",
     );
     for Element { layers, figure, .. } in elements {
@@ -50,14 +50,14 @@ fn written(elements: &[Element], decimals: usize, form: Form) -> String {
             Figure::Path(path) => data(path, decimals, form),
         };
         let ends = "</g>".repeat(groups.len());
-        let _ = writeln!(out, "{}<path stroke=\"{stroke}\" d=\"{data}\"/>{ends}", groups.concat());
+        let _ = writeln!(text, "{}<path stroke=\"{stroke}\" d=\"{data}\"/>{ends}", groups.concat());
     }
-    out + "</svg>\n"
+    text + "</svg>\n"
 }
 
 fn data(path: &Path, decimals: usize, form: Form) -> String {
     let place = |p: Point| format!(" {:.decimals$} {:.decimals$}", p.x, -p.y);
-    let mut out = format!("M{}", place(path.start().expect("a start")));
+    let mut data_text = format!("M{}", place(path.start().expect("a start")));
     for segment in &path.segments {
         // A fifth of a radian for a Bezier, whose distance from the arc is then below a nanometre; a quarter turn for an arc.
         let (length, step) = match (segment, form) {
@@ -86,21 +86,22 @@ fn data(path: &Path, decimals: usize, form: Form) -> String {
                     format!("C{}{}{}", place(first), place(second), place(part.end()))
                 }
             };
-            out.push_str(&command);
+            data_text.push_str(&command);
         }
     }
-    out + if path.closed { "Z" } else { "" }
+    data_text + if path.closed { "Z" } else { "" }
 }
 
 /// Largest distance of the seams of one piece from those of the other.
-fn distance(one: &DrawnPiece, other: &DrawnPiece) -> f64 {
+fn distance(first: &DrawnPiece, other: &DrawnPiece) -> f64 {
     let lines = |piece: &DrawnPiece| -> Vec<Path> {
         piece.shape.seams.iter().map(|seam| seam.center_line.clone()).collect()
     };
-    let (lines, others) = (lines(one), lines(other));
+    let (lines, other_lines) = (lines(first), lines(other));
     let places = lines.iter().flat_map(|line| &line.segments).map(|segment| segment.point(0.4));
-    let far = |p: Point| others.iter().map(|line| line.distance(p)).fold(f64::INFINITY, f64::min);
-    places.map(far).fold(0.0, f64::max)
+    let distance_to_others =
+        |p: Point| other_lines.iter().map(|line| line.distance(p)).fold(f64::INFINITY, f64::min);
+    places.map(distance_to_others).fold(0.0, f64::max)
 }
 
 #[test]
@@ -110,15 +111,15 @@ fn drawings_of_any_rounding_and_form_are_the_same_pieces() {
         let text = fs::read_to_string(dir.join(spec)).expect("shipped");
         let bytes = fs::read(dir.join(file)).expect("shipped");
         let drawing = artwork::read(file, &bytes, &Options::new(1e-5)).expect("a drawing");
-        let exact = piece(&text, file, written(&drawing.elements, 12, Form::Exact).as_bytes());
+        let exact = piece(&text, file, svg_of(&drawing.elements, 12, Form::Exact).as_bytes());
         for form in [Form::Exact, Form::Cubic] {
             for decimals in 2..=8 {
-                let again = piece(&text, file, written(&drawing.elements, decimals, form).as_bytes());
-                assert_eq!(again.shape.seams.len(), exact.shape.seams.len(), "{file} {form:?} {decimals}");
+                let rounded = piece(&text, file, svg_of(&drawing.elements, decimals, form).as_bytes());
+                assert_eq!(rounded.shape.seams.len(), exact.shape.seams.len(), "{file} {form:?} {decimals}");
                 let digits = i32::try_from(decimals).expect("few");
                 let allowed = 0.002 + 5.0 * 10_f64.powi(-digits);
-                let far = distance(&again, &exact).max(distance(&exact, &again));
-                assert!(far <= allowed, "{file} {form:?} {decimals}: {far}");
+                let separation = distance(&rounded, &exact).max(distance(&exact, &rounded));
+                assert!(separation <= allowed, "{file} {form:?} {decimals}: {separation}");
             }
         }
     }

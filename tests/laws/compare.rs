@@ -52,34 +52,34 @@ proptest! {
     }
 
     #[test]
-    fn a_missing_overlap_is_measured((exact, turn) in seam(), kept in 0.0..1.0_f64) {
-        let run = moves(&exact.part(0.0, turn + kept * (exact.length() - turn)));
+    fn a_missing_overlap_is_measured((exact, turn) in seam(), share in 0.0..1.0_f64) {
+        let run = moves(&exact.part(0.0, turn + share * (exact.length() - turn)));
         let walk = follow(&run, &exact);
-        let missing = (1.0 - kept) * (exact.length() - turn);
+        let missing = (1.0 - share) * (exact.length() - turn);
         prop_assert!(f64::abs(walk.exact_length - walk.end - missing) < 0.01, "{missing}: {walk:?}");
     }
 
     #[test]
-    fn a_moved_vertex_is_measured((exact, _) in seam(), which in 0.1..0.9, by in 0.01..0.5, angle in 0.0..6.0) {
+    fn a_moved_vertex_is_measured((exact, _) in seam(), place in 0.1..0.9, shift in 0.01..0.5, angle in 0.0..6.0) {
         let mut run = moves(&exact);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small whole number >= 0")]
-        let i = (which * f64::from(u32::try_from(run.len()).unwrap())) as usize;
-        let moved = run[i].start() + Vec2::unit(angle) * by;
+        let i = (place * f64::from(u32::try_from(run.len()).unwrap())) as usize;
+        let moved = run[i].start() + Vec2::unit(angle) * shift;
         run[i - 1] = Line::new(run[i - 1].start(), moved).into();
         run[i] = Line::new(moved, run[i].end()).into();
         let truth = exact.distance(moved);
-        prop_assume!(truth > 0.1 * by);
+        prop_assume!(truth > 0.1 * shift);
         let walk = follow(&run, &exact);
         prop_assert!(walk.file_to_exact > truth - 1e-6, "{truth}: {walk:?}");
         // Chords instead of flat arcs of 2 mm cost up to 0.2 mm more.
-        prop_assert!(walk.largest() < by + 0.2, "{by}: {walk:?}");
+        prop_assert!(walk.largest() < shift + 0.2, "{shift}: {walk:?}");
     }
 
     #[test]
-    fn a_missing_or_reversed_move_is_noticed((exact, _) in seam(), which in 0.1..0.9) {
+    fn a_missing_or_reversed_move_is_noticed((exact, _) in seam(), place in 0.1..0.9) {
         let run = moves(&exact);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small whole number >= 0")]
-        let i = (which * f64::from(u32::try_from(run.len()).unwrap())) as usize;
+        let i = (place * f64::from(u32::try_from(run.len()).unwrap())) as usize;
         let length = run[i].start().distance(run[i].end());
         let mut cut = run.clone();
         let _ = cut.remove(i);
@@ -105,8 +105,8 @@ proptest! {
     #[test]
     fn deviation_is_blind_to_start_and_direction_only((path, _) in blob(), start in 0.0..1.0, cut in 0.01..0.2_f64) {
         let length = path.length();
-        let same = deviation(&[path.starting_at(start * length).reversed()], std::slice::from_ref(&path));
-        prop_assert!(same.largest() < 1e-9 && same.largest_gap < 1e-9, "{same:?}");
+        let equal_path = deviation(&[path.starting_at(start * length).reversed()], std::slice::from_ref(&path));
+        prop_assert!(equal_path.largest() < 1e-9 && equal_path.largest_gap < 1e-9, "{equal_path:?}");
         let open = deviation(&[path.part(start * length, (start + 1.0 - cut) * length)], std::slice::from_ref(&path));
         prop_assert!(open.exact_to_file > 0.0 && open.file_closed == 0);
         prop_assert!(f64::abs(open.exact_length - open.file_length - cut * length) < 1e-8);

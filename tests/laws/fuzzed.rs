@@ -38,8 +38,8 @@ fn every_target_can_be_fuzzed() {
     let mut named: Vec<String> = fuzz::TARGETS.iter().map(|(name, _)| (*name).to_owned()).collect();
     named.sort();
     let stem = |path: &PathBuf| path.file_stem().expect("a name").to_string_lossy().into_owned();
-    let found: Vec<String> = files(&root().join("fuzz_targets")).iter().map(stem).collect();
-    assert_eq!(found, named);
+    let targets: Vec<String> = files(&root().join("fuzz_targets")).iter().map(stem).collect();
+    assert_eq!(targets, named);
     let manifest = fs::read_to_string(root().join("Cargo.toml")).expect("a manifest");
     for name in named {
         let text = fs::read_to_string(root().join(format!("fuzz_targets/{name}.rs"))).expect("a target");

@@ -32,8 +32,8 @@ proptest! {
         prop_assert!(moved.largest_gap() < 1e-11 && moved.closed);
         let turns = if motion.mirrored { -1 } else { 1 };
         prop_assert_eq!((path.winding_number(center), moved.winding_number(motion.point(center))), (1, turns));
-        let at = s * path.length();
-        let (a, b) = (path.point_at(at).unwrap(), moved.point_at(at).unwrap());
+        let distance = s * path.length();
+        let (a, b) = (path.point_at(distance).unwrap(), moved.point_at(distance).unwrap());
         close(motion.point(a).distance(b), 0.0, 1e-9)?;
     }
 
@@ -47,8 +47,8 @@ proptest! {
         let back = path.reversed();
         close(back.area(), -path.area(), 1e-9)?;
         prop_assert_eq!((shifted.winding_number(center), back.winding_number(center)), (1, -1));
-        let at = 0.3 * length;
-        close(back.point_at(length - at).unwrap().distance(path.point_at(at).unwrap()), 0.0, 1e-9)?;
+        let distance = 0.3 * length;
+        close(back.point_at(length - distance).unwrap().distance(path.point_at(distance).unwrap()), 0.0, 1e-9)?;
     }
 
     #[test]
@@ -73,20 +73,20 @@ proptest! {
     }
 
     #[test]
-    fn parts_make_the_whole((path, _) in blob(), cuts in proptest::collection::vec(0.0..1.0, 1..6), from in -2.0..2.0) {
+    fn parts_make_the_whole((path, _) in blob(), cuts in proptest::collection::vec(0.0..1.0, 1..6), first in -2.0..2.0) {
         let length = path.length();
         let mut cuts = cuts;
         cuts.extend([0.0, 1.0]);
         cuts.sort_by(f64::total_cmp);
-        let at = |t: f64| (from + t) * length;
-        let (mut sum, mut here) = (0.0, path.part(at(0.0), at(1.0)).start().unwrap());
+        let station = |t: f64| (first + t) * length;
+        let (mut sum, mut end_so_far) = (0.0, path.part(station(0.0), station(1.0)).start().unwrap());
         for pair in cuts.windows(2) {
-            let part = path.part(at(pair[0]), at(pair[1]));
+            let part = path.part(station(pair[0]), station(pair[1]));
             close(part.length(), (pair[1] - pair[0]) * length, 1e-9)?;
             prop_assert!(part.largest_gap() < 1e-9);
             if let (Some(start), Some(end)) = (part.start(), part.end()) {
-                close(start.distance(here), 0.0, 1e-8)?;
-                here = end;
+                close(start.distance(end_so_far), 0.0, 1e-8)?;
+                end_so_far = end;
             }
             sum += part.length();
         }
@@ -116,8 +116,8 @@ proptest! {
     #[test]
     fn bounds_hold_the_segment_tightly(s in segment()) {
         let bounds = s.bounds();
-        let grown = bounds.grown(1e-9);
-        prop_assert!(samples(&s).all(|p| grown.contains(p)));
+        let bounds_with_slack = bounds.grown(1e-9);
+        prop_assert!(samples(&s).all(|p| bounds_with_slack.contains(p)));
         let step = s.length() / f64::from(SAMPLES);
         for side in [bounds.min.x - 1.0, bounds.max.x + 1.0] {
             let nearest = samples(&s).map(|p| (p.x - side).abs()).fold(f64::INFINITY, f64::min);
@@ -143,29 +143,29 @@ proptest! {
     #[test]
     fn bulge_there_and_back(arc in arc()) {
         prop_assume!(arc.start().distance(arc.end()) > 1e-3 * arc.radius);
-        let again = Arc::from_bulge(arc.start(), arc.end(), arc.bulge()).unwrap();
-        close(again.sweep, arc.sweep, 1e-9)?;
-        close(again.radius, arc.radius, 1e-9 * arc.radius.max(1.0))?;
-        close(again.center.distance(arc.center), 0.0, 1e-8 * arc.radius.max(1.0))?;
+        let rebuilt = Arc::from_bulge(arc.start(), arc.end(), arc.bulge()).unwrap();
+        close(rebuilt.sweep, arc.sweep, 1e-9)?;
+        close(rebuilt.radius, arc.radius, 1e-9 * arc.radius.max(1.0))?;
+        close(rebuilt.center.distance(arc.center), 0.0, 1e-8 * arc.radius.max(1.0))?;
     }
 
     #[test]
     fn intersections_lie_on_both_and_are_symmetrical(a in segment(), b in segment()) {
-        let (there, back) = (intersections(&a, &b), intersections(&b, &a));
-        for p in &there {
+        let (forth, back) = (intersections(&a, &b), intersections(&b, &a));
+        for p in &forth {
             close(a.distance(*p).max(b.distance(*p)), 0.0, 1e-6)?;
-            let found = back.iter().map(|q| q.distance(*p)).fold(f64::INFINITY, f64::min);
-            close(found, 0.0, 1e-6)?;
+            let distance = back.iter().map(|q| q.distance(*p)).fold(f64::INFINITY, f64::min);
+            close(distance, 0.0, 1e-6)?;
         }
-        prop_assert_eq!(there.len(), back.len());
+        prop_assert_eq!(forth.len(), back.len());
     }
 
     #[test]
     fn a_change_of_sides_is_an_intersection(a in segment(), b in arc()) {
         // Where the samples of `a` change from inside to outside the circle, they cross it; on the arc or not.
         let circle = Arc { sweep: TAU, ..b }.into();
-        let inside: Vec<bool> = samples(&a).map(|p| p.distance(b.center) < b.radius).collect();
-        let changes = inside.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        let is_inside: Vec<bool> = samples(&a).map(|p| p.distance(b.center) < b.radius).collect();
+        let changes = is_inside.windows(2).filter(|pair| pair[0] != pair[1]).count();
         prop_assert!(intersections(&a, &circle).len() >= changes);
     }
 

@@ -123,12 +123,12 @@ fn number(remedy: &str) -> f64 {
 #[test]
 fn the_limit_that_is_named_is_where_it_ends() {
     for Limit { code, key, spec, wrong } in LIMITS {
-        let found = refused(&spec(wrong), code);
-        assert!(found.iter().any(|refusal| refusal.key.key() == key.key()), "{code:?}: {found:?}");
+        let refusals = refused(&spec(wrong), code);
+        assert!(refusals.iter().any(|refusal| refusal.key.key() == key.key()), "{code:?}: {refusals:?}");
         // Where two parts of a star limit one value, the stricter limit counts.
-        let limits = found.iter().map(|refusal| number(&refusal.remedy));
-        let least = limits.clone().fold(f64::INFINITY, f64::min);
-        let limit = if wrong > least { least } else { limits.fold(0.0, f64::max) };
+        let limits = refusals.iter().map(|refusal| number(&refusal.remedy));
+        let smallest = limits.clone().fold(f64::INFINITY, f64::min);
+        let limit = if wrong > smallest { smallest } else { limits.fold(0.0, f64::max) };
         // Six digits are printed, and some limits are whole hundredths.
         let little = (1e-5 * limit).max(0.0101) * (wrong - limit).signum();
         assert_eq!(refused(&spec(limit - little), code), [], "{code:?}: {limit}");
@@ -216,20 +216,20 @@ fn what_a_machine_lacks_is_said() {
 /// The figures of a refusal, calculated separately for the paper's star (50 mm, 30 mm, 30 deg, sharp).
 #[test]
 fn what_was_found_is_worked_out_by_hand() {
-    let found = |text: &str, code| refused(text, code).remove(0).found;
+    let finding = |text: &str, code| refused(text, code).remove(0).found;
     // 45 / 2 mm of band take 22.5 / tan(15 deg) of an arm of 69.72 mm.
     assert_eq!(
-        found(&paper("[seal]\nband = \"45 mm\"\n"), RefusalCode::BandEatsArm),
+        finding(&paper("[seal]\nband = \"45 mm\"\n"), RefusalCode::BandEatsArm),
         "at the tips a band of 45 mm takes 83.9711 mm of arms that are 69.7207 mm long"
     );
     // A hose of 40 mm is pi 40 / 2 wide when flat, with band and allowance, 10 mm, on either side, and the cut is 40 mm
     // round at the tip; without fillets a thinner hose is stopped where the arms begin, 2 x 40 sin(75 deg) apart.
     assert_eq!(
-        found(&paper("[inlet]\ntube_diameter = \"40 mm\"\n"), RefusalCode::InletMeetsArm),
+        finding(&paper("[inlet]\ntube_diameter = \"40 mm\"\n"), RefusalCode::InletMeetsArm),
         "the channel with the strips along it would be 82.8319 mm wide and meet an arm, where tip 1 leaves 80 mm"
     );
     assert_eq!(
-        found(
+        finding(
             &paper("[inlet]\ntube_diameter = \"37.5 mm\"\nfillet = \"0 mm\"\n"),
             RefusalCode::InletMeetsArm
         ),
@@ -238,8 +238,8 @@ fn what_was_found_is_worked_out_by_hand() {
     // The limit is the mouth's length plus the missing length.
     let short = refused(&paper("[inlet]\nlength = \"2 mm\"\n"), RefusalCode::ShortInlet);
     for refusal in short {
-        let inside: Vec<f64> = refusal.found.split(' ').filter_map(|word| word.parse().ok()).collect();
-        assert!((2.0 + inside[0] - number(&refusal.remedy)).abs() < 1e-4, "{refusal}");
+        let lengths: Vec<f64> = refusal.found.split(' ').filter_map(|word| word.parse().ok()).collect();
+        assert!((2.0 + lengths[0] - number(&refusal.remedy)).abs() < 1e-4, "{refusal}");
     }
 }
 
@@ -258,10 +258,10 @@ fn a_window_has_the_area_of_its_parts() {
         let (hole, q) = (radius + 30.0 + band + 3.0 - creep, radius - band + creep);
         let arm = 45.0 - (radius + 30.0) * half - creep;
         assert!(arm > 0.0);
-        let beyond = if q > 0.0 { half } else { half.tan() };
-        let exact = half * hole * hole - beyond * q * q + 2.0 * arm * (hole - q);
-        let found = part.mask.window_area();
-        assert!((found / exact - 1.0).abs() < 1e-12, "{radius} {band} {creep}: {found} {exact}");
+        let slope = if q > 0.0 { half } else { half.tan() };
+        let exact = half * hole * hole - slope * q * q + 2.0 * arm * (hole - q);
+        let area = part.mask.window_area();
+        assert!((area / exact - 1.0).abs() < 1e-12, "{radius} {band} {creep}: {area} {exact}");
     }
 }
 
@@ -275,8 +275,8 @@ fn a_shut_star_reaches_as_far_as_a_thin_one_without_an_angle() {
         let width = 2.0 * 30.0 / PI;
         (spec.tube_width, spec.tip_angle) = (Length(width), Angle(0.01));
         let half = (spec.tip_angle.0 / 2.0).to_radians();
-        let across = star.l * half.sin() + (width + tip + corner) * half.cos();
-        spec.inner_radius = Length(across / (PI / f64::from(points)).sin() - width - corner);
+        let width_at_tip = star.l * half.sin() + (width + tip + corner) * half.cos();
+        spec.inner_radius = Length(width_at_tip / (PI / f64::from(points)).sin() - width - corner);
         let thin = Star::new(&spec).expect("makeable");
         assert!((thin.l - star.l).abs() < 1e-6 * star.l);
         let (shut, reach) = (shut_reach(&star), thin.tip_reach());

@@ -10,21 +10,21 @@ use stargrip_cam::geom::{Arc, Bounds, Line, Path, Point, Segment, Vec2, intersec
 
 use crate::shapes::{arc, blob, close, line, point, segment};
 
-fn theirs(p: Point) -> lyon_geom::Point<f64> {
+fn lyon_point(p: Point) -> lyon_geom::Point<f64> {
     lyon_geom::point(p.x, p.y)
 }
 
-fn ours(p: lyon_geom::Point<f64>) -> Point {
+fn own_point(p: lyon_geom::Point<f64>) -> Point {
     Point::new(p.x, p.y)
 }
 
 fn their_line(line: &Line) -> LineSegment<f64> {
-    LineSegment { from: theirs(line.start), to: theirs(line.end) }
+    LineSegment { from: lyon_point(line.start), to: lyon_point(line.end) }
 }
 
 fn their_arc(arc: &Arc) -> lyon_geom::Arc<f64> {
     lyon_geom::Arc {
-        center: theirs(arc.center),
+        center: lyon_point(arc.center),
         radii: lyon_geom::vector(arc.radius, arc.radius),
         start_angle: Angle::radians(arc.start_angle),
         sweep_angle: Angle::radians(arc.sweep),
@@ -40,31 +40,31 @@ fn flattened(segment: &Segment, tolerance: f64) -> Vec<Point> {
     }
 }
 
-fn same_box(ours: Bounds, theirs: lyon_geom::Box2D<f64>) -> Result<(), TestCaseError> {
+fn same_box(bounds: Bounds, lyon_box: lyon_geom::Box2D<f64>) -> Result<(), TestCaseError> {
     let differences = [
-        ours.min.x - theirs.min.x,
-        ours.min.y - theirs.min.y,
-        ours.max.x - theirs.max.x,
-        ours.max.y - theirs.max.y,
+        bounds.min.x - lyon_box.min.x,
+        bounds.min.y - lyon_box.min.y,
+        bounds.max.x - lyon_box.max.x,
+        bounds.max.y - lyon_box.max.y,
     ];
-    prop_assert!(differences.iter().all(|d| d.abs() < 1e-12), "{:?} is not {:?}", ours, theirs);
+    prop_assert!(differences.iter().all(|d| d.abs() < 1e-12), "{:?} is not {:?}", bounds, lyon_box);
     Ok(())
 }
 
 proptest! {
     #[test]
-    fn points_tangents_and_parts_of_an_arc(arc in arc(), t in 0.0..1.0, until in 0.0..1.0) {
-        let (whole, lyon) = (Segment::from(arc), their_arc(&arc));
+    fn points_tangents_and_parts_of_an_arc(arc in arc(), t in 0.0..1.0, share in 0.0..1.0) {
+        let (segment, lyon) = (Segment::from(arc), their_arc(&arc));
         for t in [0.0, t, 1.0] {
-            close(whole.point(t).distance(ours(lyon.sample(t))), 0.0, 1e-12)?;
+            close(segment.point(t).distance(own_point(lyon.sample(t))), 0.0, 1e-12)?;
             // Lyon's tangent is as long as the radius, and does not depend on the direction of travel.
             let tangent = lyon.sample_tangent(t) * (arc.sweep.signum() / arc.radius);
-            close((whole.tangent(t) - Vec2::new(tangent.x, tangent.y)).length(), 0.0, 1e-12)?;
+            close((segment.tangent(t) - Vec2::new(tangent.x, tangent.y)).length(), 0.0, 1e-12)?;
         }
-        close(whole.end().distance(ours(lyon.to())), 0.0, 1e-12)?;
-        close(whole.reversed().point(t).distance(ours(lyon.flip().sample(t))), 0.0, 1e-12)?;
-        let (part, cut) = (whole.part(t * until, t), lyon.split_range(t * until..t));
-        close(part.point(until).distance(ours(cut.sample(until))), 0.0, 1e-12)?;
+        close(segment.end().distance(own_point(lyon.to())), 0.0, 1e-12)?;
+        close(segment.reversed().point(t).distance(own_point(lyon.flip().sample(t))), 0.0, 1e-12)?;
+        let (part, cut) = (segment.part(t * share, t), lyon.split_range(t * share..t));
+        close(part.point(share).distance(own_point(cut.sample(share))), 0.0, 1e-12)?;
     }
 
     #[test]
@@ -83,7 +83,7 @@ proptest! {
         for chord in &chords {
             length += their_line(chord).length();
             area += 0.5 * (chord.start - Point::ORIGIN).cross(chord.end - Point::ORIGIN);
-            nearest = their_line(chord).distance_to_point(theirs(p)).min(nearest);
+            nearest = their_line(chord).distance_to_point(lyon_point(p)).min(nearest);
             prop_assert!(path.distance(chord.start) < 1e-9 && path.distance(chord.start.midpoint(chord.end)) <= 1.001 * tolerance);
         }
         // A chord is shorter than its flat arc by 8/3 of the square of the sagitta over the chord.
@@ -98,9 +98,9 @@ proptest! {
         prop_assume!((arc.sweep.abs() - PI).abs() > 1e-3 && arc.start().distance(arc.end()) > 0.05 * arc.radius);
         let flags = ArcFlags { large_arc: arc.sweep.abs() > PI, sweep: arc.is_ccw() };
         let radii = lyon_geom::vector(arc.radius, arc.radius);
-        let svg = SvgArc { from: theirs(arc.start()), to: theirs(arc.end()), radii, x_rotation: Angle::zero(), flags };
+        let svg = SvgArc { from: lyon_point(arc.start()), to: lyon_point(arc.end()), radii, x_rotation: Angle::zero(), flags };
         let (read, bulged) = (svg.to_arc(), Arc::from_bulge(arc.start(), arc.end(), arc.bulge()).unwrap());
-        close(ours(read.center).distance(bulged.center), 0.0, 1e-7 * arc.radius.max(1.0))?;
+        close(own_point(read.center).distance(bulged.center), 0.0, 1e-7 * arc.radius.max(1.0))?;
         // Theirs comes from an arctangent that is only good to 1e-4 (euclid's `fast_atan2`).
         close(read.sweep_angle.radians, bulged.sweep, 1e-3)?;
     }
@@ -109,16 +109,16 @@ proptest! {
     fn the_nearest_point_of_a_line_and_where_two_lines_cross(a in line(), b in line(), p in point(20.0)) {
         let segment = Segment::from(a);
         let nearest = segment.point(segment.nearest_fraction(p));
-        close(nearest.distance(ours(their_line(&a).closest_point(theirs(p)))), 0.0, 1e-9)?;
-        close(segment.distance(p), their_line(&a).distance_to_point(theirs(p)), 1e-9)?;
-        let (found, theirs) = (intersections(&segment, &b.into()), their_line(&a).intersection(&their_line(&b)));
+        close(nearest.distance(own_point(their_line(&a).closest_point(lyon_point(p)))), 0.0, 1e-9)?;
+        close(segment.distance(p), their_line(&a).distance_to_point(lyon_point(p)), 1e-9)?;
+        let (crossings, lyon_crossing) = (intersections(&segment, &b.into()), their_line(&a).intersection(&their_line(&b)));
         // Lines that meet at a hair's breadth, or nearly in line, are a matter of slack.
         let ends = [a.start, a.end].map(|p| Segment::from(b).distance(p)).into_iter()
             .chain([b.start, b.end].map(|p| segment.distance(p)));
         prop_assume!(ends.fold(f64::INFINITY, f64::min) > 1e-6 && a.direction().cross(b.direction()).abs() > 1e-6);
-        prop_assert_eq!(found.len(), usize::from(theirs.is_some()));
-        if let (Some(found), Some(theirs)) = (found.first(), theirs) {
-            close(found.distance(ours(theirs)), 0.0, 1e-7)?;
+        prop_assert_eq!(crossings.len(), usize::from(lyon_crossing.is_some()));
+        if let (Some(crossing), Some(lyon_crossing)) = (crossings.first(), lyon_crossing) {
+            close(crossing.distance(own_point(lyon_crossing)), 0.0, 1e-7)?;
         }
     }
 
@@ -126,31 +126,31 @@ proptest! {
     fn a_segment_is_no_nearer_than_its_flattening(segment in segment(), p in point(30.0)) {
         let corners = flattened(&segment, 1e-5);
         let starts = std::iter::once(segment.start()).chain(corners.iter().copied());
-        let nearest = starts.zip(&corners).map(|(a, b)| their_line(&Line::new(a, *b)).distance_to_point(theirs(p)));
+        let nearest = starts.zip(&corners).map(|(a, b)| their_line(&Line::new(a, *b)).distance_to_point(lyon_point(p)));
         close(segment.distance(p), nearest.fold(f64::INFINITY, f64::min), 1.1e-5)?;
     }
 }
 
 /// The Bézier curves with which the PDF draws `arc`, read from the content of a page by their operators alone.
-fn drawn(arc: &Arc, size: f64) -> Vec<CubicBezierSegment<f64>> {
+fn pdf_curves(arc: &Arc, size: f64) -> Vec<CubicBezierSegment<f64>> {
     let shapes = vec![Shape::Path(Path::open(vec![(*arc).into()]))];
     let layers = vec![(Layer::CutOutside, shapes)];
     let drawing = Drawing { origin: Origin::LowerLeft, width: size, height: size, layers };
     let window = Bounds { min: Point::ORIGIN, max: Point::new(size, size) };
     let bytes = pdf("arc", &[PaperPage { name: "A1".to_owned(), window, drawing }]);
     let text = String::from_utf8_lossy(&bytes);
-    let mut at = None;
+    let mut pen = None;
     let mut curves = Vec::new();
     for row in text.lines() {
         let Some((numbers, operator)) = row.rsplit_once(' ') else { continue };
         let numbers: Vec<f64> = numbers.split(' ').filter_map(|word| word.parse().ok()).collect();
-        match (operator, numbers.as_slice(), at) {
-            ("m", &[x, y], _) => at = Some(lyon_geom::point(x, y)),
+        match (operator, numbers.as_slice(), pen) {
+            ("m", &[x, y], _) => pen = Some(lyon_geom::point(x, y)),
             ("c", &[ax, ay, bx, by, x, y], Some(from)) => {
                 let to = lyon_geom::point(x, y);
                 let (ctrl1, ctrl2) = (lyon_geom::point(ax, ay), lyon_geom::point(bx, by));
                 curves.push(CubicBezierSegment { from, ctrl1, ctrl2, to });
-                at = Some(to);
+                pen = Some(to);
             }
             _ => {}
         }
@@ -160,8 +160,8 @@ fn drawn(arc: &Arc, size: f64) -> Vec<CubicBezierSegment<f64>> {
 
 /// The farthest that a curve leaves the circle of `arc`.
 fn error(curve: &CubicBezierSegment<f64>, arc: &Arc) -> f64 {
-    let at = |i: u32| ours(curve.sample(f64::from(i) / 64.0)).distance(arc.center) - arc.radius;
-    (0..=64).map(|i| at(i).abs()).fold(0.0, f64::max)
+    let error_at = |i: u32| own_point(curve.sample(f64::from(i) / 64.0)).distance(arc.center) - arc.radius;
+    (0..=64).map(|i| error_at(i).abs()).fold(0.0, f64::max)
 }
 
 proptest! {
@@ -170,19 +170,19 @@ proptest! {
         size in 20.0..8_000.0_f64, part in 0.001..0.5_f64, start in -7.0..7.0, sweep in prop_oneof![-6.2..-0.01, 0.01..6.2]
     ) {
         let arc = Arc::new(Point::new(size / 2.0, size / 2.0), part * size, start, sweep);
-        let curves = drawn(&arc, size);
+        let curves = pdf_curves(&arc, size);
         prop_assert_eq!(f64::from(u32::try_from(curves.len()).unwrap()), (sweep.abs() / FRAC_PI_6 - 1e-9).ceil());
         // Four decimals, then single precision.
         let rounding = 0.5e-4 * 2.0_f64.sqrt() + size * f64::from(f32::EPSILON);
         for curve in &curves {
-            let off = error(curve, &arc);
-            prop_assert!(off <= 4e-7 * arc.radius + rounding, "{} at {}", off, arc.radius);
+            let deviation = error(curve, &arc);
+            prop_assert!(deviation <= 4e-7 * arc.radius + rounding, "{} at {}", deviation, arc.radius);
         }
         // Pieces in order, each as long as its share, turning the same way.
         let length: f64 = curves.iter().map(|curve| curve.approximate_length(1e-6)).sum();
         close(length, arc.length(), 1e-4 * arc.length() + 4.0 * rounding * 13.0)?;
-        close(ours(curves[0].from).distance(arc.start()), 0.0, rounding)?;
-        close(ours(curves[curves.len() - 1].to).distance(arc.end()), 0.0, rounding)?;
+        close(own_point(curves[0].from).distance(arc.start()), 0.0, rounding)?;
+        close(own_point(curves[curves.len() - 1].to).distance(arc.end()), 0.0, rounding)?;
     }
 }
 
@@ -190,19 +190,19 @@ proptest! {
 #[test]
 fn our_curves_are_nearer_to_the_circle_than_theirs() {
     let worst = |arc: &Arc| {
-        let mut most = 0.0_f64;
-        their_arc(arc).for_each_cubic_bezier(&mut |curve| most = most.max(error(curve, arc)));
-        most / arc.radius
+        let mut largest = 0.0_f64;
+        their_arc(arc).for_each_cubic_bezier(&mut |curve| largest = largest.max(error(curve, arc)));
+        largest / arc.radius
     };
     let quarter = worst(&Arc::new(Point::ORIGIN, 50.0, 0.2, FRAC_PI_2));
     let twelfth = worst(&Arc::new(Point::ORIGIN, 50.0, 0.2, FRAC_PI_6));
     let large = Arc::new(Point::new(4000.0, 4000.0), 4000.0, 0.2, FRAC_PI_6);
-    let drawn =
-        drawn(&large, 8000.0).iter().map(|curve| error(curve, &large)).fold(0.0, f64::max) / large.radius;
+    let pdf_error = pdf_curves(&large, 8000.0).iter().map(|curve| error(curve, &large)).fold(0.0, f64::max)
+        / large.radius;
     println!(
-        "error / radius: theirs at 90 deg {quarter:.2e}, at 30 deg {twelfth:.2e}, in the PDF {drawn:.2e}"
+        "error / radius: theirs at 90 deg {quarter:.2e}, at 30 deg {twelfth:.2e}, in the PDF {pdf_error:.2e}"
     );
     assert!((1.9e-3..2.1e-3).contains(&quarter), "{quarter}");
     assert!((2.4e-6..2.6e-6).contains(&twelfth), "{twelfth}");
-    assert!(drawn < 4.5e-7, "{drawn}");
+    assert!(pdf_error < 4.5e-7, "{pdf_error}");
 }

@@ -48,7 +48,7 @@ fn number(name: &str, default: u64) -> u64 {
 }
 
 /// (name, content) of every seed: the files of two grippers, the shipped specs, the machine profile.
-fn seeds() -> Vec<(String, Vec<u8>)> {
+fn read_seeds() -> Vec<(String, Vec<u8>)> {
     let designs = Path::new(env!("CARGO_MANIFEST_DIR")).join("designs");
     let mut paths: Vec<_> = fs::read_dir(designs)
         .expect("designs/")
@@ -56,49 +56,49 @@ fn seeds() -> Vec<(String, Vec<u8>)> {
         .filter(|path| path.is_file())
         .collect();
     paths.sort();
-    let mut out = Vec::new();
+    let mut list = Vec::new();
     for path in paths {
         let text = fs::read_to_string(&path).expect("a design");
         if path.ends_with("conical-stack.toml") || path.ends_with("paper-five-points.toml") {
             let build = support::build(&text).expect("a design that can be made");
-            out.extend(build.files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())));
+            list.extend(build.files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())));
         }
-        out.push(("spec.toml".to_owned(), text.into_bytes()));
+        list.push(("spec.toml".to_owned(), text.into_bytes()));
     }
-    out
+    list
 }
 
 fn mutate(seed: &[u8], other: &[u8], dice: &mut Dice) -> Vec<u8> {
-    let mut out = seed.to_vec();
+    let mut mutant = seed.to_vec();
     for _ in 0..=dice.below(4) {
-        let length = out.len();
+        let length = mutant.len();
         match dice.below(6) {
             0 if length > 0 => {
-                let at = dice.below(length);
-                out[at] ^= 1 << dice.below(8);
+                let place = dice.below(length);
+                mutant[place] ^= 1 << dice.below(8);
             }
             1 => {
-                let _ = out.drain(dice.stretch(length, 200)).count();
+                let _ = mutant.drain(dice.stretch(length, 200)).count();
             }
             2 => {
-                let piece = out[dice.stretch(length, 200)].to_vec();
-                let at = dice.below(length + 1);
-                let _ = out.splice(at..at, piece).count();
+                let piece = mutant[dice.stretch(length, 200)].to_vec();
+                let place = dice.below(length + 1);
+                let _ = mutant.splice(place..place, piece).count();
             }
             3 => {
                 let piece = other[dice.stretch(other.len(), 200)].to_vec();
                 let range = dice.stretch(length, 200);
-                let _ = out.splice(range, piece).count();
+                let _ = mutant.splice(range, piece).count();
             }
-            4 => out.truncate(dice.below(length + 1)),
+            4 => mutant.truncate(dice.below(length + 1)),
             _ => {
                 let word = WORDS[dice.below(WORDS.len())];
                 let range = dice.stretch(length, 8);
-                let _ = out.splice(range, word.iter().copied()).count();
+                let _ = mutant.splice(range, word.iter().copied()).count();
             }
         }
     }
-    out
+    mutant
 }
 
 /// Reads `bytes` in the format of `name`.
@@ -134,7 +134,7 @@ fn read(name: &str, bytes: &[u8]) {
 
 #[test]
 fn no_reader_panics_on_mutants() {
-    let seeds = seeds();
+    let seeds = read_seeds();
     let mut dice = Dice(number("STARGRIP_MUTANTS_SEED", 1).wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
     for _ in 0..number("STARGRIP_MUTANTS", 1_500) {
         let (name, seed) = &seeds[dice.below(seeds.len())];
@@ -150,13 +150,13 @@ fn a_mutant_in_a_directory_is_found() {
     let mut dice = Dice(number("STARGRIP_MUTANTS_SEED", 1).wrapping_mul(0x2545_f491_4f6c_dd1d) | 1);
     for _ in 0..number("STARGRIP_MUTANTS", 1_500) / 50 {
         let mut archive = build.output_files();
-        let at = dice.below(archive.files.len());
-        let (name, seed) = archive.files[at].clone();
+        let index = dice.below(archive.files.len());
+        let (name, seed) = archive.files[index].clone();
         let mutant = mutate(&seed, &seed, &mut dice);
         if mutant == *seed || name == "manifest.json" {
             continue;
         }
-        archive.files[at].1 = mutant.into();
+        archive.files[index].1 = mutant.into();
         assert!(!read_back(&archive).findings.is_empty(), "{name}");
     }
 }

@@ -17,7 +17,7 @@ fn paper(rest: &str) -> Spec {
     support::read(&format!("{}{rest}", support::PAPER))
 }
 
-fn design(spec: &Spec) -> Design {
+fn design_of(spec: &Spec) -> Design {
     Design::new(spec, &support::machine()).expect("a gripper")
 }
 
@@ -30,8 +30,8 @@ fn in_ray(p: Point, ray: f64) -> (f64, f64) {
 #[test]
 fn the_inlet_is_a_channel_of_half_the_hoses_circumference() {
     let spec = paper("[inlet]\ntip = 3\ntube_diameter = \"6 mm\"\nlength = \"25 mm\"\n");
-    let whole = design(&spec);
-    let part = &whole.assembly().expect("stars").distinct[0];
+    let gripper = design_of(&spec);
+    let part = &gripper.assembly().expect("stars").distinct[0];
     let (star, outer) = (&part.star, &part.shape.seams[1].center_line);
     let ray = star.tip_ray(3);
     assert!(!outer.closed);
@@ -59,16 +59,16 @@ fn the_inlet_is_a_channel_of_half_the_hoses_circumference() {
 /// A fillet as large as the hose joins channel and arc without a corner, on the edge and on the centre line.
 #[test]
 fn a_fillet_is_tangent_on_both_ends() {
-    let whole = design(&paper("[inlet]\nfillet = \"4 mm\"\n"));
-    let part = &whole.assembly().expect("stars").distinct[0];
+    let gripper = design_of(&paper("[inlet]\nfillet = \"4 mm\"\n"));
+    let part = &gripper.assembly().expect("stars").distinct[0];
     for (path, radius) in [(&part.edges[1], 4.0), (&part.shape.seams[1].center_line, 3.0)] {
         let fillets: Vec<usize> = (0..path.segments.len())
             .filter(|i| matches!(path.segments[*i], Segment::Arc(arc) if (arc.radius - radius).abs() < 1e-9))
             .collect();
         assert_eq!(fillets.len(), 2);
         for i in fillets {
-            let (before, at, after) = (&path.segments[i - 1], &path.segments[i], &path.segments[i + 1]);
-            for (a, b) in [(before, at), (at, after)] {
+            let (before, middle, after) = (&path.segments[i - 1], &path.segments[i], &path.segments[i + 1]);
+            for (a, b) in [(before, middle), (middle, after)] {
                 assert!(a.end().distance(b.start()) < 1e-9);
                 assert!(a.tangent(1.0).cross(b.tangent(0.0)).abs() < 1e-9, "a corner at a fillet");
                 assert!(a.tangent(1.0).dot(b.tangent(0.0)) > 0.0);
@@ -129,17 +129,17 @@ fn the_limit_that_is_named_will_do() {
             ("[seal]\noverlap", "5000"),
             ("[seal]\nhole_allowance = \"8 mm\"\nband", "99"),
         ] {
-            let with =
+            let with_value =
                 |value: &str| Design::new(&spec(&format!("{key} = \"{value} mm\"\n")), &support::machine());
-            let Err(refusals) = with(rest) else { continue };
+            let Err(refusals) = with_value(rest) else { continue };
             let first = refusals.iter().next().expect("a refusal");
             let remedy = first.remedy.rsplit(": ").next().expect("a text");
             // "above" and "below" leave the limit itself out.
             let limit = number(remedy) + if remedy.contains("above") { 1e-6 } else { 0.0 };
             let limit = if remedy.contains("below") { limit - 1e-6 } else { limit };
-            let again = with(&limit.to_string()).err();
-            let same = again.is_some_and(|again| again.iter().any(|r| r.code == first.code));
-            assert!(!same, "{width}: {first}");
+            let refusal = with_value(&limit.to_string()).err();
+            let is_same_code = refusal.is_some_and(|refusal| refusal.iter().any(|r| r.code == first.code));
+            assert!(!is_same_code, "{width}: {first}");
         }
     }
 }
@@ -159,8 +159,8 @@ fn all_refusals_come_together() {
 
 #[test]
 fn closed_loops_start_in_the_middle_of_opposite_arms() {
-    let whole = design(&paper("[inlet]\nnone = true\n"));
-    let part = &whole.assembly().expect("stars").distinct[0];
+    let gripper = design_of(&paper("[inlet]\nnone = true\n"));
+    let part = &gripper.assembly().expect("stars").distinct[0];
     let mut arms = Vec::new();
     for seam in &part.shape.seams {
         let path = &seam.center_line;
@@ -176,21 +176,21 @@ fn closed_loops_start_in_the_middle_of_opposite_arms() {
 
 #[test]
 fn an_overlap_longer_than_its_arm_goes_on_around_the_hinge() {
-    let whole = design(&paper("[seal]\noverlap = \"120 mm\"\n"));
-    let part = &whole.assembly().expect("stars").distinct[0];
+    let gripper = design_of(&paper("[seal]\noverlap = \"120 mm\"\n"));
+    let part = &gripper.assembly().expect("stars").distinct[0];
     let inner = &part.shape.seams[0];
     let run = inner.run();
     assert!((run.length() - inner.center_line.length() - 120.0).abs() < 1e-9);
-    let again = inner.center_line.part(0.0, 120.0);
-    assert!(again.segments.len() > 2);
-    assert!(run.end().expect("an end").distance(again.end().expect("an end")) < 1e-9);
+    let overlap = inner.center_line.part(0.0, 120.0);
+    assert!(overlap.segments.len() > 2);
+    assert!(run.end().expect("an end").distance(overlap.end().expect("an end")) < 1e-9);
 }
 
 /// Inner loop first; park, heat, and only then the fabric; every seam is reached on a ramp and left on one.
 #[test]
 fn the_program_does_things_in_order() {
     let (spec, machine) = (paper(""), support::machine());
-    let design = design(&spec);
+    let design = design_of(&spec);
     let programs = plan::seal_programs(&spec, &machine, &design);
     assert_eq!(programs.len(), 1);
     let program = &programs[0];

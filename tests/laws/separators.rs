@@ -21,14 +21,14 @@ fn sealed(sketch: &Sketch) -> Sealing {
 
 /// No edge of the paper lies in a band, nor nearer to one than the creep.
 pub(crate) fn spares_the_bands(sealing: &Sealing, creep: f64) -> Result<(), TestCaseError> {
-    let Some(separator) = separator(sealing, creep) else { return Ok(()) };
-    let least = 0.5 * RULES.band + creep;
-    for path in separator.pieces.iter().chain(&separator.windows) {
+    let Some(paper) = separator(sealing, creep) else { return Ok(()) };
+    let required = 0.5 * RULES.band + creep;
+    for path in paper.pieces.iter().chain(&paper.windows) {
         prop_assert!(path.area() > 0.0 && path.largest_gap() < 1e-4);
         for at in samples(path) {
             let seams = sealing.shape.seams.iter().map(|seam| seam.center_line.distance(at));
-            let near = seams.fold(f64::INFINITY, f64::min);
-            prop_assert!(near > least - 1e-4, "{near} mm at {at:?}, {least} mm at least");
+            let nearest = seams.fold(f64::INFINITY, f64::min);
+            prop_assert!(nearest > required - 1e-4, "{nearest} mm at {at:?}, {required} mm at least");
         }
     }
     Ok(())
@@ -51,13 +51,13 @@ fn slivers_of_air_have_no_broken_paper() {
 #[test]
 fn the_paper_covers_all_that_no_band_takes() {
     let air = vec![("", rectangle(0.0, 0.0, 200.0, 100.0)), ("eye", circle(50.0, 50.0, 10.0))];
-    let mut both = sketch(air, vec![port(0.0, 50.0)]);
-    both.seams.push(drawn("spot", open(&[p(150.0, 30.0), p(150.0, 70.0)])));
-    both.seams.push(drawn("barrier", open(&[p(100.0, 0.0), p(100.0, 60.0)])));
-    let sealing = sealed(&both);
+    let mut air_and_welds = sketch(air, vec![port(0.0, 50.0)]);
+    air_and_welds.seams.push(drawn("spot", open(&[p(150.0, 30.0), p(150.0, 70.0)])));
+    air_and_welds.seams.push(drawn("barrier", open(&[p(100.0, 0.0), p(100.0, 60.0)])));
+    let sealing = sealed(&air_and_welds);
     for c in [0.0, 0.5, 2.0] {
-        let found = separator(&sealing, c).expect("a separator");
-        assert_eq!((found.pieces.len(), found.windows.len()), (1, 2), "{c}");
+        let paper = separator(&sealing, c).expect("a separator");
+        assert_eq!((paper.pieces.len(), paper.windows.len()), (1, 2), "{c}");
         let h = 1.0 + c;
         let (spot, barrier) = (80.0 * h + PI * h * h, 2.0 * h * (60.0 - c) + 0.5 * PI * h * h);
         let tongue = (6.0 - 2.0 * c) * (10.0 + c);
@@ -65,9 +65,9 @@ fn the_paper_covers_all_that_no_band_takes() {
         let round = 2.0 * (1.0 - 0.25 * PI) * c * c;
         let right =
             round + (200.0 - 2.0 * c) * (100.0 - 2.0 * c) + tongue - PI * (10.0 + c).powi(2) - spot - barrier;
-        assert!((found.area() - right).abs() < 0.01, "{c}: {} mm2, not {right}", found.area());
+        assert!((paper.area() - right).abs() < 0.01, "{c}: {} mm2, not {right}", paper.area());
         // The tongue ends on the cut.
-        assert!((found.pieces[0].bounds().min.x + 10.0).abs() < 1e-9);
+        assert!((paper.pieces[0].bounds().min.x + 10.0).abs() < 1e-9);
         spares_the_bands(&sealing, c).expect("clear");
     }
     // More than half of the hose's channel.
@@ -82,9 +82,9 @@ fn every_chamber_has_its_own_piece() {
         vec![("a", rectangle(0.0, 0.0, 100.0, 40.0)), ("w", wall)],
         vec![("a", rectangle(0.0, 0.0, 49.0, 40.0)), ("b", rectangle(51.0, 0.0, 49.0, 40.0))],
     ] {
-        let found = separator(&sealed(&sketch(air, ports())), 0.0).expect("a separator");
-        assert_eq!((found.pieces.len(), found.windows.len()), (2, 0));
-        for piece in &found.pieces {
+        let paper = separator(&sealed(&sketch(air, ports())), 0.0).expect("a separator");
+        assert_eq!((paper.pieces.len(), paper.windows.len()), (2, 0));
+        for piece in &paper.pieces {
             assert!((piece.area() - 49.0 * 40.0 - 60.0).abs() < 0.01, "{}", piece.area());
         }
     }
@@ -93,17 +93,17 @@ fn every_chamber_has_its_own_piece() {
 /// A drawn cut is as far away as it likes: the tongue goes on to it.
 #[test]
 fn a_tongue_reaches_a_drawn_cut() {
-    let mut far = sketch(vec![("", rectangle(0.0, 0.0, 60.0, 60.0))], vec![port(60.0, 30.0)]);
-    far.cuts.push(drawn("cut", rectangle(-20.0, -20.0, 140.0, 100.0)));
-    let found = separator(&sealed(&far), 0.0).expect("a separator");
-    assert!((found.pieces[0].bounds().max.x - 120.0).abs() < 1e-9);
-    assert!((found.area() - 3600.0 - 6.0 * 60.0).abs() < 1e-3, "{}", found.area());
+    let mut wide_cut = sketch(vec![("", rectangle(0.0, 0.0, 60.0, 60.0))], vec![port(60.0, 30.0)]);
+    wide_cut.cuts.push(drawn("cut", rectangle(-20.0, -20.0, 140.0, 100.0)));
+    let paper = separator(&sealed(&wide_cut), 0.0).expect("a separator");
+    assert!((paper.pieces[0].bounds().max.x - 120.0).abs() < 1e-9);
+    assert!((paper.area() - 3600.0 - 6.0 * 60.0).abs() < 1e-3, "{}", paper.area());
     // The same from a drawn seam, whose air begins half a band inside: round where the tongue begins.
-    let mut seam = Sketch { seams: vec![drawn("s", rectangle(-1.0, -1.0, 62.0, 62.0))], ..far };
+    let mut seam = Sketch { seams: vec![drawn("s", rectangle(-1.0, -1.0, 62.0, 62.0))], ..wide_cut };
     seam.air.clear();
     let of_seam = separator(&sealed(&seam), 0.0).expect("a separator");
     let round = 2.0 * (1.0 - 0.25 * PI);
-    assert!((of_seam.area() - found.area() - round).abs() < 1e-3, "{}", of_seam.area());
+    assert!((of_seam.area() - paper.area() - round).abs() < 1e-3, "{}", of_seam.area());
 }
 
 /// The way out of this port leads over the band of another side of the air.
@@ -115,8 +115,8 @@ fn a_tongue_never_lies_on_another_band() {
     air.segments.push(Line::new(p(30.0, 40.0), arc.start()).into());
     air.segments.push(arc.into());
     air.segments.push(Line::new(arc.end(), p(40.0, 0.0)).into());
-    let drawn = sketch(vec![("a", Path { closed: true, ..air })], vec![port(35.928, 28.788)]);
-    if let Ok(sealing) = sealed_shape(&drawn, &RULES) {
+    let blob = sketch(vec![("a", Path { closed: true, ..air })], vec![port(35.928, 28.788)]);
+    if let Ok(sealing) = sealed_shape(&blob, &RULES) {
         for creep in [0.0, 0.7] {
             spares_the_bands(&sealing, creep).expect("clear");
         }
@@ -128,23 +128,23 @@ proptest! {
     fn a_separator_covers_the_air_and_no_band((blob, center) in blob(), scale in 4.0..8.0, creep in 0.0..1.5) {
         let outline = Path::closed(blob.segments.iter().map(|s| scaled(s, center, scale)).collect::<Vec<Segment>>());
         let island = circle(center.x, center.y, 4.0);
-        let mut both = sketch(vec![("a", outline.clone()), ("i", island.clone())], vec![]);
-        let at = outline.point_at(0.1 * outline.length()).unwrap();
-        both.ports = vec![DrawnPort { name: String::new(), place: PortPlace::At(at) }];
-        let Ok(sealing) = sealed_shape(&both, &RULES) else { return Ok(()) };
+        let mut with_island = sketch(vec![("a", outline.clone()), ("i", island.clone())], vec![]);
+        let mouth = outline.point_at(0.1 * outline.length()).unwrap();
+        with_island.ports = vec![DrawnPort { name: String::new(), place: PortPlace::At(mouth) }];
+        let Ok(sealing) = sealed_shape(&with_island, &RULES) else { return Ok(()) };
         spares_the_bands(&sealing, creep)?;
-        let Some(found) = separator(&sealing, creep) else { return Ok(()) };
-        let inside = Enclosures::new([&outline, &island]);
-        let covered = Enclosures::new(found.pieces.iter().chain(&found.windows));
+        let Some(paper) = separator(&sealing, creep) else { return Ok(()) };
+        let enclosures = Enclosures::new([&outline, &island]);
+        let covered = Enclosures::new(paper.pieces.iter().chain(&paper.windows));
         for i in 0..400 {
             let (x, y) = (f64::from(i % 20) / 10.0 - 1.0, f64::from(i / 20) / 10.0 - 1.0);
             let q = Point::new(center.x + 10.0 * scale * x, center.y + 10.0 * scale * y);
             let edge = outline.distance(q).min(island.distance(q));
-            let is_air = inside.around(q).len() == 1;
+            let is_air = enclosures.around(q).len() == 1;
             let is_covered = covered.around(q).len() == 1;
             if is_air && edge > creep + 1e-3 {
                 prop_assert!(is_covered, "{q:?} is air and welds");
-            } else if q.distance(at) > 40.0 {
+            } else if q.distance(mouth) > 40.0 {
                 prop_assert!(!is_covered || edge > creep - 1e-3 && is_air, "{q:?} is no air and does not weld");
             }
         }

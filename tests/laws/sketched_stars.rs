@@ -12,13 +12,16 @@ use crate::support;
 /// The largest distance of a place on `a` from `b`, places a fraction of each segment apart.
 fn furthest(a: &Path, b: &Path) -> f64 {
     let places = |path: &Path| -> Vec<Point> {
-        let along = |i: u32| f64::from(i) / 16.0;
-        path.segments.iter().flat_map(|s| (0..=16).map(|i| s.point(along(i))).collect::<Vec<_>>()).collect()
+        let fraction = |i: u32| f64::from(i) / 16.0;
+        path.segments
+            .iter()
+            .flat_map(|s| (0..=16).map(|i| s.point(fraction(i))).collect::<Vec<_>>())
+            .collect()
     };
     places(a).into_iter().map(|p| b.distance(p)).fold(0.0, f64::max)
 }
 
-fn same(a: &Path, b: &Path) -> f64 {
+fn separation(a: &Path, b: &Path) -> f64 {
     furthest(a, b).max(furthest(b, a)).max((a.length() - b.length()).abs())
 }
 
@@ -36,8 +39,8 @@ fn shipped_stars_come_back_from_their_edges() {
         let spec = support::read(&fs::read_to_string(&file).expect("a text"));
         let design = Design::new(&spec, &support::machine()).expect("a shipped design");
         for part in &design.assembly().expect("stars").distinct {
-            let drawn = |name: &str, path: &Path| DrawnCurve { name: name.to_owned(), path: path.clone() };
-            let air = vec![drawn("inner", &part.edges[0]), drawn("outer", &part.edges[1])];
+            let curve = |name: &str, path: &Path| DrawnCurve { name: name.to_owned(), path: path.clone() };
+            let air = vec![curve("inner", &part.edges[0]), curve("outer", &part.edges[1])];
             let port = |at| DrawnPort { name: "hose".to_owned(), place: PortPlace::At(at) };
             let ports = part.shape.ports.iter().map(|mouth| port(mouth.at)).collect();
             let seal = &spec.seal;
@@ -61,20 +64,20 @@ fn shipped_stars_come_back_from_their_edges() {
             stars += 1;
             assert_eq!(sealing.repairs, []);
             for seam in &part.shape.seams {
-                let found = sealing.shape.seam(&seam.name).expect("a seam of the same name");
-                let apart = same(&found.center_line, &seam.center_line);
-                assert!(apart < 1e-6, "{}: {} is {apart} mm off", file.display(), seam.name);
-                assert_eq!((found.role, found.overlap), (seam.role, seam.overlap));
+                let seam_found = sealing.shape.seam(&seam.name).expect("a seam of the same name");
+                let deviation = separation(&seam_found.center_line, &seam.center_line);
+                assert!(deviation < 1e-6, "{}: {} is {deviation} mm off", file.display(), seam.name);
+                assert_eq!((seam_found.role, seam_found.overlap), (seam.role, seam.overlap));
                 // An open seam may be sealed from either end.
-                let (a, b) = (&found.center_line, &seam.center_line);
-                let apart = a.start().zip(b.start()).map_or(1.0, |(start, other)| {
+                let (a, b) = (&seam_found.center_line, &seam.center_line);
+                let gap = a.start().zip(b.start()).map_or(1.0, |(start, other)| {
                     start.distance(other).min(b.end().map_or(1.0, |other| start.distance(other)))
                 });
-                assert!(b.closed || apart < 1e-6, "{}: it ends {apart} mm off", seam.name);
+                assert!(b.closed || gap < 1e-6, "{}: it ends {deviation} mm off", seam.name);
             }
             let cut = sealing.shape.cut.as_ref().expect("a cut");
-            let apart = same(cut, &part.outline.outside);
-            assert!(apart < 1e-6, "{}: the cut is {apart} mm off", file.display());
+            let cut_deviation = separation(cut, &part.outline.outside);
+            assert!(cut_deviation < 1e-6, "{}: the cut is {cut_deviation} mm off", file.display());
             assert_eq!(sealing.shape.topology().chambers, part.shape.topology().chambers);
         }
     }

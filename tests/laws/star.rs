@@ -17,7 +17,7 @@ fn star_spec(shape: &Shape) -> StarSpec {
     support::read(&shape.toml()).stars.remove(0)
 }
 
-fn star(shape: &Shape) -> Star {
+fn star_of(shape: &Shape) -> Star {
     Star::new(&star_spec(shape)).expect("a star with arms")
 }
 
@@ -35,8 +35,8 @@ fn is_simple(path: &Path) -> bool {
     let n = path.segments.len();
     (0..n).all(|i| {
         (i + 2..n).filter(|j| !(path.closed && i == 0 && *j == n - 1)).all(|j| {
-            let one = |k: usize| Path::open(vec![path.segments[k]]);
-            path_intersections(&one(i), &one(j)).is_empty()
+            let single = |k: usize| Path::open(vec![path.segments[k]]);
+            path_intersections(&single(i), &single(j)).is_empty()
         })
     })
 }
@@ -93,13 +93,13 @@ proptest! {
     /// Area of the tube: two rectangles a sector and two annulus sectors.
     #[test]
     fn the_tube_has_the_area_of_its_parts(shape in support::shapes()) {
-        let star = star(&shape);
+        let star = star_of(&shape);
         let area = |side| star.contour(side, 0.0, 0.0).expect("an edge").path().area();
         let ring = |r: f64, phi: f64| 0.5 * (PI - phi) * ((r + star.w).powi(2) - r * r);
         let sector = 2.0 * star.l * star.w + ring(star.r_i, star.phi_i) + ring(star.r_e, star.phi_e);
         let exact = f64::from(star.n) * sector;
-        let found = area(Side::Outside) - area(Side::Hole);
-        prop_assert!((found - exact).abs() <= 1e-10 * area(Side::Outside), "{found} {exact}");
+        let area_between = area(Side::Outside) - area(Side::Hole);
+        prop_assert!((area_between - exact).abs() <= 1e-10 * area(Side::Outside), "{area_between} {exact}");
     }
 
     /// The closed form of the cut's area is the area of the outline that is drawn, ears and inlet included.
@@ -110,7 +110,7 @@ proptest! {
         hole in prop_oneof![Just(0.0), 0.001..0.3_f64],
         inlet in prop::option::of((0.05..0.5_f64, 0.5..3.0_f64, 0.0..0.5_f64)),
     ) {
-        let star = star(&shape);
+        let star = star_of(&shape);
         let w = |part: f64| Length(part * star.w);
         let mut seal = support::read(support::PAPER).seal;
         (seal.band, seal.allowance, seal.hole_allowance) = (w(flaps.0), w(flaps.1), w(flaps.2));
@@ -120,19 +120,19 @@ proptest! {
             fillet: w(fillet),
         });
         let channel = inlet.as_ref().map(|inlet| Channel::new(&star, inlet, 2));
-        let drawn = Outline::new(&star, channel.as_ref(), 2, &seal, w(hole).0).ok().map(|outline| outline.area());
-        let found = cut_area(&star, &seal, inlet.as_ref(), 2, w(hole).0);
-        prop_assert_eq!(found.is_some(), drawn.is_some());
-        if let Some((found, drawn)) = found.zip(drawn) {
+        let outline_area = Outline::new(&star, channel.as_ref(), 2, &seal, w(hole).0).ok().map(|outline| outline.area());
+        let closed_form = cut_area(&star, &seal, inlet.as_ref(), 2, w(hole).0);
+        prop_assert_eq!(closed_form.is_some(), outline_area.is_some());
+        if let Some((closed_form, outline_area)) = closed_form.zip(outline_area) {
             // The numbers are as large as the square around the star.
-            prop_assert!((found - drawn).abs() <= 1e-11 * star.tip_reach().powi(2), "{} {}", found, drawn);
+            prop_assert!((closed_form - outline_area).abs() <= 1e-11 * star.tip_reach().powi(2), "{} {}", closed_form, outline_area);
         }
     }
 
     /// The two edges are W apart everywhere.
     #[test]
     fn the_edges_are_a_tube_width_apart(shape in support::shapes()) {
-        let star = star(&shape);
+        let star = star_of(&shape);
         let edge = |side| star.contour(side, 0.0, 0.0).expect("an edge").path();
         let (inner, outer) = (edge(Side::Hole), edge(Side::Outside));
         let size = star.tip_reach();
@@ -146,7 +146,7 @@ proptest! {
     /// Every point of a contour is delta from the edge, trimmed or not; it is closed, simple and counterclockwise.
     #[test]
     fn a_contour_keeps_its_distance(shape in support::shapes(), fraction in 0.001..3.0_f64, hole in any::<bool>()) {
-        let star = star(&shape);
+        let star = star_of(&shape);
         let side = if hole { Side::Hole } else { Side::Outside };
         let delta = fraction * star.w;
         let edge = star.contour(side, 0.0, 0.0).expect("an edge").path();
@@ -168,17 +168,17 @@ proptest! {
     /// The realised edge has no concave hinge sharper than requested, and leaves the arms where they are.
     #[test]
     fn a_realised_edge_is_as_round_as_the_iron(shape in support::shapes(), fraction in 0.001..0.2_f64) {
-        let star = star(&shape);
-        let least = fraction * star.w;
+        let star = star_of(&shape);
+        let smallest_radius = fraction * star.w;
         for side in [Side::Hole, Side::Outside] {
-            let Some(realised) = star.contour(side, 0.0, least) else { continue };
-            let drawn = star.contour(side, 0.0, 0.0).expect("an edge").path();
+            let Some(realised) = star.contour(side, 0.0, smallest_radius) else { continue };
+            let plain_edge = star.contour(side, 0.0, 0.0).expect("an edge").path();
             for (part, segment) in realised.parts {
                 match segment {
-                    Segment::Arc(arc) => prop_assert!(arc.radius >= least * (1.0 - 1e-12)),
+                    Segment::Arc(arc) => prop_assert!(arc.radius >= smallest_radius * (1.0 - 1e-12)),
                     Segment::Line(_) => {
                         prop_assert!(matches!(part, Part::Arm(_)));
-                        prop_assert!(drawn.distance(segment.point(0.5)) <= 1e-10 * star.tip_reach());
+                        prop_assert!(plain_edge.distance(segment.point(0.5)) <= 1e-10 * star.tip_reach());
                     }
                 }
             }
@@ -191,7 +191,7 @@ proptest! {
         let Shape { n, phi_i, w, l, r_i, r_e } = shape;
         let large = Shape { n, phi_i, w: w * scale, l: l * scale, r_i: r_i * scale, r_e: r_e * scale };
         prop_assume!(large.w <= 5e4 && large.rho_0() <= 9e4 && large.r_i <= 1e5 && large.r_e <= 1e5);
-        let small = star(&shape);
+        let small = star_of(&shape);
         // The largest are refused as too large.
         let Ok(large) = Star::new(&star_spec(&large)) else { return Ok(()) };
         for side in [Side::Hole, Side::Outside] {
@@ -240,14 +240,14 @@ proptest! {
     /// Turned by a sector, and mirrored, a contour is itself.
     #[test]
     fn a_contour_has_the_symmetry_of_the_star(shape in support::shapes(), fraction in 0.0..1.0_f64, turns in 1_u32..64) {
-        let star = star(&shape);
+        let star = star_of(&shape);
         for side in [Side::Hole, Side::Outside] {
             let Some(contour) = star.contour(side, fraction * star.w, 0.0) else { continue };
             let path = contour.path();
             let turn = Isometry::rotation(f64::from(turns) * 2.0 * star.half_sector());
             for motion in [turn, Isometry::mirror()] {
-                let off = deviation(&[motion.path(&path)], std::slice::from_ref(&path)).largest();
-                prop_assert!(off <= 1e-9 * star.tip_reach(), "{off}");
+                let deviation_turned = deviation(&[motion.path(&path)], std::slice::from_ref(&path)).largest();
+                prop_assert!(deviation_turned <= 1e-9 * star.tip_reach(), "{deviation_turned}");
             }
         }
     }
@@ -257,7 +257,7 @@ proptest! {
 fn least_misfit(part: &StarDesign) -> f64 {
     let holes: Vec<Point> = part.outline.registration.iter().map(|hole| hole.center).collect();
     let sector = 2.0 * part.star.half_sector();
-    let mut least = f64::INFINITY;
+    let mut smallest = f64::INFINITY;
     for k in 0..part.star.n {
         for mirrored in [false, true] {
             if k == 0 && !mirrored {
@@ -266,8 +266,8 @@ fn least_misfit(part: &StarDesign) -> f64 {
             let motion = Isometry { mirrored, rotation: f64::from(k) * sector, ..Isometry::IDENTITY };
             let nearest =
                 |p: Point| holes.iter().map(|q| q.distance(motion.point(p))).fold(f64::INFINITY, f64::min);
-            least = least.min(holes.iter().map(|p| nearest(*p)).fold(0.0, f64::max));
+            smallest = smallest.min(holes.iter().map(|p| nearest(*p)).fold(0.0, f64::max));
         }
     }
-    least
+    smallest
 }

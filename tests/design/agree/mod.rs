@@ -33,34 +33,34 @@ fn findings(case: &Case, verified: bool) -> Option<Vec<Finding>> {
     let forecast = Forecast::of(reading.spec, machine).ok()?;
     let built = forecast.build(Sources { spec: &case.spec, machine: &case.machine }, &case.asked);
     // `verify` makes every file again beside reading it.
-    let found = if verified { prove_files(&built.output_files()).findings } else { built.proof().findings };
-    Some(found)
+    let list = if verified { prove_files(&built.output_files()).findings } else { built.proof().findings };
+    Some(list)
 }
 
 #[test]
 fn what_check_lets_pass_build_publishes_and_verify_accepts() {
-    let (from, cases) = (number("STARGRIP_AGREE_FROM", 0), number("STARGRIP_AGREE", CASES));
+    let (first, cases) = (number("STARGRIP_AGREE_FROM", 0), number("STARGRIP_AGREE", CASES));
     let passed = AtomicUsize::new(0);
-    let wrong: BTreeMap<u64, Vec<Finding>> = (from..from + cases)
+    let wrong: BTreeMap<u64, Vec<Finding>> = (first..first + cases)
         .into_par_iter()
         .filter_map(|n| {
-            let found = findings(&case(n), n % 3 == 0)?;
+            let case_findings = findings(&case(n), n % 3 == 0)?;
             let _ = passed.fetch_add(1, Ordering::Relaxed);
-            (!found.is_empty()).then_some((n, found))
+            (!case_findings.is_empty()).then_some((n, case_findings))
         })
         .collect();
-    for (n, found) in &wrong {
+    for (n, case_findings) in &wrong {
         eprintln!(
             "case {n}: {} findings, {:?}",
-            found.len(),
-            found.iter().take(2).map(ToString::to_string).collect::<Vec<_>>()
+            case_findings.len(),
+            case_findings.iter().take(2).map(ToString::to_string).collect::<Vec<_>>()
         );
     }
     let passed = passed.into_inner();
     println!("{passed} of {cases} specs were built");
     if let Some(n) = wrong.keys().next() {
-        let Case { spec, machine, asked } = case(*n);
-        panic!("{} of {passed}: case {n}\n{asked:?}\n{spec}\n{machine}", wrong.len());
+        let Case { spec, machine, asked: request } = case(*n);
+        panic!("{} of {passed}: case {n}\n{request:?}\n{spec}\n{machine}", wrong.len());
     }
     assert!(u64::try_from(passed).unwrap_or(0) > cases / 5, "only {passed} of {cases} specs were built");
 }

@@ -19,13 +19,13 @@ fn profile(name: &str) -> &'static str {
 }
 
 /// The findings of `verify` about the files with these kinds, of a spec that `check` passes.
-fn findings(text: &str, profile: &str, with: &[Kind]) -> Vec<String> {
+fn findings(text: &str, profile: &str, extras: &[Kind]) -> Vec<String> {
     let reading = spec::read(&Source::new("spec", text)).unwrap_or_else(|faults| panic!("{faults}"));
     let machine =
         spec::read_machine(&Source::new("own", profile)).unwrap_or_else(|faults| panic!("{faults}"));
     let forecast = Forecast::of(reading.spec, machine).unwrap_or_else(|refusals| panic!("{refusals}"));
-    let asked = KindRequest { with: with.to_vec(), ..KindRequest::default() };
-    let built = forecast.build(Sources { spec: text, machine: profile }, &asked);
+    let request = KindRequest { with: extras.to_vec(), ..KindRequest::default() };
+    let built = forecast.build(Sources { spec: text, machine: profile }, &request);
     prove_files(&built.output_files()).findings.iter().map(ToString::to_string).collect()
 }
 
@@ -49,15 +49,15 @@ fn a_plate_in_a_scene_is_as_high_as_wide() {
 /// The edges of windows lay on the edge of the plate.
 #[test]
 fn windows_at_the_edge_of_the_plate_are_refused_and_a_narrow_rim_is_made() {
-    let with = |border: &str, round: &str| {
+    let bordered = |border: &str, round: &str| {
         let rest = format!("{round}[seal]\nallowance = \"0 mm\"\n[mask]\nborder = \"{border}\"\n");
         star(50.0, &rest)
     };
     for round in ["", "corner_radius = \"15 mm\"\n"] {
         for border in ["0 mm", "0.001 mm", "0.099 mm"] {
-            assert_eq!(refused(&with(border, round), profile("generic")), ["thin-rim"], "{border}");
+            assert_eq!(refused(&bordered(border, round), profile("generic")), ["thin-rim"], "{border}");
         }
-        assert_eq!(findings(&with("0.1 mm", round), profile("generic"), &[]), [""; 0], "{round}");
+        assert_eq!(findings(&bordered("0.1 mm", round), profile("generic"), &[]), [""; 0], "{round}");
     }
 }
 
@@ -73,16 +73,16 @@ fn a_thin_mask_in_a_scene_has_its_volume_but_for_rounding() {
 #[test]
 fn a_ramp_without_length_is_refused_and_the_length_that_the_remedy_names_is_not() {
     let chop = star(50.0, "[machine]\nprofile = \"own.toml\"\nfeed_floor = \"chop\"\n");
-    let with = |ramp: &str| {
+    let with_ramp = |ramp: &str| {
         let text = profile("grbl").replace("contact = \"-0.3 mm\"", "contact = \"-5 mm\"");
         text.replace("ramp = \"3 mm\"", &format!("ramp = \"{ramp} mm\""))
     };
-    assert_eq!(refused(&chop, &with("0.005")), ["steep-ramp"]);
+    assert_eq!(refused(&chop, &with_ramp("0.005")), ["steep-ramp"]);
     let reading = spec::read(&Source::new("spec", &chop)).unwrap_or_else(|faults| panic!("{faults}"));
-    let machine = spec::read_machine(&Source::new("own", with("0.005"))).expect("valid");
+    let machine = spec::read_machine(&Source::new("own", with_ramp("0.005"))).expect("valid");
     let refusals = Forecast::of(reading.spec, machine).expect_err("steep");
-    let least = refusals[0].remedy.split(' ').find(|word| word.parse::<f64>().is_ok()).expect("a length");
-    assert_eq!(findings(&chop, &with(least), &[]), [""; 0], "{least}");
+    let shortest = refusals[0].remedy.split(' ').find(|word| word.parse::<f64>().is_ok()).expect("a length");
+    assert_eq!(findings(&chop, &with_ramp(shortest), &[]), [""; 0], "{shortest}");
 }
 
 /// Programs have three decimals; without rounding first, the iron went deeper than set, or below the height of its travels.
@@ -138,11 +138,11 @@ fn a_profile_has_no_longer_lines_than_its_dialect() {
             let line = text.lines().find(|line| line.starts_with("line_length")).expect("a length");
             text.replace(line, &format!("line_length = {length}"))
         };
-        let most = dialect.line_length.min(255);
-        let machine = spec::read_machine(&Source::new("own", text(most)));
-        assert_eq!(machine.expect("valid").controller.line_length, most, "{}", dialect.name);
-        if most < 255 {
-            let faults = spec::read_machine(&Source::new("own", text(most + 1))).expect_err("too long");
+        let longest = dialect.line_length.min(255);
+        let machine = spec::read_machine(&Source::new("own", text(longest)));
+        assert_eq!(machine.expect("valid").controller.line_length, longest, "{}", dialect.name);
+        if longest < 255 {
+            let faults = spec::read_machine(&Source::new("own", text(longest + 1))).expect_err("too long");
             assert_eq!(faults.list()[0].code, "conflict", "{faults}");
         }
     }
@@ -179,8 +179,8 @@ fn a_corner_at_which_the_iron_would_rest_for_too_long_is_refused() {
     let fine = ["x", "y"].into_iter().fold(profile("marlin").to_owned(), |text, axis| {
         text.replace(&format!("{axis}_steps_per_mm = 80"), &format!("{axis}_steps_per_mm = 320"))
     });
-    let own = text.replace("\"marlin\"", "\"own.toml\"");
-    assert_eq!(findings(&own, &fine, &[]), [""; 0]);
+    let own_profile = text.replace("\"marlin\"", "\"own.toml\"");
+    assert_eq!(findings(&own_profile, &fine, &[]), [""; 0]);
 }
 
 /// A hole that a coarse `path` rounds to nothing was written as a circle of radius 0.

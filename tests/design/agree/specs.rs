@@ -20,10 +20,10 @@ pub(crate) fn case(number: u64) -> Case {
     // The constant of splitmix64 takes neighbouring numbers far apart; a generator must not begin at 0.
     let mut dice = Dice((number + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
     let _ = (0..4).map(|_| dice.below(2)).sum::<usize>();
-    let own = dice.chance(0.4);
-    let (machine, chops) = machine(&mut dice, own);
-    let spec = spec(&mut dice, if own { "own.toml" } else { machine.0 }, chops);
-    Case { spec, machine: machine.1, asked: asked(&mut dice) }
+    let is_changed = dice.chance(0.4);
+    let (profile, chops) = machine(&mut dice, is_changed);
+    let text = spec(&mut dice, if is_changed { "own.toml" } else { profile.0 }, chops);
+    Case { spec: text, machine: profile.1, asked: request_of(&mut dice) }
 }
 
 impl Dice {
@@ -36,7 +36,7 @@ impl Dice {
         self.share() < share
     }
 
-    fn within(&mut self, low: f64, high: f64) -> f64 {
+    fn uniform(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.share()
     }
 
@@ -63,8 +63,8 @@ impl Section {
     /// `key`, in every `1 / share` specs.
     fn maybe(&mut self, dice: &mut Dice, share: f64, key: &str, value: impl FnOnce(&mut Dice) -> String) {
         if dice.chance(share) {
-            let value = value(dice);
-            let _ = writeln!(self.text, "{key} = {value}");
+            let drawn_value = value(dice);
+            let _ = writeln!(self.text, "{key} = {drawn_value}");
         }
     }
 }
@@ -75,7 +75,7 @@ fn mm(x: f64) -> String {
 
 /// Between `low` and `high` of `unit`, rounded as people write, or not at all.
 fn some_mm(dice: &mut Dice, unit: f64, [low, high]: [f64; 2]) -> String {
-    let x = unit * dice.within(low, high);
+    let x = unit * dice.uniform(low, high);
     mm(if dice.chance(0.5) { (x * 10.0).round().max(1.0) / 10.0 } else { x })
 }
 
@@ -91,9 +91,9 @@ fn star(dice: &mut Dice) -> (String, f64, f64) {
     let w = dice.decades(low, high);
     let widest = (178.0 - 360.0 / points).max(4.0);
     let usual = dice.chance(0.8);
-    let phi = if usual { dice.within(10.0, widest.min(70.0)) } else { dice.within(2.0, widest) };
+    let phi = if usual { dice.uniform(10.0, widest.min(70.0)) } else { dice.uniform(2.0, widest) };
     let l = w * dice.decades(0.3, if usual { 4.0 } else { 30.0 });
-    let mut radius = || if dice.chance(0.5) { 0.0 } else { dice.within(0.0, 0.6) * w };
+    let mut radius = || if dice.chance(0.5) { 0.0 } else { dice.uniform(0.0, 0.6) * w };
     let (r_i, r_e) = (radius(), radius());
     let half = (phi / 2.0).to_radians();
     let rho = (l * half.sin() + (w + r_i + r_e) * half.cos()) / (PI / points).sin() - w - r_e;
@@ -107,8 +107,8 @@ fn star(dice: &mut Dice) -> (String, f64, f64) {
 
 fn spec(dice: &mut Dice, profile: &str, chops: bool) -> String {
     let name = dice.one_of(&["random", "a \\\"quoted\\\" <name> & ;(x)", "星 é", "x"]);
-    let (star, w, rho) = star(dice);
-    let mut text = format!("schema = 1\nname = \"{name}\"\n{}{star}", fabric(dice));
+    let (sections, w, rho) = star(dice);
+    let mut text = format!("schema = 1\nname = \"{name}\"\n{}{sections}", fabric(dice));
     text += &stack(dice, w, rho);
     text += &inlet(dice, w);
     text += &seal(dice, w);
@@ -146,7 +146,7 @@ fn stack(dice: &mut Dice, w: f64, rho: f64) -> String {
     let count = 1 + dice.below(4);
     let mut s = Section::new("[stack]");
     let _ = writeln!(s.text, "count = {count}");
-    s.maybe(dice, 0.3, "rotation", |dice| format!("\"{} deg\"", dice.within(-180.0, 180.0)));
+    s.maybe(dice, 0.3, "rotation", |dice| format!("\"{} deg\"", dice.uniform(-180.0, 180.0)));
     s.maybe(dice, 0.7, "pitch", |dice| some_mm(dice, w.max(8.0), [0.7, 3.0]));
     for index in 1..=count {
         if !dice.chance(0.4) {
@@ -157,7 +157,7 @@ fn stack(dice: &mut Dice, w: f64, rho: f64) -> String {
         s.maybe(dice, 0.7, "inner_radius", |dice| some_mm(dice, rho, [0.8, 1.4]));
         s.maybe(dice, 0.1, "points", |dice| (3 + dice.below(8)).to_string());
         s.maybe(dice, 0.2, "tube_width", |dice| some_mm(dice, w, [0.7, 1.1]));
-        s.maybe(dice, 0.1, "rotation", |dice| format!("\"{} deg\"", dice.within(0.0, 90.0)));
+        s.maybe(dice, 0.1, "rotation", |dice| format!("\"{} deg\"", dice.uniform(0.0, 90.0)));
     }
     s.text
 }
@@ -168,8 +168,8 @@ fn inlet(dice: &mut Dice, w: f64) -> String {
         1 => format!("[inlet]\ntip = {}\n", 1 + dice.below(3)),
         2 => format!(
             "[inlet]\ntube_diameter = \"{} mm\"\nlength = \"{} mm\"\n",
-            w * dice.within(0.05, 0.3),
-            w * dice.within(0.1, 2.0)
+            w * dice.uniform(0.05, 0.3),
+            w * dice.uniform(0.1, 2.0)
         ),
         _ if w < 20.0 => {
             format!("[inlet]\ntube_diameter = \"{} mm\"\nfillet = \"{} mm\"\n", 0.2 * w, 0.05 * w)
@@ -181,28 +181,28 @@ fn inlet(dice: &mut Dice, w: f64) -> String {
 fn seal(dice: &mut Dice, w: f64) -> String {
     let mut s = Section::new("[seal]");
     s.maybe(dice, if w < 8.0 { 1.0 } else { 0.4 }, "band", |dice| some_mm(dice, w.min(60.0), [0.03, 0.2]));
-    s.maybe(dice, 0.2, "overlap", |dice| mm(dice.within(0.0, 20.0)));
+    s.maybe(dice, 0.2, "overlap", |dice| mm(dice.uniform(0.0, 20.0)));
     s.maybe(dice, if w < 8.0 { 1.0 } else { 0.3 }, "allowance", |dice| {
-        mm(w.min(60.0) * dice.within(0.15, 0.5))
+        mm(w.min(60.0) * dice.uniform(0.15, 0.5))
     });
     s.maybe(dice, if w < 8.0 { 1.0 } else { 0.3 }, "hole_allowance", |dice| {
-        mm(w.min(60.0) * dice.within(0.0, 0.1))
+        mm(w.min(60.0) * dice.uniform(0.0, 0.1))
     });
     s.maybe(dice, 0.2, "speed", |dice| format!("\"{} mm/s\"", dice.decades(0.05, 20.0)));
-    s.maybe(dice, 0.1, "temperature", |dice| format!("\"{} C\"", dice.within(50.0, 299.0)));
+    s.maybe(dice, 0.1, "temperature", |dice| format!("\"{} C\"", dice.uniform(50.0, 299.0)));
     s.text
 }
 
 fn mask(dice: &mut Dice, w: f64, rho: f64) -> String {
     let mut s = Section::new("[mask]");
-    s.maybe(dice, 0.2, "extent", |dice| mm(w * dice.within(0.2, 1.2)));
-    s.maybe(dice, 0.2, "creep", |dice| mm(w * dice.within(0.0, 0.05)));
-    s.maybe(dice, 0.3, "border", |dice| mm(dice.within(0.0, 30.0)));
+    s.maybe(dice, 0.2, "extent", |dice| mm(w * dice.uniform(0.2, 1.2)));
+    s.maybe(dice, 0.2, "creep", |dice| mm(w * dice.uniform(0.0, 0.05)));
+    s.maybe(dice, 0.3, "border", |dice| mm(dice.uniform(0.0, 30.0)));
     s.maybe(dice, 0.3, "mirror", |_| "true".to_owned());
     s.maybe(dice, 0.2, "thickness", |dice| mm(dice.decades(0.2, 10.0)));
     s.maybe(dice, 0.3, "bed", |dice| {
         let size = 2.0 * (rho + w);
-        let mut side = || (size * dice.within(0.6, 2.0)).round().max(1.0);
+        let mut side = || (size * dice.uniform(0.6, 2.0)).round().max(1.0);
         format!("\"{} mm x {} mm\"", side(), side())
     });
     s.text
@@ -211,13 +211,13 @@ fn mask(dice: &mut Dice, w: f64, rho: f64) -> String {
 fn frame(dice: &mut Dice, w: f64) -> String {
     let mut s = Section::new("[frame]");
     s.maybe(dice, 0.2, "plate_thickness", |dice| mm(dice.decades(0.5, 20.0)));
-    s.maybe(dice, 0.2, "clearance", |dice| mm(dice.within(0.0, 10.0)));
-    s.maybe(dice, 0.2, "post_diameter", |dice| mm(w * dice.within(0.05, 0.5)));
+    s.maybe(dice, 0.2, "clearance", |dice| mm(dice.uniform(0.0, 10.0)));
+    s.maybe(dice, 0.2, "post_diameter", |dice| mm(w * dice.uniform(0.05, 0.5)));
     s.maybe(dice, 0.2, "posts", |dice| (3 + dice.below(12)).to_string());
-    s.maybe(dice, 0.2, "kerf", |dice| mm(dice.within(0.0, 0.5)));
+    s.maybe(dice, 0.2, "kerf", |dice| mm(dice.uniform(0.0, 0.5)));
     s.text += "[cut]\n";
     let widest = if dice.chance(0.2) { 3.0 } else { 0.4 };
-    s.maybe(dice, 0.3, "kerf", |dice| mm(dice.within(0.0, widest)));
+    s.maybe(dice, 0.3, "kerf", |dice| mm(dice.uniform(0.0, widest)));
     s.maybe(dice, 0.3, "colours", |_| "\"ordered\"".to_owned());
     s.text
 }
@@ -226,14 +226,14 @@ fn sheet(dice: &mut Dice, w: f64, rho: f64) -> String {
     let mut s = Section::new("[sheet]");
     if dice.chance(0.3) {
         let reach = 2.0 * (rho + 2.0 * w) + 60.0;
-        let mut side = || reach * dice.within(0.9, 4.0);
+        let mut side = || reach * dice.uniform(0.9, 4.0);
         let _ = write!(s.text, "width = \"{} mm\"\nheight = \"{} mm\"\n", side(), side());
     }
-    s.maybe(dice, 0.3, "margin", |dice| mm(dice.within(0.0, 30.0)));
-    s.maybe(dice, 0.2, "gap", |dice| mm(dice.within(0.0, 30.0)));
+    s.maybe(dice, 0.3, "margin", |dice| mm(dice.uniform(0.0, 30.0)));
+    s.maybe(dice, 0.2, "gap", |dice| mm(dice.uniform(0.0, 30.0)));
     s.maybe(dice, 0.3, "turn", |_| "true".to_owned());
     s.maybe(dice, if w < 8.0 { 1.0 } else { 0.3 }, "hole_diameter", |dice| {
-        mm(w.min(30.0) * dice.within(0.0, 0.15))
+        mm(w.min(30.0) * dice.uniform(0.0, 0.15))
     });
     s.text
 }
@@ -244,14 +244,14 @@ fn load(dice: &mut Dice, rho: f64) -> String {
     }
     let mut s = Section::new("[load]");
     s.maybe(dice, 0.9, "pressure", |dice| {
-        let kpa = if dice.chance(0.8) { dice.within(5.0, 100.0) } else { dice.decades(0.05, 5000.0) };
+        let kpa = if dice.chance(0.8) { dice.uniform(5.0, 100.0) } else { dice.decades(0.05, 5000.0) };
         format!("\"{kpa} kPa\"")
     });
     s.maybe(dice, 0.7, "object_radius", |dice| some_mm(dice, rho, [0.2, 1.1]));
     if dice.chance(0.7) {
-        s.maybe(dice, 1.0, "friction", |dice| format!("{:?}", dice.within(0.1, 1.2)));
-        s.maybe(dice, 0.3, "friction_least", |dice| format!("{:?}", dice.within(0.05, 0.1)));
-        s.maybe(dice, 0.3, "friction_most", |dice| format!("{:?}", dice.within(1.2, 1.5)));
+        s.maybe(dice, 1.0, "friction", |dice| format!("{:?}", dice.uniform(0.1, 1.2)));
+        s.maybe(dice, 0.3, "friction_least", |dice| format!("{:?}", dice.uniform(0.05, 0.1)));
+        s.maybe(dice, 0.3, "friction_most", |dice| format!("{:?}", dice.uniform(1.2, 1.5)));
     }
     s.maybe(dice, 0.3, "mass", |dice| format!("\"{} kg\"", dice.decades(0.01, 20.0)));
     s.maybe(dice, 0.2, "largest_force", |dice| format!("\"{} N\"", dice.decades(1.0, 500.0)));
@@ -259,11 +259,11 @@ fn load(dice: &mut Dice, rho: f64) -> String {
 }
 
 /// A profile with its name, built in or changed, and whether it can chop.
-fn machine(dice: &mut Dice, own: bool) -> ((&'static str, String), bool) {
+fn machine(dice: &mut Dice, is_changed: bool) -> ((&'static str, String), bool) {
     let names: Vec<&'static str> = spec::builtin_machines().collect();
     let name = dice.one_of(&names);
     let mut text = spec::builtin_machine(name).expect("built in").to_owned();
-    if own {
+    if is_changed {
         text = changed(dice, &text);
     }
     let built_in = spec::builtin_machine(name).expect("built in");
@@ -274,69 +274,69 @@ fn machine(dice: &mut Dice, own: bool) -> ((&'static str, String), bool) {
 /// The profile with other values.
 fn changed(dice: &mut Dice, text: &str) -> String {
     let mut text = text.to_owned();
-    let mut put = |old: &str, new: String| {
+    let mut replace = |old: &str, new: String| {
         if text.contains(old) {
             text = text.replacen(old, &new, 1);
         }
     };
     if dice.chance(0.4) {
-        let mut side = || mm(dice.within(100.0, 1500.0).round());
-        put("x = \"unknown\"\ny = \"unknown\"", format!("x = {}\ny = {}", side(), side()));
+        let mut side = || mm(dice.uniform(100.0, 1500.0).round());
+        replace("x = \"unknown\"\ny = \"unknown\"", format!("x = {}\ny = {}", side(), side()));
     }
     if dice.chance(0.5) {
-        put("ramp = \"3 mm\"", format!("ramp = {}", mm(dice.decades(0.05, 20.0))));
+        replace("ramp = \"3 mm\"", format!("ramp = {}", mm(dice.decades(0.05, 20.0))));
     }
     if dice.chance(0.3) {
-        put("contact = \"-0.3 mm\"", format!("contact = {}", mm(dice.within(-6.0, 0.0))));
+        replace("contact = \"-0.3 mm\"", format!("contact = {}", mm(dice.uniform(-6.0, 0.0))));
     }
     if dice.chance(0.2) {
-        put("travel = \"5 mm\"", format!("travel = {}", mm(dice.within(0.5, 25.0))));
+        replace("travel = \"5 mm\"", format!("travel = {}", mm(dice.uniform(0.5, 25.0))));
     }
     if dice.chance(0.3) {
         let [old, new] = if dice.chance(0.5) { ["false", "true"] } else { ["true", "false"] };
-        put(&format!("arcs = {old}"), format!("arcs = {new}"));
+        replace(&format!("arcs = {old}"), format!("arcs = {new}"));
         if dice.chance(0.7) {
-            put("\"G17\", \"G90\"", "\"G17\", \"G91.1\", \"G90\"".to_owned());
+            replace("\"G17\", \"G90\"", "\"G17\", \"G91.1\", \"G90\"".to_owned());
         }
     }
     if dice.chance(0.3) {
-        put("thumbnails = false", "thumbnails = true".to_owned());
+        replace("thumbnails = false", "thumbnails = true".to_owned());
     }
     if dice.chance(0.2) {
-        put("x_steps_per_mm = 80 ", format!("x_steps_per_mm = {} ", 10 + dice.below(800)));
-        put("y_steps_per_mm = 80", format!("y_steps_per_mm = {}", 10 + dice.below(800)));
+        replace("x_steps_per_mm = 80 ", format!("x_steps_per_mm = {} ", 10 + dice.below(800)));
+        replace("y_steps_per_mm = 80", format!("y_steps_per_mm = {}", 10 + dice.below(800)));
     }
     if dice.chance(0.2) {
-        put("line_length = 72", format!("line_length = {}", 72 + dice.below(180)));
+        replace("line_length = 72", format!("line_length = {}", 72 + dice.below(180)));
     }
     if dice.chance(0.2) {
-        put("step = \"1 ms\"", format!("step = \"{} ms\"", 1 + dice.below(100)));
+        replace("step = \"1 ms\"", format!("step = \"{} ms\"", 1 + dice.below(100)));
     }
     for _ in 0..if dice.chance(0.4) { 1 + dice.below(4) } else { 0 } {
-        let [x, y] = [dice.within(0.0, 600.0), dice.within(0.0, 600.0)];
-        let [w, d] = [dice.within(1.0, 40.0), dice.within(1.0, 40.0)];
+        let [x, y] = [dice.uniform(0.0, 600.0), dice.uniform(0.0, 600.0)];
+        let [w, d] = [dice.uniform(1.0, 40.0), dice.uniform(1.0, 40.0)];
         let _ = write!(
             text,
             "\n[[keep_out]]\nname = \"clamp\"\nx = \"{x} mm\"\ny = \"{y} mm\"\nwidth = \"{w} mm\"\ndepth = \"{d} mm\"\n"
         );
         if dice.chance(0.3) {
-            let _ = writeln!(text, "height = \"{} mm\"", dice.within(0.5, 8.0));
+            let _ = writeln!(text, "height = \"{} mm\"", dice.uniform(0.5, 8.0));
         }
     }
     text
 }
 
-fn asked(dice: &mut Dice) -> KindRequest {
+fn request_of(dice: &mut Dice) -> KindRequest {
     let extras: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| kind.is_extra()).collect();
     match dice.below(10) {
         0 => KindRequest { with: extras, ..KindRequest::default() },
         1 | 2 => {
-            let only: Vec<Kind> = (0..=dice.below(3)).map(|_| dice.one_of(Kind::ALL)).collect();
-            KindRequest::exactly(&only)
+            let kinds: Vec<Kind> = (0..=dice.below(3)).map(|_| dice.one_of(Kind::ALL)).collect();
+            KindRequest::exactly(&kinds)
         }
         3..=6 => {
-            let with = (0..=dice.below(2)).map(|_| dice.one_of(&extras)).collect();
-            KindRequest { with, ..KindRequest::default() }
+            let extras = (0..=dice.below(2)).map(|_| dice.one_of(&extras)).collect();
+            KindRequest { with: extras, ..KindRequest::default() }
         }
         _ => KindRequest::default(),
     }

@@ -12,17 +12,17 @@ fn an_untouched_build_has_no_findings() {
     let proof = prove_files(&output_files());
     assert_eq!(proof.findings, []);
     assert_eq!(proof.files.iter().filter(|file| file.deviation.is_some()).count(), 11);
-    let by = |how: Method| {
+    let proven_by = |how: Method| {
         proof.files.iter().filter(|file| file.by == how).map(|file| file.path.as_str()).collect::<Vec<_>>()
     };
-    assert_eq!(by(Method::Hash), ["spec.toml", "machine.toml"]);
-    assert_eq!((by(Method::Reading).len(), by(Method::Bytes).len()), (0, 15));
+    assert_eq!(proven_by(Method::Hash), ["spec.toml", "machine.toml"]);
+    assert_eq!((proven_by(Method::Reading).len(), proven_by(Method::Bytes).len()), (0, 15));
 }
 
 #[test]
 fn a_changed_byte_is_found_by_its_hash_in_every_file() {
-    let whole = output_files();
-    for (file, _) in &whole.files {
+    let directory = output_files();
+    for (file, _) in &directory.files {
         let mut files = output_files();
         let mut bytes = files.get(file).expect("a file").to_vec();
         let middle = bytes.len() / 2;
@@ -40,8 +40,8 @@ fn a_changed_byte_is_found_by_its_hash_in_every_file() {
 
 #[test]
 fn a_file_cut_short_anywhere_is_found() {
-    let whole = output_files();
-    for (file, bytes) in whole.files.iter().filter(|(file, _)| file != MANIFEST) {
+    let directory = output_files();
+    for (file, bytes) in directory.files.iter().filter(|(file, _)| file != MANIFEST) {
         let mut short = output_files();
         replace(&mut short, file, bytes[..bytes.len() - 1].to_vec());
         assert_found(&prove_files(&short).findings, "size", file);
@@ -75,9 +75,9 @@ fn a_directory_without_its_spec_profile_or_manifest_is_refused() {
     let mut files = output_files();
     replace(&mut files, MANIFEST, b"{}".to_vec());
     assert_found(&prove_files(&files).findings, "manifest", MANIFEST);
-    let nothing = prove_files(&OutputFiles::default()).findings;
-    assert_found(&nothing, "missing-file", "spec.toml");
-    assert_found(&nothing, "missing-file", "machine.toml");
+    let empty_findings = prove_files(&OutputFiles::default()).findings;
+    assert_found(&empty_findings, "missing-file", "spec.toml");
+    assert_found(&empty_findings, "missing-file", "machine.toml");
 }
 
 #[test]
@@ -131,23 +131,23 @@ fn a_manifest_does_not_decide_what_is_proven() {
     let program =
         |manifest: &Manifest| manifest.files.iter().position(|f| f.path == SEAL).expect("a program");
     let as_picture = findings(&|manifest| {
-        let at = program(manifest);
-        manifest.files[at].kind = Kind::PreviewSvg;
+        let index = program(manifest);
+        manifest.files[index].kind = Kind::PreviewSvg;
     });
     assert_found(&as_picture, "manifest", SEAL);
     let twice = findings(&|manifest| manifest.files.push(manifest.files[program(manifest)].clone()));
     assert_found(&twice, "manifest", SEAL);
     // A file that is named often is reported once and read once.
-    let often = findings(&|manifest| {
+    let repeated = findings(&|manifest| {
         let entry = manifest.files[program(manifest)].clone();
         manifest.files.extend(std::iter::repeat_n(entry, 3000));
     });
-    let told = often.iter().filter(|finding| finding.file == SEAL).count();
-    assert_eq!(told, 1, "{often:#?}");
-    let gone = findings(&|manifest| {
+    let of_seal = repeated.iter().filter(|finding| finding.file == SEAL).count();
+    assert_eq!(of_seal, 1, "{repeated:#?}");
+    let unlisted = findings(&|manifest| {
         let _ = manifest.files.remove(program(manifest));
     });
-    assert_found(&gone, "manifest", SEAL);
+    assert_found(&unlisted, "manifest", SEAL);
     let evil = findings(&|manifest| {
         let entry = manifest.files[0].clone();
         manifest.files.push(ManifestFile { path: "evil.gcode".to_owned(), ..entry });
@@ -168,13 +168,13 @@ fn a_manifest_does_not_decide_what_is_proven() {
 fn what_was_not_asked_for_is_not_missed_and_all_else_is() {
     let (spec, machine) = (support::read(PAPER), support::machine());
     let sources = Sources { spec: PAPER, machine: support::generic() };
-    let some =
+    let preview_only =
         stargrip_cam::pipeline::build(&spec, &machine, sources, &KindRequest::exactly(&[Kind::PreviewSvg]))
             .expect("a design");
-    let proof = prove_files(&some.output_files());
+    let proof = prove_files(&preview_only.output_files());
     assert_eq!(proof.findings, []);
     assert_eq!(proof.files.len(), 3);
-    let mut silent = some.clone();
+    let mut silent = preview_only.clone();
     silent.manifest.only.clear();
     assert_found(&prove_files(&silent.output_files()).findings, "missing-file", SEAL);
 }
@@ -224,21 +224,22 @@ fn verify_opens_nothing_but_what_the_design_names() {
     let shop = support::program::workshop();
     let built = support::program::run(shop.path(), &["build", "star.toml"]);
     assert!(built.status.success(), "{}", support::program::stderr(&built));
-    let out = fs::read_dir(shop.path().join("out")).expect("out/").next().expect("one").expect("one").path();
-    let pipe = Command::new("mkfifo").arg(out.join("pipe")).status().expect("mkfifo");
+    let folder =
+        fs::read_dir(shop.path().join("out")).expect("out/").next().expect("one").expect("one").path();
+    let pipe = Command::new("mkfifo").arg(folder.join("pipe")).status().expect("mkfifo");
     assert!(pipe.success());
-    std::os::unix::fs::symlink("/dev/zero", out.join("zero")).expect("a link");
-    fs::remove_file(out.join(TRACE)).expect("removed");
-    std::os::unix::fs::symlink("/dev/zero", out.join(TRACE)).expect("a link");
+    std::os::unix::fs::symlink("/dev/zero", folder.join("zero")).expect("a link");
+    fs::remove_file(folder.join(TRACE)).expect("removed");
+    std::os::unix::fs::symlink("/dev/zero", folder.join(TRACE)).expect("a link");
     // Holes that take no room, of 10 GB each: a foreign file, and one that the design names.
     for name in ["foreign", SEAL] {
-        let file = fs::File::create(out.join(name)).expect("a file");
+        let file = fs::File::create(folder.join(name)).expect("a file");
         file.set_len(10_000_000_000).expect("a hole");
     }
-    let verified = support::program::run(shop.path(), &["verify", out.to_str().expect("UTF-8"), "--json"]);
+    let verified = support::program::run(shop.path(), &["verify", folder.to_str().expect("UTF-8"), "--json"]);
     assert_eq!(verified.status.code(), Some(1));
-    let said: serde_json::Value = serde_json::from_slice(&verified.stdout).expect("JSON");
-    let findings = said["findings"].as_array().expect("a list");
+    let verdict: serde_json::Value = serde_json::from_slice(&verified.stdout).expect("JSON");
+    let findings = verdict["findings"].as_array().expect("a list");
     for (file, code) in [
         ("pipe", "unnamed-file"),
         ("zero", "unnamed-file"),
@@ -255,12 +256,12 @@ fn verify_opens_nothing_but_what_the_design_names() {
     assert_eq!(of_seal.len(), 1, "{of_seal:#?}");
     assert_eq!(of_seal[0]["found"], "10000000000 bytes");
     // Without the manifest only certain findings are listed.
-    let manifest = out.join("manifest.json");
+    let manifest = folder.join("manifest.json");
     fs::rename(&manifest, shop.path().join("moved")).expect("moved");
     std::os::unix::fs::symlink("../../moved", &manifest).expect("a link");
-    let verified = support::program::run(shop.path(), &["verify", out.to_str().expect("UTF-8"), "--json"]);
-    let said: serde_json::Value = serde_json::from_slice(&verified.stdout).expect("JSON");
-    let findings = said["findings"].as_array().expect("a list");
+    let verified = support::program::run(shop.path(), &["verify", folder.to_str().expect("UTF-8"), "--json"]);
+    let verdict: serde_json::Value = serde_json::from_slice(&verified.stdout).expect("JSON");
+    let findings = verdict["findings"].as_array().expect("a list");
     assert_eq!((&findings[0]["file"], &findings[0]["found"]), (&"manifest.json".into(), &"a link".into()));
     assert!(findings[1..].iter().all(|f| f["code"] == "unnamed-file"), "{findings:#?}");
 }
@@ -272,30 +273,30 @@ fn a_longer_file_is_judged_as_a_whole() {
     let shop = support::program::workshop();
     let built = support::program::run(shop.path(), &["build", "star.toml", "-q", "-o", "out"]);
     assert!(built.status.success(), "{}", support::program::stderr(&built));
-    let out = shop.path().join("out");
-    let found = || {
+    let folder = shop.path().join("out");
+    let codes_and_findings = || {
         let verified = support::program::run(shop.path(), &["verify", "out", "--json"]);
-        let said: serde_json::Value = serde_json::from_slice(&verified.stdout).expect("JSON");
-        let findings = said["findings"].as_array().expect("a list").clone();
+        let verdict: serde_json::Value = serde_json::from_slice(&verified.stdout).expect("JSON");
+        let findings = verdict["findings"].as_array().expect("a list").clone();
         findings.into_iter().map(|f| (f["code"].clone(), f["found"].clone())).collect::<Vec<_>>()
     };
     let codes = |findings: &[(serde_json::Value, serde_json::Value)]| {
         findings.iter().map(|(code, _)| code.as_str().expect("a code").to_owned()).collect::<Vec<_>>()
     };
-    let good = fs::read_to_string(out.join(SEAL)).expect("a program");
+    let good = fs::read_to_string(folder.join(SEAL)).expect("a program");
     let windows = good.replace('\n', "\r\n");
-    fs::write(out.join(SEAL), &windows).expect("written");
-    let findings = found();
+    fs::write(folder.join(SEAL), &windows).expect("written");
+    let findings = codes_and_findings();
     assert_eq!(codes(&findings), ["size", "hash", "differs"], "{findings:?}");
     assert_eq!(findings[0].1, format!("{} bytes", windows.len()));
     assert_eq!(findings[2].1, "carriage returns (CR)");
-    fs::write(out.join(SEAL), good.clone() + "; a note, and more words\n").expect("written");
-    let findings = found();
+    fs::write(folder.join(SEAL), good.clone() + "; a note, and more words\n").expect("written");
+    let findings = codes_and_findings();
     assert_eq!(codes(&findings), ["size", "hash", "truncated", "differs"], "{findings:?}");
-    fs::write(out.join(SEAL), good).expect("written");
-    let manifest = fs::read_to_string(out.join("manifest.json")).expect("a manifest");
+    fs::write(folder.join(SEAL), good).expect("written");
+    let manifest = fs::read_to_string(folder.join("manifest.json")).expect("a manifest");
     let unnamed = manifest.replacen(SEAL, "other.gcode", 1);
-    fs::write(out.join("manifest.json"), unnamed).expect("written");
-    let findings = found();
+    fs::write(folder.join("manifest.json"), unnamed).expect("written");
+    let findings = codes_and_findings();
     assert_eq!(codes(&findings), ["manifest", "manifest"], "{findings:?}");
 }

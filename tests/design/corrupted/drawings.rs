@@ -6,8 +6,8 @@ use super::{assert_found, forged};
 fn drawings_with_lost_doubled_or_opened_paths_are_found() {
     let svg = "sheet-1-outline.svg";
     let lines_without = |text: &str, part: &str| -> String {
-        let kept: Vec<&str> = text.lines().filter(|line| !line.contains(part)).collect();
-        kept.join("\n") + "\n"
+        let remaining: Vec<&str> = text.lines().filter(|line| !line.contains(part)).collect();
+        remaining.join("\n") + "\n"
     };
     assert_found(&forged(svg, |text| lines_without(text, "<circle")), "path-count", svg);
     assert_found(&forged(svg, |text| text.replacen(" Z\"", "\"", 1)), "open-loop", svg);
@@ -49,8 +49,8 @@ fn a_drawing_of_300_000_subpaths_is_refused_at_once() {
     for body in ["<path d=\"{}\"/>", "<g>{}</g>"] {
         let piece = if body.contains("d=") { "M0 0L1 1" } else { "<circle transform=\"\" r=\"1\"/>" };
         let findings = forged("sheet-1-seal.svg", |svg| {
-            let more = body.replace("{}", &piece.repeat(300_000));
-            svg.replacen("</g>", &format!("{more}</g>"), 1)
+            let subpaths = body.replace("{}", &piece.repeat(300_000));
+            svg.replacen("</g>", &format!("{subpaths}</g>"), 1)
         });
         assert!(!findings.is_empty());
     }

@@ -25,8 +25,9 @@ fn output_files() -> OutputFiles<'static> {
 
 fn archive_of(text: &str) -> OutputFiles<'static> {
     let build = support::build(text).expect("a gripper");
-    let own = |(name, bytes): (&str, Cow<'_, [u8]>)| (name.to_owned().into(), bytes.into_owned().into());
-    OutputFiles { files: build.files().map(own).collect(), ..OutputFiles::default() }
+    let owned_file =
+        |(name, bytes): (&str, Cow<'_, [u8]>)| (name.to_owned().into(), bytes.into_owned().into());
+    OutputFiles { files: build.files().map(owned_file).collect(), ..OutputFiles::default() }
 }
 
 fn text(files: &OutputFiles<'_>, file: &str) -> String {
@@ -66,8 +67,8 @@ fn forged_in(spec: &str, file: &str, change: impl Fn(&str) -> String) -> Vec<Fin
 
 #[track_caller]
 fn assert_found(findings: &[Finding], code: &str, file: &str) {
-    let found = findings.iter().any(|finding| finding.code == code && finding.file == file);
-    assert!(found, "no {code} for {file} in {findings:#?}");
+    let is_found = findings.iter().any(|finding| finding.code == code && finding.file == file);
+    assert!(is_found, "no {code} for {file} in {findings:#?}");
 }
 
 /// Changes the lines of a program, and makes its last line count them.
@@ -84,8 +85,8 @@ fn with_lines(program: &str, change: impl Fn(&mut Vec<String>)) -> String {
 
 /// Index of the `n`-th line (from 0) that begins with `start`.
 fn nth(lines: &[String], start: &str, n: usize) -> usize {
-    let mut found = lines.iter().enumerate().filter(|(_, line)| line.starts_with(start));
-    found.nth(n).map(|(i, _)| i).expect("such a line")
+    let mut matches = lines.iter().enumerate().filter(|(_, line)| line.starts_with(start));
+    matches.nth(n).map(|(i, _)| i).expect("such a line")
 }
 
 /// Index of the first move of seam `n` (from 0) at contact height.
@@ -98,20 +99,25 @@ fn changed(good: &str, bad: &str) -> RangeInclusive<usize> {
     let body = |text: &str| text.lines().map(str::to_owned).collect::<Vec<_>>();
     let (mut good, mut bad) = (body(good), body(bad));
     drop((good.pop(), bad.pop()));
-    let same = good.iter().zip(&bad).take_while(|(a, b)| a == b).count();
-    let rest = good[same..].iter().rev().zip(bad[same..].iter().rev()).take_while(|(a, b)| a == b).count();
-    same + 1..=bad.len() - rest
+    let equal_lines = good.iter().zip(&bad).take_while(|(a, b)| a == b).count();
+    let rest = good[equal_lines..]
+        .iter()
+        .rev()
+        .zip(bad[equal_lines..].iter().rev())
+        .take_while(|(a, b)| a == b)
+        .count();
+    equal_lines + 1..=bad.len() - rest
 }
 
 /// The lines in which a fault at `place` may be found: a removed line is missed by those around it.
-fn around(place: &RangeInclusive<usize>) -> RangeInclusive<usize> {
+fn neighbourhood(place: &RangeInclusive<usize>) -> RangeInclusive<usize> {
     place.start().saturating_sub(2)..=place.end() + 2
 }
 
 /// The fault has its name, and the line that is blamed is where the program was changed.
 #[track_caller]
 fn assert_program_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
-    assert_blamed(code, change, around);
+    assert_blamed(code, change, neighbourhood);
 }
 
 /// The same for a fault that only shows further on in the program.
@@ -127,10 +133,10 @@ fn assert_blamed(
     lines: impl Fn(&RangeInclusive<usize>) -> RangeInclusive<usize>,
 ) {
     let good = text(&output_files(), SEAL);
-    let lines = lines(&changed(&good, &with_lines(&good, &change)));
+    let allowed_lines = lines(&changed(&good, &with_lines(&good, &change)));
     let findings = forged(SEAL, |program| with_lines(program, &change));
     let is_it = |finding: &&Finding| finding.code == code && finding.file == SEAL;
     let blamed: Vec<_> = findings.iter().filter(is_it).map(|finding| finding.line).collect();
-    let found = blamed.iter().any(|line| line.is_some_and(|line| lines.contains(&line)));
-    assert!(found, "{code} blames {blamed:?}, not a line of {lines:?}: {findings:#?}");
+    let is_found = blamed.iter().any(|line| line.is_some_and(|line| allowed_lines.contains(&line)));
+    assert!(is_found, "{code} blames {blamed:?}, not a line of {allowed_lines:?}: {findings:#?}");
 }

@@ -62,9 +62,9 @@ fn a_late_start_and_a_cut_corner_are_found() {
 fn going_back_is_found() {
     assert_program_fault("backwards", |lines| {
         let i = contact(lines, 0) + 2;
-        let (there, back) = (lines[i].clone(), lines[i - 1].clone());
+        let (first_line, back) = (lines[i].clone(), lines[i - 1].clone());
         lines.insert(i + 1, back);
-        lines.insert(i + 2, there);
+        lines.insert(i + 2, first_line);
     });
 }
 
@@ -134,13 +134,13 @@ fn missing_and_extra_seams_are_found() {
     });
     assert_found(&missing, "missing-seam", SEAL);
     assert_program_fault("extra-seam", |lines| {
-        let at = nth(lines, "M2", 0);
+        let end = nth(lines, "M2", 0);
         for (k, line) in
             ["G1 X50 Y50 F6", "G0 X50 Y60", "G0 Z5", "G1 X53 Y60 Z-0.3", "G1 X60 Y60", "G1 X63 Y60 Z5"]
                 .into_iter()
                 .enumerate()
         {
-            lines.insert(at + k, line.to_owned());
+            lines.insert(end + k, line.to_owned());
         }
     });
 }

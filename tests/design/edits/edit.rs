@@ -18,37 +18,37 @@ pub(crate) enum Unit {
 
 /// The edited content, and the description of the edit.
 pub(crate) fn edit(bytes: &[u8], unit: Unit, dice: &mut Dice) -> (Vec<u8>, String) {
-    let pieces = pieces(bytes, unit);
+    let pieces = pieces_of(bytes, unit);
     let (a, b) = (dice.below(pieces.len()), dice.below(pieces.len()));
     let (first, second) = (pieces[a.min(b)].clone(), pieces[a.max(b)].clone());
-    let one = pieces[a].clone();
-    let mut out = bytes.to_vec();
-    let shown = |range: &Range<usize>| {
+    let piece = pieces[a].clone();
+    let mut edited = bytes.to_vec();
+    let quoted = |range: &Range<usize>| {
         String::from_utf8_lossy(&bytes[range.clone()]).chars().take(60).collect::<String>()
     };
-    let what = match dice.below(5) {
+    let change = match dice.below(5) {
         0 => {
-            let _ = out.drain(one.clone()).count();
-            format!("without {:?}", shown(&one))
+            let _ = edited.drain(piece.clone()).count();
+            format!("without {:?}", quoted(&piece))
         }
         1 => {
-            let _ = out.splice(one.end..one.end, bytes[one.clone()].iter().copied()).count();
-            format!("twice {:?}", shown(&one))
+            let _ = edited.splice(piece.end..piece.end, bytes[piece.clone()].iter().copied()).count();
+            format!("twice {:?}", quoted(&piece))
         }
         2 if unit != Unit::Byte => {
             let middle = &bytes[first.end.min(second.start)..second.start];
             let new = [&bytes[second.clone()], middle, &bytes[first.clone()]].concat();
-            let _ = out.splice(first.start..second.end.max(first.end), new).count();
-            format!("{:?} and {:?} swapped", shown(&first), shown(&second))
+            let _ = edited.splice(first.start..second.end.max(first.end), new).count();
+            format!("{:?} and {:?} swapped", quoted(&first), quoted(&second))
         }
         3 if unit == Unit::Token => {
-            let new = other_token(&bytes[one.clone()], dice);
+            let new = other_token(&bytes[piece.clone()], dice);
             let text = String::from_utf8_lossy(&new).into_owned();
-            let _ = out.splice(one.clone(), new).count();
-            format!("{:?} for {:?}", text, shown(&one))
+            let _ = edited.splice(piece.clone(), new).count();
+            format!("{:?} for {:?}", text, quoted(&piece))
         }
         _ => {
-            let (from, to) = (pieces[b].clone(), one.clone());
+            let (from, to) = (pieces[b].clone(), piece.clone());
             let new: Vec<u8> = if unit == Unit::Byte {
                 let bit = 1 << dice.below(8);
                 bytes[to.clone()].iter().map(|byte| byte ^ bit).collect()
@@ -56,27 +56,28 @@ pub(crate) fn edit(bytes: &[u8], unit: Unit, dice: &mut Dice) -> (Vec<u8>, Strin
                 bytes[from].to_vec()
             };
             let text = String::from_utf8_lossy(&new).chars().take(60).collect::<String>();
-            let _ = out.splice(to.clone(), new).count();
-            format!("{:?} for {:?}", text, shown(&to))
+            let _ = edited.splice(to.clone(), new).count();
+            format!("{:?} for {:?}", text, quoted(&to))
         }
     };
-    (out, format!("at byte {}: {what}", one.start))
+    (edited, format!("at byte {}: {change}", piece.start))
 }
 
 /// A number near to a token that is one; else the token in the other case.
 fn other_token(token: &[u8], dice: &mut Dice) -> Vec<u8> {
     let digits: Vec<usize> = (0..token.len()).filter(|i| token[*i].is_ascii_digit()).collect();
-    let mut out = token.to_vec();
+    let mut token_out = token.to_vec();
     if digits.is_empty() {
         return token.iter().map(|byte| byte ^ (0x20 * u8::from(byte.is_ascii_alphabetic()))).collect();
     }
-    let at = digits[dice.below(digits.len())];
-    out[at] = b'0' + (out[at] - b'0' + 1 + u8::try_from(dice.below(9)).expect("below 9")) % 10;
-    out
+    let digit = digits[dice.below(digits.len())];
+    token_out[digit] =
+        b'0' + (token_out[digit] - b'0' + 1 + u8::try_from(dice.below(9)).expect("below 9")) % 10;
+    token_out
 }
 
 /// The content in pieces of a unit, without gaps for lines and blocks.
-fn pieces(bytes: &[u8], unit: Unit) -> Vec<Range<usize>> {
+fn pieces_of(bytes: &[u8], unit: Unit) -> Vec<Range<usize>> {
     let lines = || {
         let mut start = 0;
         bytes.split_inclusive(|byte| *byte == b'\n').map(move |line| {
@@ -84,12 +85,12 @@ fn pieces(bytes: &[u8], unit: Unit) -> Vec<Range<usize>> {
             start - line.len()..start
         })
     };
-    let mut found: Vec<Range<usize>> = match unit {
+    let mut ranges: Vec<Range<usize>> = match unit {
         Unit::Byte => (0..bytes.len()).map(|i| i..i + 1).collect(),
         Unit::Line => lines().collect(),
         Unit::Block => {
-            let lines: Vec<Range<usize>> = lines().collect();
-            lines.chunks(6).map(|chunk| chunk[0].start..chunk[chunk.len() - 1].end).collect()
+            let line_ranges: Vec<Range<usize>> = lines().collect();
+            line_ranges.chunks(6).map(|chunk| chunk[0].start..chunk[chunk.len() - 1].end).collect()
         }
         Unit::Token => {
             let blank = |i: usize| bytes[i].is_ascii_whitespace();
@@ -97,28 +98,29 @@ fn pieces(bytes: &[u8], unit: Unit) -> Vec<Range<usize>> {
             starts.map(|from| from..(from..bytes.len()).find(|i| blank(*i)).unwrap_or(bytes.len())).collect()
         }
     };
-    if found.is_empty() {
-        found.push(0..bytes.len());
+    if ranges.is_empty() {
+        ranges.push(0..bytes.len());
     }
-    found
+    ranges
 }
 
 /// Makes all other traces of the edit agree with it: the count in a program's last line, size and hash in the manifest.
 pub(crate) fn cover_up(files: &mut Directory, name: &str) {
-    let at = files.iter().position(|(known, _)| known == name).expect("a file");
+    let index = files.iter().position(|(known, _)| known == name).expect("a file");
     if kind_of(name) == "gcode"
-        && let Ok(text) = String::from_utf8(files[at].1.clone())
+        && let Ok(text) = String::from_utf8(files[index].1.clone())
         && let Some((body, last)) = text.trim_end_matches('\n').rsplit_once('\n')
         && let Some(mark) = last.find("end of program, ")
     {
         let close = if last.ends_with(')') { ")" } else { "" };
         let lines = body.lines().count() + 1;
-        files[at].1 = format!("{body}\n{}end of program, {lines} lines{close}\n", &last[..mark]).into_bytes();
+        files[index].1 =
+            format!("{body}\n{}end of program, {lines} lines{close}\n", &last[..mark]).into_bytes();
     }
     if name == MANIFEST {
         return;
     }
-    let (bytes, hash) = (files[at].1.len(), sha256(&files[at].1));
+    let (bytes, hash) = (files[index].1.len(), sha256(&files[index].1));
     let manifest = files.iter_mut().find(|(known, _)| known == MANIFEST).expect("one");
     let mut read: Manifest = serde_json::from_slice(&manifest.1).expect("a manifest");
     let entry = read.files.iter_mut().find(|entry| entry.path == name).expect("an entry");

@@ -44,19 +44,21 @@ fn same_values(a: &str, b: &str) -> bool {
         Some(value)
     };
     let (Some(a), Some(b)) = (value(a), value(b)) else { return false };
-    near(&a, &b)
+    are_near(&a, &b)
 }
 
 /// The same values; numbers to one in 10^9, as another processor may calculate them.
-fn near(a: &Value, b: &Value) -> bool {
+fn are_near(a: &Value, b: &Value) -> bool {
     match (a, b) {
         (Value::Number(a), Value::Number(b)) => {
             let (a, b) = (a.as_f64().expect("a number"), b.as_f64().expect("a number"));
             (a - b).abs() <= 1e-9 * a.abs().max(b.abs()).max(1e-9)
         }
-        (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| near(a, b)),
+        (Value::Array(a), Value::Array(b)) => {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| are_near(a, b))
+        }
         (Value::Object(a), Value::Object(b)) => {
-            a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| near(a, b)))
+            a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| are_near(a, b)))
         }
         _ => a == b,
     }
@@ -80,14 +82,14 @@ fn same_but_blanks(a: &str, b: &str) -> bool {
 
 /// The letters and numbers of path data; flags of arcs are one digit and need no blank after them.
 fn path_words(data: &str) -> Vec<(char, Option<f64>)> {
-    let (mut out, mut rest) = (Vec::new(), data);
+    let (mut words, mut rest) = (Vec::new(), data);
     let (mut letter, mut count) = (' ', 0);
     loop {
         rest = rest.trim_start_matches([' ', ',', '\n']);
-        let Some(first) = rest.chars().next() else { return out };
+        let Some(first) = rest.chars().next() else { return words };
         if first.is_ascii_alphabetic() {
             (letter, count, rest) = (first, 0, &rest[1..]);
-            out.push((letter, None));
+            words.push((letter, None));
             continue;
         }
         let flag = letter == 'A' && matches!(count % 7, 3 | 4);
@@ -95,7 +97,7 @@ fn path_words(data: &str) -> Vec<(char, Option<f64>)> {
             rest.char_indices().find(|(i, c)| !(c.is_ascii_digit() || *c == '.' || *i == 0 && *c == '-'));
         let end = if flag { 1 } else { digits.map_or(rest.len(), |(i, _)| i) };
         let Some(Ok(number)) = rest.get(..end).map(str::parse::<f64>) else { return vec![('?', None)] };
-        out.push((letter, Some(number)));
+        words.push((letter, Some(number)));
         (count, rest) = (count + 1, &rest[end..]);
     }
 }
@@ -118,8 +120,8 @@ fn same_meaning(name: &str, a: &str, b: &str) -> bool {
     a.is_some() && a == b
 }
 
-/// The same words except for numbers that differ by no more than `most`, mm.
-fn same_numbers(kind: &str, a: &str, b: &str, most: f64) -> bool {
+/// The same words except for numbers that differ by no more than `tolerance`, mm.
+fn same_numbers(kind: &str, a: &str, b: &str, tolerance: f64) -> bool {
     let split = |text: &str| -> Vec<String> {
         text.split(|c: char| c.is_ascii_whitespace() || "\"'<>=,".contains(c))
             .filter(|word| !word.is_empty())
@@ -128,11 +130,11 @@ fn same_numbers(kind: &str, a: &str, b: &str, most: f64) -> bool {
             .collect()
     };
     let (a, b) = (split(a), split(b));
-    let near = |a: &str, b: &str| match (a.parse::<f64>(), b.parse::<f64>()) {
-        (Ok(a), Ok(b)) => (a - b).abs() <= most,
+    let are_near = |a: &str, b: &str| match (a.parse::<f64>(), b.parse::<f64>()) {
+        (Ok(a), Ok(b)) => (a - b).abs() <= tolerance,
         _ => false,
     };
-    a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| a == b || near(a, b))
+    a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| a == b || are_near(a, b))
 }
 
 fn same_solid(before: &[u8], after: &[u8]) -> bool {

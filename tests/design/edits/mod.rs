@@ -50,27 +50,27 @@ fn judged(count: u64, seed: u64) -> (BTreeMap<(String, Unit), Row>, Vec<String>)
             .filter(|(_, name, _)| kind_of(name) == kind)
             .collect();
         let (files, name, bytes) = of_kind[dice.below(of_kind.len())];
-        let (after, what) = edit(bytes, unit, &mut dice);
+        let (edited_bytes, change) = edit(bytes, unit, &mut dice);
         let mut edited = files.clone();
-        edited.iter_mut().find(|(known, _)| known == name).expect("it").1 = after;
+        edited.iter_mut().find(|(known, _)| known == name).expect("it").1 = edited_bytes;
         cover_up(&mut edited, name);
-        let after = &edited.iter().find(|(known, _)| known == name).expect("it").1;
+        let covered_up = &edited.iter().find(|(known, _)| known == name).expect("it").1;
         let row: &mut Row = table.entry((kind.clone(), unit)).or_default();
         row.edits += 1;
         let read = !read_back(&output_files(&edited)).findings.is_empty();
-        let made = !prove_files(&output_files(&edited)).findings.is_empty();
+        let is_refused = !prove_files(&output_files(&edited)).findings.is_empty();
         row.by_reading += usize::from(read);
-        row.by_bytes += usize::from(made);
-        if harmless(name, bytes, after).is_some() {
+        row.by_bytes += usize::from(is_refused);
+        if harmless(name, bytes, covered_up).is_some() {
             row.harmless += usize::from(!read);
             continue;
         }
         // The content of pictures and pages is not read, nor are comments without effect.
         let unread =
-            ["preview", "pdf"].contains(&kind.as_str()) || kind == "gcode" && same_facts(bytes, after);
-        for (by, found) in [("reading", read || unread), ("bytes", made)] {
+            ["preview", "pdf"].contains(&kind.as_str()) || kind == "gcode" && same_facts(bytes, covered_up);
+        for (by, found) in [("reading", read || unread), ("bytes", is_refused)] {
             if !found {
-                missed.push(format!("by {by}: {name} {unit:?} {what}"));
+                missed.push(format!("by {by}: {name} {unit:?} {change}"));
             }
         }
     }

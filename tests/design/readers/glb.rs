@@ -167,7 +167,7 @@ pub(crate) fn read_glb(bytes: &[u8]) -> Result<Vec<GlbNode>, String> {
         return Err("another version, or a buffer of another length".to_owned());
     }
     let file = File { document, numbers };
-    let mut out = Vec::new();
+    let mut nodes = Vec::new();
     let scene = file.document.scenes.get(file.document.scene).ok_or("no scene")?;
     for root in &scene.nodes {
         let group = file.node(*root)?;
@@ -175,10 +175,10 @@ pub(crate) fn read_glb(bytes: &[u8]) -> Result<Vec<GlbNode>, String> {
             return Err(format!("{} is more than a group", group.name));
         }
         for child in &group.children {
-            out.push(file.shown(&group.name, *child)?);
+            nodes.push(file.placed_node(&group.name, *child)?);
         }
     }
-    Ok(out)
+    Ok(nodes)
 }
 
 /// The chunks of JSON and of numbers.
@@ -192,9 +192,9 @@ fn chunks(bytes: &[u8]) -> Option<(&[u8], &[u8])> {
     let second_at = first.checked_add(20)?;
     let second = length(second_at)?;
     let kinds = (bytes.get(16..20)?, bytes.get(second_at + 4..second_at + 8)?);
-    let whole = second_at.checked_add(8)?.checked_add(second)?;
+    let length = second_at.checked_add(8)?.checked_add(second)?;
     let right =
-        kinds == (&b"JSON"[..], &b"BIN\0"[..]) && whole == bytes.len() && first % 4 == 0 && second % 4 == 0;
+        kinds == (&b"JSON"[..], &b"BIN\0"[..]) && length == bytes.len() && first % 4 == 0 && second % 4 == 0;
     right.then(|| (&bytes[20..second_at], &bytes[second_at + 8..]))
 }
 
@@ -209,7 +209,7 @@ impl File<'_> {
     }
 
     /// The node at `index` in the group called `group`, with its mesh where it belongs.
-    fn shown(&self, group: &str, index: usize) -> Result<GlbNode, String> {
+    fn placed_node(&self, group: &str, index: usize) -> Result<GlbNode, String> {
         let node = self.node(index)?;
         let name = format!("{group}/{}", node.name);
         let mesh = node.mesh.and_then(|mesh| self.document.meshes.get(mesh));
@@ -234,12 +234,12 @@ impl File<'_> {
         let inflated = match primitive.targets.as_slice() {
             [] => Vec::new(),
             [target] => {
-                let by = self.vectors(target.position)?;
-                if by.len() != local.len() {
+                let shifts = self.vectors(target.position)?;
+                if shifts.len() != local.len() {
                     return Err("a morph target of another length".to_owned());
                 }
                 let sum = |(p, d): (&[f64; 3], &[f64; 3])| [p[0] + d[0], p[1] + d[1], p[2] + d[2]];
-                placed(&local.iter().zip(&by).map(sum).collect::<Vec<_>>())
+                placed(&local.iter().zip(&shifts).map(sum).collect::<Vec<_>>())
             }
             _ => return Err("more than one morph target".to_owned()),
         };
@@ -249,20 +249,20 @@ impl File<'_> {
 
     /// Whether an animation moves the morph target of the node, from 0 to 1 in rising time.
     fn animated(&self, node: usize) -> Result<bool, String> {
-        let mut found = false;
+        let mut has_channel = false;
         for animation in &self.document.animations {
             for channel in animation.channels.iter().filter(|channel| channel.target.node == node) {
                 let sampler = animation.samplers.get(channel.sampler).ok_or("no sampler")?;
                 let (times, weights) = (self.scalars(sampler.input)?, self.scalars(sampler.output)?);
                 let rising = times.windows(2).all(|pair| pair[0] < pair[1]) && times.len() == weights.len();
-                let whole = weights.first() == Some(&0.0) && weights.last() == Some(&1.0);
-                if channel.target.path != "weights" || !rising || !whole {
+                let is_whole = weights.first() == Some(&0.0) && weights.last() == Some(&1.0);
+                if channel.target.path != "weights" || !rising || !is_whole {
                     return Err("an animation that does something else than inflate".to_owned());
                 }
-                found = true;
+                has_channel = true;
             }
         }
-        Ok(found)
+        Ok(has_channel)
     }
 
     /// The bytes of an accessor of these components, 4 bytes each.
@@ -271,11 +271,11 @@ impl File<'_> {
         index: usize,
         component: u32,
         shape: &str,
-        each: usize,
+        components: usize,
     ) -> Result<(&Accessor, &[u8]), String> {
         let accessor = self.document.accessors.get(index).ok_or_else(|| format!("no accessor {index}"))?;
         let view = self.document.buffer_views.get(accessor.buffer_view).ok_or("no view")?;
-        let length = accessor.count.checked_mul(4 * each);
+        let length = accessor.count.checked_mul(4 * components);
         let end = view.byte_offset.checked_add(view.byte_length);
         let bytes = end.and_then(|end| self.numbers.get(view.byte_offset..end));
         match bytes {
@@ -333,14 +333,15 @@ fn floats(bytes: &[u8]) -> Vec<f64> {
 }
 
 /// All numbers are finite, and the accessor's box is theirs.
-fn bounded(accessor: &Accessor, numbers: &[f64], each: usize) -> Result<(), String> {
-    let said = |said: &[f64], pick: fn(f64, f64) -> f64| {
-        let ends = (0..each).map(|k| numbers.iter().skip(k).step_by(each).copied().reduce(pick));
-        said.len() == each && ends.zip(said).all(|(end, said)| end.is_some_and(|end| same(end, *said)))
+fn bounded(accessor: &Accessor, numbers: &[f64], components: usize) -> Result<(), String> {
+    let bounds_agree = |said: &[f64], pick: fn(f64, f64) -> f64| {
+        let ends = (0..components).map(|k| numbers.iter().skip(k).step_by(components).copied().reduce(pick));
+        said.len() == components
+            && ends.zip(said).all(|(end, said)| end.is_some_and(|end| is_same(end, *said)))
     };
     // The output of an animation need not have limits.
-    let silent = each == 1 && accessor.min.is_empty() && accessor.max.is_empty();
-    let right = said(&accessor.min, f64::min) && said(&accessor.max, f64::max);
+    let silent = components == 1 && accessor.min.is_empty() && accessor.max.is_empty();
+    let right = bounds_agree(&accessor.min, f64::min) && bounds_agree(&accessor.max, f64::max);
     if numbers.iter().all(|x| x.is_finite()) && (silent || right) {
         Ok(())
     } else {
@@ -349,7 +350,7 @@ fn bounded(accessor: &Accessor, numbers: &[f64], each: usize) -> Result<(), Stri
 }
 
 /// Whether a number in text is this single precision number; reading text may take the last bit off a double.
-fn same(number: f64, text: f64) -> bool {
+fn is_same(number: f64, text: f64) -> bool {
     (number - text).abs() <= 1e-12 * number.abs()
 }
 

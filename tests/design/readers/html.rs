@@ -161,12 +161,13 @@ fn without_raw(text: &str) -> Result<(String, Vec<Raw<'_>>), String> {
     let (mut frame, mut raw, mut rest) = (String::new(), Vec::new(), text);
     loop {
         let next = ["<style", "<script"].iter().filter_map(|name| Some((rest.find(name)?, *name))).min();
-        let Some((at, name)) = next else { break };
-        let (before, from) = rest.split_at(at);
-        let (open, inside) = from.split_at(from.find('>').ok_or("an element without an end")? + 1);
+        let Some((start, name)) = next else { break };
+        let (before, element_on) = rest.split_at(start);
+        let (open, content) =
+            element_on.split_at(element_on.find('>').ok_or("an element without an end")? + 1);
         let close = format!("</{}>", &name[1..]);
-        let end = inside.find(&close[..close.len() - 1]).ok_or("a script without an end")?;
-        let (text, after) = inside.split_at(end);
+        let end = content.find(&close[..close.len() - 1]).ok_or("a script without an end")?;
+        let (text, after) = content.split_at(end);
         if text.contains("<!--") {
             return Err("a comment in a script, which moves its end".to_owned());
         }
@@ -187,13 +188,13 @@ fn element(node: &Node<'_, '_>) -> Result<(), String> {
         return Err(format!("an element `{name}`"));
     }
     for attribute in node.attributes() {
-        let (own, value) = (attribute.name(), attribute.value());
-        let known =
-            attribute.namespace().is_none() && (ATTRIBUTES.contains(&own) || own.starts_with("aria-"));
-        let inside = own != "href" || value.starts_with('#');
-        let plain = own != "http-equiv" || value == "Content-Security-Policy";
-        if !(known && inside && plain) {
-            return Err(format!("an attribute `{own}` of `{name}` that says `{value}`"));
+        let (attribute_name, value) = (attribute.name(), attribute.value());
+        let is_known = attribute.namespace().is_none()
+            && (ATTRIBUTES.contains(&attribute_name) || attribute_name.starts_with("aria-"));
+        let is_local = attribute_name != "href" || value.starts_with('#');
+        let plain = attribute_name != "http-equiv" || value == "Content-Security-Policy";
+        if !(is_known && is_local && plain) {
+            return Err(format!("an attribute `{attribute_name}` of `{name}` that says `{value}`"));
         }
     }
     Ok(())

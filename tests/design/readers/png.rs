@@ -38,7 +38,7 @@ pub(crate) fn read_png(bytes: &[u8]) -> Option<Raster> {
 impl Raster {
     /// The colour of a pixel; `None` outside of the picture.
     pub(crate) fn pixel(&self, column: usize, row: usize) -> Option<[u8; 3]> {
-        let at = (column < self.width && row < self.height).then_some(3 * (row * self.width + column))?;
-        self.rgb.get(at..at + 3)?.try_into().ok()
+        let offset = (column < self.width && row < self.height).then_some(3 * (row * self.width + column))?;
+        self.rgb.get(offset..offset + 3)?.try_into().ok()
     }
 }

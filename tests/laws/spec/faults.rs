@@ -90,25 +90,25 @@ fn a_terminal_is_not_commanded_by_what_it_shows() {
 
 #[test]
 fn a_hot_iron_is_warned_of_and_a_hotter_one_refused() {
-    let at = |temperature: &str| format!("{SHORTEST}[seal]\ntemperature = \"{temperature}\"\n");
-    assert_eq!(codes(&at("260 C")), [""; 0]);
-    assert_eq!(codes(&at("260.5 C")), ["ptfe"]);
-    assert_eq!(spec(&at("299.9 C")).seal.temperature.0, 299.9);
-    assert!(!try_read(&at("299.9 C")).expect("a warning only").warnings.refuse());
-    assert!(try_read(&at("300 C")).is_err());
-    assert_eq!(codes(&at("401 C")), ["out-of-range"]);
-    assert_eq!(codes(&at("0 C")), ["out-of-range"]);
+    let with_temperature = |temperature: &str| format!("{SHORTEST}[seal]\ntemperature = \"{temperature}\"\n");
+    assert_eq!(codes(&with_temperature("260 C")), [""; 0]);
+    assert_eq!(codes(&with_temperature("260.5 C")), ["ptfe"]);
+    assert_eq!(spec(&with_temperature("299.9 C")).seal.temperature.0, 299.9);
+    assert!(!try_read(&with_temperature("299.9 C")).expect("a warning only").warnings.refuse());
+    assert!(try_read(&with_temperature("300 C")).is_err());
+    assert_eq!(codes(&with_temperature("401 C")), ["out-of-range"]);
+    assert_eq!(codes(&with_temperature("0 C")), ["out-of-range"]);
 }
 
 /// The pitch is the distance from the star below; a single star's gives its plates room.
 #[test]
 fn a_pitch_below_the_bottom_star_is_warned_of() {
-    let with = |count: u32, index: u32| {
+    let with_pitch = |count: u32, index: u32| {
         format!("{SHORTEST}[stack]\ncount = {count}\n[[stack.star]]\nindex = {index}\npitch = \"50 mm\"\n")
     };
-    assert_eq!(codes(&with(2, 1)), ["no-effect"]);
+    assert_eq!(codes(&with_pitch(2, 1)), ["no-effect"]);
     for [count, index] in [[1, 1], [2, 2], [3, 2], [3, 3]] {
-        assert_eq!(codes(&with(count, index)), [""; 0], "{count}, {index}");
+        assert_eq!(codes(&with_pitch(count, index)), [""; 0], "{count}, {index}");
     }
 }
 
@@ -138,18 +138,19 @@ fn windows_files_read_as_others_do() {
 
 #[test]
 fn a_friction_lies_between_its_ends() {
-    let with = |more: &str| format!("{SHORTEST}\n[load]\nfriction = 0.3\n{more}");
+    let with_friction = |more: &str| format!("{SHORTEST}\n[load]\nfriction = 0.3\n{more}");
     for ok in ["", "friction_least = 0.3", "friction_least = 0.2\nfriction_most = 0.42"] {
-        assert_eq!(codes(&with(ok)), [""; 0], "{ok}");
+        assert_eq!(codes(&with_friction(ok)), [""; 0], "{ok}");
     }
     for wrong in ["friction_least = 0.4", "friction_most = 0.2"] {
-        assert_eq!(codes(&with(wrong)), ["conflict"], "{wrong}");
+        assert_eq!(codes(&with_friction(wrong)), ["conflict"], "{wrong}");
     }
     for end in ["friction_least", "friction_most"] {
-        let alone = with(&format!("{end} = 0.3")).replace("\nfriction = 0.3", "");
-        assert_eq!(codes(&alone), ["conflict"], "{end}");
+        let without_middle = with_friction(&format!("{end} = 0.3")).replace("\nfriction = 0.3", "");
+        assert_eq!(codes(&without_middle), ["conflict"], "{end}");
     }
-    let both = try_read(&with("friction_least = 0.9\nfriction_most = 0.1")).expect_err("two faults");
-    assert_eq!(both.list().iter().map(|fault| fault.code).collect::<Vec<_>>(), ["conflict"; 2]);
-    assert!(both.to_string().contains("write friction_least = 0.3"), "{both}");
+    let crossed_ends =
+        try_read(&with_friction("friction_least = 0.9\nfriction_most = 0.1")).expect_err("two faults");
+    assert_eq!(crossed_ends.list().iter().map(|fault| fault.code).collect::<Vec<_>>(), ["conflict"; 2]);
+    assert!(crossed_ends.to_string().contains("write friction_least = 0.3"), "{crossed_ends}");
 }

@@ -122,7 +122,7 @@ fn writing() -> impl Strategy<Value = Writing> {
 }
 
 /// A value of `key` as text, and its number in the base unit.
-fn written(key: &Key, (share, unit, blanks, exponent): Writing) -> (String, f64) {
+fn written_value(key: &Key, (share, unit, blanks, exponent): Writing) -> (String, f64) {
     // Away from the ends, where rounding in another unit could step over them.
     let base = key.low + (key.high - key.low) * (1e-9 + share * (1.0 - 2e-9));
     let text = |x: f64| if exponent { format!("{x:e}") } else { format!("{x}") };
@@ -152,12 +152,13 @@ fn document(lines: &[(&str, String)]) -> String {
 }
 
 /// The shortest spec with `key` set to `base` in its base unit.
-fn with(key: &Key, base: f64) -> String {
+fn document_with(key: &Key, base: f64) -> String {
     let unit = key.units.first().map(|(name, _)| *name);
     let value = unit.map_or(format!("{base:?}"), |unit| format!("\"{base:?} {unit}\""));
     // An end of the friction's range needs a friction.
-    let own = if key.name.starts_with("friction_") { format!("friction = {value}\n") } else { String::new() };
-    let line = format!("{own}{} = {value}", key.name);
+    let middle =
+        if key.name.starts_with("friction_") { format!("friction = {value}\n") } else { String::new() };
+    let line = format!("{middle}{} = {value}", key.name);
     let required = format!("\n{} = ", key.name);
     match (key.section, SHORTEST.split_once(&required)) {
         ("star", Some((head, tail))) => {
@@ -173,15 +174,15 @@ fn with(key: &Key, base: f64) -> String {
 fn every_range_ends_where_it_is_said_to() {
     for key in KEYS.iter().chain(REQUIRED) {
         for base in [key.low, key.high] {
-            let found = try_read(&with(key, base));
-            assert!(found.is_ok(), "{}", found.expect_err("checked"));
+            let result = try_read(&document_with(key, base));
+            assert!(result.is_ok(), "{}", result.expect_err("checked"));
         }
         // Open ends lie within this distance of those of the table.
         let below = key.low - (0.01 * key.low.abs()).max(2e-9);
         let above = 1.001 * key.high;
         for base in [below, above, f64::MAX, -f64::MAX, f64::NAN, f64::INFINITY] {
-            let found = try_read(&with(key, base));
-            assert!(found.is_err(), "{} = {base}", key.name);
+            let result = try_read(&document_with(key, base));
+            assert!(result.is_err(), "{} = {base}", key.name);
         }
     }
 }
@@ -203,8 +204,8 @@ proptest! {
         expected.name = "random".to_owned();
         expected.stars[0].points = points;
         let mut lines = vec![("star", format!("points = {points}\n"))];
-        let chosen = optional.into_iter().map(|(index, how)| (&KEYS[index.index(KEYS.len())], how));
-        for (key, how) in REQUIRED.iter().zip(required).chain(chosen) {
+        let selection = optional.into_iter().map(|(index, how)| (&KEYS[index.index(KEYS.len())], how));
+        for (key, how) in REQUIRED.iter().zip(required).chain(selection) {
             let begin = format!("{} = ", key.name);
             // A friction lies between its ends, which are drawn apart from it.
             let is_friction = |line: &str| line.starts_with("friction");
@@ -214,7 +215,7 @@ proptest! {
             if lines.iter().any(|(section, line)| *section == key.section && line.starts_with(&begin)) {
                 continue;
             }
-            let (value, base) = written(key, how);
+            let (value, base) = written_value(key, how);
             (key.set)(&mut expected, base);
             if key.name.starts_with("friction_") {
                 load(&mut expected).friction = Some(base);
@@ -226,19 +227,19 @@ proptest! {
         if !lines.iter().any(|(section, line)| *section == "frame" && line.starts_with("kerf")) {
             expected.frame.kerf = expected.cut.kerf;
         }
-        let found = try_read(&document(&lines));
-        prop_assert!(found.is_ok(), "{}", found.expect_err("checked"));
-        prop_assert_eq!(found.expect("checked").spec, expected);
+        let result = try_read(&document(&lines));
+        prop_assert!(result.is_ok(), "{}", result.expect_err("checked"));
+        prop_assert_eq!(result.expect("checked").spec, expected);
     }
 
     #[test]
     fn every_slip_is_found_inside_the_text(
-        at in any::<prop::sample::Index>(),
-        how in writing(),
+        index in any::<prop::sample::Index>(),
+        style in writing(),
         slip in 0..7_usize,
     ) {
-        let key = &KEYS[at.index(KEYS.len())];
-        let (value, _) = written(key, how);
+        let key = &KEYS[index.index(KEYS.len())];
+        let (value, _) = written_value(key, style);
         let (name, bare) = (key.name, value.trim_matches('"'));
         let line = match slip {
             0 => format!("{name}x = {value}"),
@@ -300,12 +301,12 @@ proptest! {
     }
 
     #[test]
-    fn a_starter_cut_or_overwritten_anywhere_does_not_panic(at in any::<prop::sample::Index>(), by in "\\PC{0,3}") {
+    fn a_starter_cut_or_overwritten_anywhere_does_not_panic(index in any::<prop::sample::Index>(), insertion in "\\PC{0,3}") {
         let text = starter("x").expect("a name");
         let places: Vec<usize> = text.char_indices().map(|(place, _)| place).collect();
-        let place = places[at.index(places.len())];
+        let place = places[index.index(places.len())];
         let (head, tail) = text.split_at(place);
-        for changed in [head.to_owned(), format!("{head}{by}{tail}")] {
+        for changed in [head.to_owned(), format!("{head}{insertion}{tail}")] {
             if let Err(faults) = try_read(&changed) {
                 prop_assert!(faults.list().iter().all(|fault| changed.get(fault.span.clone()).is_some()));
             }
