@@ -26,34 +26,34 @@ pub(super) fn imports(src: &Path) -> Imports {
         .iter()
         .map(|(name, text)| {
             let imported = uses(name, text).into_iter().filter_map(|path| home(&path));
-            (name.clone(), imported.chain(called(name, text)).collect())
+            (name.clone(), imported.chain(called_children(name, text)).collect())
         })
         .collect()
 }
 
 /// The circles of files: sets in which every file depends on every other, directly or through others.
 pub(super) fn circles(imports: &Imports) -> BTreeSet<BTreeSet<&str>> {
-    let known: BTreeMap<&str, BTreeSet<&str>> =
+    let reaches: BTreeMap<&str, BTreeSet<&str>> =
         imports.keys().map(|file| (file.as_str(), reach(file, imports))).collect();
     let circle = |file: &&str| -> BTreeSet<&str> {
-        let back = |other: &&str| known.get(other).is_some_and(|reached| reached.contains(file));
-        known[file].iter().copied().filter(back).collect()
+        let back = |other: &&str| reaches.get(other).is_some_and(|reached| reached.contains(file));
+        reaches[file].iter().copied().filter(back).collect()
     };
-    known.keys().map(circle).filter(|circle| circle.len() > 1).collect()
+    reaches.keys().map(circle).filter(|circle| circle.len() > 1).collect()
 }
 
 /// The files on which `file` depends, directly or through others.
 fn reach<'a>(file: &str, imports: &'a Imports) -> BTreeSet<&'a str> {
-    let mut reached = BTreeSet::new();
+    let mut reachable = BTreeSet::new();
     let mut open: Vec<&str> = imports.get(file).into_iter().flatten().map(String::as_str).collect();
     while let Some(next) = open.pop() {
-        if next != file && reached.insert(next) {
+        if next != file && reachable.insert(next) {
             open.extend(imports.get(next).into_iter().flatten().map(String::as_str));
         } else if next == file {
-            let _ = reached.insert(imports.get_key_value(file).map_or("", |(key, _)| key));
+            let _ = reachable.insert(imports.get_key_value(file).map_or("", |(key, _)| key));
         }
     }
-    reached
+    reachable
 }
 
 fn files(path: &Path) -> Vec<PathBuf> {
@@ -87,15 +87,15 @@ fn test_files(name: &str, text: &str) -> Vec<String> {
 /// The text without its tests: imports and declarations for them alone, and the module at its end.
 pub(super) fn production(text: &str) -> String {
     let mut parts = text.split(OF_TESTS);
-    let mut kept = parts.next().unwrap_or_default().to_owned();
+    let mut shipped = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         let line = part.split('\n').next().unwrap_or_default();
         if line.ends_with('{') {
             break;
         }
-        kept.push_str(&part[line.len()..]);
+        shipped.push_str(&part[line.len()..]);
     }
-    kept
+    shipped
 }
 
 /// Every path of the crate that the text of the module `module` imports, one a name, whether by `crate::` or by `super::`.
@@ -110,15 +110,15 @@ fn absolute(module: &str, path: &str) -> Option<String> {
         return Some(rest.to_owned());
     }
     let (mut parent, mut rest) = (module, path);
-    while let Some(after) = rest.strip_prefix("super::") {
-        (parent, rest) = (parent.rsplit_once("::").map_or("", |(parent, _)| parent), after);
+    while let Some(tail) = rest.strip_prefix("super::") {
+        (parent, rest) = (parent.rsplit_once("::").map_or("", |(parent, _)| parent), tail);
     }
     let is_relative = rest.len() < path.len();
     is_relative.then(|| if parent.is_empty() { rest.to_owned() } else { format!("{parent}::{rest}") })
 }
 
 /// The children that a face calls by name, as in `child::new()`. Re-exporting their items does not count.
-fn called(face: &str, text: &str) -> Vec<String> {
+fn called_children(face: &str, text: &str) -> Vec<String> {
     let code = |line: &&str| !line.trim_start().starts_with("//") && !line.contains("use ");
     let words: Vec<&str> =
         text.lines().filter(code).flat_map(|line| line.split(|c: char| !is_of_path(c))).collect();
@@ -178,7 +178,7 @@ fn imports_by_super_are_seen() {
 #[test]
 fn a_call_to_a_child_is_seen_and_handing_on_is_not() {
     let face = "mod a;\nmod b;\n#[cfg(test)]\nmod c;\n\npub use a::A;\n\nfn f() {\n    b::g();\n}\n";
-    assert_eq!(called("room", face), ["room::b"]);
+    assert_eq!(called_children("room", face), ["room::b"]);
     assert_eq!(test_files("room", face), ["room::c"]);
     assert!(!production(face).contains("mod c"), "{}", production(face));
     assert!(production(face).contains("b::g()"));

@@ -36,7 +36,7 @@ const UNREAD: [&str; 3] = ["crates/artwork", "python", "web"];
 type Definitions = BTreeMap<String, Vec<String>>;
 
 /// Adds the types that `text` of `file` defines: structs, enums, traits, aliases, associated types. Tests at its end do not count.
-fn define(found: &mut Definitions, file: &str, text: &str) {
+fn define(definitions: &mut Definitions, file: &str, text: &str) {
     for line in text.lines().map(str::trim_start).take_while(|line| !line.starts_with("mod tests {")) {
         let line = match line.strip_prefix("pub(").and_then(|rest| rest.split_once(") ")) {
             Some((_, rest)) => rest,
@@ -45,7 +45,7 @@ fn define(found: &mut Definitions, file: &str, text: &str) {
         let Some((word, rest)) = line.split_once(' ') else { continue };
         let name: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
         if ["struct", "enum", "trait", "type"].contains(&word) && name.starts_with(char::is_uppercase) {
-            found.entry(name).or_default().push(file.to_owned());
+            definitions.entry(name).or_default().push(file.to_owned());
         }
     }
 }
@@ -53,48 +53,52 @@ fn define(found: &mut Definitions, file: &str, text: &str) {
 /// Whether a module is compiled for tests only, by the lines of its parent.
 fn is_test(path: &Path) -> bool {
     let name = path.file_stem().expect("a name").to_string_lossy();
-    let beside = |parent: &str| fs::read_to_string(path.with_file_name(parent)).unwrap_or_default();
-    name == "tests" || beside("mod.rs").contains(&format!("#[cfg(test)]\nmod {name};"))
+    let sibling = |parent: &str| fs::read_to_string(path.with_file_name(parent)).unwrap_or_default();
+    name == "tests" || sibling("mod.rs").contains(&format!("#[cfg(test)]\nmod {name};"))
 }
 
-fn walk(found: &mut Definitions, path: &Path) {
+fn walk(definitions: &mut Definitions, path: &Path) {
     for entry in fs::read_dir(path).expect("a directory") {
         let path = entry.expect("an entry").path();
         if path.is_dir() {
-            walk(found, &path);
+            walk(definitions, &path);
         } else if path.extension().is_some_and(|ending| ending == "rs") && !is_test(&path) {
-            define(found, &path.to_string_lossy(), &fs::read_to_string(&path).expect("a source file"));
+            define(definitions, &path.to_string_lossy(), &fs::read_to_string(&path).expect("a source file"));
         }
     }
 }
 
 #[test]
 fn a_name_has_one_type() {
-    let mut found = Definitions::new();
+    let mut definitions = Definitions::new();
     for (folder, _) in super::CRATES.iter().filter(|(folder, _)| !UNREAD.contains(folder)) {
-        walk(&mut found, &super::root().join(folder).join("src"));
+        walk(&mut definitions, &super::root().join(folder).join("src"));
     }
-    assert!(found.len() > 500, "only {} types were read", found.len());
-    found.retain(|_, files| files.len() > 1);
-    let mut faults: Vec<String> = found
+    assert!(definitions.len() > 500, "only {} types were read", definitions.len());
+    definitions.retain(|_, files| files.len() > 1);
+    let mut faults: Vec<String> = definitions
         .iter()
         .filter(|(name, _)| !REPEATED.iter().any(|(repeated, _)| repeated == name))
         .map(|(name, files)| format!("{name} is defined in {}: give one another name", files.join(", ")))
         .collect();
-    let unneeded = REPEATED.iter().filter(|(name, _)| !found.contains_key(*name));
+    let unneeded = REPEATED.iter().filter(|(name, _)| !definitions.contains_key(*name));
     faults.extend(unneeded.map(|(name, _)| format!("{name} is defined once: take it out of REPEATED")));
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
 #[test]
 fn a_second_type_of_a_name_is_seen() {
-    let mut found = Definitions::new();
+    let mut definitions = Definitions::new();
     define(
-        &mut found,
+        &mut definitions,
         "a.rs",
         "pub(in crate::cli) struct Job<'a> {\n    type Item = Job;\n}\nenum Job2 {}\n",
     );
-    define(&mut found, "b.rs", "pub type Job = u32;\n// struct Item\nmod tests {\n    struct Item;\n}\n");
-    assert_eq!(found["Job"], ["a.rs", "b.rs"]);
-    assert_eq!((found["Item"].len(), found.len()), (1, 3));
+    define(
+        &mut definitions,
+        "b.rs",
+        "pub type Job = u32;\n// struct Item\nmod tests {\n    struct Item;\n}\n",
+    );
+    assert_eq!(definitions["Job"], ["a.rs", "b.rs"]);
+    assert_eq!((definitions["Item"].len(), definitions.len()), (1, 3));
 }

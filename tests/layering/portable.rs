@@ -21,24 +21,24 @@ fn unconditional(text: &str) -> Vec<usize> {
     (0..lines.len()).filter(|at| is_call(lines[*at]) && !is_under_condition(*at)).map(|at| at + 1).collect()
 }
 
-fn walk(path: &Path, found: &mut Vec<String>) {
+fn walk(path: &Path, calls: &mut Vec<String>) {
     if path.is_dir() {
         for entry in fs::read_dir(path).expect("a directory") {
-            walk(&entry.expect("an entry").path(), found);
+            walk(&entry.expect("an entry").path(), calls);
         }
     } else if path.extension().is_some_and(|ending| ending == "rs") {
         let text = fs::read_to_string(path).expect("a source file");
-        found.extend(unconditional(&text).into_iter().map(|line| format!("{}:{line}", path.display())));
+        calls.extend(unconditional(&text).into_iter().map(|line| format!("{}:{line}", path.display())));
     }
 }
 
 #[test]
 fn what_only_some_systems_have_stands_under_a_condition() {
-    let mut found = Vec::new();
+    let mut calls = Vec::new();
     for source in super::sources() {
-        walk(&source, &mut found);
+        walk(&source, &mut calls);
     }
-    assert!(found.is_empty(), "write #[cfg(...)] above it, and what is done elsewhere: {}", found.join(", "));
+    assert!(calls.is_empty(), "write #[cfg(...)] above it, and what is done elsewhere: {}", calls.join(", "));
 }
 
 #[test]

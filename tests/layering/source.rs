@@ -126,7 +126,7 @@ fn closing(tokens: &[Token], open: usize) -> usize {
 }
 
 /// The first token of `ends` in `range` that no bracket encloses, or the end of `range`.
-fn outside(tokens: &[Token], range: Range<usize>, ends: &[&str]) -> usize {
+fn end_outside_brackets(tokens: &[Token], range: Range<usize>, ends: &[&str]) -> usize {
     let mut place = range.start;
     while place < range.end {
         let text = tokens[place].text.as_str();
@@ -162,12 +162,12 @@ fn function(tokens: &[Token], name: usize) -> Option<Function> {
     let mut start = open + 1;
     while start < end {
         // `in` stands before the values of a property test's parameter.
-        let colon = outside(tokens, start..end, &[":", ",", "in"]);
+        let colon = end_outside_brackets(tokens, start..end, &[":", ",", "in"]);
         let stop = comma_of_type(tokens, colon..end);
         parameters.push((start..colon, (colon + 1).min(stop)..stop));
         start = stop + 1;
     }
-    let brace = outside(tokens, end + 1..tokens.len(), &["{", ";"]);
+    let brace = end_outside_brackets(tokens, end + 1..tokens.len(), &["{", ";"]);
     let body = match tokens.get(brace)?.text.as_str() {
         "{" => brace + 1..closing(tokens, brace),
         _ => brace..brace,
@@ -196,9 +196,9 @@ pub(super) fn bindings(tokens: &[Token]) -> Vec<Binding> {
     let starts = (0..tokens.len()).filter(|place| tokens[*place].text == "let");
     starts
         .map(|place| {
-            let end = outside(tokens, place + 1..tokens.len(), &["=", ":", ";"]);
-            let equals = outside(tokens, end..tokens.len(), &["=", ";"]);
-            let stop = outside(tokens, equals..tokens.len(), &[";"]);
+            let end = end_outside_brackets(tokens, place + 1..tokens.len(), &["=", ":", ";"]);
+            let equals = end_outside_brackets(tokens, end..tokens.len(), &["=", ";"]);
+            let stop = end_outside_brackets(tokens, equals..tokens.len(), &[";"]);
             Binding { pattern: place + 1..end, value: (equals + 1).min(stop)..stop }
         })
         .collect()
@@ -249,17 +249,17 @@ fn texts_comments_and_lifetimes_are_no_tokens() {
 #[test]
 fn functions_and_lets_are_seen() {
     let code = "fn f<F: Fn(A) -> B>(mut x: Vec<(A, B)>, (y, z): (A, A), &self, w in 0..9_u8) -> [u8; 2] { let Some(P { q: r, .. }) = g(x) else { return }; }";
-    let tokens = tokens(code);
-    let functions = functions(&tokens);
+    let code_tokens = tokens(code);
+    let code_functions = functions(&code_tokens);
     let names = |range: &Range<usize>| {
-        bound(&tokens, range).iter().map(|place| tokens[*place].text.as_str()).collect::<Vec<_>>()
+        bound(&code_tokens, range).iter().map(|place| code_tokens[*place].text.as_str()).collect::<Vec<_>>()
     };
-    assert_eq!(functions.len(), 1);
-    let parameters: Vec<_> = functions[0].parameters.iter().map(|(pattern, _)| names(pattern)).collect();
+    assert_eq!(code_functions.len(), 1);
+    let parameters: Vec<_> = code_functions[0].parameters.iter().map(|(pattern, _)| names(pattern)).collect();
     assert_eq!(parameters, [vec!["x"], vec!["y", "z"], vec![], vec!["w"]]);
-    let bindings = bindings(&tokens);
+    let code_bindings = bindings(&code_tokens);
     assert_eq!(
-        (names(&bindings[0].pattern), tokens[bindings[0].value.start].text.as_str()),
+        (names(&code_bindings[0].pattern), code_tokens[code_bindings[0].value.start].text.as_str()),
         (vec!["r"], "g")
     );
 }

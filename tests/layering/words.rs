@@ -85,9 +85,9 @@ struct Source<'a> {
 
 impl<'a> Source<'a> {
     fn new(name: &'a str, text: &'a str) -> Self {
-        let tokens = tokens(text);
-        let (functions, bindings) = (functions(&tokens), bindings(&tokens));
-        Self { name, lines: text.lines().map(str::trim_start).collect(), tokens, functions, bindings }
+        let words = tokens(text);
+        let (functions, bindings) = (functions(&words), bindings(&words));
+        Self { name, lines: text.lines().map(str::trim_start).collect(), tokens: words, functions, bindings }
     }
 
     fn text(&self, place: usize) -> &str {
@@ -101,7 +101,7 @@ impl<'a> Source<'a> {
 
     /// The nameless among the names that `pattern` binds. Opposites are looked for in `scope`.
     fn nameless(&self, pattern: &Range<usize>, scope: &Range<usize>) -> Vec<String> {
-        let has = |word: &str| self.tokens[scope.clone()].iter().any(|token| token.text == word);
+        let is_in_scope = |word: &str| self.tokens[scope.clone()].iter().any(|token| token.text == word);
         let opposite =
             |name: &str| {
                 OPPOSITES.iter().find_map(|(one, two)| {
@@ -110,15 +110,17 @@ impl<'a> Source<'a> {
             };
         bound(&self.tokens, pattern)
             .into_iter()
-            .filter(|place| is_nameless(self.text(*place)) && !opposite(self.text(*place)).is_some_and(has))
+            .filter(|place| {
+                is_nameless(self.text(*place)) && !opposite(self.text(*place)).is_some_and(is_in_scope)
+            })
             .map(|place| self.fault(place, self.text(place)))
             .collect()
     }
 
     /// The tokens of the innermost function around `place`.
     fn scope(&self, place: usize) -> Range<usize> {
-        let around = self.functions.iter().filter(|function| function.body.contains(&place));
-        around.last().map_or(0..self.tokens.len(), |function| function.name..function.body.end)
+        let enclosing = self.functions.iter().filter(|function| function.body.contains(&place));
+        enclosing.last().map_or(0..self.tokens.len(), |function| function.name..function.body.end)
     }
 
     /// Whether the value of `binding` begins with a call to a function of a name that it binds.
@@ -147,12 +149,12 @@ impl<'a> Source<'a> {
         let (first, last) = (line(function.name), line(function.body.end));
         let is_comment = |line: &&&str| line.starts_with("//");
         let comments = self.lines[first - 1..last].iter().filter(is_comment).count();
-        let above = self.lines[..first - 1].iter().rev();
-        let above = above
+        let lines_above = self.lines[..first - 1].iter().rev();
+        let comments_above = lines_above
             .take_while(|line| line.starts_with("//") || line.starts_with("#["))
             .filter(is_comment)
             .count();
-        (last + 1 - first - comments, comments + above)
+        (last + 1 - first - comments, comments + comments_above)
     }
 }
 

@@ -45,11 +45,11 @@ fn a_ramp_steeper_than_the_file_can_state_is_refused() {
         .replace("contact = \"-0.3 mm\"", "contact = \"-5 mm\"");
     let refusals = try_built(&with_path("0.01 mm"), &steep).map(|_| ()).expect_err("a plunge");
     assert_eq!(refusals[0].code, "steep-ramp");
-    let least = refusals[0].remedy.split(' ').find_map(|word| word.parse::<f64>().ok()).expect("a ramp");
-    assert!(least > 0.05 && least < 1.0, "{}", refusals[0].remedy);
-    let enough = steep.replace("0.05 mm", &format!("{least} mm"));
+    let shortest = refusals[0].remedy.split(' ').find_map(|word| word.parse::<f64>().ok()).expect("a ramp");
+    assert!(shortest > 0.05 && shortest < 1.0, "{}", refusals[0].remedy);
+    let long_enough = steep.replace("0.05 mm", &format!("{shortest} mm"));
     for path in ["0.01 mm", "0.001 mm"] {
-        let build = built(&with_path(path), &enough);
+        let build = built(&with_path(path), &long_enough);
         assert_eq!(read_back(&build.output_files()).findings, [], "{path}");
     }
 }
@@ -64,18 +64,19 @@ fn marlin_dwells_only_after_moves_that_it_makes() {
         let build = built(&spec, profile("marlin"));
         assert_eq!(read_back(&build.output_files()).findings, [], "{corner}");
         let code = text(&build, JOB);
-        let (mut at, mut made) = ([0.0, 0.0], [0.0, 0.0]);
+        let (mut position, mut executed) = ([0.0, 0.0], [0.0, 0.0]);
         let (mut last, mut dwells) = (0.0_f64, 0);
         for line in code.lines() {
             let word = |letter: char| {
                 line.split(' ').find_map(|word| word.strip_prefix(letter)?.parse::<f64>().ok())
             };
             if line.starts_with("G0 ") || line.starts_with("G1 ") {
-                at = [word('X').unwrap_or(at[0]), word('Y').unwrap_or(at[1])];
-                let steps = |i: usize| ((at[i] * 80.0).round() - (made[i] * 80.0_f64).round()).abs();
+                position = [word('X').unwrap_or(position[0]), word('Y').unwrap_or(position[1])];
+                let steps =
+                    |i: usize| ((position[i] * 80.0).round() - (executed[i] * 80.0_f64).round()).abs();
                 last = steps(0).max(steps(1)).max(if line.contains('Z') { 6.0 } else { 0.0 });
                 if last >= 6.0 {
-                    made = at;
+                    executed = position;
                 }
             } else if line.starts_with("G4 ") {
                 dwells += 1;
@@ -89,20 +90,20 @@ fn marlin_dwells_only_after_moves_that_it_makes() {
 /// A custom `chop_feed` below the controller's lowest feed is refused in planning; the remedy's value is accepted.
 #[test]
 fn a_chop_feed_below_the_floor_is_refused() {
-    let own = |feed: &str| {
-        let both = format!("acceleration = \"10 mm/s^2\"\nchop_feed = \"{feed}\"");
-        profile("grbl").replace("acceleration = \"10 mm/s^2\"", &both)
+    let with_feed = |feed: &str| {
+        let keys = format!("acceleration = \"10 mm/s^2\"\nchop_feed = \"{feed}\"");
+        profile("grbl").replace("acceleration = \"10 mm/s^2\"", &keys)
     };
     // 22.9 mm/min along an axis and 32.4 mm/min at 45 degrees are the least.
     for feed in ["12 mm/min", "24 mm/min", "32 mm/min"] {
-        let refusals = try_built(&spec_text(CHOP), &own(feed)).map(|_| ()).expect_err(feed);
+        let refusals = try_built(&spec_text(CHOP), &with_feed(feed)).map(|_| ()).expect_err(feed);
         let [refusal] = &refusals[..] else { panic!("{refusals:?}") };
         assert_eq!(refusal.code, "no-chop", "{refusals:?}");
         let word = |unit: &&str| *unit == "mm/s;";
         let words: Vec<&str> = refusal.remedy.split(' ').collect();
-        let least = words.iter().position(word).and_then(|i| words.get(i - 1)).expect("a speed");
-        let build = built(&spec_text(CHOP), &own(&format!("{least} mm/s")));
-        assert_eq!(read_back(&build.output_files()).findings, [], "{least}");
+        let slowest = words.iter().position(word).and_then(|i| words.get(i - 1)).expect("a speed");
+        let build = built(&spec_text(CHOP), &with_feed(&format!("{slowest} mm/s")));
+        assert_eq!(read_back(&build.output_files()).findings, [], "{slowest}");
     }
 }
 
@@ -117,19 +118,19 @@ fn a_dwell_after_a_joined_move_is_found() {
         .windows(2)
         .position(|two| two[0].starts_with("G1 X") && !two[0].contains('Z') && two[1].starts_with("G4 P"));
     let i = i.expect("a stroke");
-    let before = lines[..i].iter().rev().find(|line| line.starts_with("G1 ")).expect("a move");
+    let previous = lines[..i].iter().rev().find(|line| line.starts_with("G1 ")).expect("a move");
     let word = |line: &str, letter: char| {
         line.split(' ').find_map(|word| word.strip_prefix(letter)?.parse::<f64>().ok()).expect("a word")
     };
-    let part = |letter: char| 0.8 * word(before, letter) + 0.2 * word(lines[i], letter);
+    let part = |letter: char| 0.8 * word(previous, letter) + 0.2 * word(lines[i], letter);
     let mut edited: Vec<String> = lines.iter().map(|line| (*line).to_owned()).collect();
     edited.insert(i, "G4 P200".to_owned());
     edited.insert(i, format!("G1 X{:.4} Y{:.4}", part('X'), part('Y')));
     let count = edited.len();
     let _ = edited.pop();
     edited.push(format!("; end of program, {count} lines"));
-    let found = findings_with(&build, JOB, &(edited.join("\n") + "\n"));
-    assert!(found.iter().any(|finding| finding.code == "short-stroke"), "{found:?}");
+    let findings = findings_with(&build, JOB, &(edited.join("\n") + "\n"));
+    assert!(findings.iter().any(|finding| finding.code == "short-stroke"), "{findings:?}");
 }
 
 /// Pieces of a step or less on every controller: where positions are rounded, some are nothing and some a step, which takes a tenth of a
@@ -155,11 +156,11 @@ fn dense_polylines_are_proven_on_every_chopping_profile() {
     let reading = read(&Source::new("spec", text.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
     for name in crate::with_floor() {
         for (count, radius, waves) in [(1000, 40.0, 3.0), (1500, 25.0, 5.0), (2000, 55.0, 2.0)] {
-            let drawn = reading.clone().with_drawing(polyline(count, radius, waves).as_bytes()).spec;
+            let polyline_spec = reading.clone().with_drawing(polyline(count, radius, waves).as_bytes()).spec;
             let sources = Sources { spec: &text, machine: profile(name) };
-            let build = build(&drawn, &machine(profile(name)), sources, &KindRequest::default());
-            let build = build.unwrap_or_else(|refusals| panic!("{name} {count}: {refusals}"));
-            assert_eq!(read_back(&build.output_files()).findings, [], "{name} {count} {radius} {waves}");
+            let result = build(&polyline_spec, &machine(profile(name)), sources, &KindRequest::default());
+            let result = result.unwrap_or_else(|refusals| panic!("{name} {count}: {refusals}"));
+            assert_eq!(read_back(&result.output_files()).findings, [], "{name} {count} {radius} {waves}");
         }
     }
 }

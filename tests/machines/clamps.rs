@@ -47,16 +47,16 @@ fn clamped(place: Bounds, height: Option<f64>) -> String {
     )
 }
 
-/// Clamps 6 mm wide along each side of `inner`, at the distance `off`.
-fn beside(inner: Bounds, off: f64) -> [Bounds; 4] {
+/// Clamps 6 mm wide along each side of `inner`, at the distance `distance`.
+fn side_clamps(inner: Bounds, distance: f64) -> [Bounds; 4] {
     let (a, c, wide) = (inner.min, inner.max, 6.0);
     let clamp =
         |x: f64, y: f64, x_to: f64, y_to: f64| Bounds { min: Point::new(x, y), max: Point::new(x_to, y_to) };
     [
-        clamp(a.x - off - wide, a.y, a.x - off, c.y),
-        clamp(c.x + off, a.y, c.x + off + wide, c.y),
-        clamp(a.x, a.y - off - wide, c.x, a.y - off),
-        clamp(a.x, c.y + off, c.x, c.y + off + wide),
+        clamp(a.x - distance - wide, a.y, a.x - distance, c.y),
+        clamp(c.x + distance, a.y, c.x + distance + wide, c.y),
+        clamp(a.x, a.y - distance - wide, c.x, a.y - distance),
+        clamp(a.x, c.y + distance, c.x, c.y + distance + wide),
     ]
 }
 
@@ -78,7 +78,7 @@ fn refused(place: Bounds, height: Option<f64>) -> String {
 }
 
 /// The findings when the profile of a finished build gets a clamp.
-fn found(place: Bounds, height: Option<f64>) -> Vec<Finding> {
+fn findings_of(place: Bounds, height: Option<f64>) -> Vec<Finding> {
     let build = built(&sheet(), profile("generic"));
     let mut files = build.output_files();
     for (name, bytes) in &mut files.files {
@@ -94,18 +94,20 @@ fn found(place: Bounds, height: Option<f64>) -> Vec<Finding> {
 fn a_low_clamp_keeps_half_a_band_off_the_seal_on_every_side() {
     let [seals, _] = programs();
     let low = Some(0.5);
-    for (near, far) in
-        beside(followed(&seals), REACH - 1e-6).into_iter().zip(beside(followed(&seals), REACH + 1e-6))
+    for (near, far) in side_clamps(followed(&seals), REACH - 1e-6)
+        .into_iter()
+        .zip(side_clamps(followed(&seals), REACH + 1e-6))
     {
         assert_eq!(refused(near, low), "the seal of star 1 meets the clamp \"vice\"");
         assert_eq!(refused(far, low), "");
     }
     // The verifier allows for the rounding of a file.
-    for (near, far) in
-        beside(followed(&seals), REACH - 0.01).into_iter().zip(beside(followed(&seals), REACH + 0.01))
+    for (near, far) in side_clamps(followed(&seals), REACH - 0.01)
+        .into_iter()
+        .zip(side_clamps(followed(&seals), REACH + 0.01))
     {
-        assert!(!found(near, low).is_empty());
-        assert_eq!(found(far, low), []);
+        assert!(!findings_of(near, low).is_empty());
+        assert_eq!(findings_of(far, low), []);
     }
 }
 
@@ -117,13 +119,13 @@ fn the_iron_passes_above_a_clamp_that_is_lower_than_it_travels() {
     let (seal, trace) = (followed(&seals), followed(&traces));
     assert!(trace.min.x < seal.min.x - 2.0 * REACH);
     // On some sides the path to a seam is met first.
-    let said = "the trace of star 1 meets the clamp \"vice\"";
-    let sides = beside(trace, -1e-6).into_iter().zip(beside(trace, 1e-6));
-    let sides: Vec<_> = sides.filter(|(touching, _)| refused(*touching, None) == said).collect();
+    let expected = "the trace of star 1 meets the clamp \"vice\"";
+    let sides = side_clamps(trace, -1e-6).into_iter().zip(side_clamps(trace, 1e-6));
+    let sides: Vec<_> = sides.filter(|(touching, _)| refused(*touching, None) == expected).collect();
     assert!(sides.len() >= 2, "{sides:?}");
     for (touching, free) in sides {
         for height in [Some(travel), Some(travel + 1.0)] {
-            assert_eq!(refused(touching, height), said);
+            assert_eq!(refused(touching, height), expected);
         }
         assert_eq!(
             (refused(free, None), refused(touching, Some(travel - 0.01))),
@@ -160,25 +162,25 @@ fn the_remedy_for_a_tall_clamp_names_both_heights() {
     assert!(refusals[0].remedy.contains(remedy), "{refusals}");
     let raised = tall.replacen("travel = \"5 mm\"", "travel = \"40.1 mm\"", 1);
     let raised = raised.replacen("park = \"30 mm\"", "park = \"40.2 mm\"", 1);
-    let said = |profile: &str| try_built(&sheet(), profile).err().map(|refusals| refusals.to_string());
-    let said = said(&raised).unwrap_or_default();
-    assert!(!said.contains("clamp"), "{said}");
+    let message = |profile: &str| try_built(&sheet(), profile).err().map(|refusals| refusals.to_string());
+    let refusal = message(&raised).unwrap_or_default();
+    assert!(!refusal.contains("clamp"), "{message}");
 }
 
 #[test]
 fn the_way_between_two_seams_counts_too() {
     let [seals, _] = programs();
-    let mut at: Option<Point> = None;
+    let mut position: Option<Point> = None;
     let mut ways = Vec::new();
     for step in &seals[0].steps {
         match step {
             Step::Travel(to) => {
                 ways.extend(
-                    at.filter(|from| from.distance(*to) > 3.0 * REACH).map(|from| from.lerp(*to, 0.5)),
+                    position.filter(|from| from.distance(*to) > 3.0 * REACH).map(|from| from.lerp(*to, 0.5)),
                 );
-                at = Some(*to);
+                position = Some(*to);
             }
-            Step::Lift(ramp) => at = ramp.pieces.last().map(Segment::end),
+            Step::Lift(ramp) => position = ramp.pieces.last().map(Segment::end),
             _ => {}
         }
     }
@@ -188,8 +190,8 @@ fn the_way_between_two_seams_counts_too() {
     let travel = machine(profile("generic")).process.heights.travel.0;
     assert_eq!(refused(speck, None), "the way to or from a seam of star 1 meets the clamp \"vice\"");
     assert_eq!(refused(speck, Some(travel - 0.01)), "");
-    assert!(!found(speck, None).is_empty());
-    assert_eq!(found(speck, Some(travel - 0.01)), []);
+    assert!(!findings_of(speck, None).is_empty());
+    assert_eq!(findings_of(speck, Some(travel - 0.01)), []);
 }
 
 /// A clamp under the whole star has no side near the seal: the paths inside meet it.
@@ -197,8 +199,8 @@ fn the_way_between_two_seams_counts_too() {
 fn a_clamp_around_everything_is_met() {
     let [seals, _] = programs();
     let Bounds { min, max } = followed(&seals);
-    let by = Point::new(5.0, 5.0) - Point::ORIGIN;
-    let under = Bounds { min: min + by * -1.0, max: max + by };
-    assert_eq!(refused(under, Some(0.5)), "the seal of star 1 meets the clamp \"vice\"");
-    assert!(!found(under, Some(0.5)).is_empty());
+    let margin = Point::new(5.0, 5.0) - Point::ORIGIN;
+    let around_all = Bounds { min: min + margin * -1.0, max: max + margin };
+    assert_eq!(refused(around_all, Some(0.5)), "the seal of star 1 meets the clamp \"vice\"");
+    assert!(!findings_of(around_all, Some(0.5)).is_empty());
 }

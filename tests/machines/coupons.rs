@@ -12,9 +12,9 @@ use crate::{PROFILES, machine, profile, spec, spec_text};
 fn proven(spec: &Spec, machine: &Machine, grid: &StripGrid) -> Vec<Coupon> {
     let groups = CouponGroup::NAMES.map(|(_, group)| group);
     let sources = Sources { spec: "", machine: "" };
-    let made = MadeCoupons::new(spec, machine, sources, grid, &groups);
-    let made = made.unwrap_or_else(|refusals| panic!("{}: {refusals}", machine.name));
-    let proven = made.prove().unwrap_or_else(|findings| panic!("{}: {findings:#?}", machine.name));
+    let result = MadeCoupons::new(spec, machine, sources, grid, &groups);
+    let coupons = result.unwrap_or_else(|refusals| panic!("{}: {refusals}", machine.name));
+    let proven = coupons.prove().unwrap_or_else(|findings| panic!("{}: {findings:#?}", machine.name));
     proven.made().coupons.clone()
 }
 

@@ -110,7 +110,7 @@ const REMARKS: [&str; 14] = [
 ];
 
 /// The profile `name` with `line` added to `part`, or as its pause.
-fn with(name: &str, part: &str, line: &str) -> String {
+fn profile_with(name: &str, part: &str, line: &str) -> String {
     let quoted = line.replace('\\', "\\\\").replace('"', "\\\"");
     let (from, to) = match part {
         "pause" => ("pause = \"", format!("pause = \"{quoted}\" # \"")),
@@ -132,7 +132,7 @@ fn no_dangerous_line_is_read_in_any_dialect() {
                 if line == "M0" && part == "pause" && own_pause(name) {
                     continue;
                 }
-                let text = with(name, part, line);
+                let text = profile_with(name, part, line);
                 let faults = read_machine(&Source::new("mine", text.clone()))
                     .expect_err(&format!("{name} {part} {line}"));
                 let codes: Vec<_> = faults.list().iter().map(|fault| fault.code).collect();

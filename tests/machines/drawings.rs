@@ -24,7 +24,7 @@ fn pillow(rest: &str) -> (String, Spec) {
     (text, spec)
 }
 
-fn made(text: &str, spec: &Spec, machine: &Machine, name: &str) -> Built {
+fn build_drawing(text: &str, spec: &Spec, machine: &Machine, name: &str) -> Built {
     let request = KindRequest { with: vec![Kind::OutlinePdf, Kind::PreviewPng], ..KindRequest::default() };
     let sources = Sources { spec: text, machine: profile(name) };
     build(spec, machine, sources, &request).unwrap_or_else(|refusals| panic!("{name}: {refusals}"))
@@ -35,11 +35,15 @@ fn hand_rest(profile: &str) -> Result<Built, Refusals> {
     hand_rest_with(str::to_owned, "", profile)
 }
 
-/// The same with its spec changed, and with `more` in its section on the machine.
-fn hand_rest_with(change: impl Fn(&str) -> String, more: &str, profile: &str) -> Result<Built, Refusals> {
+/// The same with its spec changed, and with `machine_keys` in its section on the machine.
+fn hand_rest_with(
+    change: impl Fn(&str) -> String,
+    machine_keys: &str,
+    profile: &str,
+) -> Result<Built, Refusals> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/drawings/");
     let text = fs::read_to_string(format!("{folder}hand-rest.toml")).expect("a design");
-    let text = format!("{}\n[machine]\nprofile = \"own.toml\"\n{more}", change(&text));
+    let text = format!("{}\n[machine]\nprofile = \"own.toml\"\n{machine_keys}", change(&text));
     let reading = read(&Source::new("spec", text.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
     let spec = reading.with_drawing(&fs::read(format!("{folder}hand-rest.svg")).expect("a drawing")).spec;
     let sources = Sources { spec: &text, machine: profile };
@@ -52,13 +56,14 @@ fn a_ramp_that_seals_far_past_a_weld_is_refused() {
     let deep = profile("generic")
         .replace("contact = \"-0.3 mm\"", "contact = \"-3 mm\"")
         .replace("travel = \"5 mm\"", "travel = \"2 mm\"");
-    let with = |ramp: &str| hand_rest(&deep.replace("ramp = \"3 mm\"", &format!("ramp = \"{ramp} mm\"")));
-    let refusals = with("30").map(|_| ()).expect_err("18 mm are sealed past the ends");
+    let with_ramp =
+        |ramp: &str| hand_rest(&deep.replace("ramp = \"3 mm\"", &format!("ramp = \"{ramp} mm\"")));
+    let refusals = with_ramp("30").map(|_| ()).expect_err("18 mm are sealed past the ends");
     assert_eq!(refusals[0].code, "long-ramp");
     assert!(refusals[0].found.contains("presses 18.000 mm past an end of seam "), "{}", refusals[0].found);
     assert!(refusals[0].remedy.contains("a ramp of at most 2.5 mm"), "{}", refusals[0].remedy);
-    assert!(with("2.51").is_err());
-    let built = with("2.5").unwrap_or_else(|refusals| panic!("{refusals}"));
+    assert!(with_ramp("2.51").is_err());
+    let built = with_ramp("2.5").unwrap_or_else(|refusals| panic!("{refusals}"));
     assert_eq!(read_back(&built.output_files()).findings, []);
     // Past the mouth of a star there is no fabric, and the ramps of a closed seam lie on its own band.
     let long = deep.replace("ramp = \"3 mm\"", "ramp = \"30 mm\"");
@@ -75,17 +80,17 @@ fn a_drawing_is_made_on_every_machine() {
             format!("[machine]\nprofile = \"{name}\"\nprogram = \"{scope}\"\nfeed_floor = \"{floor}\"\n");
         let (text, spec) = pillow(&rest);
         let machine = machine(profile(name));
-        let built = made(&text, &spec, &machine, name);
+        let built = build_drawing(&text, &spec, &machine, name);
         let files = OutputFiles {
             files: built.files().map(|(file, bytes)| (file.into(), bytes)).collect(),
             ..OutputFiles::default()
         };
         assert_eq!(read_back(&files).findings, [], "{name}");
-        let has = |file: &str| built.artifacts.iter().any(|artifact| artifact.name == file);
+        let has_file = |file: &str| built.artifacts.iter().any(|artifact| artifact.name == file);
         for file in
             ["sheet-1-outline-a4.pdf", "sheet-1-preview.png", "piece-1-mask.svg", "piece-1-mask-letter.pdf"]
         {
-            assert!(has(file), "{name}: {file}");
+            assert!(has_file(file), "{name}: {file}");
         }
         let mask = text_of(&built, "piece-1-mask.svg");
         let moved = mask.replacen(" L", " L1", 1);
@@ -115,7 +120,7 @@ fn sealed(file: &str, bytes: &str, name: &str) -> Built {
          [machine]\nprofile = \"{name}\"\nfeed_floor = \"{floor}\"\n"
     );
     let reading = read(&Source::new("spec", text.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
-    made(&text, &reading.with_drawing(bytes.as_bytes()).spec, &machine(profile(name)), name)
+    build_drawing(&text, &reading.with_drawing(bytes.as_bytes()).spec, &machine(profile(name)), name)
 }
 
 /// Curves of other programs have segments of a micrometre and less. No seam begins on one, and the iron does not go straight down there: on
@@ -141,8 +146,8 @@ fn crumbs_under_a_ramp_do_no_harm() {
             let piece = &built.forecast.design.drawn().expect("a drawing").pieces[0];
             let weld = piece.shape.seams.iter().find(|seam| seam.name == "line").expect("the weld");
             // Straight on before its first long segment, which goes 40 mm to the right and 20 mm down.
-            let into = weld.lead_in(3.0).tangent_at(0.0).expect("a way");
-            assert!((into.y / into.x + 0.5).abs() < 1e-3, "{into:?}");
+            let direction = weld.lead_in(3.0).tangent_at(0.0).expect("a way");
+            assert!((direction.y / direction.x + 0.5).abs() < 1e-3, "{direction:?}");
         }
     }
 }
@@ -153,7 +158,7 @@ fn elements_of_no_length_are_nothing() {
     let entity = |kind: &str, pairs: &str| format!("0|{kind}|8|air|{pairs}|");
     let corners = "10|20|20|20|10|20|20|20|10|170|20|20|10|170|20|140|10|170|20|140|10|20|20|140|10|20|20|20";
     let rim = |corners: &str, count: usize| entity("LWPOLYLINE", &format!("90|{count}|70|1|{corners}"));
-    let nothing = [
+    let crumbs = [
         entity("LINE", "10|20|20|70|11|20|21|70"),
         entity("LINE", "10|90|20|80|11|90|21|80"),
         entity("ARC", "10|90|20|20|40|0|50|0|51|90"),
@@ -169,7 +174,7 @@ fn elements_of_no_length_are_nothing() {
     let plain = rim("10|20|20|20|10|170|20|20|10|170|20|140|10|20|20|140", 4);
     let program =
         |entities: &str| text_of(&sealed("d.dxf", &file(entities), "generic"), "piece-1-seal.gcode");
-    assert_eq!(program(&(rim(corners, 7) + &nothing.concat())), program(&plain));
+    assert_eq!(program(&(rim(corners, 7) + &crumbs.concat())), program(&plain));
 }
 
 /// One strip, sealed with the spec's settings.
@@ -191,13 +196,13 @@ fn drawings_are_resumed_wherever_they_lie_and_begin() {
         for share in shares {
             let rest =
                 resume(job, ResumeAt::Share(*share), None).unwrap_or_else(|fault| panic!("{share}: {fault}"));
-            let again = resume(&rest.text, ResumeAt::Share(0.95), None);
-            let _ = again.unwrap_or_else(|fault| panic!("{share}, then 0.95: {fault}"));
+            let resumed = resume(&rest.text, ResumeAt::Share(0.95), None);
+            let _ = resumed.unwrap_or_else(|fault| panic!("{share}, then 0.95: {fault}"));
         }
     };
     for (name, chop) in [("grbl", "feed_floor = \"chop\"\n"), ("linuxcnc", "")] {
         let (text, spec) = pillow(&format!("[machine]\nprofile = \"{name}\"\n{chop}"));
-        let built = made(&text, &spec, &machine(profile(name)), name);
+        let built = build_drawing(&text, &spec, &machine(profile(name)), name);
         let end = if name == "grbl" { "gcode" } else { "ngc" };
         for piece in [1, 2, 4] {
             shares(&text_of(&built, &format!("piece-{piece}-seal.{end}")), &[0.5, 0.64, 0.83]);

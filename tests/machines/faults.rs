@@ -17,7 +17,7 @@ fn build(name: &str) -> Built {
 }
 
 /// The program with the correct number of lines in its last line.
-fn counted(lines: &[String]) -> String {
+fn with_line_count(lines: &[String]) -> String {
     let mut text = String::new();
     for line in &lines[..lines.len() - 1] {
         text.push_str(line);
@@ -40,23 +40,23 @@ struct Seeded {
 }
 
 /// Index of an item of `n` at a place from 0 to 1.
-fn pick(n: usize, at: f64) -> usize {
+fn pick(n: usize, share: f64) -> usize {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         clippy::cast_precision_loss,
         reason = "small"
     )]
-    let i = (at * n as f64) as usize;
+    let i = (share * n as f64) as usize;
     i.min(n - 1)
 }
 
 /// Inserts one fault at a place from 0 to 1; `None` if this program has no place for it.
-fn seeded(kind: usize, at: f64, text: &str) -> Option<Seeded> {
+fn seeded(kind: usize, share: f64, text: &str) -> Option<Seeded> {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     let count = lines.len();
     let cuts = contact(&lines);
-    let cut = cuts[pick(cuts.len(), at)];
+    let cut = cuts[pick(cuts.len(), share)];
     let starting = |code: &str| (0..count).filter(|i| lines[*i].starts_with(code)).collect::<Vec<_>>();
     let dwells = starting("G4 P");
     let heat = starting("M109").first().copied().or_else(|| lines.iter().position(|line| line == HEAT))?;
@@ -75,22 +75,22 @@ fn seeded(kind: usize, at: f64, text: &str) -> Option<Seeded> {
         1 => {
             let is_arc = |i: &usize| lines[*i].starts_with("G2") || lines[*i].starts_with("G3");
             let arcs: Vec<usize> = cuts.iter().copied().filter(is_arc).collect();
-            let arc = *arcs.get(pick(arcs.len().max(1), at))?;
+            let arc = *arcs.get(pick(arcs.len().max(1), share))?;
             let turned = if lines[arc].starts_with("G2") { "G3" } else { "G2" };
             lines[arc].replace_range(..2, turned);
             ("deviation", arc + 1)
         }
         // A loop left open: moves before the first lift are missing, so that its last move comes too early.
         2 => {
-            let gone = 60.min(cuts.len() / 4);
-            let (from, last) = (before_up(gone)?, before_up(gone + 1)?);
-            drop(lines.drain(from..up));
+            let count = 60.min(cuts.len() / 4);
+            let (start, last) = (before_up(count)?, before_up(count + 1)?);
+            drop(lines.drain(start..up));
             ("open-loop", last + 1)
         }
         // The overlap cut short: the last move in contact of the first seam is missing.
         3 => {
-            let (from, last) = (before_up(0)?, before_up(1)?);
-            drop(lines.drain(from..up));
+            let (start, last) = (before_up(0)?, before_up(1)?);
+            drop(lines.drain(start..up));
             ("missing-overlap", last + 1)
         }
         // The heat removed: every move on the fabric is cold, first the one that goes down to it.
@@ -101,7 +101,7 @@ fn seeded(kind: usize, at: f64, text: &str) -> Option<Seeded> {
         }
         // The dwell's unit wrong: the stroke before it is too fast or too slow.
         5 => {
-            let dwell = *dwells.get(pick(dwells.len().max(1), at))?;
+            let dwell = *dwells.get(pick(dwells.len().max(1), share))?;
             let p: f64 = lines[dwell][4..].parse().ok()?;
             lines[dwell] = format!("G4 P{}", if p > 100.0 { p / 1000.0 } else { p * 1000.0 });
             ("wrong-feed", dwell)
@@ -148,7 +148,7 @@ fn seeded(kind: usize, at: f64, text: &str) -> Option<Seeded> {
         }
         _ => return None,
     };
-    Some(Seeded { text: counted(&lines), code, line })
+    Some(Seeded { text: with_line_count(&lines), code, line })
 }
 
 /// Whether one of the findings names the fault by its code and its line.
@@ -161,7 +161,7 @@ fn is_named(fault: &Seeded, findings: &[Finding]) -> bool {
 }
 
 /// The code and the line of each finding, so that a failure can be read.
-fn told(findings: &[Finding]) -> Vec<(&str, Option<usize>)> {
+fn codes_and_lines(findings: &[Finding]) -> Vec<(&str, Option<usize>)> {
     findings.iter().take(8).map(|finding| (finding.code, finding.line)).collect()
 }
 
@@ -169,16 +169,17 @@ fn told(findings: &[Finding]) -> Vec<(&str, Option<usize>)> {
 fn every_kind_of_fault_is_named_with_its_line_in_every_dialect() {
     let mut missed = Vec::new();
     for name in PROFILES {
-        let build = build(name);
-        let good = text(&build, FILE);
-        assert_eq!(findings_with(&build, FILE, &good), [], "{name}");
+        let machine_build = build(name);
+        let good = text(&machine_build, FILE);
+        assert_eq!(findings_with(&machine_build, FILE, &good), [], "{name}");
         for kind in 0..13 {
             for at in [0.0, 0.3, 0.77] {
                 let Some(bad) = seeded(kind, at, &good) else { continue };
-                let findings = findings_with(&build, FILE, &bad.text);
+                let findings = findings_with(&machine_build, FILE, &bad.text);
                 if !is_named(&bad, &findings) {
-                    let told = told(&findings);
-                    missed.push(format!("{name}: fault {kind}, no {} in {}: {told:?}", bad.code, bad.line));
+                    let summary = codes_and_lines(&findings);
+                    missed
+                        .push(format!("{name}: fault {kind}, no {} in {}: {summary:?}", bad.code, bad.line));
                 }
             }
         }
@@ -190,22 +191,22 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn a_fault_anywhere_is_found(profile in 0..PROFILES.len(), kind in 0..13_usize, at in 0.0..1.0_f64) {
-        let build = build(PROFILES[profile]);
-        if let Some(bad) = seeded(kind, at, &text(&build, FILE)) {
-            let findings = findings_with(&build, FILE, &bad.text);
-            prop_assert!(is_named(&bad, &findings), "{} {kind} {at}: {:?}", PROFILES[profile], told(&findings));
+    fn a_fault_anywhere_is_found(profile in 0..PROFILES.len(), kind in 0..13_usize, share in 0.0..1.0_f64) {
+        let machine_build = build(PROFILES[profile]);
+        if let Some(bad) = seeded(kind, share, &text(&machine_build, FILE)) {
+            let findings = findings_with(&machine_build, FILE, &bad.text);
+            prop_assert!(is_named(&bad, &findings), "{} {kind} {share}: {:?}", PROFILES[profile], codes_and_lines(&findings));
         }
     }
 
     #[test]
-    fn a_file_cut_at_any_byte_is_found(profile in 0..PROFILES.len(), at in 0.0..1.0_f64) {
-        let build = build(PROFILES[profile]);
-        let good = text(&build, FILE);
+    fn a_file_cut_at_any_byte_is_found(profile in 0..PROFILES.len(), share in 0.0..1.0_f64) {
+        let machine_build = build(PROFILES[profile]);
+        let good = text(&machine_build, FILE);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "small")]
-        let end = (at * good.len() as f64) as usize;
-        let findings = findings_with(&build, FILE, &good[..end]);
-        prop_assert!(findings.iter().any(|f| f.code == "truncated" && f.file.starts_with("star-1-seal.")), "cut at {end}: {:?}", told(&findings));
+        let end = (share * good.len() as f64) as usize;
+        let findings = findings_with(&machine_build, FILE, &good[..end]);
+        prop_assert!(findings.iter().any(|f| f.code == "truncated" && f.file.starts_with("star-1-seal.")), "cut at {end}: {:?}", codes_and_lines(&findings));
     }
 
     #[test]

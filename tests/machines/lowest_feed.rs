@@ -24,13 +24,13 @@ fn motion(steps: [f64; 3]) -> Motion {
 /// the axis with the most steps.
 fn brute_force(steps: [f64; 3], piece: &Segment, rise: f64) -> f64 {
     let length = piece.length();
-    let along = |t: f64| {
+    let speed_at = |t: f64| {
         let u = piece.tangent(t);
         let way = [u.x * length, u.y * length, rise];
-        let most = steps.iter().zip(way).map(|(s, d)| s * d.abs()).fold(0.0, f64::max);
-        RATE * length.hypot(rise) / most
+        let largest = steps.iter().zip(way).map(|(s, d)| s * d.abs()).fold(0.0, f64::max);
+        RATE * length.hypot(rise) / largest
     };
-    (0..=SAMPLES).map(|i| along(f64::from(i) / f64::from(SAMPLES))).fold(0.0, f64::max)
+    (0..=SAMPLES).map(|i| speed_at(f64::from(i) / f64::from(SAMPLES))).fold(0.0, f64::max)
 }
 
 fn steps() -> impl Strategy<Value = [f64; 3]> {
@@ -50,22 +50,22 @@ proptest! {
     fn it_is_that_of_the_worst_direction(steps in steps(), arc in arc(), climb in prop_oneof![Just(0.0), -1.0..1.0_f64]) {
         let piece = Segment::Arc(arc);
         let rise = climb * piece.length();
-        let found = lowest_speed(&motion(steps), &piece, rise).expect("known");
+        let lowest = lowest_speed(&motion(steps), &piece, rise).expect("known");
         let sampled = brute_force(steps, &piece, rise);
-        prop_assert!(found >= sampled * (1.0 - 1e-12), "{} of {}", found, sampled);
+        prop_assert!(lowest >= sampled * (1.0 - 1e-12), "{} of {}", lowest, sampled);
         // Beside the worst direction the speed falls by at most the greater ratio of the steps a radian.
         let ratio = (steps[0] / steps[1]).max(steps[1] / steps[0]);
         let missed = ratio * arc.sweep.abs() / f64::from(SAMPLES);
-        prop_assert!(found <= sampled * (1.0 + missed), "{} of {}", found, sampled);
+        prop_assert!(lowest <= sampled * (1.0 + missed), "{} of {}", lowest, sampled);
     }
 
     #[test]
     fn it_does_not_depend_on_the_way_round(steps in steps(), arc in arc(), climb in -1.0..1.0_f64) {
         let piece = Segment::Arc(arc);
         let rise = climb * piece.length();
-        let there = lowest_speed(&motion(steps), &piece, rise).expect("known");
+        let forth = lowest_speed(&motion(steps), &piece, rise).expect("known");
         let back = lowest_speed(&motion(steps), &piece.reversed(), -rise).expect("known");
-        prop_assert!((there / back - 1.0).abs() < 1e-9, "{} and {}", there, back);
+        prop_assert!((forth / back - 1.0).abs() < 1e-9, "{} and {}", forth, back);
     }
 }
 
@@ -75,38 +75,39 @@ fn the_worst_direction_within_a_short_arc_counts_in_every_quadrant() {
     let m = motion([80.0, 200.0, 400.0]);
     // X and Y step equally often where 80 cos = 200 sin.
     let even = 80.0_f64.atan2(200.0);
-    let (_, most) = m.speed_range().expect("known");
+    let (_, fastest) = m.speed_range().expect("known");
     for direction in [even, PI - even, PI + even, -even] {
         for turn in [1.0, -1.0] {
             let arc = Arc::new(Point::ORIGIN, 10.0, direction - turn * (FRAC_PI_2 + 0.1), turn * 0.2);
-            let found = lowest_speed(&m, &arc.into(), 0.0).expect("known");
-            assert!((found / most - 1.0).abs() < 1e-12, "{direction} {turn}: {found} of {most}");
+            let lowest = lowest_speed(&m, &arc.into(), 0.0).expect("known");
+            assert!((lowest / fastest - 1.0).abs() < 1e-12, "{direction} {turn}: {lowest} of {fastest}");
             // Beyond the worst direction only the end counts.
-            let beyond = arc.part(0.6, 1.0);
-            let end = lowest_speed(&m, &beyond.into(), 0.0).expect("known");
+            let second_half = arc.part(0.6, 1.0);
+            let end = lowest_speed(&m, &second_half.into(), 0.0).expect("known");
             assert!(
-                end < 0.999 * most
-                    && (end / brute_force([80.0, 200.0, 400.0], &beyond.into(), 0.0) - 1.0).abs() < 1e-12
+                end < 0.999 * fastest
+                    && (end / brute_force([80.0, 200.0, 400.0], &second_half.into(), 0.0) - 1.0).abs()
+                        < 1e-12
             );
         }
     }
     let circle = Arc::new(Point::ORIGIN, 10.0, 0.3, TAU).into();
-    assert!((lowest_speed(&m, &circle, 0.0).expect("known") / most - 1.0).abs() < 1e-12);
+    assert!((lowest_speed(&m, &circle, 0.0).expect("known") / fastest - 1.0).abs() < 1e-12);
 }
 
 #[test]
 fn a_line_has_one_direction_and_what_is_unknown_stays_unknown() {
     let line = Line::new(Point::new(3.0, 4.0), Point::new(6.0, 8.0)).into();
-    let found = lowest_speed(&motion([100.0, 100.0, 400.0]), &line, 0.0).expect("known");
-    assert!((found - RATE / 80.0).abs() < 1e-12, "{found}");
+    let lowest = lowest_speed(&motion([100.0, 100.0, 400.0]), &line, 0.0).expect("known");
+    assert!((lowest - RATE / 80.0).abs() < 1e-12, "{lowest}");
     let steep = lowest_speed(&motion([100.0, 100.0, 400.0]), &line, -5.0).expect("known");
     assert!((steep - RATE * 50.0_f64.sqrt() / 2000.0).abs() < 1e-12, "{steep}");
     let arc = Arc::new(Point::ORIGIN, 10.0, 0.0, 3.0).into();
     for piece in [line, arc] {
         assert_eq!(lowest_speed(&Motion::UNKNOWN, &piece, 0.0), None);
         // A lowest feed in the profile holds for every direction.
-        let own = Motion { step_rate: StepRate::NoLimit, min_feed: Speed(0.25), ..Motion::UNKNOWN };
-        assert_eq!(lowest_speed(&own, &piece, 1.0), Some(0.25));
+        let feed_limited = Motion { step_rate: StepRate::NoLimit, min_feed: Speed(0.25), ..Motion::UNKNOWN };
+        assert_eq!(lowest_speed(&feed_limited, &piece, 1.0), Some(0.25));
     }
 }
 
@@ -145,8 +146,8 @@ fn grbl_says(rest: &str, from: &str, to: &str) -> Option<Refusal> {
 #[test]
 fn steps_that_are_advised_are_enough_for_all_axes() {
     for name in ["fluidnc", "marlin"] {
-        let profile = profile(name);
-        let refusal = try_built(&spec_text(""), profile).map(|_| ()).expect_err("too slow")[0].clone();
+        let plain_profile = profile(name);
+        let refusal = try_built(&spec_text(""), plain_profile).map(|_| ()).expect_err("too slow")[0].clone();
         assert_eq!(refusal.code, RefusalCode::FeedFloor, "{name}");
         let advised: Vec<(&str, &str)> = refusal
             .remedy
@@ -155,25 +156,25 @@ fn steps_that_are_advised_are_enough_for_all_axes() {
             .map(|(part, axes)| (axes, part.rsplit_once("steps_per_mm` of at least ").expect("steps").1))
             .map(|(axes, rest)| (axes, rest.split(' ').next().expect("a number")))
             .collect();
-        let lines = profile.lines().map(|line| {
-            let of = |axis: char| line.starts_with(&format!("{axis}_steps_per_mm"));
-            let steps = advised.iter().find(|(axes, _)| axes.chars().any(of)).map(|(_, steps)| *steps);
+        let lines = plain_profile.lines().map(|line| {
+            let is_key_of = |axis: char| line.starts_with(&format!("{axis}_steps_per_mm"));
+            let steps = advised.iter().find(|(axes, _)| axes.chars().any(is_key_of)).map(|(_, steps)| *steps);
             steps.map_or(line.to_owned(), |steps| {
                 line.split(" = ").next().expect("a key").to_owned() + " = " + steps
             })
         });
         let finer = lines.collect::<Vec<_>>().join("\n");
-        assert_ne!(finer, profile);
-        let again = try_built(&spec_text(""), &finer).map(|_| ()).err();
-        assert_eq!(again.map(|refusals| refusals[0].code), None, "{name}: {}", refusal.remedy);
+        assert_ne!(finer, plain_profile);
+        let refusals = try_built(&spec_text(""), &finer).map(|_| ()).err();
+        assert_eq!(refusals.map(|refusals| refusals[0].code), None, "{name}: {}", refusal.remedy);
     }
 }
 
 /// With few steps on Z, the XY motor steps more rarely in a ramp than in any move in the plane.
 #[test]
 fn the_speed_that_is_advised_is_one_that_ramps_hold_too() {
-    let few = |rest: &str| grbl_says(rest, "z_steps_per_mm = 400", "z_steps_per_mm = 20");
-    let refusal = few("").expect("too slow");
+    let with_few_steps = |rest: &str| grbl_says(rest, "z_steps_per_mm = 400", "z_steps_per_mm = 20");
+    let refusal = with_few_steps("").expect("too slow");
     assert_eq!(refusal.code, RefusalCode::FeedFloor);
     let advised =
         refusal.remedy.split("at least ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a number");
@@ -181,22 +182,22 @@ fn the_speed_that_is_advised_is_one_that_ramps_hold_too() {
     // 3 mm of ramp for 5.3 mm of height; in the plane 0.54 mm/s would do.
     let slope = 3.0_f64.hypot(5.3) / 3.0;
     assert!(speed > 0.541 && speed < 0.5396 * slope + 0.005, "{}", refusal.remedy);
-    let at = |speed: f64| few(&format!("[seal]\nspeed = \"{speed:.3} mm/s\"\n"));
-    assert_eq!(at(speed + 0.005), None);
-    assert_eq!(at(speed - 0.01).map(|refusal| refusal.code), Some(RefusalCode::FeedFloor));
+    let refusal_at = |speed: f64| with_few_steps(&format!("[seal]\nspeed = \"{speed:.3} mm/s\"\n"));
+    assert_eq!(refusal_at(speed + 0.005), None);
+    assert_eq!(refusal_at(speed - 0.01).map(|refusal| refusal.code), Some(RefusalCode::FeedFloor));
 }
 
 /// Strokes grow up to half a band to leave time for their dwells: 1 mm at 2 mm/s^2 takes 1.9 s from rest to rest, which is short enough at
 /// 0.1 mm/s and too long at 0.53. At 0.1 mm/s^2 strokes must be so long that the rest after each leaves a scar.
 #[test]
 fn a_stroke_that_takes_too_long_is_refused_with_the_speed_that_works() {
-    let at = |acceleration: f64, speed: f64| {
+    let refusal_at = |acceleration: f64, speed: f64| {
         let rest = format!("[seal]\nspeed = \"{speed} mm/s\"\n[machine]\nfeed_floor = \"chop\"\n");
         grbl_says(&rest, "acceleration = \"10 mm/s^2\"", &format!("acceleration = \"{acceleration} mm/s^2\""))
     };
-    let scar = at(0.1, 0.1).expect("too slow");
+    let scar = refusal_at(0.1, 0.1).expect("too slow");
     assert!(scar.code == RefusalCode::NoChop && scar.found.contains("rest for more than 2.00 s"), "{scar:?}");
-    let slow = |speed: f64| at(2.0, speed);
+    let slow = |speed: f64| refusal_at(2.0, speed);
     assert_eq!(slow(0.1), None);
     let refusal = slow(0.53).expect("too slow");
     assert_eq!((refusal.key, refusal.code), (stargrip_cam::spec::key::seal::SPEED, RefusalCode::NoChop));

@@ -98,10 +98,10 @@ fn profile(name: &str) -> &'static str {
 
 /// A build for any machine, from a spec whose profile is a file of the user's own.
 fn try_built(spec_text: &str, machine_text: &str) -> Result<Built, Refusals> {
-    let own = "[machine]\nprofile = \"own.toml\"\n";
+    let section = "[machine]\nprofile = \"own.toml\"\n";
     let spec_text = match spec_text.split_once("[machine]\n") {
-        Some((before, after)) => format!("{before}{own}{after}"),
-        None => format!("{spec_text}{own}"),
+        Some((before, after)) => format!("{before}{section}{after}"),
+        None => format!("{spec_text}{section}"),
     };
     let sources = Sources { spec: &spec_text, machine: machine_text };
     build(&spec(&spec_text), &machine(machine_text), sources, &KindRequest::default())
@@ -112,7 +112,7 @@ fn built(spec_text: &str, machine_text: &str) -> Built {
 }
 
 /// The name of a build's file; programs for LinuxCNC have another ending.
-fn known(build: &Built, name: &str) -> String {
+fn actual_name(build: &Built, name: &str) -> String {
     let ngc = name.replace(".gcode", ".ngc");
     let names = [name.to_owned(), ngc];
     names.into_iter().find(|name| build.artifacts.iter().any(|file| file.name == *name)).expect(name)
@@ -120,7 +120,7 @@ fn known(build: &Built, name: &str) -> String {
 
 /// The text of a file of a build.
 fn text(build: &Built, name: &str) -> String {
-    let name = known(build, name);
+    let name = actual_name(build, name);
     let artifact = build.artifacts.iter().find(|artifact| artifact.name == name).expect("it");
     String::from_utf8(artifact.bytes.clone()).expect("text")
 }
@@ -128,7 +128,7 @@ fn text(build: &Built, name: &str) -> String {
 /// The findings in a build with `text` in the file `name`; its hash and size are corrected.
 fn findings_with(build: &Built, name: &str, text: &str) -> Vec<Finding> {
     let mut manifest = build.manifest.clone();
-    let name = known(build, name);
+    let name = actual_name(build, name);
     let entry = manifest.files.iter_mut().find(|file| file.path == name).expect("it");
     entry.bytes = text.len();
     entry.sha256 = stargrip_cam::manifest::sha256(text.as_bytes());

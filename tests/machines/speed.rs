@@ -7,9 +7,9 @@ const SEAL: &str = "star-1-seal.gcode";
 /// The lines that are found too fast or too slow if the first touch-down has `feed` instead of F60.
 fn wrong(feed: &str) -> Vec<usize> {
     let build = built(&spec_text("[seal]\nspeed = \"1 mm/s\"\n"), profile("generic"));
-    let text = text(&build, SEAL).replacen(" F60\n", &format!(" {feed}\n"), 1);
-    assert!(text.contains(feed));
-    let findings = findings_with(&build, SEAL, &text);
+    let program = text(&build, SEAL).replacen(" F60\n", &format!(" {feed}\n"), 1);
+    assert!(program.contains(feed));
+    let findings = findings_with(&build, SEAL, &program);
     findings
         .iter()
         .filter(|finding| finding.code == "wrong-feed")

@@ -18,18 +18,18 @@ fn with_pictures(name: &str) -> String {
 
 /// The stated sizes, with the characters between them.
 fn pictures(program: &str) -> Vec<(String, String)> {
-    let mut out = Vec::new();
+    let mut list = Vec::new();
     let mut lines = program.lines();
     while let Some(line) = lines.next() {
         if let Some(size) = line.strip_prefix("; thumbnail begin ") {
             let body = lines.by_ref().take_while(|line| *line != "; thumbnail end");
-            out.push((
+            list.push((
                 size.to_owned(),
                 body.map(|line| line.strip_prefix("; ").expect("a comment")).collect(),
             ));
         }
     }
-    out
+    list
 }
 
 #[test]
@@ -39,18 +39,18 @@ fn a_host_finds_two_pictures_of_their_sizes() {
         assert_eq!(read_back(&build.output_files()).findings, [], "{name}");
         for file in [SEAL, "star-1-trace.gcode"] {
             let program = text(&build, file);
-            let found = pictures(&program);
-            let told: Vec<String> = found
+            let found_pictures = pictures(&program);
+            let expected: Vec<String> = found_pictures
                 .iter()
                 .zip([32, 300])
                 .map(|((_, body), side)| format!("{side}x{side} {}", body.len()))
                 .collect();
             assert_eq!(
-                found.iter().map(|(size, _)| size.clone()).collect::<Vec<_>>(),
-                told,
+                found_pictures.iter().map(|(size, _)| size.clone()).collect::<Vec<_>>(),
+                expected,
                 "{name}: {file}"
             );
-            for ((_, body), side) in found.iter().zip([32, 300]) {
+            for ((_, body), side) in found_pictures.iter().zip([32, 300]) {
                 let raster = read_png(&STANDARD.decode(body).expect("base64")).expect("a PNG");
                 assert_eq!((raster.width, raster.height), (side, side), "{name}: {file}");
                 let [corner, middle] = [0, side / 2].map(|at| raster.pixel(at, side / 8));

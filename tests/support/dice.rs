@@ -14,9 +14,9 @@ impl Dice {
         usize::try_from(self.0 >> 16).unwrap_or(0) % n.max(1)
     }
 
-    /// A stretch of at most `most` bytes within `length`.
-    pub fn stretch(&mut self, length: usize, most: usize) -> Range<usize> {
+    /// A stretch of at most `longest` bytes within `length`.
+    pub fn stretch(&mut self, length: usize, longest: usize) -> Range<usize> {
         let from = self.below(length + 1);
-        from..(from + self.below(most)).min(length)
+        from..(from + self.below(longest)).min(length)
     }
 }

@@ -84,8 +84,8 @@ pub fn build(text: &str) -> Result<Built, Refusals> {
 }
 
 /// Builds a spec that must have a design, with these kinds beside those that come by default.
-pub fn build_with(text: &str, with: &[Kind]) -> Built {
-    let request = KindRequest { with: with.to_vec(), ..KindRequest::default() };
+pub fn build_with(text: &str, extras: &[Kind]) -> Built {
+    let request = KindRequest { with: extras.to_vec(), ..KindRequest::default() };
     pipeline::build(&read(text), &machine(), Sources { spec: text, machine: generic() }, &request)
         .expect("a design")
 }

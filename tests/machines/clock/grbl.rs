@@ -89,14 +89,14 @@ impl Grbl {
         track.halt();
     }
 
-    fn steps(&self, at: [f64; 3]) -> [i64; 3] {
-        std::array::from_fn(|i| (at[i] as f32 * self.steps_per_mm[i]).round() as i64)
+    fn steps(&self, position: [f64; 3]) -> [i64; 3] {
+        std::array::from_fn(|i| (position[i] as f32 * self.steps_per_mm[i]).round() as i64)
     }
 }
 
 /// nuts_bolts.c, limit_value_by_axis_maximum.
-fn within(most: [f32; 3], unit: [f32; 3]) -> f32 {
-    (0..3).filter(|i| unit[*i] != 0.0).map(|i| (most[i] / unit[i]).abs()).fold(NO_LIMIT, f32::min)
+fn limit_by_axis(limits: [f32; 3], unit: [f32; 3]) -> f32 {
+    (0..3).filter(|i| unit[*i] != 0.0).map(|i| (limits[i] / unit[i]).abs()).fold(NO_LIMIT, f32::min)
 }
 
 /// nuts_bolts.c, convert_delta_vector_to_unit_vector.
@@ -115,12 +115,12 @@ impl Planner<'_> {
         if steps == 0 {
             return;
         }
-        let (along, length) = unit(std::array::from_fn(|i| delta[i] as f32 / self.grbl.steps_per_mm[i]));
-        let rapid = within(self.grbl.max_rate, along);
+        let (direction, length) = unit(std::array::from_fn(|i| delta[i] as f32 / self.grbl.steps_per_mm[i]));
+        let rapid = limit_by_axis(self.grbl.max_rate, direction);
         let nominal = leg.feed.map_or(rapid, |feed| (feed as f32).min(rapid)).max(LOWEST_FEED);
-        let junction = if self.queue.is_empty() { 0.0 } else { self.junction(along) };
+        let junction = if self.queue.is_empty() { 0.0 } else { self.junction(direction) };
         let max_entry_sqr = (nominal.min(self.nominal)).powi(2).min(junction);
-        let acceleration = within(self.grbl.acceleration, along);
+        let acceleration = limit_by_axis(self.grbl.acceleration, direction);
         let leg = *leg;
         self.queue.push_back(Block {
             leg,
@@ -131,23 +131,23 @@ impl Planner<'_> {
             entry_sqr: 0.0,
             max_entry_sqr,
         });
-        (self.position, self.unit, self.nominal) = (target, along, nominal);
+        (self.position, self.unit, self.nominal) = (target, direction, nominal);
         self.recalculate();
     }
 
     /// The highest speed at a bend, squared.
-    fn junction(&self, along: [f32; 3]) -> f32 {
-        let before = self.unit;
-        let cos = -(0..3).map(|i| before[i] * along[i]).sum::<f32>();
+    fn junction(&self, direction: [f32; 3]) -> f32 {
+        let previous = self.unit;
+        let cos = -(0..3).map(|i| previous[i] * direction[i]).sum::<f32>();
         if cos > 0.999_999 {
             return 0.0;
         }
         if cos < -0.999_999 {
             return NO_LIMIT;
         }
-        let (bend, _) = unit(std::array::from_fn(|i| along[i] - before[i]));
+        let (bend, _) = unit(std::array::from_fn(|i| direction[i] - previous[i]));
         let sin_half = (0.5 * (1.0 - cos)).sqrt();
-        within(self.grbl.acceleration, bend) * JUNCTION_DEVIATION * sin_half / (1.0 - sin_half)
+        limit_by_axis(self.grbl.acceleration, bend) * JUNCTION_DEVIATION * sin_half / (1.0 - sin_half)
     }
 
     /// planner_recalculate: the last block stops; no block enters faster than it can brake from or be accelerated to.
@@ -158,10 +158,10 @@ impl Planner<'_> {
             block.entry_sqr = block.max_entry_sqr.min(exit + 2.0 * block.acceleration * block.length);
             exit = block.entry_sqr;
         }
-        let mut reached = NO_LIMIT;
+        let mut limit = NO_LIMIT;
         for block in &mut self.queue {
-            block.entry_sqr = block.entry_sqr.min(reached);
-            reached = block.entry_sqr + 2.0 * block.acceleration * block.length;
+            block.entry_sqr = block.entry_sqr.min(limit);
+            limit = block.entry_sqr + 2.0 * block.acceleration * block.length;
         }
     }
 
@@ -236,76 +236,76 @@ impl Profile {
     }
 
     /// Calls back with the completed part of each segment, the minutes a step, and its steps.
-    fn segments(mut self, block: &Block, mut each: impl FnMut(f32, f32, f32)) {
+    fn segments(mut self, block: &Block, mut emit: impl FnMut(f32, f32, f32)) {
         let steps_per_mm = block.steps / block.length;
         let at_least = STEPS_AT_LEAST / steps_per_mm;
-        let (mut steps, mut kept) = (block.steps, 0.0);
+        let (mut steps, mut carry) = (block.steps, 0.0);
         while self.remaining > 0.0 {
-            let time = self.segment((self.remaining - at_least).max(0.0)) + kept;
-            let here = steps_per_mm * self.remaining;
-            let whole = here.ceil();
-            let inverse_rate = time / (steps - here);
-            each(1.0 - whole / block.steps, inverse_rate, steps - whole);
-            kept = (whole - here) * inverse_rate;
-            steps = whole;
+            let time = self.segment((self.remaining - at_least).max(0.0)) + carry;
+            let steps_left = steps_per_mm * self.remaining;
+            let whole_left = steps_left.ceil();
+            let inverse_rate = time / (steps - steps_left);
+            emit(1.0 - whole_left / block.steps, inverse_rate, steps - whole_left);
+            carry = (whole_left - steps_left) * inverse_rate;
+            steps = whole_left;
         }
     }
 
-    /// Advances by a tick, or by as many as it takes to get to `least` from the end; returns the time, min.
-    fn segment(&mut self, least: f32) -> f32 {
-        let (mut most, mut time, mut part) = (TICK, 0.0_f32, TICK);
-        let begun = self.remaining;
-        let mut left = begun;
+    /// Advances by a tick, or by as many as it takes to get to `end` from the end; returns the time, min.
+    fn segment(&mut self, end: f32) -> f32 {
+        let (mut limit, mut time, mut part) = (TICK, 0.0_f32, TICK);
+        let start = self.remaining;
+        let mut remaining = start;
         loop {
-            (left, part) = self.part(begun, left, part);
+            (remaining, part) = self.part(start, remaining, part);
             time += part;
-            if time < most {
-                part = most - time;
-            } else if left > least {
-                most += TICK;
-                part = most - time;
+            if time < limit {
+                part = limit - time;
+            } else if remaining > end {
+                limit += TICK;
+                part = limit - time;
             } else {
                 break;
             }
-            if left <= 0.0 {
+            if remaining <= 0.0 {
                 break;
             }
         }
-        self.remaining = left;
+        self.remaining = remaining;
         time
     }
 
-    /// One ramp of a segment: returns the remaining path, and the elapsed time. `begun` is the start of the segment.
-    fn part(&mut self, begun: f32, left: f32, time: f32) -> (f32, f32) {
+    /// One ramp of a segment: returns the remaining path, and the elapsed time. `start` is the start of the segment.
+    fn part(&mut self, start: f32, remaining: f32, time: f32) -> (f32, f32) {
         let change = self.acceleration * time;
         match self.ramp {
             Ramp::Accelerate => {
-                let next = left - time * (self.speed + 0.5 * change);
+                let next = remaining - time * (self.speed + 0.5 * change);
                 if next >= self.accelerate_until {
                     self.speed += change;
                     return (next, time);
                 }
-                let time = 2.0 * (begun - self.accelerate_until) / (self.speed + self.maximum);
+                let time = 2.0 * (start - self.accelerate_until) / (self.speed + self.maximum);
                 let peak = self.accelerate_until == self.decelerate_after;
                 self.ramp = if peak { Ramp::Decelerate } else { Ramp::Cruise };
                 self.speed = self.maximum;
                 (self.accelerate_until, time)
             }
             Ramp::Cruise => {
-                let next = left - self.maximum * time;
+                let next = remaining - self.maximum * time;
                 if next >= self.decelerate_after {
                     return (next, time);
                 }
                 self.ramp = Ramp::Decelerate;
-                (self.decelerate_after, (left - self.decelerate_after) / self.maximum)
+                (self.decelerate_after, (remaining - self.decelerate_after) / self.maximum)
             }
             Ramp::Decelerate => {
-                let next = left - time * (self.speed - 0.5 * change);
+                let next = remaining - time * (self.speed - 0.5 * change);
                 if self.speed > change && next > 0.0 {
                     self.speed -= change;
                     return (next, time);
                 }
-                let time = 2.0 * left / (self.speed + self.exit);
+                let time = 2.0 * remaining / (self.speed + self.exit);
                 self.speed = self.exit;
                 (0.0, time)
             }

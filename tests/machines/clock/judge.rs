@@ -41,41 +41,45 @@ pub(crate) fn deviations_within(
     let chopped = text.commands.iter().any(|(_, command)| matches!(command, Command::Dwell(_)));
     let window = (STROKES * text.fact("chop.longest_mm").unwrap_or(0.0)).max(WINDOW);
     let allowed = if chopped { CHOPPED } else { STEADY + stop };
-    let mut most = Deviations::default();
+    let mut worst = Deviations::default();
     let mut complaints = Vec::new();
     for stretch in &track.stretches {
         let mean = stretch.speed() / speed - 1.0;
-        let (least, highest) = stretch.windows(window);
-        let around = (least / speed - 1.0).abs().max((highest / speed - 1.0).abs());
-        let around = if least.is_finite() { around } else { 0.0 };
+        let (slowest, highest) = stretch.windows(window);
+        let deviation = (slowest / speed - 1.0).abs().max((highest / speed - 1.0).abs());
+        let finite_deviation = if slowest.is_finite() { deviation } else { 0.0 };
         if !(-tolerance..=tolerance).contains(&mean) {
             complaints.push(format!("line {}: mean speed {:+.2} %", stretch.line, 100.0 * mean));
         }
-        if around > allowed {
-            complaints.push(format!("line {}: {:.1} % within {window} mm", stretch.line, 100.0 * around));
+        if finite_deviation > allowed {
+            complaints.push(format!(
+                "line {}: {:.1} % within {window} mm",
+                stretch.line,
+                100.0 * finite_deviation
+            ));
         }
-        most.mean = if mean.abs() > most.mean.abs() { mean } else { most.mean };
-        most.window = most.window.max(around);
+        worst.mean = if mean.abs() > worst.mean.abs() { mean } else { worst.mean };
+        worst.window = worst.window.max(finite_deviation);
     }
     if let Some(total) = text.fact("total.time_s") {
-        most.total = track.now / total - 1.0;
-        if !(-TOTAL..=TOTAL).contains(&most.total) {
+        worst.total = track.now / total - 1.0;
+        if !(-TOTAL..=TOTAL).contains(&worst.total) {
             complaints.push(format!("total {:.0} s, told {total} s", track.now));
         }
     }
     complaints.extend(progress(text, track));
-    (most, complaints)
+    (worst, complaints)
 }
 
 /// Every progress report that differs from the completed part: tolerance a per cent, or half of one and a piece of 5 mm.
 fn progress(text: &Text, track: &Track) -> Vec<String> {
     let total = track.now;
     let wrong = text.progress.iter().filter_map(|(line, percent, remaining)| {
-        let (_, at) = track.lines.iter().find(|(leg, _)| leg > line)?;
-        let off = 100.0 * at / total - percent;
-        let right = (-0.6..=1.6).contains(&off) && (total - at - remaining).abs() <= TOTAL * total + 1.0;
+        let (_, time) = track.lines.iter().find(|(leg, _)| leg > line)?;
+        let error = 100.0 * time / total - percent;
+        let right = (-0.6..=1.6).contains(&error) && (total - time - remaining).abs() <= TOTAL * total + 1.0;
         (!right)
-            .then(|| format!("line {line}: {percent} % and {remaining} s to go at {at:.0} of {total:.0} s"))
+            .then(|| format!("line {line}: {percent} % and {remaining} s to go at {time:.0} of {total:.0} s"))
     });
     let rises = text.progress.windows(2).all(|pair| pair[0].1 < pair[1].1);
     wrong.chain((!rises).then(|| "progress that does not rise".to_owned())).collect()

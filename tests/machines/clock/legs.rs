@@ -53,36 +53,38 @@ pub(crate) fn length(way: [f64; 3]) -> f64 {
 
 /// The tasks of a program whose iron starts at X0 Y0 at the first programmed height, where every program leaves it.
 pub(crate) fn tasks(text: &Text, reading: &Reading) -> Vec<Task> {
-    let mut out = Vec::new();
+    let mut tasks = Vec::new();
     let height = text.commands.iter().find_map(|(_, command)| match command {
         Command::Move(words) => words.to[2],
         _ => None,
     });
-    let (mut at, mut feed, mut lowest) = ([0.0, 0.0, height.unwrap_or(0.0)], 0.0, reading.lowest_feed);
+    let (mut position, mut feed, mut lowest) = ([0.0, 0.0, height.unwrap_or(0.0)], 0.0, reading.lowest_feed);
     for (line, command) in &text.commands {
         match command {
-            Command::Dwell(time) => out.push(Task::Dwell(*time)),
-            Command::Halt => out.push(Task::Halt),
+            Command::Dwell(time) => tasks.push(Task::Dwell(*time)),
+            Command::Halt => tasks.push(Task::Halt),
             Command::LowestFeed(feed) => lowest = *feed,
             Command::Move(words) => {
                 feed = words.feed.unwrap_or(feed);
                 let rapid = words.code == 0 && !reading.modal_travel;
-                let told = (!rapid).then(|| f64::max(feed, lowest));
+                let feed_in_force = (!rapid).then(|| f64::max(feed, lowest));
                 for to in ends(
                     words,
-                    at,
-                    told.map_or(0.0, |feed| (reading.chords)(radius(words), angle(words, at), feed)),
+                    position,
+                    feed_in_force
+                        .map_or(0.0, |feed| (reading.chords)(radius(words), angle(words, position), feed)),
                 ) {
-                    let leg = Leg { line: *line, from: at, to, feed: told, cut: words.code > 0 };
-                    at = to;
+                    let leg =
+                        Leg { line: *line, from: position, to, feed: feed_in_force, cut: words.code > 0 };
+                    position = to;
                     if leg.length() > 0.0 {
-                        out.push(Task::Leg(leg));
+                        tasks.push(Task::Leg(leg));
                     }
                 }
             }
         }
     }
-    out
+    tasks
 }
 
 fn radius(words: &Words) -> f64 {
@@ -90,10 +92,10 @@ fn radius(words: &Words) -> f64 {
 }
 
 /// The angle of an arc, rad: above 0 and at most a full turn, below 0 clockwise.
-fn angle(words: &Words, at: [f64; 3]) -> f64 {
+fn angle(words: &Words, position: [f64; 3]) -> f64 {
     let [i, j] = words.center;
-    let to = [words.to[0].unwrap_or(at[0]), words.to[1].unwrap_or(at[1])];
-    let (u, v) = ([-i, -j], [to[0] - at[0] - i, to[1] - at[1] - j]);
+    let end = [words.to[0].unwrap_or(position[0]), words.to[1].unwrap_or(position[1])];
+    let (u, v) = ([-i, -j], [end[0] - position[0] - i, end[1] - position[1] - j]);
     let turn = (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1]);
     match words.code {
         2 if turn >= -5e-7 => turn - TAU,
@@ -103,18 +105,19 @@ fn angle(words: &Words, at: [f64; 3]) -> f64 {
 }
 
 /// The ends of the chords of a move.
-fn ends(words: &Words, at: [f64; 3], chords: f64) -> Vec<[f64; 3]> {
-    let last: [f64; 3] = std::array::from_fn(|i| words.to[i].unwrap_or(at[i]));
+fn ends(words: &Words, position: [f64; 3], chords: f64) -> Vec<[f64; 3]> {
+    let last: [f64; 3] = std::array::from_fn(|i| words.to[i].unwrap_or(position[i]));
     if words.code < 2 {
         return vec![last];
     }
-    let ([i, j], angle) = (words.center, angle(words, at));
-    let (mut out, mut k) = (Vec::new(), 1.0);
+    let ([i, j], angle) = (words.center, angle(words, position));
+    let (mut corners, mut k) = (Vec::new(), 1.0);
     while k < chords {
-        let ((s, c), up) = ((angle * k / chords).sin_cos(), at[2] + (last[2] - at[2]) * k / chords);
-        out.push([at[0] + i - i * c + j * s, at[1] + j - i * s - j * c, up]);
+        let ((s, c), height) =
+            ((angle * k / chords).sin_cos(), position[2] + (last[2] - position[2]) * k / chords);
+        corners.push([position[0] + i - i * c + j * s, position[1] + j - i * s - j * c, height]);
         k += 1.0;
     }
-    out.push(last);
-    out
+    corners.push(last);
+    corners
 }

@@ -91,12 +91,12 @@ impl Marlin {
         track.halt();
     }
 
-    fn steps(&self, at: [f64; 3]) -> [f64; 3] {
-        std::array::from_fn(|i| (at[i] * self.steps_per_mm[i]).round())
+    fn steps(&self, position: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| (position[i] * self.steps_per_mm[i]).round())
     }
 
     /// _populate_block.
-    fn block(&self, leg: &Leg, from: [f64; 3], to: [f64; 3], before: Option<&Block>) -> Option<Block> {
+    fn block(&self, leg: &Leg, from: [f64; 3], to: [f64; 3], previous: Option<&Block>) -> Option<Block> {
         let delta: [f64; 3] = std::array::from_fn(|i| to[i] - from[i]);
         let steps = delta.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
         let mm: [f64; 3] = std::array::from_fn(|i| delta[i] / self.steps_per_mm[i]);
@@ -105,23 +105,23 @@ impl Marlin {
             return None;
         }
         let unit = mm.map(|d| d / length);
-        let told = leg.feed.unwrap_or(0.0) / 60.0;
-        let factor = (0..3).map(|i| self.speed[i] / (told * unit[i].abs())).fold(1.0, f64::min);
+        let requested = leg.feed.unwrap_or(0.0) / 60.0;
+        let factor = (0..3).map(|i| self.speed[i] / (requested * unit[i].abs())).fold(1.0, f64::min);
         let steps_per_mm = steps / length;
-        let mut nominal_rate = (steps * told / length).ceil();
+        let mut nominal_rate = (steps * requested / length).ceil();
         if factor < 1.0 {
             nominal_rate = (nominal_rate * factor).floor();
         }
-        let nominal = told * factor;
+        let nominal = requested * factor;
         // M204 is along the path; LIMIT_ACCEL, which no axis exceeds, is no less if M201 has the same value.
         let acceleration = (self.acceleration * steps_per_mm).ceil() / steps_per_mm;
-        let least = match self.version {
+        let slowest = match self.version {
             Version::Two => LEAST_SPEED * LEAST_SPEED,
             Version::Newest => (0.5 * acceleration / steps_per_mm).min(nominal * nominal),
         };
-        let entry = before.map_or(least, |before| {
-            let bend = Self::bend(before.unit, unit, acceleration);
-            bend.min(nominal.min(before.nominal).powi(2)).max(least)
+        let entry = previous.map_or(slowest, |previous| {
+            let bend = Self::bend(previous.unit, unit, acceleration);
+            bend.min(nominal.min(previous.nominal).powi(2)).max(slowest)
         });
         Some(Block {
             leg: *leg,
@@ -132,14 +132,14 @@ impl Marlin {
             nominal_rate,
             nominal,
             acceleration,
-            least,
+            least: slowest,
             entry,
         })
     }
 
     /// The square of the highest speed at a bend (HAS_JUNCTION_DEVIATION).
-    fn bend(before: [f64; 3], unit: [f64; 3], acceleration: f64) -> f64 {
-        let cos = -(0..3).map(|i| before[i] * unit[i]).sum::<f64>();
+    fn bend(previous: [f64; 3], unit: [f64; 3], acceleration: f64) -> f64 {
+        let cos = -(0..3).map(|i| previous[i] * unit[i]).sum::<f64>();
         if cos > 0.999_999 {
             return 0.0;
         }
@@ -159,10 +159,10 @@ impl Marlin {
             }
             track.rest(FIRST_MOVE);
         }
-        let mut reached = queue.first().map_or(0.0, |first| first.least);
+        let mut limit = queue.first().map_or(0.0, |first| first.least);
         for block in queue.iter_mut() {
-            block.entry = block.entry.min(reached).max(block.least);
-            reached = block.entry + 2.0 * block.acceleration * block.length;
+            block.entry = block.entry.min(limit).max(block.least);
+            limit = block.entry + 2.0 * block.acceleration * block.length;
         }
         let last = queue.last().map_or(0.0, |last| last.least);
         let exits: Vec<f64> = queue.iter().skip(1).map(|block| block.entry).chain([last]).collect();
@@ -187,27 +187,27 @@ impl Marlin {
             up = (0.5 * (block.steps + steps_to(initial) - steps_to(last))).round().clamp(0.0, block.steps);
             down = block.steps - up;
         }
-        let (mut made, mut now, mut peak) = (0.0, initial, initial);
+        let (mut count, mut rate, mut peak) = (0.0, initial, initial);
         let (mut speeding, mut braking) = (0.0, 0.5 / nominal);
-        while made < block.steps {
-            if made < up {
-                now = (initial + (a * speeding).floor()).min(nominal);
-                peak = now;
-                speeding += 1.0 / now;
+        while count < block.steps {
+            if count < up {
+                rate = (initial + (a * speeding).floor()).min(nominal);
+                peak = rate;
+                speeding += 1.0 / rate;
                 braking = 0.0;
-            } else if made >= block.steps - down {
-                now = (peak - (a * braking).floor()).max(last);
-                braking += 1.0 / now;
+            } else if count >= block.steps - down {
+                rate = (peak - (a * braking).floor()).max(last);
+                braking += 1.0 / rate;
             } else {
-                if now != nominal || made == up {
+                if rate != nominal || count == up {
                     braking = 0.5 / nominal;
                 }
-                (now, peak) = (nominal, nominal);
+                (rate, peak) = (nominal, nominal);
             }
             // calc_timer_interval, without the rounding of its table.
-            let seconds = 1.0 / now.max(self.lowest_rate);
-            made += 1.0;
-            track.moved(made / block.steps, seconds);
+            let seconds = 1.0 / rate.max(self.lowest_rate);
+            count += 1.0;
+            track.moved(count / block.steps, seconds);
         }
     }
 
@@ -227,22 +227,22 @@ impl Marlin {
         }
         let (mut speeding, mut braking, mut peak) = (0.0_f64, 0.0_f64, initial);
         let mut interval = 1.0 / initial;
-        let mut made = 0.0;
-        while made < block.steps {
-            made += 1.0;
-            track.moved(made / block.steps, interval);
-            let now = if made <= up {
+        let mut count = 0.0;
+        while count < block.steps {
+            count += 1.0;
+            track.moved(count / block.steps, interval);
+            let step_rate = if count <= up {
                 peak = (initial + (a * speeding).floor()).min(nominal);
                 peak
-            } else if made > decelerate_after {
+            } else if count > decelerate_after {
                 (peak - (a * braking).floor()).max(last)
             } else {
                 nominal
             };
-            interval = 1.0 / now.max(self.lowest_rate);
-            if made <= up {
+            interval = 1.0 / step_rate.max(self.lowest_rate);
+            if count <= up {
                 speeding += interval;
-            } else if made > decelerate_after {
+            } else if count > decelerate_after {
                 braking += interval;
             }
         }

@@ -69,39 +69,40 @@ impl Sweep {
         track.halt();
     }
 
-    fn plan(&self, leg: &Leg, before: Option<&Plan>) -> Plan {
+    fn plan(&self, leg: &Leg, previous: Option<&Plan>) -> Plan {
         let (way, length) = (leg.way(), leg.length());
         let unit = way.map(|d| d / length);
-        let within = |most: f64, i: usize| if unit[i] == 0.0 { f64::INFINITY } else { most / unit[i].abs() };
-        let most = (0..3).map(|i| within(self.speed[i], i)).fold(f64::INFINITY, f64::min);
-        let speed = leg.feed.map_or(most, |feed| most.min(feed / 60.0));
+        let limit_along =
+            |most: f64, i: usize| if unit[i] == 0.0 { f64::INFINITY } else { most / unit[i].abs() };
+        let limit = (0..3).map(|i| limit_along(self.speed[i], i)).fold(f64::INFINITY, f64::min);
+        let speed = leg.feed.map_or(limit, |feed| limit.min(feed / 60.0));
         let acceleration = match self.corner {
             Corner::Square(_) => self.acceleration,
-            _ => (0..3).map(|i| within(self.acceleration, i)).fold(f64::INFINITY, f64::min),
+            _ => (0..3).map(|i| limit_along(self.acceleration, i)).fold(f64::INFINITY, f64::min),
         };
         let mut plan = Plan { leg: *leg, unit, speed, acceleration, entry: 0.0 };
-        if let Some(before) = before {
-            plan.entry = self.corner(before, &plan).min(speed.min(before.speed).powi(2));
+        if let Some(previous) = previous {
+            plan.entry = self.corner(previous, &plan).min(speed.min(previous.speed).powi(2));
         }
         plan
     }
 
     /// The highest speed squared where two legs meet.
-    fn corner(&self, before: &Plan, plan: &Plan) -> f64 {
+    fn corner(&self, previous: &Plan, plan: &Plan) -> f64 {
         match self.corner {
             // Exact path mode may stop "in order to change direction" (linuxcnc.org/docs, G61); an arc's chords exist only in this model.
             Corner::Stop => {
-                let cos: f64 = (0..3).map(|i| plan.unit[i] * before.unit[i]).sum();
-                let goes_on = cos > 0.999_999 || plan.leg.line == before.leg.line;
+                let cos: f64 = (0..3).map(|i| plan.unit[i] * previous.unit[i]).sum();
+                let goes_on = cos > 0.999_999 || plan.leg.line == previous.leg.line;
                 if goes_on { f64::INFINITY } else { 0.0 }
             }
             Corner::Jerk(jerk) => {
-                let turns = (0..3).map(|i| (jerk[i] / (plan.unit[i] - before.unit[i]).abs()).powi(2));
+                let turns = (0..3).map(|i| (jerk[i] / (plan.unit[i] - previous.unit[i]).abs()).powi(2));
                 turns.fold(f64::INFINITY, f64::min)
             }
             Corner::Square(_) | Corner::Deviation(_) => {
                 // Move.calc_junction.
-                let cos = -(0..3).map(|i| plan.unit[i] * before.unit[i]).sum::<f64>();
+                let cos = -(0..3).map(|i| plan.unit[i] * previous.unit[i]).sum::<f64>();
                 let (sin_half, cos_half) =
                     ((0.5 * (1.0 - cos)).max(0.0).sqrt(), (0.5 * (1.0 + cos)).max(0.0).sqrt());
                 if sin_half >= 1.0 || cos_half <= 0.0 {
@@ -113,7 +114,7 @@ impl Sweep {
                     _ => 0.0,
                 };
                 let bend = sin_half / (1.0 - sin_half) * deviation * self.acceleration;
-                let shorter = plan.leg.length().min(before.leg.length());
+                let shorter = plan.leg.length().min(previous.leg.length());
                 bend.min(0.5 * shorter * self.acceleration * sin_half / cos_half)
             }
         }
@@ -127,10 +128,10 @@ fn flush(queue: &mut Vec<Plan>, track: &mut Track) {
         plan.entry = plan.entry.min(plan.reach(exit));
         exit = plan.entry;
     }
-    let mut reached = 0.0_f64;
+    let mut limit = 0.0_f64;
     for plan in queue.iter_mut() {
-        plan.entry = plan.entry.min(reached);
-        reached = plan.reach(plan.entry);
+        plan.entry = plan.entry.min(limit);
+        limit = plan.reach(plan.entry);
     }
     let exits: Vec<f64> = queue.iter().skip(1).map(|plan| plan.entry).chain([0.0]).collect();
     for (plan, exit) in queue.drain(..).zip(exits) {

@@ -108,7 +108,7 @@ fn words_and_figures_are_read() {
         "; total: length_mm=2.5 time_s=7\nG1 X1 Y-2.5 F6\nG4 P0.249\nSET_IDLE_TIMEOUT TIMEOUT=9\nM0\n",
     );
     assert_eq!(text.fact("total.time_s"), Some(7.0));
-    let to = [Some(1.0), Some(-2.5), None];
-    let cut = Command::Move(Words { code: 1, to, center: [0.0; 2], feed: Some(6.0) });
+    let end = [Some(1.0), Some(-2.5), None];
+    let cut = Command::Move(Words { code: 1, to: end, center: [0.0; 2], feed: Some(6.0) });
     assert_eq!(text.commands, [(2, cut), (3, Command::Dwell(0.249)), (5, Command::Halt)]);
 }

@@ -49,13 +49,13 @@ impl Running {
     }
 
     /// Extra cycles of the first tick after a rest.
-    fn start(&self, since: f64, period: f64) -> f64 {
+    fn start(&self, phase: f64, period: f64) -> f64 {
         match self.kind {
             // TIMER1 is never stopped, and its flag is set since its last match. So the first interrupt comes at once. The next one comes
             // when the counter, which is not reset, reaches the new period (stepper.c, st_wake_up; the ATmega328P's data sheet, TIFR1); if
             // it is past that already, it overflows first.
             Timer::Avr => {
-                let count = since % self.period;
+                let count = phase % self.period;
                 if count < period { -count } else { 65_536.0 - count }
             }
             // stepperWakeUp: 2 ms for the drivers to wake up.
@@ -70,18 +70,18 @@ impl Running {
         let _ = self.idle.get_or_insert(0.0);
     }
 
-    /// The time of a dwell with the P word `told`, s.
-    pub(crate) fn dwell(&mut self, told: f64) -> f64 {
-        let told = told as f32;
+    /// The time of a dwell with the P word `p_word`, s.
+    pub(crate) fn dwell(&mut self, p_word: f64) -> f64 {
+        let p_value = p_word as f32;
         let seconds = match self.kind {
             // nuts_bolts.c, delay_sec.
-            Timer::Avr => f64::from((20.0 * told).ceil()) * 0.05 + LINES,
-            Timer::Esp32 => f64::from((1000.0_f32 / 50.0 * told).ceil()) * 0.05,
+            Timer::Avr => f64::from((20.0 * p_value).ceil()) * 0.05 + LINES,
+            Timer::Esp32 => f64::from((1000.0_f32 / 50.0 * p_value).ceil()) * 0.05,
             // GCode.cpp, NonModal::Dwell; NutsBolts.cpp, dwell_ms.
-            Timer::FluidNc => f64::from((told * 1000.0).trunc()) * 1e-3,
+            Timer::FluidNc => f64::from((p_value * 1000.0).trunc()) * 1e-3,
         };
-        if let Some(since) = &mut self.idle {
-            *since += seconds * f64::from(self.kind.frequency());
+        if let Some(idle_cycles) = &mut self.idle {
+            *idle_cycles += seconds * f64::from(self.kind.frequency());
         }
         seconds
     }

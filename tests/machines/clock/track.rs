@@ -43,9 +43,9 @@ impl Stretch {
 
     /// The least and the greatest speed within `window` mm.
     pub(crate) fn windows(&self, window: f64) -> (f64, f64) {
-        let apart = (window / MARK).round();
-        let pairs = self.marks.iter().zip(self.marks.iter().skip(apart as usize));
-        let speeds = pairs.map(|(begin, end)| apart * MARK / (end - begin));
+        let steps = (window / MARK).round();
+        let pairs = self.marks.iter().zip(self.marks.iter().skip(steps as usize));
+        let speeds = pairs.map(|(begin, end)| steps * MARK / (end - begin));
         speeds.fold((f64::INFINITY, 0.0), |(least, most), v| (v.min(least), v.max(most)))
     }
 }
@@ -58,25 +58,26 @@ impl Track {
         if !leg.cut {
             self.halt();
         } else if self.open.is_none() {
-            let begun = self.now;
-            self.open = Some(Stretch { line: leg.line, begun, marks: vec![begun], ..Stretch::default() });
+            let start = self.now;
+            self.open =
+                Some(Stretch { line: leg.line, begun: start, marks: vec![start], ..Stretch::default() });
         }
     }
 
-    /// The part `done` of the leg is reached after `seconds` more, at constant speed.
-    pub(crate) fn moved(&mut self, done: f64, seconds: f64) {
-        let (begun, way) = (self.now, (done - self.done) * self.leg);
+    /// The part `share` of the leg is reached after `seconds` more, at constant speed.
+    pub(crate) fn moved(&mut self, share: f64, seconds: f64) {
+        let (begun, way) = (self.now, (share - self.done) * self.leg);
         self.now += seconds;
-        self.done = done;
+        self.done = share;
         let Some(open) = &mut self.open else { return };
-        let before = open.length;
+        let length_before = open.length;
         open.length += way;
         loop {
             let mark = MARK * open.marks.len() as f64;
             if mark > open.length + ON_MARK {
                 break;
             }
-            open.marks.push(begun + seconds * (mark - before) / way);
+            open.marks.push(begun + seconds * (mark - length_before) / way);
         }
         open.seconds = self.now - open.begun;
     }
@@ -85,8 +86,8 @@ impl Track {
     pub(crate) fn rest(&mut self, seconds: f64) {
         self.now += seconds;
         if let Some(open) = &mut self.open {
-            let here = MARK * (open.marks.len() as f64 - 1.0);
-            if let Some(mark) = open.marks.last_mut().filter(|_| (open.length - here).abs() < ON_MARK) {
+            let last_mark = MARK * (open.marks.len() as f64 - 1.0);
+            if let Some(mark) = open.marks.last_mut().filter(|_| (open.length - last_mark).abs() < ON_MARK) {
                 // The mark is reached before the rest and left after it: half of the rest counts for each side.
                 *mark += 0.5 * seconds;
             }
