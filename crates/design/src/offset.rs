@@ -5,8 +5,8 @@ use cavalier_contours::polyline::PlineSource;
 use geom::Path;
 use sealed::{of_polyline, polyline};
 
-/// A closed counterclockwise path whose every point lies `distance` outside `path`, round at its outward corners, or `-by` inside
-/// it; `None` if nothing comes out, or what is shrunk falls apart.
+/// A closed counterclockwise path whose every point lies `distance` outside `path`, round at its outward corners, or `-distance`
+/// inside it; `None` if nothing comes out, or what is shrunk falls apart.
 pub(super) fn offset(path: &Path, distance: f64) -> Option<Path> {
     if distance == 0.0 {
         return Some(path.clone());
