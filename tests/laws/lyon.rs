@@ -36,7 +36,7 @@ fn their_arc(arc: &Arc) -> lyon_geom::Arc<f64> {
 fn flattened(segment: &Segment, tolerance: f64) -> Vec<Point> {
     match segment {
         Segment::Line(line) => vec![line.end],
-        Segment::Arc(arc) => their_arc(arc).flattened(tolerance).map(ours).collect(),
+        Segment::Arc(arc) => their_arc(arc).flattened(tolerance).map(own_point).collect(),
     }
 }
 

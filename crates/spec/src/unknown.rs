@@ -64,9 +64,9 @@ fn fault(section: &Known<'_>, entry: &RawEntry, sections: &[Known<'_>], is_hinte
     }
     fault.help(match table {
         Some(table) => section_hint(word, table, sections),
-        None => diameter_hint(word, &entry.value, place)
-            .or_else(|| star_size_hint(word, &entry.value, place))
-            .unwrap_or_else(|| key_hint(word, place, sections)),
+        None => diameter_hint(word, &entry.value, section)
+            .or_else(|| star_size_hint(word, &entry.value, section))
+            .unwrap_or_else(|| key_hint(word, section, sections)),
     })
 }
 

@@ -192,7 +192,7 @@ mod tests {
     use crate::machine::Dialect;
 
     fn effect_of(dialect: Dialect, line: &str) -> Option<Effect> {
-        effect(line, Vocabulary::effect_of(dialect))
+        effect(line, Vocabulary::for_dialect(dialect))
     }
 
     #[test]
@@ -281,14 +281,14 @@ mod tests {
 
     #[test]
     fn the_allowed_lines_are_named() {
-        let vocabulary = Vocabulary::effect_of(Dialect::Klipper);
+        let vocabulary = Vocabulary::for_dialect(Dialect::Klipper);
         assert_eq!(
             allowed(LinePart::Start, vocabulary),
             "G21, G90, M104 S0, SET_IDLE_TIMEOUT, SET_VELOCITY_LIMIT"
         );
         assert_eq!(allowed(LinePart::Pause, vocabulary), "PAUSE");
         assert_eq!(
-            allowed(LinePart::End, Vocabulary::effect_of(Dialect::Grbl)),
+            allowed(LinePart::End, Vocabulary::for_dialect(Dialect::Grbl)),
             "G17, G21, G61, G90, G91.1, G94, M2, M30"
         );
     }
