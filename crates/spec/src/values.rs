@@ -71,7 +71,7 @@ fn settings_of(source: &Source, keys: impl Iterator<Item = KnownKey>) -> Vec<Set
     let (raw, _) = RawSpec::parse(&source.text);
     let written_value = |section: &str, key: &str| -> Option<String> {
         let table = if section.is_empty() { Some(raw.root()) } else { raw.root().get(section)?.as_table() };
-        Some(shortened_text(table?.get(key)?))
+        Some(plain_text(table?.get(key)?))
     };
     let mut list: Vec<Setting> = keys
         .map(|KnownKey { section, key, default, meaning }| {
@@ -101,14 +101,14 @@ fn of_star(star: &RawTable) -> impl Iterator<Item = Setting> {
     entries.map(move |entry| Setting {
         section: section.clone(),
         key: entry.key.clone(),
-        value: Some(shortened_text(&entry.value)),
+        value: Some(plain_text(&entry.value)),
         given: true,
         meaning: String::new(),
     })
 }
 
 /// A value as people write it, without quotes.
-fn shortened_text(value: &RawValue) -> String {
+fn plain_text(value: &RawValue) -> String {
     match &value.kind {
         RawKind::Text(text) => text.clone(),
         RawKind::Number(number) => number.shortened_text(),
