@@ -1,6 +1,6 @@
 //! The overview: the first of several pages, the whole drawing made small, with the pages that show it.
 
-use crate::paper::{Page, Tile, TileGrid, at};
+use crate::paper::{Page, Tile, TileGrid, foot_point};
 use crate::{Drawing, Layer, Shape, lettering};
 use geom::{Arc, Bounds, Line, Path, Point, Segment, Vec2};
 
@@ -41,10 +41,10 @@ impl TileGrid<'_> {
             ("OF TWO NEIGHBOURS CUT ONE ALONG ITS MARKS, LAY CROSS ON CROSS, TAPE", 2.0, 2.5),
         ];
         for (text, y, height) in lines {
-            marks.extend(lettering::lettered(text, at(0.0, y), height));
+            marks.extend(lettering::lettered(text, foot_point(0.0, y), height));
         }
         layers.push((Layer::PaperMark, vec![Shape::Figure(marks)]));
-        self.with("OVERVIEW", layers)
+        self.framed_page("OVERVIEW", layers)
     }
 }
 

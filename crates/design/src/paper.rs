@@ -227,11 +227,11 @@ impl TileGrid<'_> {
             })
             .collect();
         layers.push((Layer::PaperMark, vec![Shape::Figure(self.marks(&tile.name))]));
-        self.page(&tile.name, layers)
+        self.framed_page(&tile.name, layers)
     }
 
     /// A page of this paper.
-    pub(super) fn page(&self, name: &str, layers: Vec<(Layer, Vec<Shape>)>) -> Page {
+    pub(super) fn framed_page(&self, name: &str, layers: Vec<(Layer, Vec<Shape>)>) -> Page {
         let (width, height) = (self.width, self.height);
         Page {
             name: name.to_owned(),
