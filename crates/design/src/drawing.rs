@@ -299,7 +299,8 @@ fn plate_label(radius: f64, plate: &Plate) -> Vec<Path> {
     let strip = radius - plate.opening;
     let height = (1.5 * radius / lettering::width(&text, 1.0)).min(0.1 * strip).min(5.0);
     let middle = plate.opening + 0.2 * strip;
-    let mut strokes = lettering::circular_text(&text, Point::ORIGIN, middle, std::f64::consts::FRAC_PI_2, height);
+    let mut strokes =
+        lettering::circular_text(&text, Point::ORIGIN, middle, std::f64::consts::FRAC_PI_2, height);
     strokes.push(Path::through(&[Point::new(middle - height, 0.0), Point::new(middle + height, 0.0)]));
     strokes
 }

@@ -82,8 +82,9 @@ impl Frame {
         let posts = posts_on(circle, frame.posts, &hoses);
         let clear_radius = post / 2.0 + clearance;
         if let Some((free, needed_room)) = obstructed(&posts, clear_radius, &hoses) {
-            let helps =
-                |count: u32, hoses: &[Hose]| obstructed(&posts_on(circle, count, hoses), clear_radius, hoses).is_none();
+            let helps = |count: u32, hoses: &[Hose]| {
+                obstructed(&posts_on(circle, count, hoses), clear_radius, hoses).is_none()
+            };
             refusals.push(meets_hose(frame.posts, (free, needed_room), &hoses, helps));
         }
         refusals.or(Self {
@@ -208,7 +209,8 @@ fn meets_hose(
         None => "make post_diameter or clearance smaller, or take a thinner hose".to_owned(),
     };
     let (free, needed_room) = (Readable(free), Readable(needed_room));
-    let fault =
-        format!("with {posts} posts one would be {free} mm from the middle of a hose that needs {needed_room} mm");
+    let fault = format!(
+        "with {posts} posts one would be {free} mm from the middle of a hose that needs {needed_room} mm"
+    );
     Refusal::new(key::frame::POSTS, RefusalCode::PostMeetsHose, fault, remedy)
 }

@@ -61,7 +61,8 @@ impl Channel {
         let junction = self.fitted(star, arc.sweep / 2.0, delta, least_radius)?;
         let end = self.mouth - star.d_t + excess;
         let (inward, outward) = sides(star.tip_ray(self.tip), &arc, &junction, end);
-        let rest = contour.parts[index + 1..].iter().chain(&contour.parts[..index]).map(|(_, segment)| *segment);
+        let rest =
+            contour.parts[index + 1..].iter().chain(&contour.parts[..index]).map(|(_, segment)| *segment);
         Ok(Path::open(inward.into_iter().chain(rest).chain(outward).collect()))
     }
 

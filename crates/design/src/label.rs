@@ -30,7 +30,8 @@ pub(super) fn on_outline(part: &StarDesign, placed: &PlacedPart) -> Vec<Path> {
     let turn = placed.placement.rotation;
     let Some(line) = fit(part, &text, rim + strip / 2.0, strip) else { return Vec::new() };
     let center = place(part.star.tip_center(line.stretch.tip));
-    let mut strokes = lettering::circular_text(&text, center, rim + strip / 2.0, line.middle(part) + turn, line.height);
+    let mut strokes =
+        lettering::circular_text(&text, center, rim + strip / 2.0, line.middle(part) + turn, line.height);
     // Behind the text: the advance of the last blank is half of the arrow's length.
     let half_angle = lettering::width(&text, line.height) / 2.0;
     let direction = line.middle(part) + turn - half_angle / (rim + strip / 2.0);
@@ -40,7 +41,8 @@ pub(super) fn on_outline(part: &StarDesign, placed: &PlacedPart) -> Vec<Path> {
 
 /// The labels of a drawn piece where it is placed, in the sheet's frame: the warp runs along X.
 pub(super) fn on_piece(piece: &DrawnPiece, placed: &PlacedPart) -> Vec<Path> {
-    let mut strokes: Vec<Path> = piece.labels.strokes.iter().map(|path| placed.placement.path(path)).collect();
+    let mut strokes: Vec<Path> =
+        piece.labels.strokes.iter().map(|path| placed.placement.path(path)).collect();
     if let Some((middle, half)) = piece.labels.warp {
         strokes.extend(arrow(placed.placement.point(middle), half));
     }

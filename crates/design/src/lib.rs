@@ -8,6 +8,7 @@
 mod assembly;
 mod code;
 mod contour;
+mod coverage;
 mod cut;
 mod drawing;
 mod drawn;

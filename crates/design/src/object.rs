@@ -155,7 +155,8 @@ impl Star {
 pub fn does_not_enter(spec: &Spec, (inner, hole): (f64, f64), entering: f64, widest: Option<f64>) -> Refusal {
     let key = spec.load.as_ref().map_or(key::load::OBJECT_DIAMETER, Load::size_key);
     let flap = inner - hole;
-    let ([diameter, rho, margin], hole_diameter) = ([2.0 * entering, inner, flap].map(Readable), Most(2.0 * hole));
+    let ([diameter, rho, margin], hole_diameter) =
+        ([2.0 * entering, inner, flap].map(Readable), Most(2.0 * hole));
     let fault = format!(
         "the object is {diameter} mm across, the cut hole {hole_diameter} mm (inner radius {rho} mm less {margin} mm of \
          band and flap): it does not enter"
@@ -225,7 +226,8 @@ mod tests {
             let local_radius = |load: &Load| Object::new(load).expect("a size").radius_at(20.0);
             let current = load(60.0);
             for wanted in [30.0, 55.0, 70.0] {
-                let radius = local_radius(&load(Object::widest_for(&current, local_radius(&current), wanted)));
+                let radius =
+                    local_radius(&load(Object::widest_for(&current, local_radius(&current), wanted)));
                 assert!((radius - wanted).abs() < 1e-9, "{height:?} {shape:?} {wanted}: {radius}");
             }
         }
@@ -236,7 +238,10 @@ mod tests {
     fn a_ball_is_met_at_each_star_s_height() {
         let ball_radii = radii(object(90.0, None, None), &[25.0, 65.0, 105.0]);
         let square = 8100.0_f64 - 1600.0;
-        assert!((ball_radii[0] - square.sqrt()).abs() < 1e-12 && (ball_radii[0] - 80.62).abs() < 0.01, "{ball_radii:?}");
+        assert!(
+            (ball_radii[0] - square.sqrt()).abs() < 1e-12 && (ball_radii[0] - 80.62).abs() < 0.01,
+            "{ball_radii:?}"
+        );
         assert_eq!([ball_radii[1], ball_radii[2]], [90.0, ball_radii[0]]);
         assert_eq!(radii(object(15.0, None, None), &[0.0, 40.0]), [0.0, 0.0]);
         assert_eq!(radii(object(15.0, Some(100.0), Some(ObjectShape::Cylinder)), &[0.0, 40.0]), [15.0, 15.0]);

@@ -7,8 +7,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::coverage::{extent, shows};
 use crate::{Drawing, Layer, Origin, Shape, lettering};
-use geom::{Bounds, Isometry, Path, Point, Vec2, path_intersections};
+use geom::{Bounds, Isometry, Path, Point, Vec2};
 
 /// Strip along the border that printers leave white, mm: 3 to 6 mm are common, some inkjets need half an inch at the bottom,
 /// and a page may go in either way up.
@@ -296,32 +297,6 @@ impl TileGrid<'_> {
 /// A point of the foot, from the lower left corner of the area that every printer prints.
 pub(super) fn foot_point(x: f64, y: f64) -> Point {
     Point::new(WHITE + x, WHITE + y)
-}
-
-/// Room around what is drawn, mm: a line on the edge of a page is not printed.
-const ROOM: f64 = 1.0;
-
-/// The box of what is drawn, labels left out, with some room around it.
-fn extent(drawing: &Drawing) -> Bounds {
-    let parts = drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label);
-    let shapes = parts.flat_map(|(_, shapes)| shapes);
-    shapes.map(Shape::bounds).fold(Bounds::EMPTY, Bounds::union).grown(ROOM)
-}
-
-/// Whether a line of the part crosses `cell`, or the part fills it. Every closed path except labels is an edge of it.
-fn shows(drawing: &Drawing, cell: &Bounds) -> bool {
-    let frame = Path::rectangle(cell);
-    let mut enclosing = 0;
-    for (_, shapes) in drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label) {
-        for path in shapes.iter().flat_map(|shape| shape.paths().into_owned()) {
-            let starts_inside = path.start().is_some_and(|start| cell.contains(start));
-            if starts_inside || !path_intersections(&path, &frame).is_empty() {
-                return true;
-            }
-            enclosing += usize::from(path.closed && path.encloses(cell.center()));
-        }
-    }
-    !enclosing.is_multiple_of(2)
 }
 
 #[cfg(test)]

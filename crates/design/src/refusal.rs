@@ -23,7 +23,12 @@ pub struct Refusal {
 
 impl Refusal {
     /// A refusal that points at `key`.
-    pub fn new(key: KeyPath, code: RefusalCode, finding: impl Into<String>, remedy: impl Into<String>) -> Self {
+    pub fn new(
+        key: KeyPath,
+        code: RefusalCode,
+        finding: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Self {
         Self { key, code, found: finding.into(), remedy: remedy.into(), drawn: None }
     }
 

@@ -64,7 +64,12 @@ impl<'a> Zone<'a> {
 
     /// This zone with `growth` more creep.
     fn crept(self, growth: f64) -> Self {
-        Self { delta_h: self.delta_h - growth, delta_o: self.delta_o - growth, creep: self.creep + growth, ..self }
+        Self {
+            delta_h: self.delta_h - growth,
+            delta_o: self.delta_o - growth,
+            creep: self.creep + growth,
+            ..self
+        }
     }
 
     /// Greatest reach of the windows before the plate between them is too narrow or the arms end.

@@ -20,7 +20,7 @@ pub(super) struct Here<'a> {
 
 impl Here<'_> {
     fn report(&mut self, code: FindingCode, fault: impl Into<String>, allowed: impl Into<String>) {
-        self.out.push(Event::Finding(Finding::position(code, self.line, fault, allowed)));
+        self.out.push(Event::Finding(Finding::in_line(code, self.line, fault, allowed)));
     }
 }
 
