@@ -5,6 +5,7 @@
 //! `0.3mm`, `1.5e-1 mm`. The first unit in a table is the one it is printed in.
 
 mod limits;
+mod si;
 
 use std::fmt;
 
@@ -204,68 +205,6 @@ quantities! {
     Percent("percentage"): "%" = 1.0;
     /// A duration; the field is s.
     Duration("duration"): "s" = 1.0, "ms" = 1e-3, "min" = 60.0, "h" = 3600.0;
-}
-
-impl Length {
-    /// The length in m.
-    pub fn metres(self) -> f64 {
-        self.0 * 1e-3
-    }
-
-    /// A length given in m.
-    pub fn from_metres(metres: f64) -> Self {
-        Self(metres * 1e3)
-    }
-}
-
-impl Pressure {
-    /// The pressure in Pa.
-    pub fn pascals(self) -> f64 {
-        self.0 * 1e3
-    }
-
-    /// A pressure given in Pa.
-    pub fn from_pascals(pascals: f64) -> Self {
-        Self(pascals * 1e-3)
-    }
-}
-
-impl LineForce {
-    /// The force per length in N/m.
-    pub fn newtons_per_metre(self) -> f64 {
-        self.0 * 1e3
-    }
-
-    /// A force per length given in N/m.
-    pub fn from_newtons_per_metre(newtons: f64) -> Self {
-        Self(newtons * 1e-3)
-    }
-}
-
-impl BendingStiffness {
-    /// The stiffness in N m.
-    pub fn newton_metres(self) -> f64 {
-        self.0 * 1e-3
-    }
-
-    /// A stiffness given in N m.
-    pub fn from_newton_metres(newton_metres: f64) -> Self {
-        Self(newton_metres * 1e3)
-    }
-}
-
-impl Angle {
-    /// The angle in rad.
-    pub fn rad(self) -> f64 {
-        self.0.to_radians()
-    }
-}
-
-impl Percent {
-    /// The plain ratio, 0.1 for 10 %.
-    pub fn ratio(self) -> f64 {
-        self.0 / 100.0
-    }
 }
 
 #[cfg(test)]
