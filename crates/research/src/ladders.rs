@@ -42,9 +42,9 @@ pub struct Ladder {
 
 /// Ladders of the table, arc by arc and tau by tau; those after them test the dependence on nu.
 pub fn ladders() -> Vec<Ladder> {
-    let mut all = Vec::new();
+    let mut list = Vec::new();
     let mut push = |arc: f64, tau, r_star, poisson| {
-        all.push(Ladder { number: all.len() + 1, angle: 180.0 - arc, tau, r_star, poisson });
+        list.push(Ladder { number: list.len() + 1, angle: 180.0 - arc, tau, r_star, poisson });
     };
     for arc in arms::ARCS {
         for tau in arms::TAUS {
@@ -61,7 +61,7 @@ pub fn ladders() -> Vec<Ladder> {
     for r_star in arms::THIN_R_STARS {
         push(arms::THIN_ARC, arms::THIN_TAU, r_star, arms::POISSON);
     }
-    all
+    list
 }
 
 impl Ladder {
@@ -82,8 +82,8 @@ impl Ladder {
 
     /// 1/eps of its pressures.
     fn bendabilities(&self) -> Vec<f64> {
-        let all = arms::bendabilities(self.tau);
-        all[if self.is_thin() { arms::PRESSURES - arms::THIN_PRESSURES } else { 0 }..].to_vec()
+        let bendabilities = arms::bendabilities(self.tau);
+        bendabilities[if self.is_thin() { arms::PRESSURES - arms::THIN_PRESSURES } else { 0 }..].to_vec()
     }
 
     /// Computes it; returns its text with the results.
@@ -102,7 +102,7 @@ impl Ladder {
             angle: self.angle.to_radians(),
             margin: Margin::NONE,
         };
-        let found = inflations(&case, &pressures, fineness, watch)?;
+        let inflations_found = inflations(&case, &pressures, fineness, watch)?;
         let mut text = String::from(
             "# A V-actuator with arms of 4 W as a shell; `research ladders`.\n# 1/eps; alpha, deg, its mesh error, on \
              three meshes; C alpha_0 / (p W^3), its mesh error, on three meshes.\n",
@@ -113,8 +113,8 @@ impl Ladder {
             text,
             "ladder {number} phi_0 {angle} tau {tau} R* {r_star} nu {poisson} cells {cells} cuts {cuts}"
         );
-        for ((b, pressure), found) in bendabilities.iter().zip(pressures).zip(found) {
-            let Some(Inflation { angle, stiffness, .. }) = found else { break };
+        for ((b, pressure), inflations_found) in bendabilities.iter().zip(pressures).zip(inflations_found) {
+            let Some(Inflation { angle, stiffness, .. }) = inflations_found else { break };
             let alpha = angle.shifted(-PI).scaled(-1.0_f64.to_degrees());
             let unit = pressure * WIDTH.powi(3) / self.arc();
             let _ = writeln!(text, "{b:.3} {} {}", value(alpha, 4), value(stiffness.scaled(unit.recip()), 5));
@@ -148,7 +148,7 @@ impl LadderTable {
         };
         let number = number.parse().ok()?;
         let ladder = *ladders().get(usize::checked_sub(number, 1)?)?;
-        let said = Ladder {
+        let stated = Ladder {
             number,
             angle: angle.parse().ok()?,
             tau: tau.parse().ok()?,
@@ -161,7 +161,7 @@ impl LadderTable {
             Some([b, alpha, alpha_error, c, c_error])
         };
         let points: Option<Vec<[f64; 5]>> = lines.map(point).collect();
-        (said == ladder).then_some(Self { ladder, points: points? })
+        (stated == ladder).then_some(Self { ladder, points: points? })
     }
 
     /// For each pressure 1/eps, delta and its error, the arms' give and its error, deg.
@@ -171,14 +171,14 @@ impl LadderTable {
     pub fn arms(&self) -> Result<Vec<[f64; 5]>, HingeFault> {
         let Ladder { tau, r_star, poisson, .. } = self.ladder;
         let arc = self.ladder.arc();
-        let each = |[b, alpha, alpha_error, c, c_error]: [f64; 5]| {
+        let hinge_arms = |[b, alpha, alpha_error, c, c_error]: [f64; 5]| {
             let section = Section::by_ratios(b, tau, poisson).target(r_star)?;
             let tanh = (arc / FRAC_PI_4).tanh();
             let delta = (alpha - section.lambda * arc.to_degrees()) / tanh;
             let softened = -section.curvature / c * arc.to_degrees();
             Ok([b, delta, alpha_error / tanh, softened - arc.to_degrees(), softened * c_error / c])
         };
-        self.points.iter().copied().map(each).collect()
+        self.points.iter().copied().map(hinge_arms).collect()
     }
 }
 
@@ -214,8 +214,8 @@ pub fn join(climbed: &[LadderTable], thin: bool) -> Result<String, JoinFault> {
     let of_table = |ladder: &Ladder| if thin { ladder.is_thin() } else { ladder.is_in_table() };
     for ladder in ladders().into_iter().filter(of_table) {
         let number = ladder.number;
-        let own = climbed.iter().find(|climbed| climbed.ladder.number == number);
-        let points = own.ok_or(JoinFault::Missing(number))?.arms().map_err(JoinFault::Hinge)?;
+        let table = climbed.iter().find(|climbed| climbed.ladder.number == number);
+        let points = table.ok_or(JoinFault::Missing(number))?.arms().map_err(JoinFault::Hinge)?;
         if points.len() != ladder.bendabilities().len() {
             return Err(JoinFault::Short(number));
         }

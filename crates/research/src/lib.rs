@@ -15,12 +15,12 @@ pub mod validation;
 
 /// The SHA-256 of `text`, in hexadecimal.
 fn sha256(text: impl AsRef<[u8]>) -> String {
-    let mut out = String::new();
+    let mut digits = String::new();
     for byte in Sha256::digest(text) {
         // Writing to a String never fails.
-        let _ = write!(out, "{byte:02x}");
+        let _ = write!(digits, "{byte:02x}");
     }
-    out
+    digits
 }
 
 /// `text` with its checksum in a last line.

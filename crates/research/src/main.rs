@@ -78,11 +78,12 @@ struct Work {
 struct Sets(Vec<Set>);
 
 fn sets(text: &str) -> Result<Sets, String> {
-    let meant: Vec<Set> = Set::ALL.into_iter().filter(|set| text == "all" || text == set.name()).collect();
-    if meant.is_empty() {
+    let selection: Vec<Set> =
+        Set::ALL.into_iter().filter(|set| text == "all" || text == set.name()).collect();
+    if selection.is_empty() {
         Err("allowed are fit, range, test, paper, wide, narrow and all".to_owned())
     } else {
-        Ok(Sets(meant))
+        Ok(Sets(selection))
     }
 }
 
@@ -94,8 +95,8 @@ struct Part {
 
 fn part(text: &str) -> Result<Part, String> {
     let read = || -> Option<Part> {
-        let (own, of) = text.split_once('/')?;
-        let part = Part { own: own.parse().ok()?, of: of.parse().ok()? };
+        let (number, count) = text.split_once('/')?;
+        let part = Part { own: number.parse().ok()?, of: count.parse().ok()? };
         (1..=part.of).contains(&part.own).then_some(part)
     };
     read().ok_or_else(|| format!("`{text}` is not k/N with k from 1 to N"))
@@ -114,16 +115,16 @@ fn main() -> ExitCode {
 fn run(table: Table) -> Result<(), Box<dyn Error>> {
     match table {
         Table::Ladders { work, thin } if work.join => {
-            let found = |ladder: &Ladder| LadderTable::read(&text_of(&ladder_file(&work.dir, ladder))?);
-            let found: Vec<LadderTable> = ladders().iter().filter_map(found).collect();
-            print!("{}", ladders::join(&found, thin)?);
+            let read_ladder = |ladder: &Ladder| LadderTable::read(&text_of(&ladder_file(&work.dir, ladder))?);
+            let tables: Vec<LadderTable> = ladders().iter().filter_map(read_ladder).collect();
+            print!("{}", ladders::join(&tables, thin)?);
         }
         Table::Ladders { work, .. } => all_ladders(&work)?,
         Table::Stars { work, set, .. } if work.join => {
-            let known = shipped::shipped();
+            let shipped_stars = shipped::shipped();
             let of_set = in_turn().into_iter().filter(|star| set.0.contains(&star.set));
             let joined: Vec<ComputedStar> =
-                of_set.filter_map(|star| rest_and_forces(&work.dir, &star, &known)).collect();
+                of_set.filter_map(|star| rest_and_forces(&work.dir, &star, &shipped_stars)).collect();
             print!("{}", shipped::join(&joined));
         }
         Table::Stars { work, set, forces } => stars(&work, &set.0, forces)?,
@@ -135,10 +136,10 @@ fn run(table: Table) -> Result<(), Box<dyn Error>> {
 }
 
 impl Work {
-    /// The items of `all` that belong to this part.
-    fn of_part<T>(&self, all: Vec<T>) -> impl Iterator<Item = T> {
+    /// The items of `list` that belong to this part.
+    fn of_part<T>(&self, list: Vec<T>) -> impl Iterator<Item = T> {
         let Part { own, of } = self.part;
-        all.into_iter().enumerate().filter(move |(place, _)| place % of + 1 == own).map(|(_, one)| one)
+        list.into_iter().enumerate().filter(move |(place, _)| place % of + 1 == own).map(|(_, one)| one)
     }
 
     fn fineness(&self, shipped: Fineness) -> Fineness {
@@ -161,8 +162,8 @@ fn all_ladders(work: &Work) -> Result<(), Box<dyn Error>> {
 fn stars(work: &Work, sets: &[Set], forces: bool) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&work.dir)?;
     let is_meant = |star: &DrawnStar| sets.contains(&star.set) && star.number >= work.from;
-    let all = in_turn().into_iter().filter(is_meant).collect();
-    for star in work.of_part(all) {
+    let stars_drawn = in_turn().into_iter().filter(is_meant).collect();
+    for star in work.of_part(stars_drawn) {
         let (openings, fineness) = match star.set {
             Set::Narrow if forces => (&OPENINGS[..2], FORCE_FINENESS), // wider objects do not pass their holes
             _ if forces => (&OPENINGS[..], FORCE_FINENESS),
@@ -192,8 +193,8 @@ fn read_star(path: &Path, star: &DrawnStar) -> Option<ComputedStar> {
 }
 
 /// A star at rest, as the shipped table has it if its file is missing, with the secants of its file of forces.
-fn rest_and_forces(dir: &Path, star: &DrawnStar, known: &[ComputedStar]) -> Option<ComputedStar> {
-    let shipped = || known.iter().find(|one| one.star == *star).cloned();
+fn rest_and_forces(dir: &Path, star: &DrawnStar, shipped_stars: &[ComputedStar]) -> Option<ComputedStar> {
+    let shipped = || shipped_stars.iter().find(|one| one.star == *star).cloned();
     let mut rest = read_star(&star_file(dir, star, false), star).or_else(shipped)?;
     let opened = read_star(&star_file(dir, star, true), star).and_then(|opened| opened.found);
     if let (Some(rest), Some(opened)) = (&mut rest.found, opened) {

@@ -17,31 +17,31 @@ pub(crate) const SETTLED: f64 = 0.25;
 
 /// What `see` makes of the prediction of a drawn star: its corrected case, the inflated star, and its outcome; `None` without a prediction.
 pub(crate) fn predicted<T>(
-    drawn: &DrawnStar,
+    star: &DrawnStar,
     correction: impl Fn(&Mechanism, f64, Ratios) -> Correction,
     see: impl FnOnce(&Case, &Inflated<'_>, &Outcome) -> Option<T>,
 ) -> Option<T> {
-    let (mut case, pressure) = case_of(drawn)?;
+    let (mut case, pressure) = case_of(star)?;
     let model = tabled(&case, pressure).ok()?;
     correct_by(&mut case, &model, correction).ok()?;
     let inflated = Inflated::new(&case.mechanism, &model, pressure).ok()?;
-    let own = Outcome::linear(&case, &inflated);
-    see(&case, &inflated, &own)
+    let outcome = Outcome::linear(&case, &inflated);
+    see(&case, &inflated, &outcome)
 }
 
 /// The case of a drawn star, and its pressure, Pa.
-pub fn case_of(drawn: &DrawnStar) -> Option<(Case, f64)> {
+pub fn case_of(star: &DrawnStar) -> Option<(Case, f64)> {
     let spec = StarSpec {
-        inner_radius: Length(drawn.inner_radius),
-        tube_width: Length(drawn.width),
-        tip_angle: Angle(drawn.tip_angle),
-        tip_radius: Length(drawn.tip_radius),
-        corner_radius: Length(drawn.corner_radius),
-        ..StarSpec::paper(drawn.points)
+        inner_radius: Length(star.inner_radius),
+        tube_width: Length(star.width),
+        tip_angle: Angle(star.tip_angle),
+        tip_radius: Length(star.tip_radius),
+        corner_radius: Length(star.corner_radius),
+        ..StarSpec::paper(star.points)
     };
     let star = Star::new(&spec).ok()?;
-    let pressure = Pressure(drawn.pressure).pascals();
-    let sheet = ElasticSheet::new(Length(drawn.thickness).metres(), 1e6 * YOUNG, POISSON).ok()?;
+    let pressure = Pressure(star.pressure).pascals();
+    let sheet = ElasticSheet::new(Length(star.thickness).metres(), 1e6 * YOUNG, POISSON).ok()?;
     let case = Case::bare(&star, sheet, pressure);
     Some((case, pressure))
 }

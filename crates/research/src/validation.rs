@@ -91,40 +91,44 @@ fn compare_by(
     star: &ComputedStar,
     correction: impl Fn(&Mechanism, f64, Ratios) -> Correction,
 ) -> Option<Comparison> {
-    let found = star.found.as_ref()?;
-    predicted(&star.star, correction, |case, inflated, own| compared(star, found, (case, inflated, own)))
+    let shell = star.found.as_ref()?;
+    predicted(&star.star, correction, |case, inflated, own| compared(star, shell, (case, inflated, own)))
 }
 
 fn compared(
     star: &ComputedStar,
-    found: &ShellNumbers,
-    (case, inflated, own): (&Case, &Inflated<'_>, &Outcome),
+    shell: &ShellNumbers,
+    (case, inflated, outcome): (&Case, &Inflated<'_>, &Outcome),
 ) -> Option<Comparison> {
     let moves = &case.mechanism;
     let unit = moves.width / (PI / f64::from(moves.points)).sin();
     let pair = |shell: f64, mesh: f64, predicted: f64, range: Option<Interval>| {
         Some(Pair { shell, mesh, predicted, range: range?, error: shell - predicted })
     };
-    let ShellNumbers { radius, angle, stiffness, .. } = found;
-    let rest = pair(1e-3 * radius.value, 1e-3 * radius.error, own.rest.radius, own.ranges.radius)?;
+    let ShellNumbers { radius, angle, stiffness, .. } = shell;
+    let rest = pair(1e-3 * radius.value, 1e-3 * radius.error, outcome.rest.radius, outcome.ranges.radius)?;
     let angle = [angle.value, angle.error].map(f64::to_radians);
-    let angle = pair(angle[0], angle[1], own.rest.equilibrium, own.ranges.angle);
+    let angle = pair(angle[0], angle[1], outcome.rest.equilibrium, outcome.ranges.angle);
     let open = (stiffness.error / stiffness.value).abs();
     let settled = open < SETTLED;
-    let spring = pair(1e3 * stiffness.value, 1e3 * stiffness.error, own.rest.stiffness, own.ranges.stiffness);
+    let spring =
+        pair(1e3 * stiffness.value, 1e3 * stiffness.error, outcome.rest.stiffness, outcome.ranges.stiffness);
     let opened = |(part, secant): &(f64, Number)| {
         let opening = part * moves.width;
         let shell = secant.value * 1e3 * stiffness.value * opening;
         let open = (secant.error / secant.value).abs() + open;
         // The constant counts forces at the same opening; a range, on the same object.
-        let same = inflated.linear_force(own.rest.radius + opening, &own.rest).ok()?;
+        let force = inflated.linear_force(outcome.rest.radius + opening, &outcome.rest).ok()?;
         let object = 1e-3 * radius.value + opening;
-        let reached = secant.value * stiffness.value * radius.error;
-        let predicted =
-            if object < own.rest.radius { 0.0 } else { inflated.linear_force(object, &own.rest).ok()? };
-        let grasp = inflated.grasp(&own.rest)?;
-        let range = own.ranges.force(&grasp, grasp.force(object), object, &own.rest)?;
-        let force = Pair { shell, mesh: open * shell + reached, predicted, range, error: shell / same };
+        let extra = secant.value * stiffness.value * radius.error;
+        let predicted = if object < outcome.rest.radius {
+            0.0
+        } else {
+            inflated.linear_force(object, &outcome.rest).ok()?
+        };
+        let grasp = inflated.grasp(&outcome.rest)?;
+        let range = outcome.ranges.force(&grasp, grasp.force(object), object, &outcome.rest)?;
+        let force = Pair { shell, mesh: open * shell + extra, predicted, range, error: shell / force };
         let passes = object <= case.inner_radius - 1e-3 * FLAP;
         (open < SETTLED && shell > 0.0 && object <= case.inner_radius).then_some(Pressed {
             opening: *part,
@@ -133,8 +137,8 @@ fn compared(
             force,
         })
     };
-    let touch = own.ranges.angle.is_none() || found.arm_contact.value > 0.0;
-    let forces = found.secants.iter().filter(|_| !touch).filter_map(opened);
+    let touch = outcome.ranges.angle.is_none() || shell.arm_contact.value > 0.0;
+    let forces = shell.secants.iter().filter(|_| !touch).filter_map(opened);
     Some(Comparison {
         set: star.star.set,
         number: star.star.number,
@@ -183,18 +187,18 @@ pub fn opened() -> Vec<Opened> {
 
 fn one_opened(stars: &[ComputedStar], line: &str) -> Option<Opened> {
     let (names, numbers) = line.split_once(' ').and_then(|(set, rest)| Some((set, rest.split_once(' ')?)))?;
-    let drawn = &stars
+    let star = &stars
         .iter()
         .find(|one| one.star.set.name() == names && one.star.number.to_string() == numbers.0)?
         .star;
     let numbers: Vec<f64> = numbers.1.split(' ').filter_map(|number| number.parse().ok()).collect();
     let [object, shell, mesh, radius] = numbers[..] else { return None };
-    predicted(drawn, Correction::new, |case, inflated, own| {
+    predicted(star, Correction::new, |case, inflated, own| {
         let object = 1e-3 * object;
         let predicted = inflated.linear_force(object, &own.rest).ok()?;
         let range = own.ranges.force(&inflated.grasp(&own.rest)?, predicted, object, &own.rest)?;
         (mesh < SETTLED * shell && object <= case.hole).then_some(Opened {
-            star: (drawn.set, drawn.number),
+            star: (star.set, star.number),
             touches: own.rest.equilibrium < own.rest.angle,
             opening: (object - 1e-3 * radius) / case.mechanism.width,
             force: Pair { shell, mesh, predicted, range, error: shell / predicted },

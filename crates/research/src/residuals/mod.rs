@@ -6,7 +6,7 @@
 pub mod regression;
 pub mod sample;
 
-use self::regression::{Rows, Solved, near};
+use self::regression::{Rows, Solved, place_kernel};
 use self::sample::{Sample, sample};
 use crate::sha256;
 use crate::stars::computed::ComputedStar;
@@ -40,16 +40,17 @@ pub fn is_used(set: Set, number: u32) -> bool {
 /// # Errors
 /// If stars are the same.
 pub fn fitted(stars: &[ComputedStar]) -> Result<Fitted, &'static str> {
-    let (used, samples) = used(stars);
+    let (table_stars, samples) = stars_with_samples(stars);
     let places: Vec<StarPlace> = samples.iter().map(|sample| sample.place).collect();
     let centres = spread(&places);
     let solved = |samples: &[Sample], of| Solved::new(Rows::new(samples, of, &LENGTHS), &centres);
     let angles = solved(&samples, 0..1)?;
-    let moved =
-        |(star, place): (&&ComputedStar, &StarPlace)| sample(star, angles.at(place, &angles.weights, 0));
-    let samples: Vec<Sample> = used.iter().zip(&places).filter_map(moved).collect();
-    let of = |which| solved(&samples, which);
-    let kinds = [angles, of(1..2)?, of(2..3)?, of(3..WEIGHTS)?];
+    let moved = |(star, place): (&&ComputedStar, &StarPlace)| {
+        sample(star, angles.residual(place, &angles.weights, 0))
+    };
+    let samples: Vec<Sample> = table_stars.iter().zip(&places).filter_map(moved).collect();
+    let solved_kind = |which| solved(&samples, which);
+    let kinds = [angles, solved_kind(1..2)?, solved_kind(2..3)?, solved_kind(3..WEIGHTS)?];
     // Residuals and weights in their order: one of angle, radius and stiffness each, and one for each opening.
     let place_of = |which: usize| if which < 3 { (which, 0) } else { (3, which - 3) };
     let weights = |centre: usize| {
@@ -58,11 +59,11 @@ pub fn fitted(stars: &[ComputedStar]) -> Result<Fitted, &'static str> {
             kinds[kind].weight_of(centre, opening)
         })
     };
-    let left_out = used.iter().enumerate().map(|(star, one)| {
-        let without = kinds.each_ref().map(|kind| kind.weights_without(star));
+    let left_out = table_stars.iter().enumerate().map(|(star, one)| {
+        let weights = kinds.each_ref().map(|kind| kind.weights_without(star));
         let [angle, radius, stiffness, force @ ..]: [f64; WEIGHTS] = from_fn(|which| {
             let (kind, opening) = place_of(which);
-            kinds[kind].at(&places[star], &without[kind], opening)
+            kinds[kind].residual(&places[star], &weights[kind], opening)
         });
         (one.star, Residuals { angle, radius, stiffness, force })
     });
@@ -74,51 +75,51 @@ pub fn fitted(stars: &[ComputedStar]) -> Result<Fitted, &'static str> {
 /// The stars among `places` that serve as centres: each the one that is worst interpolated from those before it (a pivoted Cholesky
 /// factor of the kernel).
 fn spread(places: &[StarPlace]) -> Vec<usize> {
-    let mut left = vec![1.0_f64; places.len()];
+    let mut variances = vec![1.0_f64; places.len()];
     let mut columns: Vec<Vec<f64>> = Vec::new();
-    let mut chosen = Vec::new();
-    while chosen.len() < CENTRES.min(places.len()) {
-        let Some((pivot, root)) = left
+    let mut centres = Vec::new();
+    while centres.len() < CENTRES.min(places.len()) {
+        let Some((pivot, root)) = variances
             .iter()
             .enumerate()
             .max_by(|one, other| one.1.total_cmp(other.1))
-            .map(|(i, left)| (i, left.sqrt()))
+            .map(|(i, variances)| (i, variances.sqrt()))
         else {
             break;
         };
         let entry = |row: usize| {
-            let known: f64 = columns.iter().map(|column| column[row] * column[pivot]).sum();
-            (near([&places[row], &places[pivot]], &LENGTHS) - known) / root
+            let product: f64 = columns.iter().map(|column| column[row] * column[pivot]).sum();
+            (place_kernel([&places[row], &places[pivot]], &LENGTHS) - product) / root
         };
         let column: Vec<f64> = (0..places.len()).map(entry).collect();
-        for (left, entry) in left.iter_mut().zip(&column) {
-            *left -= entry * entry;
+        for (variances, entry) in variances.iter_mut().zip(&column) {
+            *variances -= entry * entry;
         }
-        left[pivot] = f64::NEG_INFINITY;
+        variances[pivot] = f64::NEG_INFINITY;
         columns.push(column);
-        chosen.push(pivot);
+        centres.push(pivot);
     }
-    chosen
+    centres
 }
 
 /// The lengths of the most likely interpolation of `stars`, by steps along one after the other.
 pub fn likeliest(stars: &[ComputedStar]) -> StarPlace {
-    let (_, samples) = used(stars);
+    let (_, samples) = stars_with_samples(stars);
     let unlikely = |lengths: &StarPlace| -> f64 {
         [0..1, 1..2, 2..3, 3..WEIGHTS].map(|of| Rows::new(&samples, of, lengths).unlikelihood()).iter().sum()
     };
     let (mut best, mut step) = (LENGTHS, [1.5_f64; LENGTHS.len()]);
-    let mut least = unlikely(&best);
+    let mut smallest = unlikely(&best);
     while step.iter().any(|step| *step > 1.02) {
         for i in 0..best.len() {
-            let tried = [step[i], 1.0 / step[i]].map(|factor| {
+            let trials = [step[i], 1.0 / step[i]].map(|factor| {
                 let mut lengths = best;
                 lengths[i] *= factor;
                 (unlikely(&lengths), lengths)
             });
-            match tried.into_iter().min_by(|one, other| one.0.total_cmp(&other.0)) {
-                Some((unlikelihood, lengths)) if unlikelihood < least => {
-                    (least, best) = (unlikelihood, lengths);
+            match trials.into_iter().min_by(|one, other| one.0.total_cmp(&other.0)) {
+                Some((unlikelihood, lengths)) if unlikelihood < smallest => {
+                    (smallest, best) = (unlikelihood, lengths);
                 }
                 _ => step[i] = step[i].sqrt(),
             }
@@ -128,7 +129,7 @@ pub fn likeliest(stars: &[ComputedStar]) -> StarPlace {
 }
 
 /// The stars of the table among `stars` for which there are a shell and a prediction, with their residuals beyond the closed forms.
-fn used(stars: &[ComputedStar]) -> (Vec<&ComputedStar>, Vec<Sample>) {
+fn stars_with_samples(stars: &[ComputedStar]) -> (Vec<&ComputedStar>, Vec<Sample>) {
     let of_table = stars.iter().filter(|one| is_used(one.star.set, one.star.number));
     of_table.filter_map(|star| Some((star, sample(star, 0.0)?))).unzip()
 }

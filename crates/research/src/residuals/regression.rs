@@ -32,25 +32,25 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// The residuals `of` these numbers, in the order of the weights, of `samples`.
-    pub fn new(samples: &[Sample], of: Range<usize>, lengths: &StarPlace) -> Self {
-        let scale = SCALES[of.start];
+    /// The residuals `numbers` these numbers, in the order of the weights, of `samples`.
+    pub fn new(samples: &[Sample], numbers: Range<usize>, lengths: &StarPlace) -> Self {
+        let scale = SCALES[numbers.start];
         let row = |star: usize, which: usize| {
             let (value, error) = samples[star].residuals[which]?;
             let noise = NUGGET.powi(2) + (MESH * error / scale).powi(2);
-            Some(ResidualRow { star, opening: which - of.start, value, noise })
+            Some(ResidualRow { star, opening: which - numbers.start, value, noise })
         };
-        let all = (0..samples.len()).flat_map(|star| of.clone().map(move |which| (star, which)));
+        let pairs = (0..samples.len()).flat_map(|star| numbers.clone().map(move |which| (star, which)));
         Self {
             places: samples.iter().map(|sample| sample.place).collect(),
             lengths: *lengths,
-            all: all.filter_map(|(star, which)| row(star, which)).collect(),
+            pairs: pairs.filter_map(|(star, which)| row(star, which)).collect(),
         }
     }
 
     /// The same without those of a star.
     #[must_use]
-    pub fn without(mut self, star: usize) -> Self {
+    pub fn without_star(mut self, star: usize) -> Self {
         self.all.retain(|row| row.star != star);
         self
     }
@@ -61,10 +61,10 @@ impl Rows {
 
     fn factor(&self) -> Option<Cholesky<f64, Dyn>> {
         let entry = |i: usize, j: usize| {
-            let (one, other) = (&self.all[i], &self.all[j]);
-            let own = if i == j { one.noise } else { 0.0 };
-            let places = [&self.places[one.star], &self.places[other.star]];
-            near(places, &self.lengths) * along([one.opening, other.opening]) + own
+            let (first, other) = (&self.all[i], &self.all[j]);
+            let noise = if i == j { first.noise } else { 0.0 };
+            let places = [&self.places[first.star], &self.places[other.star]];
+            place_kernel(places, &self.lengths) * opening_kernel([first.opening, other.opening]) + noise
         };
         Cholesky::new(DMatrix::from_fn(self.all.len(), self.all.len(), entry))
     }
@@ -81,15 +81,15 @@ impl Rows {
 }
 
 /// k between two places.
-pub(super) fn near([one, other]: [&StarPlace; 2], lengths: &StarPlace) -> f64 {
-    let apart = |i: usize| ((one[i] - other[i]) / lengths[i]).powi(2);
-    kernel((0..one.len()).map(apart).sum())
+pub(super) fn place_kernel([first, other]: [&StarPlace; 2], lengths: &StarPlace) -> f64 {
+    let scaled_square = |i: usize| ((first[i] - other[i]) / lengths[i]).powi(2);
+    kernel((0..first.len()).map(scaled_square).sum())
 }
 
 /// The kernel between two openings.
-fn along([one, other]: [usize; 2]) -> f64 {
-    let apart = (OPENINGS[one] / OPENINGS[other]).ln() / ALONG_OPENING;
-    (-0.5 * apart * apart).exp()
+fn opening_kernel([first, other]: [usize; 2]) -> f64 {
+    let distance = (OPENINGS[first] / OPENINGS[other]).ln() / ALONG_OPENING;
+    (-0.5 * distance * distance).exp()
 }
 
 /// The interpolation of one kind of residual: by kernels around the centres, of forces also around each opening, with the weights of least
@@ -115,19 +115,20 @@ impl Solved {
         let centres: Vec<StarPlace> = centres.iter().map(|star| rows.places[*star]).collect();
         let openings = 1 + rows.all.iter().map(|row| row.opening).max().unwrap_or(0);
         let count = centres.len() * openings;
-        let between = |place: &StarPlace, opening: usize, basis: usize| {
-            near([place, &centres[basis / openings]], &LENGTHS) * along([opening, basis % openings])
+        let kernel_at = |place: &StarPlace, opening: usize, basis: usize| {
+            place_kernel([place, &centres[basis / openings]], &LENGTHS)
+                * opening_kernel([opening, basis % openings])
         };
         let kernels = DMatrix::from_fn(rows.all.len(), count, |row, basis| {
             let ResidualRow { star, opening, .. } = rows.all[row];
-            between(&rows.places[star], opening, basis)
+            kernel_at(&rows.places[star], opening, basis)
         });
         let mut weighted = kernels.clone();
         for (mut row, own) in weighted.row_iter_mut().zip(&rows.all) {
             row /= own.noise;
         }
         let prior = DMatrix::from_fn(count, count, |one, other| {
-            between(&centres[one / openings], one % openings, other)
+            kernel_at(&centres[one / openings], one % openings, other)
         });
         let factor = Cholesky::new(prior + kernels.tr_mul(&weighted)).ok_or("stars are the same")?;
         let weights = factor.solve(&weighted.tr_mul(&rows.values()));
@@ -135,11 +136,11 @@ impl Solved {
     }
 
     /// The residual at `place` and at an opening, by `weights`.
-    pub(super) fn at(&self, place: &StarPlace, weights: &DVector<f64>, opening: usize) -> f64 {
-        let of = |(centre, near_to): (usize, &StarPlace)| {
-            near([place, near_to], &LENGTHS) * self.along_opening(weights, centre, opening)
+    pub(super) fn residual(&self, place: &StarPlace, weights: &DVector<f64>, opening: usize) -> f64 {
+        let weighted = |(centre, near_to): (usize, &StarPlace)| {
+            place_kernel([place, near_to], &LENGTHS) * self.along_opening(weights, centre, opening)
         };
-        self.centres.iter().enumerate().map(of).sum()
+        self.centres.iter().enumerate().map(weighted).sum()
     }
 
     /// The weight of a centre in the residual at an opening.
@@ -148,26 +149,28 @@ impl Solved {
     }
 
     fn along_opening(&self, weights: &DVector<f64>, centre: usize, opening: usize) -> f64 {
-        (0..self.openings).map(|own| weights[centre * self.openings + own] * along([opening, own])).sum()
+        (0..self.openings)
+            .map(|own| weights[centre * self.openings + own] * opening_kernel([opening, own]))
+            .sum()
     }
 
     /// The weights without the rows of a star: of errors e of its rows, whose part H of the fit is their own, others leave
     /// `(1 - H)^-1 e`.
     pub fn weights_without(&self, star: usize) -> DVector<f64> {
-        let all = &self.rows.all;
-        let own: Vec<usize> = (0..all.len()).filter(|row| all[*row].star == star).collect();
-        if own.is_empty() {
+        let rows = &self.rows.all;
+        let star_rows: Vec<usize> = (0..rows.len()).filter(|row| rows[*row].star == star).collect();
+        if star_rows.is_empty() {
             return self.weights.clone();
         }
-        let kernels = self.kernels.select_rows(&own);
-        let noises = DVector::from_iterator(own.len(), own.iter().map(|row| all[*row].noise));
-        let values = DVector::from_iterator(own.len(), own.iter().map(|row| all[*row].value));
+        let kernels = self.kernels.select_rows(&star_rows);
+        let noises = DVector::from_iterator(star_rows.len(), star_rows.iter().map(|row| rows[*row].noise));
+        let values = DVector::from_iterator(star_rows.len(), star_rows.iter().map(|row| rows[*row].value));
         let mut moves = self.factor.solve(&kernels.transpose());
         for (mut column, noise) in moves.column_iter_mut().zip(&noises) {
             column /= *noise;
         }
-        let others = DMatrix::identity(own.len(), own.len()) - &kernels * &moves;
-        let errors = others.lu().solve(&(values - kernels * &self.weights));
+        let smoothing = DMatrix::identity(star_rows.len(), star_rows.len()) - &kernels * &moves;
+        let errors = smoothing.lu().solve(&(values - kernels * &self.weights));
         errors.map_or_else(|| self.weights.clone(), |errors| &self.weights - moves * errors)
     }
 }

@@ -19,40 +19,41 @@ pub struct Sample {
 
 /// The residuals of `star` where its angle is `angle` (rad) further open than that of the closed form.
 pub(super) fn sample(star: &ComputedStar, angle: f64) -> Option<Sample> {
-    let found = star.found.as_ref()?;
-    let at = Cell::new(None);
+    let numbers = star.found.as_ref()?;
+    let place_cell = Cell::new(None);
     let moved = Residuals { angle, ..Residuals::default() };
     let residuals = predicted(
         &star.star,
         |moves, width, ratios| {
-            at.set(Some(place(moves, ratios)));
+            place_cell.set(Some(place(moves, ratios)));
             Correction::trend(moves, width, ratios).with(&moved)
         },
         |case, inflated, own| {
             let (moves, rest) = (&case.mechanism, &own.rest);
             let unit = 1e3 * moves.width / moves.sector_sine();
             // Where arms touch, contact is part of the angle and the stiffness.
-            let apart = found.arm_contact.value == 0.0 && rest.equilibrium > moves.correction.contact_angle;
-            let Number { value, error } = found.angle;
+            let has_no_contact =
+                numbers.arm_contact.value == 0.0 && rest.equilibrium > moves.correction.contact_angle;
+            let Number { value, error } = numbers.angle;
             let tips = (value.to_radians() - rest.equilibrium, error.to_radians());
-            let radius = ((found.radius.value - 1e3 * rest.radius) / unit, found.radius.error / unit);
-            let Number { value: stiffness, error } = found.stiffness;
+            let radius = ((numbers.radius.value - 1e3 * rest.radius) / unit, numbers.radius.error / unit);
+            let Number { value: stiffness, error } = numbers.stiffness;
             let open = error / stiffness.abs();
             let spring = ((1e3 * stiffness / rest.stiffness).ln(), open);
             let force = |part: f64| {
-                let (_, secant) = found.secants.iter().find(|(opening, _)| *opening == part)?;
+                let (_, secant) = numbers.secants.iter().find(|(opening, _)| *opening == part)?;
                 let opening = part * moves.width;
                 let shell = secant.value * 1e3 * stiffness * opening;
-                let passes = 1e-3 * found.radius.value + opening <= case.inner_radius;
+                let passes = 1e-3 * numbers.radius.value + opening <= case.inner_radius;
                 let settled = secant.error.abs() < SETTLED * secant.value && passes;
-                let same = inflated.linear_force(rest.radius + opening, rest).ok()?;
-                settled.then(|| ((shell / same).ln(), open + secant.error / secant.value))
+                let force = inflated.linear_force(rest.radius + opening, rest).ok()?;
+                settled.then(|| ((shell / force).ln(), open + secant.error / secant.value))
             };
-            let settled = apart && open < SETTLED && stiffness > 0.0;
+            let settled = has_no_contact && open < SETTLED && stiffness > 0.0;
             let [a, b, c] = OPENINGS.map(|part| force(part).filter(|_| settled));
-            Some([apart.then_some(tips), Some(radius), settled.then_some(spring), a, b, c])
+            Some([has_no_contact.then_some(tips), Some(radius), settled.then_some(spring), a, b, c])
         },
     )?;
     // As the table has it.
-    Some(Sample { place: at.take()?.map(|ratio| (1e5 * ratio).round() / 1e5), residuals })
+    Some(Sample { place: place_cell.take()?.map(|ratio| (1e5 * ratio).round() / 1e5), residuals })
 }

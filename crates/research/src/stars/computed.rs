@@ -42,7 +42,7 @@ pub struct ShellNumbers {
 
 impl ShellNumbers {
     /// Those that have the names of the fields, and the secants; `None` if one but a secant is missing.
-    fn of(
+    fn from_fields(
         number: impl Fn(&str) -> Option<Number>,
         secant: impl Fn(f64) -> Option<(f64, Number)>,
     ) -> Option<Self> {
@@ -148,7 +148,7 @@ impl DrawnStar {
             let Value { value, error, .. } = Value::new([0, 1, 2].map(by_mesh));
             value.is_finite().then_some((part, Number { value, error }))
         };
-        Some(ComputedStar { star: *self, found: Some(ShellNumbers::of(number, secant)?) })
+        Some(ComputedStar { star: *self, found: Some(ShellNumbers::from_fields(number, secant)?) })
     }
 }
 
@@ -156,15 +156,15 @@ impl ComputedStar {
     /// Its line in the shipped table.
     pub fn line(&self) -> String {
         let mut line = self.star.words();
-        let Some(found) = &self.found else { return line + " refused" };
+        let Some(shell) = &self.found else { return line + " refused" };
         let mut add = |name: &str, Number { value, error }: Number, decimals: usize| {
             let _ = write!(line, " {name} {value:.decimals$} {error:.decimals$}");
         };
-        add("radius", found.radius, 3);
-        add("angle", found.angle, 2);
-        add("stiffness", found.stiffness, 4);
-        add("arm_contact", found.arm_contact, 3);
-        for (part, secant) in &found.secants {
+        add("radius", shell.radius, 3);
+        add("angle", shell.angle, 2);
+        add("stiffness", shell.stiffness, 4);
+        add("arm_contact", shell.arm_contact, 3);
+        for (part, secant) in &shell.secants {
             add(&format!("secant {part}"), *secant, 3);
         }
         line
@@ -180,20 +180,23 @@ impl ComputedStar {
             return Some(Self { star, found: None });
         }
         let words: Vec<&str> = rest.split(' ').collect();
-        let after = |name: &[&str]| {
-            let at = words.windows(name.len()).position(|part| part == name)? + name.len();
-            Some(Number { value: words.get(at)?.parse().ok()?, error: words.get(at + 1)?.parse().ok()? })
+        let numbers_after = |name: &[&str]| {
+            let index = words.windows(name.len()).position(|part| part == name)? + name.len();
+            Some(Number {
+                value: words.get(index)?.parse().ok()?,
+                error: words.get(index + 1)?.parse().ok()?,
+            })
         };
-        let secant = |part: f64| Some((part, after(&["secant", &part.to_string()])?));
-        Some(Self { star, found: Some(ShellNumbers::of(|name| after(&[name]), secant)?) })
+        let secant = |part: f64| Some((part, numbers_after(&["secant", &part.to_string()])?));
+        Some(Self { star, found: Some(ShellNumbers::from_fields(|name| numbers_after(&[name]), secant)?) })
     }
 }
 
 /// All stars of all sets, one of each set in turn, so that any beginning is of use.
 pub fn in_turn() -> Vec<DrawnStar> {
-    let most = Set::ALL.map(Set::count).into_iter().max().unwrap_or(0);
-    let of = |number: u32| {
+    let longest = Set::ALL.map(Set::count).into_iter().max().unwrap_or(0);
+    let numbered = |number: u32| {
         Set::ALL.into_iter().filter(move |set| number <= set.count()).map(move |set| set.star(number))
     };
-    (1..=most).flat_map(of).collect()
+    (1..=longest).flat_map(numbered).collect()
 }

@@ -135,7 +135,7 @@ impl Set {
         };
         let mut dice = Dice((seed << 40) + (u64::from(number) << 20));
         loop {
-            if let Some(star) = drawn((self, number), points, &bounds, &mut dice) {
+            if let Some(star) = throw((self, number), points, &bounds, &mut dice) {
                 return star;
             }
         }
@@ -159,7 +159,7 @@ const fn paper(number: u32, points: u32, pressure: f64) -> DrawnStar {
 }
 
 /// One throw; `None` if there is no such star, or it lies outside of `bounds`.
-fn drawn((set, number): (Set, u32), points: u32, bounds: &Bounds, dice: &mut Dice) -> Option<DrawnStar> {
+fn throw((set, number): (Set, u32), points: u32, bounds: &Bounds, dice: &mut Dice) -> Option<DrawnStar> {
     let width = rounded(dice.log([15.0, 60.0]), 10.0);
     let thickness = rounded(dice.log([0.1, 0.5]), 1000.0);
     let tip_angle = rounded(dice.even([15.0, 70.0]), 10.0);
@@ -184,14 +184,14 @@ fn drawn((set, number): (Set, u32), points: u32, bounds: &Bounds, dice: &mut Dic
         pressure,
     };
     let tube = star.flat().tube;
-    let within = |value: f64, [least, most]: [f64; 2]| (least..=most).contains(&value);
+    let is_within = |value: f64, [low, high]: [f64; 2]| (low..=high).contains(&value);
     let good = |bounds: &Bounds| {
-        within(thickness / width, bounds.slenderness)
-            && within(tube.bendability(), bounds.bendability)
+        is_within(thickness / width, bounds.slenderness)
+            && is_within(tube.bendability(), bounds.bendability)
             && tube.stretch() < STRETCH
             && tip_angle + 360.0 / f64::from(points) <= MOST_OPEN
-            && within(inner_radius / width, bounds.hole)
-            && within(arm / width, bounds.arm)
+            && is_within(inner_radius / width, bounds.hole)
+            && is_within(arm / width, bounds.arm)
             && bounds.points.contains(&points)
     };
     (good(bounds) && (set != Set::Wide || !good(&USUAL))).then_some(star)
@@ -217,8 +217,8 @@ impl DrawnStar {
     }
 }
 
-fn rounded(value: f64, by: f64) -> f64 {
-    (value * by).round() / by
+fn rounded(value: f64, factor: f64) -> f64 {
+    (value * factor).round() / factor
 }
 
 /// Steele, Lea and Flood, "Fast splittable pseudorandom number generators" (2014).
@@ -233,9 +233,9 @@ impl Dice {
         z ^ (z >> 31)
     }
 
-    fn even(&mut self, [least, most]: [f64; 2]) -> f64 {
+    fn even(&mut self, [low, high]: [f64; 2]) -> f64 {
         let part = f64::from(u32::try_from(self.next() >> 32).unwrap_or(0)) / f64::from(u32::MAX);
-        least + part * (most - least)
+        low + part * (high - low)
     }
 
     fn log(&mut self, range: [f64; 2]) -> f64 {

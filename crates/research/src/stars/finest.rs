@@ -9,18 +9,18 @@ const OPENING: f64 = 0.45;
 
 /// The stars of the set `paper` among `stars`, as the text that the program ships.
 pub fn table(stars: &[ComputedStar]) -> String {
-    let mut out = String::from(
+    let mut table_text = String::from(
         "# The finest shells of the paper's stars, by `research finest` (crates/research); W 30 mm, rho_0 50 mm, phi_i0 30 deg, t 0.3 mm.\n\
          # n, p kPa; radius mm, radial stiffness N/mm, secant of the force at an opening of 0.45 W: each with its mesh error.\n",
     );
     for star in stars.iter().filter(|star| star.star.set == Set::Paper) {
-        let Some(found) = &star.found else { continue };
-        let Some((_, secant)) = found.secants.iter().find(|(part, _)| *part == OPENING) else { continue };
-        let _ = write!(out, "{} {}", star.star.points, star.star.pressure);
-        for (Number { value, error }, decimals) in [(found.radius, 3), (found.stiffness, 4), (*secant, 3)] {
-            let _ = write!(out, " {value:.decimals$} {error:.decimals$}");
+        let Some(shell) = &star.found else { continue };
+        let Some((_, secant)) = shell.secants.iter().find(|(part, _)| *part == OPENING) else { continue };
+        let _ = write!(table_text, "{} {}", star.star.points, star.star.pressure);
+        for (Number { value, error }, decimals) in [(shell.radius, 3), (shell.stiffness, 4), (*secant, 3)] {
+            let _ = write!(table_text, " {value:.decimals$} {error:.decimals$}");
         }
-        out.push('\n');
+        table_text.push('\n');
     }
-    out
+    table_text
 }
