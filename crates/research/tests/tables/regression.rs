@@ -24,7 +24,7 @@ fn the_weights_without_a_star_are_those_of_the_others() {
     for of in [0..1, 3..6] {
         let all = Solved::new(Rows::new(&samples, of.clone(), &LENGTHS), &centres).expect("it is found");
         for star in [5, 20] {
-            let others = Rows::new(&samples, of.clone(), &LENGTHS).without(star);
+            let others = Rows::new(&samples, of.clone(), &LENGTHS).without_star(star);
             let expected = Solved::new(others, &centres).expect("it is found").weights;
             let found = all.weights_without(star);
             assert!((&found - &expected).amax() < 1e-9 && (&found - &all.weights).amax() > 1e-6);
