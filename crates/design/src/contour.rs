@@ -189,13 +189,9 @@ impl Trimmed {
     /// Area of one sector of angle 2 pi / n of the star of `turns` inside the contour, mm^2: the sum of half of x dy - y dx along it.
     pub(super) fn sector_area(&self, turns: &Turns) -> f64 {
         // An arc around a point at the distance c that turns by 2 h: r^2 h + c r sin h if it bulges outwards.
-        let swept = |hinge: &ContourHinge, sign: f64, sin: f64| {
-            let ContourHinge { center, radius, half } = *hinge;
-            sign * radius * radius * half + center * radius * sin
-        };
         match self {
-            Self::Tips(tip) => swept(tip, 1.0, libm::sin(tip.half)),
-            Self::Corners(corner) => swept(corner, -1.0, libm::sin(corner.half)),
+            Self::Tips(tip) => swept_area(tip, 1.0, libm::sin(tip.half)),
+            Self::Corners(corner) => swept_area(corner, -1.0, libm::sin(corner.half)),
             Self::Arms { corner, tip, .. } => {
                 let Turns { corner: (sin_corner, cos_corner), tip: (sin_tip, cos_tip), sector: (sin, cos) } =
                     turns;
@@ -203,10 +199,16 @@ impl Trimmed {
                 let from = Point::new(corner.center - corner.radius * cos_corner, corner.radius * sin_corner);
                 let (along, across) = (tip.center + tip.radius * cos_tip, -tip.radius * sin_tip);
                 let to = Point::new(along * cos - across * sin, along * sin + across * cos);
-                swept(tip, 1.0, *sin_tip) + swept(corner, -1.0, *sin_corner) + from.x * to.y - from.y * to.x
+                swept_area(tip, 1.0, *sin_tip) + swept_area(corner, -1.0, *sin_corner) + from.x * to.y
+                    - from.y * to.x
             }
         }
     }
+}
+
+fn swept_area(hinge: &ContourHinge, sign: f64, sin: f64) -> f64 {
+    let ContourHinge { center, radius, half } = *hinge;
+    sign * radius * radius * half + center * radius * sin
 }
 
 /// Sines and cosines of half the angles of a star: the same for all of its contours that have arms.

@@ -249,13 +249,12 @@ impl Drawing {
     pub fn plate(design: &StarAssembly, plate: &Plate, edge: CutEdge) -> Self {
         let frame = &design.frame;
         let half_kerf = if edge == CutEdge::Tool { frame.kerf / 2.0 } else { 0.0 };
-        let hole = |center: Point, radius: f64| Shape::Circle { center, radius };
-        let posts = frame.posts.iter().map(|post| hole(*post, frame.post_diameter / 2.0 - half_kerf));
+        let posts = frame.posts.iter().map(|post| circle(*post, frame.post_diameter / 2.0 - half_kerf));
         Self::around_axis(vec![
             (Layer::Label, Shape::figure(plate_label(frame.radius, plate)).into_iter().collect()),
             (Layer::PostHole, posts.collect()),
-            (Layer::FrameOpening, vec![hole(Point::ORIGIN, plate.opening - half_kerf)]),
-            (Layer::FrameEdge, vec![hole(Point::ORIGIN, frame.radius + half_kerf)]),
+            (Layer::FrameOpening, vec![circle(Point::ORIGIN, plate.opening - half_kerf)]),
+            (Layer::FrameEdge, vec![circle(Point::ORIGIN, frame.radius + half_kerf)]),
         ])
     }
 
@@ -281,6 +280,10 @@ impl Drawing {
         let layout = design.sheets.iter().find(|layout| layout.index == sheet)?;
         Some(Self { origin: Origin::LowerLeft, width: layout.width, height: layout.height, layers })
     }
+}
+
+fn circle(center: Point, radius: f64) -> Shape {
+    Shape::Circle { center, radius }
 }
 
 /// The registration holes of a part, as a tool with this kerf cuts them.

@@ -54,20 +54,23 @@ mod tests {
     fn what_vanishes_or_falls_apart_is_nothing() {
         assert_eq!(offset(&rectangle(20.0, 10.0), -5.5), None);
         // A dumbbell whose handle is 1 wide.
-        let point = |x: f64, y: f64| Point::new(x, y);
         let half = [
-            point(0.0, 0.0),
-            point(10.0, 0.0),
-            point(10.0, 4.5),
-            point(20.0, 4.5),
-            point(20.0, 0.0),
-            point(30.0, 0.0),
+            corner(0.0, 0.0),
+            corner(10.0, 0.0),
+            corner(10.0, 4.5),
+            corner(20.0, 4.5),
+            corner(20.0, 0.0),
+            corner(30.0, 0.0),
         ];
         let corners: Vec<Point> =
-            half.into_iter().chain(half.into_iter().rev().map(|p| point(p.x, 10.0 - p.y))).collect();
+            half.into_iter().chain(half.into_iter().rev().map(|p| corner(p.x, 10.0 - p.y))).collect();
         let line = |i: usize| Line::new(corners[i], corners[(i + 1) % corners.len()]).into();
         let dumbbell = Path::closed((0..corners.len()).map(line).collect());
         assert!(offset(&dumbbell, -0.4).is_some());
         assert_eq!(offset(&dumbbell, -0.6), None);
+    }
+
+    fn corner(x: f64, y: f64) -> Point {
+        Point::new(x, y)
     }
 }

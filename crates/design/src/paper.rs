@@ -141,10 +141,9 @@ impl Paper {
         let corner = Point::new(border, WHITE + FOOT);
         let window = Bounds { min: corner, max: Point::new(width - border, height - border) };
         let steps = Vec2::new(window.width() - OVERLAP, window.height() - OVERLAP);
-        let count = |extent: f64, step: f64| ((extent - OVERLAP) / step - 1e-9).ceil().max(1.0);
         let (columns, rows) = match self {
             Self::Large => (1.0, 1.0),
-            _ => (count(extent.width(), steps.x), count(extent.height(), steps.y)),
+            _ => (tiles_along(extent.width(), steps.x), tiles_along(extent.height(), steps.y)),
         };
         TileGrid {
             paper: self,
@@ -159,6 +158,10 @@ impl Paper {
             caption: "",
         }
     }
+}
+
+fn tiles_along(extent: f64, step: f64) -> f64 {
+    ((extent - OVERLAP) / step - 1e-9).ceil().max(1.0)
 }
 
 /// The division of a drawing into pages.
@@ -198,9 +201,9 @@ impl TileGrid<'_> {
                 let shift = Vec2::new(column * self.steps.x, row * self.steps.y);
                 let min = self.corner + shift;
                 let seen_area = Bounds { min, max: min + (self.window.max - self.window.min) };
-                let inner = |is: bool| if is { OVERLAP / 2.0 } else { 0.0 };
-                let low = Vec2::new(inner(column > 0.0), inner(row > 0.0));
-                let high = Vec2::new(inner(column + 1.0 < self.columns), inner(row + 1.0 < self.rows));
+                let low = Vec2::new(half_overlap(column > 0.0), half_overlap(row > 0.0));
+                let high =
+                    Vec2::new(half_overlap(column + 1.0 < self.columns), half_overlap(row + 1.0 < self.rows));
                 let own_area = Bounds { min: seen_area.min + low, max: seen_area.max - high };
                 if shows(drawing, &own_area) {
                     tiles.push(Tile {
@@ -292,6 +295,10 @@ impl TileGrid<'_> {
         strokes.extend(lettering::lettered(self.caption, foot_point(0.0, 20.0), 3.0));
         strokes.extend(lettering::lettered("PRINT AT 100 PER CENT", foot_point(134.0, 9.0), 2.0));
     }
+}
+
+fn half_overlap(is: bool) -> f64 {
+    if is { OVERLAP / 2.0 } else { 0.0 }
 }
 
 /// A point of the foot, from the lower left corner of the area that every printer prints.

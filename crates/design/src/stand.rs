@@ -81,10 +81,13 @@ mod tests {
     /// The middle of a star of the starter is 22.5 mm above the base: half a pitch of 40 mm and half a plate of 5 mm.
     #[test]
     fn the_base_is_where_the_stars_meet_the_middle_of_the_object() {
-        let ball = |across: f64| stand("", &format!("object_diameter = \"{across} mm\""));
-        assert_eq!([ball(80.0).base, ball(45.0).base, ball(30.0).base], [17.5, 0.0, -7.5]);
-        assert_eq!((ball(80.0).doubts(), ball(45.0).doubts()), (vec![], vec![]));
-        assert!(ball(30.0).doubts()[0].contains("lift it by 7.5 mm"), "{:?}", ball(30.0).doubts());
+        assert_eq!([ball_of(80.0).base, ball_of(45.0).base, ball_of(30.0).base], [17.5, 0.0, -7.5]);
+        assert_eq!((ball_of(80.0).doubts(), ball_of(45.0).doubts()), (vec![], vec![]));
+        assert!(ball_of(30.0).doubts()[0].contains("lift it by 7.5 mm"), "{:?}", ball_of(30.0).doubts());
+    }
+
+    fn ball_of(across: f64) -> Stand {
+        stand("", &format!("object_diameter = \"{across} mm\""))
     }
 
     #[test]

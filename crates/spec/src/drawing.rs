@@ -266,12 +266,9 @@ fn read_layers(s: &mut Section<'_, '_>) -> Vec<(String, LayerRole)> {
     else {
         return layers;
     };
-    let wrong = |value: &RawValue, message: String, label: String| {
-        Fault::error(FaultCode::WrongType, value.span.clone(), message).label(label)
-    };
     let Some(table) = value.as_table() else {
         let label = "must be a section, [drawing.layers], with a list of layers for each role".to_owned();
-        s.report(wrong(value, format!("`layers` is {}", value.in_words()), label));
+        s.report(wrong_type(value, format!("`layers` is {}", value.in_words()), label));
         return layers;
     };
     for entry in &table.0 {
@@ -288,13 +285,17 @@ fn read_layers(s: &mut Section<'_, '_>) -> Vec<(String, LayerRole)> {
         };
         let Some(list) = entry.value.as_list() else {
             let label = format!("must be a list of layers: {} = [\"name\"]", entry.key);
-            s.report(wrong(&entry.value, format!("`{}` is {}", entry.key, entry.value.in_words()), label));
+            s.report(wrong_type(
+                &entry.value,
+                format!("`{}` is {}", entry.key, entry.value.in_words()),
+                label,
+            ));
             continue;
         };
         for item in list {
             let RawKind::Text(name) = &item.kind else {
                 let message = format!("a layer of `{}` is {}", entry.key, item.in_words());
-                s.report(wrong(item, message, "must be a name in quotes".to_owned()));
+                s.report(wrong_type(item, message, "must be a name in quotes".to_owned()));
                 continue;
             };
             if let Some((_, other)) = layers.iter().find(|(known, _)| known == name) {
@@ -308,4 +309,8 @@ fn read_layers(s: &mut Section<'_, '_>) -> Vec<(String, LayerRole)> {
         }
     }
     layers
+}
+
+fn wrong_type(value: &RawValue, message: String, label: String) -> Fault {
+    Fault::error(FaultCode::WrongType, value.span.clone(), message).label(label)
 }

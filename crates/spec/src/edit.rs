@@ -36,15 +36,19 @@ impl StarEdit {
 
     /// Keys and values as TOML. `{}` prints the shortest decimals that read back to the same number.
     fn entries(&self) -> [(KeyPath, String); 5] {
-        let mm = |length: Length| format!("\"{} mm\"", length.0);
         [
             (key::star::POINTS, self.points.to_string()),
-            (key::star::TUBE_WIDTH, mm(self.tube_width)),
+            (key::star::TUBE_WIDTH, in_millimetres(self.tube_width)),
             (key::star::TIP_ANGLE, format!("\"{} deg\"", self.tip_angle.0)),
-            (key::star::TIP_RADIUS, mm(self.tip_radius)),
-            (key::star::CORNER_RADIUS, mm(self.corner_radius)),
+            (key::star::TIP_RADIUS, in_millimetres(self.tip_radius)),
+            (key::star::CORNER_RADIUS, in_millimetres(self.corner_radius)),
         ]
     }
+}
+
+/// `length` as the text of a value, in mm.
+fn in_millimetres(length: Length) -> String {
+    format!("\"{} mm\"", length.0)
 }
 
 /// The text of `source` with the values of `star` set in `[star]`, however that section is written: a table, dotted

@@ -35,14 +35,13 @@ const FAHRENHEIT: [&str; 3] = ["F", "degF", "\u{b0}F"];
 /// A number or quantity with a comma in its number: the fault, and how to write it, quoted; `None` if the text is no such number.
 pub fn comma(text: &str) -> Option<(&'static str, String)> {
     let text = text.trim();
-    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let unsigned = text.trim_start_matches(['+', '-']);
     let end = unsigned.find(|c: char| !c.is_ascii_digit() && c != ',' && c != '.').unwrap_or(unsigned.len());
     let (integer, rest) = unsigned[..end].split_once(',')?;
     let (groups, decimals) = rest.split_once('.').map_or((rest, None), |(groups, rest)| (groups, Some(rest)));
     let groups: Vec<&str> = groups.split(',').collect();
-    if !digits(integer)
-        || !groups.iter().all(|group| digits(group))
+    if !are_digits(integer)
+        || !groups.iter().all(|group| are_digits(group))
         || decimals.is_some_and(|rest| rest.contains(','))
     {
         return None;
@@ -58,6 +57,10 @@ pub fn comma(text: &str) -> Option<(&'static str, String)> {
         (false, true) => Some(("a decimal point is needed, not a comma", point)),
         (false, false) => None,
     }
+}
+
+fn are_digits(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// The unit that a person most likely intends for `key`: for an elastic modulus the usual unit for fabrics, else the base unit.

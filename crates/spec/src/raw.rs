@@ -27,14 +27,11 @@ impl RawSpec {
 
     /// A document in which nothing but `key` is written.
     pub(super) fn of_one(key: KeyPath, value: RawValue) -> Self {
-        let entry = |name: &str, value: RawValue| {
-            RawTable(vec![RawEntry { key: name.to_owned(), key_span: value.span.clone(), value }])
-        };
         let span = value.span.clone();
-        let table = entry(key.key(), value);
+        let table = single_entry(key.key(), value);
         let root = match key.section() {
             "" => table,
-            section => entry(section, RawValue { kind: RawKind::Table(table), span }),
+            section => single_entry(section, RawValue { kind: RawKind::Table(table), span }),
         };
         Self { root }
     }
@@ -100,6 +97,11 @@ impl RawSpec {
         let stack = self.root.get("stack").and_then(RawValue::as_table);
         stack.and_then(|table| table.get("star")).and_then(RawValue::as_list).unwrap_or_default()
     }
+}
+
+/// A table of one entry.
+fn single_entry(name: &str, value: RawValue) -> RawTable {
+    RawTable(vec![RawEntry { key: name.to_owned(), key_span: value.span.clone(), value }])
 }
 
 /// The deepest key of `table`, which is `path`, whose name or value holds `span`.

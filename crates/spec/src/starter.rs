@@ -34,7 +34,8 @@ pub fn drawing_starter(
 ) -> Result<String, String> {
     let mut roles = String::new();
     for (word, role) in LayerRole::ALL {
-        let role_layers: Vec<&(String, LayerRole, String)> = layers.iter().filter(|layer| layer.1 == role).collect();
+        let role_layers: Vec<&(String, LayerRole, String)> =
+            layers.iter().filter(|layer| layer.1 == role).collect();
         for (layer, _, reason) in &role_layers {
             let _ = writeln!(roles, "# {}: {reason}", in_quotes(layer));
         }
@@ -89,16 +90,18 @@ mod tests {
 
     /// The starter with the lines behind `mark` switched on.
     fn switched_on(mark: &str) -> String {
-        let is_key = |rest: &str| {
-            let word = rest.trim_start_matches('[').split([' ', ']']).next().unwrap_or_default();
-            rest.starts_with('[') || rest[word.len()..].starts_with(" = ")
-        };
         let text = starter("x").expect("a name");
         let lines = text.lines().map(|line| match line.strip_prefix(mark) {
-            Some(rest) if is_key(rest) => rest,
+            Some(rest) if begins_with_key(rest) => rest,
             _ => line,
         });
         lines.collect::<Vec<_>>().join("\n")
+    }
+
+    /// Whether `rest` of a line is a key with its value, or the head of a section.
+    fn begins_with_key(rest: &str) -> bool {
+        let word = rest.trim_start_matches('[').split([' ', ']']).next().unwrap_or_default();
+        rest.starts_with('[') || rest[word.len()..].starts_with(" = ")
     }
 
     #[test]

@@ -162,16 +162,12 @@ const DEFAULT_FLAP: f64 = 3.0;
 /// The hint for a key: a similar one in the section, the same one elsewhere, a similar one elsewhere, else all keys of the
 /// section.
 fn key_hint(word: &str, place: &Known<'_>, sections: &[Known<'_>]) -> String {
-    let home = |one: &Known<'_>| match one.section {
-        "" => "before the first section".to_owned(),
-        name => format!("in {}", header(name)),
-    };
     let elsewhere = || sections.iter().filter(|one| one.section != place.section);
     if let Some((_, key)) = MEANT.iter().find(|(other, key)| *other == word && place.keys.contains(key)) {
         return format!("did you mean `{key}`?");
     }
     if let Some(section) = elsewhere().find(|one| one.keys.contains(&word)) {
-        return format!("`{word}` belongs {}", home(section));
+        return format!("`{word}` belongs {}", home_in_words(section));
     }
     // A key with a word before it, `object_mass` for `mass`, is that key.
     let is_last = |key: &&str| word.strip_suffix(key).is_some_and(|before| before.ends_with('_'));
@@ -182,12 +178,20 @@ fn key_hint(word: &str, place: &Known<'_>, sections: &[Known<'_>]) -> String {
     let suggestions = elsewhere()
         .find_map(|one| nearest(word, one.keys.iter().copied()).map(|suggestions| (suggestions, one)));
     if let Some((suggestion, section)) = suggestions {
-        return format!("did you mean `{suggestion}`, which belongs {}?", home(section));
+        return format!("did you mean `{suggestion}`, which belongs {}?", home_in_words(section));
     }
     format!(
         "keys here are {}",
         place.keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", ")
     )
+}
+
+/// The place of a section's keys in words.
+fn home_in_words(one: &Known<'_>) -> String {
+    match one.section {
+        "" => "before the first section".to_owned(),
+        name => format!("in {}", header(name)),
+    }
 }
 
 /// Required keys of one section that are not written.

@@ -45,11 +45,10 @@ pub(super) fn registration(
 /// Two of `places` that are farthest apart, and a third one such that the sides of the triangle differ most; `None` where they do not
 /// differ by `min_difference`. Of equal ones the first: rounding does not decide.
 fn triangle(places: &[Point], min_difference: f64) -> Option<[Point; 3]> {
-    let better = |value: f64, than: f64| value > than + 1e-6;
     let (mut ends, mut base) = (None, 0.0);
     for (i, a) in places.iter().enumerate() {
         for b in &places[i + 1..] {
-            if better(a.distance(*b), base) {
+            if is_better(a.distance(*b), base) {
                 (ends, base) = (Some([*a, *b]), a.distance(*b));
             }
         }
@@ -61,11 +60,15 @@ fn triangle(places: &[Point], min_difference: f64) -> Option<[Point; 3]> {
         let sides =
             [first_side, other, (first_side - other).abs(), (base - first_side).abs(), (base - other).abs()];
         let difference = sides.into_iter().fold(f64::INFINITY, f64::min);
-        if better(difference, largest) {
+        if is_better(difference, largest) {
             (third, largest) = (Some(*c), difference);
         }
     }
     third.filter(|_| largest >= min_difference).map(|c| [a, c, b])
+}
+
+fn is_better(value: f64, than: f64) -> bool {
+    value > than + 1e-6
 }
 
 /// The warning where there is no room for registration holes of this diameter.

@@ -19,11 +19,10 @@ const SCOPE: Scope = Scope { purpose: Purpose::Trace, sheet: 1, pieces: Vec::new
 /// direction: cold, at travel height, at the seal's pace. A board may take G2 and not move (MKS DLC32, at G2 only).
 pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program)> {
     let diagonal = CHECK_LENGTH / SQRT_2;
-    let line = |x: f64, y: f64| Segment::from(Line::new(Point::ORIGIN, Point::new(x, y)));
     let mut ways = vec![
-        ("along X", line(CHECK_LENGTH, 0.0)),
-        ("along Y", line(0.0, CHECK_LENGTH)),
-        ("at 45 deg", line(diagonal, diagonal)),
+        ("along X", line_to(CHECK_LENGTH, 0.0)),
+        ("along Y", line_to(0.0, CHECK_LENGTH)),
+        ("at 45 deg", line_to(diagonal, diagonal)),
     ];
     if machine.controller.arcs {
         let radius = CHECK_LENGTH / FRAC_PI_2;
@@ -38,6 +37,11 @@ pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program
         Program::new(spec, machine, SCOPE, steps, Vec::new())
     };
     ways.into_iter().map(|(name, way)| (name, program(way))).collect()
+}
+
+/// The line from the origin to a point.
+fn line_to(x: f64, y: f64) -> Segment {
+    Segment::from(Line::new(Point::ORIGIN, Point::new(x, y)))
 }
 
 /// Every reason for which `machine` cannot run the feed check of `programs`, one after the other.

@@ -171,7 +171,15 @@ mod tests {
             least_steps: 6.0,
             ..stepper
         });
-        Chop { speed: 1.7, longest: 2.0 / 13.0, least: shortest, acceleration: 3000.0, step: 1e-3, stepper, ..GRBL }
+        Chop {
+            speed: 1.7,
+            longest: 2.0 / 13.0,
+            least: shortest,
+            acceleration: 3000.0,
+            step: 1e-3,
+            stepper,
+            ..GRBL
+        }
     }
 
     /// Time of one stroke from rest to rest, s.
@@ -197,10 +205,13 @@ mod tests {
             // Half a dwell's step; the file's positions, which are rounded, make the way a little longer or shorter.
             assert!((seconds - length / 0.1).abs() <= 0.025 + 2e-3, "{seconds} for {length} mm");
             assert!(strokes_made.iter().all(|s| s.piece.length() <= 0.2 + 1e-9 && s.dwell < 2.0));
-            let steps = |s: &Stroke| s.dwell / 0.05;
-            assert!(strokes_made.iter().all(|s| (steps(s) - steps(s).round()).abs() < 1e-6));
+            assert!(strokes_made.iter().all(|s| (pauses(s) - pauses(s).round()).abs() < 1e-6));
             assert_eq!(strokes_made.last().and_then(|s| s.height), heights.map(|(_, to)| to));
         }
+    }
+
+    fn pauses(s: &Stroke) -> f64 {
+        s.dwell / 0.05
     }
 
     /// Without a dwell between them the controller runs strokes together, and they have one start and one stop.
@@ -218,7 +229,8 @@ mod tests {
             for stroke in &strokes {
                 let end = stroke.piece.end().x;
                 if stroke.dwell > 0.0 || end > 10.0 - 1e-9 {
-                    seconds += seconds_from_rest(&chop, [start, 0.0, 0.0], [end, 0.0, 0.0], end - start) + stroke.dwell;
+                    seconds += seconds_from_rest(&chop, [start, 0.0, 0.0], [end, 0.0, 0.0], end - start)
+                        + stroke.dwell;
                     start = end;
                 }
             }

@@ -111,10 +111,11 @@ mod tests {
             pieces[0].start().distance(ramp[0].start()) < 1e-12
                 && pieces[3].end().distance(ramp[7].end()) < 1e-12
         );
-        let way = |pieces: &[Segment], t: f64| {
-            pieces.iter().map(|piece| piece.distance(Point::new(2.0, t))).fold(f64::INFINITY, f64::min)
-        };
-        assert!(way(&pieces, 1.5) < limit);
+        assert!(way_to(&pieces, 1.5) < limit);
+    }
+
+    fn way_to(pieces: &[Segment], t: f64) -> f64 {
+        pieces.iter().map(|piece| piece.distance(Point::new(2.0, t))).fold(f64::INFINITY, f64::min)
     }
 
     #[test]

@@ -138,13 +138,7 @@ mod tests {
     /// 800 steps/mm at 0.1 mm/s: 56.6 steps/s at 45 deg run as 57, and 57.1 in another direction as 58.
     #[test]
     fn the_worst_rounding_is_that_of_the_next_whole_rate() {
-        let motion = |steps: f64| Motion {
-            steps_per_mm: Some([steps; 3]),
-            step_rate: StepRate::AtLeast(1.0),
-            tick: Some(spec::units::Duration(0.0)),
-            ..Motion::UNKNOWN
-        };
-        let worst = |steps: f64, speed: f64| rounded_up(&motion(steps), speed).expect("known");
+        let worst = |steps: f64, speed: f64| rounded_up(&motion_of(steps), speed).expect("known");
         assert!((worst(800.0, 0.1) - 1.0 / 57.0).abs() < 1e-12);
         // 6.93 steps/s run as 7: 1 %; 7 and a little as 8: 14 %.
         assert!((worst(98.0, 0.1) - 1.0 / 7.0).abs() < 1e-12);
@@ -154,6 +148,15 @@ mod tests {
             (0..9000).map(|i| (f64::from(i) * 1e-2).to_radians().cos()).filter(|c| *c > 0.5_f64.sqrt());
         let worst_found = errors.map(|c| (80.0 * c).ceil() / (80.0 * c) - 1.0).fold(0.0, f64::max);
         assert!(worst_found <= worst(800.0, 0.1) && worst_found > 0.99 * worst(800.0, 0.1), "{worst_found}");
+    }
+
+    fn motion_of(steps: f64) -> Motion {
+        Motion {
+            steps_per_mm: Some([steps; 3]),
+            step_rate: StepRate::AtLeast(1.0),
+            tick: Some(spec::units::Duration(0.0)),
+            ..Motion::UNKNOWN
+        }
     }
 
     fn rates(per_mm: f64, speed: f64, acceleration: f64, first: Option<f64>) -> WholeRates {

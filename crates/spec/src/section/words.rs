@@ -31,8 +31,7 @@ impl<'r> Section<'_, 'r> {
 
     /// A path, or a name that a file may have; a wrong one is a fault of `code` with the words `allowed`.
     pub(crate) fn path(&mut self, key: &'static str, code: FaultCode, allowed: &str) -> Option<String> {
-        let is_wrong = |path: &str| path.trim().is_empty() || path.chars().any(misleads);
-        self.checked_text(key, code, |path| is_wrong(path).then(|| allowed.to_owned()))
+        self.checked_text(key, code, |path| is_no_path(path).then(|| allowed.to_owned()))
     }
 
     /// The key `name`, by the rules of [`check_name`].
@@ -113,4 +112,8 @@ impl<'r> Section<'_, 'r> {
         self.report(fault);
         None
     }
+}
+
+fn is_no_path(path: &str) -> bool {
+    path.trim().is_empty() || path.chars().any(misleads)
 }

@@ -100,8 +100,9 @@ fn is_same(word: &str, expected: &str) -> bool {
         (None, None) => (("", word), ("", expected)),
         _ => return false,
     };
-    let number = |text: &str| text.parse::<f64>().ok().filter(|x| x.is_finite());
-    let Some((value, right)) = number(number_text).zip(number(expected_text)) else { return false };
+    let Some((value, right)) = finite_number(number_text).zip(finite_number(expected_text)) else {
+        return false;
+    };
     let allowed = match word {
         "time_s" => TIME,
         "length_mm" => LENGTH,
@@ -109,6 +110,10 @@ fn is_same(word: &str, expected: &str) -> bool {
         _ => EXACT * right.abs().max(1.0),
     };
     word == other && (value - right).abs() <= allowed
+}
+
+fn finite_number(text: &str) -> Option<f64> {
+    text.parse::<f64>().ok().filter(|x| x.is_finite())
 }
 
 #[cfg(test)]

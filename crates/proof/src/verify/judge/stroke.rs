@@ -81,8 +81,13 @@ pub(super) fn step_seconds(motion: &Motion, speed: f64) -> f64 {
 
 /// The shortest way in the plane that has the steps of a move in every direction, mm.
 pub(super) fn shortest_move(motion: &Motion) -> f64 {
-    let per_step = |scale: f64| 1.0 / scale;
-    motion.steps_per_mm.map_or(0.0, |[x, y, _]| motion.min_move_steps * libm::hypot(per_step(x), per_step(y)))
+    motion.steps_per_mm.map_or(0.0, |[x, y, _]| {
+        motion.min_move_steps * libm::hypot(millimetres_per_step(x), millimetres_per_step(y))
+    })
+}
+
+fn millimetres_per_step(scale: f64) -> f64 {
+    1.0 / scale
 }
 
 /// Time on Marlin (repository MarlinFirmware/Marlin, planner.cpp and stepper.cpp): every step has a rate of its own, in whole

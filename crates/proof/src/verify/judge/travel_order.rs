@@ -99,10 +99,13 @@ impl TravelOrder {
 
     /// A later place in the order; the way up from the last path fits too many moves to be identified.
     fn later_place(&self, waypoint: &Waypoint) -> Option<usize> {
-        let vague = |expected: &Waypoint| matches!(expected, Waypoint::Rapid([None, ..]));
-        let fits = |expected: &Waypoint| !vague(expected) && self.is(waypoint, expected);
+        let fits = |expected: &Waypoint| !is_vague(expected) && self.is(waypoint, expected);
         (self.passed..self.waypoints.len()).find(|i| fits(&self.waypoints[*i]))
     }
+}
+
+fn is_vague(expected: &Waypoint) -> bool {
+    matches!(expected, Waypoint::Rapid([None, ..]))
 }
 
 impl Judge for TravelOrder {

@@ -30,11 +30,8 @@ pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<StlFacet>, Soli
     if bytes.len() != HEAD.checked_add(FACET.checked_mul(count)?)? {
         return None;
     }
-    let number = |raw: &[u8], at: usize| -> Option<f32> {
-        Some(f32::from_le_bytes(raw.get(at..at + 4)?.try_into().ok()?)).filter(|x| x.is_finite())
-    };
     let corner = |raw: &[u8], at: usize| -> Option<[f32; 3]> {
-        Some([number(raw, at)?, number(raw, at + 4)?, number(raw, at + 8)?])
+        Some([read_number(raw, at)?, read_number(raw, at + 4)?, read_number(raw, at + 8)?])
     };
     let facet = |raw: &[u8]| Some([corner(raw, 12)?, corner(raw, 24)?, corner(raw, 36)?]);
     let raw = || bytes[HEAD..].chunks_exact(FACET);
@@ -42,6 +39,10 @@ pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<StlFacet>, Soli
     let normals: Option<Vec<[f32; 3]>> = raw().map(|raw| corner(raw, 0)).collect();
     let plain = raw().all(|raw| raw[48..] == [0, 0]);
     Some((facets?, SolidNotes { normals: normals?, head: bytes[..80].to_vec(), plain }))
+}
+
+fn read_number(raw: &[u8], at: usize) -> Option<f32> {
+    Some(f32::from_le_bytes(raw.get(at..at + 4)?.try_into().ok()?)).filter(|x| x.is_finite())
 }
 
 #[cfg(test)]

@@ -144,10 +144,9 @@ fn compare_layer(
         let (fault, allowed) = (format!("{} paths on layer {name}", paths.len()), expected.len().to_string());
         findings.add(FindingCode::PathCount, fault, allowed);
     }
-    let closed = |paths: &[Path]| paths.iter().filter(|path| path.closed).count();
-    if closed(paths) != closed(expected) {
-        let fault = format!("{} closed paths on layer {name}", closed(paths));
-        findings.add(FindingCode::OpenLoop, fault, closed(expected).to_string());
+    if closed_count(paths) != closed_count(expected) {
+        let fault = format!("{} closed paths on layer {name}", closed_count(paths));
+        findings.add(FindingCode::OpenLoop, fault, closed_count(expected).to_string());
     }
     // Rounding moves each vertex by less than a tolerance, so a doubled stretch exceeds it by far.
     let (length, right) = (total(paths), total(expected));
@@ -181,6 +180,10 @@ fn compare_layer(
         );
     }
     measured
+}
+
+fn closed_count(paths: &[Path]) -> usize {
+    paths.iter().filter(|path| path.closed).count()
 }
 
 /// The largest deviation of any path from the one at its place in the list.

@@ -51,11 +51,13 @@ fn compare(place: &str, actual: Option<&Value>, right: Option<&Value>, findings:
         (Some(Value::Number(a)), Some(Value::Number(b))) if a.as_f64() == b.as_f64() => {}
         (a, b) if a == b => {}
         (a, b) => {
-            let value_text =
-                |value: Option<&Value>| value.map_or("nothing".to_owned(), |value| quote(&value.to_string()));
             findings.push(wrong(format!("{place}: {}", value_text(a)), value_text(b)));
         }
     }
+}
+
+fn value_text(value: Option<&Value>) -> String {
+    value.map_or("nothing".to_owned(), |value| quote(&value.to_string()))
 }
 
 /// Reports the figures that are not those of the exact geometry, whatever the writer of manifests makes of it.

@@ -32,6 +32,9 @@ pub(super) fn look(layer: Layer, colours: Colours) -> LayerStyle {
 
 /// A title as files hold it: 120 characters at most, and `_` for all but letters and digits of ASCII, blanks and `. , - _ + = : /`.
 pub(super) fn in_file(title: &str, limit: usize) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || " .,-_+=:/".contains(c);
     title.chars().take(limit).map(|c| if is_plain(c) { c } else { '_' }).collect()
+}
+
+fn is_plain(c: char) -> bool {
+    c.is_ascii_alphanumeric() || " .,-_+=:/".contains(c)
 }

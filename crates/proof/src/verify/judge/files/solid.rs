@@ -129,8 +129,7 @@ fn numbered(facets: &[StlFacet]) -> Vec<[u32; 3]> {
 /// Every edge is passed once each way.
 fn closed(corners: &[[u32; 3]], findings: &mut Findings) {
     // An edge in one word: its corners, and in the last bit its way. Words are sorted faster than structures.
-    let edge = |a: u32, b: u32| u64::from(a.min(b)) << 33 | u64::from(a.max(b)) << 1 | u64::from(a < b);
-    let edges_of = |[a, b, c]: &[u32; 3]| [edge(*a, *b), edge(*b, *c), edge(*c, *a)];
+    let edges_of = |[a, b, c]: &[u32; 3]| [edge_key(*a, *b), edge_key(*b, *c), edge_key(*c, *a)];
     let mut edges: Vec<u64> = corners.iter().flat_map(edges_of).collect();
     edges.sort_unstable();
     let paired = |uses: &[u64]| matches!(uses, [back, forth] if back & 1 == 0 && forth & 1 == 1);
@@ -143,6 +142,11 @@ fn closed(corners: &[[u32; 3]], findings: &mut Findings) {
         let found = format!("{open} of {all} edges");
         findings.add(FindingCode::NotWatertight, found, "each edge once in each direction");
     }
+}
+
+/// Both directions of an edge differ in the last bit only.
+fn edge_key(a: u32, b: u32) -> u64 {
+    u64::from(a.min(b)) << 33 | u64::from(a.max(b)) << 1 | u64::from(a < b)
 }
 
 /// The bits of a number; both zeros are the same.

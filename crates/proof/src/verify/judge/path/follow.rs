@@ -217,14 +217,13 @@ mod tests {
 
     /// The path as a controller gets it: moves of at most `step`, end points rounded to 0.001.
     fn moves(path: &Path, step: f64) -> Vec<Segment> {
-        let round = |p: Point| Point::new((p.x * 1e3).round() / 1e3, (p.y * 1e3).round() / 1e3);
         let mut run = Vec::new();
         for segment in &path.segments {
             let n = (segment.length() / step).ceil().max(1.0);
             let mut i = 0.0;
             while i < n {
                 let part = segment.part(i / n, (i + 1.0) / n);
-                let (a, b) = (round(part.start()), round(part.end()));
+                let (a, b) = (rounded_point(part.start()), rounded_point(part.end()));
                 run.push(match part {
                     Segment::Line(_) => Line::new(a, b).into(),
                     Segment::Arc(arc) => Arc::from_bulge(a, b, arc.bulge()).unwrap().into(),
@@ -233,6 +232,10 @@ mod tests {
             }
         }
         run
+    }
+
+    fn rounded_point(p: Point) -> Point {
+        Point::new((p.x * 1e3).round() / 1e3, (p.y * 1e3).round() / 1e3)
     }
 
     #[test]
