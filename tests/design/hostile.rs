@@ -176,7 +176,7 @@ fn written_files(built: &Built) -> Vec<(String, Vec<u8>)> {
     files.map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
 }
 
-/// The same gripper with plain names.
+/// The gripper with plain names.
 static PLAIN: LazyLock<Vec<(String, Vec<u8>)>> =
     LazyLock::new(|| written_files(&built("plain", "plain", "plain").expect("a gripper")));
 

@@ -33,7 +33,7 @@ fn paper(points: u32) -> Spec {
     spec
 }
 
-/// The same at its pressure.
+/// The spec of a gripper at its pressure.
 fn gripper(points: u32) -> Spec {
     let mut spec = read(&Source::new("test", PAPER)).expect("valid").spec;
     spec.stars.iter_mut().for_each(|star| star.points = points);

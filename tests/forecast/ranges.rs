@@ -20,7 +20,7 @@ fn maybe_at(case: &Case, kilopascals: f64) -> Option<Outcome> {
     Some(Outcome::linear(&case, &inflated))
 }
 
-/// The same of a star that the section covers.
+/// The outcome of a star that the section covers.
 fn at(case: &Case, kilopascals: f64) -> Outcome {
     maybe_at(case, kilopascals).expect("covered")
 }
@@ -120,7 +120,7 @@ const VARIED: Varied = Varied {
     pressure: 30.0,
 };
 
-/// Its case.
+/// The case of a varied star.
 fn varied(varied: &Varied) -> Option<Case> {
     let star = Star::new(&StarSpec {
         inner_radius: Length(varied.inner_radius),
@@ -139,7 +139,7 @@ fn varied(varied: &Varied) -> Option<Case> {
     Some(case)
 }
 
-/// Its outcome by the section.
+/// The outcome of a varied star by the section.
 fn outcome(star: &Varied) -> Option<Outcome> {
     maybe_at(&varied(star)?, star.pressure)
 }

@@ -35,7 +35,7 @@ fn hand_rest(profile: &str) -> Result<Built, Refusals> {
     hand_rest_with(str::to_owned, "", profile)
 }
 
-/// The same with its spec changed, and with `machine_keys` in its section on the machine.
+/// The hand rest with its spec changed, and with `machine_keys` in its section on the machine.
 fn hand_rest_with(
     change: impl Fn(&str) -> String,
     machine_keys: &str,

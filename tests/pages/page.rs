@@ -12,7 +12,7 @@ pub(crate) fn ends_in(name: &str, ending: &str) -> bool {
 
 /// A page.
 pub(crate) struct Page {
-    /// Its path below the sources: "docs/making.md".
+    /// Path of the page below the sources: "docs/making.md".
     pub(crate) name: String,
     /// The text of the page.
     pub(crate) text: String,
@@ -21,11 +21,11 @@ pub(crate) struct Page {
 /// A part of a page that is tested.
 #[derive(Debug)]
 pub(crate) enum Piece {
-    /// Its text.
+    /// Text of a heading.
     Heading(String),
     /// A fenced block.
     Block(Block),
-    /// Its path in the page, and the command's file that it shows (`<!-- from out/star/x.svg -->` above it).
+    /// Path of a picture in the page, and the command's file that it shows (`<!-- from out/star/x.svg -->` above it).
     Picture {
         /// The path in the page.
         file: String,
@@ -41,7 +41,7 @@ pub(crate) enum Piece {
 pub(crate) struct Block {
     /// The word after the fence: "sh".
     pub(crate) kind: String,
-    /// Its content, line ends included.
+    /// Content of the block, line ends included.
     pub(crate) body: String,
     /// The line of its fence, from 1.
     pub(crate) line: usize,
@@ -69,7 +69,7 @@ impl Page {
         names.iter().map(|name| Self::named(name)).collect()
     }
 
-    /// Its pieces in order.
+    /// Pieces of the page in order.
     pub(crate) fn pieces(&self) -> Vec<Piece> {
         let mut out = Vec::new();
         let mut remark = String::new();

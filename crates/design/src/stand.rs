@@ -86,8 +86,8 @@ mod tests {
         assert!(ball_of(30.0).doubts()[0].contains("lift it by 7.5 mm"), "{:?}", ball_of(30.0).doubts());
     }
 
-    fn ball_of(across: f64) -> Stand {
-        stand("", &format!("object_diameter = \"{across} mm\""))
+    fn ball_of(diameter: f64) -> Stand {
+        stand("", &format!("object_diameter = \"{diameter} mm\""))
     }
 
     #[test]

@@ -210,7 +210,7 @@ fn row(pairs: &[Pair]) -> String {
     let mut errors: Vec<f64> = pairs.iter().map(|pair| pair.error).collect();
     errors.sort_by(f64::total_cmp);
     let [low, middle, high] = [0.025, 0.5, 0.975].map(|part| quantile(&errors, part));
-    let inside = pairs.iter().filter(|pair| pair.holds()).count();
+    let inside = pairs.iter().filter(|pair| pair.is_in_range()).count();
     let strictly = pairs.iter().filter(|pair| pair.holds_strictly()).count();
     let mean = |of: fn(&Pair) -> f64| pairs.iter().map(of).sum::<f64>();
     let width = mean(|pair| pair.range[1] - pair.range[0]) / mean(|pair| (pair.shell - pair.predicted).abs());

@@ -28,7 +28,7 @@ const OTHERS: [(usize, usize); 3] = [(0, 3), (1, 0), (2, 4)];
 /// One ladder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ladder {
-    /// Its number, from 1.
+    /// Number of the ladder, from 1.
     pub number: usize,
     /// phi_0, deg.
     pub angle: f64,

@@ -138,8 +138,8 @@ fn run(table: Table) -> Result<(), Box<dyn Error>> {
 impl Work {
     /// The items of `list` that belong to this part.
     fn of_part<T>(&self, list: Vec<T>) -> impl Iterator<Item = T> {
-        let Part { own, of } = self.part;
-        list.into_iter().enumerate().filter(move |(place, _)| place % of + 1 == own).map(|(_, one)| one)
+        let Part { own: number, of: count } = self.part;
+        list.into_iter().enumerate().filter(move |(place, _)| place % count + 1 == number).map(|(_, one)| one)
     }
 
     fn fineness(&self, shipped: Fineness) -> Fineness {

@@ -19,11 +19,11 @@ use std::f64::consts::PI;
 pub struct Pair {
     /// The shell's.
     pub shell: f64,
-    /// Its mesh error.
+    /// Mesh error of the shell's number.
     pub mesh: f64,
     /// The prediction's.
     pub predicted: f64,
-    /// Its range.
+    /// Range of the prediction.
     pub range: Interval,
     /// The error as its constant counts it: see [`errors`](stargrip_cam::forecast::ranges::errors).
     pub error: f64,
@@ -32,9 +32,9 @@ pub struct Pair {
 /// One star with its shell's and its predicted values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// Its set.
+    /// Set of the star.
     pub set: Set,
-    /// Its number in it.
+    /// Number of the star in its set.
     pub number: u32,
     /// n.
     pub points: u32,
@@ -158,7 +158,7 @@ impl Pair {
     }
 
     /// Whether the shell's number, within its mesh error, lies in the range.
-    pub fn holds(&self) -> bool {
+    pub fn is_in_range(&self) -> bool {
         self.shell + self.mesh >= self.range[0] && self.shell - self.mesh <= self.range[1]
     }
 }

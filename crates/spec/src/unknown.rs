@@ -187,8 +187,8 @@ fn key_hint(word: &str, place: &Known<'_>, sections: &[Known<'_>]) -> String {
 }
 
 /// The place of a section's keys in words.
-fn home_in_words(one: &Known<'_>) -> String {
-    match one.section {
+fn home_in_words(section: &Known<'_>) -> String {
+    match section.section {
         "" => "before the first section".to_owned(),
         name => format!("in {}", header(name)),
     }

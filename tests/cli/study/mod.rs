@@ -12,7 +12,7 @@ use std::process::{Command, Output};
 use crate::support::inputs::GRIPPER as SPEC;
 use tempfile::TempDir;
 
-/// Its 216 rows include refusals, words, whole numbers and unknown values.
+/// A study whose 216 rows include refusals, words, whole numbers and unknown values.
 const STUDY: &str = r#"schema = 1
 spec = "spec.toml"
 [rows]

@@ -120,7 +120,7 @@ fn assert_program_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
     assert_blamed(code, change, neighbourhood);
 }
 
-/// The same for a fault that only shows further on in the program.
+/// Checks a fault that only shows further on in the program.
 #[track_caller]
 fn assert_later_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
     assert_blamed(code, change, |place| *place.start()..=usize::MAX);

@@ -33,7 +33,7 @@ pub(crate) fn harmless(name: &str, before: &[u8], after: &[u8]) -> Option<&'stat
     }
 }
 
-/// The same figures and names, whatever the version of the tool: for another version only reading is a proof, and `verify`
+/// Whether figures and names are equal, whatever the version of the tool: for another version only reading is a proof, and `verify`
 /// reports it.
 fn same_values(a: &str, b: &str) -> bool {
     let value = |text: &str| {
@@ -47,7 +47,7 @@ fn same_values(a: &str, b: &str) -> bool {
     are_near(&a, &b)
 }
 
-/// The same values; numbers to one in 10^9, as another processor may calculate them.
+/// Whether values are equal; numbers to one in 10^9, as another processor may calculate them.
 fn are_near(a: &Value, b: &Value) -> bool {
     match (a, b) {
         (Value::Number(a), Value::Number(b)) => {
@@ -64,7 +64,7 @@ fn are_near(a: &Value, b: &Value) -> bool {
     }
 }
 
-/// The same except for blanks, and for blanks and zeros between the numbers of a path as SVG's grammar reads them.
+/// Whether texts are equal except for blanks, and for blanks and zeros between the numbers of a path as SVG's grammar reads them.
 fn same_but_blanks(a: &str, b: &str) -> bool {
     let parts = |text: &str| -> Vec<String> {
         let quoted = text.split('"').zip([false, true].into_iter().cycle());
@@ -102,7 +102,7 @@ fn path_words(data: &str) -> Vec<(char, Option<f64>)> {
     }
 }
 
-/// The same spec or profile, except for texts without effect: the name of the profile in a spec whose profile lies beside it, and
+/// Whether specs or profiles are equal, except for texts without effect: the name of the profile in a spec whose profile lies beside it, and
 /// the profile's description of itself.
 fn same_meaning(name: &str, a: &str, b: &str) -> bool {
     let read = |text: &str| {
@@ -120,7 +120,7 @@ fn same_meaning(name: &str, a: &str, b: &str) -> bool {
     a.is_some() && a == b
 }
 
-/// The same words except for numbers that differ by no more than `tolerance`, mm.
+/// Whether words are equal except for numbers that differ by no more than `tolerance`, mm.
 fn same_numbers(kind: &str, a: &str, b: &str, tolerance: f64) -> bool {
     let split = |text: &str| -> Vec<String> {
         text.split(|c: char| c.is_ascii_whitespace() || "\"'<>=,".contains(c))

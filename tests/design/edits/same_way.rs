@@ -6,7 +6,7 @@ type Place = [f64; 4];
 /// Largest delay by a wait, s: in this time the iron moves 0.002 mm at the seal's 0.1 mm/s.
 const LATE: f64 = 0.02;
 
-/// The same lines other than cuts, blanks between their words apart, and between them the same way at the same feed: places at
+/// Whether lines other than cuts are equal, blanks between their words apart, and between them the way at the same feed: places at
 /// equal distances along it lie no farther apart than 0.002 mm, whatever the moves it is made of. Waits may differ if their sum
 /// differs nowhere by more than [`LATE`].
 pub(crate) fn same_way(a: &str, b: &str) -> bool {
@@ -27,7 +27,7 @@ pub(crate) fn same_way(a: &str, b: &str) -> bool {
         })
 }
 
-/// The same way except for comments without effect: progress, lengths, times, pictures, prose.
+/// Whether ways are equal except for comments without effect: progress, lengths, times, pictures, prose.
 pub(crate) fn same_facts(before: &[u8], after: &[u8]) -> bool {
     let facts = |bytes: &[u8]| -> Option<String> {
         let text = std::str::from_utf8(bytes).ok()?;
@@ -61,7 +61,7 @@ fn wait(line: &str) -> Option<f64> {
     Some(if figure.contains('.') || time < 10.0 { time } else { 1e-3 * time })
 }
 
-/// The same words, in a line of code with or without blanks between them; in a comment also the same figures, such as 5 and 5.0.
+/// Whether words are equal, in a line of code with or without blanks between them; in a comment also figures, such as 5 and 5.0.
 fn same_words(a: &str, b: &str) -> bool {
     let figure = |word: &str| -> Option<(String, f64)> {
         let (name, value) = word.split_once('=')?;

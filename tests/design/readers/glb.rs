@@ -24,7 +24,7 @@ pub(crate) struct GlbPart {
     pub(crate) material: String,
     /// Corners, mm.
     pub(crate) points: Vec<[f64; 3]>,
-    /// The same corners with the morph target in full; empty without one.
+    /// Corners with the morph target in full; empty without one.
     pub(crate) inflated: Vec<[f64; 3]>,
     /// Three corners each.
     pub(crate) triangles: Vec<[usize; 3]>,

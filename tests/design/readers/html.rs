@@ -92,7 +92,7 @@ const HEAD: &str = "<!doctype html>\n";
 /// The content of a report.
 #[derive(Clone, Debug)]
 pub(crate) struct HtmlReport {
-    /// Its title.
+    /// Title of the page.
     pub(crate) title: String,
     /// The block of figures.
     pub(crate) data: Value,

@@ -30,7 +30,7 @@ pub(crate) fn deviations(text: &Text, track: &Track, speed: f64, stop: f64) -> (
     deviations_within(MEAN, text, track, speed, stop)
 }
 
-/// The same with another tolerance of the mean speed.
+/// The deviations of a program, with another tolerance of the mean speed.
 pub(crate) fn deviations_within(
     tolerance: f64,
     text: &Text,

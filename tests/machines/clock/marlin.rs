@@ -211,7 +211,7 @@ impl Marlin {
         }
     }
 
-    /// The same for 2.0.x: blocks begin and end at 120 steps/s, and the rate after a step is that of the time before it.
+    /// The steps of a block by 2.0.x: blocks begin and end at 120 steps/s, and the rate after a step is that of the time before it.
     fn step_of_two(&self, block: &Block, exit: f64, track: &mut Track) {
         let nominal = block.nominal_rate.max(self.lowest_rate);
         let rate = |speed: f64| (nominal * speed / block.nominal).ceil().max(FIRST_RATE);

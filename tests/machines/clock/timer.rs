@@ -93,7 +93,7 @@ fn avr(cycles: u32) -> (f64, u32) {
     (f64::from((cycles >> level).min(0xffff)) + 1.0, level)
 }
 
-/// The same; driver.c, stepperCyclesPerTick.
+/// Time and ticks of a step; driver.c, stepperCyclesPerTick.
 fn esp32(cycles: u32) -> (f64, u32) {
     let level = u32::from(cycles >= 2_500) + u32::from(cycles >= 5_000) + u32::from(cycles >= 10_000);
     (f64::from((cycles >> level).min((1 << 18) - 1)), level)

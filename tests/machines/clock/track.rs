@@ -10,7 +10,7 @@ const ON_MARK: f64 = 1e-3;
 /// A stretch of cuts between two travels.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Stretch {
-    /// Its first line.
+    /// First line of the stretch.
     pub(crate) line: usize,
     /// Length in the program, mm.
     pub(crate) length: f64,

@@ -45,7 +45,7 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("inlet-meets-arm", "", "[inlet]\ntube_diameter = \"45 mm\"\n"),
 ];
 
-/// The same for designs; each adds text to the star.
+/// Refusals of designs; each row adds text to the star.
 const DESIGNS: &[(&str, &str)] = &[
     ("arms-fall-through", "[stack]\ncount = 2\n[[stack.star]]\nindex = 2\ninner_radius = \"160 mm\"\n"),
     ("band-eats-arm", "[seal]\nband = \"45 mm\"\n"),
@@ -77,7 +77,7 @@ const DESIGNS: &[(&str, &str)] = &[
     ("unknown-reach", "[machine]\nprofile = \"linuxcnc\"\n"),
 ];
 
-/// The same with [`LOAD`], in which a part is replaced, or to which text is added.
+/// Refusals with [`LOAD`], in which a part is replaced, or to which text is added.
 const LOADS: &[(&str, &str, &str)] = &[
     (
         "object-too-short",

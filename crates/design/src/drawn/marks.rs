@@ -67,8 +67,8 @@ fn triangle(places: &[Point], min_difference: f64) -> Option<[Point; 3]> {
     third.filter(|_| largest >= min_difference).map(|c| [a, c, b])
 }
 
-fn is_better(value: f64, than: f64) -> bool {
-    value > than + 1e-6
+fn is_better(value: f64, other: f64) -> bool {
+    value > other + 1e-6
 }
 
 /// The warning where there is no room for registration holes of this diameter.

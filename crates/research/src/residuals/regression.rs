@@ -48,7 +48,7 @@ impl Rows {
         }
     }
 
-    /// The same without those of a star.
+    /// These rows without those of a star.
     #[must_use]
     pub fn without_star(mut self, star: usize) -> Self {
         self.all.retain(|row| row.star != star);

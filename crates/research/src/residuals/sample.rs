@@ -11,9 +11,9 @@ pub type Residual = (f64, f64);
 
 /// A computed star, its ratios, and its residuals in the order of the weights; `None` where the number is missing, or not settled.
 pub struct Sample {
-    /// Its ratios.
+    /// Ratios of the star.
     pub place: StarPlace,
-    /// Its residuals.
+    /// Residuals of the star.
     pub residuals: [Option<Residual>; WEIGHTS],
 }
 

@@ -18,9 +18,9 @@ pub const FORCE_FINENESS: Fineness = Fineness { cells: 8.0, cuts: 3 };
 /// A number of the shell, with its mesh error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Number {
-    /// Its value.
+    /// Value of the number.
     pub value: f64,
-    /// Its mesh error.
+    /// Mesh error of the number.
     pub error: f64,
 }
 
@@ -41,7 +41,7 @@ pub struct ShellNumbers {
 }
 
 impl ShellNumbers {
-    /// Those that have the names of the fields, and the secants; `None` if one but a secant is missing.
+    /// The numbers that have the names of the fields, and the secants; `None` if one but a secant is missing.
     fn from_fields(
         number: impl Fn(&str) -> Option<Number>,
         secant: impl Fn(f64) -> Option<(f64, Number)>,
@@ -107,7 +107,7 @@ impl DrawnStar {
         Ok(sealed(&text))
     }
 
-    /// Its description, in one line.
+    /// Description of the star, in one line.
     pub fn words(&self) -> String {
         format!(
             "{} {} n {} W {} rho_0 {} phi_i0 {} R_i {} R_e {} t {} p {}",
@@ -153,7 +153,7 @@ impl DrawnStar {
 }
 
 impl ComputedStar {
-    /// Its line in the shipped table.
+    /// The star's line in the shipped table.
     pub fn line(&self) -> String {
         let mut line = self.star.words();
         let Some(shell) = &self.found else { return line + " refused" };

@@ -25,9 +25,9 @@ pub enum Set {
 /// One star of a set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawnStar {
-    /// Its set.
+    /// Set of the star.
     pub set: Set,
-    /// Its number in it, from 1.
+    /// Number of the star in its set, from 1.
     pub number: u32,
     /// n.
     pub points: u32,
@@ -97,7 +97,7 @@ impl Set {
     /// All of them.
     pub const ALL: [Self; 6] = [Self::Fit, Self::Range, Self::Test, Self::Paper, Self::Wide, Self::Narrow];
 
-    /// Its name, the number of its stars, and the seed of its random numbers; no seed if it is not drawn.
+    /// Name of the set, the number of its stars, and the seed of its random numbers; no seed if it is not drawn.
     const fn row(self) -> (&'static str, u32, Option<u64>) {
         match self {
             Self::Fit => ("fit", 36, Some(1)),
@@ -109,7 +109,7 @@ impl Set {
         }
     }
 
-    /// Its name.
+    /// Name of the set.
     pub const fn name(self) -> &'static str {
         self.row().0
     }
@@ -119,7 +119,7 @@ impl Set {
         self.row().1
     }
 
-    /// Its star number `number`, from 1: the points go round, the rest is drawn, or the paper's.
+    /// Star number `number` of the set, from 1: the points go round, the rest is drawn, or the paper's.
     pub fn star(self, number: u32) -> DrawnStar {
         let place = number as usize - 1;
         let bounds = match self {

@@ -114,7 +114,7 @@ fn ranges_hold_forces_of_touching_arms_and_of_wide_objects() {
     let (touching, wide): (Vec<Opened>, Vec<Opened>) = opened().into_iter().partition(|one| one.touches);
     let wide = wide.into_iter().filter(|one| one.opening > 0.95).collect();
     for (what, group) in [("touching", touching), ("wide", wide)] {
-        let outside: Vec<&Opened> = group.iter().filter(|one| !one.force.holds()).collect();
+        let outside: Vec<&Opened> = group.iter().filter(|one| !one.force.is_in_range()).collect();
         assert!(group.len() >= 20, "{what}: {}", group.len());
         assert!(outside.len() * 20 <= group.len(), "{what}: of {} outside {outside:?}", group.len());
     }

@@ -41,8 +41,8 @@ pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<StlFacet>, Soli
     Some((facets?, SolidNotes { normals: normals?, head: bytes[..80].to_vec(), plain }))
 }
 
-fn read_number(raw: &[u8], at: usize) -> Option<f32> {
-    Some(f32::from_le_bytes(raw.get(at..at + 4)?.try_into().ok()?)).filter(|x| x.is_finite())
+fn read_number(raw: &[u8], place: usize) -> Option<f32> {
+    Some(f32::from_le_bytes(raw.get(place..place + 4)?.try_into().ok()?)).filter(|x| x.is_finite())
 }
 
 #[cfg(test)]
