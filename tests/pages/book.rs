@@ -34,9 +34,9 @@ fn the_book_has_every_page_once() {
     let listed = Page::named("docs/SUMMARY.md").links();
     let distinct: BTreeSet<String> = listed.iter().map(|name| format!("docs/{name}")).collect();
     assert_eq!(distinct.len(), listed.len(), "a page is listed twice: {listed:?}");
-    let there: BTreeSet<String> =
-        Page::all().into_iter().map(|page| page.name).filter(|name| name.starts_with("docs/")).collect();
-    assert_eq!(distinct, there);
+    let pages: BTreeSet<String> =
+        Page::read_all().into_iter().map(|page| page.name).filter(|name| name.starts_with("docs/")).collect();
+    assert_eq!(distinct, pages);
 }
 
 #[test]
@@ -86,7 +86,8 @@ fn paths(text: &str) -> Vec<String> {
 
 #[test]
 fn every_path_in_back_quotes_exists() {
-    let mut pages: Vec<(Page, &Path)> = Page::all().into_iter().map(|page| (page, Path::new(""))).collect();
+    let mut pages: Vec<(Page, &Path)> =
+        Page::read_all().into_iter().map(|page| (page, Path::new(""))).collect();
     pages.extend(["ARCHITECTURE.md", "CONTRIBUTING.md"].map(|name| (Page::named(name), Path::new(""))));
     let crates = fs::read_dir(home().join("crates")).expect("a directory").flatten();
     let folders: Vec<_> = crates.map(|folder| Path::new("crates").join(folder.file_name())).collect();
@@ -117,7 +118,7 @@ fn a_stale_path_is_seen() {
 
 #[test]
 fn every_link_leads_somewhere() {
-    let mut pages = Page::all();
+    let mut pages = Page::read_all();
     pages.extend(["docs/SUMMARY.md", "ARCHITECTURE.md", "CONTRIBUTING.md"].map(Page::named));
     let mut astray = Vec::new();
     for page in &pages {
@@ -146,23 +147,23 @@ fn every_link_leads_somewhere() {
 
 #[test]
 fn every_picture_is_shown_small_and_said_in_words() {
-    let mut shown = BTreeSet::new();
-    for page in Page::all() {
+    let mut pictures_shown = BTreeSet::new();
+    for page in Page::read_all() {
         for piece in page.pieces() {
             if let Piece::Picture { file, words, .. } = piece {
                 assert!(words.len() > 15, "{}: {file} has no words", page.name);
-                let _ = shown.insert(file.trim_start_matches("docs/").to_owned());
+                let _ = pictures_shown.insert(file.trim_start_matches("docs/").to_owned());
             }
         }
     }
     let files = fs::read_dir(home().join("docs")).expect("a directory").map(|file| file.expect("a file"));
-    let mut there = BTreeSet::new();
+    let mut files_there = BTreeSet::new();
     for file in files {
         let name = file.file_name().into_string().expect("ASCII");
         if ends_in(&name, "svg") || ends_in(&name, "png") {
             assert!(file.metadata().expect("a file").len() < LARGEST, "{name} is too large");
-            let _ = there.insert(name);
+            let _ = files_there.insert(name);
         }
     }
-    assert_eq!(shown, there, "pictures that are shown, and that there are");
+    assert_eq!(pictures_shown, files_there, "pictures that are shown, and that there are");
 }

@@ -67,15 +67,15 @@ const NOT_RUN: &[(&str, &str)] = &[
 
 #[test]
 fn commands_say_what_the_pages_say() {
-    let pages = Page::all();
+    let pages = Page::read_all();
     let (next, faults) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     let threads = std::thread::available_parallelism().map_or(1, usize::from).min(4);
     std::thread::scope(|scope| {
         for _ in 0..threads {
             let _ = scope.spawn(|| {
                 while let Some(page) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let found = run(page);
-                    faults.lock().expect("no panic").extend(found);
+                    let page_faults = run(page);
+                    faults.lock().expect("no panic").extend(page_faults);
                 }
             });
         }
@@ -86,19 +86,20 @@ fn commands_say_what_the_pages_say() {
 
 #[test]
 fn what_is_not_run_is_known() {
-    let mut found = Vec::new();
-    for page in Page::all() {
+    let mut blocks = Vec::new();
+    for page in Page::read_all() {
         for piece in page.pieces() {
-            if let Piece::Block(Block { kind, body, not_run: Some(why), .. }) = piece {
-                assert!(kind == "sh" && why.len() > 4, "{}: {why}", page.name);
+            if let Piece::Block(Block { kind, body, not_run: Some(reason), .. }) = piece {
+                assert!(kind == "sh" && reason.len() > 4, "{}: {reason}", page.name);
                 let first = body.lines().next().unwrap_or_default();
-                found.push((page.name.clone(), first.chars().take(60).collect::<String>().trim().to_owned()));
+                blocks
+                    .push((page.name.clone(), first.chars().take(60).collect::<String>().trim().to_owned()));
             }
         }
     }
-    let known: Vec<(String, String)> =
+    let expected: Vec<(String, String)> =
         NOT_RUN.iter().map(|(page, line)| ((*page).to_owned(), (*line).to_owned())).collect();
-    assert_eq!(found, known);
+    assert_eq!(blocks, expected);
 }
 
 /// Runs the commands of `page`; returns the differences from the page.
@@ -125,13 +126,13 @@ fn run(page: &Page) -> Vec<String> {
             }
             continue;
         };
-        let at = format!("{}:{}", page.name, block.line);
+        let place = format!("{}:{}", page.name, block.line);
         match block.kind.as_str() {
             "sh" => {
                 faults.extend(output.take().and_then(|output| output.unexpected(page)));
                 if block.not_run.is_none() {
-                    output =
-                        Some(BlockOutput::of(block, dir.path())).inspect(|output| printed += &output.text);
+                    output = Some(BlockOutput::run_block(block, dir.path()))
+                        .inspect(|output| printed += &output.text);
                 }
             }
             "text" => {
@@ -139,7 +140,7 @@ fn run(page: &Page) -> Vec<String> {
                     let is_fault = block.body.lines().any(|line| line.starts_with("error"));
                     if is_fault == output.is_done || !matches(&block.body, &output.text) {
                         faults.push(format!(
-                            "{at}: the page says\n{}and the commands\n{}",
+                            "{place}: the page says\n{}and the commands\n{}",
                             block.body, output.text
                         ));
                     }
@@ -157,40 +158,40 @@ fn run(page: &Page) -> Vec<String> {
                     fs::write(&path, rest).expect("written");
                 } else if !fs::read_to_string(&path).is_ok_and(|file| file.contains(rest)) {
                     let file = fs::read_to_string(&path).unwrap_or_default();
-                    faults.push(format!("{at}: the page says\n{rest}and {name}\n{file}"));
+                    faults.push(format!("{place}: the page says\n{rest}and {name}\n{file}"));
                 }
             }
             _ => {}
         }
     }
     faults.extend(output.and_then(|output| output.unexpected(page)));
-    let unprinted = unprinted(&page.text, &printed).into_iter();
-    faults.extend(unprinted.map(|one| format!("{}: no command prints {one}", page.name)));
+    let missing = unprinted(&page.text, &printed).into_iter();
+    faults.extend(missing.map(|one| format!("{}: no command prints {one}", page.name)));
     for piece in &pieces {
-        if let Piece::Picture { file, from, .. } = piece {
-            faults.extend(compare(page, file, from.as_deref(), dir.path()));
+        if let Piece::Picture { file, from: source, .. } = piece {
+            faults.extend(compare(page, file, source.as_deref(), dir.path()));
         }
     }
     faults
 }
 
-/// The difference of the picture `file` of `page` from the file `from` in `dir`.
-fn compare(page: &Page, file: &str, from: Option<&str>, dir: &Path) -> Option<String> {
+/// The difference of the picture `file` of `page` from the file `source` in `dir`.
+fn compare(page: &Page, file: &str, source: Option<&str>, dir: &Path) -> Option<String> {
     // Pictures of commands that are not run: `tests/pages/trade.rs` and `main.rs`.
     if ["trade.svg", "trade-shells.svg"].contains(&file) || page.name == "docs/paper.md" {
         return None;
     }
-    let Some(from) = from else { return Some(format!("{}: which file is {file}?", page.name)) };
+    let Some(source_name) = source else { return Some(format!("{}: which file is {file}?", page.name)) };
     let folder = home().join(&page.name);
     let path = folder.parent().expect("a directory").join(file);
-    let Ok(drawn) = fs::read(dir.join(from)) else {
-        return Some(format!("{}: no command writes {from}", page.name));
+    let Ok(command_file) = fs::read(dir.join(source_name)) else {
+        return Some(format!("{}: no command writes {source}", page.name));
     };
     if renews() {
-        fs::write(&path, &drawn).expect("written");
+        fs::write(&path, &command_file).expect("written");
     }
-    let is_same = fs::read(&path).is_ok_and(|picture| picture == drawn);
-    (!is_same).then(|| format!("{}: {file} is another picture than {from}", page.name))
+    let is_same = fs::read(&path).is_ok_and(|picture| picture == command_file);
+    (!is_same).then(|| format!("{}: {file} is another picture than {source}", page.name))
 }
 
 #[test]

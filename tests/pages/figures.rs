@@ -5,10 +5,10 @@ pub(crate) fn predictions(text: &str) -> Vec<String> {
     let words: Vec<&str> = text.split_whitespace().collect();
     let number = |word: &str| word.parse::<f64>().is_ok();
     let prediction = |five: &[&str]| {
-        let &[value, unit, low, to, high] = five else { return None };
+        let &[value, unit, low, separator, high] = five else { return None };
         let is_unit = unit.len() < 6 && unit.ends_with(',') && !number(unit.trim_end_matches(','));
         let (value, high) = (bare(value), bare(high));
-        let is_prediction = is_unit && to == "to" && number(value) && number(low) && number(high);
+        let is_prediction = is_unit && separator == "to" && number(value) && number(low) && number(high);
         is_prediction.then(|| format!("{value} {unit} {low} to {high}"))
     };
     words.windows(5).filter_map(prediction).collect()

@@ -16,7 +16,7 @@ pub(crate) struct BlockOutput {
 
 impl BlockOutput {
     /// Runs `block` in `dir`, which is also its home, without a terminal.
-    pub(crate) fn of(block: &Block, dir: &Path) -> Self {
+    pub(crate) fn run_block(block: &Block, dir: &Path) -> Self {
         let program = Path::new(env!("CARGO_BIN_EXE_stargrip-cam")).parent().expect("a directory");
         let mut path = program.as_os_str().to_owned();
         path.push(":");
@@ -42,19 +42,19 @@ impl BlockOutput {
     }
 }
 
-/// Whether `found` matches `pattern`.
-pub(crate) fn matches(pattern: &str, found: &str) -> bool {
+/// Whether `output` matches `pattern`.
+pub(crate) fn matches(pattern: &str, output: &str) -> bool {
     let pattern: Vec<&str> = pattern.lines().collect();
-    let found: Vec<&str> = found.lines().collect();
-    lines_match(&pattern, &found)
+    let lines: Vec<&str> = output.lines().collect();
+    lines_match(&pattern, &lines)
 }
 
-fn lines_match(pattern: &[&str], found: &[&str]) -> bool {
+fn lines_match(pattern: &[&str], lines: &[&str]) -> bool {
     match pattern.split_first() {
-        None => found.is_empty(),
-        Some((&"...", rest)) => (0..=found.len()).any(|skipped| lines_match(rest, &found[skipped..])),
-        Some((line, rest)) => found.split_first().is_some_and(|(found, others)| {
-            let is_same = line.strip_suffix(" ...").map_or(found == line, |start| found.starts_with(start));
+        None => lines.is_empty(),
+        Some((&"...", rest)) => (0..=lines.len()).any(|skipped| lines_match(rest, &lines[skipped..])),
+        Some((line, rest)) => lines.split_first().is_some_and(|(lines, others)| {
+            let is_same = line.strip_suffix(" ...").map_or(lines == line, |start| lines.starts_with(start));
             is_same && lines_match(rest, others)
         }),
     }

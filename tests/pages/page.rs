@@ -57,7 +57,7 @@ impl Page {
     }
 
     /// README.md and all pages in docs/ except the book's list, sorted.
-    pub(crate) fn all() -> Vec<Self> {
+    pub(crate) fn read_all() -> Vec<Self> {
         let files = fs::read_dir(home().join("docs")).expect("a directory");
         let mut names: Vec<String> = files
             .map(|file| file.expect("a file").file_name().into_string().expect("ASCII"))
@@ -71,13 +71,13 @@ impl Page {
 
     /// Pieces of the page in order.
     pub(crate) fn pieces(&self) -> Vec<Piece> {
-        let mut out = Vec::new();
+        let mut pieces = Vec::new();
         let mut remark = String::new();
         let mut open: Option<Block> = None;
         for (line, number) in self.text.lines().zip(1..) {
             if let Some(block) = &mut open {
                 if line == "```" {
-                    out.extend(open.take().map(Piece::Block));
+                    pieces.extend(open.take().map(Piece::Block));
                 } else {
                     block.body += line;
                     block.body.push('\n');
@@ -88,18 +88,18 @@ impl Page {
                 let not_run = remark.strip_prefix("not run: ").map(str::to_owned);
                 open = Some(Block { kind: kind.to_owned(), body: String::new(), line: number, not_run });
             } else if let Some(heading) = line.strip_prefix('#') {
-                out.push(Piece::Heading(heading.trim_matches(['#', ' ']).to_owned()));
+                pieces.push(Piece::Heading(heading.trim_matches(['#', ' ']).to_owned()));
             } else if let Some((words, rest)) = line.strip_prefix("![").and_then(|rest| rest.split_once("]("))
             {
-                let from = remark.strip_prefix("from ").map(str::to_owned);
+                let source = remark.strip_prefix("from ").map(str::to_owned);
                 let file = rest.trim_end_matches(')').to_owned();
-                out.push(Piece::Picture { file, words: words.to_owned(), from });
+                pieces.push(Piece::Picture { file, words: words.to_owned(), from: source });
             }
-            let inside = line.strip_prefix("<!-- ").and_then(|rest| rest.strip_suffix(" -->"));
-            inside.unwrap_or_default().clone_into(&mut remark);
+            let comment = line.strip_prefix("<!-- ").and_then(|rest| rest.strip_suffix(" -->"));
+            comment.unwrap_or_default().clone_into(&mut remark);
         }
         assert!(open.is_none(), "{}: a block is not closed", self.name);
-        out
+        pieces
     }
 
     /// All targets of links, pictures included, as the page spells them.
@@ -128,9 +128,9 @@ impl Page {
         });
         headings
             .map(|text| {
-                let kept = text.to_lowercase();
-                let kept = kept.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
-                kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+                let lower = text.to_lowercase();
+                let letters = lower.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+                letters.map(|c| if c == ' ' { '-' } else { c }).collect()
             })
             .collect()
     }

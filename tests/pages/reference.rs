@@ -23,58 +23,58 @@ This page is generated from `stargrip-cam schema --machine`. `stargrip-cam machi
 #[test]
 fn the_reference_of_the_spec_is_its_schema() {
     let template = include_str!("../../crates/spec/templates/spec.toml");
-    holds("docs/spec.md", &page(SPEC, &stargrip_cam::spec::schema(), template));
+    assert_page("docs/spec.md", &page(SPEC, &stargrip_cam::spec::schema(), template));
 }
 
 #[test]
 fn the_reference_of_profiles_is_their_schema() {
     let template = include_str!("../../crates/spec/templates/machines/generic.toml");
-    holds("docs/profile.md", &page(PROFILE, &stargrip_cam::spec::machine_schema(), template));
+    assert_page("docs/profile.md", &page(PROFILE, &stargrip_cam::spec::machine_schema(), template));
 }
 
-fn holds(name: &str, page: &str) {
+fn assert_page(name: &str, page: &str) {
     let path = home().join(name);
     if renews() {
         fs::write(&path, page).expect("written");
     }
-    let there = fs::read_to_string(&path).unwrap_or_default();
-    assert!(there == page, "{name} is old: INSTA_UPDATE=always cargo test --test pages");
+    let on_disk = fs::read_to_string(&path).unwrap_or_default();
+    assert!(on_disk == page, "{name} is old: INSTA_UPDATE=always cargo test --test pages");
 }
 
 /// The page of a schema, its keys in the order of `template`.
 fn page(head: &str, schema: &str, template: &str) -> String {
     let schema: Value = serde_json::from_str(schema).expect("JSON");
     let mut units = BTreeMap::new();
-    let mut out = head.to_owned();
+    let mut page_text = head.to_owned();
     let order = |section: &str, key: &str| place(template, section, key);
-    out += &table("Before the first section", "", &schema, &order, &mut units);
+    page_text += &table("Before the first section", "", &schema, &order, &mut units);
     let mut sections: Vec<(&String, &Value)> =
         properties(&schema).filter(|(_, value)| is_section(value)).collect();
     sections.sort_by_key(|(name, _)| place(template, name, ""));
     for (name, section) in sections {
-        let about = section["description"].as_str().unwrap_or_default();
+        let section_words = section["description"].as_str().unwrap_or_default();
         let (heading, object) = match section.get("items") {
             Some(items) => (format!("[[{name}]]"), items),
             None => (format!("[{name}]"), section),
         };
-        out += &table(&heading, about, object, &|_, key| order(name, key), &mut units);
+        page_text += &table(&heading, section_words, object, &|_, key| order(name, key), &mut units);
         for (key, list) in properties(section).filter(|(_, value)| value["items"]["type"] == "object") {
-            let about = list["items"]["description"].as_str().unwrap_or_default();
+            let list_words = list["items"]["description"].as_str().unwrap_or_default();
             let inner = format!("{name}.{key}");
-            out += &table(
+            page_text += &table(
                 &format!("[[{inner}]]"),
-                about,
+                list_words,
                 &list["items"],
                 &|_, key| order(&inner, key),
                 &mut units,
             );
         }
     }
-    out += "\n## Units\n\n| kind | units |\n|---|---|\n";
+    page_text += "\n## Units\n\n| kind | units |\n|---|---|\n";
     for (kind, list) in units {
-        let _ = writeln!(out, "| {kind} | {list} |");
+        let _ = writeln!(page_text, "| {kind} | {list} |");
     }
-    out
+    page_text
 }
 
 fn properties(object: &Value) -> impl Iterator<Item = (&String, &Value)> {
@@ -88,8 +88,8 @@ fn is_section(property: &Value) -> bool {
 
 /// The line number of `key` of `section`, or of the section itself, in `template`; a missing key comes last.
 fn place(template: &str, section: &str, key: &str) -> usize {
-    let mut here = "";
-    let mut found = usize::MAX;
+    let mut section_name = "";
+    let mut position = usize::MAX;
     for (line, number) in template.lines().zip(1..) {
         // An indented line is an example inside of a sentence.
         let bare = line.trim_start_matches('#');
@@ -97,19 +97,20 @@ fn place(template: &str, section: &str, key: &str) -> usize {
         if let Some((name, _)) =
             bare.strip_prefix('[').and_then(|rest| rest.trim_start_matches('[').split_once(']'))
         {
-            here = name;
-            found = if key.is_empty() && here == section { found.min(number) } else { found };
-        } else if here == section && !key.is_empty() && bare.starts_with(&format!("{key} = ")) {
-            found = found.min(number);
+            section_name = name;
+            position =
+                if key.is_empty() && section_name == section { position.min(number) } else { position };
+        } else if section_name == section && !key.is_empty() && bare.starts_with(&format!("{key} = ")) {
+            position = position.min(number);
         }
     }
-    found
+    position
 }
 
 /// The table of an object's keys, below a heading.
 fn table(
     heading: &str,
-    about: &str,
+    words: &str,
     object: &Value,
     order: &dyn Fn(&str, &str) -> usize,
     units: &mut BTreeMap<String, String>,
@@ -117,16 +118,16 @@ fn table(
     let mut keys: Vec<(&String, &Value)> =
         properties(object).filter(|(key, value)| !is_section(value) || *key == "layers").collect();
     keys.sort_by_key(|(key, _)| order("", key));
-    let mut out = format!("\n## {heading}\n\n");
-    if !about.is_empty() {
-        let mut about = about.to_owned();
-        about[..1].make_ascii_uppercase();
-        let _ = writeln!(out, "{}.\n", about.trim_end_matches('.'));
+    let mut table_text = format!("\n## {heading}\n\n");
+    if !words.is_empty() {
+        let mut sentence = words.to_owned();
+        sentence[..1].make_ascii_uppercase();
+        let _ = writeln!(table_text, "{}.\n", sentence.trim_end_matches('.'));
     }
-    out += "| key | meaning | values | default |\n|---|---|---|---|\n";
+    table_text += "| key | meaning | values | default |\n|---|---|---|---|\n";
     let required = object["required"].as_array();
     for (key, property) in keys {
-        let (meaning, takes) = told(property, units);
+        let (meaning, values) = meaning_and_values(property, units);
         let is_required = required.is_some_and(|list| list.iter().any(|name| name == key));
         let example = property["examples"][0].to_string();
         let default = match property.get("default") {
@@ -135,13 +136,13 @@ fn table(
             None if heading == "[[stack.star]]" => "that of the others".to_owned(),
             None => format!("none; such as `{example}`"),
         };
-        let _ = writeln!(out, "| `{key}` | {meaning} | {takes} | {default} |");
+        let _ = writeln!(table_text, "| `{key}` | {meaning} | {values} | {default} |");
     }
-    out
+    table_text
 }
 
 /// The meaning of a property, and its values.
-fn told(property: &Value, units: &mut BTreeMap<String, String>) -> (String, String) {
+fn meaning_and_values(property: &Value, units: &mut BTreeMap<String, String>) -> (String, String) {
     let text = property["description"].as_str().unwrap_or_default();
     let begin = [
         "A plain number; ",
@@ -159,16 +160,16 @@ fn told(property: &Value, units: &mut BTreeMap<String, String>) -> (String, Stri
     .map(|at| {
         text[..at].rfind(". ").map_or(if text[at..].starts_with(' ') { 0 } else { at }, |stop| stop + 2)
     });
-    let (meaning, takes) = text.split_at(begin.unwrap_or(text.len()));
+    let (meaning, values) = text.split_at(begin.unwrap_or(text.len()));
     let meaning = small(&meaning.trim().trim_end_matches('.').replace('|', "\\|"));
-    let takes = takes.trim().trim_end_matches('.');
-    if let Some((kind, rest)) = takes.split_once(" with its unit (") {
+    let bare_values = values.trim().trim_end_matches('.');
+    if let Some((kind, rest)) = bare_values.split_once(" with its unit (") {
         let kind = kind.split_once(' ').map_or(kind, |(_, kind)| kind).to_owned();
         let (list, range) = rest.split_once("); ").expect("units and a range");
         let _ = units.insert(kind.clone(), list.to_owned());
         return (meaning, format!("{kind}, {}", short(range)));
     }
-    let takes = match (property["type"].as_str(), takes) {
+    let values_in_words = match (property["type"].as_str(), bare_values) {
         (Some("boolean"), _) => "true or false".to_owned(),
         (Some("string"), "") => "text".to_owned(),
         (_, words) => {
@@ -177,7 +178,7 @@ fn told(property: &Value, units: &mut BTreeMap<String, String>) -> (String, Stri
     };
     (
         meaning,
-        takes
+        values_in_words
             .replacen("One of ", "", 1)
             .replacen("Always ", "", 1)
             .replacen("A list", "list", 1)

@@ -40,14 +40,14 @@ const fn edit(code: &'static str, file: &'static str, old: &'static str, new: &'
     Edit { code, base: Base::Plain, file, old, new }
 }
 
-const fn of(base: Base, edit: Edit) -> Edit {
+const fn edit_of(base: Base, edit: Edit) -> Edit {
     Edit { base, ..edit }
 }
 
 const EDITS: &[Edit] = &[
     edit("after-end", SEAL, "M2\n", "M2\nG0 Z30 F1200\n"),
     edit("backwards", SEAL, MOVE, "G1 X256.9069 Y220.6945\nG1 X253.9406 Y217.0314\n"),
-    of(Base::Arcs, edit("bad-arc", "star-1-seal.ngc", " I", " I1")),
+    edit_of(Base::Arcs, edit("bad-arc", "star-1-seal.ngc", " I", " I1")),
     edit("bad-character", SEAL, "; name: paper", "; name: p\u{e4}per"),
     edit("bad-comment", SEAL, "M2\n", "; heat: by=hand\nM2\n"),
     edit("bad-dxf", DXF, "  0\nSECTION", "  x\nSECTION"),
@@ -55,7 +55,7 @@ const EDITS: &[Edit] = &[
     edit("bad-number", SEAL, "Y220.6945", "Y"),
     edit("bad-path", SVG, "A31 31 0 0 1 173", "A31 31 0 2 1 173"),
     edit("bad-xml", SVG, "</title>", "</titel>"),
-    of(Base::Chopped, edit("below-floor", SEAL, "F103.096168697", "F10")),
+    edit_of(Base::Chopped, edit("below-floor", SEAL, "F103.096168697", "F10")),
     edit("blind-move", SEAL, "G0 Z30 F1200\n; heat", "G0 Z5 F1200\n; heat"),
     edit("cold-seal", SEAL, "M0\n", "\n"),
     edit("deviation", SEAL, "X256.9069", "X256.9169"),
@@ -78,7 +78,7 @@ const EDITS: &[Edit] = &[
         "; frame: origin",
         "; frame: the origin of all coordinates that are in this file lies",
     ),
-    of(
+    edit_of(
         Base::Chopped,
         edit(
             "long-stroke",
@@ -99,11 +99,11 @@ const EDITS: &[Edit] = &[
     edit("path-count", SVG, "Z\" stroke", "ZM0 0L1 1Z\" stroke"),
     edit("path-length", SVG, "L271.7383 97.4902", "L171.7383 97.4902"),
     edit("plunge", SEAL, "G1 X250.9743 Y213.3684 Z-0.3 F6", "G1 Z-0.3 F6\nG1 X250.9743 Y213.3684"),
-    of(Base::Predicted, edit("prediction", "prediction.json", "\"section\"", "\"ring\"")),
+    edit_of(Base::Predicted, edit("prediction", "prediction.json", "\"section\"", "\"ring\"")),
     edit("profile-line", SEAL, "G90\n", "G90\nG61\n"),
     edit("rapid-in-contact", SEAL, "G1 X256.9069", "G0 X256.9069"),
     edit("repeated-word", SEAL, "X256.9069", "X256.9069 X1"),
-    of(
+    edit_of(
         Base::Chopped,
         edit(
             "short-stroke",
@@ -113,7 +113,7 @@ const EDITS: &[Edit] = &[
         ),
     ),
     edit("size", SVG, "paper", "papers"),
-    of(Base::Hotend, edit("stray-heat", SEAL, "G0 Z5 F1200", "M104 S250\nG0 Z5 F1200")),
+    edit_of(Base::Hotend, edit("stray-heat", SEAL, "G0 Z5 F1200", "M104 S250\nG0 Z5 F1200")),
     edit("stray-travel", SEAL, "G0 X249.0863", "G0 X248.0863"),
     edit("too-deep", SEAL, "Z-0.3", "Z-0.9"),
     edit("travel-feed", SEAL, "Y211.037 F1200", "Y211.037 F12"),
@@ -151,39 +151,39 @@ fn built(base: Base) -> Built {
 pub(crate) fn messages() -> Vec<Message> {
     let bases = [Base::Plain, Base::Hotend, Base::Arcs, Base::Chopped, Base::Predicted];
     let builds: Vec<(Base, Built)> = bases.into_iter().map(|base| (base, built(base))).collect();
-    let mut all = Vec::new();
+    let mut messages = Vec::new();
     for &Edit { code, base, file, old, new } in EDITS {
         let (_, build) = builds.iter().find(|(known, _)| *known == base).expect("built");
-        all.extend(found(code, build.output_files(), |files| {
+        messages.extend(message_after(code, build.output_files(), |files| {
             if let Some((_, bytes)) = files.files.iter_mut().find(|(name, _)| name == file) {
                 *bytes = replaced(bytes, old.as_bytes(), new.as_bytes()).into();
             }
         }));
     }
     let (_, plain) = &builds[0];
-    all.extend(found("missing-file", plain.output_files(), |files| {
+    messages.extend(message_after("missing-file", plain.output_files(), |files| {
         files.files.retain(|(name, _)| name != SVG);
     }));
-    all.extend(found("not-a-file", plain.output_files(), |files| {
+    messages.extend(message_after("not-a-file", plain.output_files(), |files| {
         files.files.retain(|(name, _)| name != SVG);
         files.others.push((SVG.into(), "a link"));
     }));
-    all.extend(found("unnamed-file", plain.output_files(), |files| {
+    messages.extend(message_after("unnamed-file", plain.output_files(), |files| {
         files.files.push(("notes.txt".into(), Cow::Borrowed(b"x")));
     }));
-    all.extend(found("not-text", plain.output_files(), |files| {
+    messages.extend(message_after("not-text", plain.output_files(), |files| {
         let (_, bytes) = files.files.iter_mut().find(|(name, _)| name == SVG).expect("a file");
         bytes.to_mut()[1] = 0xff;
     }));
-    all.extend(found("not-watertight", plain.output_files(), |files| {
+    messages.extend(message_after("not-watertight", plain.output_files(), |files| {
         let (_, bytes) = files.files.iter_mut().find(|(name, _)| name == "star-1-mask.stl").expect("a file");
         bytes.to_mut()[96] ^= 0x40;
     }));
-    all
+    messages
 }
 
 /// The finding of `code` after a `change`, by reading alone or else by bytes, too.
-fn found(
+fn message_after(
     code: &str,
     mut files: OutputFiles<'_>,
     change: impl FnOnce(&mut OutputFiles<'_>),

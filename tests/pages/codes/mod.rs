@@ -64,21 +64,21 @@ fn cell(message: &str) -> String {
 
 /// The tables of the page, in order, each as its lines.
 fn tables(page: &str) -> Vec<String> {
-    let mut found: Vec<String> = Vec::new();
-    let mut inside = false;
+    let mut tables: Vec<String> = Vec::new();
+    let mut is_inside = false;
     for line in page.lines() {
         if line.starts_with('|') {
-            if !inside {
-                found.push(String::new());
+            if !is_inside {
+                tables.push(String::new());
             }
-            if let Some(table) = found.last_mut() {
+            if let Some(table) = tables.last_mut() {
                 *table += line;
                 *table += "\n";
             }
         }
-        inside = line.starts_with('|');
+        is_inside = line.starts_with('|');
     }
-    found
+    tables
 }
 
 #[test]
@@ -92,9 +92,10 @@ fn the_page_lists_every_code_with_its_meaning_and_a_message() {
         table(FindingCode::ALL, &findings),
     ];
     let page = include_str!("../../../docs/codes.md").replace("\r\n", "\n");
-    let found = tables(&page);
-    assert_eq!(found.len(), right.len());
-    let renewed = found.iter().zip(&right).fold(page.clone(), |page, (old, new)| page.replacen(old, new, 1));
+    let shown_tables = tables(&page);
+    assert_eq!(shown_tables.len(), right.len());
+    let renewed =
+        shown_tables.iter().zip(&right).fold(page.clone(), |page, (old, new)| page.replacen(old, new, 1));
     if crate::renews() {
         std::fs::write(crate::home().join("docs/codes.md"), &renewed).expect("written");
         return;

@@ -130,19 +130,19 @@ const PROFILES: &[(&str, &str, &str, &str, &str)] = &[
 
 /// All messages about specs, profiles and tables: faults, refusals and precautions, each as a list.
 pub(crate) fn messages() -> [Vec<Message>; 3] {
-    let mut all = [Vec::new(), Vec::new(), Vec::new()];
+    let mut messages = [Vec::new(), Vec::new(), Vec::new()];
     let changed = |text: &str, old: &str, new: &str| match old {
         "" => format!("{text}{new}"),
         _ => text.replacen(old, new, 1),
     };
     for &(_, old, new) in EDITS {
-        of_spec(&changed(STAR, old, new), None, &mut all);
+        of_spec(&changed(STAR, old, new), None, &mut messages);
     }
     for &(_, rest) in DESIGNS {
-        of_spec(&format!("{STAR}{rest}"), None, &mut all);
+        of_spec(&format!("{STAR}{rest}"), None, &mut messages);
     }
     for &(_, old, new) in LOADS {
-        of_spec(&format!("{STAR}{}", changed(LOAD, old, new)), None, &mut all);
+        of_spec(&format!("{STAR}{}", changed(LOAD, old, new)), None, &mut messages);
     }
     for &(_, layers, body) in DRAWINGS {
         let text =
@@ -150,15 +150,19 @@ pub(crate) fn messages() -> [Vec<Message>; 3] {
         let svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"200mm\" viewBox=\"-20 -20 200 200\">{body}</svg>"
         );
-        of_drawing(&text, svg.as_bytes(), &mut all);
+        of_drawing(&text, svg.as_bytes(), &mut messages);
     }
-    of_drawing(DRAWING, b"solid x", &mut all);
-    of_spec(DRAWING, None, &mut all);
+    of_drawing(DRAWING, b"solid x", &mut messages);
+    of_spec(DRAWING, None, &mut messages);
     for &(_, profile, old, new, rest) in PROFILES {
-        let own = spec::builtin_machine(profile).expect("built in").replacen(old, new, 1);
-        of_spec(&format!("{STAR}[machine]\nprofile = \"own.toml\"\n{rest}"), Some(&own), &mut all);
+        let profile_text = spec::builtin_machine(profile).expect("built in").replacen(old, new, 1);
+        of_spec(
+            &format!("{STAR}[machine]\nprofile = \"own.toml\"\n{rest}"),
+            Some(&profile_text),
+            &mut messages,
+        );
     }
-    let [faults, ..] = &mut all;
+    let [faults, ..] = &mut messages;
     for &(_, text) in TABLES {
         faults.extend(read_strip(&Source::new("strip.csv", text)).err().iter().flat_map(of_faults));
     }
@@ -170,7 +174,7 @@ pub(crate) fn messages() -> [Vec<Message>; 3] {
     faults.extend(of_faults(&spec::read(&Source::new("spec.toml", idle)).expect("a warning only").warnings));
     let profile = generic().replace("\"G90\"", "\"G91\"");
     faults.extend(spec::read_machine(&Source::new("own.toml", profile)).err().iter().flat_map(of_faults));
-    all
+    messages
 }
 
 /// Drawings with one fault each: code, roles, and the content of the file.
@@ -313,15 +317,15 @@ fn of_drawing(text: &str, bytes: &[u8], [_, refusals, precautions]: &mut [Vec<Me
 }
 
 /// All messages about a spec on a profile, in three lists.
-fn of_spec(text: &str, own: Option<&str>, [faults, refusals, precautions]: &mut [Vec<Message>; 3]) {
+fn of_spec(text: &str, profile: Option<&str>, [faults, refusals, precautions]: &mut [Vec<Message>; 3]) {
     let reading = match spec::read(&Source::new("spec.toml", text)) {
         Ok(reading) => reading,
         Err(found) => return faults.extend(of_faults(&found)),
     };
     let small = generic().replace("x = \"unknown\"\ny = \"unknown\"", "x = \"200 mm\"\ny = \"200 mm\"");
-    let own = own.unwrap_or(&small);
+    let profile_read = profile.unwrap_or(&small);
     let machine = Machine::builtin(&reading.spec.machine.profile)
-        .or_else(|_| spec::read_machine(&Source::new("own.toml", own)))
+        .or_else(|_| spec::read_machine(&Source::new("own.toml", profile_read)))
         .expect("a profile");
     let forecast = match Forecast::of(reading.spec, machine) {
         Ok(forecast) => forecast,
