@@ -172,7 +172,7 @@ fn same_seams(part: &StarDesign, back: &Built, shift: Vec2, (name, speed): (&str
         let report = back.forecast.programs[0].seams.iter().find(|report| report.name.seam == other.name);
         let report = report.expect("a report");
         let length = seam.run().length();
-        assert!((report.length - length).abs() < 1e-6, "{name}: {} mm, {moved_line} mm", report.length);
+        assert!((report.length - length).abs() < 1e-6, "{name}: {} mm, {length} mm", report.length);
         let process = support::machine().process;
         let ramp = process.ramp.0.hypot(process.heights.travel.0 - process.heights.contact.0);
         assert!((report.time * speed - length - 2.0 * ramp).abs() < 1e-6, "{name}: {} s", report.time);

@@ -195,7 +195,7 @@ fn a_dxf_of_one_layer_has_its_port_by_name() {
         let roles = proposed("a.svg", &text);
         assert!(
             roles[0] == ("#000000".to_owned(), LayerRole::Air) && roles[1].0.starts_with(name),
-            "{proposal:?}"
+            "{roles:?}"
         );
         assert_eq!((roles.len(), roles[1].1), (2, LayerRole::Port));
     }

@@ -73,7 +73,7 @@ fn shipped_stars_come_back_from_their_edges() {
                 let gap = a.start().zip(b.start()).map_or(1.0, |(start, other)| {
                     start.distance(other).min(b.end().map_or(1.0, |other| start.distance(other)))
                 });
-                assert!(b.closed || gap < 1e-6, "{}: it ends {deviation} mm off", seam.name);
+                assert!(b.closed || gap < 1e-6, "{}: it ends {gap} mm off", seam.name);
             }
             let cut = sealing.shape.cut.as_ref().expect("a cut");
             let cut_deviation = separation(cut, &part.outline.outside);

@@ -164,7 +164,7 @@ fn the_remedy_for_a_tall_clamp_names_both_heights() {
     let raised = raised.replacen("park = \"30 mm\"", "park = \"40.2 mm\"", 1);
     let message = |profile: &str| try_built(&sheet(), profile).err().map(|refusals| refusals.to_string());
     let refusal = message(&raised).unwrap_or_default();
-    assert!(!refusal.contains("clamp"), "{message}");
+    assert!(!refusal.contains("clamp"), "{refusal}");
 }
 
 #[test]

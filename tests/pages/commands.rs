@@ -185,13 +185,13 @@ fn compare(page: &Page, file: &str, source: Option<&str>, dir: &Path) -> Option<
     let folder = home().join(&page.name);
     let path = folder.parent().expect("a directory").join(file);
     let Ok(command_file) = fs::read(dir.join(source_name)) else {
-        return Some(format!("{}: no command writes {source}", page.name));
+        return Some(format!("{}: no command writes {source_name}", page.name));
     };
     if renews() {
         fs::write(&path, &command_file).expect("written");
     }
     let is_same = fs::read(&path).is_ok_and(|picture| picture == command_file);
-    (!is_same).then(|| format!("{}: {file} is another picture than {source}", page.name))
+    (!is_same).then(|| format!("{}: {file} is another picture than {source_name}", page.name))
 }
 
 #[test]

@@ -51,7 +51,7 @@ pub fn comma(text: &str) -> Option<(&'static str, String)> {
     match (groups.iter().all(|group| group.len() == 3), is_decimal) {
         (true, true) => Some((
             "a number has no comma",
-            format!("{integer} if the comma separates thousands, else {point}"),
+            format!("{joined} if the comma separates thousands, else {point}"),
         )),
         (true, false) => Some(("thousands have no comma", joined)),
         (false, true) => Some(("a decimal point is needed, not a comma", point)),

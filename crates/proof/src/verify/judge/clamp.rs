@@ -157,7 +157,7 @@ mod tests {
             let texts: Vec<String> = clamp_findings.map(|finding| finding.to_string()).collect();
             assert!(
                 texts.len() == 1 && texts[0].contains(&format!("the clamp \"{i}\"")),
-                "{clamp_findings:?}"
+                "{texts:?}"
             );
         }
     }
