@@ -35,17 +35,17 @@ const OFF_BIAS: f64 = 0.05;
 #[derive(clap::Args, Debug)]
 pub(super) struct BenchArgs {
     /// The V-actuator's angle between its arms, flat, such as "58 deg".
-    #[arg(long, value_name = "ANGLE", requires = "inflated_angle", allow_hyphen_values = true, value_parser = quantity_or_number::<Angle>(Allowed::between(0.0, 180.0)))]
+    #[arg(long, value_name = "ANGLE", requires = "inflated_angle", allow_hyphen_values = true, value_parser = quantity_or_number::<Angle>(Allowed::open(0.0, 180.0)))]
     flat_angle: Option<f64>,
     /// The V-actuator's angle, inflated and without load; not above the flat one.
-    #[arg(long, value_name = "ANGLE", requires = "flat_angle", allow_hyphen_values = true, value_parser = quantity_or_number::<Angle>(Allowed::between(-180.0, 180.0)))]
+    #[arg(long, value_name = "ANGLE", requires = "flat_angle", allow_hyphen_values = true, value_parser = quantity_or_number::<Angle>(Allowed::open(-180.0, 180.0)))]
     inflated_angle: Option<f64>,
     /// The V-actuator's pressure, such as "30 kPa": with it and --spec the fabric's bending_stiffness is found.
     #[arg(long, value_name = "PRESSURE", requires_all = ["inflated_angle", "spec"], allow_hyphen_values = true, value_parser = quantity::<Pressure>(PRESSURE))]
     angle_pressure: Option<Pressure>,
     /// The disc's mean width between its bands, inflated, such as "78.2 mm": the mean of 12 or more widths at equal angles, because folds
     /// make its rim wavy. The largest width is too large.
-    #[arg(long, value_name = "LENGTH", requires_all = ["disc_pressure", "spec"], allow_hyphen_values = true, value_parser = quantity::<Length>(Allowed::between(0.0, DISC)))]
+    #[arg(long, value_name = "LENGTH", requires_all = ["disc_pressure", "spec"], allow_hyphen_values = true, value_parser = quantity::<Length>(Allowed::open(0.0, DISC)))]
     disc_width: Option<Length>,
     /// The disc's pressure: with it, its width and --spec the fabric's stretch_stiffness is found.
     #[arg(long, value_name = "PRESSURE", requires = "disc_width", allow_hyphen_values = true, value_parser = quantity::<Pressure>(PRESSURE))]
@@ -55,13 +55,13 @@ pub(super) struct BenchArgs {
     #[arg(long, value_name = "FILE", requires_all = ["spec", "bias_length"])]
     bias_strip: Option<PathBuf>,
     /// Free length of the bias strip between the clamps, at least five times its width.
-    #[arg(long, value_name = "LENGTH", requires = "bias_strip", allow_hyphen_values = true, value_parser = quantity::<Length>(Allowed::above(0.0, 1e4)))]
+    #[arg(long, value_name = "LENGTH", requires = "bias_strip", allow_hyphen_values = true, value_parser = quantity::<Length>(Allowed::half_open(0.0, 1e4)))]
     bias_length: Option<Length>,
     /// Width of the bias strip.
-    #[arg(long, value_name = "LENGTH", default_value = "25 mm", allow_hyphen_values = true, value_parser = quantity::<Length>(Allowed::above(0.0, 1e4)))]
+    #[arg(long, value_name = "LENGTH", default_value = "25 mm", allow_hyphen_values = true, value_parser = quantity::<Length>(Allowed::half_open(0.0, 1e4)))]
     bias_width: Length,
     /// The V-actuator's R / W as the band makes it; default: that of the spec's tips, without --spec 1/30.
-    #[arg(long, allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
+    #[arg(long, allow_hyphen_values = true, value_parser = number(Allowed::half_open(0.0, 1e3)))]
     radius_ratio: Option<f64>,
 }
 

@@ -314,7 +314,7 @@ fn a_valve_is_cut_out_of_one_sheet() {
     let proposal = propose_layers("a.svg", drawing.as_bytes(), None).expect("layers");
     let roles: Vec<LayerRole> = proposal.layers.iter().map(|(_, role, _)| *role).collect();
     assert_eq!(roles, [LayerRole::Air, LayerRole::Valve]);
-    let built = drawn(text, drawing.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let built = build_drawn(text, drawing.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
     for ending in ["svg", "dxf"] {
         let [plain, valves] =
             ["", "-valves"].map(|more| text_of(&built, &format!("sheet-1-outline{more}.{ending}")));

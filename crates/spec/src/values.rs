@@ -96,7 +96,7 @@ fn settings_of(source: &Source, keys: impl Iterator<Item = KnownKey>) -> Vec<Set
 
 /// The settings of a `[[stack.star]]`.
 fn of_star(star: &RawTable) -> impl Iterator<Item = Setting> {
-    let section = format!("star {}", star.get("index").map(shown).unwrap_or_default());
+    let section = format!("star {}", star.get("index").map(plain_text).unwrap_or_default());
     let entries = star.0.iter().filter(|entry| entry.key != "index");
     entries.map(move |entry| Setting {
         section: section.clone(),
@@ -113,9 +113,9 @@ fn plain_text(value: &RawValue) -> String {
         RawKind::Text(text) => text.clone(),
         RawKind::Number(number) => number.shortened_text(),
         RawKind::Truth(truth) => truth.to_string(),
-        RawKind::List(list) => list.iter().map(shown).collect::<Vec<_>>().join(", "),
+        RawKind::List(list) => list.iter().map(plain_text).collect::<Vec<_>>().join(", "),
         RawKind::Table(table) => {
-            let entries = table.0.iter().map(|entry| format!("{}: {}", entry.key, shown(&entry.value)));
+            let entries = table.0.iter().map(|entry| format!("{}: {}", entry.key, plain_text(&entry.value)));
             entries.collect::<Vec<_>>().join("; ")
         }
         RawKind::Date => String::new(),
@@ -224,7 +224,7 @@ mod tests {
         ] {
             assert!(has_key(section, key), "[{section}] {key}");
         }
-        let roles = all.iter().find(|one| one.key == "layers").and_then(|one| one.value.as_deref());
+        let roles = list.iter().find(|one| one.key == "layers").and_then(|one| one.value.as_deref());
         assert_eq!(roles, Some("air: a"));
         for (section, key) in [
             ("star", "tip_radius"),
