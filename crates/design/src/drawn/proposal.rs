@@ -338,7 +338,7 @@ impl LeftOut {
         is_dxf: bool,
         places: impl Iterator<Item = (&'d Place, &'d str)>,
     ) -> Vec<Self> {
-        let shared = Shared::of(drawing);
+        let shared = Shared::new(drawing);
         let layers = drawing.elements.iter().flat_map(|element| &element.layers);
         let read: BTreeSet<&str> = layers.map(String::as_str).collect();
         let mut out: Vec<Self> = Vec::new();
