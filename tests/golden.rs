@@ -180,7 +180,7 @@ fn drawn(name: &str, bytes: &[u8], machine: &Machine) -> Option<Drawn> {
         }
         "dxf" => on_layers(read_dxf(text())),
         "gcode" => {
-            let program = gcode::read_program(text(), gcode::Dialect::of(machine.controller.dialect));
+            let program = gcode::read_program(text(), gcode::Dialect::new(machine.controller.dialect));
             let feeds = program.moves.into_iter().filter(|step| step.kind == MoveKind::Feed);
             feeds.filter_map(|step| Some(Curve::open(vec![step.path?]))).collect()
         }

@@ -80,7 +80,7 @@ pub fn lettered(text: &str, origin: Point, height: f64) -> Vec<Path> {
 
 /// The text along a circle around `center`, clockwise, its tops outwards, its middle in direction `middle`;
 /// `radius` is that of the middle of the capitals.
-pub(super) fn around(text: &str, center: Point, radius: f64, middle: f64, height: f64) -> Vec<Path> {
+pub(super) fn circular_text(text: &str, center: Point, radius: f64, middle: f64, height: f64) -> Vec<Path> {
     let scale = height / CAPITAL;
     let total = width(text, height);
     let mut out = Vec::new();
@@ -170,7 +170,7 @@ mod tests {
 
     #[test]
     fn text_around_a_circle_keeps_between_two_circles() {
-        let paths = around("STAR 12", Point::new(3.0, 4.0), 40.0, 1.0, 3.0);
+        let paths = circular_text("STAR 12", Point::new(3.0, 4.0), 40.0, 1.0, 3.0);
         for path in &paths {
             let near = path.distance(Point::new(3.0, 4.0));
             let far = path.furthest(Point::new(3.0, 4.0));

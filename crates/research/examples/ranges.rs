@@ -160,7 +160,7 @@ fn coarse_forces() -> String {
             stars.len(),
             group.len(),
             100.0 * rms(&off),
-            count(Pair::holds),
+            count(Pair::is_in_range),
             count(Pair::holds_strictly)
         );
     }

@@ -39,9 +39,9 @@ pub fn case_of(star: &DrawnStar) -> Option<(Case, f64)> {
         corner_radius: Length(star.corner_radius),
         ..StarSpec::paper(star.points)
     };
-    let star = Star::new(&spec).ok()?;
+    let design_star = Star::new(&spec).ok()?;
     let pressure = Pressure(star.pressure).pascals();
     let sheet = ElasticSheet::new(Length(star.thickness).metres(), 1e6 * YOUNG, POISSON).ok()?;
-    let case = Case::bare(&star, sheet, pressure);
+    let case = Case::bare(&design_star, sheet, pressure);
     Some((case, pressure))
 }

@@ -4,17 +4,17 @@ use super::controller::{Motors, run};
 use super::judge::deviations;
 use super::programs::{feed_check, machine, seals, spec};
 use super::text::Text;
-use super::{FIVE, own};
+use super::{FIVE, own_motors};
 use stargrip_cam::spec::DialectFamily;
 
 /// The complaints about the program of `dialect` with `edit` applied.
 fn complaints(dialect: &str, edit: impl Fn(&str) -> String) -> Vec<String> {
-    let (spec, machine) = (spec(dialect, FIVE), machine(dialect, own(dialect)));
+    let (spec, machine) = (spec(dialect, FIVE), machine(dialect, own_motors(dialect)));
     let (_, right) = &seals(&spec, &machine).0[0];
     let wrong = edit(right);
     assert_ne!(*right, wrong);
     let text = Text::read(&wrong);
-    deviations(&text, &run(dialect, &text, own(dialect)), spec.seal.speed.0, 0.0).1
+    deviations(&text, &run(dialect, &text, own_motors(dialect)), spec.seal.speed.0, 0.0).1
 }
 
 /// The text with every line replaced by `edit`.

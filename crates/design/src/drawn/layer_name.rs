@@ -10,7 +10,7 @@ use spec::LayerRole;
 
 /// The name of each element of `drawing`, in the order of the elements.
 pub(super) fn layer_names<'a>(drawing: &'a Artwork, is_dxf: bool) -> Vec<&'a str> {
-    let shared = Shared::of(drawing);
+    let shared = Shared::new(drawing);
     let elements = || drawing.elements.iter();
     let telling: Vec<Option<&str>> = elements()
         .map(|element| if is_dxf { own_layer(element) } else { shared.telling(groups(element)) })
@@ -67,7 +67,7 @@ pub(super) struct Shared<'a> {
 
 impl<'a> Shared<'a> {
     /// The names that all elements of `drawing` have around them.
-    pub(super) fn of(drawing: &'a Artwork) -> Self {
+    pub(super) fn new(drawing: &'a Artwork) -> Self {
         let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
         for name in drawing.elements.iter().flat_map(groups) {
             *counts.entry(name).or_default() += 1;

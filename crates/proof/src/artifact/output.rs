@@ -95,7 +95,7 @@ pub struct Output {
 
 impl Output {
     /// The file of this kind for the whole design.
-    pub fn of(kind: Kind) -> Self {
+    pub fn new(kind: Kind) -> Self {
         Self {
             kind,
             part: OutputPart::Design,
@@ -282,7 +282,7 @@ impl Output {
     fn on_paper(self, design: &Design, fits: bool) -> impl Iterator<Item = Self> {
         let drawing = self.drawing(design);
         let chosen =
-            move |paper: &Paper| drawing.as_ref().is_some_and(|drawing| paper.takes(drawing) == fits);
+            move |paper: &Paper| drawing.as_ref().is_some_and(|drawing| paper.has_room_for(drawing) == fits);
         Paper::ALL.into_iter().filter(chosen).map(move |paper| Self { paper: Some(paper), ..self })
     }
 }
@@ -306,9 +306,9 @@ pub fn too_large(spec: &Spec, design: &Design, request: &KindRequest) -> Vec<Out
 
 /// All files of `design`: with `fits` as they are written, else with those on paper that are not.
 fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fits: bool) -> Vec<Output> {
-    let mut out = vec![Output::of(Kind::Spec), Output::of(Kind::Machine)];
+    let mut out = vec![Output::new(Kind::Spec), Output::new(Kind::Machine)];
     if let Some(drawing) = &spec.drawing {
-        out.push(Output::of(if drawing.is_dxf() { Kind::DrawingDxf } else { Kind::DrawingSvg }));
+        out.push(Output::new(if drawing.is_dxf() { Kind::DrawingDxf } else { Kind::DrawingSvg }));
     }
     for kind in [Kind::SealGcode, Kind::TraceGcode] {
         programs(spec, dialect, design, kind, &mut out);
@@ -323,7 +323,7 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
         Kind::OutlinePdf,
     ];
     for sheet in &design.sheets {
-        let of_kind = |kind| Output { part: OutputPart::Sheet(sheet.index), ..Output::of(kind) };
+        let of_kind = |kind| Output { part: OutputPart::Sheet(sheet.index), ..Output::new(kind) };
         out.extend(of_sheet.map(of_kind));
         if design.on_sheet(sheet.index).any(|placed| !design.part(placed).shape().valves.is_empty()) {
             let outlines = [Kind::OutlineSvg, Kind::OutlineDxf, Kind::OutlinePdf];
@@ -338,16 +338,16 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
         if let FlatPiece::Drawn(DrawnPiece { separator: Some(_), .. }) = design.part(first) {
             let of_mask = |kind| Output {
                 part: OutputPart::Piece { piece: first.index, sheet: None },
-                ..Output::of(kind)
+                ..Output::new(kind)
             };
             out.extend([Kind::MaskSvg, Kind::MaskDxf, Kind::MaskPdf].map(of_mask));
         }
     }
     if spec.load.is_some() {
-        out.push(Output::of(Kind::Prediction));
+        out.push(Output::new(Kind::Prediction));
     }
-    out.extend([Kind::SceneGlb, Kind::Report].map(Output::of));
-    out.retain(|output| request.takes(output.kind));
+    out.extend([Kind::SceneGlb, Kind::Report].map(Output::new));
+    out.retain(|output| request.includes(output.kind));
     let on_paper = |output: Output| match output.kind.format() {
         Format::Pdf => output.on_paper(design, fits).collect(),
         Format::Toml
@@ -365,7 +365,7 @@ fn all(spec: &Spec, dialect: Dialect, design: &Design, request: &KindRequest, fi
 
 /// The programs of one kind: one a sheet, or one a star or piece.
 fn programs(spec: &Spec, dialect: Dialect, design: &Design, kind: Kind, out: &mut Vec<Output>) {
-    let of_part = |part| Output { part, ngc: dialect == Dialect::LinuxCnc, ..Output::of(kind) };
+    let of_part = |part| Output { part, ngc: dialect == Dialect::LinuxCnc, ..Output::new(kind) };
     match (spec.machine.program, design.assembly()) {
         (ProgramScope::Sheet, _) => {
             out.extend(design.sheets.iter().map(|sheet| of_part(OutputPart::Sheet(sheet.index))));
@@ -388,7 +388,7 @@ fn of_assembly(spec: &Spec, assembly: &StarAssembly, out: &mut Vec<Output>) {
         // Also for the other face, if the spec requests it.
         for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
             let part = OutputPart::Star { star: placed.index, sheet: None };
-            let of_mask = |kind| Output { part, mirrored, ..Output::of(kind) };
+            let of_mask = |kind| Output { part, mirrored, ..Output::new(kind) };
             out.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
             if tiles.are_several() {
                 let tile = |number| Output { tile: Some(number), ..of_mask(Kind::MaskStl) };
@@ -402,7 +402,7 @@ fn of_assembly(spec: &Spec, assembly: &StarAssembly, out: &mut Vec<Output>) {
     }
     for plate in &assembly.frame.plates {
         let Some(lowest) = plate.numbers.first() else { continue };
-        let of_plate = |kind| Output { part: OutputPart::Plate(*lowest), ..Output::of(kind) };
+        let of_plate = |kind| Output { part: OutputPart::Plate(*lowest), ..Output::new(kind) };
         out.extend([Kind::FrameSvg, Kind::FrameDxf, Kind::FrameStl, Kind::FramePdf].map(of_plate));
     }
 }

@@ -44,7 +44,7 @@ impl Rows {
         Self {
             places: samples.iter().map(|sample| sample.place).collect(),
             lengths: *lengths,
-            pairs: pairs.filter_map(|(star, which)| row(star, which)).collect(),
+            all: pairs.filter_map(|(star, which)| row(star, which)).collect(),
         }
     }
 

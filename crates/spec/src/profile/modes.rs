@@ -16,7 +16,7 @@ const MODES: [(Command, &str, &str, bool); 5] = [
 /// Whether programs may hold arcs: `arcs` as written, and false where the dialect draws none. A profile that requests arcs there
 /// is refused.
 pub(super) fn check_arcs(root: &mut Section<'_, '_>, dialect: Dialect, arcs: Option<bool>) -> bool {
-    let draws = Vocabulary::of(dialect).draws_arcs;
+    let draws = Vocabulary::for_dialect(dialect).draws_arcs;
     if draws || arcs != Some(true) {
         return arcs.unwrap_or(draws);
     }
@@ -28,7 +28,7 @@ pub(super) fn check_arcs(root: &mut Section<'_, '_>, dialect: Dialect, arcs: Opt
 
 /// Reports a profile whose controller is to heat, by a word that it does not read.
 pub(super) fn check_heating(root: &mut Section<'_, '_>, dialect: Dialect, heating: Heating) {
-    if heating == Heating::Hotend && Vocabulary::of(dialect).command(b'M', 109.0).is_none() {
+    if heating == Heating::Hotend && Vocabulary::for_dialect(dialect).command(b'M', 109.0).is_none() {
         let found = format!("`heating` is \"hotend\", but controllers of `{}` read no M109", dialect.name());
         root.refuse(FaultCode::Conflict, "heating", found, "must be \"operator\" for this dialect");
     }
@@ -59,7 +59,7 @@ pub(super) fn check_modes(program: &mut Section<'_, '_>, start: &[String], contr
     }
     let is_set = |word: &str| start.iter().any(|line| words(line).any(|own| own == word));
     // Other modes a controller keeps from the program before.
-    let fixed = Vocabulary::of(controller.dialect).fixed;
+    let fixed = Vocabulary::for_dialect(controller.dialect).fixed;
     let needed =
         MODES.iter().filter(|(mode, .., for_arcs)| !fixed.contains(mode) && (controller.arcs || !for_arcs));
     let missing: Vec<_> = needed.filter(|(_, word, ..)| !is_set(word)).collect();

@@ -42,7 +42,7 @@ impl Axis {
     /// One sentence that states the fault.
     pub fn parse(text: &str) -> Result<Self, String> {
         let (name, values) = text.split_once('=').ok_or(format!("`{text}` is not KEY=VALUES"))?;
-        let field = Field::of(name.trim()).ok_or_else(|| unknown(name.trim()))?;
+        let field = Field::find(name.trim()).ok_or_else(|| unknown(name.trim()))?;
         let values = match values.split_once("..") {
             Some(_) => counted_out(&field, values)?,
             None => values.split(',').map(|value| field.parse(value)).collect::<Result<_, _>>()?,
@@ -77,7 +77,7 @@ impl Axis {
 /// The message for a key that no study can set.
 fn unknown(name: &str) -> String {
     let known = || Field::names().collect::<Vec<_>>().join(", ");
-    let hint = Field::near(name)
+    let hint = Field::nearest_name(name)
         .map_or_else(|| format!("these can: {}", known()), |near| format!("did you mean `{near}`?"));
     format!("`{name}` is not a key of a spec that can be varied; {hint}")
 }

@@ -180,7 +180,7 @@ mod tests {
         let _ = judged(lines, Dialect::GENERIC, vec![Box::new(judge)], &mut findings);
         let findings = findings.into_vec();
         let is_ours = |code: &str| ["stray-travel", "other-comment"].contains(&code);
-        let of_order = findings.iter().filter(|finding| of_order(finding.code));
+        let of_order = findings.iter().filter(|finding| is_ours(finding.code));
         of_order.map(|finding| (finding.code, finding.line.map(|line| line - 4))).collect()
     }
 

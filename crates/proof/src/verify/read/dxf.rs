@@ -53,7 +53,7 @@ pub fn read_dxf(text: &str) -> Drawing {
 /// The finding of what the reader tells of `place`.
 fn finding(place: &Place, found: String, allowed: &str) -> Finding {
     match place.line {
-        Some(line) => Finding::at(FindingCode::BadDxf, line, found, allowed),
+        Some(line) => Finding::in_line(FindingCode::BadDxf, line, found, allowed),
         None => Finding::new(FindingCode::BadDxf, found, allowed),
     }
 }

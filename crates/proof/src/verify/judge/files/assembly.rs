@@ -91,7 +91,7 @@ impl<'a> MeshPart<'a> {
 fn put_together(star: &StarDesign, parts: &[MeshPart<'_>]) -> Vec<Finding> {
     let mut findings = Vec::new();
     let mask = &star.mask;
-    let plate = Prepared::all(std::iter::once(&mask.plate).chain(&mask.windows));
+    let plate = Prepared::prepare_all(std::iter::once(&mask.plate).chain(&mask.windows));
     let holes = &star.outline.registration;
     let off_plate = |p: Point| {
         let rims = holes.iter().map(|hole| (hole.center.distance(p) - hole.diameter / 2.0).abs());

@@ -201,7 +201,7 @@ fn edges(
     thickness: f64,
     findings: &mut Findings,
 ) -> f64 {
-    let targets = Prepared::all(paths);
+    let targets = Prepared::prepare_all(paths);
     let mut search = Search { targets: &targets, last: 0 };
     let (mut largest, mut worst, mut length) = (0.0_f64, 0.0_f64, 0.0);
     let (mut seen, mut next): (HashSet<[u32; 2]>, u32) = (HashSet::new(), 0);

@@ -133,7 +133,7 @@ impl Interpreter {
         if pause {
             let heat = self.announced.take();
             self.machine.heated = heat.or(self.machine.heated);
-            events.push(Event::Pause(Pause { line: self.line, at: self.machine.at(), heat }));
+            events.push(Event::Pause(Pause { line: self.line, at: self.machine.position(), heat }));
         }
         if self.block.has_command(Command::End) {
             self.ended = Some(self.line);
