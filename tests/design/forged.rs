@@ -140,14 +140,14 @@ const BED: &str = "[mask]\nbed = \"220 mm x 220 mm\"\n[star]";
 /// Pieces as the design has them, one of which is out of place: no file alone shows it.
 #[test]
 fn pieces_that_do_not_go_together_are_found() {
-    let build = || support::build(&support::PAPER.replace("[star]", BED)).expect("a design");
-    assert_eq!(read_back(&build_paper().output_files()).findings, []);
+    let divided = || support::build(&support::PAPER.replace("[star]", BED)).expect("a design");
+    assert_eq!(read_back(&divided().output_files()).findings, []);
     let file = "star-1-mask-piece-2.stl";
     let moved = |by: f32| move |bytes: &[u8]| every_corner(bytes, |p| p[0] += by);
     let joints = |findings: &[Finding]| findings.iter().any(|finding| finding.code == "wrong-joint");
-    assert!(joints(&forged_in(build_paper(), file, moved(0.3))));
-    assert!(!joints(&forged_in(build_paper(), file, moved(0.001))));
-    let gripper = build_paper();
+    assert!(joints(&forged_in(divided(), file, moved(0.3))));
+    assert!(!joints(&forged_in(divided(), file, moved(0.001))));
+    let gripper = divided();
     let mut files = gripper.output_files();
     files.files.retain(|(name, _)| name != file);
     assert!(joints(&read_back(&files).findings));
