@@ -126,7 +126,7 @@ impl PublishedBuild {
             (self.written, text("spec.toml"), text("machine.toml"))
         {
             let sources = Sources { spec, machine };
-            if written.tool == Tool::this() {
+            if written.tool == Tool::current() {
                 compare_anew(&forecast, sources, &written.request(), files, &mut proof);
             } else {
                 compare_with_other(&forecast, sources, &written, files, &mut proof);
@@ -186,7 +186,7 @@ fn compare_with_other(
     proof: &mut Proof,
 ) {
     let Tool { name, version } = &written.tool;
-    let this = Tool::this();
+    let this = Tool::current();
     let writer = if *name == this.name { version.clone() } else { format!("{name} {version}") };
     proof.written_by = Some(writer.chars().take(VERSION_LENGTH).collect());
     let request = written.request();
@@ -238,7 +238,7 @@ pub fn read_back(files: &OutputFiles<'_>) -> Proof {
 /// dialect, which no version of a profile changes.
 fn prove_claimed(forecast: &Forecast, written: Option<&Manifest>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = prove_against(forecast, files);
-    let is_own = written.is_some_and(|written| written.tool == Tool::this());
+    let is_own = written.is_some_and(|written| written.tool == Tool::current());
     let named = Machine::builtin(&forecast.spec.machine.profile).ok();
     let has_other_dialect =
         named.is_some_and(|named| named.controller.dialect != forecast.machine.controller.dialect);

@@ -36,7 +36,7 @@ const ROUND: &str = include_str!("../../../designs/round-hinges.toml");
 const CONICAL: &str = include_str!("../../../designs/conical-stack.toml");
 
 /// The motors in the profile of a dialect.
-fn own(dialect: &str) -> Motors {
+fn own_motors(dialect: &str) -> Motors {
     let acceleration = match dialect {
         "fluidnc" => 25.0,
         "marlin" => 3000.0,
@@ -49,7 +49,7 @@ fn own(dialect: &str) -> Motors {
 #[test]
 fn every_program_runs_as_its_controller_was_told() {
     for dialect in DIALECTS {
-        let motors = own(dialect);
+        let motors = own_motors(dialect);
         let (spec, machine) = (spec(dialect, FIVE), machine(dialect, motors));
         let mut all = seals(&spec, &machine).0;
         all.push(feed_check(&spec, &machine));
@@ -71,7 +71,7 @@ fn every_program_runs_as_its_controller_was_told() {
 #[test]
 fn the_rest_of_a_job_takes_as_long_as_it_states() {
     for dialect in DIALECTS {
-        let motors = own(dialect);
+        let motors = own_motors(dialect);
         let (spec, machine) = (spec(dialect, FIVE), machine(dialect, motors));
         let (name, code) = seals(&spec, &machine).0.swap_remove(0);
         for share in [0.5, 0.99] {
@@ -112,7 +112,7 @@ fn traces_travel_and_do_not_crawl() {
 fn every_marlin_keeps_the_speed_of_one_program() {
     for design in [FIVE, ROUND, CONICAL] {
         for acceleration in [3000.0, 500.0] {
-            let motors = Motors { acceleration, ..own("marlin") };
+            let motors = Motors { acceleration, ..own_motors("marlin") };
             let (spec, machine) = (spec("marlin", design), machine("marlin", motors));
             for (name, code) in seals(&spec, &machine).0 {
                 let text = Text::read(&code);

@@ -68,7 +68,7 @@ impl Trapezoid {
 
 impl Stepper {
     /// Whole steps of the three axes at a position, mm.
-    pub fn at(&self, position: [f64; 3]) -> [f64; 3] {
+    pub fn steps_at(&self, position: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|i| (position[i] * self.steps_per_mm[i]).round())
     }
 
