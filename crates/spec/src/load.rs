@@ -18,11 +18,11 @@ pub(super) fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
         by_radius,
         object_height: s.quantity("object_height", SIZE),
         object_shape: s.choice("object_shape", &ObjectShape::ALL),
-        friction: s.number("friction", Allowed::above(0.0, 10.0)),
-        friction_least: s.number("friction_least", Allowed::above(0.0, 10.0)),
-        friction_most: s.number("friction_most", Allowed::above(0.0, 10.0)),
-        mass: s.quantity("mass", Allowed::above(0.0, 1e4)),
-        largest_force: s.quantity("largest_force", Allowed::above(0.0, 1e6)),
+        friction: s.number("friction", Allowed::half_open(0.0, 10.0)),
+        friction_least: s.number("friction_least", Allowed::half_open(0.0, 10.0)),
+        friction_most: s.number("friction_most", Allowed::half_open(0.0, 10.0)),
+        mass: s.quantity("mass", Allowed::half_open(0.0, 1e4)),
+        largest_force: s.quantity("largest_force", Allowed::half_open(0.0, 1e6)),
         chambers: s.quantities("chambers", Allowed::closed(0.0, 1e6)),
     };
     check_friction(s, &load);

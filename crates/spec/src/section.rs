@@ -116,7 +116,7 @@ impl<'r> Reader<'r> {
 
     /// Every section and key taken so far.
     #[cfg(test)]
-    pub(super) fn taken(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+    pub(super) fn keys_taken(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         self.known.iter().flat_map(|known| known.keys.iter().map(|key| (known.section, *key)))
     }
 
@@ -264,7 +264,7 @@ impl<'r> Section<'_, 'r> {
         let a_quantity = article(kind.name);
         let fault = match &value.kind {
             RawKind::Text(text) => match kind.parse(text) {
-                Ok((number, _)) if allowed.holds(number) => return Some(number),
+                Ok((number, _)) if allowed.contains(number) => return Some(number),
                 Ok((number, _)) => {
                     let base = format!("{} {}", Readable(number), kind.unit());
                     // Far out of every range the number in the base unit only adds digits.
@@ -278,8 +278,8 @@ impl<'r> Section<'_, 'r> {
             },
             RawKind::Number(number) => {
                 // The example for a value of `nan` is a number.
-                let example = if number.value.is_finite() { number.shown() } else { "5".to_owned() };
-                let message = format!("`{key}` is the bare number {}", number.shown());
+                let example = if number.value.is_finite() { number.shortened_text() } else { "5".to_owned() };
+                let message = format!("`{key}` is the bare number {}", number.shortened_text());
                 Fault::error(FaultCode::NoUnit, value.span.clone(), message)
                     .label(format!("{a_quantity} needs a unit: {}", kind.unit_list()))
                     .help(bare_number(kind, key, &example))
@@ -311,7 +311,7 @@ impl<'r> Section<'_, 'r> {
             _ => width.trim().to_owned(),
         };
         let both = [width.as_str(), depth.trim()].map(|text| match Length::parse(text) {
-            Ok(found) if allowed.holds(found.base()) => Ok(found),
+            Ok(found) if allowed.contains(found.base()) => Ok(found),
             Ok(_) => {
                 let message = format!("`{key}` is {}", quoted(text));
                 let fault = Fault::error(FaultCode::OutOfRange, span.clone(), message);
@@ -342,20 +342,20 @@ impl<'r> Section<'_, 'r> {
         let value = self.take(key, ValueShape::Number(allowed))?;
         let RawKind::Number(number) = &value.kind else {
             let fault = self.wrong_type(key, value, "must be a plain number, without quotes and unit");
-            let meant = plain(value).filter(|number| allowed.holds(*number));
+            let meant = plain(value).filter(|number| allowed.contains(*number));
             self.report(match meant {
                 Some(number) => fault.help(format!("write {key} = {number}")),
                 None => fault,
             });
             return None;
         };
-        if allowed.holds(number.value) {
+        if allowed.contains(number.value) {
             return Some(number.value);
         }
         self.refuse(
             FaultCode::OutOfRange,
             key,
-            format!("`{key}` is {}", number.shown()),
+            format!("`{key}` is {}", number.shortened_text()),
             allowed.in_words(""),
         );
         None
@@ -373,7 +373,7 @@ impl<'r> Section<'_, 'r> {
             return Some(count);
         }
         let allowed = format!("must be from {low} to {high}");
-        self.refuse(FaultCode::OutOfRange, key, format!("`{key}` is {}", number.shown()), allowed);
+        self.refuse(FaultCode::OutOfRange, key, format!("`{key}` is {}", number.shortened_text()), allowed);
         None
     }
 

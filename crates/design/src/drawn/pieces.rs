@@ -52,7 +52,7 @@ impl DrawnPieces {
         let distinct: Vec<usize> = (0..number).flat_map(|_| 0..pieces.len()).collect();
         let boxes: Vec<Bounds> = distinct.iter().map(|number| bounds[*number]).collect();
         let (places, sheets) = place(&boxes, &spec.sheet, machine)?;
-        let copies = PlacedPart::all(Self::KIND, &distinct, places);
+        let copies = PlacedPart::place_all(Self::KIND, &distinct, places);
         Ok((Self { pieces, notes, ports: sketch.ports, measures, copies }, sheets, warnings))
     }
 

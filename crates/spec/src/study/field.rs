@@ -42,7 +42,7 @@ static SHAPES: LazyLock<Vec<(&'static str, &'static str, ValueShape)>> = LazyLoc
 impl Field {
     /// The field of the key `name`, "star.points"; `None` if a study cannot set it: the key does not exist, or it is `schema`,
     /// the list of single stars, `build.with`, or one of a drawing, since studies cover only stars.
-    pub fn of(name: &str) -> Option<Self> {
+    pub fn find(name: &str) -> Option<Self> {
         let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
         let own =
             |(section, word, _): &&(&str, &str, ValueShape)| (*section, *word) == (key.section(), key.key());
@@ -56,7 +56,7 @@ impl Field {
     }
 
     /// The key nearest to `name`, if one is near.
-    pub fn near(name: &str) -> Option<String> {
+    pub fn nearest_name(name: &str) -> Option<String> {
         let names: Vec<String> = Self::names().collect();
         let near = nearest(name, names.iter().map(String::as_str));
         // A name with no section, or with another one, is taken to mean the same key.
@@ -67,7 +67,7 @@ impl Field {
 
     /// The names of all fields.
     pub fn names() -> impl Iterator<Item = String> {
-        key::ALL.iter().map(ToString::to_string).filter(|name| Self::of(name).is_some())
+        key::ALL.iter().map(ToString::to_string).filter(|name| Self::find(name).is_some())
     }
 
     /// The key.
@@ -192,7 +192,7 @@ pub(super) fn leaves<'r>(table: &'r RawTable, faults: &mut Vec<Fault>) -> Vec<Le
 
 fn gather<'r>(entry: &'r RawEntry, section: &str, found: &mut Vec<Leaf<'r>>, faults: &mut Vec<Fault>) {
     let name = format!("{section}{}", entry.key);
-    if let Some(field) = Field::of(&name) {
+    if let Some(field) = Field::find(&name) {
         found.push(Leaf { field, place: entry.key_span.clone(), value: &entry.value });
         return;
     }
@@ -202,7 +202,7 @@ fn gather<'r>(entry: &'r RawEntry, section: &str, found: &mut Vec<Leaf<'r>>, fau
         }
         return;
     }
-    let help = match Field::near(&name) {
+    let help = match Field::nearest_name(&name) {
         Some(near) => format!("did you mean `{near}`?"),
         None => "keys are written with their section: star.points, load.pressure".to_owned(),
     };
@@ -241,7 +241,7 @@ mod tests {
     #[test]
     fn every_key_takes_a_value_and_gives_it_back() {
         for name in Field::names() {
-            let field = Field::of(&name).expect("a field");
+            let field = Field::find(&name).expect("a field");
             let text = example(&field.shape);
             let value = field.parse(&text).unwrap_or_else(|fault| panic!("{name}: {fault}"));
             let (raw, _) = RawSpec::parse(&format!("x = {}", field.toml(&value)));
@@ -253,7 +253,7 @@ mod tests {
     #[test]
     fn keys_that_no_study_sets_are_these() {
         let names = key::ALL.iter().map(ToString::to_string);
-        let others: Vec<String> = names.filter(|name| Field::of(name).is_none()).collect();
+        let others: Vec<String> = names.filter(|name| Field::find(name).is_none()).collect();
         let known = [
             "schema",
             "stack.star",
@@ -273,7 +273,7 @@ mod tests {
 
     #[test]
     fn values_out_of_range_say_what_is_allowed() {
-        let said = |name: &str, text: &str| Field::of(name).expect("a key").parse(text).expect_err("refused");
+        let said = |name: &str, text: &str| Field::find(name).expect("a key").parse(text).expect_err("refused");
         assert_eq!(said("star.points", "2"), "`points` is 2: must be from 3 to 64");
         assert_eq!(
             said("star.points", "4.5"),
@@ -293,9 +293,9 @@ mod tests {
 
     #[test]
     fn keys_are_known_by_name() {
-        assert_eq!(Field::near("star.tube_widht").as_deref(), Some("star.tube_width"));
-        assert_eq!(Field::near("tube_width").as_deref(), Some("star.tube_width"));
-        assert_eq!(Field::near("colour of the fabric"), None);
-        assert!(Field::of("schema").is_none() && Field::of("stack.star").is_none());
+        assert_eq!(Field::nearest_name("star.tube_widht").as_deref(), Some("star.tube_width"));
+        assert_eq!(Field::nearest_name("tube_width").as_deref(), Some("star.tube_width"));
+        assert_eq!(Field::nearest_name("colour of the fabric"), None);
+        assert!(Field::find("schema").is_none() && Field::find("stack.star").is_none());
     }
 }
