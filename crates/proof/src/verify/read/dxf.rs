@@ -26,8 +26,7 @@ pub fn read_dxf(text: &str) -> Drawing {
     ) {
         Ok(read) => read,
         Err(faults) => {
-            let findings = faults.into_iter().map(|fault| finding(&fault.place, fault.text, &fault.remedy));
-            drawing.findings.extend(findings);
+            drawing.findings.extend(faults.into_iter().map(|fault| finding(&fault.place, &fault.text)));
             return drawing;
         }
     };
@@ -36,8 +35,8 @@ pub fn read_dxf(text: &str) -> Drawing {
         drawing.findings.push(Finding::new(FindingCode::WrongScale, found, "1 mm"));
     }
     let left_out = read.notes.into_iter().filter(|note| note.weight != Weight::Information);
-    let notes = left_out.map(|note| finding(&note.place, note.text, "lines and arcs that can be seen"));
-    let faults = read.faults.into_iter().map(|fault| finding(&fault.place, fault.text, &fault.remedy));
+    let notes = left_out.map(|note| finding(&note.place, &note.text));
+    let faults = read.faults.into_iter().map(|fault| finding(&fault.place, &fault.text));
     drawing.findings.extend(faults.chain(notes));
     for element in read.elements {
         // The layer is the last of an entity's own names.
@@ -51,7 +50,9 @@ pub fn read_dxf(text: &str) -> Drawing {
 }
 
 /// The finding of what the reader tells of `place`.
-fn finding(place: &Place, found: String, allowed: &str) -> Finding {
+fn finding(place: &Place, text: &str) -> Finding {
+    let found = format!("{:?}", text.trim_end_matches('.'));
+    let allowed = "a DXF file of lines and arcs that can all be read";
     match place.line {
         Some(line) => Finding::in_line(FindingCode::BadDxf, line, found, allowed),
         None => Finding::new(FindingCode::BadDxf, found, allowed),
