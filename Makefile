@@ -29,7 +29,7 @@ TARGET ?=
 dist:
 	packaging/dist $(TARGET)
 
-# A release (docs/install.md, "For packagers"): all archives, packages, wheels, SBOM and sums in target/dist, half an hour on two cores. It installs
+# A release (docs/install.md, "For packagers"): all archives, packages, wheels, SBOM and sums in target/dist, five minutes of a processor each. It installs
 # its tools: Debian's packages by apt-get, wheels, crates, standard libraries. `release-check` uses them all, in minutes; `release-twice` builds one
 # archive again elsewhere and compares it.
 release:
