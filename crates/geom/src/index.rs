@@ -165,10 +165,15 @@ mod tests {
         for i in 0..300 {
             assert!(!index.any(&staircase(i), |_| true), "{i}");
             index.push(staircase(i));
-            assert!((0..=i).all(|known| index.any(&staircase(known), |number| number == known as usize)), "{i}");
+            assert!(
+                (0..=i).all(|known| index.any(&staircase(known), |number| number == known as usize)),
+                "{i}"
+            );
         }
         index.truncate(40);
-        assert!(index.any(&staircase(39), |_| true) && !index.any(&staircase(40), |_| true) && index.len() == 40);
+        assert!(
+            index.any(&staircase(39), |_| true) && !index.any(&staircase(40), |_| true) && index.len() == 40
+        );
         index.push(staircase(70));
         assert!(index.any(&staircase(70), |number| number == 40) && !index.any(&staircase(0), |_| false));
     }

@@ -56,7 +56,8 @@ impl Segment {
     pub fn part(&self, t0: f64, t1: f64) -> Self {
         match self {
             Self::Line(line) => {
-                let [start, end] = [t0, t1].map(|t| if t == 1.0 { line.end } else { line.start.lerp(line.end, t) });
+                let [start, end] =
+                    [t0, t1].map(|t| if t == 1.0 { line.end } else { line.start.lerp(line.end, t) });
                 Self::Line(Line::new(start, end))
             }
             Self::Arc(arc) => Self::Arc(arc.part(t0, t1)),

@@ -2,7 +2,11 @@
 
 /// [`inert`] text of a picture, with points for what is cut off beyond `limit` characters.
 pub fn shortened(text: &str, limit: usize) -> String {
-    if text.chars().count() > limit { inert(text, limit.saturating_sub(3)) + "..." } else { inert(text, limit) }
+    if text.chars().count() > limit {
+        inert(text, limit.saturating_sub(3)) + "..."
+    } else {
+        inert(text, limit)
+    }
 }
 
 /// The text with every character that could have a meaning for a controller replaced by `_`, cut to `limit` characters.

@@ -35,8 +35,10 @@ impl Document {
     pub(super) fn mistaken(self, root: &RawTable) -> Option<Fault> {
         let is = |document: Self| document.words().1.iter().any(|key| root.get(key).is_some());
         let other_kinds = [Self::Spec, Self::Profile, Self::Study].into_iter().filter(|other| *other != self);
-        let other =
-            other_kinds.into_iter().find(|other| is(*other)).filter(|_| self != Self::Defaults && !is(self))?;
+        let other = other_kinds
+            .into_iter()
+            .find(|other| is(*other))
+            .filter(|_| self != Self::Defaults && !is(self))?;
         let ((kind_words, ..), (name, _, use_of_it)) = (self.words(), other.words());
         let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {name}, not {kind_words}"));
         Some(

@@ -173,7 +173,10 @@ mod tests {
     #[test]
     fn grbl_at_80_steps_is_four_to_five_times_too_fast() {
         let (slowest, fastest) = motion([80.0, 80.0, 400.0], 30.52).speed_range().expect("known");
-        assert!((slowest * 60.0 - 22.89).abs() < 0.01 && (fastest * 60.0 - 32.37).abs() < 0.01, "{slowest} {fastest}");
+        assert!(
+            (slowest * 60.0 - 22.89).abs() < 0.01 && (fastest * 60.0 - 32.37).abs() < 0.01,
+            "{slowest} {fastest}"
+        );
         let (axis, diagonal) = motion([80.0; 3], 30.52).steps_needed(0.1).expect("known");
         assert!((axis - 305.2).abs() < 0.01 && (diagonal - 431.6).abs() < 0.1);
     }

@@ -111,7 +111,8 @@ impl Ramp {
         self.pieces.iter().zip(1..).map(move |(piece, i)| {
             let start_height = self.from + (self.to - self.from) * (length / total);
             length += piece.length();
-            let height = if i == last { self.to } else { self.from + (self.to - self.from) * (length / total) };
+            let height =
+                if i == last { self.to } else { self.from + (self.to - self.from) * (length / total) };
             (piece, start_height, height)
         })
     }

@@ -273,7 +273,8 @@ mod tests {
 
     #[test]
     fn values_out_of_range_say_what_is_allowed() {
-        let said = |name: &str, text: &str| Field::find(name).expect("a key").parse(text).expect_err("refused");
+        let said =
+            |name: &str, text: &str| Field::find(name).expect("a key").parse(text).expect_err("refused");
         assert_eq!(said("star.points", "2"), "`points` is 2: must be from 3 to 64");
         assert_eq!(
             said("star.points", "4.5"),

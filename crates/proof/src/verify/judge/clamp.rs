@@ -155,10 +155,7 @@ mod tests {
             let clamp_findings =
                 findings_of(&text, &zones, 1.0).into_iter().filter(|finding| finding.line == Some(4));
             let texts: Vec<String> = clamp_findings.map(|finding| finding.to_string()).collect();
-            assert!(
-                texts.len() == 1 && texts[0].contains(&format!("the clamp \"{i}\"")),
-                "{texts:?}"
-            );
+            assert!(texts.len() == 1 && texts[0].contains(&format!("the clamp \"{i}\"")), "{texts:?}");
         }
     }
 

@@ -103,7 +103,7 @@ impl Prepared {
             (Segment::Line(_), Segment::Line(_)) => {}
             (Segment::Line(line), Segment::Arc(arc)) => fractions.push(line.nearest_fraction(arc.center)),
             (Segment::Arc(_), Segment::Line(line)) => {
-                self.add_directions((line.end - line.start).perp(), fractions)
+                self.add_directions((line.end - line.start).perp(), fractions);
             }
             (Segment::Arc(a), Segment::Arc(b)) => {
                 let axis = a.center - b.center;
