@@ -193,8 +193,11 @@ fn compare_with_other(
     forecast.make(sources, &request, |made| {
         let _ = verify::mark_equal(&made.name, &made.bytes, files, proof);
     });
-    let differs =
-        proof.files.iter().filter(|file| file.by != Method::Bytes && file.output.kind.is_by_bytes());
+    let differs = proof.files.iter().filter(|file| {
+        let kind = file.output.kind;
+        file.by != Method::Bytes
+            && (kind.is_by_bytes() || kind.subject() == proof::artifact::Subject::Prediction)
+    });
     let mut unproven: Vec<String> = differs.map(|file| file.path.clone()).collect();
     if other_profile(forecast, files).is_some() {
         unproven.push(format!("machine.toml as the profile {:?}", forecast.spec.machine.profile));

@@ -206,7 +206,7 @@ fn a_word_that_is_nearly_right_is_told_what_it_should_be() {
         (plain.clone() + "[mask]\nbed = \"220x220\"\n", "bed = \"220 mm x 220 mm\""),
         (plain.clone() + "[mask]\nbed = \"8 in x 10\"\n", "bed = \"8 in x 10 mm\""),
         (with("points = 5", "points = "), "error[syntax]"),
-        (with("points = 5", "points: 5"), "expected `=`"),
+        (with("points = 5", "points: 5"), "error[syntax]: invalid unquoted key"),
         (with("[star]", "[[star]]"), "must be a section, [star]"),
         (with("[star]", "[star"), "expected `]`"),
         (plain.clone() + "[star]\n", "error[syntax]: duplicate key"),

@@ -421,8 +421,11 @@ fn an_installation_is_whole() {
     };
     assert!(installed(&["--version"]).starts_with("stargrip-cam "));
     let examples = dir.path().join("share/doc/stargrip-cam/examples");
-    for example in fs::read_dir(examples).expect("examples") {
-        let _ = installed(&["check", "-q", example.expect("a spec").path().to_str().expect("a path")]);
+    let folders = [examples.join("drawings"), examples];
+    let files = folders.iter().flat_map(|folder| fs::read_dir(folder).expect("examples"));
+    let paths = files.map(|file| file.expect("a file").path());
+    for spec in paths.filter(|path| path.extension().is_some_and(|ending| ending == "toml")) {
+        let _ = installed(&["check", "-q", spec.to_str().expect("a path")]);
     }
     // A shell accepts the completions.
     let script = dir.path().join("share/bash-completion/completions/stargrip-cam");

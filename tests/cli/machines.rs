@@ -504,7 +504,7 @@ fn a_hose_that_fits_no_coupon_is_refused() {
         dir.path(),
         &["coupon", "star.toml", "--only", "v-actuator"],
         1,
-        &["inlet-meets-arm", "no room on the V-actuator", "tube_diameter", "--only"],
+        &["inlet-meets-arm", "no room on the V-actuator", "tube_diameter", "other coupons only"],
     );
     assert_eq!(names(dir.path()), ["star.toml"]);
 }
@@ -598,7 +598,7 @@ fn coupons_stay_within_the_work_area() {
     let words = [
         "the coupon strips-200C-",
         "the machine reaches 0 to 220.0 mm, 0 to 220.0 mm",
-        "--repeats",
+        "repeats",
         "[work_area]",
     ];
     let _ = fails(small.path(), &["coupon", "star.toml", "-o", "more", "--repeats", "10"], 1, &words);

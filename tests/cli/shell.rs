@@ -261,7 +261,9 @@ fn a_large_shell_is_refused_before_it_is_computed() {
         let refused = run(dir.path(), command);
         let message = text(&refused.stderr);
         assert_eq!(refused.status.code(), Some(1), "{command:?}: {message}");
-        for words in ["unknowns and ", " s; at most 80000 are computed unasked", "--anyway", "--fineness"] {
+        for words in
+            ["unknowns and ", " s; at most 80000 are computed unasked", "accepted anyway", "with a fineness"]
+        {
             assert!(message.contains(words), "{command:?}: {message}");
         }
     }
@@ -282,7 +284,7 @@ fn a_build_leaves_the_shell_out_and_says_so() {
     let prediction = files.into_iter().map(|file| file.expect("a file").path());
     let prediction = prediction.into_iter().find(|path| path.to_string_lossy().contains("prediction"));
     let text = fs::read_to_string(prediction.expect("one")).expect("text");
-    assert!(text.contains("`predict` with the model \"shell\""), "{text}");
+    assert!(text.contains("`predict` with the model \\\"shell\\\""), "{text}");
 }
 
 #[cfg(unix)]

@@ -60,7 +60,11 @@ fn a_ramp_that_seals_far_past_a_weld_is_refused() {
         |ramp: &str| hand_rest(&deep.replace("ramp = \"3 mm\"", &format!("ramp = \"{ramp} mm\"")));
     let refusals = with_ramp("30").map(|_| ()).expect_err("18 mm are sealed past the ends");
     assert_eq!(refusals[0].code, "long-ramp");
-    assert!(refusals[0].found.contains("presses 18.000 mm past an end of seam "), "{}", refusals[0].found);
+    assert!(
+        refusals[0].found.contains("presses 18.000 mm past an end of crease-left of piece 1 "),
+        "{}",
+        refusals[0].found
+    );
     assert!(refusals[0].remedy.contains("a ramp of at most 2.5 mm"), "{}", refusals[0].remedy);
     assert!(with_ramp("2.51").is_err());
     let built = with_ramp("2.5").unwrap_or_else(|refusals| panic!("{refusals}"));

@@ -27,14 +27,14 @@ struct Typeface {
 impl Typeface {
     fn read() -> Option<Self> {
         let face = RawFace::parse(FONT, 0).ok()?;
-        let head = head::Table::parse(table(&face, b"head")?)?;
-        let count = maxp::Table::parse(table(&face, b"maxp")?)?.number_of_glyphs;
-        let metrics = hhea::Table::parse(table(&face, b"hhea")?)?.number_of_metrics;
-        let places = loca::Table::parse(count, head.index_to_location_format, table(&face, b"loca")?)?;
+        let head = head::Table::parse(table(&face, *b"head")?)?;
+        let count = maxp::Table::parse(table(&face, *b"maxp")?)?.number_of_glyphs;
+        let metrics = hhea::Table::parse(table(&face, *b"hhea")?)?.number_of_metrics;
+        let places = loca::Table::parse(count, head.index_to_location_format, table(&face, *b"loca")?)?;
         Some(Self {
-            letters: cmap::Table::parse(table(&face, b"cmap")?)?,
-            advances: hmtx::Table::parse(metrics, count, table(&face, b"hmtx")?)?,
-            outlines: glyf::Table::parse(places, table(&face, b"glyf")?)?,
+            letters: cmap::Table::parse(table(&face, *b"cmap")?)?,
+            advances: hmtx::Table::parse(metrics, count, table(&face, *b"hmtx")?)?,
+            outlines: glyf::Table::parse(places, table(&face, *b"glyf")?)?,
             units_per_em: f64::from(head.units_per_em),
         })
     }
@@ -52,8 +52,8 @@ impl Typeface {
 }
 
 /// The bytes of a table of `face`.
-fn table(face: &RawFace<'static>, name: &[u8; 4]) -> Option<&'static [u8]> {
-    face.table(Tag::from_bytes(name))
+fn table(face: &RawFace<'static>, name: [u8; 4]) -> Option<&'static [u8]> {
+    face.table(Tag::from_bytes(&name))
 }
 
 /// Width of `text`, by the type's size.

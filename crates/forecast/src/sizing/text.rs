@@ -154,7 +154,7 @@ impl Lines {
         };
         let needed = choice.requirements.mass.0 * GRAVITY / choice.requirements.friction;
         self.text += "[stack]\n";
-        let stars = if point.stars == 1 { "force_text star presses" } else { "each star presses" };
+        let stars = if point.stars == 1 { "one star presses" } else { "each star presses" };
         self.value(
             "count",
             point.stars,
