@@ -11,10 +11,10 @@ use crate::options::options;
 use crate::spec::Spec;
 
 /// Files by their names, as bytes.
-fn files<'py, B: AsRef<[u8]>>(
-    py: Python<'py>,
+fn files<B: AsRef<[u8]>>(
+    py: Python<'_>,
     contents: impl IntoIterator<Item = (String, B)>,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<Bound<'_, PyDict>> {
     let named = PyDict::new(py);
     for (name, bytes) in contents {
         named.set_item(name, PyBytes::new(py, bytes.as_ref()))?;

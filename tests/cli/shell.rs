@@ -234,13 +234,11 @@ fn what_no_shell_answers_is_refused_in_words() {
 /// A square pillow with `rows` times `rows` islands, 24 mm apart.
 fn islands(rows: u32) -> String {
     let side = 24 * rows + 24;
-    let mut circles = String::new();
-    for x in 0..rows {
-        for y in 0..rows {
-            let [x, y] = [x, y].map(|place| 42 + 24 * place);
-            circles += &format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"4\"/>");
-        }
-    }
+    let circles: Vec<String> = (0..rows * rows)
+        .map(|number| [number / rows, number % rows].map(|place| 42 + 24 * place))
+        .map(|[x, y]| format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"4\"/>"))
+        .collect();
+    let circles = circles.concat();
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300mm\" height=\"300mm\" viewBox=\"0 0 300 300\">\
          <g id=\"air\" fill=\"none\" stroke=\"black\"><rect x=\"20\" y=\"20\" width=\"{side}\" height=\"{side}\"/>{circles}</g>\

@@ -119,8 +119,8 @@ impl<'a> Source<'a> {
 
     /// The tokens of the innermost function around `place`.
     fn scope(&self, place: usize) -> Range<usize> {
-        let enclosing = self.functions.iter().filter(|function| function.body.contains(&place));
-        enclosing.last().map_or(0..self.tokens.len(), |function| function.name..function.body.end)
+        let mut enclosing = self.functions.iter().filter(|function| function.body.contains(&place));
+        enclosing.next_back().map_or(0..self.tokens.len(), |function| function.name..function.body.end)
     }
 
     /// Whether the value of `binding` begins with a call to a function of a name that it binds.
