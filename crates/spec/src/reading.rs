@@ -114,7 +114,7 @@ fn beyond_syntax(key_faults: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fa
     let line = |at: usize| text.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count();
     let broken_lines: Vec<usize> = syntax.iter().map(|fault| line(fault.span.start)).collect();
     // Without the bracket of its header, a section's keys are read as others.
-    let unclosed = syntax.iter().find(|fault| fault.message == "unclosed table").map(|fault| {
+    let unclosed = syntax.iter().find(|fault| fault.message.starts_with("unclosed table")).map(|fault| {
         let (start, end) = (fault.span.start, text.len());
         start..text.get(start..).and_then(|rest| rest.find("\n[")).map_or(end, |length| start + length)
     });

@@ -81,12 +81,9 @@ fn the_rest_of_a_job_takes_as_long_as_it_states() {
             let stated = text.fact("total.time_s").expect("a time");
             let off = run(dialect, &text, motors).now - stated;
             println!("{dialect} {share} {off:+.2} s of {stated} s");
-            // A travel below its speed accelerates for less than the mean of all, by up to a quarter of v / a; the file has whole seconds.
-            let uneven = 0.25 * controller::TRAVEL / motors.acceleration + 0.5;
-            assert!(
-                off.abs() < judge::TOTAL * stated + uneven,
-                "{dialect} {share}: {off:+.2} s of {stated} s"
-            );
+            // A total counts accelerations in proportion to the travels that are left, which is off by up to 1.2 s; the file has whole
+            // seconds.
+            assert!(off.abs() < judge::TOTAL * stated + 2.0, "{dialect} {share}: {off:+.2} s of {stated} s");
         }
     }
 }
