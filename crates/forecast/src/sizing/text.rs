@@ -219,8 +219,7 @@ impl Lines {
             self.value("friction_most", most, "highest expected friction");
         }
         // The range of an assumed friction, which widens that of `predict`, comes on top.
-        let friction_text =
-            if is_assumed { format!(" friction_text friction {FRICTION}") } else { String::new() };
+        let friction_text = if is_assumed { format!(" at friction {FRICTION}") } else { String::new() };
         let sure = sure_payload(point, answer).map_or_else(|| "unknown".to_owned(), |kg| payload(&[kg]));
         let range = answer.payload_range.map(|range| format!("; predicted {}", payload(&range)));
         let mass_text = format!("safe payload {sure}{friction_text}{}", range.unwrap_or_default());
