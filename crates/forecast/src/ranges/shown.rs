@@ -59,7 +59,7 @@ pub fn with_limit(value: f64, [low, high]: Interval, unit: &str, limit: Option<f
     format!("{}{gap}{unit}, {low} to {high}", text(value, step_of_value))
 }
 
-/// A payload with its range, which is judged by the mass `limit`, all kg: in g where the upper end is below [`HEAVY`].
+/// A payload with its range, which is judged by the mass `limit`, all kg: in g where the upper end is below `HEAVY`.
 pub fn payload(kg: f64, range: Interval, limit: Option<f64>) -> String {
     if range[1] < HEAVY {
         return with_limit(1e3 * kg, scaled(range, 1e3), "g", limit.map(|kg| 1e3 * kg));

@@ -61,7 +61,7 @@ const NARROW_BAND: f64 = 0.4;
 pub(super) const BENDABILITY: f64 = 0.28;
 /// Least w / R of the shells: a narrower band meets the same load at the ends of an arc.
 const NARROWEST: f64 = 0.2;
-/// A shell's pull over the predicted one where the band is at least [`WIDE`] times as wide as the hinge's radius: all 58 of such stars of 132 lie
+/// A shell's pull over the predicted one where the band is at least `WIDE` times as wide as the hinge's radius: all 58 of such stars of 132 lie
 /// inside (docs/models.md).
 pub const RANGE: Interval = [0.75, 1.35];
 /// The pull over the predicted one where the band is at most [`NARROW`] times as wide: a narrow band feels the ends of a hinge's arc, where the
