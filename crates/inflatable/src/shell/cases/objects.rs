@@ -19,7 +19,7 @@ const BEYOND: f64 = 0.15;
 /// Unknowns of the finest mesh whose opening is followed in steps: half a second on one processor.
 const MOST_UNKNOWNS: usize = 6000;
 
-/// One step of an [`opening_curve`].
+/// One step of an `opening_curve`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OpeningStep {
     /// Radius of the object.
