@@ -511,6 +511,9 @@ class DrawnPrediction:
     def pressure_kPa(self) -> float | None:
         """Gauge pressure, kPa."""
     @property
+    def pressures_kPa(self) -> list[dict[str, Any]] | None:
+        """Pressures of chambers that differ from it, by port."""
+    @property
     def mass_g(self) -> float | None:
         """Mass of the fabric of one piece, both sheets, g. Needs `areal_density`."""
     @property
