@@ -5,7 +5,7 @@
 
 Stars are drawn by seed, with E, nu and a band of their own. Stars 1 to 48 gave the exponent of narrow bands, which was chosen by the bins of
 1 to 84; those from 85 on gave nothing. A line of the file is a star's number, its shell's pull and mesh error, N/mm, whether it is at a tip, the
-formula's when it was computed, and unknowns of the finest mesh; what stands there is not computed again. FROM..TO computes those stars first.
+formula's when it was computed, and unknowns of the finest mesh; stars that it lists are not computed again. FROM..TO computes those stars first.
 At the end the pull that the program predicts now is compared with the shells. A quarter of an hour of one processor.
 """
 import json, math, pathlib, random, subprocess, sys, tempfile

@@ -6,7 +6,7 @@ use crate::manifest::{CouponManifest, MANIFEST, Manifest, ManifestFile, Tool, ma
 use crate::pipeline::coupons::prove_coupons;
 use crate::pipeline::directory::{refused, sources_of};
 use crate::pipeline::{Built, Forecast, Sources};
-use proof::artifact::{Kind, KindRequest, outputs};
+use proof::artifact::{Kind, KindRequest, Subject, outputs};
 use proof::verify;
 use proof::verify::{Expected, Finding, FindingCode, Method, OutputFiles, Proof};
 use spec::{Code, DrawingSpec, Machine};
@@ -195,8 +195,7 @@ fn compare_with_other(
     });
     let differs = proof.files.iter().filter(|file| {
         let kind = file.output.kind;
-        file.by != Method::Bytes
-            && (kind.is_by_bytes() || kind.subject() == proof::artifact::Subject::Prediction)
+        file.by != Method::Bytes && (kind.is_by_bytes() || kind.subject() == Subject::Prediction)
     });
     let mut unproven: Vec<String> = differs.map(|file| file.path.clone()).collect();
     if other_profile(forecast, files).is_some() {

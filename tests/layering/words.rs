@@ -42,7 +42,7 @@ const LEANING: [&str; 5] = ["The same", "As for ", "Its ", "Those ", "Likewise"]
 const LONGEST: usize = 60;
 const EXPLAINED: usize = 30;
 
-/// What is counted.
+/// The kinds of faults, each with its remedy.
 const KINDS: [(&str, &str); 7] = [
     ("nameless", "name it by a noun of the field, or a verb with its object"),
     ("leaning", "begin the doc with the noun: it is read alone"),

@@ -1,6 +1,8 @@
 //! Numbers of a shell with their mesh errors, of stars and of drawn pieces.
 
+use inflatable::shell::cases::Value;
 use serde::Serialize;
+use spec::units::Length;
 
 /// A number with its mesh error.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -9,6 +11,13 @@ pub struct MeshedValue {
     pub value: f64,
     /// Its mesh error.
     pub mesh_error: f64,
+}
+
+impl MeshedValue {
+    /// `value` in six digits.
+    pub(super) fn rounded(value: Value) -> Self {
+        Self { value: six(value.value), mesh_error: six(value.error) }
+    }
 }
 
 /// The largest value of a quantity, with its place.
@@ -21,4 +30,17 @@ pub struct MeshedPlace {
     pub mesh_error: f64,
     /// Its position on the flat piece; of a star in the half sector next to corner 1, the axis at the origin.
     pub at_mm: [f64; 2],
+}
+
+impl MeshedPlace {
+    /// `value` at a place of the flat sheet, m, in six digits.
+    pub(super) fn rounded(value: Value, place: [f64; 2]) -> Self {
+        let MeshedValue { value, mesh_error } = MeshedValue::rounded(value);
+        Self { value, mesh_error, at_mm: place.map(|x| six(Length::from_metres(x).0)) }
+    }
+}
+
+/// Six digits: more than any mesh is good for, and few enough that the last bits of a sine do not show.
+pub(super) fn six(x: f64) -> f64 {
+    format!("{:.5e}", x + 0.0).parse().unwrap_or(x)
 }

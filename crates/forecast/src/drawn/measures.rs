@@ -4,7 +4,7 @@
 //! chamber lies best on the flat one; each quantity is computed on each mesh, and so has a mesh error of its own.
 
 use crate::drawn::chambers::DrawnChamber;
-use crate::meshed::MeshedValue;
+use crate::meshed::{MeshedValue, six};
 use crate::predict::PredictFault;
 use design::{Measure, MeasureForm};
 use geom::{Nearest, Point, Vec2, fitted_circle};
@@ -187,7 +187,7 @@ impl PlacedMeasure {
             }
             let last = values.len() - 1;
             let value = Value::new(std::array::from_fn(|mesh| values[mesh.min(last)]));
-            quantity.inflated = Some(MeshedValue { value: six(value.value), mesh_error: six(value.error) });
+            quantity.inflated = Some(MeshedValue::rounded(value));
             quantity.finest_mesh = Some(values[last]);
         }
     }
@@ -314,13 +314,11 @@ fn nearest_air(chamber: &DrawnChamber, points: &[Point]) -> Vec<Nearest> {
 
 /// The place of a chamber's air that is nearest to `point`: the point itself if it lies in the air.
 fn place_in_air(flat: &FlatChamber, point: Point) -> Option<Nearest> {
-    let mut sealed = flat.holes.iter().chain(&flat.islands);
-    if flat.outline.encloses(point) && !sealed.any(|curve| curve.encloses(point)) {
+    if flat.has_air(point) {
         return Some(Nearest { distance: 0.0, point, segment: 0, s: 0.0 });
     }
-    let edges = flat.holes.iter().chain(&flat.islands).chain([&flat.outline]);
-    let nearest = edges.filter_map(|curve| curve.nearest(point));
-    nearest.min_by(|a, b| a.distance.total_cmp(&b.distance))
+    let edges = flat.curves().filter_map(|curve| curve.nearest(point));
+    edges.min_by(|a, b| a.distance.total_cmp(&b.distance))
 }
 
 /// The points of chamber `index` whose positions the shell must give, m: those of its measures, one after another.
@@ -352,9 +350,4 @@ pub(super) fn fill(
 /// Points in m as points in mm.
 fn in_mm(points: &[[f64; 3]]) -> Vec<[f64; 3]> {
     points.iter().map(|point| point.map(|x| Length::from_metres(x).0)).collect()
-}
-
-/// Six digits, as those of the chambers.
-fn six(x: f64) -> f64 {
-    format!("{:.5e}", x + 0.0).parse().unwrap_or(x)
 }

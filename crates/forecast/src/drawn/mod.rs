@@ -8,6 +8,7 @@ pub mod chambers;
 pub mod measures;
 pub mod prediction;
 pub mod pressures;
+pub mod seams;
 pub mod text;
 
 use crate::drawn::chambers::{DrawnChamber, drawn_chambers};
@@ -62,11 +63,8 @@ pub fn of_spec(
             }
         });
     }
-    flat(spec, pieces, &drawn_chambers(spec, pieces)?).map(|prediction| InflatedDrawing {
-        prediction,
-        surfaces: Vec::new(),
-        shapes: Vec::new(),
-    })
+    let case = DrawnCase::new(spec, pieces)?;
+    Ok(InflatedDrawing { prediction: flat(spec, pieces, &case), surfaces: Vec::new(), shapes: Vec::new() })
 }
 
 /// `pieces`, made from `spec`, by the shell at the spec's pressure.
@@ -79,17 +77,16 @@ pub fn inflate(
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<InflatedDrawing, ShellRefusal> {
-    let chambers = drawn_chambers(spec, pieces)?;
-    let mut prediction = flat(spec, pieces, &chambers)?;
-    let placed = measures::placed(spec, &pieces.measures, &chambers)?;
-    let (load, pressure) = loaded(spec).ok_or_else(no_pressure)?;
-    let pressures = region_pressures(load, pressure, pieces, &chambers)?;
-    refuse_large(&chambers, detail, pressure, watch)?;
+    let drawn_case = DrawnCase::new(spec, pieces)?;
+    let DrawnCase { chambers, pressures, measures: placed } = &drawn_case;
+    let mut prediction = flat(spec, pieces, &drawn_case);
+    let (_, pressure) = loaded(spec).ok_or_else(no_pressure)?;
+    refuse_large(chambers, detail, pressure, watch)?;
     let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
     let mut is_weave_left_out = false;
     let count = chambers.len();
     for (number, (chamber, answer)) in chambers.iter().zip(&mut prediction.chambers).enumerate() {
-        let probes = measures::probes(&placed, number);
+        let probes = measures::probes(placed, number);
         let RegionPressure { highest, partial } = &pressures[number];
         let partial = partial.clone();
         let case = FlatRegion { pressure: highest.pascals(), probes, partial, ..chamber.region.clone() };
@@ -105,7 +102,7 @@ pub fn inflate(
         is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles == Wrinkles::Averaged;
         answer.fill(&inflated, pieces, *highest, spec.fabric.seal_strength);
         answer.scale_burst(pressure.0 / highest.0);
-        measures::fill(&placed, &mut prediction.measures, number, &inflated);
+        measures::fill(placed, &mut prediction.measures, number, &inflated);
         surfaces.push(inflated.surface);
         shapes.push(inflated.shape);
     }
@@ -192,47 +189,57 @@ fn loaded(spec: &Spec) -> Option<(&Load, Pressure)> {
     Some((load, load.pressure?))
 }
 
-/// The prediction without a model: flat sizes only. Pressures and measures are judged here already, so that `check` refuses what no shell could
-/// take. The reason for the missing shell depends on whether there is a pressure.
-fn flat(
-    spec: &Spec,
-    pieces: &DrawnPieces,
-    regions: &[DrawnChamber],
-) -> Result<DrawnPrediction, PredictFault> {
-    let model = spec.accuracy.model;
-    if !matches!(model, ModelChoice::Shell | ModelChoice::Auto) {
-        let word = ModelChoice::ALL.iter().find(|(_, own)| *own == model).map_or("this", |(word, _)| word);
-        let what = format!("{word} is a model of a star's hinges; only the shell models drawn shapes");
-        return Err(PredictFault {
-            remedy: Some(HOW.to_owned()),
-            ..PredictFault::new(key::accuracy::MODEL, what)
-        });
+/// A drawn piece ready for the shell: what no shell could take is refused here, for `check` as well.
+struct DrawnCase {
+    chambers: Vec<DrawnChamber>,
+    /// The pressure of each chamber; empty without a pressure.
+    pressures: Vec<RegionPressure>,
+    measures: Vec<PlacedMeasure>,
+}
+
+impl DrawnCase {
+    fn new(spec: &Spec, pieces: &DrawnPieces) -> Result<Self, PredictFault> {
+        let chambers = drawn_chambers(spec, pieces)?;
+        let model = spec.accuracy.model;
+        if !matches!(model, ModelChoice::Shell | ModelChoice::Auto) {
+            let word =
+                ModelChoice::ALL.iter().find(|(_, own)| *own == model).map_or("this", |(word, _)| word);
+            let what = format!("{word} is a model of a star's hinges; only the shell models drawn shapes");
+            return Err(PredictFault {
+                remedy: Some(HOW.to_owned()),
+                ..PredictFault::new(key::accuracy::MODEL, what)
+            });
+        }
+        let pressures = match loaded(spec) {
+            Some((load, pressure)) => region_pressures(load, pressure, pieces, &chambers)?,
+            None => Vec::new(),
+        };
+        let measures = measures::placed(spec, &pieces.measures, &chambers)?;
+        Ok(Self { chambers, pressures, measures })
     }
+}
+
+/// The prediction of `case` without a model: flat sizes only.
+fn flat(spec: &Spec, pieces: &DrawnPieces, case: &DrawnCase) -> DrawnPrediction {
     let load = loaded(spec);
-    let pressure = load.map(|(_, pressure)| pressure);
-    let choice = match pressure {
+    let choice = match load {
         None => "the inflated shape depends on the pressure: set `pressure` in [load]".to_owned(),
         Some(_) => format!("not computed here (takes seconds to minutes); {HOW}"),
     };
-    let pressures = match load {
-        Some((load, pressure)) => region_pressures(load, pressure, pieces, regions)?,
-        None => Vec::new(),
-    };
-    let chambers = regions.iter().enumerate().map(|(number, chamber)| {
-        let highest = pressures.get(number).map(|pressure| pressure.highest);
+    let chambers = case.chambers.iter().enumerate().map(|(number, chamber)| {
+        let highest = case.pressures.get(number).map(|pressure| pressure.highest);
         ChamberPrediction::flat(number + 1, chamber, highest)
     });
-    let measures = measures::placed(spec, &pieces.measures, regions)?;
-    Ok(DrawnPrediction {
+    DrawnPrediction {
         model: NONE,
-        pressure_kPa: pressure.map(|pressure: Pressure| pressure.0),
+        pressure_kPa: load.map(|(_, pressure)| pressure.0),
         pressures_kPa: load.and_then(|(load, _)| port_pressures(load)),
         mass_g: pieces.mass(&spec.fabric),
         chambers: chambers.collect(),
-        measures: measures.iter().map(PlacedMeasure::flat).collect(),
+        measures: case.measures.iter().map(PlacedMeasure::flat).collect(),
         evidence: DrawnEvidence { choice, ..DrawnEvidence::default() },
         ..DrawnPrediction::default()
-    })
+    }
 }
 
 /// The reason why the shell refuses a chamber, one of `count`, with the spec key to change.

@@ -4,17 +4,15 @@ use crate::drawn::averaged::{AveragedRanges, pull_range, warning};
 use crate::drawn::chambers::DrawnChamber;
 use crate::drawn::measures::MeasurePrediction;
 use crate::drawn::pressures::PortPressure;
+use crate::drawn::seams::{SeamPrediction, seam_predictions};
 use crate::interval::Interval;
 use crate::keys::{keyed, kinds};
-use crate::meshed::{MeshedPlace, MeshedValue};
+use crate::meshed::{MeshedPlace, MeshedValue, six};
 use crate::model_search::AccuracySearch;
-use crate::prediction::distinct;
 use crate::seal_load::{Bursting, burst_of_drawn, bursts_at};
 use crate::warning::{PredictionWarning, WarningCode};
 use design::{DrawnPieces, Refusal, RefusalCode};
-use geom::Point;
-use inflatable::shell::cases::{InflatedRegion, PlaneState, RegionSeam, SeamPull, Value, Wrinkles};
-use sealed::Seam;
+use inflatable::shell::cases::{InflatedRegion, PlaneState, Wrinkles};
 use serde::Serialize;
 use spec::key;
 use spec::units::{Length, LineForce, Most, Pressure};
@@ -73,18 +71,6 @@ pub struct DrawnEvidence {
     pub accuracy: Option<AccuracySearch>,
     /// Warnings for the user.
     pub warnings: Vec<PredictionWarning>,
-}
-
-/// The pull on one seam of a chamber.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
-pub struct SeamPrediction {
-    /// Its name, as on drawings and in programs.
-    pub seam: String,
-    /// The largest pull.
-    pub pull_N_per_mm: MeshedPlace,
-    /// Rows of a place (x, y, mm), the pull there (N/mm) and its mesh error, along the seam.
-    pub along: Vec<[f64; 4]>,
 }
 
 keyed! {
@@ -164,9 +150,6 @@ impl PlaneAnswer {
     }
 }
 
-/// Rows of one seam at most.
-const MOST_ROWS: usize = 48;
-
 impl ChamberPrediction {
     /// The prediction of a chamber without a model: flat sizes only.
     pub(super) fn flat(number: usize, chamber: &DrawnChamber, pressure: Option<Pressure>) -> Self {
@@ -196,7 +179,7 @@ impl ChamberPrediction {
         pressure: Pressure,
         peel: Option<LineForce>,
     ) {
-        let seams = seams(found, pieces);
+        let seams = seam_predictions(found, pieces);
         let largest = seams.iter().map(|seam| seam.pull_N_per_mm).max_by(|a, b| a.value.total_cmp(&b.value));
         let is_averaged = found.wrinkles == Wrinkles::Averaged;
         // Folds may pull harder than their mean.
@@ -209,9 +192,9 @@ impl ChamberPrediction {
             Wrinkles::Resolved => "resolved",
             Wrinkles::Averaged => "averaged",
         });
-        let height = at(found.height.scaled(1e3), found.height_at);
-        let extents = found.extents.map(|extent| open(extent.scaled(1e3)));
-        let volume = open(found.volume.scaled(1e9));
+        let height = MeshedPlace::rounded(found.height.scaled(1e3), found.height_at);
+        let extents = found.extents.map(|extent| MeshedValue::rounded(extent.scaled(1e3)));
+        let volume = MeshedValue::rounded(found.volume.scaled(1e9));
         self.ranges = largest
             .filter(|_| is_averaged)
             .map(|pull| AveragedRanges::new(found.bendability, height, extents, volume, pull));
@@ -219,9 +202,10 @@ impl ChamberPrediction {
         self.seal_pull_N_per_mm = largest;
         self.burst_pressure_kPa = burst.map(|(burst, _)| kpa(burst));
         self.burst_range_kPa = burst.map(|(_, range)| range.map(kpa));
-        self.largest_stretch = Some(at(found.stretch, found.stretch_at));
-        self.largest_tension_N_per_mm = Some(at(found.tension.scaled(1e-3), found.tension_at));
-        self.plane_eigenvalue = Some(open(found.antisymmetric_eigenvalue));
+        self.largest_stretch = Some(MeshedPlace::rounded(found.stretch, found.stretch_at));
+        self.largest_tension_N_per_mm =
+            Some(MeshedPlace::rounded(found.tension.scaled(1e-3), found.tension_at));
+        self.plane_eigenvalue = Some(MeshedValue::rounded(found.antisymmetric_eigenvalue));
         self.plane = Some(match found.plane() {
             PlaneState::Stays => PlaneAnswer::Stays,
             PlaneState::Leaves => PlaneAnswer::Leaves,
@@ -369,62 +353,4 @@ impl DrawnPrediction {
     pub fn to_json(&self) -> String {
         serde_json::to_string_pretty(self).expect("plain data") + "\n"
     }
-}
-
-/// The seams of `pieces` that bound the region, in the order in which they are met, each with its largest pull.
-///
-/// The shell knows edges and welds of the region only. A pull belongs to the seam whose centre line is nearest to its place.
-fn seams(region: &InflatedRegion, pieces: &DrawnPieces) -> Vec<SeamPrediction> {
-    let names = distinct(region.seams.iter().map(|pull| seam_name(pull, pieces)));
-    let of_name = names.into_iter().filter_map(|(name, numbers)| {
-        let pulls: Vec<&SeamPull> = numbers.iter().map(|number| &region.seams[number - 1]).collect();
-        of_seam(name, &pulls, region.is_parted)
-    });
-    of_name.collect()
-}
-
-/// The name of the seam of `pieces` whose centre line is nearest to a pull; "seam" for the only one.
-fn seam_name(pull: &SeamPull, pieces: &DrawnPieces) -> String {
-    let [x, y] = pull.at.map(|length| Length::from_metres(length).0);
-    let distance = |seam: &Seam| {
-        let segments = seam.center_line.segments.iter();
-        segments.map(|segment| segment.distance(Point::new(x, y))).fold(f64::INFINITY, f64::min)
-    };
-    let seams = pieces.pieces.iter().flat_map(|piece| &piece.shape.seams);
-    let nearest = seams.min_by(|a, b| distance(a).total_cmp(&distance(b)));
-    nearest.map(|seam| seam.name.clone()).filter(|name| !name.is_empty()).unwrap_or_else(|| "seam".to_owned())
-}
-
-fn of_seam(seam: String, pulls: &[&SeamPull], is_parted: bool) -> Option<SeamPrediction> {
-    // Each edge of a weld's band bears the pull of its own side. Between chambers of different pressure one side may bear all of it.
-    let place = |pull: &SeamPull| {
-        let share = if matches!(pull.seam, RegionSeam::Weld(_)) && !is_parted { 0.5 } else { 1.0 };
-        at(pull.pull.scaled(share * 1e-3), pull.at)
-    };
-    // Compared on the finest mesh, as in the shell.
-    let largest = pulls.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]))?;
-    let row = |pull: &&SeamPull| {
-        let MeshedPlace { value, mesh_error, at_mm: [x, y] } = place(pull);
-        [x, y, value, mesh_error]
-    };
-    Some(SeamPrediction {
-        seam,
-        pull_N_per_mm: place(largest),
-        along: pulls.iter().step_by(pulls.len().div_ceil(MOST_ROWS).max(1)).map(row).collect(),
-    })
-}
-
-fn open(value: Value) -> MeshedValue {
-    MeshedValue { value: six(value.value), mesh_error: six(value.error) }
-}
-
-/// A value at a place of the flat sheet, m.
-fn at(value: Value, place: [f64; 2]) -> MeshedPlace {
-    let MeshedValue { value, mesh_error } = open(value);
-    MeshedPlace { value, mesh_error, at_mm: place.map(|x| six(Length::from_metres(x).0)) }
-}
-
-/// Six digits: more than any mesh is good for, and few enough that the last bits of a sine do not show.
-fn six(x: f64) -> f64 {
-    format!("{:.5e}", x + 0.0).parse().unwrap_or(x)
 }

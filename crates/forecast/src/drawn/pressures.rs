@@ -2,10 +2,10 @@
 
 use crate::drawn::chambers::DrawnChamber;
 use crate::predict::PredictFault;
-use design::DrawnPieces;
+use design::{DrawnPiece, DrawnPieces};
 use geom::Point;
 use inflatable::shell::cases::PartialPressure;
-use sealed::PortPlace;
+use sealed::{PortPlace, Topology};
 use serde::Serialize;
 use spec::units::{Length, Pressure, Readable};
 use spec::{Load, key};
@@ -24,6 +24,8 @@ pub struct PortPressure {
 struct Airspace {
     /// A point in it, mm.
     inside: Point,
+    /// The middles of its ports' mouths, mm.
+    mouths: Vec<Point>,
     pressure: Pressure,
     /// The port whose name gave the pressure.
     port: Option<String>,
@@ -51,6 +53,9 @@ pub(super) fn region_pressures(
     pieces: &DrawnPieces,
     regions: &[DrawnChamber],
 ) -> Result<Vec<RegionPressure>, PredictFault> {
+    if load.chambers.is_empty() {
+        return Ok(vec![RegionPressure { highest: pressure, partial: Vec::new() }; regions.len()]);
+    }
     let mut airspaces = all_airspaces(pieces, pressure);
     for (name, pressure) in &load.chambers {
         set_pressure(&mut airspaces, pieces, name, *pressure)?;
@@ -66,21 +71,31 @@ pub(super) fn port_pressures(load: &Load) -> Option<Vec<PortPressure>> {
     (!load.chambers.is_empty()).then(|| rows.collect())
 }
 
-/// The chambers of all pieces, each at `pressure`, in the order of the pieces.
+/// The chambers of all pieces, each at `pressure`.
 fn all_airspaces(pieces: &DrawnPieces, pressure: Pressure) -> Vec<Airspace> {
-    let insides = pieces.pieces.iter().flat_map(|piece| piece.shape.topology().insides);
-    insides.map(|inside| Airspace { inside, pressure, port: None }).collect()
+    let of_piece = |piece: &DrawnPiece| {
+        let Topology { chambers, insides, .. } = piece.shape.topology();
+        let airspaces = chambers.into_iter().zip(insides).map(|(chamber, inside)| Airspace {
+            inside,
+            mouths: chamber.ports.iter().map(|port| piece.shape.ports[*port].at).collect(),
+            pressure,
+            port: None,
+        });
+        airspaces.collect::<Vec<_>>()
+    };
+    pieces.pieces.iter().flat_map(of_piece).collect()
 }
 
-/// Gives the chamber behind port `name` its `pressure`.
+/// Gives the chamber behind port `name` its `pressure`: that with the mouth which is nearest to the port.
 fn set_pressure(
     airspaces: &mut [Airspace],
     pieces: &DrawnPieces,
     name: &str,
     pressure: Pressure,
 ) -> Result<(), PredictFault> {
-    let airspace = airspace_of_port(pieces, name)?;
-    let Some(airspace) = airspaces.get_mut(airspace) else { return Ok(()) };
+    let place = place_of_port(pieces, name)?;
+    let by_distance = |a: &&mut Airspace, b: &&mut Airspace| a.distance(place).total_cmp(&b.distance(place));
+    let Some(airspace) = airspaces.iter_mut().min_by(by_distance) else { return Ok(()) };
     if let Some(port) = airspace.port.as_ref().filter(|_| airspace.pressure != pressure) {
         let problem = format!(
             "ports {port:?} and {name:?} lead into one chamber, at {} and {} kPa",
@@ -93,8 +108,15 @@ fn set_pressure(
     Ok(())
 }
 
-/// The number of the chamber into which port `name` leads, among those of all pieces: that of the sealed port which is nearest to it.
-fn airspace_of_port(pieces: &DrawnPieces, name: &str) -> Result<usize, PredictFault> {
+impl Airspace {
+    /// Distance from `place` to its nearest mouth, mm; infinite without one.
+    fn distance(&self, place: Point) -> f64 {
+        self.mouths.iter().map(|mouth| mouth.distance(place)).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// The place of port `name` in the drawing.
+fn place_of_port(pieces: &DrawnPieces, name: &str) -> Result<Point, PredictFault> {
     let Some(drawn_port) = pieces.ports.iter().find(|port| port.name == name) else {
         let names: Vec<&str> = pieces.ports.iter().map(|port| port.name.as_str()).collect();
         let remedy = match spec::nearest(name, names.iter().copied()) {
@@ -103,24 +125,10 @@ fn airspace_of_port(pieces: &DrawnPieces, name: &str) -> Result<usize, PredictFa
         };
         return Err(refused(format!("no port is called {name:?}"), &remedy));
     };
-    let place = match drawn_port.place {
+    Ok(match drawn_port.place {
         PortPlace::At(point) => point,
         PortPlace::Across([start, end]) => start.midpoint(end),
-    };
-    let (mut number_of_first, mut nearest) = (0, (f64::INFINITY, 0));
-    for piece in &pieces.pieces {
-        let chambers = piece.shape.topology().chambers;
-        for (number, chamber) in chambers.iter().enumerate() {
-            for port in chamber.ports.iter().filter_map(|port| piece.shape.ports.get(*port)) {
-                let distance = port.at.distance(place);
-                if distance < nearest.0 {
-                    nearest = (distance, number_of_first + number);
-                }
-            }
-        }
-        number_of_first += chambers.len();
-    }
-    Ok(nearest.1)
+    })
 }
 
 /// The pressure of `region`; that of the load where no chamber of known place lies in it.

@@ -1,0 +1,65 @@
+//! The pull on the seams of a drawn chamber.
+
+use crate::meshed::MeshedPlace;
+use crate::prediction::distinct;
+use design::DrawnPieces;
+use geom::Point;
+use inflatable::shell::cases::{InflatedRegion, RegionSeam, SeamPull};
+use sealed::Seam;
+use serde::Serialize;
+use spec::units::Length;
+
+/// The pull on one seam of a chamber.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "keys contain units in their usual spelling")]
+pub struct SeamPrediction {
+    /// Its name, as on drawings and in programs.
+    pub seam: String,
+    /// The largest pull.
+    pub pull_N_per_mm: MeshedPlace,
+    /// Rows of a place (x, y, mm), the pull there (N/mm) and its mesh error, along the seam.
+    pub along: Vec<[f64; 4]>,
+}
+
+/// Rows of one seam at most.
+const MOST_ROWS: usize = 48;
+
+/// The seams of `pieces` that bound the region, in the order in which they are met, each with its largest pull.
+///
+/// The shell knows edges and welds of the region only. A pull belongs to the seam whose centre line is nearest to its place.
+pub(super) fn seam_predictions(region: &InflatedRegion, pieces: &DrawnPieces) -> Vec<SeamPrediction> {
+    let names = distinct(region.seams.iter().map(|pull| seam_name(pull, pieces)));
+    let of_name = names.into_iter().filter_map(|(name, numbers)| {
+        let pulls: Vec<&SeamPull> = numbers.iter().map(|number| &region.seams[number - 1]).collect();
+        of_seam(name, &pulls, region.is_parted)
+    });
+    of_name.collect()
+}
+
+/// The name of the seam of `pieces` whose centre line is nearest to a pull; "seam" for the only one.
+fn seam_name(pull: &SeamPull, pieces: &DrawnPieces) -> String {
+    let [x, y] = pull.at.map(|length| Length::from_metres(length).0);
+    let distance = |seam: &Seam| seam.center_line.distance(Point::new(x, y));
+    let seams = pieces.pieces.iter().flat_map(|piece| &piece.shape.seams);
+    let nearest = seams.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    nearest.map(|seam| seam.name.clone()).filter(|name| !name.is_empty()).unwrap_or_else(|| "seam".to_owned())
+}
+
+fn of_seam(seam: String, pulls: &[&SeamPull], is_parted: bool) -> Option<SeamPrediction> {
+    // Each edge of a weld's band bears the pull of its own side. Between chambers of different pressure one side may bear all of it.
+    let place = |pull: &SeamPull| {
+        let share = if matches!(pull.seam, RegionSeam::Weld(_)) && !is_parted { 0.5 } else { 1.0 };
+        MeshedPlace::rounded(pull.pull.scaled(share * 1e-3), pull.at)
+    };
+    // Compared on the finest mesh, as in the shell.
+    let largest = pulls.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]))?;
+    let row = |pull: &&SeamPull| {
+        let MeshedPlace { value, mesh_error, at_mm: [x, y] } = place(pull);
+        [x, y, value, mesh_error]
+    };
+    Some(SeamPrediction {
+        seam,
+        pull_N_per_mm: place(largest),
+        along: pulls.iter().step_by(pulls.len().div_ceil(MOST_ROWS).max(1)).map(row).collect(),
+    })
+}
