@@ -30,15 +30,7 @@ use stargrip_cam::spec::{
 use stargrip_cam::verify::{Finding, OutputFiles};
 
 /// All built-in profiles: one for each dialect, by its name.
-const PROFILES: [&str; Dialect::NAMES.len()] = {
-    let mut names = [""; Dialect::NAMES.len()];
-    let mut i = 0;
-    while i < names.len() {
-        names[i] = Dialect::NAMES[i].0;
-        i += 1;
-    }
-    names
-};
+const PROFILES: [&str; Dialect::NAMES.len()] = Dialect::WORDS;
 
 /// The dialect of the profile `name`.
 fn dialect(name: &str) -> Dialect {

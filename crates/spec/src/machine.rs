@@ -162,6 +162,17 @@ impl Dialect {
         ("reprapfirmware", Self::RepRapFirmware),
     ];
 
+    /// The names of [`Dialect::NAMES`] alone.
+    pub const WORDS: [&'static str; Self::NAMES.len()] = {
+        let mut words = [""; Self::NAMES.len()];
+        let mut i = 0;
+        while i < words.len() {
+            words[i] = Self::NAMES[i].0;
+            i += 1;
+        }
+        words
+    };
+
     /// The family of its machines.
     pub const fn family(self) -> DialectFamily {
         match self {
