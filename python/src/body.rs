@@ -24,16 +24,16 @@ impl Body {
     /// The body of which `shape` is a part; each node on a seal belongs to the nearest of `seams`, or to "seam" without any.
     pub(crate) fn new(shape: &InflatedShape, symmetry: Symmetry, seams: &[(String, Path)]) -> Self {
         let surface = shape.body(symmetry);
-        let mut named: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+        let mut nodes_by_seam: BTreeMap<String, Vec<usize>> = BTreeMap::new();
         for node in &surface.sealed {
             let [x, y] = surface.flat[*node].map(|metres| Length::from_metres(metres).0);
             let place = Point::new(x, y);
             let nearest =
                 seams.iter().min_by(|(_, a), (_, b)| a.distance(place).total_cmp(&b.distance(place)));
             let name = nearest.map_or("seam", |(name, _)| name.as_str());
-            named.entry(name.to_owned()).or_default().push(*node);
+            nodes_by_seam.entry(name.to_owned()).or_default().push(*node);
         }
-        Self { surface, seams: named }
+        Self { surface, seams: nodes_by_seam }
     }
 }
 

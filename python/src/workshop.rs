@@ -53,8 +53,9 @@ pub(crate) fn coupon<'py>(
 /// Raises DesignError if the machine's profile contradicts the seal.
 #[pyfunction]
 pub(crate) fn feed_check<'py>(py: Python<'py>, spec: &Spec) -> PyResult<Bound<'py, PyDict>> {
-    let made = py.detach(|| embedded::feed_check(&spec.given)).map_err(|failure| of_failure(py, &failure))?;
-    files(py, made)
+    let contents =
+        py.detach(|| embedded::feed_check(&spec.given)).map_err(|failure| of_failure(py, &failure))?;
+    files(py, contents)
 }
 
 /// The program for the rest of the interrupted sealing program with the text `program`, with the place where it goes on:

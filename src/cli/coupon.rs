@@ -122,9 +122,9 @@ pub(super) fn coupons(args: &Args, loaded: &Loaded) -> Result<ProvenCoupons, Fai
         return Err(Failure::Message(text.to_owned()));
     }
     let (grid, groups) = (grid(args, loaded)?, or(&args.only, &CouponGroup::NAMES.map(|(_, group)| group)));
-    let made = MadeCoupons::new(spec, machine, loaded.sources(), &grid, &groups);
-    let made = made.map_err(|refusals| loaded.refused(refusals))?;
-    made.prove().map_err(|findings| loaded.unproven(findings))
+    let coupons = MadeCoupons::new(spec, machine, loaded.sources(), &grid, &groups)
+        .map_err(|refusals| loaded.refused(refusals))?;
+    coupons.prove().map_err(|findings| loaded.unproven(findings))
 }
 
 /// The grid of settings to test.

@@ -241,9 +241,9 @@ pub fn read_back(files: &OutputFiles<'_>) -> Proof {
 fn prove_claimed(forecast: &Forecast, written: Option<&Manifest>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = prove_against(forecast, files);
     let is_own = written.is_some_and(|written| written.tool == Tool::current());
-    let named = Machine::builtin(&forecast.spec.machine.profile).ok();
+    let builtin = Machine::builtin(&forecast.spec.machine.profile).ok();
     let has_other_dialect =
-        named.is_some_and(|named| named.controller.dialect != forecast.machine.controller.dialect);
+        builtin.is_some_and(|builtin| builtin.controller.dialect != forecast.machine.controller.dialect);
     if is_own || has_other_dialect {
         proof.findings.extend(other_profile(forecast, files));
     }

@@ -214,7 +214,7 @@ impl MeasurePrediction {
 
     /// The quantities with their words and units, in the order in which they are written.
     pub fn quantities(&self) -> impl Iterator<Item = (&'static str, &'static str, MeasuredQuantity)> {
-        let named = [
+        let quantities = [
             ("radius", "mm", self.radius_mm),
             ("angle", "deg", self.angle_deg),
             ("distance", "mm", self.distance_mm),
@@ -223,7 +223,7 @@ impl MeasurePrediction {
             ("y", "mm", self.y_mm),
             ("height", "mm", self.height_mm),
         ];
-        named.into_iter().filter_map(|(word, unit, quantity)| Some((word, unit, quantity?)))
+        quantities.into_iter().filter_map(|(word, unit, quantity)| Some((word, unit, quantity?)))
     }
 }
 

@@ -128,10 +128,10 @@ pub(crate) fn ask(
         ShellFault::TooMany { .. } => key::load::OBJECT_DIAMETER,
         _ => key::star::TIP_ANGLE,
     };
-    let found = star(&flat, Objects::Radii(&objects), fineness(detail), watch)
+    let shell_star = star(&flat, Objects::Radii(&objects), fineness(detail), watch)
         .map_err(|why| refused(&why, "", of_shape))?;
-    let measured = Measurements::new(case, object, &found);
-    Ok((flat, found, measured))
+    let measured = Measurements::new(case, object, &shell_star);
+    Ok((flat, shell_star, measured))
 }
 
 /// The radius of the object, m, where the star meets it; `None` for an object that does not enter.

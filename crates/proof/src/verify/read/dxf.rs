@@ -31,8 +31,8 @@ pub fn read_dxf(text: &str) -> Drawing {
         }
     };
     if read.unit_mm != 1.0 {
-        let found = format!("a unit of {} mm", read.unit_mm);
-        drawing.findings.push(Finding::new(FindingCode::WrongScale, found, "1 mm"));
+        let unit = format!("a unit of {} mm", read.unit_mm);
+        drawing.findings.push(Finding::new(FindingCode::WrongScale, unit, "1 mm"));
     }
     let left_out = read.notes.into_iter().filter(|note| note.weight != Weight::Information);
     let notes = left_out.map(|note| finding(&note.place, &note.text));
@@ -51,11 +51,11 @@ pub fn read_dxf(text: &str) -> Drawing {
 
 /// The finding of what the reader tells of `place`.
 fn finding(place: &Place, text: &str) -> Finding {
-    let found = format!("{:?}", text.trim_end_matches('.'));
+    let reason = format!("{:?}", text.trim_end_matches('.'));
     let allowed = "a DXF file of lines and arcs that can all be read";
     match place.line {
-        Some(line) => Finding::in_line(FindingCode::BadDxf, line, found, allowed),
-        None => Finding::new(FindingCode::BadDxf, found, allowed),
+        Some(line) => Finding::in_line(FindingCode::BadDxf, line, reason, allowed),
+        None => Finding::new(FindingCode::BadDxf, reason, allowed),
     }
 }
 
