@@ -21,7 +21,7 @@ program:
 # Program, completions, manual and examples below PREFIX: `make install PREFIX=~/.local`.
 PREFIX ?= /usr/local
 install:
-	STARGRIP_COMMIT=$$(git rev-parse HEAD 2>/dev/null) $(CARGO) build --release --locked
+	STARGRIP_COMMIT=$$(packaging/commit) $(CARGO) build --release --locked
 	packaging/lay-out target/release/stargrip-cam $(DESTDIR)$(PREFIX)
 
 # The same as an archive, for TARGET if it is named. For Linux the program in it is static.
@@ -30,8 +30,8 @@ dist:
 	packaging/dist $(TARGET)
 
 # A release (docs/install.md, "For packagers"): all archives, packages, wheels, SBOM and sums in target/dist, five minutes of a processor each. It installs
-# its tools: Debian's packages by apt-get, wheels, crates, standard libraries. `release-check` uses them all, in minutes; `release-twice` builds one
-# archive again elsewhere and compares it.
+# its tools: Debian's packages by apt-get, wheels, crates, standard libraries. `release-check` uses them all, in minutes; `release-twice` builds the
+# archives again elsewhere as another user, or that of TARGET alone, and compares them.
 release:
 	packaging/release
 release-check:
