@@ -116,7 +116,8 @@ pub(super) fn exchange(a: &Path, b: &Path) -> io::Result<()> {
 }
 
 #[cfg(not(any(target_os = "linux", target_os = "android")))]
-pub(super) fn exchange(_: &Path, _: &Path) -> io::Result<()> {
+pub(super) fn exchange(a: &Path, _: &Path) -> io::Result<()> {
+    step(DiskStep::Exchange, a)?;
     Err(io::ErrorKind::Unsupported.into())
 }
 
