@@ -72,8 +72,8 @@ impl fmt::Display for HingeRatio {
 impl fmt::Display for HingeFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut out_of_range = |name: &dyn fmt::Display, found: f64, range: [f64; 2]| {
-            let [least, most] = range.map(Readable);
-            write!(f, "{name} is {}, allowed is {least} to {most}", Readable(found))
+            let [minimum, maximum] = range.map(Readable);
+            write!(f, "{name} is {}, allowed is {minimum} to {maximum}", Readable(found))
         };
         match *self {
             Self::RStar { found, most } => out_of_range(&"R* = R/W", found, [0.0, most]),
@@ -128,10 +128,10 @@ impl fmt::Display for StarFault {
                 write!(f, "{symbol} is {}, allowed is {allowed}", Readable(found))
             }
             Self::Radius { found, least, most } => {
-                let [found, least, most] = [found, least, most].map(|m| Readable(1000.0 * m));
+                let [radius, minimum, maximum] = [found, least, most].map(|m| Readable(1000.0 * m));
                 write!(
                     f,
-                    "the radius is {found} mm, but the inflated star reaches only from {least} mm to {most} mm"
+                    "the radius is {radius} mm, but the inflated star reaches only from {minimum} mm to {maximum} mm"
                 )
             }
             Self::NoPressure => f.write_str("model section needs a pressure: give one, or use model ring"),

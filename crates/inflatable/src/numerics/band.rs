@@ -37,14 +37,14 @@ impl Banded {
         for column in 0..self.size {
             let last = (column + self.below).min(self.size - 1);
             let reach = (column + self.width - self.below).min(self.size);
-            let (mut pivot, mut most) = (column, 0.0);
+            let (mut pivot, mut largest) = (column, 0.0);
             for row in column..=last {
                 let size = self.entries[self.place(row, column)].abs();
-                if size > most {
-                    (pivot, most) = (row, size);
+                if size > largest {
+                    (pivot, largest) = (row, size);
                 }
             }
-            if most <= 0.0 || !most.is_finite() {
+            if largest <= 0.0 || !largest.is_finite() {
                 return None;
             }
             self.pivots.push(pivot);
@@ -109,12 +109,12 @@ mod tests {
             // A weak diagonal, so that rows must be exchanged.
             if i == j { 0.01 } else { f64::from(seed) - 9.0 }
         };
-        let inside = |i: usize, j: usize| j + below >= i && j <= i + above;
+        let is_in_band = |i: usize, j: usize| j + below >= i && j <= i + above;
         let mut matrix = Banded::zero(size, below, above);
         let solution: Vec<f64> = (0..23).map(|i| f64::from(i % 7) - 2.5).collect();
         let mut right = vec![0.0; size];
         for (i, sum) in right.iter_mut().enumerate() {
-            for j in (0..size).filter(|&j| inside(i, j)) {
+            for j in (0..size).filter(|&j| is_in_band(i, j)) {
                 matrix.set(i, j, entry(i, j));
                 *sum += entry(i, j) * solution[j];
             }

@@ -57,22 +57,22 @@ impl<const WIDTH: usize> SymmetricBand<WIDTH> {
     pub fn factor(&mut self, matrix: &Self, shift: f64, diagonal: &[f64]) -> bool {
         self.columns.copy_from_slice(&matrix.columns);
         for (i, weight) in diagonal.iter().enumerate().take(self.size) {
-            let (own, right) = self.columns[i..i + WIDTH].split_at_mut(1);
-            let own = &mut own[0];
-            let pivot = own[0] + shift * weight;
+            let (first, right) = self.columns[i..i + WIDTH].split_at_mut(1);
+            let pivot_column = &mut first[0];
+            let pivot = pivot_column[0] + shift * weight;
             // Also false for NaN.
             if !(pivot > 0.0 && pivot.is_finite()) {
                 return false;
             }
             // The diagonal of a factored column is kept as its inverse.
             let inverse = pivot.sqrt().recip();
-            for entry in own.iter_mut() {
+            for entry in pivot_column.iter_mut() {
                 *entry *= inverse;
             }
-            own[0] = inverse;
+            pivot_column[0] = inverse;
             for (a, column) in right.iter_mut().enumerate() {
-                let factor = own[a + 1];
-                for (entry, other) in column.iter_mut().zip(&own[a + 1..]) {
+                let factor = pivot_column[a + 1];
+                for (entry, other) in column.iter_mut().zip(&pivot_column[a + 1..]) {
                     *entry -= factor * other;
                 }
             }
@@ -83,10 +83,10 @@ impl<const WIDTH: usize> SymmetricBand<WIDTH> {
     /// Solves for the right-hand side in place; `self` holds factors.
     pub fn solve(&self, right: &mut [f64]) {
         // Space for the columns of zeros: every step works on as many entries.
-        let mut all = [&*right, &[0.0; WIDTH]].concat();
+        let mut padded = [&*right, &[0.0; WIDTH]].concat();
         let columns = &self.columns[..self.size];
         for (i, column) in columns.iter().enumerate() {
-            let Some(window) = all[i..].first_chunk_mut::<WIDTH>() else { break };
+            let Some(window) = padded[i..].first_chunk_mut::<WIDTH>() else { break };
             let value = window[0] * column[0];
             for (entry, below) in window.iter_mut().zip(column) {
                 *entry -= below * value;
@@ -94,14 +94,14 @@ impl<const WIDTH: usize> SymmetricBand<WIDTH> {
             window[0] = value;
         }
         for (i, column) in columns.iter().enumerate().rev() {
-            let Some(window) = all[i..].first_chunk_mut::<WIDTH>() else { break };
+            let Some(window) = padded[i..].first_chunk_mut::<WIDTH>() else { break };
             let mut sum = window[0];
             for (entry, below) in window.iter().zip(column).skip(1) {
                 sum -= entry * below;
             }
             window[0] = sum * column[0];
         }
-        right.copy_from_slice(&all[..self.size]);
+        right.copy_from_slice(&padded[..self.size]);
     }
 }
 
@@ -124,11 +124,11 @@ mod tests {
 
     #[test]
     fn solves_what_it_multiplies() {
-        let matrix = matrix(6.0);
+        let band_matrix = matrix(6.0);
         let solution: Vec<f64> = (0..17).map(|i| f64::from(i % 7) - 2.5).collect();
-        let mut right = matrix.times(&solution);
+        let mut right = band_matrix.times(&solution);
         let mut factors = SymmetricBand::zero(17);
-        assert!(factors.factor(&matrix, 0.0, &[0.0; 17]));
+        assert!(factors.factor(&band_matrix, 0.0, &[0.0; 17]));
         factors.solve(&mut right);
         for (got, want) in right.iter().zip(&solution) {
             assert!((got - want).abs() < 1e-13, "{got} {want}");
@@ -145,10 +145,10 @@ mod tests {
 
     #[test]
     fn a_pinned_row_leaves_the_others_alone() {
-        let mut matrix = matrix(6.0);
-        matrix.pin(5);
+        let mut band_matrix = matrix(6.0);
+        band_matrix.pin(5);
         let mut factors = SymmetricBand::zero(17);
-        assert!(factors.factor(&matrix, 0.0, &[0.0; 17]));
+        assert!(factors.factor(&band_matrix, 0.0, &[0.0; 17]));
         let mut right = vec![0.0; 17];
         right[5] = 3.0;
         factors.solve(&mut right);

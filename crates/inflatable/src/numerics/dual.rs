@@ -23,8 +23,8 @@ impl<const N: usize> Dual<N> {
     /// The variable of number `index` itself; a constant if there is no such variable.
     pub fn variable(value: f64, index: usize) -> Self {
         let mut slope = [0.0; N];
-        if let Some(own) = slope.get_mut(index) {
-            *own = 1.0;
+        if let Some(derivative) = slope.get_mut(index) {
+            *derivative = 1.0;
         }
         Self { value, slope }
     }

@@ -25,14 +25,14 @@ pub fn gauss_legendre<const N: usize>() -> [(f64, f64); N] {
 
 /// The Legendre polynomial of degree `n` and its derivative at `x` in (-1, 1).
 fn legendre(n: usize, x: f64) -> (f64, f64) {
-    let (mut below, mut value) = (1.0, x);
+    let (mut previous, mut value) = (1.0, x);
     for k in 2..=n {
         #[expect(clippy::cast_precision_loss, reason = "rules have a few dozen points")]
         let k = k as f64;
-        (below, value) = (value, ((2.0 * k - 1.0) * x * value - (k - 1.0) * below) / k);
+        (previous, value) = (value, ((2.0 * k - 1.0) * x * value - (k - 1.0) * previous) / k);
     }
     #[expect(clippy::cast_precision_loss, reason = "rules have a few dozen points")]
-    let slope = n as f64 * (x * value - below) / (x * x - 1.0);
+    let slope = n as f64 * (x * value - previous) / (x * x - 1.0);
     (value, slope)
 }
 
@@ -47,8 +47,8 @@ mod tests {
             let sum: f64 = rule.iter().map(|(x, w)| w * x.powi(degree)).sum();
             assert!((sum - 1.0 / f64::from(degree + 1)).abs() < 1e-15, "degree {degree}");
         }
-        let beyond: f64 = rule.iter().map(|(x, w)| w * x.powi(16)).sum();
-        assert!((beyond - 1.0 / 17.0).abs() > 1e-12, "the test must be able to fail");
+        let sixteenth: f64 = rule.iter().map(|(x, w)| w * x.powi(16)).sum();
+        assert!((sixteenth - 1.0 / 17.0).abs() > 1e-12, "the test must be able to fail");
     }
 
     #[test]

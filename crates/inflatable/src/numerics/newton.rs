@@ -87,9 +87,9 @@ where
             }
             None => return Err(NewtonFault::Stalled { residual: size }),
         }
-        let reached = largest(&current.0);
-        if reached <= 0.1 * tolerance {
-            return Ok(NewtonReport { point, residual: reached, iterations });
+        let residual = largest(&current.0);
+        if residual <= 0.1 * tolerance {
+            return Ok(NewtonReport { point, residual: residual, iterations });
         }
     }
     Err(NewtonFault::Exhausted { residual: largest(&current.0) })

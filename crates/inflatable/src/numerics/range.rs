@@ -6,10 +6,10 @@ use std::ops::RangeInclusive;
 /// less.
 const ROUNDING: f64 = 1e-12;
 
-/// Whether `found` is in `range` within rounding: 0.9 mm / 30 mm is in 0 to 0.03. NaN is in no range.
-pub fn spans(range: &RangeInclusive<f64>, found: f64) -> bool {
-    let (least, most) = (*range.start(), *range.end());
-    found >= least - ROUNDING * least.abs() && found <= most + ROUNDING * most.abs()
+/// Whether `value` is in `range` within rounding: 0.9 mm / 30 mm is in 0 to 0.03. NaN is in no range.
+pub fn spans(range: &RangeInclusive<f64>, value: f64) -> bool {
+    let (minimum, maximum) = (*range.start(), *range.end());
+    value >= minimum - ROUNDING * minimum.abs() && value <= maximum + ROUNDING * maximum.abs()
 }
 
 #[cfg(test)]

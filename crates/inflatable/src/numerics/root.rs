@@ -72,32 +72,32 @@ pub fn bracketed_root<E: From<RootFault>>(
             (high, at_high) = (point, at_point);
         }
         // Converged from one side: step over the root to close the bracket.
-        let beyond = if low == point { point + tolerance } else { point - tolerance };
+        let probe = if low == point { point + tolerance } else { point - tolerance };
         let is_one_sided = (point - middle).abs() <= tolerance && (high - low).abs() > tolerance;
-        if is_one_sided && beyond > low.min(high) && beyond < low.max(high) {
-            let at_beyond = value(beyond)?;
+        if is_one_sided && probe > low.min(high) && probe < low.max(high) {
+            let at_beyond = value(probe)?;
             if at_beyond.signum() == at_low.signum() {
-                (low, at_low) = (beyond, at_beyond);
+                (low, at_low) = (probe, at_beyond);
             } else {
-                (high, at_high) = (beyond, at_beyond);
+                (high, at_high) = (probe, at_beyond);
             }
         }
     }
     Ok(if at_low.abs() < at_high.abs() { low } else { high })
 }
 
-/// The number nearest to `fails` at which `test` holds, of those between it and `holds`. Both are above 0, and `test` holds at `holds`. Each
+/// The number nearest to `fails` at which `test` holds, of those between it and `passing`. Both are above 0, and `test` holds at `passing`. Each
 /// round halves the logarithm of their ratio.
-pub fn last_holding(mut holds: f64, mut fails: f64, rounds: u32, test: impl Fn(f64) -> bool) -> f64 {
+pub fn last_holding(mut passing: f64, mut fails: f64, rounds: u32, test: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..rounds {
-        let middle = (holds * fails).sqrt();
+        let middle = (passing * fails).sqrt();
         if test(middle) {
-            holds = middle;
+            passing = middle;
         } else {
             fails = middle;
         }
     }
-    holds
+    passing
 }
 
 #[cfg(test)]
@@ -126,8 +126,8 @@ mod tests {
     fn the_last_number_that_holds_lies_on_its_side() {
         for (holds, fails) in [(1.0, 100.0), (100.0, 1e-3)] {
             let test = |x: f64| if holds < fails { x <= 7.0 } else { x >= 7.0 };
-            let found = last_holding(holds, fails, 50, test);
-            assert!(test(found) && (found / 7.0 - 1.0).abs() < 1e-14, "{found}");
+            let bound = last_holding(holds, fails, 50, test);
+            assert!(test(bound) && (bound / 7.0 - 1.0).abs() < 1e-14, "{bound}");
         }
         assert_eq!(last_holding(2.0, 8.0, 1, |x| x < 4.0), 2.0);
         assert_eq!(last_holding(2.0, 8.0, 1, |x| x <= 4.0), 4.0);

@@ -38,22 +38,22 @@ fn slopes_are_derivatives(model: &dyn HingeModel, step: f64, tolerance: f64) {
             if (lambda - onset).abs() <= 2.0 * step {
                 continue;
             }
-            let [below, at, above] = [-step, 0.0, step].map(|d| state(model, r_star, lambda + d));
+            let [below, center, above] = [-step, 0.0, step].map(|d| state(model, r_star, lambda + d));
             let scale = 1.0 + r_star;
             if let (Some(low), Some(high)) = (below.volume, above.volume) {
                 let slope = (high - low) / (2.0 * step);
                 assert!(
-                    (slope - at.slope).abs() < tolerance * scale,
+                    (slope - center.slope).abs() < tolerance * scale,
                     "R* {r_star}, lambda {lambda}: V' {slope} {}",
-                    at.slope
+                    center.slope
                 );
             }
             let curvature = (above.slope - below.slope) / (2.0 * step);
-            let error = (curvature - at.curvature).abs();
+            let error = (curvature - center.curvature).abs();
             assert!(
                 error < tolerance * scale,
                 "R* {r_star}, lambda {lambda}: V'' {curvature} {}",
-                at.curvature
+                center.curvature
             );
         }
     }
@@ -63,11 +63,16 @@ fn slopes_are_derivatives(model: &dyn HingeModel, step: f64, tolerance: f64) {
 fn everything_is_finite(model: &dyn HingeModel) {
     for r_star in R_STARS {
         for i in 0..=10 {
-            let state = state(model, r_star, 1.0 + 0.05 * f64::from(i));
-            let edges = state.edges.map_or([0.0; 4], |e| [e.tension, e.angle, e.width, e.rim_force]);
-            let effort = [state.effort.residual, state.effort.error];
-            let numbers = [state.lambda, state.volume.unwrap_or(0.0), state.slope, state.curvature];
-            assert!(numbers.iter().chain(&edges).chain(&effort).all(|x| x.is_finite()), "{state:?}");
+            let hinge_state = state(model, r_star, 1.0 + 0.05 * f64::from(i));
+            let edges = hinge_state.edges.map_or([0.0; 4], |e| [e.tension, e.angle, e.width, e.rim_force]);
+            let effort = [hinge_state.effort.residual, hinge_state.effort.error];
+            let numbers = [
+                hinge_state.lambda,
+                hinge_state.volume.unwrap_or(0.0),
+                hinge_state.slope,
+                hinge_state.curvature,
+            ];
+            assert!(numbers.iter().chain(&edges).chain(&effort).all(|x| x.is_finite()), "{hinge_state:?}");
         }
     }
 }

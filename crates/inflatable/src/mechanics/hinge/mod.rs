@@ -181,8 +181,8 @@ impl Hinge {
     /// The errors of [`HingeModel::state`].
     pub fn state_at(&self, model: &dyn HingeModel, phi: f64) -> Result<HingeState, HingeFault> {
         let arms = self.arms(model);
-        let alone = model.state(self.r_star, self.coiling(phi + let_out(arms)))?;
-        Ok(self.between_arms(arms, alone))
+        let without_arms = model.state(self.r_star, self.coiling(phi + let_out(arms)))?;
+        Ok(self.between_arms(arms, without_arms))
     }
 
     /// `model`'s state at rest, arms included.
@@ -203,9 +203,13 @@ impl Hinge {
     }
 
     /// The hinge made softer by its arms, in the same part at all angles: the shell is up to a tenth off that on either side.
-    fn between_arms(&self, arms: Option<Arms>, alone: HingeState) -> HingeState {
+    fn between_arms(&self, arms: Option<Arms>, without_arms: HingeState) -> HingeState {
         let part = arms.map_or(1.0, |arms| self.arc() / (self.arc() + arms.give));
-        HingeState { slope: part * alone.slope, curvature: part * alone.curvature, ..alone }
+        HingeState {
+            slope: part * without_arms.slope,
+            curvature: part * without_arms.curvature,
+            ..without_arms
+        }
     }
 
     /// Moment `M = p dV/dphi = -p W^3 V_bar'` that drives phi, N m, at the gauge pressure `p` (Pa).
@@ -228,17 +232,21 @@ fn let_out(arms: Option<Arms>) -> f64 {
     arms.map_or(0.0, |arms| arms.angle)
 }
 
-/// Refuses an `R*` that is not a number from 0 to `most`.
-pub(super) fn check_r_star(r_star: f64, most: f64) -> Result<(), HingeFault> {
-    if (0.0..=most).contains(&r_star) { Ok(()) } else { Err(HingeFault::RStar { found: r_star, most }) }
-}
-
-/// Refuses a `lambda` that is not a number from `least` to `most`.
-pub(super) fn check_lambda(lambda: f64, least: f64, most: f64) -> Result<(), HingeFault> {
-    if (least..=most).contains(&lambda) {
+/// Refuses an `R*` that is not a number from 0 to `maximum`.
+pub(super) fn check_r_star(r_star: f64, maximum: f64) -> Result<(), HingeFault> {
+    if (0.0..=maximum).contains(&r_star) {
         Ok(())
     } else {
-        Err(HingeFault::Coiling { found: lambda, least, most })
+        Err(HingeFault::RStar { found: r_star, most: maximum })
+    }
+}
+
+/// Refuses a `lambda` that is not a number from `minimum` to `maximum`.
+pub(super) fn check_lambda(lambda: f64, minimum: f64, maximum: f64) -> Result<(), HingeFault> {
+    if (minimum..=maximum).contains(&lambda) {
+        Ok(())
+    } else {
+        Err(HingeFault::Coiling { found: lambda, least: minimum, most: maximum })
     }
 }
 

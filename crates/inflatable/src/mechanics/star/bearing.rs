@@ -73,12 +73,12 @@ impl Mechanism {
         let tip = coiled(self.tip_radius, self.tip().arc(), rest);
         let corner = coiled(self.corner_radius, self.corner().arc(), rest + self.turn());
         let width = self.inflated_width();
-        let across = width + tip + corner;
+        let half_chord = width + tip + corner;
         let rim = self.correction.rim_offset * self.width;
         // l sin(phi/2) + (w + r_i + r_e) cos(phi/2)
         let reach = (rho + width + corner) * self.sector_sine() - rim;
-        let amplitude = libm::hypot(self.arm, across);
-        let phase = libm::atan2(across, self.arm);
+        let amplitude = libm::hypot(self.arm, half_chord);
+        let phase = libm::atan2(half_chord, self.arm);
         2.0 * (libm::asin((reach / amplitude).clamp(-1.0, 1.0)) - phase)
     }
 }
@@ -135,14 +135,14 @@ mod tests {
         fn a_corner_bears_more_with_friction_and_less_on_a_slope(
             friction in 0.01..5.0_f64, slope in -1.57..1.57_f64, step in 1e-6..1e-4_f64,
         ) {
-            let here = lift(friction, slope);
-            prop_assert!(lift(friction + step, slope) >= here);
-            prop_assert!(lift(friction, slope + step) <= here);
+            let lift_here = lift(friction, slope);
+            prop_assert!(lift(friction + step, slope) >= lift_here);
+            prop_assert!(lift(friction, slope + step) <= lift_here);
             // Continuous, also at the limit and at the widest part.
-            prop_assert!((lift(friction, slope + step) - here).abs() < 60.0 * step * (1.0 + here * here));
+            prop_assert!((lift(friction, slope + step) - lift_here).abs() < 60.0 * step * (1.0 + lift_here * lift_here));
             // Equal corners above and below the widest part bear at least as much as two at it.
-            let reached = f64::max(friction, 5.6) > 2.0 * friction + 1.0 / friction;
-            prop_assert!(!reached || here + lift(friction, -slope) >= 2.0 * friction * (1.0 - 1e-12));
+            let is_self_locking = f64::max(friction, 5.6) > 2.0 * friction + 1.0 / friction;
+            prop_assert!(!is_self_locking || lift_here + lift(friction, -slope) >= 2.0 * friction * (1.0 - 1e-12));
         }
 
         #[test]
@@ -152,10 +152,10 @@ mod tests {
             let star = paper(points);
             let rho = star.radius(phi).value;
             let weight = |pressure: f64, rho: f64| star.wrinkling_weight(pressure, [rho, rho.max(0.02) + gap], 0.1);
-            let here = weight(pressure, rho);
-            prop_assert!(here > 0.0 && weight(1.01 * pressure, rho) > here);
-            let near = star.wrinkling_weight(pressure, [rho + 1e-9, rho.max(0.02) + gap], 0.1);
-            prop_assert!((near / here - 1.0).abs() < 1e-4);
+            let lightest = weight(pressure, rho);
+            prop_assert!(lightest > 0.0 && weight(1.01 * pressure, rho) > lightest);
+            let wider = star.wrinkling_weight(pressure, [rho + 1e-9, rho.max(0.02) + gap], 0.1);
+            prop_assert!((wider / lightest - 1.0).abs() < 1e-4);
         }
     }
 }

@@ -117,15 +117,15 @@ impl Correction {
         // A coiled tip keeps the length of its inner arc, between parallel arms nearly as much as between touching ones.
         let hole = star.tip_radius * star.tip().arc() / PI + ROOM * star.width;
         let sector = star.sector_sine();
-        let [least, most] = BENDABILITY;
-        let bent = libm::log(bendability.clamp(least, most) / 1000.0);
-        let counts = [1.0, star.corner().r_star, stretch, bent, sector, star.corner().arc()];
-        let out: f64 = OUT.iter().zip(counts).map(|(each, count)| each * count).sum();
+        let [least_bendability, greatest_bendability] = BENDABILITY;
+        let log_bendability = libm::log(bendability.clamp(least_bendability, greatest_bendability) / 1000.0);
+        let counts = [1.0, star.corner().r_star, stretch, log_bendability, sector, star.corner().arc()];
+        let outward: f64 = OUT.iter().zip(counts).map(|(each, count)| each * count).sum();
         let [curved, fades] = CURVED;
         let [firm, by_arm, by_thickness, by_stretch] = FIRM;
         Self {
             width,
-            rim_offset: (width - corner) * sector + out,
+            rim_offset: (width - corner) * sector + outward,
             contact_angle: -2.0 * libm::atan2(hole, star.arm),
             hinge_nonlinearity: curved * libm::exp(-fades * stretch),
             arm_compliance: PI * PI * stretch * (long.max(SHORT_ARM) - TABLE_ARM),
@@ -166,18 +166,18 @@ impl Correction {
     pub(super) fn force_beyond(&self, opening: f64) -> f64 {
         /// Logarithms of the ratios of neighbouring openings, for designs in millions.
         static STEPS: LazyLock<[f64; 2]> = LazyLock::new(|| {
-            let [least, middle, most] = OPENINGS;
-            [libm::log(middle / least), libm::log(most / middle)]
+            let [smallest, middle, largest] = OPENINGS;
+            [libm::log(middle / smallest), libm::log(largest / middle)]
         });
-        let [least, middle, most] = OPENINGS;
+        let [smallest, middle, largest] = OPENINGS;
         let [a, b, c] = self.force_beyond;
-        let between = |from: f64, step: f64, [low, high]: [f64; 2]| {
+        let interpolate = |from: f64, step: f64, [low, high]: [f64; 2]| {
             low + (high - low) * libm::log(opening / from) / step
         };
         match opening {
-            _ if opening <= least => a,
-            _ if opening <= middle => between(least, STEPS[0], [a, b]),
-            _ if opening < most => between(middle, STEPS[1], [b, c]),
+            _ if opening <= smallest => a,
+            _ if opening <= middle => interpolate(smallest, STEPS[0], [a, b]),
+            _ if opening < largest => interpolate(middle, STEPS[1], [b, c]),
             _ => c,
         }
     }
@@ -215,47 +215,48 @@ mod tests {
 
     #[test]
     fn hinges_are_wider_than_cylinders_and_short_ones_less() {
-        let all: Vec<Correction> = (3..=8).map(|n| corrected(paper(n)).correction).collect();
+        let corrections: Vec<Correction> = (3..=8).map(|n| corrected(paper(n)).correction).collect();
         // Sharp corners at 1/eps = 1000.
-        let out = |n: u32| {
+        let outward_of = |n: u32| {
             let sector = (PI / f64::from(n)).sin();
             OUT[0] + OUT[2] * RATIOS.stretch + OUT[4] * sector + OUT[5] * paper(n).corner().arc()
         };
-        assert!(all.iter().all(|one| one.width > FRAC_2_PI && one.width < 0.8));
-        assert!((3..).zip(&all).all(|(n, one)| one.rim_offset > out(n)));
+        assert!(corrections.iter().all(|one| one.width > FRAC_2_PI && one.width < 0.8));
+        assert!((3..).zip(&corrections).all(|(n, one)| one.rim_offset > outward_of(n)));
         assert!(
-            all.windows(2)
+            corrections
+                .windows(2)
                 .all(|pair| pair[1].width > pair[0].width && pair[1].rim_offset < pair[0].rim_offset)
         );
         // A corner that hardly turns is as narrow as an arm.
         let star = corrected(Mechanism { tip_angle: 59.9_f64.to_radians(), ..paper(3) });
-        let out = out(3) + OUT[5] * (star.corner().arc() - paper(3).corner().arc());
-        let corner = star.correction.width - (star.correction.rim_offset - out) / (PI / 3.0).sin();
+        let outward = outward_of(3) + OUT[5] * (star.corner().arc() - paper(3).corner().arc());
+        let corner = star.correction.width - (star.correction.rim_offset - outward) / (PI / 3.0).sin();
         assert!((corner - FRAC_2_PI).abs() < 1e-3, "{corner}");
     }
 
     #[test]
     fn short_arms_are_soft() {
-        let of = |n| softness(&corrected(paper(n)));
-        assert!((3..8).all(|n| of(n + 1) < of(n)));
-        assert!(of(8) > 0.0 && of(8) < 0.1 && of(3) > 0.9 && of(3) < 1.1);
+        let softness_of = |n| softness(&corrected(paper(n)));
+        assert!((3..8).all(|n| softness_of(n + 1) < softness_of(n)));
+        assert!(softness_of(8) > 0.0 && softness_of(8) < 0.1 && softness_of(3) > 0.9 && softness_of(3) < 1.1);
         assert_eq!(softness(&paper(8)), 1.0);
     }
 
     #[test]
     fn hinges_that_curve_balance_where_their_moments_do() {
         // Newton's method on C_i d (1 + c d) + C_e e (1 + c e), d = phi - one, e = phi - other.
-        let (one, other, weights) = (0.3, 0.42, [1.0, 1.3]);
+        let (first, other, weights) = (0.3, 0.42, [1.0, 1.3]);
         for curved in [0.0, 0.5, 1.4] {
             let moment = |phi: f64| {
                 let pull = |c: f64, d: f64| [c * d * (1.0 + curved * d), c * (1.0 + 2.0 * curved * d)];
-                let [a, b] = [pull(weights[0], phi - one), pull(weights[1], phi - other)];
+                let [a, b] = [pull(weights[0], phi - first), pull(weights[1], phi - other)];
                 [a[0] + b[0], a[1] + b[1]]
             };
             let root = (0..20).fold(0.36, |phi, _| phi - moment(phi)[0] / moment(phi)[1]);
-            let found = Correction { hinge_nonlinearity: curved, ..Correction::default() }
-                .balance([one, other], weights);
-            assert!((found - root).abs() < 0.1 * curved * 0.06_f64.powi(2) + 1e-15, "{found} {root}");
+            let balanced = Correction { hinge_nonlinearity: curved, ..Correction::default() }
+                .balance([first, other], weights);
+            assert!((balanced - root).abs() < 0.1 * curved * 0.06_f64.powi(2) + 1e-15, "{balanced} {root}");
         }
         let curved =
             |stretch| Correction::trend(&paper(5), 0.8, Ratios { stretch, ..RATIOS }).hinge_nonlinearity;
@@ -308,22 +309,25 @@ mod tests {
         let expected = 0.1 * star.width / (PI / 5.0).sin();
         assert!((moved.radius(0.2).value - star.radius(0.2).value - expected).abs() < 1e-15);
         assert_eq!(moved.radius(0.2).slope, star.radius(0.2).slope);
-        let one = corrected(star);
+        let unscaled = corrected(star);
         let two = corrected(Mechanism { arm: 2.0 * star.arm, width: 2.0 * star.width, ..star });
-        assert!((two.radius(0.1).value / one.radius(0.1).value - 2.0).abs() < 1e-12);
-        assert!((softness(&two) - softness(&one)).abs() < 1e-12);
-        assert!((two.correction.contact_angle - one.correction.contact_angle).abs() < 1e-12);
+        assert!((two.radius(0.1).value / unscaled.radius(0.1).value - 2.0).abs() < 1e-12);
+        assert!((softness(&two) - softness(&unscaled)).abs() < 1e-12);
+        assert!((two.correction.contact_angle - unscaled.correction.contact_angle).abs() < 1e-12);
     }
 
     #[test]
     fn residuals_move_angle_rim_and_stiffness_and_the_force_between_the_openings() {
         let trend = Correction::trend(&paper(5), 0.8, RATIOS);
         let residuals = Residuals { angle: 0.01, radius: 0.02, stiffness: 0.1, force: [0.1, 0.3, 0.0] };
-        let with = trend.with(&residuals);
-        assert!((with.rim_offset - trend.rim_offset - 0.02).abs() < 1e-15 && with.angle_offset == 0.01);
-        assert!((with.stiffness_factor / trend.stiffness_factor - libm::exp(0.1)).abs() < 1e-15);
+        let corrected_trend = trend.with(&residuals);
+        assert!(
+            (corrected_trend.rim_offset - trend.rim_offset - 0.02).abs() < 1e-15
+                && corrected_trend.angle_offset == 0.01
+        );
+        assert!((corrected_trend.stiffness_factor / trend.stiffness_factor - libm::exp(0.1)).abs() < 1e-15);
         // The stiffness is in the force already.
-        let force = |opening: f64| with.force_beyond(opening) + 0.1;
+        let force = |opening: f64| corrected_trend.force_beyond(opening) + 0.1;
         for (opening, expected) in [(0.0, 0.1), (0.15, 0.1), (0.45, 0.3), (0.9, 0.0), (5.0, 0.0)] {
             assert!((force(opening) - expected).abs() < 1e-12, "{opening}");
         }

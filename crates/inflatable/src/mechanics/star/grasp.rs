@@ -104,20 +104,20 @@ impl Grasp {
         self.force_from(rho, self.free_radius())
     }
 
-    /// Radial force (N, all corners together) on an object of radius `rho` (m), if it is met from the radius `from` (m) on.
-    pub fn force_from(&self, rho: f64, from: f64) -> f64 {
-        let opening = (rho - from).max(0.0);
+    /// Radial force (N, all corners together) on an object of radius `rho` (m), if it is met from the radius `contact_radius` (m) on.
+    pub fn force_from(&self, rho: f64, contact_radius: f64) -> f64 {
+        let opening = (rho - contact_radius).max(0.0);
         let by_shells = libm::exp(self.star.correction.force_beyond(opening / self.star.width));
         RIM * self.stiffness * opening * self.secant(opening) * by_shells
     }
 
     /// S of an opening, m.
     fn secant(&self, opening: f64) -> f64 {
-        let [angle, most] = self.angles;
+        let [angle, max_turn] = self.angles;
         let [radius, slope] = self.rest;
         let tangent = slope * slope + self.lever;
         // A star that does not open by rigid arms yields at its corners alone.
-        if !(opening > 0.0 && most > 0.0 && slope > 0.0) {
+        if !(opening > 0.0 && max_turn > 0.0 && slope > 0.0) {
             return 1.0;
         }
         // Force over k(0), and the opening by that force, with its derivative.
@@ -128,13 +128,13 @@ impl Grasp {
             let steeper = (1.0 + 2.0 * self.growth * turned - force * open.curvature) / open.slope;
             (open.value - radius + force * self.lever, open.slope + steeper * self.lever, force)
         };
-        let [mut low, mut high] = [0.0, most];
-        let mut turned = (opening * slope / tangent).min(0.5 * most);
-        let [mut force, mut found] = [0.0, opening];
+        let [mut low, mut high] = [0.0, max_turn];
+        let mut turned = (opening * slope / tangent).min(0.5 * max_turn);
+        let [mut force, mut reached_opening] = [0.0, opening];
         for _ in 0..STEPS {
             let rises;
-            (found, rises, force) = opened_by(turned);
-            let remaining = opening - found;
+            (reached_opening, rises, force) = opened_by(turned);
+            let remaining = opening - reached_opening;
             if remaining.abs() <= TOLERANCE * opening {
                 break;
             }
@@ -147,7 +147,7 @@ impl Grasp {
             turned = if next > low && next < high { next } else { 0.5 * (low + high) };
         }
         // Where corners are straight before the arms lock, the last secant is extended.
-        force * tangent / found
+        force * tangent / reached_opening
     }
 }
 
@@ -170,36 +170,48 @@ mod tests {
     #[test]
     fn the_first_force_is_that_of_the_stiffness() {
         for points in 3..=8 {
-            let one = grasp(points, 0.8);
-            let first = one.force_from(0.02 + 1e-9, 0.02) / 1e-9;
+            let single_grasp = grasp(points, 0.8);
+            let first = single_grasp.force_from(0.02 + 1e-9, 0.02) / 1e-9;
             assert!((first / (RIM * 600.0) - 1.0).abs() < 1e-4, "{points}: {first}");
-            assert!(one.force_from(0.02, 0.02) == 0.0 && one.force_from(0.01, 0.02) == 0.0);
+            assert!(single_grasp.force_from(0.02, 0.02) == 0.0 && single_grasp.force_from(0.01, 0.02) == 0.0);
         }
     }
 
     #[test]
     fn force_and_opening_meet_both_equations() {
         // F by k(D) D / rho' at the D that a dense grid finds for the opening.
-        let (one, star) = (grasp(5, 0.8), paper(5));
+        let (single_grasp, star) = (grasp(5, 0.8), paper(5));
         let (k, opening) = (1.0, 0.012);
-        let force = |turned: f64| k * turned * (1.0 + one.growth * turned) / star.radius(0.03 + turned).slope;
+        let force = |turned: f64| {
+            k * turned * (1.0 + single_grasp.growth * turned) / star.radius(0.03 + turned).slope
+        };
         let opened = |turned: f64| {
-            star.radius(0.03 + turned).value - star.radius(0.03).value + force(turned) * one.lever / k
+            star.radius(0.03 + turned).value - star.radius(0.03).value
+                + force(turned) * single_grasp.lever / k
         };
         let turned = (1..200_000).map(|i| 3e-6 * f64::from(i)).find(|turned| opened(*turned) >= opening);
-        let expected = force(turned.expect("it opens so far")) * (one.rest[1].powi(2) + one.lever) / opening;
-        assert!((one.secant(opening) / expected - 1.0).abs() < 1e-4, "{} {expected}", one.secant(opening));
+        let expected = force(turned.expect("it opens so far"))
+            * (single_grasp.rest[1].powi(2) + single_grasp.lever)
+            / opening;
+        assert!(
+            (single_grasp.secant(opening) / expected - 1.0).abs() < 1e-4,
+            "{} {expected}",
+            single_grasp.secant(opening)
+        );
     }
 
     #[test]
     fn forces_grow_with_the_opening_as_far_as_arms_lock_and_beyond() {
         for (points, curved) in (3..=8).flat_map(|points| [0.0, 0.3, 1.4].map(|curved| (points, curved))) {
-            let one = grasp(points, curved);
-            let mut before = 0.0;
+            let single_grasp = grasp(points, curved);
+            let mut previous = 0.0;
             for step in 1..=2000 {
-                let force = one.force_from(0.02 + 1e-4 * f64::from(step), 0.02);
-                assert!(force > before && force.is_finite(), "{points} {curved} {step}: {before} {force}");
-                before = force;
+                let force = single_grasp.force_from(0.02 + 1e-4 * f64::from(step), 0.02);
+                assert!(
+                    force > previous && force.is_finite(),
+                    "{points} {curved} {step}: {previous} {force}"
+                );
+                previous = force;
             }
         }
         assert!(grasp(5, 1.4).secant(0.01) > grasp(5, 0.0).secant(0.01));
@@ -213,8 +225,8 @@ mod tests {
         assert_eq!(Grasp { stiffness: 0.0, ..locked }.force_from(0.03, 0.02), 0.0);
         // Hinges that pull against each other more than they hold.
         let wild = HingePair { target: [2.0; 2], ..HINGES };
-        let bent = Correction { hinge_nonlinearity: 1.4, ..Correction::default() };
-        let wild = Grasp::new(&Mechanism { correction: bent, ..star }, wild, [0.0, 0.5], 600.0);
+        let nonlinear = Correction { hinge_nonlinearity: 1.4, ..Correction::default() };
+        let wild = Grasp::new(&Mechanism { correction: nonlinear, ..star }, wild, [0.0, 0.5], 600.0);
         assert!(wild.force_from(0.03, 0.02) > 0.0 && wild.force_from(0.03, 0.02).is_finite());
     }
 }

@@ -125,28 +125,29 @@ impl Mechanism {
         let tip = coiled(self.tip_radius, self.tip(), phi);
         let corner = coiled(self.corner_radius, self.corner(), phi + self.turn());
         let width = self.inflated_width();
-        let across = width + tip[0] + corner[0];
+        let half_chord = width + tip[0] + corner[0];
         let rim = self.correction.rim_offset * self.width;
-        let value = self.arm * sin + across * cos - (width + corner[0]) * sector + rim;
-        let slope = 0.5 * (self.arm * cos - across * sin) + (tip[1] + corner[1]) * cos - corner[1] * sector;
-        let curvature = -0.25 * (self.arm * sin + across * cos) - (tip[1] + corner[1]) * sin
+        let value = self.arm * sin + half_chord * cos - (width + corner[0]) * sector + rim;
+        let slope =
+            0.5 * (self.arm * cos - half_chord * sin) + (tip[1] + corner[1]) * cos - corner[1] * sector;
+        let curvature = -0.25 * (self.arm * sin + half_chord * cos) - (tip[1] + corner[1]) * sin
             + (tip[2] + corner[2]) * cos
             - corner[2] * sector;
         Radius { value: value / sector, slope: slope / sector, curvature: curvature / sector }
     }
 
-    /// The largest inner radius between the tip angle `from` (rad) and an almost straight corner.
-    pub fn widest(&self, from: f64) -> Widest {
-        self.widest_from(from, &self.radius(from))
+    /// The largest inner radius between the tip angle `start_angle` (rad) and an almost straight corner.
+    pub fn widest(&self, start_angle: f64) -> Widest {
+        self.widest_from(start_angle, &self.radius(start_angle))
     }
 
-    /// [`Mechanism::widest`] with the radius at `from` given.
-    fn widest_from(&self, from: f64, start: &Radius) -> Widest {
+    /// [`Mechanism::widest`] with the radius at `start_angle` given.
+    fn widest_from(&self, start_angle: f64, start: &Radius) -> Widest {
         if start.slope <= 0.0 {
-            return Widest { angle: from, radius: start.value };
+            return Widest { angle: start_angle, radius: start.value };
         }
         let straight = PI - self.turn();
-        let last = from + NEARLY_STRAIGHT * (straight - from);
+        let last = start_angle + NEARLY_STRAIGHT * (straight - start_angle);
         let slope = |phi: f64| self.radius(phi).slope;
         let angle = if self.tip_radius == 0.0 && self.corner_radius == 0.0 {
             // l cos(phi/2) = W' sin(phi/2).
@@ -155,7 +156,8 @@ impl Mechanism {
             last
         } else {
             // The slope changes its sign between the two, so there is a root.
-            bracketed_root(from, last, WIDEST_TOLERANCE, |phi| Ok::<_, RootFault>(slope(phi))).unwrap_or(from)
+            bracketed_root(start_angle, last, WIDEST_TOLERANCE, |phi| Ok::<_, RootFault>(slope(phi)))
+                .unwrap_or(start_angle)
         };
         Widest { angle, radius: self.radius(angle).value }
     }
@@ -166,11 +168,11 @@ pub(in crate::mechanics) mod tests {
     use super::*;
 
     /// The mechanism of a flat star of inner radius `rho_0`, whose arms are as long as its other dimensions make them.
-    pub(in crate::mechanics) fn flat(rho_0: f64, of: Mechanism) -> Mechanism {
-        let Mechanism { points, width, tip_angle, tip_radius, corner_radius, .. } = of;
+    pub(in crate::mechanics) fn flat(rho_0: f64, mechanism: Mechanism) -> Mechanism {
+        let Mechanism { points, width, tip_angle, tip_radius, corner_radius, .. } = mechanism;
         let (sin, cos) = libm::sincos(0.5 * tip_angle);
         let reach = (rho_0 + width + corner_radius) * libm::sin(PI / f64::from(points));
-        Mechanism { arm: (reach - (width + tip_radius + corner_radius) * cos) / sin, ..of }
+        Mechanism { arm: (reach - (width + tip_radius + corner_radius) * cos) / sin, ..mechanism }
     }
 
     /// The paper's star with `points` points.
@@ -200,11 +202,11 @@ pub(in crate::mechanics) mod tests {
         let star = flat(0.05, Mechanism { tip_radius: 0.002, corner_radius: 0.004, ..paper(5) });
         for phi in [-0.1, 0.0, 0.2, 0.5] {
             let step = 1e-5;
-            let [below, at, above] = [-step, 0.0, step].map(|d| star.radius(phi + d));
+            let [below, center, above] = [-step, 0.0, step].map(|d| star.radius(phi + d));
             let slope = (above.value - below.value) / (2.0 * step);
             let curvature = (above.slope - below.slope) / (2.0 * step);
-            assert!((slope - at.slope).abs() < 1e-9, "{slope} {}", at.slope);
-            assert!((curvature - at.curvature).abs() < 1e-9, "{curvature} {}", at.curvature);
+            assert!((slope - center.slope).abs() < 1e-9, "{slope} {}", center.slope);
+            assert!((curvature - center.curvature).abs() < 1e-9, "{curvature} {}", center.curvature);
         }
     }
 
@@ -219,19 +221,19 @@ pub(in crate::mechanics) mod tests {
     #[test]
     fn all_lengths_scale_together() {
         let scaled = |eta: f64| {
-            let one = flat(0.05, Mechanism { tip_radius: 0.002, corner_radius: 0.003, ..paper(5) });
+            let unscaled = flat(0.05, Mechanism { tip_radius: 0.002, corner_radius: 0.003, ..paper(5) });
             let star = Mechanism {
-                arm: eta * one.arm,
-                width: eta * one.width,
-                tip_radius: eta * one.tip_radius,
-                corner_radius: eta * one.corner_radius,
-                ..one
+                arm: eta * unscaled.arm,
+                width: eta * unscaled.width,
+                tip_radius: eta * unscaled.tip_radius,
+                corner_radius: eta * unscaled.corner_radius,
+                ..unscaled
             };
             [star.radius(0.2).value / eta, star.widest(0.2).radius / eta]
         };
-        let one = scaled(1.0);
+        let unscaled = scaled(1.0);
         for eta in [0.02, 2000.0] {
-            for (a, b) in scaled(eta).into_iter().zip(one) {
+            for (a, b) in scaled(eta).into_iter().zip(unscaled) {
                 assert!((a / b - 1.0).abs() < 1e-12);
             }
         }
@@ -242,17 +244,17 @@ pub(in crate::mechanics) mod tests {
         let round =
             |points, r_i, r_e| flat(0.05, Mechanism { tip_radius: r_i, corner_radius: r_e, ..paper(points) });
         for star in [paper(3), paper(5), paper(7), paper(8), round(7, 0.002, 0.0), round(6, 0.001, 0.004)] {
-            let (from, widest) = (0.1, star.widest(0.1));
-            let last = from + NEARLY_STRAIGHT * (PI - star.turn() - from);
-            let grid = (0..=5000).map(|i| from + (last - from) * f64::from(i) / 5000.0);
-            let (mut most, mut before) = (0.0_f64, f64::INFINITY);
+            let (start_angle, widest) = (0.1, star.widest(0.1));
+            let last = start_angle + NEARLY_STRAIGHT * (PI - star.turn() - start_angle);
+            let grid = (0..=5000).map(|i| start_angle + (last - start_angle) * f64::from(i) / 5000.0);
+            let (mut largest, mut previous) = (0.0_f64, f64::INFINITY);
             for phi in grid {
-                let at = star.radius(phi);
-                most = most.max(at.value);
-                assert!(at.slope < before, "concave: {star:?} at {phi}");
-                before = at.slope;
+                let radius = star.radius(phi);
+                largest = largest.max(radius.value);
+                assert!(radius.slope < previous, "concave: {star:?} at {phi}");
+                previous = radius.slope;
             }
-            assert!((most / widest.radius - 1.0).abs() < 1e-6, "{star:?}: {most} {widest:?}");
+            assert!((largest / widest.radius - 1.0).abs() < 1e-6, "{star:?}: {largest} {widest:?}");
         }
         // Eight points of the paper: short arms lock at 33.5 mm, far below the flat 50 mm.
         assert!((paper(8).widest(0.0).radius * 1e3 - 33.5).abs() < 0.05);

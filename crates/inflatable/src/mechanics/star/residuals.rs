@@ -112,11 +112,11 @@ impl Residuals {
     }
 }
 
-/// `apart` and the squared distance of `place` from `places`.
-fn further<const N: usize>(apart: f32x8, place: &[f32; N], places: &[f32x8; N]) -> f32x8 {
-    place.iter().zip(places).fold(apart, |apart, (own, other)| {
+/// `sum_of_squares` and the squared distance of `place` from `places`.
+fn further<const N: usize>(sum_of_squares: f32x8, place: &[f32; N], places: &[f32x8; N]) -> f32x8 {
+    place.iter().zip(places).fold(sum_of_squares, |sum_of_squares, (own, other)| {
         let difference = f32x8::splat(*own) - *other;
-        apart + difference * difference
+        sum_of_squares + difference * difference
     })
 }
 
@@ -154,8 +154,8 @@ pub fn place(star: &Mechanism, ratios: Ratios) -> StarPlace {
 }
 
 /// k of q, the square of a distance: from 1 at the same place to 0.
-pub fn kernel(far: f64) -> f64 {
-    let root = 1.0 + 0.25 * far;
+pub fn kernel(squared_distance: f64) -> f64 {
+    let root = 1.0 + 0.25 * squared_distance;
     1.0 / (root * root)
 }
 
@@ -186,19 +186,20 @@ mod tests {
         let table = shipped();
         let sharp = paper(5);
         for star in [sharp, flat(0.05, Mechanism { tip_radius: 0.004, corner_radius: 0.002, ..paper(7) })] {
-            let place = place(&star, RATIOS);
+            let star_place = place(&star, RATIOS);
             let mut sums = [0.0; WEIGHTS];
             for (other, weights) in &table {
-                let far: f64 = (0..place.len()).map(|i| ((place[i] - other[i]) / LENGTHS[i]).powi(2)).sum();
+                let squared_distance: f64 =
+                    (0..star_place.len()).map(|i| ((star_place[i] - other[i]) / LENGTHS[i]).powi(2)).sum();
                 for (sum, weight) in sums.iter_mut().zip(weights) {
-                    *sum += weight * kernel(far);
+                    *sum += weight * kernel(squared_distance);
                 }
             }
             let Residuals { angle, radius, stiffness, force } = Residuals::of(&star, RATIOS);
-            let found = [angle, radius, stiffness, force[0], force[1], force[2]];
+            let residuals = [angle, radius, stiffness, force[0], force[1], force[2]];
             assert!(
-                found.iter().zip(sums).all(|(found, sum)| (found - sum).abs() < 3e-6),
-                "{found:?} {sums:?}"
+                residuals.iter().zip(sums).all(|(residuals, sum)| (residuals - sum).abs() < 3e-6),
+                "{residuals:?} {sums:?}"
             );
             assert!(sums.iter().any(|sum| sum.abs() > 1e-3));
         }
@@ -206,34 +207,34 @@ mod tests {
 
     #[test]
     fn they_do_not_depend_on_the_star_before() {
-        let one = paper(5);
-        let first = Residuals::of(&one, RATIOS);
-        let like_it = Mechanism { tip_angle: 0.9, ..one };
+        let five_points = paper(5);
+        let first = Residuals::of(&five_points, RATIOS);
+        let like_it = Mechanism { tip_angle: 0.9, ..five_points };
         for (before, ratios) in
-            [(like_it, RATIOS), (paper(7), RATIOS), (one, Ratios { stretch: 0.02, ..RATIOS })]
+            [(like_it, RATIOS), (paper(7), RATIOS), (five_points, Ratios { stretch: 0.02, ..RATIOS })]
         {
             assert_ne!(Residuals::of(&before, ratios), first);
-            assert_eq!(Residuals::of(&one, RATIOS), first);
+            assert_eq!(Residuals::of(&five_points, RATIOS), first);
         }
     }
 
     #[test]
     fn they_fade_with_the_distance_from_the_computed_stars() {
-        let far = |bendability| {
+        let residual_at = |bendability| {
             let Residuals { angle, radius, stiffness, force } =
                 Residuals::of(&paper(5), Ratios { bendability, ..RATIOS });
             [angle, radius, stiffness, force[0]].into_iter().map(f64::abs).fold(0.0, f64::max)
         };
-        assert!(far(1e12) < 0.1 * far(1e3), "{} {}", far(1e12), far(1e3));
-        assert_eq!(far(f64::INFINITY), 0.0);
+        assert!(residual_at(1e12) < 0.1 * residual_at(1e3), "{} {}", residual_at(1e12), residual_at(1e3));
+        assert_eq!(residual_at(f64::INFINITY), 0.0);
         assert_eq!([kernel(0.0), kernel(4.0)], [1.0, 0.25]);
     }
 
     #[test]
     fn all_lengths_scale_together() {
-        let one = flat(0.05, Mechanism { tip_radius: 0.002, ..paper(5) });
-        let Mechanism { arm, width, tip_radius, .. } = one;
-        let two = Mechanism { arm: 2.0 * arm, width: 2.0 * width, tip_radius: 2.0 * tip_radius, ..one };
-        assert_eq!(Residuals::of(&one, RATIOS), Residuals::of(&two, RATIOS));
+        let unscaled = flat(0.05, Mechanism { tip_radius: 0.002, ..paper(5) });
+        let Mechanism { arm, width, tip_radius, .. } = unscaled;
+        let two = Mechanism { arm: 2.0 * arm, width: 2.0 * width, tip_radius: 2.0 * tip_radius, ..unscaled };
+        assert_eq!(Residuals::of(&unscaled, RATIOS), Residuals::of(&two, RATIOS));
     }
 }

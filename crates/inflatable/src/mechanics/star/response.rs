@@ -156,17 +156,17 @@ impl<'a> Inflated<'a> {
 
     /// Angle phi_i at which the torque vanishes, rad, not clamped.
     fn equilibrium(&self) -> Result<f64, StarFault> {
-        let [one, other] = self.own_rests();
-        if (one - other).abs() < ANGLE_TOLERANCE {
-            return Ok(one);
+        let [first, other] = self.own_rests();
+        if (first - other).abs() < ANGLE_TOLERANCE {
+            return Ok(first);
         }
         // Between the two hinges' own rests both pull against each other, so the torque changes sign. The linear
         // equilibrium is inside; searching from it outwards avoids the far coiling of the weaker hinge.
         let [tip, corner] = self.weights();
-        let start = (tip * one + corner * other) / (tip + corner);
+        let start = (tip * first + corner * other) / (tip + corner);
         let torque = |phi: f64| self.scaled_torque(phi).map(|(torque, _)| torque);
         let at_start = torque(start)?;
-        let (low, high) = (one.min(other), one.max(other));
+        let (low, high) = (first.min(other), first.max(other));
         let bound = if at_start > 0.0 { low } else { high };
         let mut last = start;
         for part in [0.25, 0.5, 0.75, 1.0] {
@@ -273,8 +273,12 @@ impl<'a> Inflated<'a> {
 
 /// Checks that a star which rests at `rest` opens to the radius `rho`, m.
 fn check_reach(rho: f64, rest: &Rest) -> Result<(), StarFault> {
-    let (least, most) = (rest.radius, rest.widest.radius);
-    if (least..=most).contains(&rho) { Ok(()) } else { Err(StarFault::Radius { found: rho, least, most }) }
+    let (minimum, maximum) = (rest.radius, rest.widest.radius);
+    if (minimum..=maximum).contains(&rho) {
+        Ok(())
+    } else {
+        Err(StarFault::Radius { found: rho, least: minimum, most: maximum })
+    }
 }
 
 /// The rest at the angle where `radius` was taken, with the closing torque left there and the spring dtorque/dphi.

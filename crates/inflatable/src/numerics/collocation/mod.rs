@@ -78,7 +78,7 @@ const MOST_STEPS: u32 = 25;
 /// Newton ends when the scaled step is below this; the next one would be its square.
 const STEP_TOLERANCE: f64 = 1e-8;
 
-/// Solves `problem` from `start` to the relative residual `tolerance`, with at most `most` intervals.
+/// Solves `problem` from `start` to the relative residual `tolerance`, with at most `max_intervals` intervals.
 ///
 /// # Errors
 /// See [`CollocationFault`].
@@ -86,19 +86,19 @@ pub fn solve<const N: usize>(
     problem: &impl Problem<N>,
     start: Profile<N>,
     tolerance: f64,
-    most: usize,
+    max_intervals: usize,
 ) -> Result<Solution<N>, CollocationFault> {
     let mut profile = start;
     let mut iterations = 0;
     loop {
         let factors = newton(problem, &mut profile, &mut iterations)?;
-        let residuals = residuals(problem, &profile);
-        let residual = residuals.iter().copied().fold(0.0, f64::max);
+        let interval_residuals = residuals(problem, &profile);
+        let residual = interval_residuals.iter().copied().fold(0.0, f64::max);
         if residual <= tolerance {
             return Ok(Solution { profile, residual, iterations, factors });
         }
-        profile = remesh(problem, &profile, &residuals, tolerance);
-        if profile.mesh.len() > most + 1 {
+        profile = remesh(problem, &profile, &interval_residuals, tolerance);
+        if profile.mesh.len() > max_intervals + 1 {
             return Err(CollocationFault::TooFine { residual });
         }
     }

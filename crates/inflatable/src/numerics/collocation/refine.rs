@@ -8,19 +8,19 @@ pub(super) fn residuals<const N: usize>(problem: &impl Problem<N>, profile: &Pro
     let Profile { mesh, values } = profile;
     let place = 0.5 - 0.5 * (3.0_f64 / 7.0).sqrt();
     let slopes: Vec<[f64; N]> = mesh.iter().zip(values).map(|(&x, y)| problem.slope(x, y)).collect();
-    let at = |i: usize, t: f64| {
+    let squared_defect = |i: usize, t: f64| {
         let h = mesh[i + 1] - mesh[i];
         let (y0, y1, f0, f1) = (&values[i], &values[i + 1], &slopes[i], &slopes[i + 1]);
         let f = problem.slope(mesh[i] + t * h, &cubic([y0, y1], [f0, f1], t, h));
         let squares = (0..N).map(|k| {
             let rise = 6.0 * t * (1.0 - t) * (y1[k] - y0[k]) / h;
-            let own = rise + (1.0 - t) * (1.0 - 3.0 * t) * f0[k] + t * (3.0 * t - 2.0) * f1[k];
-            ((own - f[k]) / (1.0 + f[k].abs())).powi(2)
+            let hermite_slope = rise + (1.0 - t) * (1.0 - 3.0 * t) * f0[k] + t * (3.0 * t - 2.0) * f1[k];
+            ((hermite_slope - f[k]) / (1.0 + f[k].abs())).powi(2)
         });
         squares.sum::<f64>()
     };
     // Weights of the five-point rule at these two points: 49/90 each, on an interval of length 2.
-    let rms = |i: usize| (49.0 / 180.0 * (at(i, place) + at(i, 1.0 - place))).sqrt();
+    let rms = |i: usize| (49.0 / 180.0 * (squared_defect(i, place) + squared_defect(i, 1.0 - place))).sqrt();
     (0..mesh.len() - 1).map(rms).map(|r| if r.is_finite() { r } else { f64::MAX }).collect()
 }
 
@@ -34,7 +34,7 @@ pub(super) fn remesh<const N: usize>(
     let Profile { mesh, values } = profile;
     let slope = |j: usize| problem.slope(mesh[j], &values[j]);
     let mut next = Profile { mesh: vec![mesh[0]], values: vec![values[0]] };
-    let mut kept = true;
+    let mut is_previous_kept = true;
     for i in 0..residuals.len() {
         let (a, b) = (mesh[i], mesh[i + 1]);
         if residuals[i] > tolerance {
@@ -53,12 +53,12 @@ pub(super) fn remesh<const N: usize>(
         // Merging multiplies the residual by 16 to 81; a hundredth of the tolerance leaves room.
         let idle = !last && residuals[i] < 0.01 * tolerance && residuals[i + 1] < 0.01 * tolerance;
         let similar = !last && (mesh[i + 2] - b) < 2.0 * (b - a) && (b - a) < 2.0 * (mesh[i + 2] - b);
-        if kept && idle && similar {
-            kept = false;
+        if is_previous_kept && idle && similar {
+            is_previous_kept = false;
         } else {
             next.mesh.push(b);
             next.values.push(values[i + 1]);
-            kept = true;
+            is_previous_kept = true;
         }
     }
     next

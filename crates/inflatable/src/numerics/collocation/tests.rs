@@ -11,8 +11,8 @@ struct Layers {
 
 impl Layers {
     fn new(eps: f64) -> Self {
-        let far = (-1.0 / eps).exp();
-        Self { eps, left: [(0, 1.0 + far)], right: [(0, 1.0_f64.sin() + 1.0 + far)] }
+        let decayed = (-1.0 / eps).exp();
+        Self { eps, left: [(0, 1.0 + decayed)], right: [(0, 1.0_f64.sin() + 1.0 + decayed)] }
     }
     fn exact(&self, x: f64) -> f64 {
         x.sin() + (-x / self.eps).exp() + ((x - 1.0) / self.eps).exp()

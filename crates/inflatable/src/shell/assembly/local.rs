@@ -119,7 +119,7 @@ pub(crate) fn fill(
         turn(&mut corners, piece, supports);
         slopes.turn(piece, supports);
     }
-    let Slopes { own: rows, far } = &slopes;
+    let Slopes { own: rows, far: by_neighbours } = &slopes;
     let k = &piece.stiffness;
     let mut answers = [[0.0; 9]; 3];
     for i in 0..3 {
@@ -139,15 +139,15 @@ pub(crate) fn fill(
         let lean = piece.lean[i];
         for b in 0..9 {
             for c in 0..3 {
-                local[9 + 3 * i + c][b] = far[i][c] * answers[i][b];
+                local[9 + 3 * i + c][b] = by_neighbours[i][c] * answers[i][b];
             }
             local[18 + i][b] = lean * answers[i][b];
         }
         for j in 0..3 {
             for d in 0..3 {
-                let answer = k[i][j] * far[j][d];
+                let answer = k[i][j] * by_neighbours[j][d];
                 for c in 0..3 {
-                    local[9 + 3 * i + c][9 + 3 * j + d] = far[i][c] * answer;
+                    local[9 + 3 * i + c][9 + 3 * j + d] = by_neighbours[i][c] * answer;
                 }
                 local[18 + i][9 + 3 * j + d] = lean * answer;
             }

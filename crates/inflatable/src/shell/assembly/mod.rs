@@ -78,11 +78,11 @@ impl Assembly {
         let numbering = Numbering::new(&sheet, &supports);
         let pattern = Pattern::new(&sheet, &numbering);
         let is_turned = |piece: &Piece| {
-            let far = piece.beyond.iter().filter_map(|beyond| match beyond {
+            let neighbours = piece.beyond.iter().filter_map(|beyond| match beyond {
                 Beyond::Neighbour { corner, .. } => Some(corner),
                 _ => None,
             });
-            piece.corners.iter().chain(far).any(|&corner| supports.holds[corner].plane.is_some())
+            piece.corners.iter().chain(neighbours).any(|&corner| supports.holds[corner].plane.is_some())
         };
         let (pieces, points) = (sheet.pieces.len(), sheet.points.len());
         Self {
@@ -261,8 +261,8 @@ impl Assembly {
 }
 
 /// Which part of an edge's fold is alpha.
-fn part_of_fold(beyond: Beyond) -> f64 {
-    match beyond {
+fn part_of_fold(side: Beyond) -> f64 {
+    match side {
         Beyond::Neighbour { .. } => 0.5,
         Beyond::Image(_) => 1.0, // the fold kept there is half of that between the triangle and its image
         Beyond::Nothing => 0.0,

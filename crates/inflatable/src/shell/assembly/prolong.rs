@@ -51,11 +51,11 @@ impl Assembly {
                     + 2.0 * kappa[2] * run[0] * run[1])
                     / 8.0;
                 let middle = first + piece.edges[i];
-                let aside =
+                let sagitta =
                     [0, 1].map(|c| finer.sheet.points[middle][c] - f64::midpoint(flat_a[c], flat_b[c]));
                 let chord = times(0.5, minus(state.points[b], state.points[a]));
                 let mut place = along(along(state.points[a], 1.0, chord), -bow, facet.normal);
-                place = along(place, 1.0, [aside[0], aside[1], 0.0]);
+                place = along(place, 1.0, [sagitta[0], sagitta[1], 0.0]);
                 let part = 1.0 / sides[piece.edges[i]];
                 fine.points[middle] = along(fine.points[middle], part, place);
             }

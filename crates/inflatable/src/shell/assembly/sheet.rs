@@ -112,8 +112,8 @@ impl Sheet {
             for i in (0..3).filter(|i| piece.edges[*i] == edge) {
                 let k = piece.stiffness;
                 if k[i][i] > 0.0 {
-                    let without = |a: usize, b: usize| k[a][b] - k[a][i] * k[i][b] / k[i][i];
-                    piece.stiffness = std::array::from_fn(|a| std::array::from_fn(|b| without(a, b)));
+                    let condensed = |a: usize, b: usize| k[a][b] - k[a][i] * k[i][b] / k[i][i];
+                    piece.stiffness = std::array::from_fn(|a| std::array::from_fn(|b| condensed(a, b)));
                 }
                 for j in 0..3 {
                     (piece.stiffness[i][j], piece.stiffness[j][i]) = (0.0, 0.0);
@@ -124,17 +124,17 @@ impl Sheet {
         }
     }
 
-    /// Lets the sheet give way to compression in fine wrinkles; `left` is the part of its stiffness against it that remains. Kinks across
-    /// edges that are not released stand for its bending, with at least `least` times the square of an edge's length as stiffness.
-    pub fn wrinkle(&mut self, left: f64, least: f64) {
-        self.compression = Compression::Wrinkled(left);
-        self.kinks = self.kinks_with(least);
+    /// Lets the sheet give way to compression in fine wrinkles; `remaining_stiffness` is the part of its stiffness against it that remains. Kinks across
+    /// edges that are not released stand for its bending, with at least `least_bending` times the square of an edge's length as stiffness.
+    pub fn wrinkle(&mut self, remaining_stiffness: f64, least_bending: f64) {
+        self.compression = Compression::Wrinkled(remaining_stiffness);
+        self.kinks = self.kinks_with(least_bending);
         self.pieces.iter_mut().for_each(Piece::flatten);
     }
 
     /// The kinks across the edges that two triangles share and that are not released. The bending stiffness is that of the fabric, but at
-    /// least `least` times the square of the edge's length.
-    fn kinks_with(&self, least: f64) -> Vec<Kink> {
+    /// least `least_bending` times the square of the edge's length.
+    fn kinks_with(&self, least_bending: f64) -> Vec<Kink> {
         let mut kinks = Vec::new();
         for (t, piece) in self.pieces.iter().enumerate() {
             for i in 0..3 {
@@ -146,17 +146,21 @@ impl Sheet {
                 let (start, end) = (piece.corners[NEXT[i]], piece.corners[LAST[i]]);
                 let side = [0, 1].map(|c| self.points[end][c] - self.points[start][c]);
                 let square = side[0] * side[0] + side[1] * side[1];
-                let across = |slope: [f64; 2]| slope[0] * side[1] - slope[1] * side[0];
+                let cross_product = |slope: [f64; 2]| slope[0] * side[1] - slope[1] * side[0];
                 // The other triangle runs through the edge the other way round.
                 let slopes = [
-                    across(piece.flat.slopes[NEXT[i]]) - across(other.flat.slopes[LAST[edge]]),
-                    across(piece.flat.slopes[LAST[i]]) - across(other.flat.slopes[NEXT[edge]]),
-                    across(piece.flat.slopes[i]),
-                    -across(other.flat.slopes[edge]),
+                    cross_product(piece.flat.slopes[NEXT[i]]) - cross_product(other.flat.slopes[LAST[edge]]),
+                    cross_product(piece.flat.slopes[LAST[i]]) - cross_product(other.flat.slopes[NEXT[edge]]),
+                    cross_product(piece.flat.slopes[i]),
+                    -cross_product(other.flat.slopes[edge]),
                 ];
                 let corners = [start, end, piece.corners[i], other.corners[edge]];
                 let area = piece.flat.area + other.flat.area;
-                kinks.push(Kink::new(corners, slopes, self.fabric.bending.max(least * square) / area));
+                kinks.push(Kink::new(
+                    corners,
+                    slopes,
+                    self.fabric.bending.max(least_bending * square) / area,
+                ));
             }
         }
         kinks
@@ -234,41 +238,41 @@ fn piece(mesh: &Mesh, fabric: Fabric, t: usize) -> Piece {
     let corners = mesh.triangles[t];
     let edges = mesh.triangle_edges[t];
     let flat = Flat::new(corners.map(|corner| mesh.points[corner]));
-    let mut beyond = [Beyond::Nothing; 3];
+    let mut sides = [Beyond::Nothing; 3];
     let mut lean = [1.0; 3];
     for i in 0..3 {
         let edge = &mesh.edges[edges[i]];
         debug_assert!(edge.ends.contains(&corners[NEXT[i]]) && edge.ends.contains(&corners[LAST[i]]));
         let is_left = edge.sides[0] == Some(t);
-        beyond[i] = match (edge.sides[usize::from(is_left)], edge.border) {
+        sides[i] = match (edge.sides[usize::from(is_left)], edge.border) {
             (Some(other), _) => neighbour(mesh, other, edges[i]),
             (None, Some(Border::Mirror(plane))) => Beyond::Image(usize::from(plane)),
             (None, _) => Beyond::Nothing,
         };
-        lean[i] = match beyond[i] {
+        lean[i] = match sides[i] {
             Beyond::Image(_) => 0.0,
             _ if is_left => 1.0,
             _ => -1.0,
         };
     }
-    let twins = twins(&beyond);
+    let twin_corners = twins(&sides);
     Piece {
         corners,
         edges,
-        beyond,
+        beyond: sides,
         lean,
         flat,
         stiffness: bending::stiffness(fabric, &flat),
-        twins,
+        twins: twin_corners,
         law: None,
         load: 1.0,
         bends: true,
     }
 }
 
-fn twins(beyond: &[Beyond; 3]) -> [bool; 3] {
+fn twins(sides: &[Beyond; 3]) -> [bool; 3] {
     let corners =
-        beyond.map(|beyond| if let Beyond::Neighbour { corner, .. } = beyond { Some(corner) } else { None });
+        sides.map(|sides| if let Beyond::Neighbour { corner, .. } = sides { Some(corner) } else { None });
     std::array::from_fn(|i| corners[NEXT[i]].is_some() && corners[NEXT[i]] == corners[LAST[i]])
 }
 

@@ -93,21 +93,21 @@ impl Supports {
     /// Turns a plane and the axes of the points in it; where they are is the caller's to change.
     #[cfg(test)]
     pub(crate) fn turn_plane(&mut self, number: usize, plane: Plane) {
-        let across = plane.upright();
+        let normal = plane.upright();
         self.planes[number] = plane;
         for hold in self.holds.iter_mut().filter(|hold| hold.plane == Some(number)) {
-            hold.axes = [[-across[1], across[0], 0.0], across, SPACE[2]];
+            hold.axes = [[-normal[1], normal[0], 0.0], normal, SPACE[2]];
         }
     }
 
     fn keep_in(&mut self, point: usize, number: usize) {
         let Some(plane) = self.planes.get(number) else { return };
-        let across = plane.upright();
+        let normal = plane.upright();
         let hold = &mut self.holds[point];
-        if hold.fixed[1] && hold.axes[1] != across {
+        if hold.fixed[1] && hold.axes[1] != normal {
             hold.fixed[0] = true; // where two planes meet only the way up is left
         } else {
-            hold.axes = [[-across[1], across[0], 0.0], across, SPACE[2]];
+            hold.axes = [[-normal[1], normal[0], 0.0], normal, SPACE[2]];
             hold.fixed[1] = true;
             hold.plane = Some(number);
         }

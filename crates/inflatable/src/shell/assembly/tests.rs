@@ -32,18 +32,18 @@ fn with_margin(
     turn: f64,
     margin: Option<Compression>,
 ) -> Result<(Assembly, State), MeshFault> {
-    let mesh = mesh(diagonal, turn)?;
+    let strip = mesh(diagonal, turn)?;
     let (sine, cosine) = turn.sin_cos();
     let planes = vec![
         Plane { point: [0.0, 0.0], normal: [-cosine, -sine] },
         Plane { point: [1.5 * cosine, 1.5 * sine], normal: [cosine, sine] },
     ];
-    let mut supports = Supports::new(&mesh, planes);
-    let mut sheet = Sheet::new(&mesh, fabric);
+    let mut supports = Supports::new(&strip, planes);
+    let mut sheet = Sheet::new(&strip, fabric);
     if let Some(law) = margin {
-        let first = mesh.triangles.len() / 2;
+        let first = strip.triangles.len() / 2;
         sheet.set_margin(first, law);
-        supports.keep_level(&mesh, first);
+        supports.keep_level(&strip, first);
     }
     let assembly = Assembly::new(sheet, supports);
     let mut state = assembly.sheet.flat();
@@ -52,10 +52,10 @@ fn with_margin(
     Ok((assembly, state))
 }
 
-fn moved(assembly: &Assembly, state: &State, unknown: usize, by: f64) -> State {
+fn moved(assembly: &Assembly, state: &State, unknown: usize, distance: f64) -> State {
     let mut moved = state.clone();
     let mut step = vec![0.0; assembly.unknowns()];
-    step[unknown] = by;
+    step[unknown] = distance;
     assembly.advance(&mut moved, &step, 1.0);
     moved
 }
@@ -100,17 +100,18 @@ fn the_gradient_is_that_of_the_energy() {
         let gradient = assembly.gradient().to_vec();
         let largest = gradient.iter().fold(0.0_f64, |most, g| most.max(g.abs()));
         for (unknown, slope) in gradient.iter().enumerate() {
-            let mut at = |by: f64| {
-                let moved = moved(&assembly, &state, unknown, by);
-                assembly.energy(&moved).total(PRESSURE)
+            let mut energy_at = |by: f64| {
+                let shifted = moved(&assembly, &state, unknown, by);
+                assembly.energy(&shifted).total(PRESSURE)
             };
             let step = step_of(index);
             // A difference of sixth order.
-            let found = (45.0 * (at(step) - at(-step)) - 9.0 * (at(2.0 * step) - at(-2.0 * step))
-                + (at(3.0 * step) - at(-3.0 * step)))
+            let difference_quotient = (45.0 * (energy_at(step) - energy_at(-step))
+                - 9.0 * (energy_at(2.0 * step) - energy_at(-2.0 * step))
+                + (energy_at(3.0 * step) - energy_at(-3.0 * step)))
                 / (60.0 * step);
-            let error = (found - slope).abs() / largest;
-            assert!(error < 1e-7, "sheet {index}, {unknown}: {found} {slope} {error:e}");
+            let error = (difference_quotient - slope).abs() / largest;
+            assert!(error < 1e-7, "sheet {index}, {unknown}: {difference_quotient} {slope} {error:e}");
         }
     }
 }
@@ -130,19 +131,25 @@ fn the_hessian_is_that_of_the_gradient() {
         }
         let largest = hessian.iter().flatten().fold(0.0_f64, |most, h| most.max(h.abs()));
         for (unknown, row) in hessian.iter().enumerate() {
-            let mut at = |by: f64| {
-                let moved = moved(&assembly, &state, unknown, by);
-                let _ = assembly.differentiate(&moved, PRESSURE);
+            let mut gradient_at = |by: f64| {
+                let shifted = moved(&assembly, &state, unknown, by);
+                let _ = assembly.differentiate(&shifted, PRESSURE);
                 assembly.gradient().to_vec()
             };
             let step = step_of(index);
-            let sides =
-                [at(step), at(-step), at(2.0 * step), at(-2.0 * step), at(3.0 * step), at(-3.0 * step)];
+            let sides = [
+                gradient_at(step),
+                gradient_at(-step),
+                gradient_at(2.0 * step),
+                gradient_at(-2.0 * step),
+                gradient_at(3.0 * step),
+                gradient_at(-3.0 * step),
+            ];
             for (other, entry) in row.iter().enumerate() {
                 let pair = |k: usize| sides[k][other] - sides[k + 1][other];
-                let found = (45.0 * pair(0) - 9.0 * pair(2) + pair(4)) / (60.0 * step);
-                let error = (found - entry).abs() / largest;
-                assert!(error < 1e-6, "sheet {index}, {unknown} {other}: {found} {error:e}");
+                let difference_quotient = (45.0 * pair(0) - 9.0 * pair(2) + pair(4)) / (60.0 * step);
+                let error = (difference_quotient - entry).abs() / largest;
+                assert!(error < 1e-6, "sheet {index}, {unknown} {other}: {difference_quotient} {error:e}");
             }
         }
     }
@@ -240,12 +247,13 @@ fn leans(mesh: &Mesh, heights: &[f64], slope: impl Fn([f64; 2]) -> [f64; 2]) -> 
         // alpha of triangle t on edge e: how much steeper the field is there than the triangle, outwards.
         let corners = mesh.triangles[t];
         let flat = crate::shell::element::membrane::Flat::new(corners.map(|corner| mesh.points[corner]));
-        let own = [0, 1].map(|c| (0..3).map(|k| flat.slopes[k][c] * heights[corners[k]]).sum::<f64>());
+        let constant_slope =
+            [0, 1].map(|c| (0..3).map(|k| flat.slopes[k][c] * heights[corners[k]]).sum::<f64>());
         let [a, b] = mesh.edges[e].ends.map(|end| mesh.points[end]);
-        let there = slope([f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])]);
+        let exact_slope = slope([f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])]);
         let i = mesh.triangle_edges[t].iter().position(|edge| *edge == e).unwrap_or(0);
         let [x, y] = flat.slopes[i];
-        -((there[0] - own[0]) * x + (there[1] - own[1]) * y) / x.hypot(y)
+        -((exact_slope[0] - constant_slope[0]) * x + (exact_slope[1] - constant_slope[1]) * y) / x.hypot(y)
     };
     let lean = |(e, edge): (usize, &crate::shell::mesh::Edge)| match edge.sides {
         [Some(left), Some(right)] => (outward(left, e) - outward(right, e)) / 2.0,
@@ -264,7 +272,7 @@ fn a_constant_curvature_is_exact_on_every_mesh() -> Result<(), MeshFault> {
         let fabric = Fabric::isotropic(1e-6, 1.0, 0.3).woven(fabric.weave);
         let mesh = irregular(diagonal, turn)?;
         let mut assembly = Assembly::new(Sheet::new(&mesh, fabric), Supports::new(&mesh, Vec::new()));
-        let mut bent = |height: f64| {
+        let mut energy_and_first = |height: f64| {
             let field = |[x, y]: [f64; 2]| height * (xx * x * x / 2.0 + yy * y * y / 2.0 + xy * x * y);
             let slope = |[x, y]: [f64; 2]| [height * (xx * x + xy * y), height * (yy * y + xy * x)];
             let heights: Vec<f64> = mesh.points.iter().copied().map(field).collect();
@@ -278,13 +286,13 @@ fn a_constant_curvature_is_exact_on_every_mesh() -> Result<(), MeshFault> {
         };
         // The linear plate: differences between two heights cancel the terms of higher order in the height.
         let height = 1e-3;
-        let ((once, first), (twice, second)) = (bent(height), bent(2.0 * height));
+        let ((single, first), (double, second)) = (energy_and_first(height), energy_and_first(2.0 * height));
         // In the axes of warp and weft, where the stiffness against twist is G t^3 / 12 = shear B (1 - nu)/2.
         let [k11, k22, k12] = in_axes(fabric.weave.warp, [xx, yy, xy]);
         let twist = fabric.weave.shear * 0.7 / 2.0;
         let density =
             (k11 * k11 + k22 * k22 + 2.0 * 0.3 * k11 * k22) * 0.5 + twist * (2.0 * k12).powi(2) * 0.5;
-        let energy = (16.0 * once - twice) / (12.0 * height * height);
+        let energy = (16.0 * single - double) / (12.0 * height * height);
         assert!((energy / (1.5 * density) - 1.0).abs() < 1e-10, "{diagonal:?} {energy}");
         let force = |unknown: usize| (8.0 * first[unknown] - second[unknown]) / 6.0 / height;
         // Upwards: forces in the plane are of second order.
@@ -337,7 +345,7 @@ fn a_margin_bears_a_pull_as_the_tube_does() -> Result<(), MeshFault> {
 fn a_sheet_without_compression_is_nowhere_softer() {
     for (index, (mut assembly, mut state)) in all_sheets().enumerate() {
         let flat = assembly.sheet.flat();
-        let mut along = |state: &State, tangent, seed: usize| {
+        let mut second_change = |state: &State, tangent, seed: usize| {
             let _ = assembly.linearise(state, PRESSURE, tangent);
             let (starts, rows, values) = assembly.hessian();
             let x = |k: u32| noise(seed + k as usize);
@@ -353,7 +361,7 @@ fn a_sheet_without_compression_is_nowhere_softer() {
         let mut gains = 0;
         for seed in 0..20 {
             let [tensile, exact] =
-                [Tangent::Tensile, Tangent::Exact].map(|tangent| along(&state, tangent, seed));
+                [Tangent::Tensile, Tangent::Exact].map(|tangent| second_change(&state, tangent, seed));
             assert!(tensile >= exact - 1e-9 * exact.abs(), "sheet {index}: {tensile} {exact}");
             gains += usize::from(tensile > exact);
         }
@@ -361,7 +369,8 @@ fn a_sheet_without_compression_is_nowhere_softer() {
         for (x, flat) in state.points.iter_mut().zip(&flat.points) {
             *x = [1.3 * flat[0], 1.2 * flat[1], 0.0];
         }
-        let [tensile, exact] = [Tangent::Tensile, Tangent::Exact].map(|tangent| along(&state, tangent, 7));
+        let [tensile, exact] =
+            [Tangent::Tensile, Tangent::Exact].map(|tangent| second_change(&state, tangent, 7));
         assert!((tensile / exact - 1.0).abs() < 1e-12, "sheet {index}: {tensile} {exact}");
     }
 }
@@ -391,8 +400,8 @@ fn kinks_have_the_energy_of_a_bent_plate() -> Result<(), MeshFault> {
     for direction in [0.0, 0.3, 1.2, 2.0] {
         let mut state = sheet.flat();
         for x in &mut state.points {
-            let along = x[0] * f64::cos(direction) + x[1] * f64::sin(direction);
-            x[2] = curvature * along * along / 2.0;
+            let distance = x[0] * f64::cos(direction) + x[1] * f64::sin(direction);
+            x[2] = curvature * distance * distance / 2.0;
         }
         let energy: f64 = sheet.kinks.iter().map(|kink| kink.energy(&state.points)).sum();
         let plate = FABRIC.bending * curvature * curvature / 2.0 * mesh.total_area();

@@ -61,11 +61,11 @@ impl Assembly {
         self.by_area(|area| area)
     }
 
-    fn by_area(&self, of: impl Fn(f64) -> f64) -> Vec<f64> {
+    fn by_area(&self, density: impl Fn(f64) -> f64) -> Vec<f64> {
         let mut values = vec![0.0; self.numbering.count];
         for (numbers, area) in self.numbering.points.iter().zip(&self.sheet.areas) {
             for number in numbers.iter().filter(|number| **number != NONE) {
-                values[*number as usize] = of(*area);
+                values[*number as usize] = density(*area);
             }
         }
         values

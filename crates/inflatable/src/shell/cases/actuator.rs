@@ -90,8 +90,8 @@ impl VActuator {
         let w = self.tube.width;
         let l = self.arm_length / w;
         if !(SHORTEST_ARM..=LONGEST_ARM).contains(&l) {
-            let (least, most) = (SHORTEST_ARM, LONGEST_ARM);
-            return Err(ShellFault::Range { name: Input::Arms, found: l, least, most });
+            let (minimum, maximum) = (SHORTEST_ARM, LONGEST_ARM);
+            return Err(ShellFault::Range { name: Input::Arms, found: l, least: minimum, most: maximum });
         }
         let half = HalfActuator { r: self.radius / w, w: 1.0, l, phi_0: self.angle };
         Ok(ModelledActuator { half, margin: self.margin.widths(w) })

@@ -13,10 +13,11 @@ pub(crate) struct ArmLine {
 }
 
 impl ArmLine {
-    /// The arm whose flat rims run along `along` (a unit vector); s counts from the origin, and only points with s within
+    /// The arm whose flat rims run along `direction` (a unit vector); s counts from the origin, and only points with s within
     /// `reach` belong to it.
-    pub(crate) fn new(mesh: &Mesh, along: [f64; 2], reach: [f64; 2]) -> Self {
-        let place = |point: usize| mesh.points[point][0] * along[0] + mesh.points[point][1] * along[1];
+    pub(crate) fn new(mesh: &Mesh, direction: [f64; 2], reach: [f64; 2]) -> Self {
+        let place =
+            |point: usize| mesh.points[point][0] * direction[0] + mesh.points[point][1] * direction[1];
         let length = reach[1] - reach[0];
         let middle = f64::midpoint(reach[0], reach[1]);
         let mut weights = Vec::new();

@@ -42,9 +42,9 @@ impl Bend<'_> {
         let free = angle_of(self.line, rest);
         order.sort_by(|a, b| (angles[*a] - free).abs().total_cmp(&(angles[*b] - free).abs()));
         let mut moments = vec![0.0; angles.len()];
-        let mut reached = [(free, rest.clone()), (free, rest.clone())];
+        let mut ends = [(free, rest.clone()), (free, rest.clone())];
         for k in order {
-            let (angle, state) = &mut reached[usize::from(angles[k] > free)];
+            let (angle, state) = &mut ends[usize::from(angles[k] > free)];
             moments[k] = self.turn(solver, state, [*angle, angles[k]])?;
             *angle = angles[k];
         }
@@ -75,15 +75,15 @@ impl Bend<'_> {
     /// Holds `state`, an equilibrium at an angle near by, at the angle `phi`; the moment of the whole.
     pub(crate) fn hold(&self, solver: &mut Solver, state: &mut State, phi: f64) -> Result<f64, Stop> {
         let (sine, cosine) = libm::sincos(PI - phi / 2.0);
-        let across = [-sine, cosine];
+        let normal = [-sine, cosine];
         let [x, y] = self.line.direction(state);
         solver.lever = Some(DisplacementControl {
-            row: solver.assembly.project(&self.line.times(across)),
+            row: solver.assembly.project(&self.line.times(normal)),
             point: self.line.last(),
-            direction: [across[0], across[1], 0.0],
+            direction: [normal[0], normal[1], 0.0],
             brace: BRACE * self.aim.pressure,
         });
-        if !solver.pull(state, self.aim, -(across[0] * x + across[1] * y)) {
+        if !solver.pull(state, self.aim, -(normal[0] * x + normal[1] * y)) {
             return Err(Stop::Unstable);
         }
         let _ = solver.rest(state, self.aim)?;

@@ -85,29 +85,29 @@ impl Turning<'_> {
         let mut turned_by = 1.0;
         let mut moment = self.turn(solver, &mut state, [1.0, 1.0])?;
         // In pressure's favour the energy falls as the cell closes.
-        let (mut before, mut lambda) = (moment, turned_by);
+        let (mut last_moment, mut lambda) = (moment, turned_by);
         while moment < 0.0 {
             if turned_by > FURTHEST {
                 return Err(Stop::Iterations);
             }
-            (before, lambda) = (moment, turned_by);
+            (last_moment, lambda) = (moment, turned_by);
             moment = self.turn(solver, &mut state, [turned_by, turned_by + STEP])?;
             turned_by += STEP;
         }
         for _ in 0..6 {
             // The secant through the last two.
-            let next = turned_by - moment * (turned_by - lambda) / (moment - before);
-            (before, lambda) = (moment, turned_by);
+            let next = turned_by - moment * (turned_by - lambda) / (moment - last_moment);
+            (last_moment, lambda) = (moment, turned_by);
             moment = self.turn(solver, &mut state, [turned_by, next])?;
             turned_by = next;
             if (turned_by - lambda).abs() < 1e-7 {
                 break;
             }
         }
-        let mut aside = state.clone();
-        let more = self.turn(solver, &mut aside, [turned_by, turned_by + DIFFERENCE])?;
-        let less = self.turn(solver, &mut state, [turned_by, turned_by - DIFFERENCE])?;
-        Ok([turned_by, 2.0 * (more - less) / (2.0 * DIFFERENCE)])
+        let mut trial = state.clone();
+        let moment_above = self.turn(solver, &mut trial, [turned_by, turned_by + DIFFERENCE])?;
+        let moment_below = self.turn(solver, &mut state, [turned_by, turned_by - DIFFERENCE])?;
+        Ok([turned_by, 2.0 * (moment_above - moment_below) / (2.0 * DIFFERENCE)])
     }
 
     /// Turns an equilibrium from one lambda to another; dPi/da there.
@@ -128,12 +128,13 @@ impl Turning<'_> {
             self.mesh.edges[edge].ends.iter().for_each(|end| is_turned[*end] = true);
         }
         let mut energy_at = |by: f64| {
-            let mut aside = state.clone();
-            for (x, _) in aside.points.iter_mut().zip(&is_turned).filter(|(_, is_turned)| **is_turned) {
+            let mut turned_state = state.clone();
+            for (x, _) in turned_state.points.iter_mut().zip(&is_turned).filter(|(_, is_turned)| **is_turned)
+            {
                 *x = turned(*x, by);
             }
             solver.assembly.supports.turn_plane(1, Plane::second(angle + by));
-            solver.assembly.energy(&aside).total(self.aim.pressure)
+            solver.assembly.energy(&turned_state).total(self.aim.pressure)
         };
         let step = 1e-3;
         let slope = (8.0 * (energy_at(step) - energy_at(-step))
@@ -144,7 +145,7 @@ impl Turning<'_> {
     }
 }
 
-fn turned(x: [f64; 3], by: f64) -> [f64; 3] {
-    let (sine, cosine) = libm::sincos(by);
+fn turned(x: [f64; 3], angle: f64) -> [f64; 3] {
+    let (sine, cosine) = libm::sincos(angle);
     [cosine * x[0] - sine * x[1], sine * x[0] + cosine * x[1], x[2]]
 }

@@ -62,11 +62,12 @@ pub(crate) fn pull(mesh: &Mesh, forces: &[[f64; 3]], band: f64) -> LoadedPlace {
             *rim.entry(end).or_default() += mesh.length(edge) / 2.0;
         }
     }
-    let away = |a: usize, b: usize| distance(mesh.points[a], mesh.points[b]);
+    let flat_distance = |a: usize, b: usize| distance(mesh.points[a], mesh.points[b]);
     let mean = |middle: usize| {
-        let within = rim.iter().filter(|(point, _)| away(middle, **point) <= band / 2.0);
-        let [force, length] =
-            within.fold([0.0; 2], |[force, all], (point, length)| [force - forces[*point][2], all + length]);
+        let rim_near = rim.iter().filter(|(point, _)| flat_distance(middle, **point) <= band / 2.0);
+        let [force, length] = rim_near.fold([0.0; 2], |[force, length_sum], (point, length)| {
+            [force - forces[*point][2], length_sum + length]
+        });
         (force / length, mesh.points[middle])
     };
     rim.keys().map(|point| mean(*point)).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default()

@@ -108,14 +108,14 @@ impl fmt::Display for ShellFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Range { name, found, least, most } => {
-                let found = Readable(*found);
-                write!(f, "{name} is {found}, but shells are computed for {least} to {most} only")
+                let value = Readable(*found);
+                write!(f, "{name} is {value}, but shells are computed for {least} to {most} only")
             }
             Self::Pressure { found, least, most } => {
-                let [found, least, most] = [found, least, most].map(|pressure| Readable(*pressure));
+                let [pressure, minimum, maximum] = [found, least, most].map(|pressure| Readable(*pressure));
                 write!(
                     f,
-                    "the pressure is {found} Pa, but shells of this width and fabric are computed for {least} to {most} Pa only"
+                    "the pressure is {pressure} Pa, but shells of this width and fabric are computed for {minimum} to {maximum} Pa only"
                 )
             }
             Self::TooMany { name, found, most } => {
@@ -140,14 +140,14 @@ impl fmt::Display for ShellFault {
                     Stop::Contact => "the contact pressures do not converge",
                     Stop::Cancelled => "it was stopped",
                 };
-                let before = if *last > 0.0 {
+                let last_state = if *last > 0.0 {
                     format!("the last one was at 1/eps = {last:.4}")
                 } else {
                     "there was none before it".to_owned()
                 };
                 write!(
                     f,
-                    "no equilibrium at 1/eps = {at:.4} on {triangles} triangles: {reason}; {before}: use a lower pressure"
+                    "no equilibrium at 1/eps = {at:.4} on {triangles} triangles: {reason}; {last_state}: use a lower pressure"
                 )
             }
             Self::Cancelled => write!(f, "the computation of the shell was stopped"),

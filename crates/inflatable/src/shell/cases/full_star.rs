@@ -79,7 +79,7 @@ impl Whole {
             for (corners, old) in half.triangles.iter().zip(&half.triangle_edges) {
                 let (t, corners) = (mesh.triangles.len(), part.turned(corners.map(|k| point[k])));
                 let old = part.turned(*old);
-                let own = std::array::from_fn(|i| {
+                let edges = std::array::from_fn(|i| {
                     let (from, to) = (corners[NEXT[i]], corners[LAST[i]]);
                     let ends = [from.min(to), from.max(to)];
                     let edge = *edges.entry((ends, part.lower)).or_insert_with(|| {
@@ -90,12 +90,13 @@ impl Whole {
                     mesh.edges[edge].sides[usize::from(from > to)] = Some(t);
                     // A director leans to the left; the same triangle may lie on the other side now.
                     let was_left = half.edges[old[i]].sides[0] == Some(t % half.triangles.len());
-                    let same = was_left == (from < to);
-                    state.leans[edge] = if same { shape.leans[old[i]] } else { -shape.leans[old[i]] };
+                    let is_same_sense = was_left == (from < to);
+                    state.leans[edge] =
+                        if is_same_sense { shape.leans[old[i]] } else { -shape.leans[old[i]] };
                     edge
                 });
                 mesh.triangles.push(corners);
-                mesh.triangle_edges.push(own);
+                mesh.triangle_edges.push(edges);
             }
         }
         // Sheets are sealed along their rims: they share its points, and each has a slope of its own there.
@@ -117,16 +118,16 @@ fn rims(mesh: &Mesh) -> Vec<bool> {
     rims
 }
 
-/// The sheets of `mesh`, of the fabric of `like`. Seen from above the lower one's triangles run clockwise; in the flat state they are those
+/// The sheets of `mesh`, of the fabric of `sample`. Seen from above the lower one's triangles run clockwise; in the flat state they are those
 /// seen from below.
-fn both_sheets(mesh: &Mesh, like: &Sheet) -> Sheet {
-    let mut sheet = Sheet::new(mesh, like.fabric);
+fn both_sheets(mesh: &Mesh, sample: &Sheet) -> Sheet {
+    let mut sheet = Sheet::new(mesh, sample.fabric);
     sheet.areas.fill(0.0);
     for piece in &mut sheet.pieces {
         let corners = piece.corners.map(|corner| mesh.points[corner]);
         if Flat::new(corners).area < 0.0 {
             piece.flat = Flat::new(corners.map(|[x, y]| [x, -y]));
-            piece.stiffness = bending::stiffness(like.fabric, &piece.flat);
+            piece.stiffness = bending::stiffness(sample.fabric, &piece.flat);
         }
         for corner in piece.corners {
             sheet.areas[corner] += piece.flat.area / 3.0;
@@ -139,8 +140,8 @@ fn both_sheets(mesh: &Mesh, like: &Sheet) -> Sheet {
 fn held_in_space(mesh: &Mesh) -> Supports {
     let mut supports = Supports::new(mesh, Vec::new());
     let farthest = |along: [f64; 2]| {
-        let at = |k: &usize| mesh.points[*k][0] * along[0] + mesh.points[*k][1] * along[1];
-        (0..mesh.points.len()).max_by(|a, b| at(a).total_cmp(&at(b))).expect("points")
+        let place = |k: &usize| mesh.points[*k][0] * along[0] + mesh.points[*k][1] * along[1];
+        (0..mesh.points.len()).max_by(|a, b| place(a).total_cmp(&place(b))).expect("points")
     };
     let [east, west, north] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0]].map(farthest);
     for (point, axis) in [(east, 0), (east, 1), (east, 2), (west, 1), (west, 2), (north, 2)] {
@@ -151,16 +152,16 @@ fn held_in_space(mesh: &Mesh) -> Supports {
 
 /// Half a sector of the paper's star with `points` points and this tip angle at `pressure`, from flat.
 fn half_a_sector(sector: &HalfSector, pressure: f64, cells: f64) -> (Mesh, Solver, Equilibrium) {
-    let tube = tube(0.03, pressure);
+    let paper_tube = tube(0.03, pressure);
     let mesh = sector.mesh(&Sizes::across(1.0, cells)).expect("a mesh").mesh;
     let supports = Supports::new(&mesh, vec![Plane::first(), Plane::second(sector.half_angle())]);
-    let mut solver = Solver::new(Sheet::new(&mesh, tube.scaled()), supports).expect("small");
-    let equilibrium = tube.continuation().run(&mut solver, |_| {}).expect("an equilibrium");
+    let mut solver = Solver::new(Sheet::new(&mesh, paper_tube.scaled()), supports).expect("small");
+    let equilibrium = paper_tube.continuation().run(&mut solver, |_| {}).expect("an equilibrium");
     (mesh, solver, equilibrium)
 }
 
 /// Motions excluded by planes of symmetry (one sheet against the other, one sector against the next) do not make a star unstable.
-fn whole(points: u32, tip_angle: f64, pressure: f64, cells: f64) -> [f64; 2] {
+fn lowest_eigenvalues(points: u32, tip_angle: f64, pressure: f64, cells: f64) -> [f64; 2] {
     let sector =
         HalfSector { n: points, rho_0: 5.0 / 3.0, w: 1.0, phi_i: tip_angle.to_radians(), r_i: 0.0, r_e: 0.0 };
     let (mesh, mut half, equilibrium) = half_a_sector(&sector, pressure, cells);
@@ -207,7 +208,7 @@ fn whole(points: u32, tip_angle: f64, pressure: f64, cells: f64) -> [f64; 2] {
 
 #[test]
 fn a_whole_star_is_stable_where_half_a_sector_is() {
-    let [of_whole, of_half] = whole(4, 45.0, 2e3, 3.0);
+    let [of_whole, of_half] = lowest_eigenvalues(4, 45.0, 2e3, 3.0);
     assert!(of_whole > 0.0 && of_whole < of_half * (1.0 + 1e-6), "{of_whole} {of_half}");
 }
 
@@ -217,7 +218,7 @@ fn a_whole_star_is_stable_where_half_a_sector_is() {
 fn stars_are_stable_as_wholes_at_the_papers_pressures() {
     for (points, tip_angle) in [(3, 30.0), (4, 55.0), (5, 60.0)] {
         for pressure in [14e3, 20e3, 37e3] {
-            let [of_whole, of_half] = whole(points, tip_angle, pressure, 6.0);
+            let [of_whole, of_half] = lowest_eigenvalues(points, tip_angle, pressure, 6.0);
             assert!(of_whole > 0.0, "{points} {pressure}: {of_whole} {of_half}");
         }
     }

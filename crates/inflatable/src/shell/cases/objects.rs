@@ -44,7 +44,7 @@ pub(super) fn opening_curve(
 ) -> Result<Vec<OpeningStep>, ShellFault> {
     let mut curve = Vec::new();
     let Some(size) = objects.sizes().last() else { return Ok(curve) };
-    let alone = solver.contact.clone();
+    let former_contact = solver.contact.clone();
     let mut state = equilibrium.state.clone();
     let innermost = nearest(&state);
     let origin = if matches!(objects, Objects::Openings(_)) { innermost } else { 0.0 };
@@ -62,7 +62,7 @@ pub(super) fn opening_curve(
         let force = solver.contact.as_ref().map_or(0.0, |contact| contact.force(post));
         curve.push(OpeningStep { radius, force });
     }
-    solver.contact = alone;
+    solver.contact = former_contact;
     Ok(curve)
 }
 
@@ -91,16 +91,16 @@ impl Objects<'_> {
 
 /// Opens the star by each object in turn. Returns the force of one sheet of the modelled part on each, and how far it slides on each; 0
 /// behind the last object. It starts from the coarser mesh's result for each, if there is one and it leads to an equilibrium, and keeps
-/// its own results in `beside`.
+/// its own results in `indented`.
 pub(super) fn press(
     tube: &Tube,
     objects: Objects<'_>,
     (solver, post): (&mut Solver, usize),
     equilibrium: &Equilibrium,
-    beside: &mut Vec<Indented>,
+    indented: &mut Vec<Indented>,
 ) -> Result<[[f64; MOST_OBJECTS]; 2], ShellFault> {
     let [mut forces, mut slips] = [[0.0; MOST_OBJECTS]; 2];
-    let mut starts = std::mem::take(beside).into_iter();
+    let mut starts = std::mem::take(indented).into_iter();
     let mut state = equilibrium.state.clone();
     let innermost = nearest(&state);
     let origin = if matches!(objects, Objects::Openings(_)) { innermost } else { 0.0 };
@@ -108,12 +108,12 @@ pub(super) fn press(
     let aim = tube.continuation().aim(equilibrium.pressure);
     for (index, size) in objects.sizes().iter().enumerate() {
         let last = (origin + size / tube.width).max(innermost);
-        let found = match starts.next() {
+        let outcome = match starts.next() {
             Some(start) => open_from(start, (solver, post), &mut state, aim, [radius, last]),
             None => open((solver, post), &mut state, aim, [radius, last]),
         };
-        match found {
-            Ok(()) => beside.push(Indented { state: state.clone(), contact: solver.contact.clone() }),
+        match outcome {
+            Ok(()) => indented.push(Indented { state: state.clone(), contact: solver.contact.clone() }),
             Err(why) if why == Stop::Cancelled || origin == 0.0 => {
                 return Err(tube.stopped(why, solver.triangles()));
             }
@@ -132,25 +132,25 @@ pub(super) fn press(
 
 /// As [`open`], but at once where the coarser mesh's result leads to an equilibrium.
 fn open_from(
-    Indented { state: mut own, contact }: Indented,
+    Indented { state: mut start, contact }: Indented,
     (solver, post): (&mut Solver, usize),
     state: &mut State,
     aim: Aim,
     [from, to]: [f64; 2],
 ) -> Result<(), Stop> {
-    let before = std::mem::replace(&mut solver.contact, contact);
+    let former_contact = std::mem::replace(&mut solver.contact, contact);
     if let Some(contact) = &mut solver.contact {
         contact.replace(post, Obstacle::Post { radius: to });
     }
     solver.is_rough = true;
-    match solver.rest(&mut own, aim) {
+    match solver.rest(&mut start, aim) {
         Ok(_) => {
-            *state = own;
+            *state = start;
             Ok(())
         }
         Err(Stop::Cancelled) => Err(Stop::Cancelled),
         Err(_) => {
-            solver.contact = before;
+            solver.contact = former_contact;
             open((solver, post), state, aim, [from, to])
         }
     }
@@ -165,7 +165,7 @@ fn open(
 ) -> Result<(), Stop> {
     let (mut radius, mut growth) = (from, GROWTH);
     while radius < to {
-        let (before, pressed) = (state.clone(), solver.contact.clone());
+        let (start, pressed) = (state.clone(), solver.contact.clone());
         let next = if to - radius < 1.001 * growth { to } else { radius + growth };
         if let Some(contact) = &mut solver.contact {
             contact.replace(post, Obstacle::Post { radius: next });
@@ -182,7 +182,7 @@ fn open(
                 return Err(why);
             }
             Err(_) => {
-                state.clone_from(&before);
+                state.clone_from(&start);
                 solver.contact = pressed;
                 growth /= 2.0;
             }
@@ -213,26 +213,26 @@ mod tests {
         let mut state = state.clone();
         // The last factor may be that of another load.
         let _ = solver.rest(&mut state, aim).expect("an equilibrium");
-        let before = solver.contact.clone();
+        let former_contact = solver.contact.clone();
         let slides = solver.slides(post, &state).into_iter();
         let loads: Vec<(usize, Vector)> = slides
             .map(|(touching, slide)| {
                 (touching.point, times(touching.force / dot(slide, slide).sqrt(), slide))
             })
             .collect();
-        let by = -friction * solver.compliance(&loads);
+        let drag = -friction * solver.compliance(&loads);
         let row = solver.assembly.project(&loads);
         solver.lever = Some(DisplacementControl { row, point: 0, direction: [1.0, 0.0, 0.0], brace: 0.0 });
-        assert!(solver.pull(&mut state, aim, by));
+        assert!(solver.pull(&mut state, aim, drag));
         let _ = solver.rest(&mut state, aim).expect("an equilibrium");
         solver.lever = None;
-        let contact = std::mem::replace(&mut solver.contact, before).expect("contact");
+        let contact = std::mem::replace(&mut solver.contact, former_contact).expect("contact");
         (contact.force(post), solver.multiplier)
     }
 
     /// The paper's star at 37 kPa on a coarse mesh, inflated, with its object as the last obstacle.
     fn inflated() -> (Solver, usize, State, Aim) {
-        let tube = tube(0.03, 37e3);
+        let paper_tube = tube(0.03, 37e3);
         let sector = HalfSector {
             n: 5,
             rho_0: 5.0 / 3.0,
@@ -243,13 +243,13 @@ mod tests {
         };
         let modelled = ModelledSector { sector, margin: MarginWidths::default() };
         let mesh = modelled.meshed(&Sizes::across(1.0, 8.0)).expect("a mesh").mesh;
-        let (sheet, supports) = (Sheet::new(&mesh, tube.scaled()), modelled.supports(&mesh));
+        let (sheet, supports) = (Sheet::new(&mesh, paper_tube.scaled()), modelled.supports(&mesh));
         let mut solver = Solver::new(sheet, supports).expect("small");
         let obstacles = modelled.obstacles();
         let post = obstacles.len() - 1;
         solver.contact = Some(Contact::new(&solver.assembly, obstacles));
-        let equilibrium = tube.continuation().run(&mut solver, |_| {}).expect("an equilibrium");
-        let aim = tube.continuation().aim(equilibrium.pressure);
+        let equilibrium = paper_tube.continuation().run(&mut solver, |_| {}).expect("an equilibrium");
+        let aim = paper_tube.continuation().aim(equilibrium.pressure);
         (solver, post, equilibrium.state, aim)
     }
 
@@ -287,22 +287,25 @@ mod tests {
             solver.contact.clone_from(contact);
             solver.contact.as_mut().expect("contact").replace(post, Obstacle::Post { radius: 1.35 + growth });
             let rest = solver.rest(&mut opened, aim).expect("an equilibrium");
-            let around = |point: usize| {
-                let [angle, before] = [&opened, &state]
+            let turned_by = |point: usize| {
+                let [angle, old_angle] = [&opened, &state]
                     .map(|shape| libm::atan2(shape.points[point][1], shape.points[point][0]));
-                (angle - before).abs()
+                (angle - old_angle).abs()
             };
-            let farthest = touching.iter().map(|one| around(one.point)).fold(0.0, f64::max);
+            let farthest = touching.iter().map(|one| turned_by(one.point)).fold(0.0, f64::max);
             let energy = rest.energy.total(aim.pressure);
             (solver.contact.as_ref().expect("contact").force(post), energy, farthest)
         };
         let step = 2e-3;
-        let [(_, below, _), (force, _, _), (stuck, above, stays)] =
+        let [(_, below, _), (force, _, _), (sticking_force, above, sticking_slip)] =
             [-step, 0.0, step].map(|growth| opened(&sticking, growth));
         let (slid, _, slides) = opened(&sliding, step);
         let slope = (above - below) / (2.0 * step);
         assert!((slope / force - 1.0).abs() < 1e-4, "{slope} {force}");
-        assert!(stuck - force > 1.5 * (slid - force) && slid > force, "{stuck} {slid} {force}");
-        assert!(stays < 0.05 * slides, "{stays} {slides}");
+        assert!(
+            sticking_force - force > 1.5 * (slid - force) && slid > force,
+            "{sticking_force} {slid} {force}"
+        );
+        assert!(sticking_slip < 0.05 * slides, "{sticking_slip} {slides}");
     }
 }

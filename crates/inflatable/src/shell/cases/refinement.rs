@@ -25,9 +25,9 @@ pub struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    pub(crate) fn tell(&self, part: f64, what: &str) {
+    pub(crate) fn tell(&self, part: f64, step: &str) {
         if let Some(progress) = self.progress {
-            progress(part, what);
+            progress(part, step);
         }
     }
 }
@@ -71,8 +71,8 @@ impl Indented {
 }
 
 /// The numbers of the last three meshes, coarse to fine, as values. Of fewer meshes the finest counts for those that are missing.
-pub(super) fn values<const N: usize>(found: &[[f64; N]]) -> [Value; N] {
-    std::array::from_fn(|k| Value::new(std::array::from_fn(|mesh| found[mesh.min(found.len() - 1)][k])))
+pub(super) fn values<const N: usize>(numbers: &[[f64; N]]) -> [Value; N] {
+    std::array::from_fn(|k| Value::new(std::array::from_fn(|mesh| numbers[mesh.min(numbers.len() - 1)][k])))
 }
 
 impl Family<'_> {
@@ -136,52 +136,53 @@ impl Family<'_> {
             return self.let_down(solver, flat);
         }
         let continuation = self.tube.continuation();
-        let all = libm::log(continuation.last / continuation.first).max(1e-9);
+        let log_range = libm::log(continuation.last / continuation.first).max(1e-9);
         let report = |equilibrium: &Equilibrium| {
             watch.tell(
-                part(self.cuts) * libm::log(equilibrium.pressure / continuation.first) / all,
+                part(self.cuts) * libm::log(equilibrium.pressure / continuation.first) / log_range,
                 "from flat",
             );
         };
-        continuation.run(solver, report).map_err(|broken| self.broken(broken, solver.triangles()))
+        continuation.run(solver, report).map_err(|broken| self.fault(broken, solver.triangles()))
     }
 
     /// From `state` to the equilibrium at a pressure that stretches the sheet well, and down from there.
     fn let_down(&self, solver: &mut Solver, mut state: State) -> Result<Equilibrium, ShellFault> {
         let continuation = self.tube.continuation();
         let mut pressure = continuation.last.max(WELL_STRETCHED);
-        let (mut below, mut ratio) = (None::<Equilibrium>, DOWN);
+        let (mut last_rest, mut ratio) = (None::<Equilibrium>, DOWN);
         loop {
             match solver.rest_in_rounds(&mut state, continuation.aim(pressure), MOST_ROUNDS) {
                 Ok(rest) => {
                     if pressure <= continuation.last {
                         return Ok(Equilibrium { pressure, state, rest });
                     }
-                    below = Some(Equilibrium { pressure, state: state.clone(), rest });
+                    last_rest = Some(Equilibrium { pressure, state: state.clone(), rest });
                     ratio = (ratio * ratio).max(DOWN);
                 }
                 Err(why) => {
                     ratio = ratio.sqrt();
-                    let Some(last) = below.as_ref().filter(|_| why != Stop::Cancelled && ratio < LEAST_DOWN)
+                    let Some(last) =
+                        last_rest.as_ref().filter(|_| why != Stop::Cancelled && ratio < LEAST_DOWN)
                     else {
-                        let last = below.map(Box::new);
-                        return Err(self.broken(Broken { pressure, why, last }, solver.triangles()));
+                        let last = last_rest.map(Box::new);
+                        return Err(self.fault(Broken { pressure, why, last }, solver.triangles()));
                     };
                     state.clone_from(&last.state);
                 }
             }
-            let from = below.as_ref().map_or(pressure, |below| below.pressure);
-            pressure = (from * ratio).max(continuation.last);
+            let start_pressure = last_rest.as_ref().map_or(pressure, |last_rest| last_rest.pressure);
+            pressure = (start_pressure * ratio).max(continuation.last);
         }
     }
 
-    fn broken(&self, Broken { pressure, why, last }: Broken, triangles: usize) -> ShellFault {
-        if why == Stop::Cancelled {
+    fn fault(&self, Broken { pressure, why: reason, last }: Broken, triangles: usize) -> ShellFault {
+        if reason == Stop::Cancelled {
             return ShellFault::Cancelled;
         }
         let first = self.tube.continuation().first;
         let last = last.map_or(0.0, |equilibrium| equilibrium.pressure / first);
-        ShellFault::Stopped { why, at: pressure / first, last, triangles }
+        ShellFault::Stopped { why: reason, at: pressure / first, last, triangles }
     }
 
     /// The equilibrium of `fine` that begins from that of `coarse`. Where the coarse shape at full pressure is too rough a start,
@@ -209,7 +210,7 @@ impl Family<'_> {
                 Ok(equilibrium) => return Ok(equilibrium),
                 // Not even the first equilibrium was found: a smaller first pressure may help.
                 Err(Broken { last: None, why, .. }) if why != Stop::Cancelled => {}
-                Err(broken) => return Err(self.broken(broken, fine.triangles())),
+                Err(broken) => return Err(self.fault(broken, fine.triangles())),
             }
             pressure /= LET_DOWN;
             if coarse.rest(&mut lower, continuation.aim(pressure)).is_err() {
@@ -233,7 +234,7 @@ const MOST_ROUNDS: u32 = 4;
 const MOST_LET_DOWN: usize = 4;
 const LET_DOWN: f64 = 2.0;
 
-/// The part of the work that is done when `left` finer meshes are left: each costs about four times the one before.
-pub(crate) fn part(left: usize) -> f64 {
-    (0..left).fold(1.0, |part, _| part / 4.0)
+/// The part of the work that is done when `finer_meshes` finer meshes are left: each costs about four times the one before.
+pub(crate) fn part(finer_meshes: usize) -> f64 {
+    (0..finer_meshes).fold(1.0, |part, _| part / 4.0)
 }

@@ -47,17 +47,19 @@ impl InflatedShape {
     /// Several sheets as one.
     #[must_use]
     pub fn joined(shapes: &[Self]) -> Self {
-        let mut all = Self::default();
+        let mut union = Self::default();
         for shape in shapes {
-            let before = all.points.len();
-            all.points.extend(&shape.points);
-            all.flat.extend(&shape.flat);
-            all.triangles.extend(shape.triangles.iter().map(|corners| corners.map(|corner| corner + before)));
-            all.tension.extend(&shape.tension);
-            all.stretch.extend(&shape.stretch);
-            all.curvature.extend(&shape.curvature);
+            let offset = union.points.len();
+            union.points.extend(&shape.points);
+            union.flat.extend(&shape.flat);
+            union
+                .triangles
+                .extend(shape.triangles.iter().map(|corners| corners.map(|corner| corner + offset)));
+            union.tension.extend(&shape.tension);
+            union.stretch.extend(&shape.stretch);
+            union.curvature.extend(&shape.curvature);
         }
-        all
+        union
     }
 
     /// The text of a VTU file: lengths in mm, tensions in N/m, curvatures in 1/m.
@@ -95,7 +97,8 @@ mod tests {
     #[test]
     fn curvatures_are_those_of_a_turned_cylinder() {
         let (sine, cosine) = 0.3_f64.sin_cos();
-        let [bent, straight] = curvatures([-2.0 * cosine * cosine, -2.0 * sine * sine, -2.0 * sine * cosine]);
-        assert!((bent + 2.0).abs() < 1e-14 && straight.abs() < 1e-14, "{bent} {straight}");
+        let [principal, straight] =
+            curvatures([-2.0 * cosine * cosine, -2.0 * sine * sine, -2.0 * sine * cosine]);
+        assert!((principal + 2.0).abs() < 1e-14 && straight.abs() < 1e-14, "{principal} {straight}");
     }
 }

@@ -260,9 +260,9 @@ pub fn star_by_sizes(
         let at_rest = measure(&modelled, solver, &meshed.mesh, equilibrium);
         shape = InflatedShape::new(&case.tube, solver, &meshed.mesh, &equilibrium.state);
         // The next mesh begins without the objects.
-        let alone = solver.contact.clone();
+        let former_contact = solver.contact.clone();
         let [forces, slips] = press(&case.tube, objects, (solver, post), equilibrium, beside)?;
-        solver.contact = alone;
+        solver.contact = former_contact;
         if is_followed(solver, &opening) {
             opening = opening_curve(&case.tube, objects, solver, post, equilibrium)?;
         }

@@ -67,17 +67,18 @@ fn the_moment_is_the_energy_s_slope() {
 fn an_actuator_coils_and_its_stiffness_is_the_moment_s_slope() {
     let case = v_actuator();
     let fineness = Fineness { cells: 4.0, cuts: 2 };
-    let found = actuator(&case, &[], fineness, &Watch::default()).expect("an equilibrium");
-    assert!((1.05..1.4).contains(&found.coiling.value), "{found:?}");
-    assert!(found.volume.error < 0.03 * found.volume.value, "{:?}", found.volume);
-    assert_eq!(found.evidence.unknowns.len(), 3);
-    assert!(found.evidence.residual < 2e-8, "{}", found.evidence.residual);
+    let inflated = actuator(&case, &[], fineness, &Watch::default()).expect("an equilibrium");
+    assert!((1.05..1.4).contains(&inflated.coiling.value), "{inflated:?}");
+    assert!(inflated.volume.error < 0.03 * inflated.volume.value, "{:?}", inflated.volume);
+    assert_eq!(inflated.evidence.unknowns.len(), 3);
+    assert!(inflated.evidence.residual < 2e-8, "{}", inflated.evidence.residual);
     // The finest mesh's stiffness against the moments on both sides of its angle.
-    let free = found.angle.meshes[2];
-    let (less, more) = (free - 0.002, free + 0.002);
-    let held = actuator(&case, &[less, more], fineness, &Watch::default()).expect("an equilibrium");
-    let slope = (held.moments[1].1.meshes[2] - held.moments[0].1.meshes[2]) / 0.004;
-    assert!((slope / found.stiffness.meshes[2] - 1.0).abs() < 1e-3, "{slope} {:?}", found.stiffness);
+    let free = inflated.angle.meshes[2];
+    let (angle_below, angle_above) = (free - 0.002, free + 0.002);
+    let bent =
+        actuator(&case, &[angle_below, angle_above], fineness, &Watch::default()).expect("an equilibrium");
+    let slope = (bent.moments[1].1.meshes[2] - bent.moments[0].1.meshes[2]) / 0.004;
+    assert!((slope / inflated.stiffness.meshes[2] - 1.0).abs() < 1e-3, "{slope} {:?}", inflated.stiffness);
 }
 
 #[test]
@@ -85,12 +86,12 @@ fn a_hinge_without_arms_is_what_the_section_says() {
     // W = 20 mm, R* = 0.1, 1/eps = 330: one dimension (a section of revolution with full hoop stiffness, t/W = 0.015,
     // nu = 0.39) gives lambda = 1.1536 and C alpha_0 = 1.6533 p W^3.
     let width = 0.02_f64;
-    let mut tube = tube(width, 0.0);
-    tube.pressure = 330.0 * tube.fabric.bending / width.powi(3);
-    let case = Cell { tube, radius: 0.002, arc: PI / 12.0 };
-    let found = cell(&case, Fineness { cells: 12.0, cuts: 2 }, &Watch::default()).expect("an equilibrium");
-    assert!((found.lambda.value - 1.1536).abs() < 0.003, "{:?}", found.lambda);
-    let stiffness = found.stiffness.scaled(1.0 / (tube.pressure * width.powi(3)));
+    let mut slender = tube(width, 0.0);
+    slender.pressure = 330.0 * slender.fabric.bending / width.powi(3);
+    let case = Cell { tube: slender, radius: 0.002, arc: PI / 12.0 };
+    let answer = cell(&case, Fineness { cells: 12.0, cuts: 2 }, &Watch::default()).expect("an equilibrium");
+    assert!((answer.lambda.value - 1.1536).abs() < 0.003, "{:?}", answer.lambda);
+    let stiffness = answer.stiffness.scaled(1.0 / (slender.pressure * width.powi(3)));
     assert!((stiffness.value / 1.6533 - 1.0).abs() < 0.06, "{stiffness:?}");
 }
 
@@ -121,34 +122,35 @@ fn size_does_not_matter_at_the_same_ratios() {
 #[test]
 fn arms_that_meet_press_and_do_not_pass() {
     let pressure = 37e3;
-    let tube = tube(0.03, pressure);
+    let paper_tube = tube(0.03, pressure);
     let sector = HalfSector { n: 6, rho_0: 5.0 / 3.0, w: 1.0, phi_i: PI / 6.0, r_i: 0.0, r_e: 0.0 };
     let mesh = sector.mesh(&Sizes::across(1.0, 4.0)).expect("a mesh").mesh;
     let (sine, cosine) = (PI / 6.0).sin_cos();
     let tip = Plane { point: [0.0, 0.0], normal: [-sine, cosine] };
     let supports = Supports::new(&mesh, vec![Plane { point: [0.0, 0.0], normal: [0.0, -1.0] }, tip]);
-    let mut solver = Solver::new(Sheet::new(&mesh, tube.scaled()), supports).expect("small");
+    let mut solver = Solver::new(Sheet::new(&mesh, paper_tube.scaled()), supports).expect("small");
     let contact = Contact::new(&solver.assembly, vec![Obstacle::Wall(tip), Obstacle::Post { radius: 0.0 }]);
     solver.contact = Some(contact);
-    let equilibrium = tube.continuation().run(&mut solver, |_| {}).expect("an equilibrium");
+    let equilibrium = paper_tube.continuation().run(&mut solver, |_| {}).expect("an equilibrium");
     let force = |solver: &Solver, k| solver.contact.as_ref().map_or(0.0, |contact| contact.force(k));
     assert!(force(&solver, 0) > 0.0, "the arms do not touch");
     let deepest = equilibrium.state.points.iter().map(|x| tip.distance(*x)).fold(f64::INFINITY, f64::min);
     assert!(deepest > -1e-3, "{deepest}");
     // An object that the corners close on is pressed; a larger one more.
     let nearest = equilibrium.state.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
-    let (mut state, mut before) = (equilibrium.state.clone(), 0.0);
+    let (mut state, mut previous_force) = (equilibrium.state.clone(), 0.0);
     for opening in [0.03, 0.06] {
         let radius = nearest + opening;
         if let Some(contact) = &mut solver.contact {
             contact.replace(1, Obstacle::Post { radius });
         }
-        let _ =
-            solver.rest(&mut state, tube.continuation().aim(equilibrium.pressure)).expect("an equilibrium");
-        let inside = state.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
-        assert!(inside > radius - 1e-3, "{inside} {radius}");
-        assert!(force(&solver, 1) > before, "{opening}");
-        before = force(&solver, 1);
+        let _ = solver
+            .rest(&mut state, paper_tube.continuation().aim(equilibrium.pressure))
+            .expect("an equilibrium");
+        let least_radius = state.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
+        assert!(least_radius > radius - 1e-3, "{least_radius} {radius}");
+        assert!(force(&solver, 1) > previous_force, "{opening}");
+        previous_force = force(&solver, 1);
     }
 }
 
@@ -167,10 +169,10 @@ fn a_rim_that_is_sharp_and_not_a_point_is_found() {
         margin: Margin::NONE,
     };
     let fineness = Fineness { cells: 4.0, cuts: 2 };
-    let found = star(&case, Objects::Radii(&[]), fineness, &Watch::default()).expect("an equilibrium");
-    let iterations: u32 = found.evidence.efforts.iter().map(|effort| effort.iterations).sum();
+    let inflated = star(&case, Objects::Radii(&[]), fineness, &Watch::default()).expect("an equilibrium");
+    let iterations: u32 = inflated.evidence.efforts.iter().map(|effort| effort.iterations).sum();
     assert!(iterations < 200, "{iterations}");
-    assert!((0.015..0.025).contains(&found.final_radius.value), "{:?}", found.final_radius);
+    assert!((0.015..0.025).contains(&inflated.final_radius.value), "{:?}", inflated.final_radius);
 }
 
 /// At 1/eps = 1 this thin sheet is stretched by a millionth, and its energy depends on the square of that: a test of rounding.
@@ -184,8 +186,8 @@ fn a_sheet_that_is_hardly_stretched_comes_to_rest() {
         angle: 0.722,
         margin: Margin::NONE,
     };
-    let found = actuator(&case, &[], Fineness { cells: 4.0, cuts: 2 }, &Watch::default());
-    let coiling = found.expect("an equilibrium").coiling.value;
+    let answer = actuator(&case, &[], Fineness { cells: 4.0, cuts: 2 }, &Watch::default());
+    let coiling = answer.expect("an equilibrium").coiling.value;
     assert!((1.0..1.01).contains(&coiling), "{coiling}");
 }
 
@@ -207,11 +209,11 @@ fn objects_begun_from_a_coarser_mesh_push_as_those_opened_step_by_step() {
         let fineness = Fineness { cells: 2.0, cuts };
         star(&case, Objects::Openings(&openings), fineness, &Watch::default()).expect("equilibria")
     };
-    let (begun, stepped) = (run(2), run(3));
-    for ((_, begun), (_, stepped)) in begun.forces.iter().zip(&stepped.forces) {
-        let ratio = begun.meshes[1] / stepped.meshes[0];
-        assert!((ratio - 1.0).abs() < 1e-3, "{ratio}: {begun:?} {stepped:?}");
-        assert!(begun.meshes[1] > 0.5, "{begun:?}");
+    let (from_coarse, stepped) = (run(2), run(3));
+    for ((_, from_coarse), (_, stepped)) in from_coarse.forces.iter().zip(&stepped.forces) {
+        let ratio = from_coarse.meshes[1] / stepped.meshes[0];
+        assert!((ratio - 1.0).abs() < 1e-3, "{ratio}: {from_coarse:?} {stepped:?}");
+        assert!(from_coarse.meshes[1] > 0.5, "{from_coarse:?}");
     }
 }
 
@@ -221,9 +223,9 @@ fn what_no_shell_describes_is_refused_in_words() {
     let mut case = v_actuator();
     case.tube.pressure = 1e6;
     let fault = run(&case).expect_err("too much pressure");
-    let ShellFault::Pressure { least, most, .. } = fault else { panic!("{fault}") };
+    let ShellFault::Pressure { least: minimum, most: maximum, .. } = fault else { panic!("{fault}") };
     for (pressure, fits) in
-        [(1.001 * least, true), (0.999 * most, true), (0.999 * least, false), (1.001 * most, false)]
+        [(1.001 * minimum, true), (0.999 * maximum, true), (0.999 * minimum, false), (1.001 * maximum, false)]
     {
         case.tube.pressure = pressure;
         assert_eq!(case.tube.check().is_ok(), fits, "{pressure}");

@@ -73,10 +73,10 @@ impl Tube {
         let bendability = range(Input::Bendability, self.bendability(), 1.0, most_bendable);
         let fault = bendability.and_then(|()| range(Input::Stretch, self.stretch(), 0.0, MOST_STRETCHED));
         // Both are in proportion to the pressure.
-        let least = self.pressure_at(1.0);
-        let most = self.pressure_at(most_bendable).min(MOST_STRETCHED * self.fabric.stretch / self.width);
-        if least < most {
-            fault.map_err(|_| ShellFault::Pressure { found: self.pressure, least, most })
+        let minimum = self.pressure_at(1.0);
+        let maximum = self.pressure_at(most_bendable).min(MOST_STRETCHED * self.fabric.stretch / self.width);
+        if minimum < maximum {
+            fault.map_err(|_| ShellFault::Pressure { found: self.pressure, least: minimum, most: maximum })
         } else {
             fault
         }
@@ -99,12 +99,12 @@ impl Tube {
     }
 
     /// The fault of a tube without an equilibrium at its pressure, where there was one before another input changed.
-    pub fn stopped(&self, why: Stop, triangles: usize) -> ShellFault {
+    pub fn stopped(&self, reason: Stop, triangles: usize) -> ShellFault {
         let bendability = self.bendability();
-        if why == Stop::Cancelled {
+        if reason == Stop::Cancelled {
             ShellFault::Cancelled
         } else {
-            ShellFault::Stopped { why, at: bendability, last: bendability, triangles }
+            ShellFault::Stopped { why: reason, at: bendability, last: bendability, triangles }
         }
     }
 

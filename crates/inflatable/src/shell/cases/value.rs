@@ -17,8 +17,8 @@ impl Value {
     /// one, or a sequence that turns back, is taken as 1.
     pub fn new(meshes: [f64; 3]) -> Self {
         let [coarse, middle, fine] = meshes;
-        let (before, last) = (middle - coarse, fine - middle);
-        let ratio = if last == 0.0 { 4.0 } else { (before / last).clamp(2.0, 4.0) };
+        let (first_change, last) = (middle - coarse, fine - middle);
+        let ratio = if last == 0.0 { 4.0 } else { (first_change / last).clamp(2.0, 4.0) };
         let ratio = if ratio.is_nan() { 2.0 } else { ratio };
         let value = fine + last / (ratio - 1.0);
         Self { value, error: last.abs().max((value - fine).abs()), meshes }
@@ -33,9 +33,9 @@ impl Value {
         }
     }
 
-    /// The value from an origin that lies `by` lower.
-    pub fn shifted(self, by: f64) -> Self {
-        Self { value: self.value + by, error: self.error, meshes: self.meshes.map(|mesh| mesh + by) }
+    /// The value from an origin that lies `offset` lower.
+    pub fn shifted(self, offset: f64) -> Self {
+        Self { value: self.value + offset, error: self.error, meshes: self.meshes.map(|mesh| mesh + offset) }
     }
 }
 

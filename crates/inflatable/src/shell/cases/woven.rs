@@ -16,9 +16,9 @@ fn half_a_sector_stands_for_a_star_of_four_points_woven_along_its_planes() {
         (FRAC_PI_4, 8, false),
     ] {
         let star = |shear: f64| {
-            let mut tube = tube(0.03, 500.0);
-            tube.fabric = tube.fabric.woven(Weave { shear, warp });
-            FlatStar::sharp(tube, points, 0.04, 0.9)
+            let mut woven_tube = tube(0.03, 500.0);
+            woven_tube.fabric = woven_tube.fabric.woven(Weave { shear, warp });
+            FlatStar::sharp(woven_tube, points, 0.04, 0.9)
         };
         assert_eq!(star(0.3).is_symmetric(), is_symmetric, "{points} {warp}");
         assert!(star(1.0).is_symmetric(), "{points} {warp}");

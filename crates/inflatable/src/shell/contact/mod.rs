@@ -162,9 +162,9 @@ impl Contact {
         for (index, pressures) in self.pressures.iter().enumerate() {
             let middles = ends.iter().map(|[a, b]| f64::midpoint(pressures[*a], pressures[*b]));
             fine.pressures[index] = pressures.iter().copied().chain(middles).collect();
-            let (before, now) = (self.force(index), fine.force(index));
-            if now > 0.0 {
-                fine.pressures[index].iter_mut().for_each(|pressure| *pressure *= before / now);
+            let (coarse_force, fine_force) = (self.force(index), fine.force(index));
+            if fine_force > 0.0 {
+                fine.pressures[index].iter_mut().for_each(|pressure| *pressure *= coarse_force / fine_force);
             }
         }
         fine
@@ -198,19 +198,19 @@ impl Contact {
                 return;
             }
             let across = [-normal[1], normal[0], 0.0];
-            let bent = -area * push * self.obstacles[obstacle].curvature(state.points[point]);
+            let curvature_force = -area * push * self.obstacles[obstacle].curvature(state.points[point]);
             assembly.add_at_point(point, times(-area * push, normal), |v| {
                 let pressed = area * self.stiffness * (normal[0] * v[0] + normal[1] * v[1]);
-                let turned = bent * (across[0] * v[0] + across[1] * v[1]);
+                let turned = curvature_force * (across[0] * v[0] + across[1] * v[1]);
                 along(times(pressed, normal), turned, across)
             });
         });
         if let Some(sticking) = &self.sticking {
             for (point, place) in sticking.held() {
                 let stiffness = self.areas[sticking.obstacle][point] * sticking.stiffness;
-                let ([around, up], across) = (place.slid(state.points[point]), place.across());
-                let [around, up] = [around + place.pulled[0], up + place.pulled[1]];
-                let slope = along([0.0, 0.0, stiffness * up], stiffness * around, across);
+                let ([slide_around, slide_up], across) = (place.slid(state.points[point]), place.across());
+                let [pull_around, pull_up] = [slide_around + place.pulled[0], slide_up + place.pulled[1]];
+                let slope = along([0.0, 0.0, stiffness * pull_up], stiffness * pull_around, across);
                 assembly.add_at_point(point, slope, |v| {
                     along([0.0, 0.0, stiffness * v[2]], stiffness * dot(across, v), across)
                 });
@@ -248,8 +248,11 @@ impl Contact {
             for ((place, x), pressure) in sticking.places.iter_mut().zip(&state.points).zip(pressures) {
                 let touched = (*pressure > 0.0).then(|| place.unwrap_or_else(|| TouchedPlace::at(*x)));
                 *place = touched.map(|touched| {
-                    let [around, up] = touched.slid(*x);
-                    TouchedPlace { pulled: [touched.pulled[0] + around, touched.pulled[1] + up], ..touched }
+                    let [slide_around, slide_up] = touched.slid(*x);
+                    TouchedPlace {
+                        pulled: [touched.pulled[0] + slide_around, touched.pulled[1] + slide_up],
+                        ..touched
+                    }
                 });
             }
         }
@@ -263,13 +266,13 @@ impl Contact {
 
     /// The sum of all shear forces that hold points where they stick.
     pub fn shear(&self) -> f64 {
-        let of = |sticking: &Sticking| {
+        let force = |sticking: &Sticking| {
             let forces = sticking.held().map(|(point, TouchedPlace { pulled: [around, up], .. })| {
                 self.areas[sticking.obstacle][point] * sticking.stiffness * libm::hypot(*around, *up)
             });
             forces.sum::<f64>()
         };
-        self.sticking.iter().map(of).sum()
+        self.sticking.iter().map(force).sum()
     }
 
     /// The points that touch an obstacle.

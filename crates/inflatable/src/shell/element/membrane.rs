@@ -69,35 +69,36 @@ impl Membrane {
     }
 
     /// The response of a sheet that gives way to compression in fine wrinkles: where one principal stress would be compressive only the
-    /// other is left, Y E_1, and where both would be, none. `left` is the part of the elastic response that remains besides. The weave
+    /// other is left, Y E_1, and where both would be, none. `remaining` is the part of the elastic response that remains besides. The weave
     /// is left out.
     ///
     /// The energy is the largest convex one below the elastic one: Pipkin, "The relaxed energy density for isotropic elastic membranes"
     /// (1986).
-    pub fn wrinkled(fabric: Fabric, flat: &Flat, corners: [Vector; 3], left: f64) -> Self {
+    pub fn wrinkled(fabric: Fabric, flat: &Flat, corners: [Vector; 3], remaining: f64) -> Self {
         let fabric = fabric.woven(Weave::ISOTROPIC);
         let elastic = Self::new(fabric, flat, corners);
         let [e11, e22, double] = elastic.strain;
         let (mean, half) = (f64::midpoint(e11, e22), libm::hypot((e11 - e22) / 2.0, double / 2.0));
-        let (most, least) = (mean + half, mean - half);
+        let (tension, compression) = (mean + half, mean - half);
         let nu = fabric.poisson;
-        if least + nu * most >= 0.0 && most > 0.0 {
+        if compression + nu * tension >= 0.0 && tension > 0.0 {
             return elastic;
         }
         let [plane, shear] = moduli(fabric);
-        let mut tangent = isotropic([plane, shear], nu).map(|row| row.map(|c| left * c));
-        let mut stress = elastic.stress.map(|s| left * s);
-        if most > 0.0 {
+        let mut tangent = isotropic([plane, shear], nu).map(|row| row.map(|c| remaining * c));
+        let mut stress = elastic.stress.map(|s| remaining * s);
+        if tension > 0.0 {
             let (sine, cosine) = libm::sincos(0.5 * libm::atan2(double, e11 - e22));
             // E_1 by E11, E22, 2 E12; and by how much its direction turns.
             let grows = [cosine * cosine, sine * sine, sine * cosine];
             let turns = [-sine * cosine, sine * cosine, 0.5 * (cosine * cosine - sine * sine)];
-            let along = (1.0 - left) * fabric.stretch;
-            let aside = along * most / half;
+            let tension_stiffness = (1.0 - remaining) * fabric.stretch;
+            let turning_stiffness = tension_stiffness * tension / half;
             for i in 0..3 {
-                stress[i] += along * most * grows[i];
+                stress[i] += tension_stiffness * tension * grows[i];
                 for j in 0..3 {
-                    tangent[i][j] += along * grows[i] * grows[j] + aside * turns[i] * turns[j];
+                    tangent[i][j] +=
+                        tension_stiffness * grows[i] * grows[j] + turning_stiffness * turns[i] * turns[j];
                 }
             }
         }
@@ -156,8 +157,8 @@ impl Membrane {
             return self;
         }
         let part = if half > 0.0 { (mean + half).max(0.0) / (2.0 * half) } else { 0.0 };
-        let apart = (s11 - s22) / 2.0;
-        Self { stress: [part * (half + apart), part * (half - apart), part * s12], ..self }
+        let deviator = (s11 - s22) / 2.0;
+        Self { stress: [part * (half + deviator), part * (half - deviator), part * s12], ..self }
     }
 
     /// Adds the Hessian's second part: the present stress on changes of the strain of second order.

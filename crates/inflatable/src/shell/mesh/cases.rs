@@ -143,26 +143,26 @@ fn mesh(strip: Strip, last: Border, sizes: &Sizes, margin: MarginWidths) -> Resu
     delaunay::fill(&region, &sizing)?.with_margin(margin, &sizing)
 }
 
-fn check(good: bool, name: &'static str, found: f64, allowed: &'static str) -> Result<(), MeshFault> {
-    if good { Ok(()) } else { Err(MeshFault::Dimension { name, found, allowed }) }
+fn check(good: bool, name: &'static str, value: f64, allowed: &'static str) -> Result<(), MeshFault> {
+    if good { Ok(()) } else { Err(MeshFault::Dimension { name, found: value, allowed }) }
 }
 
-fn positive(name: &'static str, found: f64) -> Result<(), MeshFault> {
-    check(found > 0.0 && found.is_finite(), name, found, "more than 0")
+fn positive(name: &'static str, value: f64) -> Result<(), MeshFault> {
+    check(value > 0.0 && value.is_finite(), name, value, "more than 0")
 }
 
 /// A hinge's inner radius: a point, or an arc that the triangles around it can get small enough for.
-fn radius(name: &'static str, found: f64, w: f64) -> Result<(), MeshFault> {
-    let good = found == 0.0 || (found >= 1e-4 * w && found <= 100.0 * w);
-    check(good, name, found, "0, or W/10000 to 100 W")
+fn radius(name: &'static str, value: f64, w: f64) -> Result<(), MeshFault> {
+    let good = value == 0.0 || (value >= 1e-4 * w && value <= 100.0 * w);
+    check(good, name, value, "0, or W/10000 to 100 W")
 }
 
-fn arm(found: f64, w: f64) -> Result<(), MeshFault> {
-    let good = found >= 1e-4 * w && found <= 1000.0 * w;
-    check(good, "the arm's length l", found, "W/10000 to 1000 W")
+fn arm(value: f64, w: f64) -> Result<(), MeshFault> {
+    let good = value >= 1e-4 * w && value <= 1000.0 * w;
+    check(good, "the arm's length l", value, "W/10000 to 1000 W")
 }
 
-/// An angle between 0 and `most`.
-fn within(name: &'static str, found: f64, most: f64) -> Result<(), MeshFault> {
-    check(found > 0.0 && found < most, name, found, "more than 0, and less than a straight hinge")
+/// An angle between 0 and `maximum`.
+fn within(name: &'static str, value: f64, maximum: f64) -> Result<(), MeshFault> {
+    check(value > 0.0 && value < maximum, name, value, "more than 0, and less than a straight hinge")
 }

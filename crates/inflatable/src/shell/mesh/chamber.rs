@@ -72,12 +72,12 @@ impl FlatChamber {
 
     /// The chamber in units of `unit`.
     pub fn by(&self, unit: f64) -> Self {
-        let all = |paths: &[Path]| paths.iter().map(|path| scaled(path, 1.0 / unit)).collect();
+        let scaled_paths = |paths: &[Path]| paths.iter().map(|path| scaled(path, 1.0 / unit)).collect();
         Self {
             outline: scaled(&self.outline, 1.0 / unit),
-            holes: all(&self.holes),
-            islands: all(&self.islands),
-            welds: all(&self.welds),
+            holes: scaled_paths(&self.holes),
+            islands: scaled_paths(&self.islands),
+            welds: scaled_paths(&self.welds),
         }
     }
 
@@ -97,11 +97,11 @@ impl FlatChamber {
 
     /// The region, its curves parted where they meet.
     fn region(&self) -> Result<(Region, Vec<usize>), MeshFault> {
-        let parted = parted(&self.curves().collect::<Vec<_>>());
+        let pieces_of_curves = parted(&self.curves().collect::<Vec<_>>());
         let holes = self.holes.len();
         let mut region = Region { pieces: Vec::new(), holes: Vec::new(), welds: Vec::new() };
         let mut curve_of = Vec::new();
-        for (number, segments) in parted.into_iter().enumerate() {
+        for (number, segments) in pieces_of_curves.into_iter().enumerate() {
             curve_of.extend(segments.iter().map(|_| number));
             let border = Border::Rim(match number {
                 0 => rim::OUTER,
@@ -125,32 +125,32 @@ impl FlatChamber {
         Ok((region, curve_of))
     }
 
-    /// Edges of length `most` within, shorter along walls, in narrow places and at corners that point inwards.
-    fn sizing(&self, region: &Region, most: f64) -> Sizing {
+    /// Edges of length `coarse` within, shorter along walls, in narrow places and at corners that point inwards.
+    fn sizing(&self, region: &Region, coarse: f64) -> Sizing {
         let walls = self.walls();
-        let turn = (COARSE_TURN * most).clamp(TURN, MOST_TURN);
+        let turn = (COARSE_TURN * coarse).clamp(TURN, MOST_TURN);
         let mut discs = Vec::new();
         for piece in region.all() {
             let is_weld = piece.border == Border::Rim(rim::WELD);
             let curve = piece.curve;
             let length = curve.length();
             let bow = if let Segment::Arc(arc) = curve { arc.radius * turn } else { f64::INFINITY };
-            let count = (length / (0.5 * most)).ceil().clamp(1.0, MOST_SAMPLES);
+            let count = (length / (0.5 * coarse)).ceil().clamp(1.0, MOST_SAMPLES);
             let mut step = 0.5;
             while step < count {
                 let (p, along) = (curve.point(step / count), curve.tangent(step / count));
                 let inward = along.perp();
                 let left = walls.across(p, inward, 1.0);
                 let right = if is_weld { walls.across(p, -inward, 1.0) } else { 1.0 };
-                let size = most * (ALONG_WALLS * left.min(right)).max(NARROWEST);
+                let size = coarse * (ALONG_WALLS * left.min(right)).max(NARROWEST);
                 discs.push((p, 0.5 * length / count, size.min(bow).min(length)));
                 step += 1.0;
             }
         }
         for path in self.curves() {
-            discs.extend(self.sharp_corners(path).map(|p| (p, 0.0, most * AT_CORNERS)));
+            discs.extend(self.sharp_corners(path).map(|p| (p, 0.0, coarse * AT_CORNERS)));
         }
-        Sizing::around(most, discs)
+        Sizing::around(coarse, discs)
     }
 
     /// Corners of `path` that point into the chamber, and the ends of open curves.
@@ -171,12 +171,12 @@ impl FlatChamber {
     }
 }
 
-fn scaled(path: &Path, by: f64) -> Path {
-    let point = |p: Point| Point::new(by * p.x, by * p.y);
+fn scaled(path: &Path, factor: f64) -> Path {
+    let point = |p: Point| Point::new(factor * p.x, factor * p.y);
     let segments = path.segments.iter().map(|segment| match *segment {
         Segment::Line(line) => Segment::Line(geom::Line::new(point(line.start), point(line.end))),
         Segment::Arc(arc) => {
-            Segment::Arc(geom::Arc { center: point(arc.center), radius: by * arc.radius, ..arc })
+            Segment::Arc(geom::Arc { center: point(arc.center), radius: factor * arc.radius, ..arc })
         }
     });
     Path { segments: segments.collect(), closed: path.closed }
@@ -186,13 +186,13 @@ fn scaled(path: &Path, by: f64) -> Path {
 fn parted(curves: &[&Path]) -> Vec<Vec<Segment>> {
     let boxes: Vec<Vec<Bounds>> =
         curves.iter().map(|path| path.segments.iter().map(Segment::bounds).collect()).collect();
-    let whole: Vec<Bounds> = curves.iter().map(|path| path.bounds().grown(MEETS)).collect();
+    let bounds_of: Vec<Bounds> = curves.iter().map(|path| path.bounds().grown(MEETS)).collect();
     let cuts = |own: usize, at: usize| {
         let segment = &curves[own].segments[at];
         let bounds = boxes[own][at].grown(MEETS);
         let mut cuts = vec![0.0, 1.0];
         for (other, path) in curves.iter().enumerate() {
-            if other == own || !whole[other].overlaps(&bounds) {
+            if other == own || !bounds_of[other].overlaps(&bounds) {
                 continue;
             }
             let crossings = path.segments.iter().zip(&boxes[other]).filter(|(_, b)| b.overlaps(&bounds));
@@ -205,8 +205,8 @@ fn parted(curves: &[&Path]) -> Vec<Vec<Segment>> {
             cuts.extend(hits.into_iter().map(|hit| segment.nearest_fraction(hit)));
         }
         cuts.sort_by(f64::total_cmp);
-        let least = 2.0 * MEETS / segment.length();
-        cuts.dedup_by(|b, a| *b - *a < least);
+        let smallest_step = 2.0 * MEETS / segment.length();
+        cuts.dedup_by(|b, a| *b - *a < smallest_step);
         if let Some(last) = cuts.last_mut() {
             *last = 1.0;
         }
@@ -215,9 +215,10 @@ fn parted(curves: &[&Path]) -> Vec<Vec<Segment>> {
     let parts = |own: usize| {
         let path = curves[own];
         (0..path.segments.len()).flat_map(move |at| {
-            let cuts = cuts(own, at);
+            let fractions = cuts(own, at);
             let segment = path.segments[at];
-            cuts.windows(2)
+            fractions
+                .windows(2)
                 .map(|cut| if *cut == [0.0, 1.0] { segment } else { segment.part(cut[0], cut[1]) })
                 .collect::<Vec<_>>()
         })

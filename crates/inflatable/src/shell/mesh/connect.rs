@@ -68,20 +68,20 @@ fn check_triangles(points: &[[f64; 2]], triangles: &[[usize; 3]]) -> Result<(), 
     if let Some(point) = points.iter().position(|xy| !xy.iter().all(|x| x.is_finite())) {
         return Err(MeshFault::NotFinite { point });
     }
-    let mut used = vec![false; points.len()];
+    let mut is_used = vec![false; points.len()];
     for (triangle, corners) in triangles.iter().enumerate() {
-        if let Some(&found) = corners.iter().find(|&&point| point >= points.len()) {
-            return Err(MeshFault::NoSuchPoint { triangle, found, points: points.len() });
+        if let Some(&missing) = corners.iter().find(|&&point| point >= points.len()) {
+            return Err(MeshFault::NoSuchPoint { triangle, found: missing, points: points.len() });
         }
         let area = signed_area(corners.map(|point| points[point]));
         if area <= 0.0 {
             return Err(MeshFault::NotCounterclockwise { triangle, area });
         }
         for &point in corners {
-            used[point] = true;
+            is_used[point] = true;
         }
     }
-    used.iter().position(|used| !used).map_or(Ok(()), |point| Err(MeshFault::Unused { point }))
+    is_used.iter().position(|is_used| !is_used).map_or(Ok(()), |point| Err(MeshFault::Unused { point }))
 }
 
 fn sides(triangle: usize, corners: &[usize; 3]) -> [BorderSide; 3] {
@@ -103,17 +103,17 @@ mod tests {
 
     #[test]
     fn two_triangles_share_their_diagonal() -> Result<(), MeshFault> {
-        let mesh = mesh(&SQUARE, &[[0, 1, 2], [2, 3, 0]])?;
-        assert_eq!(mesh.edges.len(), 5);
-        let ends: Vec<_> = mesh.edges.iter().map(|edge| edge.ends).collect();
+        let square = mesh(&SQUARE, &[[0, 1, 2], [2, 3, 0]])?;
+        assert_eq!(square.edges.len(), 5);
+        let ends: Vec<_> = square.edges.iter().map(|edge| edge.ends).collect();
         assert_eq!(ends, [[0, 1], [0, 2], [0, 3], [1, 2], [2, 3]]);
         // From 0 to 2 the triangle 2 3 0 lies to the left.
-        assert_eq!(mesh.edges[1].sides, [Some(1), Some(0)]);
-        assert_eq!(mesh.triangle_edges, [[3, 1, 0], [2, 1, 4]]);
-        assert_eq!(mesh.edges[1].border, None);
-        assert_eq!((mesh.area(0), mesh.length(0)), (0.5, 1.0));
-        assert!((mesh.length(1) - 2.0_f64.sqrt()).abs() < 1e-15);
-        assert!((mesh.smallest_angle().to_degrees() - 45.0).abs() < 1e-12);
+        assert_eq!(square.edges[1].sides, [Some(1), Some(0)]);
+        assert_eq!(square.triangle_edges, [[3, 1, 0], [2, 1, 4]]);
+        assert_eq!(square.edges[1].border, None);
+        assert_eq!((square.area(0), square.length(0)), (0.5, 1.0));
+        assert!((square.length(1) - 2.0_f64.sqrt()).abs() < 1e-15);
+        assert!((square.smallest_angle().to_degrees() - 45.0).abs() < 1e-12);
         Ok(())
     }
 
@@ -138,8 +138,8 @@ mod tests {
         let mut points = SQUARE.to_vec();
         points.push([0.5, 0.5]);
         let outer = |ends: [usize; 2]| (!ends.contains(&4) && ends != [0, 2]).then_some(Border::Free);
-        let found = Mesh::from_triangles(points, vec![[0, 1, 4], [1, 2, 4], [2, 3, 0]], outer);
-        assert_eq!(found, Err(MeshFault::Unnamed { ends: [0, 2], triangle: 2 }));
+        let fault = Mesh::from_triangles(points, vec![[0, 1, 4], [1, 2, 4], [2, 3, 0]], outer);
+        assert_eq!(fault, Err(MeshFault::Unnamed { ends: [0, 2], triangle: 2 }));
     }
 
     #[test]

@@ -50,10 +50,10 @@ pub(super) fn fill_border(border: &BorderPoints, sizing: &Sizing) -> Result<Poin
     // The last rounds still exchange a triangle here and there: the round with the widest smallest angle is taken.
     let mut best = (0.0, seeds.clone());
     for _ in 0..ROUNDS {
-        let before = seeds.clone();
+        let former_seeds = seeds.clone();
         let smallest = border.even_out(&mut seeds, sizing)?;
         if smallest > best.0 {
-            best = (smallest, before);
+            best = (smallest, former_seeds);
         }
     }
     let seeds = best.1;
@@ -96,11 +96,11 @@ impl BorderPoints {
     fn add_loop(&mut self, pieces: &[Piece], sizing: &Sizing, first: usize) {
         let start = self.points.len();
         let mut piece = Vec::new();
-        let before = pieces.iter().cycle().skip(pieces.len().saturating_sub(1));
-        for (index, (this, before)) in pieces.iter().zip(before).enumerate() {
+        let previous_pieces = pieces.iter().cycle().skip(pieces.len().saturating_sub(1));
+        for (index, (this, previous_pieces)) in pieces.iter().zip(previous_pieces).enumerate() {
             let mut run = sizing.along(&this.curve);
             // A line's ends are given, those of an arc are computed.
-            if let (Segment::Line(line), Some(first)) = (before.curve, run.first_mut()) {
+            if let (Segment::Line(line), Some(first)) = (previous_pieces.curve, run.first_mut()) {
                 *first = line.end;
             }
             piece.extend(run.iter().map(|_| first + index));
@@ -113,19 +113,19 @@ impl BorderPoints {
 
     /// Adds a piece of weld through `run` to `end`; points that are there already are shared.
     fn add_weld(&mut self, run: Vec<Point>, end: Point, piece: usize) {
-        let mut before = None;
+        let mut previous = None;
         let last = run.len();
         for (at, p) in run.into_iter().chain([end]).enumerate() {
             let is_end = at == 0 || at == last;
-            let same = self.points.iter().position(|q| is_end && q.distance(p) < SAME);
-            let point = same.unwrap_or_else(|| {
+            let existing = self.points.iter().position(|q| is_end && q.distance(p) < SAME);
+            let point = existing.unwrap_or_else(|| {
                 self.points.push(p);
                 self.points.len() - 1
             });
-            if let Some(before) = before.filter(|before| *before != point) {
-                self.edges.push(([before, point], piece));
+            if let Some(previous) = previous.filter(|previous| *previous != point) {
+                self.edges.push(([previous, point], piece));
             }
-            before = Some(point);
+            previous = Some(point);
         }
     }
 
@@ -162,23 +162,23 @@ impl BorderPoints {
 
     /// The triangles to the left of the border and on both sides of welds, and all that are reached from them without crossing it. (A test whether a
     /// triangle's middle lies within would fail for flat ones between points of one line.)
-    fn inner(&self, found: &Triangles) -> Vec<[usize; 3]> {
-        let vertices: Vec<_> = found.fixed_vertices().collect();
-        let mut within = vec![false; found.num_all_faces()];
+    fn inner(&self, triangulation: &Triangles) -> Vec<[usize; 3]> {
+        let vertices: Vec<_> = triangulation.fixed_vertices().collect();
+        let mut is_within = vec![false; triangulation.num_all_faces()];
         let edges = self.edges.iter().map(|(ends, _)| ends.map(|end| vertices[end]));
-        let edges = edges.filter_map(|[a, b]| found.get_edge_from_neighbors(a, b));
+        let edges = edges.filter_map(|[a, b]| triangulation.get_edge_from_neighbors(a, b));
         let mut open: Vec<_> = edges
             .enumerate()
             .flat_map(|(at, edge)| [Some(edge), (at >= self.outer).then(|| edge.rev())])
             .filter_map(|edge| edge?.face().as_inner())
             .collect();
         while let Some(face) = open.pop() {
-            if !std::mem::replace(&mut within[face.index()], true) {
-                let beyond = face.adjacent_edges().into_iter().filter(|edge| !edge.is_constraint_edge());
-                open.extend(beyond.filter_map(|edge| edge.rev().face().as_inner()));
+            if !std::mem::replace(&mut is_within[face.index()], true) {
+                let open_edges = face.adjacent_edges().into_iter().filter(|edge| !edge.is_constraint_edge());
+                open.extend(open_edges.filter_map(|edge| edge.rev().face().as_inner()));
             }
         }
-        let inner = found.inner_faces().filter(|face| within[face.index()]);
+        let inner = triangulation.inner_faces().filter(|face| is_within[face.index()]);
         inner.map(|face| face.vertices().map(|vertex| vertex.fix().index())).collect()
     }
 
@@ -194,9 +194,9 @@ impl BorderPoints {
     fn has_room(&self, p: Point, clear: f64) -> bool {
         let is_near = |(ends, _): &([usize; 2], usize)| {
             let [a, b] = ends.map(|end| self.points[end]);
-            let along = b - a;
-            let t = ((p - a).dot(along) / along.dot(along)).clamp(0.0, 1.0);
-            (a + along * t).distance(p) < clear
+            let chord = b - a;
+            let t = ((p - a).dot(chord) / chord.dot(chord)).clamp(0.0, 1.0);
+            (a + chord * t).distance(p) < clear
         };
         self.encloses(p) && !self.edges.iter().any(is_near)
     }
@@ -217,7 +217,7 @@ impl BorderPoints {
             }
             large
                 .sort_by(|(a, p), (b, q)| b.total_cmp(a).then(p.x.total_cmp(&q.x)).then(p.y.total_cmp(&q.y)));
-            let before = seeds.len();
+            let former_count = seeds.len();
             for (_, p) in large {
                 let size = sizing.at(p);
                 let is_clear =
@@ -226,7 +226,7 @@ impl BorderPoints {
                     seeds.push(p);
                 }
             }
-            if seeds.len() == before {
+            if seeds.len() == former_count {
                 return Ok(seeds);
             }
             if seeds.len() > MOST {
@@ -260,19 +260,21 @@ impl BorderPoints {
     }
 }
 
-fn point_of(at: usize, border: &[Point], seeds: &[Point]) -> Point {
-    at.checked_sub(border.len()).map_or_else(|| border[at], |seed| seeds[seed])
+fn point_of(index: usize, border: &[Point], seeds: &[Point]) -> Point {
+    index.checked_sub(border.len()).map_or_else(|| border[index], |seed| seeds[seed])
 }
 
 /// Whether the corners of the triangle in which `p` lies are at least `clear` away from it.
-fn clear_of_points(found: &Triangles, p: Point, clear: f64) -> bool {
+fn clear_of_points(triangulation: &Triangles, p: Point, clear: f64) -> bool {
     let is_far = |vertex: VertexHandle<'_, Point2<f64>, (), CdtEdge<()>>| {
         let q = vertex.position();
         Point::new(q.x, q.y).distance(p) >= clear
     };
-    match found.locate(Point2::new(p.x, p.y)) {
-        PositionInTriangulation::OnFace(face) => found.face(face).vertices().into_iter().all(is_far),
-        PositionInTriangulation::OnEdge(edge) => found.directed_edge(edge).vertices().into_iter().all(is_far),
+    match triangulation.locate(Point2::new(p.x, p.y)) {
+        PositionInTriangulation::OnFace(face) => triangulation.face(face).vertices().into_iter().all(is_far),
+        PositionInTriangulation::OnEdge(edge) => {
+            triangulation.directed_edge(edge).vertices().into_iter().all(is_far)
+        }
         _ => false,
     }
 }

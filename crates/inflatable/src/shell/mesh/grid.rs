@@ -52,16 +52,17 @@ pub(crate) fn rectangle(
         [cos * x - sin * y, sin * x + cos * y]
     };
     let side = |ends: [usize; 2]| {
-        let on = |axis: usize, at: f64| ends.iter().all(|&end| flat[end][axis] == at);
-        let border = [on(1, 0.0), on(0, 1.0), on(1, 1.0), on(0, 0.0)].iter().position(|&on| on)?;
+        let is_on = |axis: usize, at: f64| ends.iter().all(|&end| flat[end][axis] == at);
+        let border =
+            [is_on(1, 0.0), is_on(0, 1.0), is_on(1, 1.0), is_on(0, 0.0)].iter().position(|&is_on| is_on)?;
         Some(borders[border])
     };
     Mesh::from_triangles(flat.iter().copied().map(place).collect(), triangles, side)
 }
 
 #[expect(clippy::cast_precision_loss, reason = "a grid has far fewer than 2^53 cells")]
-fn fraction(part: usize, whole: usize) -> f64 {
-    part as f64 / whole as f64
+fn fraction(part: usize, count: usize) -> f64 {
+    part as f64 / count as f64
 }
 
 fn cut([a, b, c, d]: [usize; 4], diagonal: Diagonal, even: bool, middle: usize) -> Vec<[usize; 3]> {
@@ -88,10 +89,10 @@ mod tests {
                 for (border, sides, length) in
                     [(BORDERS[0], 4, 3.0), (BORDERS[1], 3, 2.0), (BORDERS[2], 4, 3.0), (BORDERS[3], 3, 2.0)]
                 {
-                    let of = |e: &usize| mesh.edges[*e].border == Some(border);
-                    let found: Vec<usize> = (0..mesh.edges.len()).filter(of).collect();
-                    assert_eq!(found.len(), sides);
-                    let sum: f64 = found.iter().map(|&e| mesh.length(e)).sum();
+                    let is_of_border = |e: &usize| mesh.edges[*e].border == Some(border);
+                    let border_edges: Vec<usize> = (0..mesh.edges.len()).filter(is_of_border).collect();
+                    assert_eq!(border_edges.len(), sides);
+                    let sum: f64 = border_edges.iter().map(|&e| mesh.length(e)).sum();
                     assert!((sum - length).abs() < 1e-13);
                 }
             }
@@ -101,10 +102,10 @@ mod tests {
 
     #[test]
     fn a_rectangle_needs_sides_and_cells() {
-        let of = |size, cells| rectangle(size, cells, Diagonal::Rising, 0.0, BORDERS).err();
+        let fault_of = |size, cells| rectangle(size, cells, Diagonal::Rising, 0.0, BORDERS).err();
         let width =
             MeshFault::Dimension { name: "the rectangle's width", found: 0.0, allowed: "more than 0" };
-        assert_eq!(of([0.0, 1.0], [1, 1]), Some(width));
-        assert_eq!(of([1.0, 1.0], [0, 1]), Some(MeshFault::Empty));
+        assert_eq!(fault_of([0.0, 1.0], [1, 1]), Some(width));
+        assert_eq!(fault_of([1.0, 1.0], [0, 1]), Some(MeshFault::Empty));
     }
 }

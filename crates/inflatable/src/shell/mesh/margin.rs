@@ -33,19 +33,19 @@ impl Meshed {
     /// # Errors
     /// If a width is negative or not finite, or if the margin has no room between the planes of symmetry.
     pub(super) fn with_margin(self, widths: MarginWidths, sizing: &Sizing) -> Result<Self, MeshFault> {
-        let mut all = self;
-        let (tube, count) = (all.tube, all.pieces.len());
+        let mut meshed = self;
+        let (tube, count) = (meshed.tube, meshed.pieces.len());
         for (border, width) in [(rim::INNER, widths.inner), (rim::OUTER, widths.outer)] {
             if !(width >= 0.0 && width.is_finite()) {
                 let (name, allowed) = ("the margin's width", "0 or more");
                 return Err(MeshFault::Dimension { name, found: width, allowed });
             }
             if width > 0.0 {
-                let rim = all.rim(border, count);
-                all = all.widened(&rim, width, sizing)?;
+                let rim = meshed.rim(border, count);
+                meshed = meshed.widened(&rim, width, sizing)?;
             }
         }
-        Ok(Self { tube, ..all })
+        Ok(Self { tube, ..meshed })
     }
 
     /// The pieces of a rim. The first `count` pieces are the border of the tube alone: one loop, and a rim is one run of it.
@@ -71,7 +71,7 @@ impl Meshed {
         let edge = edge.filter(|edge| !edge.is_empty()).ok_or(too_wide)?;
         // Counterclockwise: back along the rim, out, along the cut edge, in.
         let Self { mesh, mut pieces, piece_of, .. } = self;
-        let (mut known, mut loop_pieces) = (Vec::new(), Vec::new());
+        let (mut rim_points, mut loop_pieces) = (Vec::new(), Vec::new());
         for at in rim.pieces.iter().rev() {
             let curve = pieces[*at].curve;
             let fraction = |point: usize| {
@@ -83,23 +83,23 @@ impl Meshed {
                 .map(|[a, b]| if fraction(a) > fraction(b) { [a, b] } else { [b, a] })
                 .collect();
             run.sort_by(|a, b| fraction(b[0]).total_cmp(&fraction(a[0])));
-            known.extend(run.iter().map(|[from, _]| *from));
+            rim_points.extend(run.iter().map(|[from, _]| *from));
             loop_pieces.extend(run.iter().map(|_| *at));
             if *at == rim.pieces[0] {
-                known.extend(run.last().map(|[_, to]| *to));
+                rim_points.extend(run.last().map(|[_, to]| *to));
             }
         }
         let place = |point: &usize| Point::new(mesh.points[*point][0], mesh.points[*point][1]);
-        let mut points: Vec<Point> = known.iter().map(place).collect();
+        let mut points: Vec<Point> = rim_points.iter().map(place).collect();
         let ends = [edge[0].start(), edge[edge.len() - 1].end()];
-        let beside = |piece: Piece| {
+        let neighbour = |piece: Piece| {
             if matches!(piece.border, Border::Mirror(_)) { piece.border } else { Border::Free }
         };
         let corners = [points[points.len() - 1], points[0]];
-        let out = Piece { curve: Line::new(corners[0], ends[0]).into(), border: beside(rim.before) };
-        let back = Piece { curve: Line::new(ends[1], corners[1]).into(), border: beside(rim.after) };
+        let outward = Piece { curve: Line::new(corners[0], ends[0]).into(), border: neighbour(rim.before) };
+        let back = Piece { curve: Line::new(ends[1], corners[1]).into(), border: neighbour(rim.after) };
         let cut = edge.into_iter().map(|curve| Piece { curve, border: Border::Free });
-        for (at, piece) in [out].into_iter().chain(cut).chain([back]).enumerate() {
+        for (at, piece) in [outward].into_iter().chain(cut).chain([back]).enumerate() {
             let run = sizing.along(&piece.curve);
             // The first point of the way out is the rim's.
             loop_pieces.extend(run.iter().map(|_| pieces.len()));
@@ -107,44 +107,47 @@ impl Meshed {
             pieces.push(piece);
         }
         let border = BorderPoints::closed(points, &loop_pieces);
-        let (found, triangles) = fill_border(&border, sizing)?;
+        let (points_of_margin, triangles) = fill_border(&border, sizing)?;
         let fresh = mesh.points.len();
-        let number = |at: usize| known.get(at).copied().unwrap_or(fresh + at.saturating_sub(known.len()));
-        let mut all = mesh.points.clone();
-        all.extend(&found[known.len()..]);
-        let mut on: BTreeMap<[usize; 2], usize> = mesh
+        let number =
+            |at: usize| rim_points.get(at).copied().unwrap_or(fresh + at.saturating_sub(rim_points.len()));
+        let mut joined_points = mesh.points.clone();
+        joined_points.extend(&points_of_margin[rim_points.len()..]);
+        let mut piece_at: BTreeMap<[usize; 2], usize> = mesh
             .edges
             .iter()
             .zip(&piece_of)
             .filter_map(|(edge, piece)| Some((edge.ends, (*piece)?)))
             .collect();
-        on.extend(border.pieces().into_iter().map(|(ends, piece)| {
+        piece_at.extend(border.pieces().into_iter().map(|(ends, piece)| {
             let [a, b] = ends.map(number);
             ([a.min(b), a.max(b)], piece)
         }));
         let triangles =
             mesh.triangles.iter().copied().chain(triangles.iter().map(|corners| corners.map(number)));
-        Self::new(all, triangles.collect(), pieces, &on)
+        Self::new(joined_points, triangles.collect(), pieces, &piece_at)
     }
 }
 
-/// `curve` moved by `by` to its right; `None` if it is an arc around a centre that lies nearer.
-fn offset(curve: &Segment, by: f64) -> Option<Segment> {
+/// `curve` moved by `distance` to its right; `None` if it is an arc around a centre that lies nearer.
+fn offset(curve: &Segment, distance: f64) -> Option<Segment> {
     match curve {
         Segment::Line(line) => {
-            let aside = line.direction().perp() * -by;
-            Some(Line::new(line.start + aside, line.end + aside).into())
+            let shift = line.direction().perp() * -distance;
+            Some(Line::new(line.start + shift, line.end + shift).into())
         }
         Segment::Arc(arc) => {
-            let radius = arc.radius + if arc.is_ccw() { by } else { -by };
-            (radius > 1e-9 * by).then(|| Arc { radius, ..*arc }.into())
+            let radius = arc.radius + if arc.is_ccw() { distance } else { -distance };
+            (radius > 1e-9 * distance).then(|| Arc { radius, ..*arc }.into())
         }
     }
 }
 
 /// The part of a run of curves that lies on the left of the border's piece `before` it, if that is a plane of symmetry; `None` if none does.
-fn trimmed(edge: Vec<Segment>, beside: Piece) -> Option<Vec<Segment>> {
-    let (Border::Mirror(_), Segment::Line(line)) = (beside.border, beside.curve) else { return Some(edge) };
+fn trimmed(edge: Vec<Segment>, neighbour: Piece) -> Option<Vec<Segment>> {
+    let (Border::Mirror(_), Segment::Line(line)) = (neighbour.border, neighbour.curve) else {
+        return Some(edge);
+    };
     let direction: Vec2 = line.direction();
     let side = |p: Point| direction.cross(p - line.start);
     let slack = 1e-12 * line.length();
@@ -187,19 +190,19 @@ mod tests {
             for cells in SIZES {
                 let sizes = Sizes::across(1.0, cells);
                 let bare = star.mesh(&sizes).expect("a mesh");
-                let with = star.mesh_with(&sizes, WIDTHS).expect("a mesh");
+                let widened = star.mesh_with(&sizes, WIDTHS).expect("a mesh");
                 assert_eq!(bare, star.mesh_with(&sizes, MarginWidths::default()).expect("a mesh"));
                 assert_eq!(bare.tube, bare.mesh.triangles.len());
-                assert_eq!(with.tube, bare.tube);
-                assert_eq!(with.mesh.triangles[..with.tube], bare.mesh.triangles[..]);
-                assert_eq!(with.mesh.points[..bare.mesh.points.len()], bare.mesh.points[..]);
-                let fine = with.refined().expect("a finer mesh");
+                assert_eq!(widened.tube, bare.tube);
+                assert_eq!(widened.mesh.triangles[..widened.tube], bare.mesh.triangles[..]);
+                assert_eq!(widened.mesh.points[..bare.mesh.points.len()], bare.mesh.points[..]);
+                let fine = widened.refined().expect("a finer mesh");
                 assert_eq!(
                     (fine.tube, fine.mesh.triangles.len()),
-                    (4 * with.tube, 4 * with.mesh.triangles.len())
+                    (4 * widened.tube, 4 * widened.mesh.triangles.len())
                 );
-                let whole = with.unfolded(star.n, 2 * star.n).expect("a whole star");
-                assert_eq!(whole.tube, 2 * bare.tube * usize::try_from(star.n).expect("few"));
+                let star_mesh = widened.unfolded(star.n, 2 * star.n).expect("a whole star");
+                assert_eq!(star_mesh.tube, 2 * bare.tube * usize::try_from(star.n).expect("few"));
             }
         }
     }
@@ -211,25 +214,25 @@ mod tests {
         let star = stars()[0];
         let coarse = star.mesh_with(&Sizes::across(1.0, 8.0), WIDTHS).expect("a mesh");
         let fine = coarse.refined().expect("a finer mesh");
-        let of = |meshed: &Meshed| {
+        let margin_area = |meshed: &Meshed| {
             (meshed.tube..meshed.mesh.triangles.len()).map(|t| meshed.mesh.area(t)).sum::<f64>()
         };
-        let found = of(&fine) + (of(&fine) - of(&coarse)) / 3.0;
+        let area = margin_area(&fine) + (margin_area(&fine) - margin_area(&coarse)) / 3.0;
         let (corner, tip) = ((PI - star.phi_i - 2.0 * star.half_angle()) / 2.0, (PI - star.phi_i) / 2.0);
         let band = |width: f64, arc: f64, cut: f64| {
             // Around an arc of radius 1, along the arm, less what lies beyond the plane that halves the sharp hinge's angle.
             width * (arc * (1.0 + width / 2.0) + star.l()) - width * width / (2.0 * cut.tan())
         };
         let exact = band(WIDTHS.inner, corner, PI / 2.0 - tip) + band(WIDTHS.outer, tip, PI / 2.0 - corner);
-        assert!((found / exact - 1.0).abs() < 1e-4, "{found} {exact}");
+        assert!((area / exact - 1.0).abs() < 1e-4, "{area} {exact}");
     }
 
     #[test]
     fn an_actuator_has_a_margin_too_and_one_without_room_is_refused() {
         let half = HalfActuator { r: 0.1, w: 1.0, l: 4.0, phi_0: PI / 3.0 };
         let sizes = Sizes::across(1.0, 6.0);
-        let with = half.mesh_with(&sizes, MarginWidths { inner: 0.1, outer: 0.1 }).expect("a mesh");
-        assert!(with.tube < with.mesh.triangles.len());
+        let widened = half.mesh_with(&sizes, MarginWidths { inner: 0.1, outer: 0.1 }).expect("a mesh");
+        assert!(widened.tube < widened.mesh.triangles.len());
         for widths in [MarginWidths { inner: -1.0, outer: 0.0 }, MarginWidths { inner: 0.0, outer: f64::NAN }]
         {
             assert!(half.mesh_with(&sizes, widths).is_err());

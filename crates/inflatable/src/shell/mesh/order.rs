@@ -77,9 +77,9 @@ impl Dissection {
             self.order.extend(nodes);
             return;
         }
-        let Cut { along, before, mut separator } = self.best_cut(longest, &mut nodes);
-        self.sort_along(along, &mut nodes);
-        let (first, second) = nodes.split_at(before);
+        let Cut { along: direction, before: count, mut separator } = self.best_cut(longest, &mut nodes);
+        self.sort_along(direction, &mut nodes);
+        let (first, second) = nodes.split_at(count);
         for half in [first, second] {
             let rest = half.iter().copied().filter(|node| separator.binary_search(node).is_err());
             let rest = rest.collect();
@@ -106,11 +106,11 @@ impl Dissection {
         best
     }
 
-    fn cut(&mut self, along: [f64; 2], twentieths: usize, nodes: &mut [usize]) -> Cut {
-        self.sort_along(along, nodes);
-        let before = nodes.len() * twentieths / 20;
-        let (first, second) = nodes.split_at(before);
-        Cut { along, before, separator: self.separators.between(first, second) }
+    fn cut(&mut self, direction: [f64; 2], twentieths: usize, nodes: &mut [usize]) -> Cut {
+        self.sort_along(direction, nodes);
+        let count = nodes.len() * twentieths / 20;
+        let (first, second) = nodes.split_at(count);
+        Cut { along: direction, before: count, separator: self.separators.between(first, second) }
     }
 
     fn unknowns(&self, nodes: &[usize]) -> usize {
@@ -118,8 +118,8 @@ impl Dissection {
     }
 
     fn sort_along(&self, [x, y]: [f64; 2], nodes: &mut [usize]) {
-        let along = |node: usize| self.places[node][0] * x + self.places[node][1] * y;
-        nodes.sort_by(|&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));
+        let place = |node: usize| self.places[node][0] * x + self.places[node][1] * y;
+        nodes.sort_by(|&a, &b| place(a).total_cmp(&place(b)).then(a.cmp(&b)));
     }
 
     /// Direction of the largest second moment of the nodes' places.

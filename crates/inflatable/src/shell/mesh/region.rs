@@ -52,7 +52,7 @@ pub struct Meshed {
 }
 
 impl Meshed {
-    /// The mesh of `triangles` whose edges, by their ends with the smaller index first, lie on the pieces given by `on`: all of the
+    /// The mesh of `triangles` whose edges, by their ends with the smaller index first, lie on the pieces given by `piece_at`: all of the
     /// border, and those on welds.
     ///
     /// # Errors
@@ -61,10 +61,11 @@ impl Meshed {
         points: Vec<[f64; 2]>,
         triangles: Vec<[usize; 3]>,
         pieces: Vec<Piece>,
-        on: &BTreeMap<[usize; 2], usize>,
+        piece_at: &BTreeMap<[usize; 2], usize>,
     ) -> Result<Self, MeshFault> {
-        let mut mesh = Mesh::from_triangles(points, triangles, |ends| Some(pieces[*on.get(&ends)?].border))?;
-        let piece = |edge: &Edge| on.get(&edge.ends).copied();
+        let mut mesh =
+            Mesh::from_triangles(points, triangles, |ends| Some(pieces[*piece_at.get(&ends)?].border))?;
+        let piece = |edge: &Edge| piece_at.get(&edge.ends).copied();
         let piece_of: Vec<Option<usize>> = mesh.edges.iter().map(piece).collect();
         for (edge, piece) in mesh.edges.iter_mut().zip(&piece_of) {
             let border = piece.map(|piece| pieces[piece].border);
@@ -90,14 +91,14 @@ impl Meshed {
             let [at_a, at_b, at_c] = edges.map(|edge| first + edge);
             triangles.extend([[a, at_c, at_b], [at_c, b, at_a], [at_b, at_a, c], [at_a, at_b, at_c]]);
         }
-        let mut on = BTreeMap::new();
+        let mut piece_at = BTreeMap::new();
         for (edge, piece) in self.piece_of.iter().enumerate() {
             if let Some(piece) = *piece {
                 // A new point has a larger number than any old one.
-                on.extend(old.edges[edge].ends.map(|end| ([end, first + edge], piece)));
+                piece_at.extend(old.edges[edge].ends.map(|end| ([end, first + edge], piece)));
             }
         }
-        let finer = Self::new(points, triangles, self.pieces.clone(), &on)?;
+        let finer = Self::new(points, triangles, self.pieces.clone(), &piece_at)?;
         Ok(Self { tube: 4 * self.tube, ..finer })
     }
 
@@ -106,7 +107,7 @@ impl Meshed {
         let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
         let Some(piece) = self.piece_of[edge] else { return middle };
         let curve = &self.pieces[piece].curve;
-        let on = curve.point(curve.nearest_fraction(Point::new(middle[0], middle[1])));
-        [on.x, on.y]
+        let foot = curve.point(curve.nearest_fraction(Point::new(middle[0], middle[1])));
+        [foot.x, foot.y]
     }
 }

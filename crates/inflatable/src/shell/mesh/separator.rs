@@ -13,8 +13,8 @@ impl Couplings {
     pub(super) fn new(count: usize, groups: impl Iterator<Item = Vec<usize>>) -> Self {
         let mut pairs: Vec<(usize, usize)> = Vec::new();
         for group in groups {
-            let with = |&a: &usize| group.iter().map(move |&b| (a, b)).filter(|(a, b)| a != b);
-            pairs.extend(group.iter().flat_map(with));
+            let pairs_with = |&a: &usize| group.iter().map(move |&b| (a, b)).filter(|(a, b)| a != b);
+            pairs.extend(group.iter().flat_map(pairs_with));
         }
         pairs.sort_unstable();
         pairs.dedup();
@@ -42,8 +42,8 @@ pub(super) struct Separators {
 impl Separators {
     pub(super) fn new(couplings: Couplings) -> Self {
         let count = couplings.starts.len() - 1;
-        let (in_second, partner, reached) = (vec![false; count], vec![None; count], vec![(0, 0); count]);
-        Self { couplings, in_second, partner, reached, searches: 0 }
+        let (in_second, partner, queue) = (vec![false; count], vec![None; count], vec![(0, 0); count]);
+        Self { couplings, in_second, partner, reached: queue, searches: 0 }
     }
 
     /// The fewest nodes without which no node of `first` is coupled to one of `second`, sorted.

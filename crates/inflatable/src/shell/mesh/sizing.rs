@@ -28,13 +28,13 @@ impl Sizes {
     /// If a size does not fit a tube of width `w`.
     pub(super) fn check(&self, w: f64) -> Result<(), MeshFault> {
         let fits = |found: f64, least: f64| found >= least * w && found <= w;
-        let of = |name, found, allowed| Err(MeshFault::Dimension { name, found, allowed });
+        let refuse = |name, found, allowed| Err(MeshFault::Dimension { name, found, allowed });
         match *self {
-            Self { hinge, .. } if !fits(hinge, 1e-3) => of("the size in hinges", hinge, "W/1000 to W"),
+            Self { hinge, .. } if !fits(hinge, 1e-3) => refuse("the size in hinges", hinge, "W/1000 to W"),
             Self { point, .. } if !fits(point, 1e-6) => {
-                of("the size at a hinge's point", point, "W/1000000 to W")
+                refuse("the size at a hinge's point", point, "W/1000000 to W")
             }
-            Self { arm, .. } if !fits(arm, 1e-3) => of("the size along arms", arm, "W/1000 to W"),
+            Self { arm, .. } if !fits(arm, 1e-3) => refuse("the size along arms", arm, "W/1000 to W"),
             _ => Ok(()),
         }
     }
@@ -83,21 +83,21 @@ impl Sizing {
         // A short piece is one edge at least, an arc one for each bit of its turn.
         places.extend(region.pieces.iter().map(|piece| {
             let length = piece.curve.length();
-            let most = match piece.curve {
+            let coarse = match piece.curve {
                 Segment::Line(_) => length,
                 Segment::Arc(arc) => length.min(arc.radius * TURN).min(sizes.hinge),
             };
-            (Place::Piece(piece.curve), most)
+            (Place::Piece(piece.curve), coarse)
         }));
         places.retain(|(_, size)| *size < sizes.arm);
         Self { most: sizes.arm, places }
     }
 
-    /// Edges of length `most` but on discs: centre, radius, and the length there.
-    pub(super) fn around(most: f64, discs: Vec<(Point, f64, f64)>) -> Self {
+    /// Edges of length `coarse` but on discs: centre, radius, and the length there.
+    pub(super) fn around(coarse: f64, discs: Vec<(Point, f64, f64)>) -> Self {
         let place = |(center, radius, size)| (Place::Disc { center, radius }, size);
-        let places = discs.into_iter().map(place).filter(|(_, size)| *size < most).collect();
-        Self { most, places }
+        let places = discs.into_iter().map(place).filter(|(_, size)| *size < coarse).collect();
+        Self { most: coarse, places }
     }
 
     /// Edge length at `p`.
@@ -118,7 +118,7 @@ impl Sizing {
     pub(super) fn along(&self, curve: &Segment) -> Vec<Point> {
         let length = curve.length();
         // Number of edges up to a place: the integral of ds/h, by steps that are short compared with h.
-        let mut counted = vec![(0.0, 0.0)];
+        let mut samples = vec![(0.0, 0.0)];
         let (mut t, mut count) = (0.0, 0.0);
         while t < 1.0 {
             let size = self.at(curve.point(t));
@@ -126,19 +126,19 @@ impl Sizing {
             let middle = self.at(curve.point(t + 0.5 * step));
             count += step * length / middle;
             t = if 1.0 - t - step < 1e-9 { 1.0 } else { t + step };
-            counted.push((count, t));
+            samples.push((count, t));
         }
         let edges = count.round().max(1.0);
         let mut index = 0;
         let mut points = Vec::new();
         let mut k = 0.0;
         while k < edges {
-            let wanted = count * k / edges;
-            while counted[index + 1].0 < wanted {
+            let target = count * k / edges;
+            while samples[index + 1].0 < target {
                 index += 1;
             }
-            let ((c0, t0), (c1, t1)) = (counted[index], counted[index + 1]);
-            points.push(curve.point(t0 + (t1 - t0) * (wanted - c0) / (c1 - c0)));
+            let ((c0, t0), (c1, t1)) = (samples[index], samples[index + 1]);
+            points.push(curve.point(t0 + (t1 - t0) * (target - c0) / (c1 - c0)));
             k += 1.0;
         }
         points

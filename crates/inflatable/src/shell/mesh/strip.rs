@@ -30,13 +30,13 @@ impl Strip {
     /// The tube whose left rim begins at (`x`, 0).
     pub(super) fn new(x: f64, width: f64) -> Self {
         let [left_end, right_end] = [Point::new(x, 0.0), Point::new(x + width, 0.0)];
-        let across = Vec2::new(-1.0, 0.0);
+        let perpendicular = Vec2::new(-1.0, 0.0);
         Self {
             width,
             began: [left_end, right_end],
             left_end,
             right_end,
-            across,
+            across: perpendicular,
             left: Vec::new(),
             right: Vec::new(),
             hinges: Vec::new(),
@@ -45,12 +45,12 @@ impl Strip {
 
     /// Turns by `arc` (rad, positive) around a centre at the distance `radius` from the nearer rim.
     pub(super) fn turn(mut self, side: StripSide, radius: f64, arc: f64) -> Self {
-        let (center, toward, sweep) = match side {
+        let (center, direction, sweep) = match side {
             StripSide::Left => (self.left_end + self.across * radius, -self.across, arc),
             StripSide::Right => (self.right_end - self.across * radius, self.across, -arc),
         };
         let outer = radius + self.width;
-        let bow = |radius| Arc::new(center, radius, toward.angle(), sweep);
+        let bow = |radius| Arc::new(center, radius, direction.angle(), sweep);
         let outer_arc = bow(outer);
         // With a radius of 0 the rim turns on a point.
         let inner_arc = (radius > 0.0).then(|| bow(radius));

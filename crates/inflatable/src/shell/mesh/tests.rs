@@ -38,8 +38,8 @@ fn check(meshed: &Meshed, thinnest: f64) -> Result<(), TestCaseError> {
     for meshed in [meshed, &fine] {
         let mesh = &meshed.mesh;
         let named = |ends| mesh.edges[mesh.edges.binary_search_by_key(&ends, |edge| edge.ends).ok()?].border;
-        let again = Mesh::from_triangles(mesh.points.clone(), mesh.triangles.clone(), named);
-        prop_assert_eq!(again.as_ref(), Ok(mesh));
+        let rebuilt = Mesh::from_triangles(mesh.points.clone(), mesh.triangles.clone(), named);
+        prop_assert_eq!(rebuilt.as_ref(), Ok(mesh));
         on_curves(meshed)?;
         let smallest = mesh.smallest_angle().to_degrees();
         prop_assert!(smallest > thinnest, "{smallest} deg");
@@ -68,8 +68,8 @@ fn on_curves(meshed: &Meshed) -> Result<(), TestCaseError> {
         prop_assert_eq!(mesh.edges[edge].border, Some(border));
         lengths[piece] += mesh.length(edge);
         for [x, y] in mesh.edges[edge].ends.map(|end| mesh.points[end]) {
-            let off = curve.distance(Point::new(x, y));
-            prop_assert!(off <= 1e-12 * (x.abs() + y.abs()).max(1.0), "{off} off its curve");
+            let distance = curve.distance(Point::new(x, y));
+            prop_assert!(distance <= 1e-12 * (x.abs() + y.abs()).max(1.0), "{distance} off its curve");
         }
     }
     for (found, piece) in lengths.iter().zip(&meshed.pieces) {
@@ -110,10 +110,10 @@ proptest! {
 #[test]
 fn the_same_bits_each_time() -> Result<(), MeshFault> {
     let sizes = Sizes::across(30.0, 8.0);
-    let (one, two) = (PAPER.mesh(&sizes)?, PAPER.mesh(&sizes)?);
-    assert_eq!(one, two);
-    assert_eq!(one.refined()?, two.refined()?);
-    assert_eq!(one.mesh.elimination_order(), two.mesh.elimination_order());
+    let (first, two) = (PAPER.mesh(&sizes)?, PAPER.mesh(&sizes)?);
+    assert_eq!(first, two);
+    assert_eq!(first.refined()?, two.refined()?);
+    assert_eq!(first.mesh.elimination_order(), two.mesh.elimination_order());
     Ok(())
 }
 
@@ -127,7 +127,7 @@ fn a_half_sector_lies_between_its_planes() -> Result<(), MeshFault> {
         let middle =
             star.l() + 0.5 * (PI - phi_i) * (star.r_i + 15.0) + 0.5 * (PI - phi_e) * (star.r_e + 15.0);
         assert!((region.area() - 30.0 * middle).abs() < 1e-10);
-        let on = |border| {
+        let points_on = |border| {
             let ends = meshed
                 .mesh
                 .edges
@@ -136,14 +136,17 @@ fn a_half_sector_lies_between_its_planes() -> Result<(), MeshFault> {
                 .flat_map(|edge| edge.ends);
             ends.map(|end| meshed.mesh.points[end]).collect::<Vec<_>>()
         };
-        assert!(on(Border::Mirror(plane::FIRST)).iter().all(|p| p[1] == 0.0));
+        assert!(points_on(Border::Mirror(plane::FIRST)).iter().all(|p| p[1] == 0.0));
         let (sin, cos) = star.half_angle().sin_cos();
         assert!(
-            on(Border::Mirror(plane::SECOND)).iter().all(|p| (p[1] * cos - p[0] * sin).abs() < 1e-13 * p[0])
+            points_on(Border::Mirror(plane::SECOND))
+                .iter()
+                .all(|p| (p[1] * cos - p[0] * sin).abs() < 1e-13 * p[0])
         );
         // The rim around the hole touches the circle of the inner radius at the corner's apex.
-        let least = on(Border::Rim(rim::INNER)).into_iter().map(|[x, y]| x.hypot(y)).fold(f64::MAX, f64::min);
-        assert!((least - star.rho_0).abs() < 1e-12);
+        let least_radius =
+            points_on(Border::Rim(rim::INNER)).into_iter().map(|[x, y]| x.hypot(y)).fold(f64::MAX, f64::min);
+        assert!((least_radius - star.rho_0).abs() < 1e-12);
     }
     assert!((PAPER.l() - 69.720_701_533_297_07).abs() < 1e-10);
     Ok(())
@@ -205,8 +208,12 @@ fn a_whole_star_is_its_half_sector_2n_times() -> Result<(), MeshFault> {
         assert!(on_curves(meshed).is_ok());
         assert!(on_curves(&meshed.refined()?).is_ok());
     }
-    let has = |meshed: &Meshed, border| meshed.mesh.edges.iter().any(|edge| edge.border == Some(border));
-    assert!(has(&sector, Border::Mirror(plane::FIRST)) && has(&sector, Border::Mirror(plane::SECOND)));
+    let has_border =
+        |meshed: &Meshed, border| meshed.mesh.edges.iter().any(|edge| edge.border == Some(border));
+    assert!(
+        has_border(&sector, Border::Mirror(plane::FIRST))
+            && has_border(&sector, Border::Mirror(plane::SECOND))
+    );
     assert!(
         !star.mesh.edges.iter().any(|edge| matches!(edge.border, Some(Border::Mirror(_) | Border::Free)))
     );
@@ -224,26 +231,26 @@ fn a_whole_star_is_its_half_sector_2n_times() -> Result<(), MeshFault> {
 /// Nonzeros of the Cholesky factor of a graph's matrix in an order of elimination, and the multiplications for it.
 fn fill(mesh: &Mesh, order: &[usize]) -> (usize, usize) {
     let count = mesh.points.len() + mesh.edges.len();
-    let mut at = vec![0; count];
-    order.iter().zip(0..).for_each(|(&node, place)| at[node] = place);
-    let mut later: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); count];
+    let mut position = vec![0; count];
+    order.iter().zip(0..).for_each(|(&node, place)| position[node] = place);
+    let mut later_nodes: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); count];
     for triangle in 0..mesh.triangles.len() {
-        let nodes: Vec<usize> = mesh.coupled(triangle).into_iter().map(|node| at[node]).collect();
+        let nodes: Vec<usize> = mesh.coupled(triangle).into_iter().map(|node| position[node]).collect();
         for &a in &nodes {
-            later[a].extend(nodes.iter().filter(|&&b| b > a));
+            later_nodes[a].extend(nodes.iter().filter(|&&b| b > a));
         }
     }
     let size = |place: usize| if order[place] < mesh.points.len() { 3 } else { 1 };
     let (mut nonzeros, mut work) = (0, 0);
     for place in 0..count {
-        let column = std::mem::take(&mut later[place]);
+        let column = std::mem::take(&mut later_nodes[place]);
         let rows: usize = column.iter().map(|&row| size(row)).sum();
         for k in 0..size(place) {
             nonzeros += rows + k + 1;
             work += (rows + k + 1).pow(2);
         }
         if let Some(&parent) = column.first() {
-            later[parent].extend(column.into_iter().skip(1));
+            later_nodes[parent].extend(column.into_iter().skip(1));
         }
     }
     (nonzeros, work)

@@ -23,21 +23,21 @@ impl Meshed {
         let fresh = numbers.iter().flatten().max().map_or(0, |last| last + 1);
         let mut points = vec![[0.0; 2]; fresh];
         let (mut triangles, mut margin) = (Vec::new(), Vec::new());
-        let (mut pieces, mut on) = (Vec::new(), BTreeMap::new());
+        let (mut pieces, mut piece_at) = (Vec::new(), BTreeMap::new());
         for (copy, numbers) in (0..count).zip(&numbers) {
-            let image = image(n, copy);
-            let begins = if image.mirrored { plane::SECOND } else { plane::FIRST };
+            let copy_image = image(n, copy);
+            let begins = if copy_image.mirrored { plane::SECOND } else { plane::FIRST };
             for (&[x, y], &number) in self.mesh.points.iter().zip(numbers).rev() {
-                let Point { x, y } = image.point(Point::new(x, y));
+                let Point { x, y } = copy_image.point(Point::new(x, y));
                 points[number] = [x, y];
             }
             let of_copy = |corners: &[usize; 3]| {
                 let [a, b, c] = corners.map(|point| numbers[point]);
-                if image.mirrored { [a, c, b] } else { [a, b, c] }
+                if copy_image.mirrored { [a, c, b] } else { [a, b, c] }
             };
-            let (tube, beyond) = self.mesh.triangles.split_at(self.tube);
+            let (tube, margin_triangles) = self.mesh.triangles.split_at(self.tube);
             triangles.extend(tube.iter().map(of_copy));
-            margin.extend(beyond.iter().map(of_copy));
+            margin.extend(margin_triangles.iter().map(of_copy));
             for (index, piece) in self.pieces.iter().enumerate() {
                 let border = match piece.border {
                     // The plane at which the copy begins, then the one at which it ends.
@@ -51,49 +51,51 @@ impl Meshed {
                     other => other,
                 };
                 let ends = |edge: &Edge| sorted(edge.ends.map(|end| numbers[end]));
-                on.extend(self.edges_on(index).map(|edge| (ends(edge), pieces.len())));
-                pieces.push(Piece { curve: image.segment(&piece.curve), border });
+                piece_at.extend(self.edges_on(index).map(|edge| (ends(edge), pieces.len())));
+                pieces.push(Piece { curve: copy_image.segment(&piece.curve), border });
             }
         }
         let tube = triangles.len();
         triangles.append(&mut margin);
-        Ok(Self { tube, ..Self::new(points, triangles, pieces, &on)? })
+        Ok(Self { tube, ..Self::new(points, triangles, pieces, &piece_at)? })
     }
 
     /// The edges on a piece of the border.
     fn edges_on(&self, piece: usize) -> impl Iterator<Item = &Edge> {
-        let all = self.mesh.edges.iter().zip(&self.piece_of);
-        all.filter_map(move |(edge, on)| (*on == Some(piece)).then_some(edge))
+        let with_pieces = self.mesh.edges.iter().zip(&self.piece_of);
+        with_pieces.filter_map(move |(edge, on)| (*on == Some(piece)).then_some(edge))
     }
 
     fn points_on(&self, border: Border) -> Vec<bool> {
-        let mut on = vec![false; self.mesh.points.len()];
+        let mut is_on_border = vec![false; self.mesh.points.len()];
         for edge in self.mesh.edges.iter().filter(|edge| edge.border == Some(border)) {
-            edge.ends.iter().for_each(|&end| on[end] = true);
+            edge.ends.iter().for_each(|&end| is_on_border[end] = true);
         }
-        on
+        is_on_border
     }
 
     /// The number that each point has in each copy.
     fn numbers(&self, planes: &[Vec<bool>; 2], count: u32, closed: bool) -> Vec<Vec<usize>> {
-        let mut all: Vec<Vec<usize>> = Vec::new();
+        let mut numbers_of_copies: Vec<Vec<usize>> = Vec::new();
         let mut fresh = 0;
         for copy in 0..count {
             // An even copy begins at its first plane, an odd one is a mirror image and begins at its second.
             let (begins, ends) = if copy % 2 == 0 { (0, 1) } else { (1, 0) };
             let number = |point: usize| {
-                let before = all.last().filter(|_| planes[begins][point]);
-                let around = all.first().filter(|_| closed && copy + 1 == count && planes[ends][point]);
-                before.or(around).map(|numbers: &Vec<usize>| numbers[point])
+                let previous = numbers_of_copies.last().filter(|_| planes[begins][point]);
+                let first =
+                    numbers_of_copies.first().filter(|_| closed && copy + 1 == count && planes[ends][point]);
+                previous.or(first).map(|numbers: &Vec<usize>| numbers[point])
             };
             let numbers: Vec<Option<usize>> = (0..self.mesh.points.len()).map(number).collect();
             let mut next = || {
                 fresh += 1;
                 fresh - 1
             };
-            all.push(numbers.into_iter().map(|numbers| numbers.unwrap_or_else(&mut next)).collect());
+            numbers_of_copies
+                .push(numbers.into_iter().map(|numbers| numbers.unwrap_or_else(&mut next)).collect());
         }
-        all
+        numbers_of_copies
     }
 }
 

@@ -48,40 +48,40 @@ pub fn vtu(
     on_triangles: &[VtuField<'_>],
 ) -> Result<String, FieldFault> {
     let (points, cells) = (positions.len(), triangles.len());
-    let mut out = String::from("<?xml version=\"1.0\"?>\n");
-    out.push_str("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n");
+    let mut xml = String::from("<?xml version=\"1.0\"?>\n");
+    xml.push_str("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n");
     let _ =
-        writeln!(out, "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">");
+        writeln!(xml, "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">");
     for (section, fields, places) in [("PointData", on_points, points), ("CellData", on_triangles, cells)] {
-        let _ = writeln!(out, "<{section}>");
+        let _ = writeln!(xml, "<{section}>");
         for field in fields {
-            let (found, needed) = (field.values.len(), field.components * places);
-            if found != needed {
-                return Err(FieldFault { name: field.name.to_owned(), found, needed });
+            let (count, expected_count) = (field.values.len(), field.components * places);
+            if count != expected_count {
+                return Err(FieldFault { name: field.name.to_owned(), found: count, needed: expected_count });
             }
             array(
-                &mut out,
+                &mut xml,
                 "Float64",
                 field.name,
                 field.components,
                 field.values.iter().map(|x| x.to_le_bytes()),
             );
         }
-        let _ = writeln!(out, "</{section}>");
+        let _ = writeln!(xml, "</{section}>");
     }
-    out.push_str("<Points>\n");
-    array(&mut out, "Float64", "Points", 3, positions.iter().flatten().map(|x| x.to_le_bytes()));
-    out.push_str("</Points>\n<Cells>\n");
+    xml.push_str("<Points>\n");
+    array(&mut xml, "Float64", "Points", 3, positions.iter().flatten().map(|x| x.to_le_bytes()));
+    xml.push_str("</Points>\n<Cells>\n");
     let corners = triangles.iter().flatten().map(|&point| (point as u64).to_le_bytes());
-    array(&mut out, "Int64", "connectivity", 1, corners);
-    array(&mut out, "Int64", "offsets", 1, (1..=cells as u64).map(|cell| (3 * cell).to_le_bytes()));
-    array(&mut out, "UInt8", "types", 1, triangles.iter().map(|_| [TRIANGLE]));
-    out.push_str("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-    Ok(out)
+    array(&mut xml, "Int64", "connectivity", 1, corners);
+    array(&mut xml, "Int64", "offsets", 1, (1..=cells as u64).map(|cell| (3 * cell).to_le_bytes()));
+    array(&mut xml, "UInt8", "types", 1, triangles.iter().map(|_| [TRIANGLE]));
+    xml.push_str("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+    Ok(xml)
 }
 
 fn array<const N: usize>(
-    out: &mut String,
+    xml: &mut String,
     kind: &str,
     name: &str,
     components: usize,
@@ -89,25 +89,25 @@ fn array<const N: usize>(
 ) {
     let name = name.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;");
     let _ = writeln!(
-        out,
+        xml,
         "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"binary\">"
     );
     let data: Vec<u8> = values.flatten().collect();
     // The number of bytes, then the bytes, in one run.
     let bytes: Vec<u8> = (data.len() as u64).to_le_bytes().into_iter().chain(data).collect();
-    base64(out, &bytes);
-    out.push_str("\n</DataArray>\n");
+    base64(xml, &bytes);
+    xml.push_str("\n</DataArray>\n");
 }
 
 /// RFC 4648, with padding.
-fn base64(out: &mut String, bytes: &[u8]) {
+fn base64(text: &mut String, bytes: &[u8]) {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for three in bytes.chunks(3) {
-        let at = |i: usize| u32::from(three.get(i).copied().unwrap_or(0));
-        let group = (at(0) << 16) | (at(1) << 8) | at(2);
+        let byte = |i: usize| u32::from(three.get(i).copied().unwrap_or(0));
+        let group = (byte(0) << 16) | (byte(1) << 8) | byte(2);
         for i in 0..4 {
             let digit = usize::try_from((group >> (18 - 6 * i)) & 63).map_or(0, |digit| DIGITS[digit]);
-            out.push(if i <= three.len() { char::from(digit) } else { '=' });
+            text.push(if i <= three.len() { char::from(digit) } else { '=' });
         }
     }
 }
@@ -126,9 +126,9 @@ mod tests {
             ("foob", "Zm9vYg=="),
             ("foobar", "Zm9vYmFy"),
         ] {
-            let mut out = String::new();
-            base64(&mut out, plain.as_bytes());
-            assert_eq!(out, coded);
+            let mut encoded = String::new();
+            base64(&mut encoded, plain.as_bytes());
+            assert_eq!(encoded, coded);
         }
     }
 
@@ -136,8 +136,8 @@ mod tests {
     fn a_field_needs_a_value_a_place() {
         let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         let field = VtuField { name: "stretch", components: 1, values: &[1.0, 2.0] };
-        let found = vtu(&positions, &[[0, 1, 2]], &[], &[field]);
-        assert_eq!(found, Err(FieldFault { name: "stretch".into(), found: 2, needed: 1 }));
+        let fault = vtu(&positions, &[[0, 1, 2]], &[], &[field]);
+        assert_eq!(fault, Err(FieldFault { name: "stretch".into(), found: 2, needed: 1 }));
         let two = VtuField { components: 2, ..field };
         let text = vtu(&positions, &[[0, 1, 2]], &[], &[VtuField { name: "a < \"b\" & c", ..two }]);
         assert!(text.is_ok_and(|text| text.contains("Name=\"a &lt; &quot;b&quot; &amp; c\"")));

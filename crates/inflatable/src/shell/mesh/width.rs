@@ -19,16 +19,16 @@ impl ChamberWalls {
         Self { segments: segments.map(|segment| (segment, segment.bounds())).collect() }
     }
 
-    /// The distance from `from` in the direction `along` to the first wall, at most `reach`.
-    pub(super) fn across(&self, from: Point, along: Vec2, reach: f64) -> f64 {
-        // The wall on which `from` lies is left out.
-        let start = from + along * (1e-6 * reach);
-        let ray = Line::new(start, from + along * reach);
+    /// The distance from `origin` along `direction` to the first wall, at most `reach`.
+    pub(super) fn across(&self, origin: Point, direction: Vec2, reach: f64) -> f64 {
+        // The wall on which `origin` lies is left out.
+        let start = origin + direction * (1e-6 * reach);
+        let ray = Line::new(start, origin + direction * reach);
         let bounds = Segment::Line(ray).bounds();
         let crossed = self.segments.iter().filter(|(_, box_of)| box_of.overlaps(&bounds));
         crossed
             .flat_map(|(segment, _)| intersections(&Segment::Line(ray), segment))
-            .map(|hit| hit.distance(from))
+            .map(|hit| hit.distance(origin))
             .fold(reach, f64::min)
     }
 
@@ -38,9 +38,9 @@ impl ChamberWalls {
         })
     }
 
-    /// Diameter of the largest circle between the walls whose centre is in the chamber, by `holds`, within [`ACCURACY`]. Squares are
+    /// Diameter of the largest circle between the walls whose centre is in the chamber, by `contains`, within [`ACCURACY`]. Squares are
     /// quartered as long as they may hold a better centre, the most promising first.
-    pub(super) fn widest(&self, bounds: Bounds, holds: impl Fn(Point) -> bool) -> f64 {
+    pub(super) fn widest(&self, bounds: Bounds, contains: impl Fn(Point) -> bool) -> f64 {
         let half = bounds.width().max(bounds.height()) / f64::from(2 * SQUARES);
         if !(half > 0.0 && half.is_finite()) {
             return 0.0;
@@ -57,7 +57,7 @@ impl ChamberWalls {
             for (center, half) in next.drain(..) {
                 looked_at += 1;
                 let distance = self.distance(center);
-                let radius = if holds(center) { distance } else { -distance };
+                let radius = if contains(center) { distance } else { -distance };
                 best = best.max(radius);
                 open.push((radius + half * std::f64::consts::SQRT_2, center, half));
             }

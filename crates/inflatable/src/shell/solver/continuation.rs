@@ -81,7 +81,7 @@ impl Continuation {
         first: f64,
         mut on_equilibrium: impl FnMut(&Equilibrium),
     ) -> Result<Equilibrium, Broken> {
-        let mut below: Option<Equilibrium> = None;
+        let mut last_rest: Option<Equilibrium> = None;
         let mut touched = solver.contact.clone();
         let mut step = STEP;
         let mut next = first.min(self.last);
@@ -95,29 +95,29 @@ impl Continuation {
                     if next >= self.last {
                         return Ok(equilibrium);
                     }
-                    below = Some(equilibrium);
+                    last_rest = Some(equilibrium);
                     touched.clone_from(&solver.contact);
                     step = (2.0 * step).min(STEP);
                 }
                 Err(why) => {
                     let may_halve = why != Stop::Cancelled && step > STEP * 0.5_f64.powi(MOST_HALVINGS);
                     // However small the equilibrium: it snaps from one shape to another, which takes long.
-                    let is_stuck = !may_halve && below.is_some();
+                    let is_stuck = !may_halve && last_rest.is_some();
                     let snaps = is_stuck && why == Stop::Iterations && !solver.may_snap;
                     solver.may_snap = snaps;
                     if may_halve {
                         step /= 2.0;
                     }
-                    let Some(equilibrium) = below.as_ref().filter(|_| may_halve || snaps) else {
-                        return Err(Broken { pressure: next, why, last: below.map(Box::new) });
+                    let Some(equilibrium) = last_rest.as_ref().filter(|_| may_halve || snaps) else {
+                        return Err(Broken { pressure: next, why, last: last_rest.map(Box::new) });
                     };
                     state.clone_from(&equilibrium.state);
                     // A shape that was not found has left contact pressures that belong to none.
                     solver.contact.clone_from(&touched);
                 }
             }
-            let from = below.as_ref().map_or(first, |equilibrium| equilibrium.pressure);
-            next = from * libm::pow(10_f64, step);
+            let last_pressure = last_rest.as_ref().map_or(first, |equilibrium| equilibrium.pressure);
+            next = last_pressure * libm::pow(10_f64, step);
             if next > self.last * 0.9999 {
                 next = self.last;
             }

@@ -72,22 +72,22 @@ impl Solver {
     }
 
     /// Factors the present Hessian with a shift for which it is positive definite.
-    fn shift(&mut self, least: f64) -> Result<(), Stop> {
-        let Experience { shift, found, fall, .. } = self.experience;
+    fn shift(&mut self, least_shift: f64) -> Result<(), Stop> {
+        let Experience { shift, found: last_shift, fall, .. } = self.experience;
         let mut shift = shift / if fall < WELL { DECAY_WELL } else { DECAY };
-        if shift < least {
+        if shift < least_shift {
             shift = 0.0;
         }
         // A shift may be larger than needed, so that far from an equilibrium double precision is not worth its time.
-        let is_near = fall < WELL || least == 0.0;
+        let is_near = fall < WELL || least_shift == 0.0;
         let mut is_searched = false;
         while !self.compute(shift, shift == 0.0 && is_near) {
-            shift = (GROWTH * shift).max(least);
+            shift = (GROWTH * shift).max(least_shift);
             if !is_searched {
-                shift = shift.max((found / GROWTH).min(MOST_FIRST * least));
+                shift = shift.max((last_shift / GROWTH).min(MOST_FIRST * least_shift));
                 is_searched = true;
             }
-            if shift >= MOST_SHIFT * least {
+            if shift >= MOST_SHIFT * least_shift {
                 self.experience.shift = 0.0;
                 return Err(Stop::Shift);
             }

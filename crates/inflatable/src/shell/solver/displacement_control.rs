@@ -58,11 +58,11 @@ impl DisplacementControl {
     }
 
     /// Turns A^-1 v, in `vector`, into H^-1 v without the component that the constraint forbids.
-    pub(crate) fn constrain(&self, assembly: &Assembly, held: &ControlledSolve, vector: &mut [f64]) {
+    pub(crate) fn constrain(&self, assembly: &Assembly, control: &ControlledSolve, vector: &mut [f64]) {
         let brace = assembly.project(&[(self.point, self.direction)]);
-        let back = held.taken_back * numerics::dot(&brace, vector);
-        vector.iter_mut().zip(&held.braced).for_each(|(x, braced)| *x += back * braced);
-        let multiplier = numerics::dot(&self.row, vector) / held.gives;
-        vector.iter_mut().zip(&held.answer).for_each(|(x, answer)| *x -= multiplier * answer);
+        let back = control.taken_back * numerics::dot(&brace, vector);
+        vector.iter_mut().zip(&control.braced).for_each(|(x, braced)| *x += back * braced);
+        let multiplier = numerics::dot(&self.row, vector) / control.gives;
+        vector.iter_mut().zip(&control.answer).for_each(|(x, answer)| *x -= multiplier * answer);
     }
 }

@@ -52,10 +52,10 @@ impl Solver {
             self.assembly.advance(&mut moved, &answer, 1.0);
             let sheet = &self.assembly.sheet;
             take_off(sheet, motions, &mut moved.points);
-            let before = value;
+            let previous = value;
             value = 1.0 / product(sheet, &field, &moved.points) - shift;
             field = moved.points;
-            if (value - before).abs() <= CHANGE * value.abs().max(pressure * CHANGE) {
+            if (value - previous).abs() <= CHANGE * value.abs().max(pressure * CHANGE) {
                 break;
             }
         }
@@ -69,8 +69,8 @@ fn product(sheet: &Sheet, a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     terms.map(|(area, (a, b))| area * dot(*a, *b)).sum()
 }
 
-/// The motions `which` of a shape as a whole, orthonormal: 0 to 2 along the axes, 3 to 5 around them.
-pub(crate) fn rigid_motions(sheet: &Sheet, points: &[[f64; 3]], which: &[usize]) -> Vec<NodeField> {
+/// The motions `kinds` of a shape as a whole, orthonormal: 0 to 2 along the axes, 3 to 5 around them.
+pub(crate) fn rigid_motions(sheet: &Sheet, points: &[[f64; 3]], kinds: &[usize]) -> Vec<NodeField> {
     let raw = |k: usize, [x, y, z]: [f64; 3]| match k {
         0 => [1.0, 0.0, 0.0],
         1 => [0.0, 1.0, 0.0],
@@ -80,7 +80,7 @@ pub(crate) fn rigid_motions(sheet: &Sheet, points: &[[f64; 3]], which: &[usize])
         _ => [-y, x, 0.0],
     };
     let mut motions: Vec<NodeField> = Vec::new();
-    for k in which {
+    for k in kinds {
         let mut field: NodeField = points.iter().map(|x| raw(*k, *x)).collect();
         normalise(sheet, &motions, &mut field);
         motions.push(field);

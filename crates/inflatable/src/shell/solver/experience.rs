@@ -35,9 +35,9 @@ impl Experience {
     /// Compares the residual after a step with the one before and with that of a linear sheet: choice 1 of Eisenstat and Walker, "Choosing the
     /// forcing terms in an inexact Newton method" (1996).
     pub(super) fn see(&mut self, residual: f64) {
-        if let Some(before) = self.residual.replace(residual) {
-            self.accuracy = ((residual - self.linear).abs() / before).clamp(STEP_ACCURACY, ROUGH_ACCURACY);
-            self.fall = (residual / before).min(1.0);
+        if let Some(previous) = self.residual.replace(residual) {
+            self.accuracy = ((residual - self.linear).abs() / previous).clamp(STEP_ACCURACY, ROUGH_ACCURACY);
+            self.fall = (residual / previous).min(1.0);
         }
     }
 }

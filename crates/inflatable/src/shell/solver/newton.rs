@@ -145,8 +145,8 @@ impl Solver {
     fn iterate(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
         self.experience.begin();
         let mut energy = self.linearise(state, aim.pressure);
-        let most = if self.may_snap { MOST_TO_SNAP } else { MOST_ITERATIONS };
-        for _ in 0..most {
+        let max_iterations = if self.may_snap { MOST_TO_SNAP } else { MOST_ITERATIONS };
+        for _ in 0..max_iterations {
             if self.cancel.load(Ordering::Relaxed) {
                 return Err(Stop::Cancelled);
             }
@@ -210,22 +210,22 @@ impl Solver {
         residual.map(|x| x * x).sum::<f64>().sqrt()
     }
 
-    /// Moves an equilibrium to where the lever's function is larger by `by`, along the sheet's compliance.
-    pub fn pull(&mut self, state: &mut State, aim: Aim, by: f64) -> bool {
+    /// Moves an equilibrium to where the lever's function is larger by `change`, along the sheet's compliance.
+    pub fn pull(&mut self, state: &mut State, aim: Aim, change: f64) -> bool {
         let _ = self.linearise(state, aim.pressure);
         let is_stable = self.compute(0.0, true);
         if is_stable && self.lever.is_some() {
-            self.assembly.advance(state, &self.held.answer, by / self.held.gives);
+            self.assembly.advance(state, &self.held.answer, change / self.held.gives);
         }
         is_stable
     }
 
     /// Goes as far along `step` as the energy falls.
-    fn take_step(&mut self, state: &mut State, before: Energy, aim: Aim) -> Result<Energy, Stop> {
+    fn take_step(&mut self, state: &mut State, former: Energy, aim: Aim) -> Result<Energy, Stop> {
         let slope = dot(&self.step, self.assembly.gradient());
-        let noise = ROUNDING * (before.membrane + before.bending + (aim.pressure * before.volume).abs())
-            + STRAIN_ROUNDING * (before.membrane * self.area).sqrt();
-        let start = before.total(aim.pressure);
+        let noise = ROUNDING * (former.membrane + former.bending + (aim.pressure * former.volume).abs())
+            + STRAIN_ROUNDING * (former.membrane * self.area).sqrt();
+        let start = former.total(aim.pressure);
         let mut fraction = 1.0;
         for halving in 0..MOST_HALVINGS {
             self.trial.clone_from(state);

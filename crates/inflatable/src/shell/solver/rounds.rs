@@ -20,12 +20,17 @@ const CHANGE: f64 = 1e-2;
 const STIFFEST: f64 = 1e6;
 
 impl Solver {
-    /// [`Solver::rest`] again and again, at most `most` times, while Newton's method goes on: wrinkles come and go.
+    /// [`Solver::rest`] again and again, at most `max_rounds` times, while Newton's method goes on: wrinkles come and go.
     ///
     /// # Errors
     /// As of [`Solver::rest`].
-    pub fn rest_in_rounds(&mut self, state: &mut State, aim: Aim, most: u32) -> Result<NewtonResult, Stop> {
-        let mut rounds = (0..most).map(|_| self.rest(state, aim));
+    pub fn rest_in_rounds(
+        &mut self,
+        state: &mut State,
+        aim: Aim,
+        max_rounds: u32,
+    ) -> Result<NewtonResult, Stop> {
+        let mut rounds = (0..max_rounds).map(|_| self.rest(state, aim));
         rounds.find(|found| *found != Err(Stop::Iterations)).unwrap_or(Err(Stop::Iterations))
     }
 
@@ -36,7 +41,7 @@ impl Solver {
     pub fn rest(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
         let Some(contact) = &mut self.contact else { return self.settle(state, aim) };
         contact.stiffness = contact.floor.max(CONTACT * aim.pressure);
-        let mut before = ContactError { penetration: f64::INFINITY, change: f64::INFINITY, largest: 0.0 };
+        let mut previous = ContactError { penetration: f64::INFINITY, change: f64::INFINITY, largest: 0.0 };
         let mut is_near = false;
         for _ in 0..MOST_ROUNDS {
             let rest = if is_near {
@@ -54,12 +59,12 @@ impl Solver {
                 return Ok(rest);
             }
             is_near = fits(NEAR);
-            let is_slow = misfit.penetration > PENETRATION.max(before.penetration / 4.0)
-                || misfit.change > (CHANGE * misfit.largest).max(before.change / 4.0);
+            let is_slow = misfit.penetration > PENETRATION.max(previous.penetration / 4.0)
+                || misfit.change > (CHANGE * misfit.largest).max(previous.change / 4.0);
             if is_slow && contact.stiffness < STIFFEST * aim.pressure {
                 contact.stiffness *= 4.0;
             }
-            before = misfit;
+            previous = misfit;
         }
         Err(Stop::Contact)
     }

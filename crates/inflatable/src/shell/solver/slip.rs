@@ -16,9 +16,10 @@ impl Solver {
     /// s at the last equilibrium, `state`, whose factor is the last one; 0 where nothing touches.
     pub(crate) fn slip(&mut self, obstacle: usize, state: &State) -> f64 {
         let slides = self.slides(obstacle, state);
-        let all: f64 = slides.iter().map(|(point, _)| point.force).sum();
-        if all > 0.0 {
-            slides.iter().map(|(point, slide)| point.force * dot(*slide, *slide).sqrt()).sum::<f64>() / all
+        let total_force: f64 = slides.iter().map(|(point, _)| point.force).sum();
+        if total_force > 0.0 {
+            slides.iter().map(|(point, slide)| point.force * dot(*slide, *slide).sqrt()).sum::<f64>()
+                / total_force
         } else {
             0.0
         }

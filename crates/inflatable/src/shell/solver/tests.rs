@@ -35,9 +35,9 @@ fn middle(mesh: &Mesh, supports: Supports) -> Result<f64, Stop> {
 fn a_simply_supported_square_plate_rises_as_it_must() -> Result<(), MeshFault> {
     for diagonal in [Diagonal::Rising, Diagonal::Falling, Diagonal::Alternating, Diagonal::Crossed] {
         let (mesh, planes) = quarter(16, diagonal, [RIM, RIM])?;
-        let found = middle(&mesh, Supports::new(&mesh, planes));
-        let error = found.map(|height| (height / 0.004_062_4 - 1.0).abs());
-        assert!(error.is_ok_and(|error| error < 0.01), "{diagonal:?}: {found:?}");
+        let height = middle(&mesh, Supports::new(&mesh, planes));
+        let error = height.map(|height| (height / 0.004_062_4 - 1.0).abs());
+        assert!(error.is_ok_and(|error| error < 0.01), "{diagonal:?}: {height:?}");
     }
     Ok(())
 }
@@ -51,9 +51,9 @@ fn a_clamped_square_plate_rises_as_it_must() -> Result<(), MeshFault> {
         assert!(point[0] <= 0.5);
         supports.fix(k, 2);
     }
-    let found = middle(&mesh, supports);
-    let error = found.map(|height| (height / 0.001_265_3 - 1.0).abs());
-    assert!(error.is_ok_and(|error| error < 0.015), "{found:?}");
+    let height = middle(&mesh, supports);
+    let error = height.map(|height| (height / 0.001_265_3 - 1.0).abs());
+    assert!(error.is_ok_and(|error| error < 0.015), "{height:?}");
     Ok(())
 }
 
@@ -78,8 +78,8 @@ fn an_endless_strip_without_bending_becomes_an_arc() -> Result<(), MeshFault> {
         continuation.run(&mut solver, |_| {}).map(|equilibrium| equilibrium.rest.energy.volume)
     });
     let tension = |angle: f64| {
-        let grown = angle / angle.sin();
-        stretch / (1.0 - nu * nu) * (grown * grown - 1.0) / 2.0 * grown
+        let stretched = angle / angle.sin();
+        stretch / (1.0 - nu * nu) * (stretched * stretched - 1.0) / 2.0 * stretched
     };
     let (mut low, mut high) = (1e-3, 1.5);
     for _ in 0..60 {
@@ -89,8 +89,8 @@ fn an_endless_strip_without_bending_becomes_an_arc() -> Result<(), MeshFault> {
     }
     let radius = 0.5 / low.sin();
     let exact = 0.1 * radius * radius * (low - low.sin() * low.cos()) / 2.0;
-    let found = solved.and_then(Result::ok);
-    assert!(found.is_some_and(|volume| (volume / exact - 1.0).abs() < 0.003), "{found:?} {exact}");
+    let volume = solved.and_then(Result::ok);
+    assert!(volume.is_some_and(|volume| (volume / exact - 1.0).abs() < 0.003), "{volume:?} {exact}");
     Ok(())
 }
 
@@ -118,13 +118,14 @@ fn more_pressure_gains_the_volume() -> Result<(), MeshFault> {
         let Ok(equilibrium) = continuation(bending, bendability).run(&mut solver, |_| {}) else {
             panic!("no equilibrium at {bendability}");
         };
-        let mut at = |factor: f64| {
+        let mut volume_at = |factor: f64| {
             let (mut state, pressure) = (equilibrium.state.clone(), factor * equilibrium.pressure);
             let rest = solver.settle(&mut state, Aim { pressure, tolerance: 1e-14 });
             rest.map_or(f64::NAN, |rest| rest.energy.total(pressure))
         };
         let step = 1e-3;
-        let slope = (8.0 * (at(1.0 + step) - at(1.0 - step)) - (at(1.0 + 2.0 * step) - at(1.0 - 2.0 * step)))
+        let slope = (8.0 * (volume_at(1.0 + step) - volume_at(1.0 - step))
+            - (volume_at(1.0 + 2.0 * step) - volume_at(1.0 - 2.0 * step)))
             / (12.0 * step * equilibrium.pressure);
         let error = (slope / -equilibrium.rest.energy.volume - 1.0).abs();
         assert!(error < 1e-6, "{bendability}: {error:e}");
@@ -138,12 +139,12 @@ fn repeats_have_the_same_bits_and_threads_do_not_matter() {
         let (mut solver, bending) = actuator().ok()?;
         continuation(bending, 20.0).run(&mut solver, |_| {}).ok().map(|equilibrium| equilibrium.state)
     };
-    let once = run();
-    let others: Vec<Option<State>> = std::thread::scope(|scope| {
+    let first = run();
+    let repeats: Vec<Option<State>> = std::thread::scope(|scope| {
         let threads = [0, 1].map(|_| scope.spawn(run));
         threads.into_iter().map(|thread| thread.join().ok().flatten()).collect()
     });
-    assert!(once.is_some() && others.iter().all(|other| *other == once));
+    assert!(first.is_some() && repeats.iter().all(|other| *other == first));
 }
 
 #[test]
@@ -158,8 +159,8 @@ fn the_factor_is_small() -> Result<(), MeshFault> {
 fn a_told_stop_ends_at_the_next_step() -> Result<(), MeshFault> {
     let (mut solver, bending) = actuator()?;
     solver.cancel.store(true, std::sync::atomic::Ordering::Relaxed);
-    let broken = continuation(bending, 20.0).run(&mut solver, |_| {});
-    assert!(broken.is_err_and(|broken| broken.why == Stop::Cancelled && broken.last.is_none()));
+    let stopped = continuation(bending, 20.0).run(&mut solver, |_| {});
+    assert!(stopped.is_err_and(|stopped| stopped.why == Stop::Cancelled && stopped.last.is_none()));
     Ok(())
 }
 

@@ -18,9 +18,10 @@ fn fabric(shear: f64, degrees: f64) -> Fabric {
 /// Supports of a flat sheet that prevent rigid motions only.
 fn free(mesh: &Mesh) -> Supports {
     let mut supports = Supports::none(mesh.points.len());
-    let at = |place: [f64; 2]| mesh.points.iter().position(|point| *point == place).expect("a corner");
-    let [one, other, third] = [at([0.0, 0.0]), at([SIZE[0], 0.0]), at([0.0, SIZE[1]])];
-    for (point, axis) in [(one, 0), (one, 1), (one, 2), (other, 1), (other, 2), (third, 2)] {
+    let corner_at = |place: [f64; 2]| mesh.points.iter().position(|point| *point == place).expect("a corner");
+    let [first, second, third] =
+        [corner_at([0.0, 0.0]), corner_at([SIZE[0], 0.0]), corner_at([0.0, SIZE[1]])];
+    for (point, axis) in [(first, 0), (first, 1), (first, 2), (second, 1), (second, 2), (third, 2)] {
         supports.fix(point, axis);
     }
     supports
@@ -37,13 +38,14 @@ fn compliance(fabric: Fabric, normal: [f64; 2], tangential: f64) -> f64 {
     for edge in mesh.along(Border::Free) {
         let ends = mesh.edges[edge].ends;
         let half = mesh.length(edge) / 2.0;
-        let on = |axis: usize, at: f64| ends.iter().all(|end| (mesh.points[*end][axis] - at).abs() < 1e-12);
+        let is_on =
+            |axis: usize, at: f64| ends.iter().all(|end| (mesh.points[*end][axis] - at).abs() < 1e-12);
         let [x, y] = normal;
-        let force = if on(0, 0.0) {
+        let force = if is_on(0, 0.0) {
             [-x, -tangential]
-        } else if on(0, SIZE[0]) {
+        } else if is_on(0, SIZE[0]) {
             [x, tangential]
-        } else if on(1, 0.0) {
+        } else if is_on(1, 0.0) {
             [-tangential, -y]
         } else {
             [tangential, y]
@@ -63,8 +65,8 @@ fn a_coupon_askew_stretches_as_an_orthotropic_one() {
             let (s, c) = f64::to_radians(degrees).sin_cos();
             let exact =
                 (c.powi(4) + s.powi(4)) / STRETCH + (1.0 / g - 2.0 * POISSON / STRETCH) * (c * s).powi(2);
-            let found = compliance(fabric(shear, degrees), [1.0, 0.0], 0.0);
-            assert!((found / exact - 1.0).abs() < 1e-9, "{shear} {degrees}: {found} {exact}");
+            let computed = compliance(fabric(shear, degrees), [1.0, 0.0], 0.0);
+            assert!((computed / exact - 1.0).abs() < 1e-9, "{shear} {degrees}: {computed} {exact}");
         }
     }
 }
@@ -75,8 +77,8 @@ fn a_shear_frame_feels_the_shear_modulus_alone() {
     for shear in [0.05, 0.2, 2.5] {
         let even = STRETCH / (2.0 * (1.0 + POISSON));
         for (degrees, modulus) in [(0.0, shear * even), (90.0, shear * even), (45.0, even), (-45.0, even)] {
-            let found = compliance(fabric(shear, degrees), [0.0, 0.0], 1.0);
-            assert!((found * modulus - 1.0).abs() < 1e-9, "{shear} {degrees}: {found} {modulus}");
+            let computed = compliance(fabric(shear, degrees), [0.0, 0.0], 1.0);
+            assert!((computed * modulus - 1.0).abs() < 1e-9, "{shear} {degrees}: {computed} {modulus}");
         }
     }
 }
@@ -91,9 +93,9 @@ fn a_pull_shears_towards_the_warp() {
     let bracket = 2.0 / STRETCH + 2.0 * POISSON / STRETCH - 1.0 / g;
     let exact = bracket * s * c * (c * c - s * s);
     for (side, exact) in [(degrees, exact), (-degrees, -exact)] {
-        let both = |tangential: f64| compliance(fabric(shear, side), [1.0, 0.0], tangential);
-        let found = (both(1.0) - both(-1.0)) / 4.0;
-        assert!((found / exact - 1.0).abs() < 1e-9, "{side}: {found} {exact}");
+        let compliance_at = |tangential: f64| compliance(fabric(shear, side), [1.0, 0.0], tangential);
+        let coupling = (compliance_at(1.0) - compliance_at(-1.0)) / 4.0;
+        assert!((coupling / exact - 1.0).abs() < 1e-9, "{side}: {coupling} {exact}");
     }
 }
 
@@ -136,8 +138,9 @@ fn an_inflated_tube_changes_its_length_and_shifts_its_seams() -> Result<(), Mesh
         let borders = [Border::Rim(0), Border::Free, Border::Rim(1), Border::Free];
         let mesh = rectangle([length, width], [36, 16], Diagonal::Alternating, 0.0, borders)?;
         let mut supports = Supports::new(&mesh, Vec::new());
-        let at = |place: [f64; 2]| mesh.points.iter().position(|point| *point == place).expect("a point");
-        let places = [[2.0, 0.0], [4.0, 0.0], [2.0, width], [4.0, width]].map(at);
+        let point_at =
+            |place: [f64; 2]| mesh.points.iter().position(|point| *point == place).expect("a point");
+        let places = [[2.0, 0.0], [4.0, 0.0], [2.0, width], [4.0, width]].map(point_at);
         for (point, axis) in [(places[0], 0), (places[0], 1), (places[1], 1)] {
             supports.fix(point, axis);
         }
@@ -145,17 +148,17 @@ fn an_inflated_tube_changes_its_length_and_shifts_its_seams() -> Result<(), Mesh
         let continuation = Continuation { first: bending, last: pressure, floor: 1e-13 };
         let equilibrium = continuation.run(&mut solver, |_| {}).map_err(|broken| broken.why).expect("a tube");
         let x = places.map(|place| equilibrium.state.points[place]);
-        let found = [
+        let computed = [
             (x[1][0] - x[0][0] + x[3][0] - x[2][0]) / 4.0,
             (x[2][0] + x[3][0] - x[0][0] - x[1][0]) / (2.0 * width),
             (x[2][1] + x[3][1] - x[0][1] - x[1][1]) / 4.0 * std::f64::consts::PI / width,
         ];
         let g = shear / (2.0 * (1.0 + POISSON));
         let [a, b, k] = tube(compliances(g, weave.warp), pressure);
-        assert!(((found[0] - 1.0) / (a - 1.0) - 1.0).abs() < 0.01, "{degrees}: {found:?} {a}");
-        assert!((found[1] - k).abs() < 0.01 * k.abs().max(1e-9), "{degrees}: {found:?} {k}");
+        assert!(((computed[0] - 1.0) / (a - 1.0) - 1.0).abs() < 0.01, "{degrees}: {computed:?} {a}");
+        assert!((computed[1] - k).abs() < 0.01 * k.abs().max(1e-9), "{degrees}: {computed:?} {k}");
         // The sheet is bent beside its seams, which makes the tube a little wider.
-        assert!((found[2] / b - 1.0).abs() < 0.015, "{degrees}: {found:?} {b}");
+        assert!((computed[2] / b - 1.0).abs() < 0.015, "{degrees}: {computed:?} {b}");
     }
     Ok(())
 }
@@ -180,10 +183,10 @@ fn clamped(shear: f64, widths: f64) -> f64 {
     let strain = 1e-5;
     state.points.iter_mut().for_each(|x| x[0] *= 1.0 + strain);
     let rest = solver.settle(&mut state, Aim { pressure: 0.0, tolerance: 1e-12 }).expect("an equilibrium");
-    let found = 2.0 * rest.energy.membrane / (widths * strain * strain);
+    let stiffness = 2.0 * rest.energy.membrane / (widths * strain * strain);
     let g = shear * STRETCH / (2.0 * (1.0 + POISSON));
     let exact = 4.0 / (1.0 / g + 2.0 * (1.0 - POISSON) / STRETCH);
-    found / exact
+    stiffness / exact
 }
 
 #[test]

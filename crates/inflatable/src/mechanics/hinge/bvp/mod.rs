@@ -113,8 +113,8 @@ impl HingeModel for Bvp {
         for _ in 0..30 {
             *(if state.slope > 0.0 { &mut low } else { &mut high }) = state.lambda;
             let newton = state.lambda - state.slope / state.curvature;
-            let inside = newton > low && newton < high && state.curvature < 0.0;
-            let next = if inside { newton } else { 0.5 * (low + high) };
+            let is_bracketed = newton > low && newton < high && state.curvature < 0.0;
+            let next = if is_bracketed { newton } else { 0.5 * (low + high) };
             // Beyond this the residual, not lambda, limits the accuracy.
             if (next - state.lambda).abs() < 1e-3 * self.tolerance {
                 break;
@@ -130,8 +130,8 @@ fn edges(end: &End) -> Edges {
     let PenalisedSection { lambda, beta, .. } = end.section;
     let values = &end.solution.profile.values;
     let free = -libm::log(100.0 * lambda * beta) / beta;
-    let outside = values.iter().position(|y| y[U] < free).unwrap_or(0);
-    let [tension, angle] = [TENSION, PHI].map(|k| values[outside][k]);
+    let first_outside = values.iter().position(|y| y[U] < free).unwrap_or(0);
+    let [tension, angle] = [TENSION, PHI].map(|k| values[first_outside][k]);
     Edges {
         tension,
         angle,

@@ -32,8 +32,8 @@ pub(super) fn follow(r_star: f64, lambda: f64, beta: f64, tolerance: f64) -> Res
     let start = free_profile(r_star, lambda).ok_or(CollocationFault::Diverged)?;
     let gap = start.values.iter().map(|y| y[2]).fold(0.0, f64::max) + FIRST_GAP;
     let mut section = PenalisedSection { r_star, lambda, beta: first, offset: gap };
-    let mut here = solve(&section, start, ROUGH, MOST_INTERVALS)?;
-    let mut iterations = here.iterations;
+    let mut solution_at_t = solve(&section, start, ROUGH, MOST_INTERVALS)?;
+    let mut iterations = solution_at_t.iterations;
     // One parameter t: from 0 to 1 the offset falls to 0, beyond beta grows like exp(t - 1).
     let last = 1.0 + libm::log(beta / first);
     let origin = section;
@@ -46,11 +46,11 @@ pub(super) fn follow(r_star: f64, lambda: f64, beta: f64, tolerance: f64) -> Res
     while t < last {
         let next = if t < 1.0 { (t + step).min(1.0) } else { (t + step).min(last) };
         let trial = place(next);
-        match solve(&trial, here.profile.clone(), ROUGH, MOST_INTERVALS) {
+        match solve(&trial, solution_at_t.profile.clone(), ROUGH, MOST_INTERVALS) {
             Ok(solution) => {
                 iterations += solution.iterations;
                 step *= if solution.iterations <= 8 { 1.6 } else { 1.0 };
-                (here, t, section) = (solution, next, trial);
+                (solution_at_t, t, section) = (solution, next, trial);
             }
             Err(fault) => {
                 iterations += 10;
@@ -62,7 +62,7 @@ pub(super) fn follow(r_star: f64, lambda: f64, beta: f64, tolerance: f64) -> Res
         }
     }
     section = PenalisedSection { beta, offset: 0.0, ..section };
-    let solution = solve(&section, here.profile, tolerance, MOST_INTERVALS)?;
+    let solution = solve(&section, solution_at_t.profile, tolerance, MOST_INTERVALS)?;
     iterations += solution.iterations;
     Ok(End { section, solution, iterations })
 }

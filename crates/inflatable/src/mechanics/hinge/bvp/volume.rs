@@ -11,9 +11,10 @@ pub(super) fn slopes(section: &PenalisedSection, solution: &Solution<4>) -> Dual
     let changes = solution.sensitivity(section, |s, y| section.by_lambda(s, y));
     let slope_and_change = |j: usize| {
         let (s, y) = (profile.mesh[j], &profile.values[j]);
-        let (jacobian, own) = (section.jacobian(s, y), section.by_lambda(s, y));
-        let change: [f64; 4] =
-            std::array::from_fn(|k| own[k] + (0..4).map(|m| jacobian[k][m] * changes[j][m]).sum::<f64>());
+        let (jacobian, by_lambda) = (section.jacobian(s, y), section.by_lambda(s, y));
+        let change: [f64; 4] = std::array::from_fn(|k| {
+            by_lambda[k] + (0..4).map(|m| jacobian[k][m] * changes[j][m]).sum::<f64>()
+        });
         (section.slope(s, y), change)
     };
     let mut total = Dual::constant(0.0);

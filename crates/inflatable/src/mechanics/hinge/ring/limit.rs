@@ -52,18 +52,18 @@ mod tests {
 
     #[test]
     fn the_ring_tends_to_it_like_one_over_r_star() {
-        let limit = limit();
+        let thin_limit = limit();
         for r_star in [1e2, 1e3, 1e4, 1e6] {
             let state = Ring.target(r_star).expect("solved");
-            let close = |value: f64, limit: f64| (value / limit - 1.0).abs() * r_star;
-            assert!(close(state.lambda, limit.lambda) < 0.1, "lambda {}", state.lambda);
+            let close = |value: f64, thin_limit: f64| (value / thin_limit - 1.0).abs() * r_star;
+            assert!(close(state.lambda, thin_limit.lambda) < 0.1, "lambda {}", state.lambda);
             assert!(
-                close(state.curvature / r_star, limit.curvature_per_r_star) < 1.0,
+                close(state.curvature / r_star, thin_limit.curvature_per_r_star) < 1.0,
                 "V'' {}",
                 state.curvature
             );
-            assert!(close(seal_load(r_star, &state).unwrap_or(0.0), limit.seal_load) < 1.0);
-            assert!(close(state.edges.map_or(0.0, |e| e.width), limit.width) < 0.1);
+            assert!(close(seal_load(r_star, &state).unwrap_or(0.0), thin_limit.seal_load) < 1.0);
+            assert!(close(state.edges.map_or(0.0, |e| e.width), thin_limit.width) < 0.1);
             assert!(cone_at_target(r_star) * r_star < 0.1);
         }
     }
@@ -78,8 +78,11 @@ mod tests {
         for lambda in [0.8, 1.0, 1.2, 1.35] {
             let r_star = 1e4;
             let volume = Ring.state(r_star, lambda).expect("solved").volume.unwrap_or(f64::NAN);
-            let above = volume - r_star * FRAC_1_PI;
-            assert!((above - limit_volume_above_tube(lambda)).abs() < 1e-4, "{above}");
+            let volume_above_tube = volume - r_star * FRAC_1_PI;
+            assert!(
+                (volume_above_tube - limit_volume_above_tube(lambda)).abs() < 1e-4,
+                "{volume_above_tube}"
+            );
         }
     }
 }

@@ -64,11 +64,11 @@ impl Chain {
         merit += 0.5 * lift * lift / self.weight;
         by_z[count] += lift;
         let mut gradient = vec![0.0; count];
-        let (mut right, mut up) = (0.0, 0.0);
+        let (mut right, mut upward) = (0.0, 0.0);
         for k in (0..count).rev() {
             right += by_r[k + 1];
-            up += by_z[k + 1];
-            gradient[k] = step * (up * libm::cos(angles[k]) - right * libm::sin(angles[k]));
+            upward += by_z[k + 1];
+            gradient[k] = step * (upward * libm::cos(angles[k]) - right * libm::sin(angles[k]));
         }
         (merit, gradient)
     }
@@ -153,9 +153,9 @@ fn largest_volume(r_star: f64, lambda: f64, count: usize) -> f64 {
         chain.weight *= 1.5;
     }
     let (r, z) = Chain::nodes(&angles);
-    let over =
+    let violation =
         (1..=count).map(|k| chain.lambda * r[k] - k as f64 / count as f64).fold(z[count].abs(), f64::max);
-    assert!(over < 2e-5, "constraints kept to {over:.1e}");
+    assert!(violation < 2e-5, "constraints kept to {violation:.1e}");
     chain.volume(&r, &z).0
 }
 

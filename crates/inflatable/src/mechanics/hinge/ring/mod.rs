@@ -83,28 +83,28 @@ impl HingeModel for Ring {
 
 /// The sections at the target and at the onset of the cone.
 fn target_and_onset(r_star: f64) -> Result<[Solved; 2], HingeFault> {
-    let both = || {
+    let solve_pair = || {
         let target = solve_target(r_star)?;
         Ok([target, solve_onset(r_star, &target)?])
     };
-    both().map_err(|fault| unsolved(r_star, 1.3, fault))
+    solve_pair().map_err(|fault| unsolved(r_star, 1.3, fault))
 }
 
-/// Follows the branch with cone from `from` to `lambda`, in steps that Newton's iteration can take.
-fn follow(r_star: f64, from: &Solved, lambda: f64) -> Result<Solved, NewtonFault> {
-    let mut here = *from;
-    let mut step = lambda - here.unknowns[LAMBDA];
+/// Follows the branch with cone from `start_point` to `lambda`, in steps that Newton's iteration can take.
+fn follow(r_star: f64, start_point: &Solved, lambda: f64) -> Result<Solved, NewtonFault> {
+    let mut current = *start_point;
+    let mut step = lambda - current.unknowns[LAMBDA];
     loop {
-        let rest = lambda - here.unknowns[LAMBDA];
+        let rest = lambda - current.unknowns[LAMBDA];
         if rest == 0.0 {
-            return Ok(here);
+            return Ok(current);
         }
         let last = rest.abs() <= step.abs() * (1.0 + 1e-9);
-        let (goal, taken) = if last { (lambda, rest) } else { (here.unknowns[LAMBDA] + step, step) };
-        let start = std::array::from_fn(|i| here.unknowns[i] + taken * here.tangent[i]);
+        let (goal, increment) = if last { (lambda, rest) } else { (current.unknowns[LAMBDA] + step, step) };
+        let start = std::array::from_fn(|i| current.unknowns[i] + increment * current.tangent[i]);
         match solve_cone(r_star, goal, start) {
             Ok(next) if last => return Ok(next),
-            Ok(next) => here = next,
+            Ok(next) => current = next,
             // A thousandth of the range of lambda: if even that fails, there is no section.
             Err(fault) if step.abs() < 2e-3 => return Err(fault),
             Err(_) => step *= 0.5,

@@ -50,8 +50,8 @@ impl Wide {
             sin = sin + odd;
             term = -(term * square / Self::of(f64::from((2 * k + 1) * (2 * k + 2))));
         }
-        let one = Self::of(1.0);
-        (0..4).fold((sin, cos), |(s, c), _| (s * c * Self::of(2.0), one - s * s * Self::of(2.0)))
+        let unit = Self::of(1.0);
+        (0..4).fold((sin, cos), |(s, c), _| (s * c * Self::of(2.0), unit - s * s * Self::of(2.0)))
     }
 }
 
@@ -98,18 +98,18 @@ impl Div for Wide {
 
 /// Nodes of the tanh-sinh rule on [0, 1]: distance from 0, distance from 1, weight.
 fn rule() -> Vec<(Wide, Wide, Wide)> {
-    let one = Wide::of(1.0);
+    let unit = Wide::of(1.0);
     let step = 1.0 / 24.0;
     (-104..=104)
         .map(|k| {
             let t = (Wide::of(step) * Wide::of(f64::from(k))).exp();
-            let (sinh2, cosh2) = (t - one / t, t + one / t);
+            let (sinh2, cosh2) = (t - unit / t, t + unit / t);
             // x = 1 / (1 + e^(-2u)), u = pi/2 sinh t; weight dx/dt times the step.
             let pi_half = Wide(FRAC_PI_2, 6.123_233_995_736_766e-17);
             let grow = (pi_half * sinh2).exp();
-            let far = one / (one + grow);
-            let near = one / (one + one / grow);
-            (near, far, near * far * pi_half * cosh2 * Wide::of(step))
+            let tail = unit / (unit + grow);
+            let head = unit / (unit + unit / grow);
+            (head, tail, head * tail * pi_half * cosh2 * Wide::of(step))
         })
         .collect()
 }
@@ -139,15 +139,15 @@ fn arc(rule: &[(Wide, Wide, Wide)], axis: Wide, tension: Wide, from: Wide, to: W
 /// Length - 1, closing, contact, and the volume `-lambda ∫ Q^2 sin(phi) ds`.
 fn section(rule: &[(Wide, Wide, Wide)], r_star: f64, unknowns: [Wide; 4], cone: bool) -> [Wide; 4] {
     let [phi_0, tension, length, lambda] = unknowns;
-    let one = Wide::of(1.0);
+    let unit = Wide::of(1.0);
     let end = Wide(-FRAC_PI_2, -6.123_233_995_736_766e-17);
     let axis = Wide::of(r_star) / lambda;
     if !cone {
         let [s, z, q2, _] = arc(rule, axis, tension, phi_0, end);
-        return [s - one, z, Wide::of(0.0), -(lambda * q2)];
+        return [s - unit, z, Wide::of(0.0), -(lambda * q2)];
     }
-    let cos = one / lambda;
-    let sin = (one - cos * cos).sqrt();
+    let cos = unit / lambda;
+    let sin = (unit - cos * cos).sqrt();
     // gamma by Newton on sin(gamma) = sin.
     let mut gamma = Wide::of(sin.0.asin());
     for _ in 0..3 {
@@ -156,12 +156,12 @@ fn section(rule: &[(Wide, Wide, Wide)], r_star: f64, unknowns: [Wide; 4], cone: 
     }
     let [s1, z1, q21, q] = arc(rule, axis, tension, phi_0, -gamma);
     let gain = length * cos;
-    let third = one / Wide::of(3.0);
+    let third = unit / Wide::of(3.0);
     let q2_cone = -(sin * length) * (q * q + q * gain + gain * gain * third);
     let next = tension + length * (q + gain * Wide::of(0.5)) * cos / sin;
     let [s2, z2, q22, _] = arc(rule, q + gain, next, -gamma, end);
     [
-        s1 + length + s2 - one,
+        s1 + length + s2 - unit,
         z1 - sin * length + z2,
         lambda * (q - axis) - s1,
         -(lambda * (q21 + q2_cone + q22)),
@@ -202,7 +202,7 @@ fn volume(rule: &[(Wide, Wide, Wide)], r_star: f64, solved: &Solved, lambda: Wid
 /// V, V' and V'' at `lambda` by differences of the volume of sixth order, step 2^-9: error 1e-16 of V.
 fn derivatives(rule: &[(Wide, Wide, Wide)], r_star: f64, lambda: f64, cone: bool) -> [f64; 3] {
     let step = 1.0 / 512.0;
-    let at = |k: i32| {
+    let volume_at = |k: i32| {
         let lambda = lambda + f64::from(k) * step;
         let solved = if cone {
             let target = solve_target(r_star).expect("solved");
@@ -215,7 +215,7 @@ fn derivatives(rule: &[(Wide, Wide, Wide)], r_star: f64, lambda: f64, cone: bool
         };
         volume(rule, r_star, &solved, Wide::of(lambda), cone)
     };
-    let v: Vec<Wide> = (-4..=4).map(at).collect();
+    let v: Vec<Wide> = (-4..=4).map(volume_at).collect();
     let odd = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
     let even = [8.0 / 5.0, -1.0 / 5.0, 8.0 / 315.0, -1.0 / 560.0];
     let (mut slope, mut curvature) = (Wide::of(0.0), Wide::of(0.0));
@@ -239,11 +239,11 @@ fn wide_numbers_have_thirty_digits() {
 
 #[test]
 fn target_volume_and_curvature_meet_the_table() {
-    let rule = rule();
+    let quadrature = rule();
     for r_star in [0.0, 1e-6, 1e-3, 0.1, 0.5, 1.0, 10.0, 100.0, 1e4] {
         let target = solve_target(r_star).expect("solved");
         let lambda = target.unknowns[LAMBDA];
-        let [volume, slope, curvature] = derivatives(&rule, r_star, lambda, true);
+        let [volume, slope, curvature] = derivatives(&quadrature, r_star, lambda, true);
         let lambda_t = lambda - slope / curvature;
         let errors = [
             lambda / lambda_t - 1.0,
@@ -259,10 +259,10 @@ fn target_volume_and_curvature_meet_the_table() {
 
 #[test]
 fn free_sections_meet_the_table() {
-    let rule = rule();
+    let quadrature = rule();
     for r_star in [1e-6, 1e-3, 0.1, 1.0, 10.0, 1e4] {
         let solved = solve_free(r_star, 1.05).expect("solved");
-        let [volume, slope, curvature] = derivatives(&rule, r_star, 1.05, false);
+        let [volume, slope, curvature] = derivatives(&quadrature, r_star, 1.05, false);
         let errors = [solved.section.volume.value / volume - 1.0, solved.section.slope.value / slope - 1.0];
         println!("R* {r_star:8}: V {volume:.13} V' {slope:.13} V'' {curvature:.3e} errors {errors:?}");
         assert!(errors.iter().all(|e| e.abs() < 1e-10));
@@ -274,10 +274,10 @@ fn free_sections_meet_the_table() {
 /// k = T lambda / R*: `forecast` uses it for the load on the seal.
 #[test]
 fn seal_loads_meet_the_table() {
-    let rule = rule();
+    let quadrature = rule();
     for r_star in [1e-6, 1e-3, 1.0 / 30.0, 0.1, 0.2, 0.5, 1.0, 10.0] {
         let solved = solve_target(r_star).expect("solved");
-        let unknowns = improved(&rule, r_star, &solved, Wide::of(solved.unknowns[LAMBDA]), true);
+        let unknowns = improved(&quadrature, r_star, &solved, Wide::of(solved.unknowns[LAMBDA]), true);
         let exact = (unknowns[TENSION] * unknowns[LAMBDA] / Wide::of(r_star)).0;
         let load = seal_load(r_star, &Ring.target(r_star).expect("solved")).expect("finite");
         println!("R* {r_star:8}: k {exact:.12} error {:e}", load / exact - 1.0);

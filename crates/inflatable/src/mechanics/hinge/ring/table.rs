@@ -104,20 +104,21 @@ mod tests {
         let table = RingTable::new().expect("the ring is solved at every point");
         assert!(error_estimate(&table) < RingTable::ERROR, "{:.1e}", error_estimate(&table));
         let mut worst: f64 = 0.0;
-        let between = (0..150).map(|i| f64::from(i) / 150.0).map(|x| CENTRE * x / (1.0 - x));
-        for r_star in between.chain([1e-6, 1e-3, 1e3, 1e4, 1e6]) {
+        let inner_radii = (0..150).map(|i| f64::from(i) / 150.0).map(|x| CENTRE * x / (1.0 - x));
+        for r_star in inner_radii.chain([1e-6, 1e-3, 1e3, 1e4, 1e6]) {
             let exact = Ring.target(r_star).expect("solved");
             let onset = Ring.onset(r_star).expect("solved").expect("the ring has an onset");
             let entry = table.target(r_star).expect("in range");
-            let [found, edges] = [entry, exact].map(|state| state.edges.expect("the ring knows its edges"));
+            let [tabled_edges, edges] =
+                [entry, exact].map(|state| state.edges.expect("the ring knows its edges"));
             let pairs = [
                 (entry.lambda, exact.lambda),
                 (table.onset(r_star).expect("in range").expect("the table has an onset"), onset),
                 (entry.volume.unwrap_or(f64::NAN), exact.volume.unwrap_or(f64::NAN)),
                 (entry.curvature, exact.curvature),
-                (found.tension, edges.tension),
-                (found.width, edges.width),
-                (found.angle, edges.angle),
+                (tabled_edges.tension, edges.tension),
+                (tabled_edges.width, edges.width),
+                (tabled_edges.angle, edges.angle),
             ];
             for (got, want) in pairs {
                 let error = (got / want - 1.0).abs();

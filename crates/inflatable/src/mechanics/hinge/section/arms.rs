@@ -68,12 +68,12 @@ pub struct ArmsByArc([[f64; 2]; ARCS.len()]);
 impl ArmsByArc {
     /// The effect on a hinge with the flat arc `arc`, rad.
     pub fn at(&self, arc: f64) -> Arms {
-        let [most, .., least] = ARCS;
-        let place = arc.to_degrees().clamp(least, most);
+        let [largest_arc, .., smallest_arc] = ARCS;
+        let place = arc.to_degrees().clamp(smallest_arc, largest_arc);
         // The grid's arcs fall.
-        let weights = weights(&ARCS.map(|arc| -arc), -place, 0.0).unwrap_or([f64::NAN; ARCS.len()]);
+        let arc_weights = weights(&ARCS.map(|arc| -arc), -place, 0.0).unwrap_or([f64::NAN; ARCS.len()]);
         let mut sum = [0.0; 2];
-        for (weight, values) in weights.iter().zip(&self.0) {
+        for (weight, values) in arc_weights.iter().zip(&self.0) {
             sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
         }
         let [delta, give] = sum;
@@ -83,10 +83,10 @@ impl ArmsByArc {
 
 /// 1/eps of the grid at one tau: regular in its logarithm.
 pub fn bendabilities(tau: f64) -> [f64; PRESSURES] {
-    let most = most_bendability(tau);
+    let maximum = most_bendability(tau);
     #[expect(clippy::cast_precision_loss, reason = "a handful of pressures")]
     std::array::from_fn(|k| {
-        LEAST_BENDABILITY * libm::pow(most / LEAST_BENDABILITY, k as f64 / (PRESSURES - 1) as f64)
+        LEAST_BENDABILITY * libm::pow(maximum / LEAST_BENDABILITY, k as f64 / (PRESSURES - 1) as f64)
     })
 }
 
@@ -133,11 +133,11 @@ type ThinDifferences = [[[f64; 2]; THIN_PRESSURES]; THIN_R_STARS.len()];
 
 fn thin_differences() -> Option<ThinDifferences> {
     let values = read(SHIPPED_THIN)?;
-    let bendabilities = bendabilities(THIN_TAU);
-    let mut all = ThinDifferences::default();
+    let pressures = bendabilities(THIN_TAU);
+    let mut differences = ThinDifferences::default();
     let mut of_line = values.iter();
-    for (by_pressure, r_star) in all.iter_mut().zip(THIN_R_STARS) {
-        for (difference, b) in by_pressure.iter_mut().zip(&bendabilities[PRESSURES - THIN_PRESSURES..]) {
+    for (by_pressure, r_star) in differences.iter_mut().zip(THIN_R_STARS) {
+        for (difference, b) in by_pressure.iter_mut().zip(&pressures[PRESSURES - THIN_PRESSURES..]) {
             let (value, at_edge) = (of_line.next()?, GridPlace::new(*b, edge())?.at(r_star)?);
             let [[angle, give], [angle_at_edge, give_at_edge]] = [value, &at_edge.0[0]];
             let softer = (THIN_ARC.to_radians() + give) / (THIN_ARC.to_radians() + give_at_edge);
@@ -145,23 +145,23 @@ fn thin_differences() -> Option<ThinDifferences> {
         }
     }
     // What meshes leave open of the give of a sharp hinge in thin fabric is more than the give: it is that of the round one.
-    let [sharp, round] = &mut all;
+    let [sharp, round] = &mut differences;
     for (one, other) in sharp.iter_mut().zip(round) {
         one[1] = other[1];
     }
-    of_line.next().is_none().then_some(all)
+    of_line.next().is_none().then_some(differences)
 }
 
 impl ArmsByRadius {
     /// The arms at 1/eps = `bendability` and tau; `None` where the tables have none of any R*.
     pub(super) fn new(bendability: f64, tau: f64) -> Option<Self> {
-        let edge = edge();
+        let grid_edge = edge();
         // Rounding is the grid's.
-        if tau >= edge * (1.0 - 1e-6) {
+        if tau >= grid_edge * (1.0 - 1e-6) {
             return Some(Self { grid: GridPlace::new(bendability, tau)?, thin: None });
         }
-        let thin = ThinPlace::new(bendability, tau, edge)?;
-        Some(Self { grid: GridPlace::new(bendability, edge)?, thin: Some(thin) })
+        let thin = ThinPlace::new(bendability, tau, grid_edge)?;
+        Some(Self { grid: GridPlace::new(bendability, grid_edge)?, thin: Some(thin) })
     }
 
     /// The arms at R*; `None` outside of the tables.
@@ -178,23 +178,23 @@ impl ThinPlace {
     /// The place of fabric thinner than that of the grid's edge.
     fn new(bendability: f64, tau: f64, edge: f64) -> Option<Self> {
         static PLACES: LazyLock<[f64; THIN_PRESSURES]> = LazyLock::new(|| {
-            let all = bendabilities(THIN_TAU);
-            std::array::from_fn(|k| libm::log(all[PRESSURES - THIN_PRESSURES + k]))
+            let tabled = bendabilities(THIN_TAU);
+            std::array::from_fn(|k| libm::log(tabled[PRESSURES - THIN_PRESSURES + k]))
         });
         if tau.is_nan() || tau < THIN_TAU / THINNER {
             return None;
         }
         let part = (libm::log(edge / tau) / libm::log(edge / THIN_TAU)).min(1.0);
-        let least = LEAST_BENDABILITY * libm::pow(THIN_LEAST_BENDABILITY / LEAST_BENDABILITY, part);
-        if bendability < least {
+        let minimum = LEAST_BENDABILITY * libm::pow(THIN_LEAST_BENDABILITY / LEAST_BENDABILITY, part);
+        if bendability < minimum {
             return None;
         }
         let along_b = weights(&PLACES, libm::log(bendability).max(PLACES[0]), 0.0)?;
         Some(Self { part, along_b })
     }
 
-    /// `all`, the arms at the grid's edge, with what thin fabric changes.
-    fn at(&self, r_star: f64, mut all: ArmsByArc) -> Option<ArmsByArc> {
+    /// `arms_on_grid`, the arms at the grid's edge, with what thin fabric changes.
+    fn at(&self, r_star: f64, mut arms_on_grid: ArmsByArc) -> Option<ArmsByArc> {
         static DIFFERENCES: LazyLock<Option<ThinDifferences>> = LazyLock::new(thin_differences);
         let differences = DIFFERENCES.as_ref()?;
         if r_star > THIN_MOST_R_STAR {
@@ -209,11 +209,11 @@ impl ThinPlace {
             }
         }
         let softer = libm::exp(sum[1]);
-        for ([angle, give], arc) in all.0.iter_mut().zip(ARCS.map(f64::to_radians)) {
+        for ([angle, give], arc) in arms_on_grid.0.iter_mut().zip(ARCS.map(f64::to_radians)) {
             *angle += sum[0];
             *give = softer * (arc + *give) - arc;
         }
-        Some(all)
+        Some(arms_on_grid)
     }
 }
 
@@ -221,11 +221,11 @@ impl GridPlace {
     fn new(bendability: f64, tau: f64) -> Option<Self> {
         let (taus, _) = &*LOGARITHMS;
         let along_tau = weights(taus, libm::log(tau), SLACK)?;
-        let up =
+        let place_of_b =
             libm::log(bendability / LEAST_BENDABILITY) / libm::log(most_bendability(tau) / LEAST_BENDABILITY);
         #[expect(clippy::cast_precision_loss, reason = "a handful of pressures")]
         let places: [f64; PRESSURES] = std::array::from_fn(|k| k as f64 / (PRESSURES - 1) as f64);
-        Some(Self { along_tau, along_b: weights(&places, up, 0.0)? })
+        Some(Self { along_tau, along_b: weights(&places, place_of_b, 0.0)? })
     }
 
     /// The arms by the grid at R*; `None` outside of it.
@@ -234,7 +234,7 @@ impl GridPlace {
         let table = TABLE.as_ref()?;
         let (_, r_stars) = &*LOGARITHMS;
         let along_r = weights(r_stars, libm::log(r_star + SHARP), 0.0)?;
-        let mut all = [[0.0; 2]; ARCS.len()];
+        let mut sums = [[0.0; 2]; ARCS.len()];
         for (a, of_tau) in self.along_tau.iter().zip(table.chunks_exact(R_STARS.len() * PRESSURES)) {
             for (b, of_r) in along_r.iter().zip(of_tau.chunks_exact(PRESSURES)) {
                 // A weight of 0 adds nothing.
@@ -243,12 +243,12 @@ impl GridPlace {
                 }
                 for (c, point) in self.along_b.iter().zip(of_r) {
                     let weight = a * b * c;
-                    let each = all.as_flattened_mut().iter_mut().zip(point.as_flattened());
-                    each.for_each(|(sum, value)| *sum += weight * value);
+                    let entries = sums.as_flattened_mut().iter_mut().zip(point.as_flattened());
+                    entries.for_each(|(sum, value)| *sum += weight * value);
                 }
             }
         }
-        Some(ArmsByArc(all))
+        Some(ArmsByArc(sums))
     }
 }
 
@@ -282,12 +282,12 @@ fn weights<const N: usize>(places: &[f64; N], x: f64, slack: f64) -> Option<[f64
     }
     let count = N.min(4);
     let first = places.iter().filter(|place| **place <= x).count().saturating_sub(2).min(N - count);
-    let chosen = first..first + count;
+    let stencil = first..first + count;
     let factor = |i: usize| {
-        let rest = chosen.clone().filter(move |j| *j != i);
+        let rest = stencil.clone().filter(move |j| *j != i);
         rest.map(|j| (x - places[j]) / (places[i] - places[j])).product::<f64>()
     };
-    let weight = |i: usize| if chosen.contains(&i) { factor(i) } else { 0.0 };
+    let weight = |i: usize| if stencil.contains(&i) { factor(i) } else { 0.0 };
     Some(std::array::from_fn(weight))
 }
 
@@ -313,10 +313,13 @@ mod tests {
                         .collect();
                     assert_eq!((180.0 - words[0], words[1], words[2]), (arc, tau, r_star));
                     assert!((words[3] / b - 1.0).abs() < 1e-5);
-                    let arms = arms(b, tau, r_star).expect("on the grid").at(arc.to_radians());
-                    let delta = arms.angle.to_degrees() / (arc / 45.0).tanh();
-                    assert!((delta - words[4]).abs() < 2e-3, "{arms:?} {words:?}");
-                    assert!((arms.give.to_degrees() - words[6]).abs() < 1e-2, "{arms:?} {words:?}");
+                    let arms_at_arc = arms(b, tau, r_star).expect("on the grid").at(arc.to_radians());
+                    let delta = arms_at_arc.angle.to_degrees() / (arc / 45.0).tanh();
+                    assert!((delta - words[4]).abs() < 2e-3, "{arms_at_arc:?} {words:?}");
+                    assert!(
+                        (arms_at_arc.give.to_degrees() - words[6]).abs() < 1e-2,
+                        "{arms_at_arc:?} {words:?}"
+                    );
                 }
             }
         }
@@ -361,11 +364,14 @@ mod tests {
                     .map(|word| word.parse().expect("a number"))
                     .collect();
                 assert_eq!((180.0 - words[0], words[1], words[2]), (THIN_ARC, THIN_TAU, r_star));
-                let arms = arms(*b, THIN_TAU, r_star).expect("in the table").at(THIN_ARC.to_radians());
-                let delta = arms.angle.to_degrees() / (THIN_ARC / 45.0).tanh();
-                assert!((delta - words[4]).abs() < 2e-3, "{arms:?} {words:?}");
+                let arms_at_arc = arms(*b, THIN_TAU, r_star).expect("in the table").at(THIN_ARC.to_radians());
+                let delta = arms_at_arc.angle.to_degrees() / (THIN_ARC / 45.0).tanh();
+                assert!((delta - words[4]).abs() < 2e-3, "{arms_at_arc:?} {words:?}");
                 let is_round = r_star == THIN_R_STARS[1];
-                assert!(!is_round || (arms.give.to_degrees() - words[6]).abs() < 1e-2, "{arms:?} {words:?}");
+                assert!(
+                    !is_round || (arms_at_arc.give.to_degrees() - words[6]).abs() < 1e-2,
+                    "{arms_at_arc:?} {words:?}"
+                );
             }
         }
         assert_eq!(lines.next(), None);
@@ -379,17 +385,17 @@ mod tests {
     #[test]
     fn it_leads_on_from_place_to_place() {
         // The table is continuous between the grid's places, and arms always let a hinge coil further.
-        let mut before: Option<Arms> = None;
+        let mut previous: Option<Arms> = None;
         for step in 0..=400 {
             let part = f64::from(step) / 400.0;
             let tau = TAUS[0] * (TAUS[2] / TAUS[0]).powf(part);
-            let arms = arms(300.0 + 600.0 * part, tau, part * part).expect("inside").at(2.6 - 2.2 * part);
-            assert!(arms.angle > 0.0 && arms.give > -0.2, "{part}: {arms:?}");
-            if let Some(before) = before {
-                assert!((arms.angle - before.angle).abs() < 0.005, "{part}: {before:?} {arms:?}");
-                assert!((arms.give - before.give).abs() < 0.03, "{part}: {before:?} {arms:?}");
+            let current = arms(300.0 + 600.0 * part, tau, part * part).expect("inside").at(2.6 - 2.2 * part);
+            assert!(current.angle > 0.0 && current.give > -0.2, "{part}: {current:?}");
+            if let Some(previous) = previous {
+                assert!((current.angle - previous.angle).abs() < 0.005, "{part}: {previous:?} {current:?}");
+                assert!((current.give - previous.give).abs() < 0.03, "{part}: {previous:?} {current:?}");
             }
-            before = Some(arms);
+            previous = Some(current);
         }
     }
 }

@@ -139,12 +139,13 @@ pub(super) fn density(scales: &Scales, w: f64, lambda: f64, jet: &Jet, exact: bo
     for j in 0..6 {
         gradient[j] = strains.n_s * e_s[j] + strains.n_th * e_th[j] + m_s * k_s[j] + m_th * k_th[j];
         // The law of the sheet times the derivatives of the strains.
-        let along = meridian * e_s[j] + nu * hoop * e_th[j];
-        let around = hoop * (e_th[j] + nu * e_s[j]);
+        let meridian_stress = meridian * e_s[j] + nu * hoop * e_th[j];
+        let hoop_stress = hoop * (e_th[j] + nu * e_s[j]);
         let (with_s, with_th) = (bend * (k_s[j] + nu * k_th[j]), bend * (k_th[j] + nu * k_s[j]));
         // All rows, though the upper triangle would do: the loop is unrolled.
         for i in 0..6 {
-            hessian[i][j] = e_s[i] * along + e_th[i] * around + k_s[i] * with_s + k_th[i] * with_th;
+            hessian[i][j] =
+                e_s[i] * meridian_stress + e_th[i] * hoop_stress + k_s[i] * with_s + k_th[i] * with_th;
         }
     }
     let pull = (if exact { strains.n_s } else { strains.n_s.max(0.0) }) / strains.stretch;

@@ -14,8 +14,8 @@ impl<T> LastTwo<T> {
         is: impl Fn(&T) -> bool,
         make: impl FnOnce() -> Result<T, E>,
     ) -> Result<&T, E> {
-        if let Some(at) = self.0.iter().position(is) {
-            return Ok(&self.0[at]);
+        if let Some(place) = self.0.iter().position(is) {
+            return Ok(&self.0[place]);
         }
         let made_entry = make()?;
         self.0.truncate(1);
@@ -25,8 +25,8 @@ impl<T> LastTwo<T> {
 }
 
 /// Whether all numbers have the same bits.
-pub(super) fn same<const N: usize>(some: [f64; N], others: [f64; N]) -> bool {
-    some.map(f64::to_bits) == others.map(f64::to_bits)
+pub(super) fn same<const N: usize>(a: [f64; N], b: [f64; N]) -> bool {
+    a.map(f64::to_bits) == b.map(f64::to_bits)
 }
 
 #[cfg(test)]
@@ -35,15 +35,15 @@ mod tests {
 
     #[test]
     fn it_keeps_two_and_drops_the_older() {
-        let (mut last, mut made) = (LastTwo::NONE, Vec::new());
+        let (mut last, mut calls) = (LastTwo::NONE, Vec::new());
         for asked in [1, 2, 1, 2, 3, 2, 1, 3] {
             let make = || {
-                made.push(asked);
+                calls.push(asked);
                 Ok::<_, ()>(asked)
             };
             assert_eq!(last.find_or_make(|own| *own == asked, make), Ok(&asked));
         }
-        assert_eq!(made, [1, 2, 3, 1]);
+        assert_eq!(calls, [1, 2, 3, 1]);
         let failed = last.find_or_make(|own| *own == 9, || Err("no"));
         assert_eq!(failed, Err("no"));
         assert_eq!(last.find_or_make(|own| *own == 3, || Err("lost")), Ok(&3));

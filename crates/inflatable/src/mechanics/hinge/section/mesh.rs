@@ -90,7 +90,7 @@ impl MeridianMesh {
     /// The shape that has the `unknowns` on the nodes of `coarse`, on the nodes of this mesh.
     pub(super) fn refined(&self, coarse: &Self, unknowns: &[f64]) -> Vec<f64> {
         let mut element = 0;
-        let mut out = Vec::with_capacity(self.unknowns());
+        let mut fine_unknowns = Vec::with_capacity(self.unknowns());
         for &s in &self.nodes {
             while element + 2 < coarse.nodes.len() && coarse.nodes[element + 1] <= s {
                 element += 1;
@@ -98,11 +98,13 @@ impl MeridianMesh {
             let h = coarse.nodes[element + 1] - coarse.nodes[element];
             let nodal = &unknowns[4 * element..4 * element + 8];
             for of in [[0, 1, 4, 5], [2, 3, 6, 7]] {
-                let cubics = cubics((s - coarse.nodes[element]) / h, h);
-                out.extend(cubics.map(|n| n.iter().zip(of).map(|(n, place)| n * nodal[place]).sum::<f64>()));
+                let shape_functions = cubics((s - coarse.nodes[element]) / h, h);
+                fine_unknowns.extend(
+                    shape_functions.map(|n| n.iter().zip(of).map(|(n, place)| n * nodal[place]).sum::<f64>()),
+                );
             }
         }
-        out
+        fine_unknowns
     }
 
     /// Unknowns that are 0: z at both rims, but not in the middle of a disc; at a point on the axis also Q and the slope.

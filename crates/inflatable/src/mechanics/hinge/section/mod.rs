@@ -74,8 +74,8 @@ impl Section {
     /// If one of them, or the p W / Y that they make, is outside of its range.
     pub fn new(bendability: f64, thickness: f64, poisson: f64) -> Result<Self, HingeFault> {
         let check = |ratio, found: f64, range: RangeInclusive<f64>| {
-            let (least, most) = (*range.start(), *range.end());
-            let fault = HingeFault::Scale { ratio, found, least, most };
+            let (minimum, maximum) = (*range.start(), *range.end());
+            let fault = HingeFault::Scale { ratio, found, least: minimum, most: maximum };
             if spans(&range, found) { Ok(()) } else { Err(fault) }
         };
         // The fabric first: no pressure helps where it is out of range.
@@ -124,12 +124,12 @@ impl Section {
     /// The errors of [`HingeModel::state`].
     pub fn curve(&self, r_star: f64, lambdas: &[f64]) -> Result<Vec<HingeState>, HingeFault> {
         let mut search = self.rest(r_star)?;
-        let at = |lambda: &f64| {
+        let state_at = |lambda: &f64| {
             check_lambda(*lambda, LEAST_LAMBDA, MOST_LAMBDA)?;
             search.hold(*lambda)?;
             Ok(state(&search))
         };
-        lambdas.iter().map(at).collect()
+        lambdas.iter().map(state_at).collect()
     }
 
     /// Inflated width over the flat one, and thickness over the flat width, of a **disc** sealed around its rim whose flat radius is W.

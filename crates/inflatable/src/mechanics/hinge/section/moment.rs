@@ -17,15 +17,15 @@ pub struct Moment {
 impl Moment {
     /// dV_bar/dlambda at `lambda`: the closing moment over p W^3. Between the flat angle and as far beyond the rest.
     pub fn slope(&self, lambda: f64) -> f64 {
-        let away = lambda - self.lambda;
-        let x = away / (self.lambda - 1.0);
-        -away * self.stiffness * libm::exp(self.secant(x))
+        let change = lambda - self.lambda;
+        let x = change / (self.lambda - 1.0);
+        -change * self.stiffness * libm::exp(self.secant(x))
     }
 
     /// d2V_bar/dlambda2 at `lambda`, in the same range.
     pub fn curvature(&self, lambda: f64) -> f64 {
-        let away = lambda - self.lambda;
-        let x = away / (self.lambda - 1.0);
+        let change = lambda - self.lambda;
+        let x = change / (self.lambda - 1.0);
         -self.stiffness * libm::exp(self.secant(x)) * (1.0 + x * self.secant_slope(x))
     }
 
@@ -46,8 +46,8 @@ impl Moment {
     /// The quartic through the logarithms of the secants, which is 0 at 0.
     fn secant(&self, x: f64) -> f64 {
         let weight = |i: usize| {
-            let each = OFFSETS.iter().enumerate().filter(move |(j, _)| *j != i);
-            each.map(move |(_, at)| (x - at) / (OFFSETS[i] - at)).product::<f64>()
+            let other_offsets = OFFSETS.iter().enumerate().filter(move |(j, _)| *j != i);
+            other_offsets.map(move |(_, at)| (x - at) / (OFFSETS[i] - at)).product::<f64>()
         };
         (0..4).map(|i| self.secants[i] * x / OFFSETS[i] * weight(i)).sum()
     }

@@ -14,14 +14,14 @@ pub(super) const WIDTH: usize = 8;
 /// The meridian at `point`, from the unknowns `x` of its element.
 #[inline]
 pub(super) fn jet(point: &GaussPoint, x: &[f64; WIDTH]) -> Jet {
-    let mut out = [0.0; 6];
+    let mut derivatives = [0.0; 6];
     for (i, n) in point.shape.iter().enumerate() {
         for (part, shift) in [0, TO_Z].into_iter().enumerate() {
             let [a, b, c, d] = OF_Q.map(|place| x[place + shift]);
-            out[i + 3 * part] = n[0] * a + n[1] * b + n[2] * c + n[3] * d;
+            derivatives[i + 3 * part] = n[0] * a + n[1] * b + n[2] * c + n[3] * d;
         }
     }
-    out
+    derivatives
 }
 
 /// The unknowns of element number `element` among all of them.
@@ -157,11 +157,11 @@ impl Element {
 /// Three derivatives of Q or z, times the contribution of each of the four unknowns to them.
 #[inline]
 fn by_unknowns(n: &[[f64; 4]; 3], [a, b, c]: [f64; 3]) -> [f64; 4] {
-    let mut out = [0.0; 4];
-    for (k, out) in out.iter_mut().enumerate() {
-        *out = n[0][k] * a + n[1][k] * b + n[2][k] * c;
+    let mut sums = [0.0; 4];
+    for (k, sum) in sums.iter_mut().enumerate() {
+        *sum = n[0][k] * a + n[1][k] * b + n[2][k] * c;
     }
-    out
+    sums
 }
 
 /// Adds `h`, second derivatives by three derivatives of Q or z, as second derivatives by unknowns.
@@ -174,6 +174,6 @@ fn twice(block: &mut Block, n: &[[f64; 4]; 3], weighted: &[[f64; 4]; 3], h: [[f6
 }
 
 #[inline]
-fn add(to: &mut [f64; 4], own: [f64; 4]) {
-    to.iter_mut().zip(own).for_each(|(to, own)| *to += own);
+fn add(totals: &mut [f64; 4], addends: [f64; 4]) {
+    totals.iter_mut().zip(addends).for_each(|(total, addend)| *total += addend);
 }

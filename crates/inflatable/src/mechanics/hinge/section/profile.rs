@@ -63,7 +63,7 @@ impl Meridian {
     }
 
     /// The largest of one quantity.
-    pub fn most(&self, of: impl Fn(&MeridianPoint) -> f64) -> f64 {
-        self.points.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
+    pub fn most(&self, quantity: impl Fn(&MeridianPoint) -> f64) -> f64 {
+        self.points.iter().map(quantity).fold(f64::NEG_INFINITY, f64::max)
     }
 }

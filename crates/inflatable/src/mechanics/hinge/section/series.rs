@@ -88,19 +88,19 @@ impl Series {
         AlongRadii(last.of_pressure)
     }
 
-    fn sum_over_fabrics(&self, [nu, tau]: [f64; 2], out: &mut [f64; OF_FABRIC]) {
+    fn sum_over_fabrics(&self, [nu, tau]: [f64; 2], quantities: &mut [f64; OF_FABRIC]) {
         let (nu, tau) = (polynomials::<{ COUNTS[3] }>(nu), polynomials::<{ COUNTS[1] }>(tau));
         // The first polynomial is 1.
         let mean = tau.map(f64x2::splat);
         let with_nu: [_; WITH_NU] =
             from_fn(|k| f32x4::splat(single(nu[1 + k / COUNTS[1]] * tau[k % COUNTS[1]])));
-        for (out, block) in out.chunks_exact_mut(2 * REGISTERS).zip(&self.mean) {
+        for (part, block) in quantities.chunks_exact_mut(2 * REGISTERS).zip(&self.mean) {
             let sums = weighted(&mean, block, f64x2::ZERO).map(f64x2::to_array);
-            out.copy_from_slice(sums.as_flattened());
+            part.copy_from_slice(sums.as_flattened());
         }
-        for (out, block) in out.chunks_exact_mut(4 * REGISTERS).zip(&self.with_nu) {
+        for (part, block) in quantities.chunks_exact_mut(4 * REGISTERS).zip(&self.with_nu) {
             let sums = weighted(&with_nu, block, f32x4::ZERO).map(f32x4::to_array);
-            out.iter_mut().zip(sums.as_flattened()).for_each(|(out, sum)| *out += f64::from(*sum));
+            part.iter_mut().zip(sums.as_flattened()).for_each(|(quantity, sum)| *quantity += f64::from(*sum));
         }
     }
 }

@@ -109,12 +109,12 @@ impl ShapeSearch {
         self.search_from_arcs(None)
     }
 
-    /// Goes from the beginning to the hinge at rest, or to the shape at the coiling factor `held`.
-    pub(super) fn search_from_arcs(&mut self, held: Option<f64>) -> Result<(), HingeFault> {
+    /// Goes from the beginning to the hinge at rest, or to the shape at the coiling factor `fixed_lambda`.
+    pub(super) fn search_from_arcs(&mut self, fixed_lambda: Option<f64>) -> Result<(), HingeFault> {
         for angle in STARTS {
-            self.lambda = held.unwrap_or(START_LAMBDA);
+            self.lambda = fixed_lambda.unwrap_or(START_LAMBDA);
             self.shape = arc(&self.mesh, self.lambda, angle);
-            if self.minimise(held.is_none()).is_ok() {
+            if self.minimise(fixed_lambda.is_none()).is_ok() {
                 return Ok(());
             }
         }
@@ -123,20 +123,20 @@ impl ShapeSearch {
 
     /// Follows the branch of equilibria from the last one to `lambda`.
     pub(super) fn hold(&mut self, lambda: f64) -> Result<(), HingeFault> {
-        let mut most = MOST_TURN;
+        let mut max_turn = MOST_TURN;
         let mut solved = (self.lambda, self.shape.clone());
         while self.lambda != lambda {
-            let turn = (lambda - self.lambda).clamp(-most, most);
+            let turn = (lambda - self.lambda).clamp(-max_turn, max_turn);
             for (x, v) in self.shape.iter_mut().zip(&self.tangent) {
                 *x += turn * v;
             }
-            self.lambda = if turn.abs() < most { lambda } else { self.lambda + turn };
+            self.lambda = if turn.abs() < max_turn { lambda } else { self.lambda + turn };
             match self.minimise(false) {
                 Ok(()) => solved = (self.lambda, self.shape.clone()),
-                Err(lost) if most < 0.02 * MOST_TURN => return Err(lost),
+                Err(lost) if max_turn < 0.02 * MOST_TURN => return Err(lost),
                 Err(_) => {
                     (self.lambda, self.shape) = solved.clone();
-                    most *= 0.5;
+                    max_turn *= 0.5;
                     // The tangent anew.
                     self.settle()?;
                 }
@@ -196,8 +196,9 @@ impl ShapeSearch {
         let _ = self.direction(false);
         if self.mesh.r_star > MOST_TABLED_R_STAR {
             // S is a small difference of large numbers in a slender bend. This form errs by the square of the tangent's error.
-            let bent = self.potential.hessian.times(&self.tangent);
-            self.stiffness += dot(&self.potential.mixed, &self.tangent) + dot(&self.tangent, &bent);
+            let curvature_terms = self.potential.hessian.times(&self.tangent);
+            self.stiffness +=
+                dot(&self.potential.mixed, &self.tangent) + dot(&self.tangent, &curvature_terms);
         }
         if exact { Ok(()) } else { Err(self.lost()) }
     }
@@ -287,14 +288,14 @@ fn arc(mesh: &MeridianMesh, lambda: f64, angle: f64) -> Vec<f64> {
         angle * (1.0 - 2.0 * s) * flat
     };
     let mut shape = Vec::with_capacity(mesh.unknowns());
-    let (mut q, mut z, mut before) = (mesh.r_star / lambda, 0.0, 0.0);
+    let (mut q, mut z, mut previous) = (mesh.r_star / lambda, 0.0, 0.0);
     for &s in &mesh.nodes {
-        let (sin, cos) = libm::sincos(phi(0.5 * (s + before)));
-        q += (s - before) * cos;
-        z += (s - before) * sin;
-        before = s;
-        let (slope, along) = libm::sincos(phi(s));
-        shape.extend([q, along, z, slope]);
+        let (sin, cos) = libm::sincos(phi(0.5 * (s + previous)));
+        q += (s - previous) * cos;
+        z += (s - previous) * sin;
+        previous = s;
+        let (slope, rise) = libm::sincos(phi(s));
+        shape.extend([q, rise, z, slope]);
     }
     // Back to z = 0 at the outer rim.
     for (node, s) in shape.chunks_exact_mut(4).zip(&mesh.nodes) {

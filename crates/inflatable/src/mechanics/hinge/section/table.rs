@@ -92,8 +92,8 @@ impl SectionTable {
         thread_local! {
             static LAST: RefCell<PartialSums> = RefCell::default();
         }
-        let place = place(scales)?;
-        Ok(LAST.with_borrow_mut(|last| self.rest.along_radii(place, last)))
+        let grid_place = place(scales)?;
+        Ok(LAST.with_borrow_mut(|last| self.rest.along_radii(grid_place, last)))
     }
 
     /// The moment of the hinge that rests as `rest` around that: the same arguments and ranges as [`SectionTable::at`].
@@ -105,8 +105,8 @@ impl SectionTable {
             static LAST: RefCell<PartialSums> = RefCell::default();
         }
         check_r_star(r_star, MOST_TABLED_R_STAR)?;
-        let place = place(scales)?;
-        let series = LAST.with_borrow_mut(|last| self.moment.along_radii(place, last));
+        let grid_place = place(scales)?;
+        let series = LAST.with_borrow_mut(|last| self.moment.along_radii(grid_place, last));
         let secants = series.at(place_of_radius(r_star));
         Ok(Moment { lambda: rest.lambda, stiffness: rest.stiffness, secants })
     }

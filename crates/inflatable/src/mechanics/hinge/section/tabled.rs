@@ -72,28 +72,28 @@ impl Tabled {
         })
     }
 
-    /// What `of` takes from the hinge of R*.
+    /// What `take` takes from the hinge of R*.
     fn with<T>(
         &self,
         r_star: f64,
-        of: impl FnOnce(&TabledState) -> Result<T, HingeFault>,
+        take: impl FnOnce(&TabledState) -> Result<T, HingeFault>,
     ) -> Result<T, HingeFault> {
         match self.known.iter().find(|known| known.r_star == r_star) {
-            Some(known) => of(known),
-            None => of(&Common::with(self.scales, |common| common.at(r_star))?),
+            Some(known) => take(known),
+            None => take(&Common::with(self.scales, |common| common.at(r_star))?),
         }
     }
 }
 
 impl Common {
-    /// What `of` takes from what hinges have in common at 1/eps, t/W and nu = `scales`.
-    fn with<T>(scales: [f64; 3], of: impl FnOnce(&Self) -> Result<T, HingeFault>) -> Result<T, HingeFault> {
+    /// What `take` takes from what hinges have in common at 1/eps, t/W and nu = `scales`.
+    fn with<T>(scales: [f64; 3], take: impl FnOnce(&Self) -> Result<T, HingeFault>) -> Result<T, HingeFault> {
         thread_local! {
             /// Rows of a study may share fabric, width and pressure, but no radius.
             static LAST: RefCell<LastTwo<Common>> = const { RefCell::new(LastTwo::NONE) };
         }
         LAST.with_borrow_mut(|last| {
-            of(last.find_or_make(|own| same(own.scales, scales), || Self::new(scales))?)
+            take(last.find_or_make(|own| same(own.scales, scales), || Self::new(scales))?)
         })
     }
 
@@ -125,14 +125,14 @@ impl TabledState {
         let moment = (*self.moment.get_or_init(look_up))?;
         // Beyond the ends of the table its last secant goes on: a straight line.
         let way = entry.lambda - 1.0;
-        let inside = lambda.clamp(entry.lambda - way, entry.lambda + way);
-        let away = lambda - entry.lambda;
-        let slope = if inside == lambda || away == 0.0 {
+        let clamped = lambda.clamp(entry.lambda - way, entry.lambda + way);
+        let change = lambda - entry.lambda;
+        let slope = if clamped == lambda || change == 0.0 {
             moment.slope(lambda)
         } else {
-            moment.slope(inside) * away / (inside - entry.lambda)
+            moment.slope(clamped) * change / (clamped - entry.lambda)
         };
-        let curvature = if inside == lambda { moment.curvature(lambda) } else { slope / away };
+        let curvature = if clamped == lambda { moment.curvature(lambda) } else { slope / change };
         Ok(self.with_moment(lambda, [slope, curvature]))
     }
 
@@ -207,16 +207,19 @@ mod tests {
         let (tabled, _) = pair([900.0, 0.012, 0.39], 0.1);
         let rest = tabled.target(0.1).expect("at rest").lambda;
         let slope = |lambda| tabled.state(0.1, lambda).expect("covered").slope;
-        let mut before = f64::INFINITY;
+        let mut previous = f64::INFINITY;
         for step in 0..=60 {
             let lambda = 0.8 + 0.7 * f64::from(step) / 60.0;
-            assert!(slope(lambda) < before, "closing moments fall: {lambda}");
-            before = slope(lambda);
+            assert!(slope(lambda) < previous, "closing moments fall: {lambda}");
+            previous = slope(lambda);
             let ends = [1.0, rest, 2.0 * rest - 1.0];
             if ends.iter().all(|end| (lambda - end).abs() > 1e-3) {
-                let found = tabled.state(0.1, lambda).expect("covered").curvature;
+                let curvature = tabled.state(0.1, lambda).expect("covered").curvature;
                 let expected = (slope(lambda + 1e-5) - slope(lambda - 1e-5)) / 2e-5;
-                assert!((found - expected).abs() < 1e-4 * expected.abs(), "{lambda}: {found} {expected}");
+                assert!(
+                    (curvature - expected).abs() < 1e-4 * expected.abs(),
+                    "{lambda}: {curvature} {expected}"
+                );
             }
         }
         assert_eq!(slope(rest), 0.0);
@@ -225,9 +228,9 @@ mod tests {
 
     #[test]
     fn an_answer_does_not_depend_on_those_before() {
-        let of = |scales: [f64; 3], r_stars: [f64; 2]| {
-            let own = Tabled::new(scales, r_stars).expect("in range");
-            r_stars.map(|r_star| (own.target(r_star).expect("at rest"), own.arms(r_star, 1.0)))
+        let answers = |scales: [f64; 3], r_stars: [f64; 2]| {
+            let tabled = Tabled::new(scales, r_stars).expect("in range");
+            r_stars.map(|r_star| (tabled.target(r_star).expect("at rest"), tabled.arms(r_star, 1.0)))
         };
         let cases = [
             ([330.0, 0.015, 0.39], [0.1, 0.0]),
@@ -235,12 +238,12 @@ mod tests {
             ([500.0, 0.015, 0.39], [0.1, 0.1]),
             ([500.0, 0.012, 0.2], [0.1, 0.1]),
         ];
-        let alone = cases.map(|(scales, r_stars)| {
-            std::thread::spawn(move || of(scales, r_stars)).join().expect("no panic")
+        let expected = cases.map(|(scales, r_stars)| {
+            std::thread::spawn(move || answers(scales, r_stars)).join().expect("no panic")
         });
         for (k, j) in (0..cases.len()).flat_map(|k| (0..cases.len()).map(move |j| (k, j))) {
             for own in [k, j, k] {
-                assert_eq!(of(cases[own].0, cases[own].1), alone[own], "{own}");
+                assert_eq!(answers(cases[own].0, cases[own].1), expected[own], "{own}");
             }
         }
     }

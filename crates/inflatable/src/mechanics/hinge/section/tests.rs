@@ -33,7 +33,7 @@ fn gradient_and_hessian_are_the_derivatives_of_the_potential() {
             potential.assemble(&scales, &mesh, lambda, shape, true);
             potential
         };
-        let at = assembled(lambda, &shape);
+        let center = assembled(lambda, &shape);
         // Differences of fourth order: the innermost element is so short that those of second order are too rough.
         let step = 2e-6;
         let difference = |f: &dyn Fn(f64) -> f64| {
@@ -48,21 +48,21 @@ fn gradient_and_hessian_are_the_derivatives_of_the_potential() {
         let largest = |of: &[f64]| of.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         for i in free() {
             let of_value = |by: f64| value(&scales, &mesh, lambda, &moved(i, by)).expect("finite");
-            let error = difference(&of_value) - at.gradient[i];
-            assert!(error.abs() < 1e-8 * largest(&at.gradient), "R* {r_star}, gradient {i}: {error:.1e}");
+            let error = difference(&of_value) - center.gradient[i];
+            assert!(error.abs() < 1e-8 * largest(&center.gradient), "R* {r_star}, gradient {i}: {error:.1e}");
             let unit: Vec<f64> = (0..shape.len()).map(|j| f64::from(u8::from(i == j))).collect();
-            let column = at.hessian.times(&unit);
+            let column = center.hessian.times(&unit);
             for j in free() {
                 let error = difference(&|by| assembled(lambda, &moved(i, by)).gradient[j]) - column[j];
                 assert!(error.abs() < 1e-6 * largest(&column), "R* {r_star}, H {i} {j}: {error:.1e}");
             }
-            let error = difference(&|by| assembled(lambda, &moved(i, by)).slope) - at.mixed[i];
-            assert!(error.abs() < 1e-6 * largest(&at.mixed), "R* {r_star}, mixed {i}: {error:.1e}");
+            let error = difference(&|by| assembled(lambda, &moved(i, by)).slope) - center.mixed[i];
+            assert!(error.abs() < 1e-6 * largest(&center.mixed), "R* {r_star}, mixed {i}: {error:.1e}");
         }
         let of_lambda = |by: f64| value(&scales, &mesh, lambda + by, &shape).expect("finite");
-        assert!((difference(&of_lambda) - at.slope).abs() < 1e-8, "R* {r_star}, slope");
+        assert!((difference(&of_lambda) - center.slope).abs() < 1e-8, "R* {r_star}, slope");
         let bend = difference(&|by| assembled(lambda + by, &shape).slope);
-        assert!((bend - at.curvature).abs() < 1e-6 * at.curvature, "R* {r_star}, curvature");
+        assert!((bend - center.curvature).abs() < 1e-6 * center.curvature, "R* {r_star}, curvature");
     }
 }
 
@@ -70,15 +70,15 @@ fn gradient_and_hessian_are_the_derivatives_of_the_potential() {
 fn a_hundred_nodes_are_as_good_as_eight_hundred() {
     for (bendability, thickness) in [(10.0, 0.003), (330.0, 0.003), (1e3, 0.003), (1e3, 0.03), (1e4, 0.003)] {
         for r_star in [0.0, 0.1, 3.0] {
-            let own = Section::new(bendability, thickness, 0.39).expect("in range");
+            let section = Section::new(bendability, thickness, 0.39).expect("in range");
             let [coarse, hundred, fine] = [ELEMENTS, 100, 800].map(|elements| {
-                let state = Section { elements, ..own }.target(r_star).expect("found");
+                let state = Section { elements, ..section }.target(r_star).expect("found");
                 (state.lambda, state.curvature)
             });
-            let off = |one: (f64, f64)| ((one.0 - fine.0).abs(), (one.1 / fine.1 - 1.0).abs());
+            let errors = |one: (f64, f64)| ((one.0 - fine.0).abs(), (one.1 / fine.1 - 1.0).abs());
             let place = format!("{bendability} {thickness} {r_star}: {coarse:?} {hundred:?} {fine:?}");
-            assert!(off(hundred).0 < 1e-4 && off(hundred).1 < 5e-3, "{place}");
-            assert!(off(coarse).0 < 1e-4 && off(coarse).1 < 2e-3, "{place}");
+            assert!(errors(hundred).0 < 1e-4 && errors(hundred).1 < 5e-3, "{place}");
+            assert!(errors(coarse).0 < 1e-4 && errors(coarse).1 < 2e-3, "{place}");
         }
     }
 }
@@ -100,14 +100,14 @@ fn a_sharp_rim_tends_to_a_point() {
 #[test]
 fn the_tension_field_tends_to_the_ring() {
     use crate::mechanics::hinge::ring::Ring;
-    let mut before = f64::MAX;
+    let mut previous = f64::MAX;
     for bendability in [1e5, 1e6] {
         let field = section(bendability, 1e3, 0.0, 200).slack();
         let exact = Ring.target(0.1).expect("solved");
-        let found = field.target(0.1).expect("found");
-        let gap = (found.lambda - exact.lambda).abs();
-        assert!(gap < before && gap < 5e-3, "{bendability}: {} {}", found.lambda, exact.lambda);
-        before = gap;
+        let rest = field.target(0.1).expect("found");
+        let gap = (rest.lambda - exact.lambda).abs();
+        assert!(gap < previous && gap < 5e-3, "{bendability}: {} {}", rest.lambda, exact.lambda);
+        previous = gap;
     }
 }
 
@@ -130,14 +130,17 @@ fn slope_and_curvature_are_those_of_one_branch() {
         assert!(rest.slope.abs() < 1e-7 && rest.curvature < 0.0);
         for lambda in [rest.lambda - 0.1, rest.lambda, rest.lambda + 0.05] {
             let step = 1e-4;
-            let [low, at, high] =
+            let [low, center, high] =
                 [-step, 0.0, step].map(|d| section.state(r_star, lambda + d).expect("found"));
             let curvature = (high.slope - low.slope) / (2.0 * step);
-            assert!((curvature / at.curvature - 1.0).abs() < 1e-4, "{r_star} {lambda}: {curvature} {at:?}");
+            assert!(
+                (curvature / center.curvature - 1.0).abs() < 1e-4,
+                "{r_star} {lambda}: {curvature} {center:?}"
+            );
         }
         let curve = section.curve(r_star, &[rest.lambda - 0.05, rest.lambda - 0.1]).expect("found");
-        let alone = section.state(r_star, rest.lambda - 0.1).expect("found");
-        assert!((curve[1].slope - alone.slope).abs() < 1e-7 * alone.slope.abs());
+        let single = section.state(r_star, rest.lambda - 0.1).expect("found");
+        assert!((curve[1].slope - single.slope).abs() < 1e-7 * single.slope.abs());
     }
 }
 
@@ -157,17 +160,17 @@ fn a_straight_tube_pulls_with_one_over_pi() {
 /// A hinge of many widths is a bent tube. lambda is that of another program for the same equations, at t/W = 0.015 and 1/eps = 330.
 #[test]
 fn a_slender_hinge_is_a_bent_tube() {
-    let own = Section::new(330.0, 0.015, 0.39).expect("in range");
+    let section = Section::new(330.0, 0.015, 0.39).expect("in range");
     for (r_star, lambda) in
         [(0.1, 1.1534), (1.0, 1.1876), (3.0, 1.2272), (5.0, 1.2396), (10.0, 1.2475), (20.0, 1.2500)]
     {
-        let found = own.target(r_star).expect("found").lambda;
-        assert!((found - lambda).abs() < 3e-4, "{r_star}: {found} {lambda}");
+        let coiling = section.target(r_star).expect("found").lambda;
+        assert!((coiling - lambda).abs() < 3e-4, "{r_star}: {coiling} {lambda}");
     }
     // C of the whole bend falls as 1 / R*, its bending stiffness becoming that of the tube. Twice the elements leave it but for rounding,
     // a part of 1e-5 of what it is the difference of.
     let stiffness = |r_star: f64, elements| {
-        let state = Section { elements, ..own }.target(r_star).expect("found");
+        let state = Section { elements, ..section }.target(r_star).expect("found");
         -state.curvature * (r_star + 0.5)
     };
     let [at_50, at_100] = [50.0, 100.0].map(|r_star| stiffness(r_star, ELEMENTS));
@@ -180,14 +183,14 @@ fn a_slender_hinge_is_a_bent_tube() {
 #[test]
 fn a_stiff_slender_bend_tends_to_four_over_pi() {
     let exact = 4.0 / std::f64::consts::PI;
-    let mut before = f64::MAX;
+    let mut previous = f64::MAX;
     for r_star in [25.0, 50.0, 100.0] {
-        let found = section(1e4, 1e3, 0.0, ELEMENTS).target(r_star).expect("found").lambda;
-        let gap = (found - exact).abs();
-        assert!(gap < before && found < exact, "{r_star}: {found}");
-        before = gap;
+        let coiling = section(1e4, 1e3, 0.0, ELEMENTS).target(r_star).expect("found").lambda;
+        let gap = (coiling - exact).abs();
+        assert!(gap < previous && coiling < exact, "{r_star}: {coiling}");
+        previous = gap;
     }
-    assert!(before < 1e-3, "{before}");
+    assert!(previous < 1e-3, "{previous}");
 }
 
 #[test]
@@ -195,8 +198,8 @@ fn volume_is_the_work_of_the_pressure() {
     // dPi/dp = -V per sheet at rest: in units of p W^3 with B and Y fixed, Pi p grows by V dp / 2.
     let meridian = Section::new(330.0, 0.015, 0.39).expect("in range").meridian(0.1).expect("found");
     let potential = |factor: f64| {
-        let own = Section::new(330.0 * factor, 0.015, 0.39).expect("in range");
-        let search = own.rest(0.1).expect("found");
+        let section = Section::new(330.0 * factor, 0.015, 0.39).expect("in range");
+        let search = section.rest(0.1).expect("found");
         factor * value(&search.scales, &search.mesh, search.lambda, &search.shape).expect("finite")
     };
     let slope = (potential(1.001) - potential(0.999)) / 0.002;
@@ -207,18 +210,18 @@ fn volume_is_the_work_of_the_pressure() {
 #[test]
 fn no_hinge_in_range_fails() {
     let mut draw = draws(11);
-    let mut found = 0;
-    while found < 150 {
+    let mut computed = 0;
+    while computed < 150 {
         let (bendability, thickness) = (10.0 * 1e3_f64.powf(draw()), 0.003 * 10_f64.powf(draw()));
         let poisson = 0.49 * draw();
         // Every tenth hinge is slender.
         let r_star =
-            if found % 10 == 0 { 3.0 * 33.3_f64.powf(draw()) } else { (4.0 * draw() - 1.0).max(0.0) };
+            if computed % 10 == 0 { 3.0 * 33.3_f64.powf(draw()) } else { (4.0 * draw() - 1.0).max(0.0) };
         let Ok(section) = Section::new(bendability, thickness, poisson) else { continue };
         let place = format!("{bendability} {thickness} {poisson} {r_star}");
         let rest = section.target(r_star).unwrap_or_else(|fault| panic!("{place}: {fault}"));
         assert!(rest.lambda > 1.0 && rest.lambda < 1.35 && rest.curvature < 0.0, "{place}: {rest:?}");
-        found += 1;
+        computed += 1;
     }
 }
 
@@ -251,13 +254,13 @@ fn the_shipped_table_is_whole() {
 fn the_table_is_the_solver_within_its_bounds() {
     let table = SectionTable::shipped().expect("readable");
     let mut draw = draws(5);
-    let mut held = 0;
-    while held < 60 {
+    let mut compared = 0;
+    while compared < 60 {
         let (bendability, thickness) = (10.0 * 1e3_f64.powf(draw()), 0.003 * 10_f64.powf(draw()));
         let (poisson, even) = (0.49 * draw(), draw());
-        let r_star = if held % 2 == 0 { 3.0 * even } else { 1e-3 * 3e3_f64.powf(even) };
+        let r_star = if compared % 2 == 0 { 3.0 * even } else { 1e-3 * 3e3_f64.powf(even) };
         let Ok(section) = Section::new(bendability, thickness, poisson) else { continue };
-        held += 1;
+        compared += 1;
         let rest = section.target(r_star).expect("found");
         let edges = rest.edges.expect("known");
         let entry = table.at(bendability, thickness, poisson, r_star).expect("in range");

@@ -20,12 +20,12 @@ fn a_parabola_rests_where_the_closed_form_says() {
     for points in [3, 5, 7] {
         let star = flat(0.05, Mechanism { corner_radius: 0.001, ..paper(points) });
         let inflated = Inflated::new(&star, &Fit, 2e4).expect("covered");
-        let (own, closed) = (inflated.rest().expect("solvable"), inflated.linear_rest());
+        let (solved, closed) = (inflated.rest().expect("solvable"), inflated.linear_rest());
         let pairs = [
-            (own.equilibrium, closed.equilibrium),
-            (own.radius, closed.radius),
-            (own.stiffness, closed.stiffness),
-            (own.preload + 1.0, closed.preload + 1.0),
+            (solved.equilibrium, closed.equilibrium),
+            (solved.radius, closed.radius),
+            (solved.stiffness, closed.stiffness),
+            (solved.preload + 1.0, closed.preload + 1.0),
         ];
         for (a, b) in pairs {
             assert!((a / b - 1.0).abs() < 1e-9, "n = {points}: {a} {b}");
@@ -102,16 +102,16 @@ fn ring_and_penalised_star_agree() {
 fn size_and_pressure_scale_as_published() {
     // All lengths by eta: K -> K eta at the same pressure; at p / eta^3: K / eta^2; at p / eta: K.
     let rest = |eta: f64, pressure: f64| {
-        let one = paper(4);
-        let star = Mechanism { arm: eta * one.arm, width: eta * one.width, ..one };
+        let unscaled = paper(4);
+        let star = Mechanism { arm: eta * unscaled.arm, width: eta * unscaled.width, ..unscaled };
         Inflated::new(&star, &Ring, pressure).and_then(|i| i.rest()).expect("solvable")
     };
-    let one = rest(1.0, 2e4);
+    let unscaled_rest = rest(1.0, 2e4);
     for eta in [0.02_f64, 3.0, 2000.0] {
         for power in [0, 1, 3] {
             let scaled = rest(eta, 2e4 / eta.powi(power));
-            assert!((scaled.stiffness / (one.stiffness * eta.powi(1 - power)) - 1.0).abs() < 1e-9);
-            assert!((scaled.radius / (one.radius * eta) - 1.0).abs() < 1e-9);
+            assert!((scaled.stiffness / (unscaled_rest.stiffness * eta.powi(1 - power)) - 1.0).abs() < 1e-9);
+            assert!((scaled.radius / (unscaled_rest.radius * eta) - 1.0).abs() < 1e-9);
         }
     }
 }
@@ -134,14 +134,14 @@ fn every_radius_up_to_the_widest_has_a_force_and_none_beyond() {
     let rest = inflated.linear_rest();
     let straight = star.radius(0.999_999 * (PI - star.turn())).value;
     assert!(straight < 0.0471 && rest.widest.radius > 0.0482, "{straight} {rest:?}");
-    let mut before = 0.0;
+    let mut previous = 0.0;
     for rho in [0.03, 0.04, 0.0471, 0.048, rest.widest.radius - 1e-6] {
         let phi = inflated.angle_at(rho, &rest).expect("in reach");
         assert!((star.radius(phi).value - rho).abs() < 1e-12 && phi <= rest.widest.angle);
         let force = inflated.linear_force(rho, &rest).expect("in reach");
-        assert!(force > before, "{rho}: {force} {before}");
-        before = force;
+        assert!(force > previous, "{rho}: {force} {previous}");
+        previous = force;
     }
-    let beyond = inflated.linear_force(rest.widest.radius + 1e-6, &rest).expect_err("out of reach");
-    assert!(beyond.to_string().contains("reaches only from"), "{beyond}");
+    let fault = inflated.linear_force(rest.widest.radius + 1e-6, &rest).expect_err("out of reach");
+    assert!(fault.to_string().contains("reaches only from"), "{fault}");
 }

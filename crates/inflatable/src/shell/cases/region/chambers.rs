@@ -36,23 +36,23 @@ pub fn chambers(loops: &[Path], welds: &[Path], cuts: &[Path]) -> Result<Vec<Fla
             allowed: "a millionth of its length",
         });
     }
-    let holds = |outer: &Path, p: Point| outer.encloses(p);
+    let is_inside = |outer: &Path, p: Point| outer.encloses(p);
     let depth = |at: usize| {
         let p = loops[at].segments[0].point(0.5);
-        (0..loops.len()).filter(|other| *other != at && holds(&loops[*other], p)).count()
+        (0..loops.len()).filter(|other| *other != at && is_inside(&loops[*other], p)).count()
     };
     let depths: Vec<usize> = (0..loops.len()).map(depth).collect();
-    let mut found: Vec<(usize, FlatChamber)> = Vec::new();
+    let mut nested: Vec<(usize, FlatChamber)> = Vec::new();
     for (outline, depth) in loops.iter().zip(&depths).filter(|(_, depth)| *depth % 2 == 0) {
         let outline = if outline.area() < 0.0 { outline.reversed() } else { outline.clone() };
-        found.push((*depth, FlatChamber { outline, ..FlatChamber::default() }));
+        nested.push((*depth, FlatChamber { outline, ..FlatChamber::default() }));
     }
     for (island, depth) in loops.iter().zip(&depths).filter(|(_, depth)| *depth % 2 == 1) {
         let p = island.segments[0].point(0.5);
-        let around =
-            found.iter_mut().find(|(outer, chamber)| outer + 1 == *depth && holds(&chamber.outline, p));
-        let Some((_, chamber)) = around else { continue };
-        if cuts.iter().any(|cut| cut.start().is_some_and(|p| holds(island, p))) {
+        let enclosing =
+            nested.iter_mut().find(|(outer, chamber)| outer + 1 == *depth && is_inside(&chamber.outline, p));
+        let Some((_, chamber)) = enclosing else { continue };
+        if cuts.iter().any(|cut| cut.start().is_some_and(|p| is_inside(island, p))) {
             let is_clockwise = island.area() < 0.0;
             chamber.holes.push(if is_clockwise { island.clone() } else { island.reversed() });
         } else {
@@ -61,13 +61,13 @@ pub fn chambers(loops: &[Path], welds: &[Path], cuts: &[Path]) -> Result<Vec<Fla
     }
     for weld in welds {
         let p = weld.segments[0].point(0.5);
-        let around = found.iter_mut().filter(|(_, chamber)| holds(&chamber.outline, p));
-        match around.max_by_key(|(depth, _)| *depth) {
+        let enclosing = nested.iter_mut().filter(|(_, chamber)| is_inside(&chamber.outline, p));
+        match enclosing.max_by_key(|(depth, _)| *depth) {
             Some((_, chamber)) => chamber.welds.push(weld.clone()),
             None => return Err(MeshFault::Outside { at: [p.x, p.y] }),
         }
     }
-    Ok(found.into_iter().map(|(_, chamber)| chamber).collect())
+    Ok(nested.into_iter().map(|(_, chamber)| chamber).collect())
 }
 
 /// Whether a curve is valid: finite, of positive length, and without gaps.

@@ -158,9 +158,9 @@ fn load_parts(sealed: &SealedNodes, sheet: &mut Sheet, tube: &Tube) {
 const LEAST_STRETCHED: f64 = 5e-3;
 
 fn softened(tube: Tube) -> Tube {
-    let most = tube.pressure * tube.width / LEAST_STRETCHED;
-    if Wrinkles::of(&tube) == Wrinkles::Resolved || tube.fabric.stretch < most {
+    let least_stretch = tube.pressure * tube.width / LEAST_STRETCHED;
+    if Wrinkles::of(&tube) == Wrinkles::Resolved || tube.fabric.stretch < least_stretch {
         return tube;
     }
-    Tube { fabric: Fabric { stretch: most, ..tube.fabric }, ..tube }
+    Tube { fabric: Fabric { stretch: least_stretch, ..tube.fabric }, ..tube }
 }

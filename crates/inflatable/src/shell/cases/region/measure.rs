@@ -32,35 +32,35 @@ pub(super) fn measure(
     let top = (0..mesh.points.len()).max_by(|a, b| state.points[*a][2].total_cmp(&state.points[*b][2]));
     let top = top.unwrap_or_default();
     let extent = |axis: usize| {
-        let along = || state.points.iter().map(|x| x[axis]);
-        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+        let coordinates = || state.points.iter().map(|x| x[axis]);
+        coordinates().fold(f64::NEG_INFINITY, f64::max) - coordinates().fold(f64::INFINITY, f64::min)
     };
     let mut measured = Measured { height_at: mesh.points[top], ..Measured::default() };
     let (mut stretch, mut tension) = (0.0, 0.0);
     for (triangle, corners) in mesh.triangles.iter().enumerate() {
         let stretched = solver.assembly.sheet.stretched(triangle, corners.map(|corner| state.points[corner]));
-        let [[most, _], [longest, _]] = stretched.principal();
+        let [[first_principal, _], [longest, _]] = stretched.principal();
         let middle = mesh.middle(triangle);
         if longest > stretch {
             (stretch, measured.stretch_at) = (longest, middle);
         }
-        if most > tension {
-            (tension, measured.tension_at) = (most, middle);
+        if first_principal > tension {
+            (tension, measured.tension_at) = (first_principal, middle);
         }
     }
     let height = 2.0 * state.points[top][2];
     let (x, y) = (extent(0), extent(1));
-    let [within, beyond] = stability::lowest(solver, (state, pressure), sealed);
-    measured.numbers = [volume, height, x, y, stretch, tension, within, beyond, 0.0];
+    let [symmetric, antisymmetric] = stability::lowest(solver, (state, pressure), sealed);
+    measured.numbers = [volume, height, x, y, stretch, tension, symmetric, antisymmetric, 0.0];
     measured
 }
 
 /// The shape where it lies best on the flat sheet, by the mean of squares over the area.
 pub(super) fn aligned(sheet: &Sheet, state: &State) -> State {
     let flat = sheet.flat();
-    let all: f64 = sheet.areas.iter().sum();
+    let total_area: f64 = sheet.areas.iter().sum();
     let mean = |points: &[[f64; 3]]| {
-        [0, 1].map(|c| points.iter().zip(&sheet.areas).map(|(x, area)| area * x[c]).sum::<f64>() / all)
+        [0, 1].map(|c| points.iter().zip(&sheet.areas).map(|(x, area)| area * x[c]).sum::<f64>() / total_area)
     };
     let (from, to) = (mean(&state.points), mean(&flat.points));
     let (mut sine, mut cosine) = (0.0, 0.0);

@@ -36,9 +36,9 @@ pub(super) fn pulls(
         let mut k = 0.5;
         while k < count {
             let s = length * k / count;
-            if let Some(at) = path.point_at(s) {
+            if let Some(point) = path.point_at(s) {
                 let pull = profile.mean(s / length, band / length, path.closed);
-                stations.push(Station { curve, at: [at.x, at.y], pull });
+                stations.push(Station { curve, at: [point.x, point.y], pull });
             }
             k += 1.0;
         }
@@ -60,7 +60,7 @@ impl ForceAlongCurve {
             let length = if *of == curve { meshed.pieces[piece].curve.length() } else { 0.0 };
             starts[piece + 1] = starts[piece] + length;
         }
-        let all = starts[meshed.pieces.len()];
+        let last = starts[meshed.pieces.len()];
         let place = |segment: &Segment, edge: usize| {
             let ends = mesh.edges[edge].ends.map(|end| mesh.points[end]);
             let [x, y] = [0, 1].map(|c| f64::midpoint(ends[0][c], ends[1][c]));
@@ -87,7 +87,7 @@ impl ForceAlongCurve {
             let length = mesh.length(edge);
             let force: f64 =
                 mesh.edges[edge].ends.iter().map(|end| -forces[*end][2] * length / lengths[end]).sum();
-            sum = [sum[0] + length / chords, sum[1] + force, sum[2] + length * all / chords];
+            sum = [sum[0] + length / chords, sum[1] + force, sum[2] + length * last / chords];
             sums.push(sum);
         }
         Self { sums }
@@ -95,8 +95,8 @@ impl ForceAlongCurve {
 
     /// Sums of force and of length up to `s`, 0 to 1.
     fn up_to(&self, s: f64) -> [f64; 2] {
-        let after = self.sums.partition_point(|sum| sum[0] < s).clamp(1, self.sums.len().max(2) - 1);
-        let (Some(a), Some(b)) = (self.sums.get(after - 1), self.sums.get(after)) else { return [0.0; 2] };
+        let index = self.sums.partition_point(|sum| sum[0] < s).clamp(1, self.sums.len().max(2) - 1);
+        let (Some(a), Some(b)) = (self.sums.get(index - 1), self.sums.get(index)) else { return [0.0; 2] };
         let t = ((s - a[0]) / (b[0] - a[0])).clamp(0.0, 1.0);
         [a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])]
     }
@@ -104,11 +104,11 @@ impl ForceAlongCurve {
     /// Mean force by length over `band` around `s`.
     fn mean(&self, s: f64, band: f64, closed: bool) -> f64 {
         let [from, to] = [s - band / 2.0, s + band / 2.0];
-        let all = self.up_to(1.0);
+        let whole_sum = self.up_to(1.0);
         let sum = |s: f64| {
             let turns = if closed { s.floor() } else { 0.0 };
             let [force, length] = self.up_to(s - turns);
-            [force + turns * all[0], length + turns * all[1]]
+            [force + turns * whole_sum[0], length + turns * whole_sum[1]]
         };
         let ([f0, l0], [f1, l1]) = (sum(from), sum(to));
         if l1 > l0 { (f1 - f0) / (l1 - l0) } else { 0.0 }

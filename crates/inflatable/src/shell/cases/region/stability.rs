@@ -15,10 +15,10 @@ pub(super) fn lowest(
     sealed: &SealedNodes,
 ) -> [f64; 2] {
     let sheet = &solver.assembly.sheet;
-    let (within, beyond) =
+    let (plane_motions, space_motions) =
         (rigid_motions(sheet, &state.points, &[0, 1, 5]), rigid_motions(sheet, &state.points, &[2, 3, 4]));
     let other = Solver::new(sheet.clone(), antisymmetric(sealed));
-    let symmetric = solver.lowest_eigenvalue(state, pressure, &within);
-    let antisymmetric = other.and_then(|mut other| other.lowest_eigenvalue(state, pressure, &beyond));
+    let symmetric = solver.lowest_eigenvalue(state, pressure, &plane_motions);
+    let antisymmetric = other.and_then(|mut other| other.lowest_eigenvalue(state, pressure, &space_motions));
     [symmetric, antisymmetric].map(|value| value.map_or(f64::NAN, |value| value / pressure))
 }

@@ -55,15 +55,15 @@ pub(super) fn symmetric(meshed: &Meshed, sealed: &SealedNodes, sheet: &mut Sheet
     let place = |point: usize| Point::new(mesh.points[point][0], mesh.points[point][1]);
     let Some(&first) = rim.first() else { return supports };
     let farthest = |from: usize| {
-        let away = |point: &&usize| place(**point).distance(place(from));
-        rim.iter().max_by(|a, b| away(a).total_cmp(&away(b))).copied().unwrap_or(from)
+        let distance = |point: &&usize| place(**point).distance(place(from));
+        rim.iter().max_by(|a, b| distance(a).total_cmp(&distance(b))).copied().unwrap_or(from)
     };
     let start = farthest(first);
     let other = farthest(start);
-    let apart = place(other) - place(start);
+    let chord = place(other) - place(start);
     // The farthest point may come nearer along the axis that lies most along the line between both.
-    let across = usize::from(apart.x.abs() > apart.y.abs());
-    for (point, axis) in [(start, 0), (start, 1), (other, across)] {
+    let axis_across = usize::from(chord.x.abs() > chord.y.abs());
+    for (point, axis) in [(start, 0), (start, 1), (other, axis_across)] {
         supports.fix(point, axis);
     }
     supports

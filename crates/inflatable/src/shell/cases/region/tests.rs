@@ -47,45 +47,45 @@ fn inflated(chamber: &FlatChamber, t: f64, pressure: f64, cells: f64) -> Inflate
 }
 
 fn one(loops: &[Path], welds: &[Path]) -> FlatChamber {
-    let mut found = chambers(loops, welds, &[]).expect("chambers");
-    assert_eq!(found.len(), 1);
-    found.remove(0)
+    let mut sorted = chambers(loops, welds, &[]).expect("chambers");
+    assert_eq!(sorted.len(), 1);
+    sorted.remove(0)
 }
 
-fn near(value: Value, wanted: f64, slack: f64) -> bool {
-    (value.value - wanted).abs() < slack * wanted
+fn is_close(value: Value, expected: f64, slack: f64) -> bool {
+    (value.value - expected).abs() < slack * expected
 }
 
 /// Lengths of a membrane that does not stretch: 0.7627 D wide, 0.4569 D high, 0.1523 D^3 (the Mylar balloon: Mladenov and Oprea 2003).
 /// This one stretches by 0.3 %.
 #[test]
 fn a_disc_closes_to_a_balloon() {
-    let found = inflated(&one(&[circle(0.3, -0.1, 0.05)], &[]), 0.05e-3, 500.0, 5.0);
-    assert_eq!(found.wrinkles, Wrinkles::Averaged);
-    assert!((found.width - 0.1).abs() < 1e-4, "{}", found.width);
-    for extent in found.extents {
-        assert!(near(extent.scaled(10.0), 0.7627, 0.02), "{extent:?}");
+    let balloon = inflated(&one(&[circle(0.3, -0.1, 0.05)], &[]), 0.05e-3, 500.0, 5.0);
+    assert_eq!(balloon.wrinkles, Wrinkles::Averaged);
+    assert!((balloon.width - 0.1).abs() < 1e-4, "{}", balloon.width);
+    for extent in balloon.extents {
+        assert!(is_close(extent.scaled(10.0), 0.7627, 0.02), "{extent:?}");
     }
-    assert!(near(found.height.scaled(10.0), 0.4569, 0.03), "{:?}", found.height);
-    assert!(near(found.volume.scaled(1e3), 0.1523, 0.03), "{:?}", found.volume);
+    assert!(is_close(balloon.height.scaled(10.0), 0.4569, 0.03), "{:?}", balloon.height);
+    assert!(is_close(balloon.volume.scaled(1e3), 0.1523, 0.03), "{:?}", balloon.volume);
     // The force that parts the sheets is the pressure on half the flat area: each seam bears p A / length.
-    let mean = found.seams.iter().map(|seam| seam.pull.value).sum::<f64>() / 500.0;
+    let mean = balloon.seams.iter().map(|seam| seam.pull.value).sum::<f64>() / 500.0;
     #[expect(clippy::cast_precision_loss, reason = "few stations")]
-    let mean = mean / found.seams.len() as f64;
+    let mean = mean / balloon.seams.len() as f64;
     let area = PI * (0.7627 * 0.05_f64).powi(2);
     assert!((mean * TAU * 0.05 / area - 1.0).abs() < 0.05, "{}", mean * TAU * 0.05 / area);
-    assert_eq!(found.plane(), PlaneState::Stays, "{:?}", found.antisymmetric_eigenvalue);
-    let with = |value: f64, error: f64, meshes: [f64; 3]| {
+    assert_eq!(balloon.plane(), PlaneState::Stays, "{:?}", balloon.antisymmetric_eigenvalue);
+    let state_of = |value: f64, error: f64, meshes: [f64; 3]| {
         let antisymmetric_eigenvalue = Value { value, error, meshes };
-        InflatedRegion { antisymmetric_eigenvalue, ..found.clone() }.plane()
+        InflatedRegion { antisymmetric_eigenvalue, ..balloon.clone() }.plane()
     };
-    assert_eq!(with(0.0034, 0.0284, [0.05, 0.03, 0.01]), PlaneState::Unsure);
-    assert_eq!(with(-6.1, 3.1, [-12.0, -9.0, -7.0]), PlaneState::Unsure);
-    assert_eq!(with(-6.1, 0.5, [-8.0, -7.0, -6.5]), PlaneState::Leaves);
-    assert_eq!(with(f64::NAN, 0.1, [1.0; 3]), PlaneState::Unsure);
+    assert_eq!(state_of(0.0034, 0.0284, [0.05, 0.03, 0.01]), PlaneState::Unsure);
+    assert_eq!(state_of(-6.1, 3.1, [-12.0, -9.0, -7.0]), PlaneState::Unsure);
+    assert_eq!(state_of(-6.1, 0.5, [-8.0, -7.0, -6.5]), PlaneState::Leaves);
+    assert_eq!(state_of(f64::NAN, 0.1, [1.0; 3]), PlaneState::Unsure);
     // Both sheets as one closed surface: each side of a triangle belongs to another one in the opposite direction.
     let mut sides = std::collections::BTreeSet::new();
-    for [a, b, c] in &found.surface.triangles {
+    for [a, b, c] in &balloon.surface.triangles {
         for side in [[a, b], [b, c], [c, a]] {
             assert!(sides.insert(side), "{side:?}");
         }
@@ -95,10 +95,10 @@ fn a_disc_closes_to_a_balloon() {
 
 #[test]
 fn a_long_tube_is_as_high_as_a_circle_of_its_girth() {
-    let found = inflated(&one(&[rectangle(0.12, 0.02)], &[]), 0.3e-3, 14e3, 2.5);
-    assert_eq!(found.wrinkles, Wrinkles::Resolved);
+    let tube = inflated(&one(&[rectangle(0.12, 0.02)], &[]), 0.3e-3, 14e3, 2.5);
+    assert_eq!(tube.wrinkles, Wrinkles::Resolved);
     // The fabric stretches by some 1 %.
-    assert!(near(found.height.scaled(1.0 / 0.02), 2.0 / PI, 0.03), "{:?}", found.height);
+    assert!(is_close(tube.height.scaled(1.0 / 0.02), 2.0 / PI, 0.03), "{:?}", tube.height);
 }
 
 /// Where wrinkles begin to be averaged a tube, which has hardly any, keeps its shape.
@@ -108,19 +108,19 @@ fn a_tube_is_the_same_with_resolved_and_with_averaged_wrinkles() {
     let [resolved, averaged] = [2700.0, 2740.0].map(|pressure| inflated(&tube, 0.12e-3, pressure, 2.5));
     assert_eq!([resolved.wrinkles, averaged.wrinkles], [Wrinkles::Resolved, Wrinkles::Averaged]);
     assert!(
-        near(averaged.height, resolved.height.value, 0.025),
+        is_close(averaged.height, resolved.height.value, 0.025),
         "{:?} {:?}",
         averaged.height,
         resolved.height
     );
     assert!(
-        near(averaged.volume, resolved.volume.value, 0.01),
+        is_close(averaged.volume, resolved.volume.value, 0.01),
         "{:?} {:?}",
         averaged.volume,
         resolved.volume
     );
     let [a, b] = [averaged, resolved].map(|found| found.extents[0]);
-    assert!(near(a, b.value, 0.02), "{a:?} {b:?}");
+    assert!(is_close(a, b.value, 0.02), "{a:?} {b:?}");
 }
 
 /// Pouches beside a chamber's narrow side: each weld ends within. The sheets wrinkle around it.
@@ -131,21 +131,21 @@ fn pouches_between_welds_come_to_rest() {
     let chamber = one(&[rectangle(0.16, 0.045)], &welds);
     let mut heights = Vec::new();
     for cells in [1.5, 3.0] {
-        let found = inflated(&chamber, 0.1e-3, 10e3, cells);
-        assert_eq!(found.wrinkles, Wrinkles::Averaged);
-        assert!(found.extents[0].value < 0.95 * 0.16, "{:?}", found.extents);
-        heights.push((found.height, found.volume));
+        let pouch = inflated(&chamber, 0.1e-3, 10e3, cells);
+        assert_eq!(pouch.wrinkles, Wrinkles::Averaged);
+        assert!(pouch.extents[0].value < 0.95 * 0.16, "{:?}", pouch.extents);
+        heights.push((pouch.height, pouch.volume));
     }
     let [(a, v), (b, w)] = heights[..] else { panic!("{heights:?}") };
-    assert!(near(a, b.value, 0.02) && near(v, w.value, 0.03), "{a:?} {b:?} {v:?} {w:?}");
+    assert!(is_close(a, b.value, 0.02) && is_close(v, w.value, 0.03), "{a:?} {b:?} {v:?} {w:?}");
 }
 
 /// Between Robin's formula (0.1905) and Kepert's upper bound (0.217); computed values lie near 0.2055. This one stretches by 0.5 %.
 #[test]
 fn a_square_pillow_holds_a_fifth_of_a_cube() {
-    let found = inflated(&one(&[rectangle(0.1, 0.1)], &[]), 0.05e-3, 500.0, 4.0);
-    assert!(near(found.volume.scaled(1e3), 0.205, 0.04), "{:?}", found.volume);
-    let [x, y] = found.extents;
+    let pillow = inflated(&one(&[rectangle(0.1, 0.1)], &[]), 0.05e-3, 500.0, 4.0);
+    assert!(is_close(pillow.volume.scaled(1e3), 0.205, 0.04), "{:?}", pillow.volume);
+    let [x, y] = pillow.extents;
     assert!((x.value - y.value).abs() < x.error + y.error, "{x:?} {y:?}");
 }
 
@@ -154,7 +154,8 @@ fn a_v_actuator_as_a_region_is_the_v_actuator() {
     let (w, l, angle) = (0.02, 0.06, PI / 2.0);
     let tube = crate::shell::cases::Tube { width: w, fabric: fabric(0.3e-3), pressure: 14e3 };
     let case = VActuator { tube, radius: 0.0, arm_length: l, angle, margin: Margin::NONE };
-    let known = actuator(&case, &[], Fineness { cells: 3.0, cuts: 2 }, &Watch::default()).expect("known");
+    let actuator_shape =
+        actuator(&case, &[], Fineness { cells: 3.0, cuts: 2 }, &Watch::default()).expect("known");
     let outline = Path::closed(vec![
         Line::new(Point::new(0.0, 0.0), Point::new(0.0, l)).into(),
         Line::new(Point::new(0.0, l), Point::new(-w, l)).into(),
@@ -164,21 +165,30 @@ fn a_v_actuator_as_a_region_is_the_v_actuator() {
         Line::new(Point::new(l, -w), Point::new(l, 0.0)).into(),
         Line::new(Point::new(l, 0.0), Point::new(0.0, 0.0)).into(),
     ]);
-    let found = inflated(&one(&[outline], &[]), 0.3e-3, 14e3, 2.5);
-    let slack = known.volume.error + found.volume.error;
-    assert!((found.volume.value - known.volume.value).abs() < slack, "{:?} {:?}", found.volume, known.volume);
-    assert!(slack < 0.1 * known.volume.value);
+    let region_shape = inflated(&one(&[outline], &[]), 0.3e-3, 14e3, 2.5);
+    let slack = actuator_shape.volume.error + region_shape.volume.error;
+    assert!(
+        (region_shape.volume.value - actuator_shape.volume.value).abs() < slack,
+        "{:?} {:?}",
+        region_shape.volume,
+        actuator_shape.volume
+    );
+    assert!(slack < 0.1 * actuator_shape.volume.value);
     // Both arms turn towards each other as far as the actuator's.
     let tips = [[-w / 2.0, l], [l, -w / 2.0]];
-    let at = |flat: [f64; 2]| {
-        let away = |k: &usize| (found.shape.flat[*k][0] - flat[0]).hypot(found.shape.flat[*k][1] - flat[1]);
-        let k = (0..found.shape.flat.len()).min_by(|a, b| away(a).total_cmp(&away(b))).expect("points");
-        found.shape.points[k]
+    let point_at = |flat: [f64; 2]| {
+        let flat_distance = |k: &usize| {
+            (region_shape.shape.flat[*k][0] - flat[0]).hypot(region_shape.shape.flat[*k][1] - flat[1])
+        };
+        let k = (0..region_shape.shape.flat.len())
+            .min_by(|a, b| flat_distance(a).total_cmp(&flat_distance(b)))
+            .expect("points");
+        region_shape.shape.points[k]
     };
-    let [a, b] = tips.map(at);
-    let apart = (a[0] - b[0]).hypot(a[1] - b[1]);
+    let [a, b] = tips.map(point_at);
+    let tip_distance = (a[0] - b[0]).hypot(a[1] - b[1]);
     let flat = (l + w / 2.0) * 2.0_f64.sqrt();
-    assert!(apart < 0.95 * flat && apart > 0.6 * flat, "{apart} {flat}");
+    assert!(tip_distance < 0.95 * flat && tip_distance > 0.6 * flat, "{tip_distance} {flat}");
 }
 
 #[test]
@@ -197,8 +207,8 @@ fn welds_and_islands_hold_both_sheets_together() {
     // An island: its points stay in the plane.
     let island = inflated(&one(&[square, circle(0.02, 0.02, 0.004)], &[]), 0.3e-3, 5e3, 3.0);
     assert!(island.volume.value < 0.9 * open.volume.value);
-    let on = |flat: &[f64; 2]| (flat[0] - 0.02).hypot(flat[1] - 0.02) < 0.004 * 1.0001;
-    let points = island.shape.flat.iter().zip(&island.shape.points).filter(|(flat, _)| on(flat));
+    let is_on_island = |flat: &[f64; 2]| (flat[0] - 0.02).hypot(flat[1] - 0.02) < 0.004 * 1.0001;
+    let points = island.shape.flat.iter().zip(&island.shape.points).filter(|(flat, _)| is_on_island(flat));
     assert!(points.clone().count() > 10 && points.into_iter().all(|(_, x)| x[2] == 0.0));
     assert!(island.seams.iter().any(|seam| seam.seam == RegionSeam::Island(0) && seam.pull.value > 0.0));
 }
@@ -225,13 +235,16 @@ fn what_moves_the_whole_costs_nothing() {
     let (mut solver, equilibrium, sealed) = at_rest(&chamber, 10.0);
     let (state, pressure) = (&equilibrium.state, equilibrium.pressure);
     let mut other = Solver::new(solver.assembly.sheet.clone(), antisymmetric(&sealed)).expect("small");
-    let with = other.lowest_eigenvalue(state, pressure, &[]).expect("a value") / pressure;
-    assert!(with.abs() < 1e-4, "{with}");
+    let lowest_without_motions = other.lowest_eigenvalue(state, pressure, &[]).expect("a value") / pressure;
+    assert!(lowest_without_motions.abs() < 1e-4, "{lowest_without_motions}");
     let motions = rigid_motions(&solver.assembly.sheet, &state.points, &[2, 3, 4]);
-    let without = other.lowest_eigenvalue(state, pressure, &motions).expect("a value") / pressure;
-    assert!(without > 1e-2, "{without}");
-    let [within, beyond] = stability::lowest(&mut solver, (state, pressure), &sealed);
-    assert!(within > 0.0 && (beyond - without).abs() < 1e-6, "{within} {beyond} {without}");
+    let lowest_with_motions = other.lowest_eigenvalue(state, pressure, &motions).expect("a value") / pressure;
+    assert!(lowest_with_motions > 1e-2, "{lowest_with_motions}");
+    let [symmetric, antisymmetric] = stability::lowest(&mut solver, (state, pressure), &sealed);
+    assert!(
+        symmetric > 0.0 && (antisymmetric - lowest_with_motions).abs() < 1e-6,
+        "{symmetric} {antisymmetric} {lowest_with_motions}"
+    );
 }
 
 /// The rim of a pillow is compressed along itself: with more pressure it leaves the plane in folds.
@@ -239,9 +252,9 @@ fn what_moves_the_whole_costs_nothing() {
 fn a_compressed_rim_leaves_its_plane() {
     let chamber = one(&[rectangle(2.0, 1.0), circle(1.0, 0.5, 0.2)], &[]);
     let (mut solver, equilibrium, sealed) = at_rest(&chamber, 300.0);
-    let at = (&equilibrium.state, equilibrium.pressure);
-    let [within, beyond] = stability::lowest(&mut solver, at, &sealed);
-    assert!(within > 0.0 && beyond < 0.0, "{within} {beyond}");
+    let equilibrium_point = (&equilibrium.state, equilibrium.pressure);
+    let [symmetric, antisymmetric] = stability::lowest(&mut solver, equilibrium_point, &sealed);
+    assert!(symmetric > 0.0 && antisymmetric < 0.0, "{symmetric} {antisymmetric}");
 }
 
 /// The tube of a ring slides in the plane on both rims.
@@ -249,9 +262,13 @@ fn a_compressed_rim_leaves_its_plane() {
 fn a_ring_has_a_rim_within() {
     let loops = [circle(0.0, 0.0, 0.08), circle(0.0, 0.0, 0.06)];
     let ring = chambers(&loops, &[], &[circle(0.0, 0.0, 0.05)]).expect("a ring").remove(0);
-    let found = inflated(&ring, 0.3e-3, 14e3, 1.5);
-    assert!(found.seams.iter().any(|seam| seam.seam == RegionSeam::Hole(0) && seam.pull.value > 0.0));
-    assert!(found.extents[0].value < 0.99 * found.flat_extents[0], "{:?}", found.extents);
+    let inflated_ring = inflated(&ring, 0.3e-3, 14e3, 1.5);
+    assert!(inflated_ring.seams.iter().any(|seam| seam.seam == RegionSeam::Hole(0) && seam.pull.value > 0.0));
+    assert!(
+        inflated_ring.extents[0].value < 0.99 * inflated_ring.flat_extents[0],
+        "{:?}",
+        inflated_ring.extents
+    );
 }
 
 #[test]
@@ -259,17 +276,17 @@ fn loops_are_chambers_islands_and_welds_whichever_way_they_run() {
     let (outer, island, inner) = (circle(0.0, 0.0, 1.0), circle(0.0, 0.0, 0.7), circle(0.0, 0.0, 0.3));
     let weld = line([0.75, 0.0], [0.95, 0.0]);
     let loops = [inner, island.reversed(), outer.reversed()];
-    let found = chambers(&loops, std::slice::from_ref(&weld), &[]).expect("chambers");
-    assert_eq!(found.len(), 2);
-    assert!(found.iter().all(|chamber| chamber.outline.area() > 0.0));
-    assert_eq!((found[0].islands.len(), found[0].welds.len()), (0, 0));
-    assert_eq!((found[1].islands.len(), found[1].welds.len()), (1, 1));
+    let sorted = chambers(&loops, std::slice::from_ref(&weld), &[]).expect("chambers");
+    assert_eq!(sorted.len(), 2);
+    assert!(sorted.iter().all(|chamber| chamber.outline.area() > 0.0));
+    assert_eq!((sorted[0].islands.len(), sorted[0].welds.len()), (0, 0));
+    assert_eq!((sorted[1].islands.len(), sorted[1].welds.len()), (1, 1));
     // Fabric cut out of an island is a hole.
-    let found = chambers(&loops, &[], &[circle(0.5, 0.0, 0.05)]).expect("chambers");
-    assert_eq!((found[1].islands.len(), found[1].holes.len()), (0, 1));
-    assert!(found[1].holes[0].area() < 0.0);
-    let outside = chambers(&loops, &[line([2.0, 0.0], [3.0, 0.0])], &[]);
-    assert_eq!(outside, Err(MeshFault::Outside { at: [2.5, 0.0] }));
+    let holed = chambers(&loops, &[], &[circle(0.5, 0.0, 0.05)]).expect("chambers");
+    assert_eq!((holed[1].islands.len(), holed[1].holes.len()), (0, 1));
+    assert!(holed[1].holes[0].area() < 0.0);
+    let fault = chambers(&loops, &[line([2.0, 0.0], [3.0, 0.0])], &[]);
+    assert_eq!(fault, Err(MeshFault::Outside { at: [2.5, 0.0] }));
     assert!(chambers(&[Path::closed(Vec::new())], &[], &[]).is_err());
 }
 
@@ -286,8 +303,8 @@ fn curves_that_cross_are_refused_in_words() {
         };
         region(&case, Fineness { cells: 3.0, cuts: 2 }, &Watch::default())
     };
-    let out = one(&[rectangle(0.04, 0.04)], &[line([0.01, 0.02], [0.06, 0.02])]);
-    let fault = run(out).expect_err("a weld that leaves the outline");
+    let chamber = one(&[rectangle(0.04, 0.04)], &[line([0.01, 0.02], [0.06, 0.02])]);
+    let fault = run(chamber).expect_err("a weld that leaves the outline");
     assert!(matches!(fault, ShellFault::Mesh(MeshFault::Outside { .. })), "{fault}");
     let eight = polygon(&[[0.0, 0.0], [0.04, 0.04], [0.04, 0.0], [0.0, 0.05]]);
     assert!(matches!(run(one(&[eight], &[])), Err(ShellFault::Mesh(_))));

@@ -36,12 +36,12 @@ impl<'a, R: RealField + Copy> Block<'a, R> {
     }
 }
 
-/// Subtracts the first `columns` columns of `factor` times its transpose from `kept` times `result`, on and below the diagonal. Some
+/// Subtracts the first `columns` columns of `factor` times its transpose from `scale` times `result`, on and below the diagonal. Some
 /// entries above the diagonal change, too.
 pub(super) fn subtract_square<R: RealField + Copy>(
     result: &mut [R],
     stride: usize,
-    kept: R,
+    scale: R,
     factor: Block<'_, R>,
     columns: usize,
     threads: Threads,
@@ -51,7 +51,7 @@ pub(super) fn subtract_square<R: RealField + Copy>(
         subtract_product(
             &mut result[start..],
             stride,
-            kept,
+            scale,
             factor.below(start),
             TOGETHER.min(columns - start),
         );
@@ -68,7 +68,7 @@ pub(super) fn subtract_square<R: RealField + Copy>(
 fn subtract_product<R: RealField + Copy>(
     result: &mut [R],
     stride: usize,
-    kept: R,
+    scale: R,
     left: Block<'_, R>,
     columns: usize,
 ) {
@@ -76,11 +76,11 @@ fn subtract_product<R: RealField + Copy>(
     if !is_small {
         let mut result = ViewMut::from_slice_with_strides_mut(result, left.rows, columns, 1, stride);
         let right = View::from_slice_with_strides(left.numbers, left.columns, columns, left.stride, 1);
-        result.gemm(-R::one(), &left.view(), &right, kept);
+        result.gemm(-R::one(), &left.view(), &right, scale);
         return;
     }
     for (column, result) in result.chunks_mut(stride).take(columns).enumerate() {
-        if kept.is_zero() {
+        if scale.is_zero() {
             result[..left.rows].fill(R::zero());
         }
         for numbers in left.numbers.chunks(left.stride).take(left.columns) {
@@ -89,10 +89,10 @@ fn subtract_product<R: RealField + Copy>(
     }
 }
 
-/// Takes `factor` times the numbers of `from` from `result`.
-pub(super) fn subtract_times<R: RealField + Copy>(result: &mut [R], factor: R, from: &[R]) {
-    for (result, &from) in result.iter_mut().zip(from) {
-        *result -= factor * from;
+/// Takes `factor` times the numbers of `numbers` from `result`.
+pub(super) fn subtract_times<R: RealField + Copy>(result: &mut [R], factor: R, numbers: &[R]) {
+    for (result, &number) in result.iter_mut().zip(numbers) {
+        *result -= factor * number;
     }
 }
 
@@ -120,20 +120,20 @@ pub(super) fn factor_panel<R: RealField + Copy>(
 
 fn factor_columns<R: RealField + Copy>(panel: &mut [R], stride: usize, rows: usize, columns: usize) -> bool {
     for column in 0..columns {
-        let (before, from) = panel.split_at_mut(column * stride);
-        let now = &mut from[column..rows];
-        for before in before.chunks(stride) {
-            subtract_times(now, before[column], &before[column..]);
+        let (factored, rest) = panel.split_at_mut(column * stride);
+        let pivot_column = &mut rest[column..rows];
+        for earlier in factored.chunks(stride) {
+            subtract_times(pivot_column, earlier[column], &earlier[column..]);
         }
-        let pivot = now[0];
+        let pivot = pivot_column[0];
         let is_positive = pivot > R::zero(); // not so if it is not a number
         if !is_positive {
             return false;
         }
         let root = pivot.sqrt();
-        now[0] = root;
+        pivot_column[0] = root;
         let inverse = R::one() / root;
-        now[1..].iter_mut().for_each(|number| *number *= inverse);
+        pivot_column[1..].iter_mut().for_each(|number| *number *= inverse);
     }
     true
 }

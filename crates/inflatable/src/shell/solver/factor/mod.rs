@@ -115,9 +115,9 @@ impl Factor {
         let _ = self.refine(rhs, accuracy, MOST_ITERATIONS);
     }
 
-    /// Solves in `most` iterations; false, and no solution, if they do not suffice or the matrix is not positive definite.
-    pub(crate) fn solve_within(&mut self, most: u32, rhs: &mut [f64], accuracy: f64) -> bool {
-        self.refine(rhs, accuracy, most) == Convergence::Reached
+    /// Solves in `max_iterations` iterations; false, and no solution, if they do not suffice or the matrix is not positive definite.
+    pub(crate) fn solve_within(&mut self, max_iterations: u32, rhs: &mut [f64], accuracy: f64) -> bool {
+        self.refine(rhs, accuracy, max_iterations) == Convergence::Reached
     }
 
     /// The norm of what the last solution leaves of its right side.
@@ -140,13 +140,13 @@ impl Factor {
         }
     }
 
-    fn refine(&mut self, rhs: &mut [f64], accuracy: f64, most: u32) -> Convergence {
+    fn refine(&mut self, rhs: &mut [f64], accuracy: f64, max_iterations: u32) -> Convergence {
         if let Some(double) = self.double.as_mut().filter(|_| self.is_double) {
             double.solve(&self.symbolic, rhs);
             return Convergence::Reached;
         }
         let Self { symbolic, matrix, single, scale, refinement, .. } = self;
-        refinement.solve(matrix, rhs, (accuracy, most), |vector| {
+        refinement.solve(matrix, rhs, (accuracy, max_iterations), |vector| {
             vector.iter_mut().zip(&*scale).for_each(|(x, scale)| *x *= scale);
             single.solve(symbolic, vector);
             vector.iter_mut().zip(&*scale).for_each(|(x, scale)| *x *= scale);

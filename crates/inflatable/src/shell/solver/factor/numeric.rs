@@ -142,18 +142,18 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
         givers.clear();
         let mut other = self.waiting(number).first;
         while other != NONE {
-            let Waiting { next, from, .. } = *self.waiting(other);
-            let below = &self.symbolic.below.of(other)[from..];
-            givers.push((other, from));
-            self.wait(other, from + below.iter().take_while(|row| **row < node.end).count());
+            let Waiting { next, from: first_row, .. } = *self.waiting(other);
+            let rows = &self.symbolic.below.of(other)[first_row..];
+            givers.push((other, first_row));
+            self.wait(other, first_row + rows.iter().take_while(|row| **row < node.end).count());
             other = next;
         }
-        let (done, rest) = self.numbers.split_at_mut(node.start - self.part.places.start);
+        let (finished, rest) = self.numbers.split_at_mut(node.start - self.part.places.start);
         let panel = &mut rest[..node.width() * node.height];
         let updates = Updates {
             symbolic: self.symbolic,
             part: self.part,
-            done,
+            done: finished,
             node,
             givers: &givers,
             local: &self.work.local,
@@ -172,7 +172,7 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
         let (mut waiting, mut node) = (&mut *self.waiting, part.nodes.start);
         let mut parts = Vec::with_capacity(part.parts.len());
         for (part, work) in part.parts.iter().zip(&mut self.work.parts) {
-            let (own, rest) = numbers[part.places.start - place..].split_at_mut(part.places.len());
+            let (part_numbers, rest) = numbers[part.places.start - place..].split_at_mut(part.places.len());
             (numbers, place) = (rest, part.places.end);
             let (waiting_own, rest) = waiting[part.nodes.start - node..].split_at_mut(part.nodes.len());
             (waiting, node) = (rest, part.nodes.end);
@@ -182,7 +182,7 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
                 lower,
                 value,
                 part,
-                numbers: own,
+                numbers: part_numbers,
                 waiting: waiting_own,
                 work,
             });
@@ -195,8 +195,8 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
         self.work.left.clear();
         for k in 0..self.work.parts.len() {
             for number in std::mem::take(&mut self.work.parts[k].left) {
-                let from = self.waiting(number).from;
-                self.wait(number, from);
+                let first_row = self.waiting(number).from;
+                self.wait(number, first_row);
             }
         }
     }
@@ -205,10 +205,10 @@ impl<R: RealField + Copy, V: Fn(usize, usize, usize) -> f64 + Sync> Computation<
         &mut self.waiting[number - self.part.nodes.start]
     }
 
-    /// Hands a supernode to the owner of its row `from`.
-    fn wait(&mut self, number: usize, from: usize) {
-        self.waiting(number).from = from;
-        let Some(row) = self.symbolic.below.of(number).get(from) else { return };
+    /// Hands a supernode to the owner of its row `first_row`.
+    fn wait(&mut self, number: usize, first_row: usize) {
+        self.waiting(number).from = first_row;
+        let Some(row) = self.symbolic.below.of(number).get(first_row) else { return };
         let owner = self.symbolic.owners[*row];
         if owner < self.part.nodes.end {
             self.waiting(number).next = std::mem::replace(&mut self.waiting(owner).first, number);

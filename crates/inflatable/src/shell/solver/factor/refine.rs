@@ -34,12 +34,12 @@ impl Refinement {
         dot(&self.residual, &self.residual).sqrt()
     }
 
-    /// Turns the right side into the solution, up to a part `accuracy` of it in the norm of the energy, in `most` iterations.
+    /// Turns the right side into the solution, up to a part `accuracy` of it in the norm of the energy, in `max_iterations` iterations.
     pub(super) fn solve(
         &mut self,
         matrix: &Matrix,
         vector: &mut [f64],
-        (accuracy, most): (f64, u32),
+        (accuracy, max_iterations): (f64, u32),
         mut precondition: impl FnMut(&mut [f64]),
     ) -> Convergence {
         let Self { residual, conditioned, direction, product } = self;
@@ -50,7 +50,7 @@ impl Refinement {
         direction.copy_from_slice(conditioned);
         let first = dot(residual, conditioned);
         let mut square = first;
-        for iteration in 0..most {
+        for iteration in 0..max_iterations {
             matrix.times(direction, product);
             let curvature = dot(direction, product);
             let bends_up = curvature > 0.0;

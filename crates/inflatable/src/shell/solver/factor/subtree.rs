@@ -39,8 +39,8 @@ impl Subtree {
     pub(super) fn whole(supernodes: &[Supernode], parents: &[usize]) -> Self {
         let tree = TreeWork::new(supernodes, parents);
         let count = supernodes.len();
-        let all: u64 = tree.children[count].iter().map(|root| tree.work[*root]).sum();
-        tree.divide(supernodes, 0..count, tree.children[count].clone(), all)
+        let total_work: u64 = tree.children[count].iter().map(|root| tree.work[*root]).sum();
+        tree.divide(supernodes, 0..count, tree.children[count].clone(), total_work)
     }
 }
 
@@ -54,8 +54,8 @@ impl TreeWork {
         };
         for (number, (node, &parent)) in supernodes.iter().zip(parents).enumerate() {
             let (width, height) = (node.width() as u64, node.height as u64);
-            let below: u64 = tree.children[number].iter().map(|child| tree.work[*child]).sum();
-            tree.work.push(below + width * height * height);
+            let work_below: u64 = tree.children[number].iter().map(|child| tree.work[*child]).sum();
+            tree.work.push(work_below + width * height * height);
             tree.sizes[number] += tree.children[number].iter().map(|child| tree.sizes[*child]).sum::<usize>();
             tree.children[if parent == NONE { count } else { parent }].push(number);
         }
@@ -68,11 +68,11 @@ impl TreeWork {
         supernodes: &[Supernode],
         nodes: Range<usize>,
         mut tops: Vec<usize>,
-        all: u64,
+        total_work: u64,
     ) -> Subtree {
         let work: u64 = tops.iter().map(|top| self.work[*top]).sum();
         let mut parts = Vec::new();
-        if work > LEAST.max(all / LEAST_PART) {
+        if work > LEAST.max(total_work / LEAST_PART) {
             loop {
                 tops.retain(|top| self.work[*top] > work / WORTH);
                 match tops[..] {
@@ -82,7 +82,7 @@ impl TreeWork {
             }
             let part = |&top: &usize| {
                 let nodes = top + 1 - self.sizes[top]..top + 1;
-                self.divide(supernodes, nodes, self.children[top].clone(), all)
+                self.divide(supernodes, nodes, self.children[top].clone(), total_work)
             };
             parts = tops.iter().map(part).collect();
         }

@@ -38,12 +38,12 @@ impl Supernode {
     }
 
     /// This one and the one before it as one; `None` if too many zeros come with that.
-    fn with(&self, before: &Self) -> Option<Self> {
-        let mut joined = Self { first: before.first, height: before.width() + self.height, ..*self };
-        let filled = before.numbers() - before.zeros + self.numbers() - self.zeros;
+    fn with(&self, previous: &Self) -> Option<Self> {
+        let mut joined = Self { first: previous.first, height: previous.width() + self.height, ..*self };
+        let filled = previous.numbers() - previous.zeros + self.numbers() - self.zeros;
         joined.zeros = joined.numbers() - filled;
-        let (_, most) = *ZEROS.iter().find(|(width, _)| joined.width() <= *width)?;
-        (100 * joined.zeros <= most * joined.numbers()).then_some(joined)
+        let (_, allowed_zeros) = *ZEROS.iter().find(|(width, _)| joined.width() <= *width)?;
+        (100 * joined.zeros <= allowed_zeros * joined.numbers()).then_some(joined)
     }
 }
 
@@ -59,10 +59,10 @@ pub(super) fn supernodes(tree: &Tree) -> Vec<Supernode> {
         }
         let height = tree.heights[first];
         let mut node = Supernode { first, end, height, zeros: 0, start: 0 };
-        while let Some(before) = supernodes.last().filter(|before| (tree.parents[before.end - 1]) < end) {
-            let Some(both) = node.with(before) else { break };
+        while let Some(previous) = supernodes.last().filter(|before| (tree.parents[before.end - 1]) < end) {
+            let Some(merged) = node.with(previous) else { break };
             let _ = supernodes.pop();
-            node = both;
+            node = merged;
         }
         supernodes.push(node);
         first = end;

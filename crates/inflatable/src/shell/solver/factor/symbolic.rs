@@ -26,14 +26,14 @@ impl Symbolic {
     /// Analyses the lower triangle of a matrix.
     pub(super) fn new(lower: &Lists) -> Self {
         let tree = Tree::new(lower);
-        let supernodes = supernodes(&tree);
-        let size = supernodes.iter().map(|node| node.width() * node.height).sum();
+        let nodes = supernodes(&tree);
+        let size = nodes.iter().map(|node| node.width() * node.height).sum();
         let mut owners = vec![0; tree.order.len()];
-        for (number, node) in (0..).zip(&supernodes) {
+        for (number, node) in (0..).zip(&nodes) {
             owners[node.first..node.end].fill(number);
         }
         let mut symbolic = Self {
-            supernodes,
+            supernodes: nodes,
             owners,
             below: Lists::default(),
             places: vec![0; lower.items.len()],

@@ -44,10 +44,10 @@ fn random(size: usize, density: u64, diagonal: f64, seed: &mut u64) -> DMatrix<f
     for column in 0..size {
         for row in column + 1..size {
             *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            let drawn = *seed >> 33;
-            if drawn % 100 < density {
+            let bits = *seed >> 33;
+            if bits % 100 < density {
                 matrix[(row, column)] =
-                    f64::from(u32::try_from(drawn / 100 % 2001).unwrap_or(0)) / 1000.0 - 1.0;
+                    f64::from(u32::try_from(bits / 100 % 2001).unwrap_or(0)) / 1000.0 - 1.0;
                 matrix[(column, row)] = matrix[(row, column)];
             }
         }
@@ -58,25 +58,25 @@ fn random(size: usize, density: u64, diagonal: f64, seed: &mut u64) -> DMatrix<f
 #[test]
 fn random_matrices_as_by_nalgebra() {
     let mut seed = 1;
-    let (mut definite, mut others) = (0, 0);
+    let (mut definite, mut refused) = (0, 0);
     for size in [1, 2, 3, 7, 20, 50, 90, 150] {
         for density in [0, 2, 5, 10, 30, 100] {
             for diagonal in [0.5, 2.0, 5.0, 20.0] {
                 let matrix = random(size, density, diagonal, &mut seed);
                 let rhs = DVector::from_fn(size, |k, _| if k % 3 == 0 { 1.0 } else { -0.5 });
                 let expected = matrix.clone().cholesky().map(|factor| factor.solve(&rhs));
-                let found = answers(&matrix, rhs.as_slice());
-                *(if expected.is_some() { &mut definite } else { &mut others }) += 1;
-                for (found, accuracy) in found.into_iter().zip([1e-9, 1e-11]) {
-                    assert_eq!(found.is_some(), expected.is_some(), "{size}, {density} %, {diagonal}");
-                    let Some((found, expected)) = found.zip(expected.as_ref()) else { continue };
-                    let error = (DVector::from_vec(found) - expected).norm() / expected.norm();
+                let solutions = answers(&matrix, rhs.as_slice());
+                *(if expected.is_some() { &mut definite } else { &mut refused }) += 1;
+                for (solution, accuracy) in solutions.into_iter().zip([1e-9, 1e-11]) {
+                    assert_eq!(solution.is_some(), expected.is_some(), "{size}, {density} %, {diagonal}");
+                    let Some((computed, expected)) = solution.zip(expected.as_ref()) else { continue };
+                    let error = (DVector::from_vec(computed) - expected).norm() / expected.norm();
                     assert!(error < accuracy, "{size}, {density} %, {diagonal}: {error:e}");
                 }
             }
         }
     }
-    assert!(definite > 90 && others > 30, "{definite} {others}");
+    assert!(definite > 90 && refused > 30, "{definite} {refused}");
 }
 
 #[test]
@@ -99,11 +99,11 @@ fn what_is_not_positive_definite_is_refused() {
     assert_eq!(answer(&saddle, &[1.0, 1.0]), None);
 }
 
-/// A matrix of which the least eigenvalue is about `least`, and the others are near one.
-fn nearly_singular(seed: &mut u64, least: f64) -> DMatrix<f64> {
+/// A matrix of which the least eigenvalue is about `eigenvalue`, and the others are near one.
+fn nearly_singular(seed: &mut u64, eigenvalue: f64) -> DMatrix<f64> {
     let root = random(12, 100, 0.5, seed);
     let flat = DMatrix::from_fn(11, 12, |i, j| root[(i, j)]);
-    flat.transpose() * flat + DMatrix::identity(12, 12) * least
+    flat.transpose() * flat + DMatrix::identity(12, 12) * eigenvalue
 }
 
 #[test]
@@ -121,9 +121,9 @@ fn double_precision_decides_where_single_precision_cannot() {
             assert_eq!(is_definite && factor.is_confirmed(), least > 0.0, "{least:e}");
             if least > 0.0 {
                 let expected = DVector::from_fn(12, |k, _| if k % 2 == 0 { 1.0 } else { -3.0 });
-                let mut found = (&matrix * &expected).as_slice().to_vec();
-                factor.solve(&mut found, EXACT);
-                let error = DVector::from_vec(found) - &expected;
+                let mut solution = (&matrix * &expected).as_slice().to_vec();
+                factor.solve(&mut solution, EXACT);
+                let error = DVector::from_vec(solution) - &expected;
                 let energy = |x: &DVector<f64>| (&matrix * x).dot(x);
                 assert!(
                     energy(&error) < 1e-18 * energy(&expected),
@@ -153,9 +153,9 @@ fn separate_columns_stay_separate_and_a_chain_becomes_one() {
 fn laplacian(side: u32) -> (Vec<u32>, Vec<u32>, Vec<f64>) {
     let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
     for k in 0..side * side {
-        let below = [(k, 4.0), (k + 1, -1.0), (k + side, -1.0)];
+        let column = [(k, 4.0), (k + 1, -1.0), (k + side, -1.0)];
         let is_there = |row: u32| row < side * side && (row != k + 1 || !row.is_multiple_of(side));
-        for (row, value) in below.into_iter().filter(|(row, _)| is_there(*row)) {
+        for (row, value) in column.into_iter().filter(|(row, _)| is_there(*row)) {
             rows.push(row);
             values.push(value);
         }
@@ -168,26 +168,28 @@ fn laplacian(side: u32) -> (Vec<u32>, Vec<u32>, Vec<f64>) {
 fn one_analysis_serves_many_matrices() {
     let (starts, rows, values) = laplacian(40);
     let mut factor = Factor::new(&starts, &rows).expect("memory");
-    let ones = vec![1.0; 1600];
+    let unit_diagonal = vec![1.0; 1600];
     let mut solved = |shift: f64| {
-        let mut vector = ones.clone();
-        factor.compute(&values, shift, &ones).then(|| {
+        let mut vector = unit_diagonal.clone();
+        factor.compute(&values, shift, &unit_diagonal).then(|| {
             factor.solve(&mut vector, EXACT);
             vector
         })
     };
-    let once = solved(0.0).expect("positive definite");
+    let solution = solved(0.0).expect("positive definite");
     assert!(solved(-1.0).is_none());
     let shifted = solved(2.0).expect("positive definite");
-    assert_eq!(solved(0.0), Some(once.clone()));
-    for (vector, diagonal) in [(once, 4.0), (shifted, 6.0)] {
-        let at = |row: usize, column: usize| vector[40 * row + column];
+    assert_eq!(solved(0.0), Some(solution.clone()));
+    for (vector, diagonal) in [(solution, 4.0), (shifted, 6.0)] {
+        let value_at = |row: usize, column: usize| vector[40 * row + column];
         for k in 0..1600 {
             let (i, j) = (k / 40, k % 40);
-            let mut left = 1.0 - diagonal * at(i, j);
-            left += if i > 0 { at(i - 1, j) } else { 0.0 } + if i < 39 { at(i + 1, j) } else { 0.0 };
-            left += if j > 0 { at(i, j - 1) } else { 0.0 } + if j < 39 { at(i, j + 1) } else { 0.0 };
-            assert!(left.abs() < 1e-9, "{k}: {left:e}");
+            let mut residual = 1.0 - diagonal * value_at(i, j);
+            residual +=
+                if i > 0 { value_at(i - 1, j) } else { 0.0 } + if i < 39 { value_at(i + 1, j) } else { 0.0 };
+            residual +=
+                if j > 0 { value_at(i, j - 1) } else { 0.0 } + if j < 39 { value_at(i, j + 1) } else { 0.0 };
+            assert!(residual.abs() < 1e-9, "{k}: {residual:e}");
         }
     }
 }
@@ -197,20 +199,21 @@ fn a_kept_factor_serves_a_matrix_near_by_and_finds_that_one_is_indefinite() {
     let mut seed = 5;
     for size in [2, 30, 90] {
         let matrix = random(size, 10, 20.0, &mut seed);
-        let grown = |i: usize| if i.is_multiple_of(2) { 1.0 } else { 1.02 };
-        let near = DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * if i == j { grown(i) } else { 1.0 });
+        let growth = |i: usize| if i.is_multiple_of(2) { 1.0 } else { 1.02 };
+        let perturbed =
+            DMatrix::from_fn(size, size, |i, j| matrix[(i, j)] * if i == j { growth(i) } else { 1.0 });
         let expected = DVector::from_fn(size, |k, _| if k % 2 == 0 { 1.0 } else { -3.0 });
-        let rhs = (&near * &expected).as_slice().to_vec();
+        let rhs = (&perturbed * &expected).as_slice().to_vec();
         let (starts, rows, values) = lower(&matrix);
         let mut factor = Factor::new(&starts, &rows).expect("memory");
         assert!(!factor.keep_for(&values), "there is none yet");
-        assert!(factor.compute(&values, 0.0, &[]) && factor.keep_for(&lower(&near).2));
-        let mut found = rhs.clone();
-        assert!(factor.solve_within(10, &mut found, EXACT) && factor.left() < 1e-6);
-        assert!((DVector::from_vec(found) - &expected).amax() < 1e-8);
+        assert!(factor.compute(&values, 0.0, &[]) && factor.keep_for(&lower(&perturbed).2));
+        let mut solution = rhs.clone();
+        assert!(factor.solve_within(10, &mut solution, EXACT) && factor.left() < 1e-6);
+        assert!((DVector::from_vec(solution) - &expected).amax() < 1e-8);
         assert!(!factor.solve_within(1, &mut rhs.clone(), EXACT) && factor.is_confirmed());
-        let bent = DMatrix::from_fn(size, size, |i, j| if i + j == 0 { -1.0 } else { matrix[(i, j)] });
-        assert!(factor.keep_for(&lower(&bent).2) && !factor.is_confirmed());
+        let indefinite = DMatrix::from_fn(size, size, |i, j| if i + j == 0 { -1.0 } else { matrix[(i, j)] });
+        assert!(factor.keep_for(&lower(&indefinite).2) && !factor.is_confirmed());
         assert!(factor.compute(&values, 1.0, &vec![1.0; size]) && !factor.keep_for(&values), "shifted");
     }
 }
@@ -243,9 +246,9 @@ fn branched(side: u32, last: f64) -> (Vec<u32>, Vec<u32>, Vec<f64>) {
     }
     let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
     for (rank, &[x, y]) in (0_u32..).zip(&cells) {
-        let near = |at: u32| at.saturating_sub(1)..side.min(at + 2);
-        let mut column: Vec<u32> = near(y)
-            .flat_map(|y| near(x).map(move |x| side * y + x))
+        let neighbours = |at: u32| at.saturating_sub(1)..side.min(at + 2);
+        let mut column: Vec<u32> = neighbours(y)
+            .flat_map(|y| neighbours(x).map(move |x| side * y + x))
             .map(|cell| ranks[cell as usize])
             .collect();
         column.retain(|&row| row >= rank);
@@ -277,19 +280,19 @@ fn subtrees_give_the_same_bits_on_one_thread_and_on_all() {
         let parts = &factor.symbolic.whole.parts;
         assert!(parts.len() > 1 && parts.iter().any(|part| !part.parts.is_empty()), "{parts:?}");
         let single = {
-            let mut found = rhs.clone();
+            let mut single = rhs.clone();
             assert!(factor.compute(&values, 0.0, &[]));
-            factor.solve(&mut found, EXACT);
-            found
+            factor.solve(&mut single, EXACT);
+            single
         };
-        let mut found = rhs.clone();
+        let mut double = rhs.clone();
         assert!(factor.compute_double());
-        factor.solve(&mut found, EXACT);
-        (single, found)
+        factor.solve(&mut double, EXACT);
+        (single, double)
     };
     let (single, double) = solve();
-    for (found, accuracy) in [(&single, 1e-9), (&double, 1e-12)] {
-        let worst = found.iter().zip(&expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+    for (solution, accuracy) in [(&single, 1e-9), (&double, 1e-12)] {
+        let worst = solution.iter().zip(&expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
         assert!(worst < accuracy, "{worst:e}");
     }
     // In a pool each computation has one thread.

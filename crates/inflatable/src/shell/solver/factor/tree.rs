@@ -61,17 +61,17 @@ impl Tree {
     /// The tree of a matrix given by its lower triangle, by columns.
     pub(super) fn new(lower: &Lists) -> Self {
         let upper = lower.transposed(lower.count());
-        let parents = parents(&upper);
-        let heights = heights(&upper, &parents);
-        let order = postorder(&parents, &heights);
+        let row_parents = parents(&upper);
+        let column_heights = heights(&upper, &row_parents);
+        let order = postorder(&row_parents, &column_heights);
         let mut rank = vec![0; order.len()];
         for (new, &old) in (0..).zip(&order) {
             rank[old] = new;
         }
         let renumber = |parent: usize| if parent == NONE { NONE } else { rank[parent] };
         Self {
-            parents: order.iter().map(|&old| renumber(parents[old])).collect(),
-            heights: order.iter().map(|&old| heights[old]).collect(),
+            parents: order.iter().map(|&old| renumber(row_parents[old])).collect(),
+            heights: order.iter().map(|&old| column_heights[old]).collect(),
             order,
             rank,
         }
@@ -81,12 +81,12 @@ impl Tree {
 fn parents(upper: &Lists) -> Vec<usize> {
     let mut parents = vec![NONE; upper.count()];
     // Some column above each, from which searches go on.
-    let mut above = parents.clone();
+    let mut ancestors = parents.clone();
     for row in 0..upper.count() {
         for &column in upper.of(row) {
             let mut column = column;
             while column != NONE && column < row {
-                let next = std::mem::replace(&mut above[column], row);
+                let next = std::mem::replace(&mut ancestors[column], row);
                 if next == NONE {
                     parents[column] = row;
                 }

@@ -42,10 +42,10 @@ impl<R: RealField + Copy> TriangularSolve<R> {
         for (number, old) in self.vector.iter_mut().zip(&symbolic.order) {
             *number = convert(rhs[*old]);
         }
-        let Self { vector, beyond } = self;
+        let Self { vector, beyond: rest } = self;
         let (threads, part) = (Threads::available(), &symbolic.whole);
-        Section { threads, symbolic, numbers, part, vector, beyond }.solve_forwards();
-        Section { threads, symbolic, numbers, part, vector, beyond }.solve_backwards();
+        Section { threads, symbolic, numbers, part, vector, beyond: rest }.solve_forwards();
+        Section { threads, symbolic, numbers, part, vector, beyond: rest }.solve_backwards();
         for (number, old) in self.vector.iter().zip(&symbolic.order) {
             rhs[*old] = convert_unchecked(*number);
         }
@@ -78,19 +78,19 @@ impl<R: RealField + Copy> Section<'_, R> {
         }
         let first_column = self.part.columns.start;
         for &number in &self.part.own {
-            let (node, below) = (&self.symbolic.supernodes[number], self.symbolic.below.of(number));
-            let (width, own) =
+            let (node, rows) = (&self.symbolic.supernodes[number], self.symbolic.below.of(number));
+            let (width, entries) =
                 (node.width(), &mut self.vector[node.first - first_column..node.end - first_column]);
             let gathered = &mut self.beyond.gathered;
             gathered.clear();
-            gathered.resize(below.len(), R::zero());
+            gathered.resize(rows.len(), R::zero());
             for (k, column) in self.numbers[node.start..].chunks(node.height).take(width).enumerate() {
-                own[k] /= column[k];
-                let x = own[k];
-                subtract_times(&mut own[k + 1..], x, &column[k + 1..width]);
+                entries[k] /= column[k];
+                let x = entries[k];
+                subtract_times(&mut entries[k + 1..], x, &column[k + 1..width]);
                 subtract_times(gathered, x, &column[width..]);
             }
-            for (k, &row) in below.iter().enumerate() {
+            for (k, &row) in rows.iter().enumerate() {
                 let added = self.beyond.gathered[k];
                 *self.at(row) += added;
             }
@@ -100,16 +100,17 @@ impl<R: RealField + Copy> Section<'_, R> {
     fn solve_backwards(mut self) {
         let first_column = self.part.columns.start;
         for &number in self.part.own.iter().rev() {
-            let (node, below) = (&self.symbolic.supernodes[number], self.symbolic.below.of(number));
+            let (node, rows) = (&self.symbolic.supernodes[number], self.symbolic.below.of(number));
             let mut gathered = std::mem::take(&mut self.beyond.gathered);
             gathered.clear();
-            gathered.extend(below.iter().map(|row| *self.at(*row)));
-            let (width, own) =
+            gathered.extend(rows.iter().map(|row| *self.at(*row)));
+            let (width, entries) =
                 (node.width(), &mut self.vector[node.first - first_column..node.end - first_column]);
             for k in (0..width).rev() {
                 let column = &self.numbers[node.start + k * node.height..][..node.height];
-                let product = dot(&column[k + 1..width], &own[k + 1..]) + dot(&column[width..], &gathered);
-                own[k] = (own[k] - product) / column[k];
+                let product =
+                    dot(&column[k + 1..width], &entries[k + 1..]) + dot(&column[width..], &gathered);
+                entries[k] = (entries[k] - product) / column[k];
             }
             self.beyond.gathered = gathered;
         }
@@ -127,9 +128,9 @@ impl<R: RealField + Copy> Section<'_, R> {
         let (mut vector, mut column) = (&mut *self.vector, part.columns.start);
         let mut sections = Vec::with_capacity(part.parts.len());
         for (part, beyond) in part.parts.iter().zip(&mut self.beyond.parts) {
-            let (own, rest) = vector[part.columns.start - column..].split_at_mut(part.columns.len());
+            let (part_vector, rest) = vector[part.columns.start - column..].split_at_mut(part.columns.len());
             (vector, column) = (rest, part.columns.end);
-            sections.push(Section { threads, symbolic, numbers, part, vector: own, beyond });
+            sections.push(Section { threads, symbolic, numbers, part, vector: part_vector, beyond });
         }
         sections
     }
@@ -152,13 +153,13 @@ fn rows_beyond<'a>(symbolic: &'a Symbolic, part: &Subtree) -> &'a [usize] {
 
 /// In four sums, which a processor adds at once.
 fn dot<R: RealField + Copy>(a: &[R], b: &[R]) -> R {
-    let (quads, others) = (a.chunks_exact(4).zip(b.chunks_exact(4)), a.len() / 4 * 4);
+    let (quads, remainder) = (a.chunks_exact(4).zip(b.chunks_exact(4)), a.len() / 4 * 4);
     let mut sums = [R::zero(); 4];
     for (a, b) in quads {
         for k in 0..4 {
             sums[k] += a[k] * b[k];
         }
     }
-    let rest = a[others..].iter().zip(&b[others..]).map(|(&a, &b)| a * b);
+    let rest = a[remainder..].iter().zip(&b[remainder..]).map(|(&a, &b)| a * b);
     sums.into_iter().chain(rest).fold(R::zero(), |sum, x| sum + x)
 }

@@ -39,26 +39,27 @@ impl<R: RealField + Copy> Updates<'_, R> {
 
     /// Subtracts all updates from the columns from `first` on that `block` has.
     fn subtract_columns(&self, first: usize, block: &mut [R], (update, runs): &mut Scratch<R>) {
-        let Self { symbolic, part, done, node, local, .. } = *self;
+        let Self { symbolic, part, done: finished, node, local, .. } = *self;
         let end = first + block.len() / node.height;
         for &(other, from) in self.givers {
-            let all = symbolic.below.of(other);
-            let from = from + all[from..].iter().take_while(|row| **row < first).count();
-            let below = &all[from..];
-            let columns = below.iter().take_while(|row| **row < end).count();
+            let rows = symbolic.below.of(other);
+            let from = from + rows[from..].iter().take_while(|row| **row < first).count();
+            let rows_below = &rows[from..];
+            let columns = rows_below.iter().take_while(|row| **row < end).count();
             if columns == 0 {
                 continue;
             }
             let giver = &symbolic.supernodes[other];
-            let panel = &done[giver.start - part.places.start..][..giver.width() * giver.height];
+            let panel = &finished[giver.start - part.places.start..][..giver.width() * giver.height];
             let numbers = &panel[giver.width() + from..];
-            let product = Block { numbers, stride: giver.height, rows: below.len(), columns: giver.width() };
-            if update.len() < below.len() * columns {
-                update.resize(below.len() * columns, R::zero());
+            let product =
+                Block { numbers, stride: giver.height, rows: rows_below.len(), columns: giver.width() };
+            if update.len() < rows_below.len() * columns {
+                update.resize(rows_below.len() * columns, R::zero());
             }
-            subtract_square(update, below.len(), R::zero(), product, columns, Threads::One);
+            subtract_square(update, rows_below.len(), R::zero(), product, columns, Threads::One);
             runs.clear();
-            for (k, &row) in below.iter().enumerate() {
+            for (k, &row) in rows_below.iter().enumerate() {
                 let place =
                     if row < node.end { row - node.first } else { local[row - part.columns.start] as usize };
                 match runs.last_mut() {
@@ -66,7 +67,7 @@ impl<R: RealField + Copy> Updates<'_, R> {
                     _ => runs.push([k, place, 1]),
                 }
             }
-            for (update, column) in update.chunks(below.len()).zip(&below[..columns]) {
+            for (update, column) in update.chunks(rows_below.len()).zip(&rows_below[..columns]) {
                 let panel = &mut block[(column - first) * node.height..][..node.height];
                 // Entries above the diagonal are updated too; they are never read.
                 for &[from, to, count] in &*runs {
