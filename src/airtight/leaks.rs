@@ -15,10 +15,10 @@ pub fn shape_leaks(shape: &SealedShape, is_star: bool) -> Vec<Refusal> {
 fn refusal(shape: &SealedShape, is_star: bool, leak: &Leak) -> Refusal {
     let seam = |number: &usize| seam_in_words(is_star, &shape.seams[*number].name);
     // Seams meet in one place at least.
-    let met = |places: &[Point]| {
+    let listed_places = |places: &[Point]| {
         format!("{} places, first at X {:.1} Y {:.1} mm", places.len(), places[0].x, places[0].y)
     };
-    let (key, code, found, remedy) = match leak {
+    let (key, code, problem, remedy) = match leak {
         Leak::Gap(at, gap) => (
             key::seal::BAND,
             RefusalCode::SeamGap,
@@ -28,13 +28,13 @@ fn refusal(shape: &SealedShape, is_star: bool, leak: &Leak) -> Refusal {
         Leak::CrossesItself(at, places) => (
             key::seal::BAND,
             RefusalCode::SeamCrossesItself,
-            format!("the {} crosses itself in {}", seam(at), met(places)),
+            format!("the {} crosses itself in {}", seam(at), listed_places(places)),
             "make band narrower, or the arms longer".to_owned(),
         ),
         Leak::Cross([a, b], places) => (
             key::star::TUBE_WIDTH,
             RefusalCode::SeamsCross,
-            format!("the {} and the {} cross or touch in {}", seam(a), seam(b), met(places)),
+            format!("the {} and the {} cross or touch in {}", seam(a), seam(b), listed_places(places)),
             "make tube_width larger, or the band narrower".to_owned(),
         ),
         Leak::Open(at, [end, _]) => (
@@ -50,14 +50,14 @@ fn refusal(shape: &SealedShape, is_star: bool, leak: &Leak) -> Refusal {
             "change [inlet]".to_owned(),
         ),
         Leak::NarrowPort(port, width) => {
-            let needed = shape.ports[*port].width;
+            let needed_width = shape.ports[*port].width;
             (
                 key::inlet::TUBE_DIAMETER,
                 RefusalCode::NarrowMouth,
                 format!("the inlet's mouth is {width:.3} mm wide, too narrow for the hose"),
-                format!("it needs {needed:.3} mm: make tube_diameter smaller"),
+                format!("it needs {needed_width:.3} mm: make tube_diameter smaller"),
             )
         }
     };
-    Refusal::new(key, code, found, remedy)
+    Refusal::new(key, code, problem, remedy)
 }

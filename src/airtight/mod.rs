@@ -44,9 +44,9 @@ pub fn leaks(spec: &Spec, machine: &Machine, design: &Design) -> Refusals {
 
 /// The report on `design`.
 pub fn report(spec: &Spec, machine: &Machine, design: &Design) -> SealReport {
-    let passages = passages(spec, machine, design);
-    let mut report = SealReport { leaks: open_ways(&passages, design), ..SealReport::default() };
-    for (placed, passage) in passages {
+    let pieces_with_passages = passages(spec, machine, design);
+    let mut report = SealReport { leaks: open_ways(&pieces_with_passages, design), ..SealReport::default() };
+    for (placed, passage) in pieces_with_passages {
         let name = placed.name();
         let loads = match design.part(placed) {
             // A valid spec has a valid case; without one there is no load to report.
@@ -73,13 +73,14 @@ fn open_ways(passages: &[(&PlacedPart, Passage)], design: &Design) -> Refusals {
             ..leak
         })
     });
-    let between = topology::between_pieces(design).filter(|distance| *distance <= 0.0).map(|distance| {
-        let kind = design.placed().first().map_or("piece", |placed| placed.kind);
-        let found = format!("the bands of two {kind}s overlap by {:.3} mm", -distance);
-        let remedy = format!("gap must be {:.3} mm larger, or the allowance", 1e-3 - distance);
-        Refusal::new(key::sheet::GAP, RefusalCode::StarsOverlap, found, remedy)
-    });
-    of_pieces.chain(between).collect()
+    let overlap_of_pieces =
+        topology::between_pieces(design).filter(|distance| *distance <= 0.0).map(|distance| {
+            let kind = design.placed().first().map_or("piece", |placed| placed.kind);
+            let problem = format!("the bands of two {kind}s overlap by {:.3} mm", -distance);
+            let remedy = format!("gap must be {:.3} mm larger, or the allowance", 1e-3 - distance);
+            Refusal::new(key::sheet::GAP, RefusalCode::StarsOverlap, problem, remedy)
+        });
+    of_pieces.chain(overlap_of_pieces).collect()
 }
 
 /// "the inlet", "the 2 inlets"; `None` for none.

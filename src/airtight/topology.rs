@@ -61,11 +61,11 @@ pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
     let loops = shape.seams.iter().map(closure).collect();
     let pairs =
         || shape.seams.iter().enumerate().flat_map(|(i, a)| shape.seams[i + 1..].iter().map(move |b| (a, b)));
-    let apart = |(a, b): (&Seam, &Seam)| path_distance(&a.center_line, &b.center_line);
+    let center_distance = |(a, b): (&Seam, &Seam)| path_distance(&a.center_line, &b.center_line);
     let (channel, least_passage, eaten) = match part {
         FlatPiece::Star(star) => {
             let [tip, corner] = [star.realised_tip(), star.realised_corner()].map(|made| made.radius);
-            let channel = pairs().map(apart).fold(f64::INFINITY, f64::min) - band;
+            let channel = pairs().map(center_distance).fold(f64::INFINITY, f64::min) - band;
             (Some(channel), None, Some([(star.star.r_i, tip), (star.star.r_e, corner)]))
         }
         // Bands of a drawing may join; its passages were measured when it was read.
@@ -73,17 +73,19 @@ pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
     };
     let width = part.tube_width();
     if let Some(channel) = channel.filter(|channel| *channel <= 0.0) {
-        let what = format!("the bands meet: {channel:.3} mm are left between them");
+        let problem = format!("the bands meet: {channel:.3} mm are left between them");
         let remedy = "make tube_width larger, or the band narrower";
-        leaks.push(Refusal::new(key::star::TUBE_WIDTH, RefusalCode::BandsMeet, what, remedy));
+        leaks.push(Refusal::new(key::star::TUBE_WIDTH, RefusalCode::BandsMeet, problem, remedy));
     } else if let Some(channel) = channel.filter(|channel| is_star && *channel < 0.99 * width) {
         weaknesses.push(format!("the tube is {channel:.3} mm wide at its narrowest, of {width} mm"));
     }
     let inlet = shape.ports.first().map(|_| shape.port_width(0).unwrap_or(0.0));
     let starts = |(a, b): (&Seam, &Seam)| Some(a.center_line.start()?.distance(b.center_line.start()?));
     let starts_apart = is_star.then(|| pairs().filter_map(starts).fold(f64::INFINITY, f64::min));
-    if let Some(apart) = starts_apart.filter(|apart| *apart < 2.0 * band + spec.seal.overlap.0) {
-        weaknesses.push(format!("the two loops start only {apart:.1} mm from each other"));
+    if let Some(distance) =
+        starts_apart.filter(|center_distance| *center_distance < 2.0 * band + spec.seal.overlap.0)
+    {
+        weaknesses.push(format!("the two loops start only {distance:.1} mm from each other"));
     }
     let (inlets, valves) = (shape.ports.len(), shape.valves.len());
     Passage { loops, starts_apart, channel, least_passage, inlet, inlets, valves, eaten, leaks, weaknesses }
@@ -101,9 +103,9 @@ fn closure(
     let twice = run.length() - path.length();
     if path.closed {
         if (twice - seam.overlap).abs() > 1e-6 || seam.overlap <= 0.0 {
-            let what = format!("the {name} closes with an overlap of {twice:.3} mm");
+            let problem = format!("the {name} closes with an overlap of {twice:.3} mm");
             let remedy = format!("overlap must be above 0 mm: at least the band of {}", spec.seal.band);
-            leaks.push(Refusal::new(key::seal::OVERLAP, RefusalCode::NoOverlap, what, remedy));
+            leaks.push(Refusal::new(key::seal::OVERLAP, RefusalCode::NoOverlap, problem, remedy));
         } else if seam.overlap < spec.seal.band.0 {
             weaknesses.push(format!(
                 "the {name} closes with an overlap of {} mm, less than the band of {}",
@@ -116,14 +118,14 @@ fn closure(
         Some(Segment::Line(line)) => line.length(),
         _ => 0.0,
     };
-    let (ahead, behind) = (straight(path.segments.first()), straight(path.segments.last()));
+    let (ahead, last_length) = (straight(path.segments.first()), straight(path.segments.last()));
     let to_hinge = if path.closed {
-        (ahead - seam.overlap - machine.process.ramp.0).min(behind - machine.process.ramp.0)
+        (ahead - seam.overlap - machine.process.ramp.0).min(last_length - machine.process.ramp.0)
     } else {
-        ahead.min(behind)
+        ahead.min(last_length)
     };
     // The seal's load is largest at a star's hinge; a drawing has no hinge.
-    if is_star && path.closed && ahead.min(behind) <= 0.0 {
+    if is_star && path.closed && ahead.min(last_length) <= 0.0 {
         weaknesses.push(format!("the {name} starts on a hinge"));
     }
     let between_passes = if path.closed { path.length() / spec.seal.speed.0 } else { 0.0 };
@@ -138,37 +140,37 @@ pub(super) fn between_pieces(design: &Design) -> Option<f64> {
         let paths = shape.seams.iter().map(move |seam| placed.placement.path(&seam.center_line));
         let segments = paths.flat_map(|path| path.segments).map(|segment| (segment, segment.bounds()));
         let segments: Vec<(Segment, Bounds)> = segments.collect();
-        let around = segments.iter().map(|(_, bounds)| *bounds).fold(Bounds::EMPTY, Bounds::union);
-        (placed.sheet, shape.band, around, segments)
+        let piece_bounds = segments.iter().map(|(_, bounds)| *bounds).fold(Bounds::EMPTY, Bounds::union);
+        (placed.sheet, shape.band, piece_bounds, segments)
     };
-    let all: Vec<_> = (0..design.placed().len()).map(lines).collect();
-    let mut least: Option<f64> = None;
-    for (i, (sheet, band, around, a)) in all.iter().enumerate() {
-        for (_, _, other, b) in all[i + 1..].iter().filter(|(other, ..)| other == sheet) {
-            let reach = |least: Option<f64>| least.unwrap_or(f64::INFINITY).min(1e3) + band;
-            if !around.grown(reach(least)).overlaps(other) {
+    let pieces: Vec<_> = (0..design.placed().len()).map(lines).collect();
+    let mut least_distance: Option<f64> = None;
+    for (i, (sheet, band, around, a)) in pieces.iter().enumerate() {
+        for (_, _, other, b) in pieces[i + 1..].iter().filter(|(other, ..)| other == sheet) {
+            let reach = |least_distance: Option<f64>| least_distance.unwrap_or(f64::INFINITY).min(1e3) + band;
+            if !around.grown(reach(least_distance)).overlaps(other) {
                 continue;
             }
             for (s, bounds) in a {
-                let zone = bounds.grown(reach(least));
+                let zone = bounds.grown(reach(least_distance));
                 if !zone.overlaps(other) {
                     continue;
                 }
                 for (t, _) in b.iter().filter(|(_, bounds)| zone.overlaps(bounds)) {
                     let distance = segment_distance(s, t) - band;
-                    least = Some(least.map_or(distance, |known| known.min(distance)));
+                    least_distance = Some(least_distance.map_or(distance, |known| known.min(distance)));
                 }
             }
         }
     }
-    least
+    least_distance
 }
 
 impl fmt::Display for Passage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for Loop { name, role, closed, overlap, to_hinge, between_passes } in &self.loops {
             if *closed {
-                let over = match self.eaten {
+                let closing_place = match self.eaten {
                     None => "",
                     Some(_) if *to_hinge < 0.0 => " over a hinge",
                     Some(_) => " on a straight arm",
@@ -176,7 +178,7 @@ impl fmt::Display for Passage {
                 let hours = between_passes / 3600.0;
                 writeln!(
                     f,
-                    "    {name}: closed{over}, {overlap:.1} mm sealed twice, {hours:.1} h between the passes"
+                    "    {name}: closed{closing_place}, {overlap:.1} mm sealed twice, {hours:.1} h between the passes"
                 )?;
             } else if *role == Role::Weld {
                 writeln!(f, "    {name}: a weld from end to end")?;
@@ -190,9 +192,9 @@ impl fmt::Display for Passage {
         if let Some(channel) = self.channel {
             writeln!(f, "    {starts}tube {channel:.2} mm wide between the bands at its narrowest")?;
         } else {
-            let least = Readable(self.least_passage.unwrap_or(0.0));
+            let least_passage = Readable(self.least_passage.unwrap_or(0.0));
             let hose = if self.inlet.is_some() { " but the hose's channel" } else { "" };
-            writeln!(f, "    no passage{hose} is narrower than {least} mm")?;
+            writeln!(f, "    no passage{hose} is narrower than {least_passage} mm")?;
         }
         if let Some(inlet) = self.inlet {
             writeln!(f, "    inlet {inlet:.2} mm wide between its bands")?;

@@ -20,11 +20,11 @@ pub struct CodeMeaning {
 
 /// All codes, in the order of the page.
 pub fn meanings() -> Vec<CodeMeaning> {
-    let mut about = "";
+    let mut heading_in_force = "";
     let mut rows = Vec::new();
     for line in PAGE.lines() {
         if let Some(heading) = line.strip_prefix("## ") {
-            about = heading;
+            heading_in_force = heading;
         }
         let row = line
             .strip_prefix("| `")
@@ -34,7 +34,7 @@ pub fn meanings() -> Vec<CodeMeaning> {
         rows.extend(row.map(|(code, (meaning, example))| {
             // The cells of a table escape them.
             let example = example.replace("&lt;", "<").replace("\\|", "|");
-            CodeMeaning { about, code, meaning, example }
+            CodeMeaning { about: heading_in_force, code, meaning, example }
         }));
     }
     rows

@@ -131,7 +131,7 @@ impl NewGripper {
         let (star, load) = (spec.stars.first()?, spec.load.as_ref()?);
         let stars = counted(spec.stars.len(), "star");
         let [width, height] = self.fabric()?.map(f64::round);
-        let at = load
+        let pressure_text = load
             .pressure
             .map_or_else(String::new, |pressure| format!("; {}", in_unit(pressure, self.pressure_unit)));
         let friction = load.friction.map_or_else(String::new, |friction| {
@@ -139,7 +139,7 @@ impl NewGripper {
             format!("; friction {friction}{assumed}")
         });
         Some(format!(
-            "{stars} of {} points, tube {} wide, {width} x {height} mm of fabric{at}; {} of sealing{friction}",
+            "{stars} of {} points, tube {} wide, {width} x {height} mm of fabric{pressure_text}; {} of sealing{friction}",
             star.points,
             star.tube_width,
             hours(sealing_time(&self.forecast)),
@@ -264,8 +264,8 @@ impl Request {
         let ring = RingTable::new().map_err(|fault| NoGripper::Fault(fault.to_string()))?;
         let candidate =
             Candidate::of(base).ok_or_else(|| NoGripper::Fault("the spec has no star".to_owned()))?;
-        let made = |choices: &[Choice], base: &Spec| {
-            let mut why = None;
+        let gripper_of = |choices: &[Choice], base: &Spec| {
+            let mut first_refusals = None;
             for choice in choices {
                 match buildable(name, choice, base, machine) {
                     Ok((text, forecast)) => {
@@ -276,21 +276,21 @@ impl Request {
                             pressure_unit: choice.requirements.units.pressure,
                         });
                     }
-                    Err(refusals) => why = why.or(Some(refusals)),
+                    Err(refusals) => first_refusals = first_refusals.or(Some(refusals)),
                 }
             }
-            Err(why.unwrap_or_default())
+            Err(first_refusals.unwrap_or_default())
         };
         let choices =
             choose(&requirements, &candidate, &ring).map_err(|Infeasible { reasons, nearest }| {
                 // The nearest requirements are tested like the requested ones, so that they can really be met.
-                let near = nearest.into_iter().filter_map(|nearest| {
+                let near_requests = nearest.into_iter().filter_map(|nearest| {
                     let mut base = base.clone();
                     let sheet = nearest.requirements.room.sheet;
                     [base.sheet.width, base.sheet.height] =
                         sheet.map(|side| Some(side).filter(|side| side.0.is_finite()));
                     let NearestRequirements { requirements: eased, choices } = &nearest;
-                    let gripper = made(choices, &base).ok()?;
+                    let gripper = gripper_of(choices, &base).ok()?;
                     Some(NearRequest {
                         requirements: *eased,
                         changes: nearest.changes(&requirements),
@@ -300,11 +300,12 @@ impl Request {
                 let width = self.object.quantity;
                 let unit = (!USUAL_SIZES.contains(width.0))
                     .then(|| format!("an object {} across: is the unit right (mm, cm, m, in)?", self.object));
-                NoGripper::Infeasible(unit.into_iter().chain(reasons).collect(), near.collect())
+                NoGripper::Infeasible(unit.into_iter().chain(reasons).collect(), near_requests.collect())
             })?;
-        made(&choices, base).map_err(|why| {
-            let why: Vec<String> = why.iter().map(|one| format!("{}: {}", one.found, one.remedy)).collect();
-            let text = format!("the gripper that would hold this cannot be made: {}", why.join("; "));
+        gripper_of(&choices, base).map_err(|refusals| {
+            let reasons: Vec<String> =
+                refusals.iter().map(|refusal| format!("{}: {}", refusal.found, refusal.remedy)).collect();
+            let text = format!("the gripper that would hold this cannot be made: {}", reasons.join("; "));
             NoGripper::Fault(text)
         })
     }

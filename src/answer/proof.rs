@@ -23,22 +23,22 @@ pub fn json(proof: &Proof) -> String {
 
 /// The number of compared files, and the bounds of their deviations.
 pub fn scope(proof: &Proof) -> String {
-    let all = proof.files.len();
+    let file_count = proof.files.len();
     let measured = proof.files.iter().filter(|file| file.deviation.is_some()).count();
     let nearest = |of: &dyn Fn(Format) -> bool| {
-        let deviations = proof.files.iter().filter(|file| of(file.output.kind.format()));
-        deviations.filter_map(|file| file.deviation).reduce(f64::max)
+        let files = proof.files.iter().filter(|file| of(file.output.kind.format()));
+        files.filter_map(|file| file.deviation).reduce(f64::max)
     };
     // Solids approximate arcs by chords, with a tolerance of their own.
-    let within: Vec<String> = [
+    let deviations: Vec<String> = [
         ("lines and arcs", nearest(&|format| format != Format::Stl), 6),
         ("solids", nearest(&|format| format == Format::Stl), 4),
     ]
     .into_iter()
     .filter_map(|(what, mm, digits)| mm.map(|mm| format!("{what} within {mm:.digits$} mm")))
     .collect();
-    if within.is_empty() {
-        return format!("none of {all} files has geometry that is compared; nothing was measured");
+    if deviations.is_empty() {
+        return format!("none of {file_count} files has geometry that is compared; nothing was measured");
     }
-    format!("{measured} of {all} files compared with the exact geometry: {}", within.join(", "))
+    format!("{measured} of {file_count} files compared with the exact geometry: {}", deviations.join(", "))
 }

@@ -11,8 +11,8 @@ pub const EXTRA: Allowed = Allowed::closed(0.0, 1e5);
 /// Reads a plain number in `allowed`.
 pub fn number(allowed: Allowed) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
     move |text| {
-        let found = text.trim().parse::<f64>().ok();
-        found.filter(|number| allowed.contains(*number)).ok_or_else(|| {
+        let parsed = text.trim().parse::<f64>().ok();
+        parsed.filter(|number| allowed.contains(*number)).ok_or_else(|| {
             let otherwise = format!("{} {}", remedy(text, "it is a number and"), allowed.in_words(""));
             match percent(text).filter(|ratio| allowed.contains(*ratio)) {
                 Some(ratio) => format!("not a percentage: write {}; {otherwise}", Readable(ratio)),
@@ -36,13 +36,13 @@ pub fn stated<Q: Quantity>(
             let unit = format!("write the {} as a number and one of {}", Q::KIND.name, Q::KIND.unit_list());
             remedy(text, &unit)
         })?;
-        Ok(Stated { quantity: within(allowed, Q::from_base(base))?, unit })
+        Ok(Stated { quantity: in_range(allowed, Q::from_base(base))?, unit })
     }
 }
 
-fn within<Q: Quantity>(allowed: Allowed, found: Q) -> Result<Q, String> {
+fn in_range<Q: Quantity>(allowed: Allowed, quantity: Q) -> Result<Q, String> {
     let wrong = || format!("the {} {}", Q::KIND.name, allowed.in_words(Q::KIND.unit()));
-    Some(found).filter(|found| allowed.contains(found.base())).ok_or_else(wrong)
+    Some(quantity).filter(|quantity| allowed.contains(quantity.base())).ok_or_else(wrong)
 }
 
 /// Reads a quantity with its unit, "1.2 kg", or a bare number of its base unit, which older commands take; the base unit's number.
@@ -51,7 +51,7 @@ pub fn quantity_or_number<Q: Quantity>(
 ) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
     let quantity = quantity::<Q>(allowed);
     move |text| match text.trim().parse::<f64>() {
-        Ok(number) => within(allowed, Q::from_base(number)).map(Quantity::base),
+        Ok(number) => in_range(allowed, Q::from_base(number)).map(Quantity::base),
         Err(_) => quantity(text).map(Quantity::base),
     }
 }
@@ -91,21 +91,21 @@ fn remedy(text: &str, otherwise: &str) -> String {
     }
 }
 
-/// Reads "FROM..TO/COUNT", or one value: evenly spaced ones, at most `most`; `ends` reads the first part.
+/// Reads "FROM..TO/COUNT", or one value: evenly spaced ones, at most `most_values`; `ends` reads the first part.
 ///
 /// # Errors
 /// If it is malformed or out of range; the text describes the fault.
 pub fn evenly(
     text: &str,
-    most: u32,
+    most_values: u32,
     ends: impl Fn(&str) -> Result<[f64; 2], String>,
 ) -> Result<Vec<f64>, String> {
-    let (both, count) = text.split_once('/').unwrap_or((text, "1"));
-    let [from, to] = ends(both)?;
-    let least = if from == to { 1 } else { 2 };
-    let count = count.trim().parse::<u32>().ok().filter(|count| (least..=most).contains(count));
+    let (range_text, count) = text.split_once('/').unwrap_or((text, "1"));
+    let [from, to] = ends(range_text)?;
+    let least_values = if from == to { 1 } else { 2 };
+    let count = count.trim().parse::<u32>().ok().filter(|count| (least_values..=most_values).contains(count));
     let count = count.ok_or_else(|| {
-        format!("give the number of values: write \"{both}/COUNT\", with a COUNT of {least} to {most}")
+        format!("give the number of values: write \"{range_text}/COUNT\", with a COUNT of {least_values} to {most_values}")
     })?;
     let part = |i: u32| f64::from(i) / f64::from((count - 1).max(1));
     Ok((0..count).map(|i| from + part(i) * (to - from)).collect())
@@ -121,8 +121,8 @@ mod tests {
         let ratio = number(Allowed::half_open(0.0, 1e3));
         assert_eq!(ratio(" 1.5"), Ok(1.5));
         for text in ["nan", "NaN", "inf", "-inf", "infinity", "1e999", "0", "-1", "1e4", "", "x", "1.5 kg"] {
-            let why = ratio(text).expect_err(text);
-            assert_eq!(why, "it is a number and must be more than 0 and at most 1000", "{text}");
+            let message = ratio(text).expect_err(text);
+            assert_eq!(message, "it is a number and must be more than 0 and at most 1000", "{text}");
         }
         assert!(ratio("50%").expect_err("a percentage").starts_with("not a percentage: write 0.5; it is"));
         assert!(ratio("1,5").expect_err("a comma").contains("write \"1.5\"; it is a number"));
@@ -152,10 +152,10 @@ mod tests {
             ("5,,5 mm", None),
             ("5 mm, 6 mm", None),
         ] {
-            let why = length(text).expect_err(text);
+            let message = length(text).expect_err(text);
             match ways {
-                Some(ways) => assert!(why.contains(ways), "{text}: {why}"),
-                None => assert!(why.starts_with("write the length"), "{text}: {why}"),
+                Some(ways) => assert!(message.contains(ways), "{text}: {message}"),
+                None => assert!(message.starts_with("write the length"), "{text}: {message}"),
             }
         }
         assert!(length("5,5 mm").expect_err("a comma").contains("write \"5.5 mm\""));
@@ -180,8 +180,8 @@ mod tests {
             Err("the range is descending; write \"10 deg..30 deg\"".to_owned())
         );
         assert!(angles("0 deg..10 deg").is_err() && angles("10 deg..").is_err());
-        let why = angles("20..40").expect_err("no unit");
-        assert!(why.ends_with("and one of deg, rad, at each end: 20 deg..40 deg"), "{why}");
+        let message = angles("20..40").expect_err("no unit");
+        assert!(message.ends_with("and one of deg, rad, at each end: 20 deg..40 deg"), "{message}");
     }
 
     #[test]
@@ -189,8 +189,8 @@ mod tests {
         let read =
             |text: &str| evenly(text, 7, |ends| Ok(if ends == "a..b" { [1.0, 2.0] } else { [1.0; 2] }));
         for text in ["a..b", "a..b/1", "a..b/0", "a..b/8", "a..b/x"] {
-            let why = "give the number of values: write \"a..b/COUNT\", with a COUNT of 2 to 7";
-            assert_eq!(read(text), Err(why.to_owned()), "{text}");
+            let message = "give the number of values: write \"a..b/COUNT\", with a COUNT of 2 to 7";
+            assert_eq!(read(text), Err(message.to_owned()), "{text}");
         }
         assert_eq!((read("a..b/2"), read("a")), (Ok(vec![1.0, 2.0]), Ok(vec![1.0])));
     }

@@ -34,10 +34,9 @@ pub fn at_keys(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {
     Faults::new(source, distinct)
 }
 
-/// One refusal: its code, and the text `found`. The other keys are null.
-pub fn refusal(code: &str, found: &str) -> Value {
-    let none = Value::Null;
-    json!({ "code": code, "key": none, "found": found, "allowed": none, "remedy": none, "file": none, "line": none })
+/// One refusal: its code, and the text `message`. The other keys are null.
+pub fn refusal(code: &str, message: &str) -> Value {
+    json!({ "code": code, "key": null, "found": message, "allowed": null, "remedy": null, "file": null, "line": null })
 }
 
 /// The errors among `faults`; warnings are left out.
@@ -54,23 +53,23 @@ pub fn fault_json(faults: &Faults, fault: &Fault) -> Value {
     value["remedy"] = json!(fault.help);
     value["file"] = json!(faults.source().name);
     value["line"] = json!(faults.line_of(fault));
-    if let Some(drawn) = &fault.drawn {
-        value["elements"] = json!(drawn.elements);
-        value["at_mm"] = json!(drawn.at);
+    if let Some(drawn_place) = &fault.drawn {
+        value["elements"] = json!(drawn_place.elements);
+        value["at_mm"] = json!(drawn_place.at);
     }
     value
 }
 
 /// A warning about a design: its code, its key, the finding, the remedy, and the place in a drawing, null without one.
 pub fn warning_json(warning: &Warning) -> Value {
-    let drawn = warning.drawn.as_deref();
+    let drawn_place = warning.drawn.as_deref();
     json!({
         "code": warning.code.as_str(),
         "key": warning.key.to_string(),
         "found": warning.found,
         "remedy": warning.remedy,
-        "elements": drawn.map_or(&[][..], |drawn| &drawn.elements),
-        "at_mm": drawn.and_then(|drawn| drawn.at),
+        "elements": drawn_place.map_or(&[][..], |drawn_place| &drawn_place.elements),
+        "at_mm": drawn_place.and_then(|drawn_place| drawn_place.at),
     })
 }
 

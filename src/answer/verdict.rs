@@ -26,20 +26,21 @@ pub fn in_words(forecast: &Forecast) -> String {
         let missing = if load.pressure.is_none() { key::load::PRESSURE } else { key::load::OBJECT_DIAMETER };
         return format!("no verdict: [load] has no `{}`", missing.key());
     };
-    let across = |radius: Length| format!(", {} across,", Length(2.0 * radius.0));
-    let object = load.object_radius.map_or_else(String::new, across);
+    let diameter_text = |radius: Length| format!(", {} across,", Length(2.0 * radius.0));
+    let object = load.object_radius.map_or_else(String::new, diameter_text);
     let pressure = load.pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
     let payload = prediction.first.payload_kg.zip(prediction.first.ranges.payload_kg);
     let mass = load.mass.map(|mass| mass.0);
     let payload = payload.zip(load.friction).map_or_else(String::new, |((kg, range), friction)| {
-        let within = load.friction_range().filter(|[least, most]| least < most);
-        let within = within.map_or_else(String::new, |[least, most]| format!(", {least} to {most},"));
-        format!("; with a friction of {friction}{within} it carries {}", shown::payload(kg, range, mass))
+        let friction_range = load.friction_range().filter(|[lowest, highest]| lowest < highest);
+        let range_text =
+            friction_range.map_or_else(String::new, |[lowest, highest]| format!(", {lowest} to {highest},"));
+        format!("; with a friction of {friction}{range_text} it carries {}", shown::payload(kg, range, mass))
     });
-    let why =
+    let reasons =
         if verdict.reasons.is_empty() { String::new() } else { format!(": {}", verdict.reasons.join("; ")) };
-    let more: String = verdict.remarks().into_iter().flat_map(|text| ["; ".to_owned(), text]).collect();
-    format!("{}{object}{pressure}{payload}{more}{why}", verdict.line())
+    let remarks: String = verdict.remarks().into_iter().flat_map(|text| ["; ".to_owned(), text]).collect();
+    format!("{}{object}{pressure}{payload}{remarks}{reasons}", verdict.line())
 }
 
 /// What can be made of a drawing: the seams and the size of a piece, the time of all programs.
@@ -59,10 +60,10 @@ fn sealable(forecast: &Forecast) -> String {
         return format!("can be sealed: {making}{inflate}");
     }
     let pressure = forecast.spec.load.as_ref().and_then(|load| load.pressure);
-    let at = pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
+    let pressure_text = pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
     let burst = forecast.drawn.as_ref().and_then(|drawn| drawn.prediction.burst_pressure_kPa);
     let strength = if burst.is_none() { "; the burst pressure is unknown" } else { "" };
-    format!("inflates {}{at}{strength}; {making}", sizes.join("; "))
+    format!("inflates {}{pressure_text}{strength}; {making}", sizes.join("; "))
 }
 
 /// The inflated size of each chamber where it is known.
@@ -77,9 +78,9 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
     };
     let Some(pressure) = load.pressure else { return Vec::new() };
     let mut rows = Vec::new();
-    let distinct = distinct(prediction.stars.iter().map(closing));
-    let is_alone = distinct.len() == 1;
-    let closings = distinct.iter().map(|(text, stars)| {
+    let distinct_closings = distinct(prediction.stars.iter().map(closing));
+    let is_alone = distinct_closings.len() == 1;
+    let closings = distinct_closings.iter().map(|(text, stars)| {
         let text = format!("{text}{}", room(stars.iter().filter_map(|star| prediction.stars.get(star - 1))));
         if is_alone { text } else { of_stars(stars, &text) }
     });
@@ -92,23 +93,23 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
         .filter_map(|star| Some((star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa)));
     if let Some((burst, range)) = bursting.min_by(|a, b| a.0.total_cmp(&b.0)) {
         let with_range = |range| with_limit(burst, range, "kPa", Some(pressure.0));
-        let at = range.map_or_else(|| or_unknown(burst, None, "kPa"), with_range);
-        rows.push(("bursts", format!("at {at}; {} times its pressure", rounded(burst / pressure.0))));
+        let burst_text = range.map_or_else(|| or_unknown(burst, None, "kPa"), with_range);
+        rows.push(("bursts", format!("at {burst_text}; {} times its pressure", rounded(burst / pressure.0))));
     }
     rows
 }
 
 /// Predicted values of a drawn piece, each under its label; empty without a load.
 pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
-    let Some(drawn) = &forecast.drawn else { return Vec::new() };
-    let prediction = &drawn.prediction;
+    let Some(drawn_forecast) = &forecast.drawn else { return Vec::new() };
+    let prediction = &drawn_forecast.prediction;
     let sizes = inflated_sizes(forecast);
     if sizes.is_empty() {
         return vec![("predicts", format!("no inflated size: {}", prediction.evidence.choice))];
     }
     let pressure = forecast.spec.load.as_ref().and_then(|load| load.pressure);
-    let at = pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
-    let mut rows = vec![("inflates", format!("{}{at}", sizes.join("; ")))];
+    let pressure_text = pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
+    let mut rows = vec![("inflates", format!("{}{pressure_text}", sizes.join("; ")))];
     if let Some((burst, range)) = prediction.burst_pressure_kPa.zip(prediction.burst_range_kPa) {
         let times = prediction
             .burst_margin
@@ -122,7 +123,7 @@ pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
 /// The JSON answer.
 pub fn json(forecast: &Forecast) -> Value {
     let verdict = forecast.verdict();
-    let holds = verdict.as_ref().and_then(|verdict| verdict.holds.known());
+    let is_held = verdict.as_ref().and_then(|verdict| verdict.holds.known());
     let refused: Vec<Value> = forecast
         .unfit()
         .iter()
@@ -133,13 +134,13 @@ pub fn json(forecast: &Forecast) -> Value {
         .collect();
     let code = verdict.and_then(|verdict| verdict.code);
     let tone = if refused.is_empty() { tone(forecast) } else { Tone::Bad };
-    json!({ "holds": holds, "code": code, "tone": tone, "in_words": in_words(forecast), "unfit": refused })
+    json!({ "holds": is_held, "code": code, "tone": tone, "in_words": in_words(forecast), "unfit": refused })
 }
 
 /// The tone of the predictions.
 fn tone(forecast: &Forecast) -> Tone {
-    let drawn = forecast.drawn.as_ref().map(|drawn| drawn.prediction.tone());
-    drawn.or(forecast.prediction.as_ref().map(Prediction::tone)).unwrap_or(Tone::Plain)
+    let drawn_tone = forecast.drawn.as_ref().map(|drawn| drawn.prediction.tone());
+    drawn_tone.or(forecast.prediction.as_ref().map(Prediction::tone)).unwrap_or(Tone::Plain)
 }
 
 /// Extents and height of the inflated `chamber`; `None` without the shell.
@@ -155,22 +156,27 @@ fn inflated_size(chamber: &ChamberPrediction) -> Option<String> {
 /// The room that `stars`, which close equally, leave around the object on its way in; empty without an object that fits.
 fn room<'a>(stars: impl Iterator<Item = &'a StarPrediction>) -> String {
     let gaps: Vec<f64> = stars.filter_map(|star| star.object_gap_mm).filter(|gap| *gap >= 0.0).collect();
-    let [least, most] = [f64::min, f64::max].map(|end| gaps.iter().copied().reduce(end).map(rounded));
-    match least.zip(most) {
+    let [smallest, largest] = [f64::min, f64::max].map(|end| gaps.iter().copied().reduce(end).map(rounded));
+    match smallest.zip(largest) {
         None => String::new(),
-        Some((least, most)) if least == most => format!(", {least} mm of room around the object"),
-        Some((least, most)) => format!(", {least} to {most} mm of room around the object"),
+        Some((smallest, largest)) if smallest == largest => {
+            format!(", {smallest} mm of room around the object")
+        }
+        Some((smallest, largest)) => format!(", {smallest} to {largest} mm of room around the object"),
     }
 }
 
 /// The sizes between which `star` opens and closes, and its hole; without the room around the object, which differs along a stack.
 fn closing(star: &StarPrediction) -> String {
     let hole = format!("the cut hole is {} mm across", rounded(2.0 * star.hole_radius_mm));
-    let Some([_, most]) = star.graspable_radius_mm else { return format!("unknown; {hole}") };
+    let Some([_, largest_radius]) = star.graspable_radius_mm else { return format!("unknown; {hole}") };
     let object = star.object_radius_mm.map(|radius| 2.0 * radius);
-    let across = star.final_radius_mm.zip(star.ranges.final_radius_mm).map_or_else(
+    let closed_width = star.final_radius_mm.zip(star.ranges.final_radius_mm).map_or_else(
         || "unknown".to_owned(),
         |(radius, range)| with_limit(2.0 * radius, scaled(range, 2.0), "mm", object),
     );
-    format!("to {across} across; takes objects up to {} mm across; {hole}", rounded(2.0 * most))
+    format!(
+        "to {closed_width} across; takes objects up to {} mm across; {hole}",
+        rounded(2.0 * largest_radius)
+    )
 }

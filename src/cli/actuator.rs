@@ -105,8 +105,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let Some(level) = level else {
         let question = format!("actuator {actuator:?} {angles:?}");
         return args.shell.show(&question, args.verbosity, |watch| {
-            let found = actuator::actuate(&actuator, &angles, detail, watch);
-            let (prediction, shape) = found.map_err(|fault| refused(&fault))?;
+            let answer = actuator::actuate(&actuator, &angles, detail, watch);
+            let (prediction, shape) = answer.map_err(|fault| refused(&fault))?;
             Ok((prediction.to_json(), prediction.to_text(), Some(shape)))
         });
     };

@@ -7,23 +7,23 @@ use serde_json::Value;
 use crate::cli::failure::{Failure, say};
 use crate::cli::verbosity::{Verbosity, pretty};
 
-/// Calls `one` for each of `specs`; prints their JSON answers as one object.
+/// Calls `answer_one` for each of `specs`; prints their JSON answers as one object.
 pub(super) fn run(
     specs: &[PathBuf],
     verbosity: Verbosity,
-    mut one: impl FnMut(&Path) -> Result<Option<Value>, Failure>,
+    mut answer_one: impl FnMut(&Path) -> Result<Option<Value>, Failure>,
 ) -> Result<(), Failure> {
     if let [spec] = specs {
-        let answer = one(spec)?;
+        let answer = answer_one(spec)?;
         return answer.map_or(Ok(()), |answer| say(&pretty(&answer)));
     }
-    let (mut all, mut failed, mut refused) = (Vec::new(), false, Vec::new());
+    let (mut answers, mut failed, mut refused) = (Vec::new(), false, Vec::new());
     for (number, spec) in specs.iter().enumerate() {
         if number > 0 && !verbosity.quiet && !verbosity.json {
             say("\n")?;
         }
-        match one(spec) {
-            Ok(answer) => all.extend(answer),
+        match answer_one(spec) {
+            Ok(answer) => answers.extend(answer),
             Err(Failure::Pipe) => return Err(Failure::Pipe),
             Err(failure) => {
                 failed = true;
@@ -37,7 +37,7 @@ pub(super) fn run(
         }
     }
     if verbosity.json {
-        let mut answer = serde_json::json!({ "results": all });
+        let mut answer = serde_json::json!({ "results": answers });
         if !refused.is_empty() {
             answer["refused"] = refused.into();
         }

@@ -81,20 +81,21 @@ impl BenchArgs {
                  hinge closes; check whether the two are exchanged"
             )));
         }
-        let least = least_angle(flat.to_radians()).to_degrees();
-        if inflated < least {
+        let smallest_angle = least_angle(flat.to_radians()).to_degrees();
+        if inflated < smallest_angle {
             return Err(Failure::Message(format!(
-                "--inflated-angle is {inflated} deg; must be: at least {least:.1} deg, because no hinge of {flat} deg, flat, \
+                "--inflated-angle is {inflated} deg; must be: at least {smallest_angle:.1} deg, because no hinge of {flat} deg, flat, \
                  closes further; check the sign, and that both are the angle between the arms"
             )));
         }
         let measured = (180.0 - inflated) / (180.0 - flat);
         if let (Some(loaded), Some(pressure)) = (spec, self.angle_pressure) {
-            let known = known(loaded)?;
+            let elastic_sheet = elastic_properties(loaded)?;
             let bench = self.vee(&loaded.reading.spec, pressure, 0.0);
             let predicted = bench.and_then(|bench| {
-                let (bending, stretch) = (known.bending_modulus(), known.stretching_modulus());
-                bench.predicted(bending, stretch, known.poisson_ratio).ok()
+                let (bending, stretch) =
+                    (elastic_sheet.bending_modulus(), elastic_sheet.stretching_modulus());
+                bench.predicted(bending, stretch, elastic_sheet.poisson_ratio).ok()
             });
             if let Some(angle) = predicted {
                 let predicted = (180.0 - angle.to_degrees()) / (180.0 - flat);
@@ -116,55 +117,57 @@ impl BenchArgs {
         self.radius_ratio.or_else(|| of_tips(spec?)).unwrap_or(1.0 / 30.0)
     }
 
-    /// The V-actuator of the spec's tips, with a measured angle that is `off` deg too wide; `None` without angles.
-    fn vee(&self, spec: &Spec, pressure: Pressure, off: f64) -> Option<VBench> {
+    /// The V-actuator of the spec's tips, with a measured angle that is `angle_error` deg too wide; `None` without angles.
+    fn vee(&self, spec: &Spec, pressure: Pressure, angle_error: f64) -> Option<VBench> {
         let ((flat, inflated), star) = (self.flat_angle.zip(self.inflated_angle)?, spec.stars.first()?);
         let (width, rest_angle) = (star.tube_width.metres(), flat.to_radians());
         let hinge = Hinge { r_star: self.radius_ratio(Some(spec)), width, rest_angle };
-        Some(VBench { hinge, pressure: pressure.pascals(), inflated: (inflated + off).to_radians() })
+        Some(VBench { hinge, pressure: pressure.pascals(), inflated: (inflated + angle_error).to_radians() })
     }
 
     /// The stiffnesses of the spec's fabric that follow from the bench tests.
     pub(super) fn stiffnesses(&self, loaded: &Loaded) -> Result<Stiffnesses, Failure> {
-        let mut found = Stiffnesses::default();
+        let mut stiffnesses = Stiffnesses::default();
         if self.angle_pressure.is_none() && self.disc_width.is_none() && self.bias_strip.is_none() {
-            return Ok(found);
+            return Ok(stiffnesses);
         }
-        let known = known(loaded)?;
-        let (poisson, mut stretch) = (known.poisson_ratio, known.stretching_modulus());
+        let elastic_sheet = elastic_properties(loaded)?;
+        let (poisson, mut stretch) = (elastic_sheet.poisson_ratio, elastic_sheet.stretching_modulus());
         if let Some((width, pressure)) = self.disc_width.zip(self.disc_pressure) {
-            let at = |off: f64| {
+            let stiffness_at = |off: f64| {
                 let (flat, inflated) = (Length(DISC).metres(), width.metres() + off);
                 DiscBench { flat, inflated, pressure: pressure.pascals() }
-                    .stretch_stiffness(known.bending_modulus(), poisson)
+                    .stretch_stiffness(elastic_sheet.bending_modulus(), poisson)
             };
-            stretch = at(0.0).map_err(|fault| Failure::Message(format!("--disc-width: {fault}")))?;
-            let shown = |stiffness: f64| LineForce::from_newtons_per_metre(stiffness).0;
-            found.0.push(MeasuredStiffness {
+            stretch =
+                stiffness_at(0.0).map_err(|fault| Failure::Message(format!("--disc-width: {fault}")))?;
+            let in_newtons_per_mm = |stiffness: f64| LineForce::from_newtons_per_metre(stiffness).0;
+            stiffnesses.0.push(MeasuredStiffness {
                 key: "stretch_stiffness",
                 unit: "N/mm",
-                value: shown(stretch),
-                ends: [-OFF_WIDTH, OFF_WIDTH].map(|off| at(off).ok().map(shown)),
+                value: in_newtons_per_mm(stretch),
+                ends: [-OFF_WIDTH, OFF_WIDTH].map(|off| stiffness_at(off).ok().map(in_newtons_per_mm)),
                 origin: format!("the disc's mean width at {pressure}; 0.5 mm"),
             });
         }
         if let Some(pressure) = self.angle_pressure {
-            let at = |off: f64| match self.vee(&loaded.reading.spec, pressure, off) {
+            let stiffness_at = |off: f64| match self.vee(&loaded.reading.spec, pressure, off) {
                 Some(bench) => bench.bending_stiffness(stretch, poisson),
                 None => Err(BenchFault::Beyond),
             };
-            let value = at(0.0).map_err(|fault| Failure::Message(format!("--inflated-angle: {fault}")))?;
-            let shown = |stiffness: f64| BendingStiffness::from_newton_metres(stiffness).0;
-            found.0.push(MeasuredStiffness {
+            let value =
+                stiffness_at(0.0).map_err(|fault| Failure::Message(format!("--inflated-angle: {fault}")))?;
+            let in_newton_mm = |stiffness: f64| BendingStiffness::from_newton_metres(stiffness).0;
+            stiffnesses.0.push(MeasuredStiffness {
                 key: "bending_stiffness",
                 unit: "N mm",
-                value: shown(value),
-                ends: [-OFF_ANGLE, OFF_ANGLE].map(|off| at(off).ok().map(shown)),
+                value: in_newton_mm(value),
+                ends: [-OFF_ANGLE, OFF_ANGLE].map(|off| stiffness_at(off).ok().map(in_newton_mm)),
                 origin: format!("the V-actuator at {pressure}; a degree"),
             });
         }
-        found.0.extend(self.shear(loaded, stretch, poisson)?);
-        Ok(found)
+        stiffnesses.0.extend(self.shear(loaded, stretch, poisson)?);
+        Ok(stiffnesses)
     }
 
     /// The shear modulus from the bias strip, for fabric of the stretch stiffness `stretch`, N per m.
@@ -195,7 +198,7 @@ impl BenchArgs {
 }
 
 /// The elastic properties of the spec's fabric.
-fn known(loaded: &Loaded) -> Result<ElasticSheet, Failure> {
+fn elastic_properties(loaded: &Loaded) -> Result<ElasticSheet, Failure> {
     let refused = |fault| Failure::Message(format!("{}: {fault}", shown(&loaded.source.name)));
     sheet(&loaded.reading.spec.fabric).map_err(refused)
 }
@@ -212,9 +215,9 @@ impl Coiling {
     pub(super) fn text(&self) -> String {
         let Self { measured, predicted, model } = self;
         // Adding 0 makes +0 of -0.
-        let off = (1e3 * (measured / predicted - 1.0)).round() / 10.0 + 0.0;
+        let deviation = (1e3 * (measured / predicted - 1.0)).round() / 10.0 + 0.0;
         format!(
-            "# lambda measured: {measured:.3}\n# lambda predicted ({model}): {predicted:.3}; measured is {off:+.1} %\n"
+            "# lambda measured: {measured:.3}\n# lambda predicted ({model}): {predicted:.3}; measured is {deviation:+.1} %\n"
         )
     }
 
@@ -249,28 +252,28 @@ impl Stiffnesses {
     pub(super) fn toml(&self) -> String {
         let lines = |MeasuredStiffness { key, unit, value, ends, origin }: &MeasuredStiffness| {
             let text = |value: f64| format!("{} {unit}", digits(value));
-            let [less, more] = ends.map(|end| end.map_or("unknown".to_owned(), text));
+            let [smaller, larger] = ends.map(|end| end.map_or("unknown".to_owned(), text));
             let value = text(*value);
-            format!("# of {origin} less or more would make it {less}, {more}\n{key} = \"{value}\"\n")
+            format!("# of {origin} less or more would make it {smaller}, {larger}\n{key} = \"{value}\"\n")
         };
         self.0.iter().map(lines).collect()
     }
 
     /// The JSON answer.
     pub(super) fn json(&self) -> Value {
-        let known = |key: &str| self.0.iter().find(|found| found.key == key).map(|found| found.value);
+        let value_of = |key: &str| self.0.iter().find(|found| found.key == key).map(|found| found.value);
         json!({
-            "stretch_stiffness_N_mm": known("stretch_stiffness"),
-            "shear_modulus_MPa": known("shear_modulus"),
-            "bending_stiffness_Nmm": known("bending_stiffness"),
+            "stretch_stiffness_N_mm": value_of("stretch_stiffness"),
+            "shear_modulus_MPa": value_of("shear_modulus"),
+            "bending_stiffness_Nmm": value_of("bending_stiffness"),
         })
     }
 }
 
 /// Three significant digits, without an exponent.
 fn digits(value: f64) -> String {
-    let before = libm::log10(value.abs()).floor();
-    let decimals = if before.is_finite() { (2.0 - before).clamp(0.0, 12.0) } else { 0.0 };
+    let exponent = libm::log10(value.abs()).floor();
+    let decimals = if exponent.is_finite() { (2.0 - exponent).clamp(0.0, 12.0) } else { 0.0 };
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 12")]
     let decimals = decimals as usize;
     format!("{value:.decimals$}")

@@ -47,40 +47,41 @@ pub(super) struct Args {
 /// Builds, proves and publishes each spec.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     once(&args.specs)?;
-    let targets = targets(args)?;
+    let target_of = targets(args)?;
     if args.watch {
         if args.specs.iter().any(|spec| is_standard_input(spec)) {
             return Err(Failure::Usage("--watch needs files: it cannot watch standard input".to_owned()));
         }
-        watched(args, &targets);
+        rebuild_on_save(args, &target_of);
     }
     batch::run(&args.specs, args.verbosity, |spec| {
-        answered(args, &made(args, &targets, spec, args.verbosity)?)
+        print_answer(args, &build_one(args, &target_of, spec, args.verbosity)?)
     })
 }
 
 /// Builds each spec, and builds it again whenever it is saved. The first build prints the whole answer, each later one a line.
-fn watched(args: &Args, targets: &BTreeMap<&Path, PathBuf>) -> ! {
+fn rebuild_on_save(args: &Args, targets: &BTreeMap<&Path, PathBuf>) -> ! {
     let mut snapshots: BTreeMap<PathBuf, Snapshot> = BTreeMap::new();
     let mut is_first = true;
     watch::on_every_save(&args.specs, |saved| {
         let _ = batch::run(saved, args.verbosity, |spec| {
-            let began = Instant::now();
+            let start = Instant::now();
             // The first build of a spec has no earlier one to compare with.
-            let before = snapshots.get(spec).cloned();
-            let verbosity = Verbosity { quiet: args.verbosity.quiet || before.is_some(), ..args.verbosity };
-            let made = made(args, targets, spec, verbosity).inspect_err(|_| {
+            let previous = snapshots.get(spec).cloned();
+            let verbosity = Verbosity { quiet: args.verbosity.quiet || previous.is_some(), ..args.verbosity };
+            let published = build_one(args, targets, spec, verbosity).inspect_err(|_| {
                 // The time of day separates the faults of successive saves.
                 if !is_first {
                     tell(&format!("{} {} was not rebuilt:", time_of_day(), shown(spec)));
                 }
             })?;
-            let now = Snapshot::new(&made.loaded, &made.proven.built().forecast, &made.notes);
-            match &before {
-                Some(before) => rebuilt(args.verbosity, spec, began, &now, before)?,
-                None => drop(answered(args, &made)?),
+            let snapshot =
+                Snapshot::new(&published.loaded, &published.proven.built().forecast, &published.notes);
+            match &previous {
+                Some(previous) => rebuilt(args.verbosity, spec, start, &snapshot, previous)?,
+                None => drop(print_answer(args, &published)?),
             }
-            let _ = snapshots.insert(spec.to_owned(), now);
+            let _ = snapshots.insert(spec.to_owned(), snapshot);
             Ok(None)
         })
         .map_err(Failure::report);
@@ -95,15 +96,16 @@ fn watched(args: &Args, targets: &BTreeMap<&Path, PathBuf>) -> ! {
 fn rebuilt(
     verbosity: Verbosity,
     spec: &Path,
-    began: Instant,
-    now: &Snapshot,
-    before: &Snapshot,
+    start: Instant,
+    snapshot: &Snapshot,
+    previous: &Snapshot,
 ) -> Result<(), Failure> {
     let (time, spec) = (time_of_day(), shown(spec));
-    let seconds = began.elapsed().as_secs_f64();
-    verbosity.remark(&format!("{time} {spec} rebuilt in {seconds:.1} s: {}\n", now.changes(before)))?;
+    let seconds = start.elapsed().as_secs_f64();
+    verbosity
+        .remark(&format!("{time} {spec} rebuilt in {seconds:.1} s: {}\n", snapshot.changes(previous)))?;
     if !verbosity.quiet {
-        overview::warn(now.new_notes(before));
+        overview::warn(snapshot.new_notes(previous));
     }
     Ok(())
 }
@@ -129,9 +131,9 @@ fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
             None => Path::new("out").join(spec.file_stem().unwrap_or("design".as_ref())),
         };
         if let Some((other, _)) = targets.iter().find(|(_, taken)| **taken == target) {
-            let (one, two, target) = (shown(other), shown(spec), shown(&target));
+            let (other_name, spec_name, target_name) = (shown(other), shown(spec), shown(&target));
             return Err(Failure::Usage(format!(
-                "{one} and {two} would both be written to {target}: build them one by one, with -o"
+                "{other_name} and {spec_name} would both be written to {target_name}: build them one by one, with -o"
             )));
         }
         let _ = targets.insert(spec, target);
@@ -148,7 +150,7 @@ struct PublishedOutput {
 }
 
 /// Builds, proves and publishes one spec.
-fn made(
+fn build_one(
     args: &Args,
     targets: &BTreeMap<&Path, PathBuf>,
     spec: &Path,
@@ -157,19 +159,19 @@ fn made(
     let loaded = Loaded::spoken(spec, verbosity)?;
     let forecast = loaded.forecast(args.anyway)?;
     let target = targets.get(spec).cloned().map_or_else(|| output_by_name(&forecast.spec.name), Ok)?;
-    let request = request(args, &forecast, &target, verbosity);
+    let kinds = request(args, &forecast, &target, verbosity);
     loaded.fit(&forecast, args.anyway)?;
     let notes = forecast.precautions(&argument(lasting(spec, &target)));
-    let proven = loaded.proven(forecast, &request)?;
-    args.kinds.tell_missing(proven.built(), &request);
+    let proven = loaded.proven(forecast, &kinds)?;
+    args.kinds.tell_missing(proven.built(), &kinds);
     // The fate of earlier files is reported even with --quiet.
     tell(&publish(&target, &proven)?.to_string());
     Ok(PublishedOutput { proven, target, notes, loaded })
 }
 
 /// Prints the answer for one build, and opens its page with --open.
-fn answered(args: &Args, made: &PublishedOutput) -> Result<Option<Value>, Failure> {
-    let PublishedOutput { proven, target, notes, .. } = made;
+fn print_answer(args: &Args, published: &PublishedOutput) -> Result<Option<Value>, Failure> {
+    let PublishedOutput { proven, target, notes, .. } = published;
     if args.open {
         match overview::to_look_at(proven) {
             Some(page) => open(&target.join(page)),
@@ -183,17 +185,17 @@ fn answered(args: &Args, made: &PublishedOutput) -> Result<Option<Value>, Failur
 /// Reports the kinds that are kept or left out.
 fn request(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity) -> KindRequest {
     let mut request = args.kinds.request().of_spec(&forecast.spec);
-    let before: Vec<Kind> = extras_of(target).into_iter().filter(|kind| !request.includes(*kind)).collect();
-    if before.is_empty() {
+    let extras: Vec<Kind> = extras_of(target).into_iter().filter(|kind| !request.includes(*kind)).collect();
+    if extras.is_empty() {
         return request;
     }
-    let names = before.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(",");
+    let names = extras.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(",");
     if args.kinds.is_default() {
-        request.add(before);
+        request.add(extras);
         if !verbosity.quiet {
-            let there = shown(target);
+            let target_name = shown(target);
             tell(&format!(
-                "note: {there} has `{names}`, which is built again; to build other kinds, use --with"
+                "note: {target_name} has `{names}`, which is built again; to build other kinds, use --with"
             ));
         }
     } else {
@@ -211,8 +213,8 @@ fn request(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity
 /// If the name has no letter or digit for it: all such designs would share one directory.
 fn output_by_name(name: &str) -> Result<PathBuf, Failure> {
     let stem = new::file_stem(name).ok_or_else(|| {
-        let why = new::nameless(name, "a directory");
-        Failure::Message(format!("{why}: name one with -o"))
+        let problem = new::nameless(name, "a directory");
+        Failure::Message(format!("{problem}: name one with -o"))
     })?;
     Ok(Path::new("out").join(stem))
 }

@@ -77,13 +77,13 @@ mod tests {
         cache.put(&key, &["x\n", "\"y\""]);
         assert_eq!(cache.get(&key), Some(vec!["x\n".to_owned(), "\"y\"".to_owned()]));
         let path = dir.path().join("new").join(&key);
-        let whole = fs::read(&path).expect("kept");
-        for torn in [0, 10, 64, 65, whole.len() - 1] {
-            fs::write(&path, &whole[..torn]).expect("written");
+        let bytes = fs::read(&path).expect("kept");
+        for torn in [0, 10, 64, 65, bytes.len() - 1] {
+            fs::write(&path, &bytes[..torn]).expect("written");
             assert_eq!(cache.get(&key), None, "{torn}");
         }
-        let left: Vec<_> = fs::read_dir(dir.path().join("new")).expect("a folder").collect();
-        assert_eq!(left.len(), 1);
+        let entries: Vec<_> = fs::read_dir(dir.path().join("new")).expect("a folder").collect();
+        assert_eq!(entries.len(), 1);
         Cache { dir: None }.put(&key, &["x"]);
     }
 }

@@ -19,17 +19,17 @@ use spec::units::Length;
 const SHOWN: usize = 12;
 
 /// The printed text; every line begins with "# ", so that it can precede a spec in one file.
-pub(super) fn text(found: &SearchResult, constraints: &Constraints) -> String {
-    let SearchResult { best, front, computed } = found;
-    let mut out = format!(
+pub(super) fn text(search: &SearchResult, constraints: &Constraints) -> String {
+    let SearchResult { best, front, computed } = search;
+    let mut table = format!(
         "# {computed} designs computed; the best for each number of points, the best of all first. \
          `short` lists the constraints that a design misses, and by how much; one that misses none is \
          worse in the goal.\n"
     );
-    out.push_str(&rows(best, constraints));
+    table.push_str(&rows(best, constraints));
     let model = best.first().map(|best| best.point.model);
     if matches!(model, Some(ModelChoice::Bvp | ModelChoice::Shell)) {
-        out.push_str(
+        table.push_str(
             "# searches compute with section, not with the model of the spec: it takes seconds a design\n",
         );
     }
@@ -46,24 +46,24 @@ pub(super) fn text(found: &SearchResult, constraints: &Constraints) -> String {
                 .to_owned()
         };
         // Writing to a String does not fail.
-        let _ = writeln!(out, "# {text}");
+        let _ = writeln!(table, "# {text}");
     }
     if !front.is_empty() {
-        let shown = rows(&thinned(front, SHOWN), constraints);
+        let sample = rows(&thinned(front, SHOWN), constraints);
         let number = front.len();
-        let what = "trade-off between contraction, stiffness and fabric";
-        let _ = write!(out, "# {what}, {number} designs, evenly sampled:\n{shown}");
+        let title = "trade-off between contraction, stiffness and fabric";
+        let _ = write!(table, "# {title}, {number} designs, evenly sampled:\n{sample}");
     }
-    out
+    table
 }
 
 /// The JSON answer; `spec` is the text of the winner's spec.
-pub(super) fn json(found: &SearchResult, constraints: &Constraints, spec: Option<&str>) -> Value {
-    let all = |list: &[Evaluation]| list.iter().map(|one| row(one, constraints)).collect::<Vec<_>>();
+pub(super) fn json(search: &SearchResult, constraints: &Constraints, spec: Option<&str>) -> Value {
+    let json_rows = |list: &[Evaluation]| list.iter().map(|one| row(one, constraints)).collect::<Vec<_>>();
     json!({
-        "computed": found.computed,
-        "best": all(&found.best),
-        "front": all(&found.front),
+        "computed": search.computed,
+        "best": json_rows(&search.best),
+        "front": json_rows(&search.front),
         "spec": spec,
     })
 }
@@ -71,8 +71,8 @@ pub(super) fn json(found: &SearchResult, constraints: &Constraints, spec: Option
 /// A candidate as JSON; null where a value is unknown.
 fn row(candidate: &Evaluation, constraints: &Constraints) -> Value {
     let Evaluation { point, answer, .. } = candidate;
-    let (star, own) = (&point.star, answer.outcome.as_ref());
-    let known = own.filter(|own| own.known);
+    let (star, outcome) = (&point.star, answer.outcome.as_ref());
+    let outcome_in_range = outcome.filter(|outcome| outcome.known);
     let short: Vec<Value> = shortfalls(point, answer, constraints)
         .into_iter()
         .map(|Shortfall { constraint, part }| json!({ "what": constraint.name(), "part": part }))
@@ -87,19 +87,19 @@ fn row(candidate: &Evaluation, constraints: &Constraints) -> Value {
         "tip_radius_mm": star.tip_radius.0,
         "corner_radius_mm": star.corner_radius.0,
         "arm_length_mm": answer.star.l,
-        "final_radius_mm": known.map(|own| Length::from_metres(own.rest.radius).0),
-        "graspable_radius_mm": known.map(|own| own.graspable.map(|radius| Length::from_metres(radius).0)),
-        "radial_stiffness_N_per_m": own.and_then(|own| own.stiffness),
-        "object_force_N": own.and_then(Outcome::object_force),
+        "final_radius_mm": outcome_in_range.map(|outcome| Length::from_metres(outcome.rest.radius).0),
+        "graspable_radius_mm": outcome_in_range.map(|outcome| outcome.graspable.map(|radius| Length::from_metres(radius).0)),
+        "radial_stiffness_N_per_m": outcome.and_then(|outcome| outcome.stiffness),
+        "object_force_N": outcome.and_then(Outcome::object_force),
         "payload_kg": answer.payload,
         "fabric_mm2": answer.fabric,
-        "bendability": own.and(answer.case.bendability()),
-        "stretch": own.and(answer.case.stretch()),
+        "bendability": outcome.and(answer.case.bendability()),
+        "stretch": outcome.and(answer.case.stretch()),
         "burst_margin": burst_margin(candidate),
         "ranges": {
-            "final_radius_mm": own.and_then(|own| own.ranges.radius).map(mm),
-            "radial_stiffness_N_per_m": own.and_then(|own| own.ranges.stiffness),
-            "object_force_N": own.and_then(|own| own.force_range),
+            "final_radius_mm": outcome.and_then(|outcome| outcome.ranges.radius).map(mm),
+            "radial_stiffness_N_per_m": outcome.and_then(|outcome| outcome.ranges.stiffness),
+            "object_force_N": outcome.and_then(|outcome| outcome.force_range),
             "payload_kg": answer.payload_range,
         },
         "short": short,
@@ -137,12 +137,12 @@ const COLUMNS: [(&str, usize, u8); 18] = [
 /// Which columns fit into `width`; all without a terminal.
 fn shown_columns(width: Option<usize>) -> [bool; COLUMNS.len()] {
     let is_shown = |most: u8| COLUMNS.map(|(_, _, rank)| rank <= most);
-    let taken = |shown: &[bool]| {
+    let columns_width = |shown: &[bool]| {
         let columns = COLUMNS.iter().zip(shown).filter(|(_, shown)| **shown);
         columns.map(|((_, width, _), _)| width + 2).sum::<usize>()
     };
     let ranks = (0..=u8::MAX).rev();
-    let fits = |most: &u8| width.is_none_or(|width| taken(&is_shown(*most)) <= width);
+    let fits = |most: &u8| width.is_none_or(|width| columns_width(&is_shown(*most)) <= width);
     is_shown(ranks.clone().find(fits).unwrap_or(0))
 }
 
@@ -150,8 +150,8 @@ fn shown_columns(width: Option<usize>) -> [bool; COLUMNS.len()] {
 fn rows(candidates: &[Evaluation], constraints: &Constraints) -> String {
     let columns = shown_columns(width(&stdout()));
     let line = |cells: [String; COLUMNS.len()]| {
-        let shown = cells.iter().zip(COLUMNS).zip(columns).filter(|(_, shown)| *shown);
-        let cells = shown.map(|((cell, (_, width, _)), _)| format!("{cell:>width$}"));
+        let visible = cells.iter().zip(COLUMNS).zip(columns).filter(|(_, shown)| *shown);
+        let cells = visible.map(|((cell, (_, width, _)), _)| format!("{cell:>width$}"));
         format!("# {}", cells.collect::<Vec<_>>().join("  ")).trim_end().to_owned() + "\n"
     };
     let head = line(COLUMNS.map(|(heading, _, _)| heading.to_owned()));
@@ -161,7 +161,7 @@ fn rows(candidates: &[Evaluation], constraints: &Constraints) -> String {
 /// The cells of a row.
 fn cells(candidate: &Evaluation, constraints: &Constraints) -> [String; COLUMNS.len()] {
     let Evaluation { point, answer, .. } = candidate;
-    let (star, own) = (&point.star, answer.outcome.as_ref());
+    let (star, outcome) = (&point.star, answer.outcome.as_ref());
     let ranged = |value: Option<f64>, range| match (value, range) {
         (Some(value), Some(range)) => shown::with(value, range, ""),
         // A value at a pressure is not shown without its range. A limit model shows it, because the user chose the model.
@@ -169,11 +169,11 @@ fn cells(candidate: &Evaluation, constraints: &Constraints) -> [String; COLUMNS.
         (Some(value), None) => format!("{value:.3}, range unknown"),
         (None, _) => "-".to_owned(),
     };
-    let untried = own.is_some_and(|own| own.hold == Some(Grip::Untried));
+    let untried = outcome.is_some_and(|outcome| outcome.hold == Some(Grip::Untried));
     let of_force =
         |value: Option<f64>, range| if untried { "unknown".to_owned() } else { ranged(value, range) };
     let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
-    let radius = own.map(|own| Length::from_metres(own.rest.radius).0);
+    let radius = outcome.map(|outcome| Length::from_metres(outcome.rest.radius).0);
     let short: Vec<String> = shortfalls(point, answer, constraints)
         .into_iter()
         .map(|Shortfall { constraint, part }| match 100.0 * part {
@@ -191,14 +191,21 @@ fn cells(candidate: &Evaluation, constraints: &Constraints) -> [String; COLUMNS.
         format!("{:.3}", star.tip_radius.0),
         format!("{:.3}", star.corner_radius.0),
         format!("{:.2}", answer.star.l),
-        ranged(radius, own.and_then(|own| own.ranges.radius).map(mm)),
-        or_none(own.filter(|own| own.known).map(|own| format!("{:.2}", 1e3 * own.graspable[1]))),
-        ranged(own.and_then(|own| own.stiffness), own.and_then(|own| own.ranges.stiffness)),
-        of_force(own.and_then(Outcome::object_force), own.and_then(|own| own.force_range)),
+        ranged(radius, outcome.and_then(|outcome| outcome.ranges.radius).map(mm)),
+        or_none(
+            outcome
+                .filter(|outcome| outcome.known)
+                .map(|outcome| format!("{:.2}", 1e3 * outcome.graspable[1])),
+        ),
+        ranged(
+            outcome.and_then(|outcome| outcome.stiffness),
+            outcome.and_then(|outcome| outcome.ranges.stiffness),
+        ),
+        of_force(outcome.and_then(Outcome::object_force), outcome.and_then(|outcome| outcome.force_range)),
         of_force(answer.payload, answer.payload_range),
         // mm^2 to cm^2.
         or_none(answer.fabric.map(|area| format!("{:.1}", area / 100.0))),
-        or_none(own.and(answer.case.stretch()).map(|stretch| format!("{:.1}", 100.0 * stretch))),
+        or_none(outcome.and(answer.case.stretch()).map(|stretch| format!("{:.1}", 100.0 * stretch))),
         or_none(burst_margin(candidate).map(|margin| format!("{margin:.2}"))),
         if short.is_empty() { "-".to_owned() } else { short.join(", ") },
     ]
@@ -212,16 +219,18 @@ mod tests {
     fn a_narrow_terminal_has_the_columns_that_matter_most() {
         assert!(shown_columns(None).iter().all(|shown| *shown));
         for width in [60, 80, 120, 200] {
-            let shown = shown_columns(Some(width));
-            let taken = COLUMNS.iter().zip(shown).filter(|(_, shown)| *shown);
-            let taken: usize = taken.map(|((_, width, _), _)| width + 2).sum();
-            assert!(taken <= width && shown[0] && shown[17], "{width}: {taken}");
+            let visible = shown_columns(Some(width));
+            let visible_columns = COLUMNS.iter().zip(visible).filter(|(_, visible)| *visible);
+            let total_width: usize = visible_columns.map(|((_, width, _), _)| width + 2).sum();
+            assert!(total_width <= width && visible[0] && visible[17], "{width}: {total_width}");
         }
-        let has = |width: usize, heading: &str| {
-            let at = COLUMNS.iter().position(|(name, _, _)| *name == heading).expect("a column");
-            shown_columns(Some(width))[at]
+        let has_heading = |width: usize, heading: &str| {
+            let place = COLUMNS.iter().position(|(name, _, _)| *name == heading).expect("a column");
+            shown_columns(Some(width))[place]
         };
-        assert!(has(60, "payload/kg") && !has(60, "width/mm"));
-        assert!(has(80, "payload/kg") && has(80, "width/mm") && !has(80, "fabric/cm2"));
+        assert!(has_heading(60, "payload/kg") && !has_heading(60, "width/mm"));
+        assert!(
+            has_heading(80, "payload/kg") && has_heading(80, "width/mm") && !has_heading(80, "fabric/cm2")
+        );
     }
 }

@@ -41,13 +41,13 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     if args.picture.is_some() && args.specs.len() > 1 {
         return Err(Failure::Usage("--picture is for one spec: check them one by one".to_owned()));
     }
-    batch::run(&args.specs, args.verbosity, |spec| one(args, spec))
+    batch::run(&args.specs, args.verbosity, |spec| check_one(args, spec))
 }
 
 /// The mark of a fault or a warning.
-fn mark(drawn: Option<&DrawnPlace>, found: &str, remedy: &str) -> FaultMark {
-    let at = drawn.and_then(|drawn| drawn.at).map(|[x, y]| Point::new(x, y));
-    FaultMark { at, text: format!("{found}: {remedy}") }
+fn mark(place: Option<&DrawnPlace>, message: &str, remedy: &str) -> FaultMark {
+    let point = place.and_then(|place| place.at).map(|[x, y]| Point::new(x, y));
+    FaultMark { at: point, text: format!("{message}: {remedy}") }
 }
 
 /// Draws the `marks` of a drawing, with --picture.
@@ -60,21 +60,21 @@ fn pictured(args: &Args, loaded: &Loaded, marks: &[FaultMark]) -> Result<(), Fai
     }
     refuse_foreign(path, "a picture of a check", emit::is_faults)?;
     replace(path, &emit::faults(&spec.name, &figures(spec), marks))?;
-    let what = match marks.len() {
+    let subject = match marks.len() {
         0 => "the drawing without findings".to_owned(),
         1 => "the drawing and 1 finding".to_owned(),
         number => format!("the drawing and {number} findings"),
     };
-    tell(&format!("note: {} shows {what}", shown(path)));
+    tell(&format!("note: {} shows {subject}", shown(path)));
     Ok(())
 }
 
-fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
+fn check_one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     let loaded = Loaded::spoken(spec, args.verbosity)?;
     let forecast = loaded.forecast(args.anyway).or_else(|failure| {
-        if let Failure::Faults(found) = &failure {
+        if let Failure::Faults(faults) = &failure {
             let marks =
-                found.list().iter().map(|fault| mark(fault.drawn.as_deref(), &fault.message, &fault.label));
+                faults.list().iter().map(|fault| mark(fault.drawn.as_deref(), &fault.message, &fault.label));
             pictured(args, &loaded, &marks.collect::<Vec<_>>())?;
         }
         Err(failure)

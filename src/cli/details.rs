@@ -25,21 +25,21 @@ const MOST_NOTES: usize = 100;
 /// The design: geometry, seams, fabric, and the realised radii of tips and corners. Of equal stars only the first is listed.
 fn design(forecast: &Forecast) -> String {
     let Forecast { spec, design, programs, .. } = forecast;
-    let mut out = design.drawn().map_or_else(String::new, notes);
+    let mut text = design.drawn().map_or_else(String::new, notes);
     for placed in design.firsts() {
         let part = design.part(placed);
         match part {
-            FlatPiece::Star(star) => out += &of_star(spec, placed.index, star),
+            FlatPiece::Star(star) => text += &of_star(spec, placed.index, star),
             FlatPiece::Drawn(_) => {
                 let mass = part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g"));
                 let fabric = part.fabric() / 100.0;
-                let _ = writeln!(out, "{}: fabric {fabric:.0} cm2 in both sheets{mass}", placed.name());
+                let _ = writeln!(text, "{}: fabric {fabric:.0} cm2 in both sheets{mass}", placed.name());
             }
         }
         for program in programs {
             for seam in program.seams.iter().filter(|seam| seam.name.piece == placed.name()) {
                 let _ = writeln!(
-                    out,
+                    text,
                     "  {}: {:.1} mm of seam, {}",
                     seam.name.in_piece(),
                     seam.length,
@@ -49,27 +49,32 @@ fn design(forecast: &Forecast) -> String {
         }
     }
     for sheet in &design.sheets {
-        let _ =
-            writeln!(out, "sheet {}: {} x {} mm", sheet.index, Readable(sheet.width), Readable(sheet.height));
+        let _ = writeln!(
+            text,
+            "sheet {}: {} x {} mm",
+            sheet.index,
+            Readable(sheet.width),
+            Readable(sheet.height)
+        );
     }
-    out += &design.assembly().map_or_else(String::new, |assembly| materials(spec, assembly));
-    out.extend(design.drawn().iter().flat_map(|drawn| drawn.pieces.iter().map(paper)));
+    text += &design.assembly().map_or_else(String::new, |assembly| materials(spec, assembly));
+    text.extend(design.drawn().iter().flat_map(|drawn| drawn.pieces.iter().map(paper)));
     let time: f64 = programs.iter().map(|program| program.time).sum();
     let length: f64 = programs.iter().flat_map(|program| &program.seams).map(|seam| seam.length).sum();
-    let _ = writeln!(out, "in total {length:.1} mm of seam, {} at {}", hours(time), spec.seal.speed);
-    out
+    let _ = writeln!(text, "in total {length:.1} mm of seam, {} at {}", hours(time), spec.seal.speed);
+    text
 }
 
 /// The notes on a drawing.
-fn notes(drawn: &DrawnPieces) -> String {
-    let mut out = String::new();
-    for note in drawn.notes.iter().take(MOST_NOTES) {
-        let _ = writeln!(out, "drawing: {note}");
+fn notes(pieces: &DrawnPieces) -> String {
+    let mut lines = String::new();
+    for note in pieces.notes.iter().take(MOST_NOTES) {
+        let _ = writeln!(lines, "drawing: {note}");
     }
-    if let Some(more) = beyond(drawn.notes.len(), MOST_NOTES) {
-        let _ = writeln!(out, "drawing: and {more} more, by --json");
+    if let Some(rest) = beyond(pieces.notes.len(), MOST_NOTES) {
+        let _ = writeln!(lines, "drawing: and {rest} more, by --json");
     }
-    out
+    lines
 }
 
 /// The separator of each copy.
@@ -100,12 +105,12 @@ fn of_star(spec: &Spec, index: usize, part: &StarDesign) -> String {
 
 /// Masks, coating and frame.
 fn materials(spec: &Spec, design: &StarAssembly) -> String {
-    let mut out = String::new();
+    let mut text = String::new();
     for placed in design.firsts() {
         let part = design.part(placed);
         let [thin, thick] = part.mask.coating_um();
         let _ = writeln!(
-            out,
+            text,
             "mask of star {}: windows reach {:.2} mm, plate {:.0} cm2, {:.1} cm3 at {}",
             placed.index,
             part.mask.extent,
@@ -113,13 +118,13 @@ fn materials(spec: &Spec, design: &StarAssembly) -> String {
             part.mask.area(&part.outline) * spec.mask.thickness.0 / 1000.0,
             spec.mask.thickness,
         );
-        out += &printed(spec, part);
-        let _ = writeln!(out, "  coating about {thin:.0} to {thick:.0} um thick");
+        text += &printed(spec, part);
+        let _ = writeln!(text, "  coating about {thin:.0} to {thick:.0} um thick");
     }
-    let _ = writeln!(out, "  the coating's thickness assumes {COATING_ASSUMES}");
+    let _ = writeln!(text, "  the coating's thickness assumes {COATING_ASSUMES}");
     let (frame, stack) = (&design.frame, &design.stack);
     let _ = writeln!(
-        out,
+        text,
         "frame: {} posts of {:.2} mm, diameter {} mm, on a circle {:.2} mm across",
         frame.posts.len(),
         frame.post_length,
@@ -128,13 +133,13 @@ fn materials(spec: &Spec, design: &StarAssembly) -> String {
     );
     for placed in &design.stars {
         // The plates below and above it.
-        let beside =
+        let is_beside =
             |plate: &&Plate| plate.numbers.iter().any(|n| (placed.index..placed.index + 2).contains(n));
-        let opening = frame.plates.iter().filter(beside).map(|plate| plate.opening).fold(0.0, f64::max);
+        let opening = frame.plates.iter().filter(is_beside).map(|plate| plate.opening).fold(0.0, f64::max);
         let shut = design::shut_reach(&design.part(placed).star);
         if shut <= opening {
             let _ = writeln!(
-                out,
+                text,
                 "  note: fully closed, star {} reaches {shut:.2} mm, less than an opening of {opening:.2} mm",
                 placed.index
             );
@@ -144,7 +149,7 @@ fn materials(spec: &Spec, design: &StarAssembly) -> String {
         let list = |items: Vec<String>| items.join(", ");
         let heights = plate.numbers.iter().map(|number| format!("{:.2}", stack.plates[number - 1]));
         let _ = writeln!(
-            out,
+            text,
             "  plate {}: opening {:.2} mm across, {:.0} cm2, middle at a height of {} mm",
             list(plate.numbers.iter().map(ToString::to_string).collect()),
             2.0 * plate.opening,
@@ -152,7 +157,7 @@ fn materials(spec: &Spec, design: &StarAssembly) -> String {
             list(heights.collect()),
         );
     }
-    out
+    text
 }
 
 /// Size of a common 3-D printer's bed, mm, on both sides.
@@ -167,9 +172,9 @@ fn printed(spec: &Spec, part: &StarDesign) -> String {
         (Some(bed), [one]) => format!("  printed: {one} mm, fits the bed of {} x {}\n", bed.width, bed.depth),
         (Some(_), all) => format!("  printed in {} pieces: {} mm\n", all.len(), all.join(", ")),
         (None, _) if pieces.iter().any(|piece| piece.size.iter().any(|mm| *mm > COMMON_BED)) => {
-            let all = sizes.join(", ");
+            let size_list = sizes.join(", ");
             format!(
-                "  note: printed, the plate takes {all} mm, and many beds have {COMMON_BED} x {COMMON_BED} mm; \
+                "  note: printed, the plate takes {size_list} mm, and many beds have {COMMON_BED} x {COMMON_BED} mm; \
                  `bed = \"220 mm x 220 mm\"` in [mask] prints it in pieces\n"
             )
         }
@@ -182,14 +187,14 @@ pub(super) fn built(proven: &Proven) -> String {
     let built = proven.built();
     let Forecast { machine, .. } = &built.forecast;
     let (design, predicted) = (design(&built.forecast), predicted(&built.forecast));
-    let mut out =
+    let mut text =
         format!("\n{design}machine: {} ({})\n{predicted}files:\n", machine.name, machine.description);
     for (name, bytes) in built.files() {
         let output = built.artifacts.iter().find(|artifact| artifact.name == name).map(|file| &file.output);
         let pages = output.and_then(|output| pages(output, &built.forecast.design)).unwrap_or_default();
-        let _ = writeln!(out, "  {name} ({} bytes{pages})", bytes.len());
+        let _ = writeln!(text, "  {name} ({} bytes{pages})", bytes.len());
     }
-    out
+    text
 }
 
 /// The number of pages of a printable file.
@@ -202,8 +207,8 @@ fn pages(output: &Output, design: &Design) -> Option<String> {
 
 /// The prediction, for a spec with a load.
 fn predicted(forecast: &Forecast) -> String {
-    let text = if let Some(drawn) = &forecast.drawn {
-        let mut prediction = drawn.prediction.clone();
+    let text = if let Some(drawn_forecast) = &forecast.drawn {
+        let mut prediction = drawn_forecast.prediction.clone();
         prediction.evidence.warnings.clear();
         drawn_text(&forecast.spec, &prediction, true)
     } else {

@@ -44,25 +44,25 @@ pub struct Optimum {
     pub short: Vec<Vec<(&'static str, f64)>>,
 }
 
-/// Searches around `given` as `optimize` does; `options` are those of the command ("--points", "4..6"), without the spec. Raising `cancel`
+/// Searches around `loaded` as `optimize` does; `options` are those of the command ("--points", "4..6"), without the spec. Raising `cancel`
 /// ends the search without a result.
 ///
 /// # Errors
 /// If an option is wrong, if two exclude each other, or if the search was cancelled.
-pub fn optimum(given: &Loaded, options: &[String], cancel: &AtomicBool) -> Result<Optimum, Failure> {
+pub fn optimum(loaded: &Loaded, options: &[String], cancel: &AtomicBool) -> Result<Optimum, Failure> {
     // The caller reports progress and handles Ctrl-C.
     let options: Vec<String> = options.iter().cloned().chain(["--quiet".to_owned()]).collect();
     let args: optimize::Args = parsed(&options, Some(Path::new("-")))?;
-    let (found, constraints) = optimize::answer(&args, given, Some(cancel))?;
+    let (search, constraints) = optimize::answer(&args, loaded, Some(cancel))?;
     if cancel.load(Ordering::Relaxed) {
         return Err(Failure::Interrupted);
     }
-    let spec = optimize::best_spec(&args, given, &found);
-    let short = found.best.iter().map(|Evaluation { point, answer, .. }| {
-        let all = shortfalls(point, answer, &constraints).into_iter();
-        all.map(|Shortfall { constraint, part }| (constraint.name(), part)).collect::<Vec<_>>()
+    let spec = optimize::best_spec(&args, loaded, &search);
+    let short = search.best.iter().map(|Evaluation { point, answer, .. }| {
+        let missed = shortfalls(point, answer, &constraints).into_iter();
+        missed.map(|Shortfall { constraint, part }| (constraint.name(), part)).collect::<Vec<_>>()
     });
-    Ok(Optimum { short: short.collect(), best: spec, found })
+    Ok(Optimum { short: short.collect(), best: spec, found: search })
 }
 
 /// The question that the options of `predict` describe ("--model", "ring"), without the spec.
@@ -148,8 +148,8 @@ pub fn actuator_keywords() -> Vec<String> {
 fn keywords<A: clap::Args>() -> Vec<String> {
     let command = A::augment_args(Command::new("stargrip-cam"));
     let options = command.get_arguments().filter_map(clap::Arg::get_long);
-    let asked = options.filter(|option| !OF_THE_SCREEN.contains(option));
-    asked.map(|option| option.replace('-', "_")).collect()
+    let long_options = options.filter(|option| !OF_THE_SCREEN.contains(option));
+    long_options.map(|option| option.replace('-', "_")).collect()
 }
 
 /// The one of `keywords` with the most similar spelling to `name`.

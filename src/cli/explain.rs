@@ -25,23 +25,23 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let Some(code) = &args.code else { return list(args, &rows) };
     let word = word_of(code);
     if let Some(row) = rows.iter().find(|row| row.code == word) {
-        let CodeMeaning { about, code, meaning, example } = row;
+        let CodeMeaning { about: section, code, meaning, example } = row;
         let example = if example.is_empty() { String::new() } else { format!("Example: {example}\n") };
-        return args.verbosity.report(&format!("{code} ({about})\n{meaning}\n{example}"), &json!(row));
+        return args.verbosity.report(&format!("{code} ({section})\n{meaning}\n{example}"), &json!(row));
     }
     let has_word = |row: &CodeMeaning| {
         [row.code, row.about, row.meaning]
             .iter()
             .any(|text| text.to_lowercase().contains(&word.to_lowercase()))
     };
-    let about: Vec<CodeMeaning> =
+    let matches: Vec<CodeMeaning> =
         rows.iter().filter(|row| word.len() > 3 && has_word(row)).cloned().collect();
-    if !about.is_empty() {
-        return list(args, &about);
+    if !matches.is_empty() {
+        return list(args, &matches);
     }
     let codes = || rows.iter().map(|row| row.code);
-    let near = spec::nearest(&word.replace('-', "_"), codes());
-    let hint = near.map_or_else(String::new, |near| format!("did you mean {near}? "));
+    let nearest_code = spec::nearest(&word.replace('-', "_"), codes());
+    let hint = nearest_code.map_or_else(String::new, |nearest_code| format!("did you mean {nearest_code}? "));
     let text = format!("no code is called {}; {hint}`stargrip-cam explain` lists all", shown(word));
     Err(Failure::Message(text))
 }

@@ -51,10 +51,10 @@ impl Failure {
     }
 
     /// A file that could not be read or written.
-    pub(super) fn file(what: &str, path: &Path, error: &io::Error) -> Self {
+    pub(super) fn file(operation: &str, path: &Path, error: &io::Error) -> Self {
         Self::File(
             path.display().to_string(),
-            format!("cannot {what} {}: {}", shown(path), reason(what, error)),
+            format!("cannot {operation} {}: {}", shown(path), reason(operation, error)),
         )
     }
 
@@ -67,7 +67,7 @@ impl Failure {
     /// The refusals, one object each; `None` if the failure is no refusal, or has been printed already.
     pub(super) fn refused(&self) -> Option<Vec<Value>> {
         let bare = |code: CommandCode, found: &str| refusal(code.as_str(), found);
-        let one = match self {
+        let refusal = match self {
             Self::Faults(faults) => return Some(refused_by(faults)),
             Self::Unproven(unproven) => return Some(unproven.findings.iter().map(finding_json).collect()),
             Self::Publish(error) => bare(CommandCode::NotPublished, &error.to_string()),
@@ -84,7 +84,7 @@ impl Failure {
             Self::Message(text) => bare(CommandCode::Failed, text),
             _ => return None,
         };
-        Some(vec![one])
+        Some(vec![refusal])
     }
 
     /// Prints a JSON `answer` that contains the refusal `text`, as one object.
@@ -133,11 +133,11 @@ impl Failure {
     }
 }
 
-/// The reason why a file cannot be read, written or created (`what`), with a remedy where there is one.
-pub(super) fn reason(what: &str, error: &io::Error) -> String {
+/// The reason why a file cannot be read, written or created (`operation`), with a remedy where there is one.
+pub(super) fn reason(operation: &str, error: &io::Error) -> String {
     let text = error.to_string();
     let text = text.split(" (os error").next().unwrap_or_default();
-    match (error.kind(), what) {
+    match (error.kind(), operation) {
         (io::ErrorKind::NotFound, "read") => "it does not exist; check its name and its directory".to_owned(),
         (io::ErrorKind::NotFound, _) => "its directory does not exist; create it, or name another".to_owned(),
         (io::ErrorKind::IsADirectory, _) => "it is a directory; name a file".to_owned(),
@@ -162,9 +162,9 @@ impl From<PublishFault> for Failure {
 
 /// Prints to standard output; a closed pipe ends the command silently, as in other filters.
 pub(super) fn say(text: &str) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    let written = out.write_all(escaped(text).as_bytes()).and_then(|()| out.flush());
-    written.map_err(|error| match error.kind() {
+    let mut stdout = io::stdout().lock();
+    let result = stdout.write_all(escaped(text).as_bytes()).and_then(|()| stdout.flush());
+    result.map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::Pipe,
         _ => Failure::Message(format!("cannot write to standard output: {error}")),
     })

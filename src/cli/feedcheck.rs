@@ -43,8 +43,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     refuse_foreign(&output, "the program of a feed check", |text| text.contains(emit::FEED_CHECK_TITLE))?;
     if !args.force && output.exists() {
         let remedy = "--force replaces it, -o FILE writes another";
-        let there = format!("{} exists already, from an earlier run: {remedy}", shown(&output));
-        return Err(Failure::Message(there));
+        let message = format!("{} exists already, from an earlier run: {remedy}", shown(&output));
+        return Err(Failure::Message(message));
     }
     // The manifest comes first: a program without one could be run, but not verified.
     let manifest = manifest_of(&output);

@@ -14,21 +14,21 @@ const SHOWN: usize = 3;
 
 /// One line a finding. Of findings with the same file and code only the first few are listed, and the others counted.
 pub(super) fn lines(findings: &[Finding]) -> Vec<String> {
-    let mut seen: BTreeMap<(&str, &str), usize> = BTreeMap::new();
+    let mut counts: BTreeMap<(&str, &str), usize> = BTreeMap::new();
     let mut lines = Vec::new();
     for finding in findings {
-        let count = seen.entry((&finding.file, finding.code)).or_default();
+        let count = counts.entry((&finding.file, finding.code)).or_default();
         *count += 1;
         if *count <= SHOWN {
             lines.push(shown(finding.to_string()));
         }
         if *count == SHOWN {
-            let all = findings
+            let total = findings
                 .iter()
                 .filter(|other| (&other.file, other.code) == (&finding.file, finding.code))
                 .count();
-            let more = |more| format!("{}: {}: and {more} more", shown(&finding.file), finding.code);
-            lines.extend(beyond(all, SHOWN).map(more));
+            let remainder = |more| format!("{}: {}: and {more} more", shown(&finding.file), finding.code);
+            lines.extend(beyond(total, SHOWN).map(remainder));
         }
     }
     lines
@@ -58,27 +58,27 @@ impl Unproven {
 
     /// The probable cause, as a heading.
     pub(super) fn heading(&self) -> String {
-        let counted = counted(self.findings.len(), "finding");
+        let finding_count = counted(self.findings.len(), "finding");
         if self.may_be_the_profile() {
-            format!("error: the programs for {} fail their proof: {counted}", shown(&self.profile))
+            format!("error: the programs for {} fail their proof: {finding_count}", shown(&self.profile))
         } else {
-            format!("fault of this program: {counted} in the files that it made")
+            format!("fault of this program: {finding_count} in the files that it made")
         }
     }
 
     /// The findings, and the remedy.
     pub(super) fn text(&self) -> String {
-        let lines = lines(&self.findings).join("\n");
+        let finding_lines = lines(&self.findings).join("\n");
         let (spec, profile, version) = (shown(&self.spec), shown(&self.profile), env!("CARGO_PKG_VERSION"));
         let send =
             format!("Send {spec}, the machine profile {profile}, the version {version} and these lines.");
-        let whose = if self.may_be_the_profile() {
+        let blame = if self.may_be_the_profile() {
             "The profile may not fit its dialect: compare it with the built-in one (`stargrip-cam machines`). If it does \
              fit, this is a fault of this program: please report it."
         } else {
             "This is a fault of this program, not of your spec: please report it."
         };
-        format!("{lines}\nNothing was published. {whose} {send}")
+        format!("{finding_lines}\nNothing was published. {blame} {send}")
     }
 }
 
@@ -94,10 +94,10 @@ mod tests {
         let mut findings: Vec<Finding> =
             (1..90).map(|line| finding(line, FindingCode::OutsideWorkArea)).collect();
         findings.push(finding(7, FindingCode::WrongFeed));
-        let lines = lines(&findings);
-        assert_eq!(lines.len(), SHOWN + 2);
-        assert_eq!(lines[SHOWN], "a.gcode: outside-work-area: and 86 more");
-        assert!(lines[SHOWN + 1].contains(":7: wrong-feed"));
+        let finding_lines = lines(&findings);
+        assert_eq!(finding_lines.len(), SHOWN + 2);
+        assert_eq!(finding_lines[SHOWN], "a.gcode: outside-work-area: and 86 more");
+        assert!(finding_lines[SHOWN + 1].contains(":7: wrong-feed"));
     }
 }
 
@@ -113,9 +113,9 @@ mod unproven_tests {
 
     #[test]
     fn a_finding_of_the_program_against_itself_is_its_own_fault() {
-        let own = unproven("generic", "star-1-seal.gcode");
-        assert_eq!(own.heading(), "fault of this program: 1 finding in the files that it made");
-        let text = own.text();
+        let unproven_program = unproven("generic", "star-1-seal.gcode");
+        assert_eq!(unproven_program.heading(), "fault of this program: 1 finding in the files that it made");
+        let text = unproven_program.text();
         for part in [
             "star-1-seal.gcode:7: wrong-feed",
             "not of your spec: please report it",

@@ -68,12 +68,12 @@ pub(super) fn outlive_size_limit() {
 
 /// Ends the program [`GRACE`] after a signal if the [`Listening`] that heard it still exists.
 fn end_deaf_work() -> ! {
-    let mut since = Duration::ZERO;
+    let mut waited = Duration::ZERO;
     loop {
         thread::sleep(PAUSE);
         let is_asked = HEARD.load(Ordering::SeqCst) && !FREE.load(Ordering::SeqCst);
-        since = if is_asked { since + PAUSE } else { Duration::ZERO };
-        if since >= GRACE {
+        waited = if is_asked { waited + PAUSE } else { Duration::ZERO };
+        if waited >= GRACE {
             low_level::exit(i32::from(EXIT));
         }
     }

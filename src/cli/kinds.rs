@@ -33,10 +33,10 @@ impl Kinds {
         let Built { forecast: Forecast { spec, design, .. }, manifest, .. } = built;
         let large = too_large(spec, design, request);
         let named = self.only.iter().chain(&self.with);
-        let has = |kind: Kind| {
+        let has_kind = |kind: Kind| {
             manifest.files.iter().any(|file| file.kind == kind) || large.iter().any(|file| file.kind == kind)
         };
-        let names: Vec<&str> = named.filter(|kind| !has(**kind)).map(|kind| kind.name()).collect();
+        let names: Vec<&str> = named.filter(|kind| !has_kind(**kind)).map(|kind| kind.name()).collect();
         if !names.is_empty() {
             tell(&format!("note: this design has no {}", names.join(", ")));
         }
@@ -61,10 +61,10 @@ fn left_out(large: &[Output]) -> String {
     }
     let line = |(reason, names): (String, Vec<String>)| {
         let number = names.len();
-        let more = beyond(number, SHOWN).map_or_else(String::new, |more| format!(" and {more} more"));
-        let list = names.into_iter().take(SHOWN).collect::<Vec<_>>().join(", ") + &more;
-        let (are, each) = if number == 1 { ("is", "it needs") } else { ("are", "each needs") };
-        format!("note: {list} {are} left out: {each} {reason}; SVG and DXF have no limit")
+        let remainder = beyond(number, SHOWN).map_or_else(String::new, |more| format!(" and {more} more"));
+        let list = names.into_iter().take(SHOWN).collect::<Vec<_>>().join(", ") + &remainder;
+        let (verb, need) = if number == 1 { ("is", "it needs") } else { ("are", "each needs") };
+        format!("note: {list} {verb} left out: {need} {reason}; SVG and DXF have no limit")
     };
     by_reason.into_iter().map(line).collect::<Vec<_>>().join("\n")
 }

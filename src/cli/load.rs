@@ -165,8 +165,8 @@ impl Loaded {
             let number = if self.verbosity.verbose { notes.len() } else { SHOWN_NOTES };
             let mut lines: Vec<String> =
                 notes.iter().take(number).map(|note| format!("drawing: {note}")).collect();
-            let more = beyond(notes.len(), number);
-            lines.extend(more.map(|more| format!("drawing: {more} more notes by -v")));
+            let rest = beyond(notes.len(), number);
+            lines.extend(rest.map(|rest| format!("drawing: {rest} more notes by -v")));
             tell(&lines.join("\n"));
         }
         Failure::Faults(at_keys(&self.source, &self.reading.raw, refusals))
@@ -231,12 +231,13 @@ fn is_directory(path: &Path) -> String {
 /// this name is read.
 fn named_file(path: &Path, name: &str, published: &str) -> (PathBuf, Option<String>) {
     let named = path.parent().unwrap_or(Path::new("")).join(name);
-    let beside = path.with_file_name(published);
-    if named.is_file() || !path.with_file_name(MANIFEST).is_file() || !beside.is_file() {
+    let published_file = path.with_file_name(published);
+    if named.is_file() || !path.with_file_name(MANIFEST).is_file() || !published_file.is_file() {
         return (named, None);
     }
-    let note = format!("note: there is no {}; {} is used, as published", shown(&named), shown(&beside));
-    (beside, Some(note))
+    let note =
+        format!("note: there is no {}; {} is used, as published", shown(&named), shown(&published_file));
+    (published_file, Some(note))
 }
 
 /// Largest drawing that is read, bytes.
@@ -318,18 +319,18 @@ fn profile_file(
     if file.is_file() {
         return Ok((file, note));
     }
-    let known: Vec<&str> = spec::builtin_machines().collect();
-    let found = if file.is_dir() {
+    let builtin_names: Vec<&str> = spec::builtin_machines().collect();
+    let state = if file.is_dir() {
         format!("{} is a directory", shown(&file))
     } else if is_special(&file) {
         format!("cannot read {}: {SPECIAL}", shown(&file))
     } else {
         format!("there is no file {}", shown(&file))
     };
-    let message = format!("no machine profile has this name, and {found}");
+    let message = format!("no machine profile has this name, and {state}");
     let fault = Fault::error(FaultCode::UnknownMachine, place, message)
-        .label(format!("a built-in profile ({}) or a path relative to the spec", known.join(", ")));
-    Err(match (spec::nearest(name, known), spec::usual_profile(name)) {
+        .label(format!("a built-in profile ({}) or a path relative to the spec", builtin_names.join(", ")));
+    Err(match (spec::nearest(name, builtin_names), spec::usual_profile(name)) {
         (Some(near), _) => fault.help(format!("did you mean \"{near}\"?")),
         (None, Some((controller, profile))) => {
             fault.help(format!("it usually has {controller}: write profile = \"{profile}\""))

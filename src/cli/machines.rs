@@ -35,19 +35,19 @@ enum MachinesCommand {
 /// Lists the built-in profiles, or prints one.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let Some(MachinesCommand::Show { name, .. }) = &args.command else {
-        let machines = machines()?;
+        let builtin_machines = machines()?;
         return match args.verbosity {
-            Verbosity { json: true, .. } => say(&json(&machines)),
-            Verbosity { quiet: true, .. } => say(&names(&machines)),
-            verbosity => verbosity.remark(&list(&machines)),
+            Verbosity { json: true, .. } => say(&json(&builtin_machines)),
+            Verbosity { quiet: true, .. } => say(&names(&builtin_machines)),
+            verbosity => verbosity.remark(&list(&builtin_machines)),
         };
     };
-    let known: Vec<&str> = spec::builtin_machines().collect();
+    let builtin_names: Vec<&str> = spec::builtin_machines().collect();
     let text = spec::builtin_machine(name).ok_or_else(|| {
         Failure::Message(format!(
             "no built-in profile is called {}; there are: {}",
             shown(name),
-            known.join(", ")
+            builtin_names.join(", ")
         ))
     })?;
     say(text)
@@ -68,17 +68,17 @@ fn names(machines: &[Machine]) -> String {
 }
 
 fn list(machines: &[Machine]) -> String {
-    let mut out = String::new();
+    let mut text = String::new();
     for machine in machines {
-        let _ = writeln!(out, "{:15} {}", machine.name, machine.description);
-        let _ = writeln!(out, "{:15}   at {SLOW} mm/s: {}", "", ability(&machine.motion));
+        let _ = writeln!(text, "{:15} {}", machine.name, machine.description);
+        let _ = writeln!(text, "{:15}   at {SLOW} mm/s: {}", "", ability(&machine.motion));
     }
-    out
+    text
 }
 
 fn json(machines: &[Machine]) -> String {
-    let one = |machine: &Machine| json!({ "name": machine.name, "description": machine.description, "ability": ability(&machine.motion) });
-    pretty(&json!({ "speed_mm_s": SLOW, "machines": machines.iter().map(one).collect::<Vec<_>>() }))
+    let machine_json = |machine: &Machine| json!({ "name": machine.name, "description": machine.description, "ability": ability(&machine.motion) });
+    pretty(&json!({ "speed_mm_s": SLOW, "machines": machines.iter().map(machine_json).collect::<Vec<_>>() }))
 }
 
 /// The behaviour of a machine at a commanded speed of 0.1 mm/s.
@@ -96,6 +96,6 @@ fn ability(motion: &Motion) -> String {
     if range.1 <= SLOW {
         return "without chopping".to_owned();
     }
-    let at = motion.steps_per_mm.map_or(String::new(), |[x, ..]| format!(", at {x} steps/mm,"));
-    format!("chopped; without chopping{at} it would run {}{need}", actual_speed(motion, SLOW, range))
+    let resolution = motion.steps_per_mm.map_or(String::new(), |[x, ..]| format!(", at {x} steps/mm,"));
+    format!("chopped; without chopping{resolution} it would run {}{need}", actual_speed(motion, SLOW, range))
 }

@@ -27,13 +27,13 @@ pub(super) struct Args {
 /// Prints one manual page of `program`, for `man -l -`, or writes all of them.
 pub(super) fn run(args: &Args, program: Command) -> Result<(), Failure> {
     let program_name = program.get_name().to_owned();
-    let pages = pages(program);
+    let manual_pages = pages(program);
     if let Some(dir) = &args.dir {
-        return write(dir, &pages);
+        return write(dir, &manual_pages);
     }
     let name =
         args.command.as_ref().map_or(program_name.clone(), |command| format!("{program_name}-{command}"));
-    match pages.iter().find(|(page, _)| *page == name) {
+    match manual_pages.iter().find(|(page, _)| *page == name) {
         Some((_, text)) => say(text),
         None => Err(Failure::Message(format!(
             "there is no page {}; `stargrip-cam --help` lists the commands",

@@ -129,9 +129,10 @@ enum Command {
 /// The program's commands, with its help in groups.
 fn program() -> clap::Command {
     let program = Cli::command();
-    let about = |name: &str| program.find_subcommand(name).and_then(clap::Command::get_about);
-    let line =
-        |name: &&str| format!("  {name:12} {}\n", about(name).map(ToString::to_string).unwrap_or_default());
+    let about_command = |name: &str| program.find_subcommand(name).and_then(clap::Command::get_about);
+    let line = |name: &&str| {
+        format!("  {name:12} {}\n", about_command(name).map(ToString::to_string).unwrap_or_default())
+    };
     let group = |(title, names): &(&str, &[&str])| {
         format!("{title}:\n{}\n", names.iter().map(line).collect::<String>())
     };
@@ -212,27 +213,31 @@ mod tests {
 
     #[test]
     fn every_command_that_reports_speaks_as_loud_as_one_likes() {
-        let program = program();
-        let study = program.find_subcommand("study").expect("a command").get_subcommands();
-        for command in program.get_subcommands().filter(|command| command.get_name() != "study").chain(study)
+        let stargrip = program();
+        let study = stargrip.find_subcommand("study").expect("a command").get_subcommands();
+        for command in stargrip.get_subcommands().filter(|command| command.get_name() != "study").chain(study)
         {
             let name = command.get_name();
-            let has = |option: &str| command.get_arguments().any(|arg| arg.get_long() == Some(option));
-            let all = ["quiet", "verbose", "json"].into_iter().filter(|option| has(option)).count();
+            let has_option = |option: &str| command.get_arguments().any(|arg| arg.get_long() == Some(option));
+            let output_options =
+                ["quiet", "verbose", "json"].into_iter().filter(|option| has_option(option)).count();
             let excepted = DOCUMENTS.contains(&name) || FILES.contains(&name);
-            assert!(all == 3 || (excepted && all == 1), "{name} has {all} of --quiet, --verbose, --json");
-            assert!(has("quiet"), "{name}");
+            assert!(
+                output_options == 3 || (excepted && output_options == 1),
+                "{name} has {output_options} of --quiet, --verbose, --json"
+            );
+            assert!(has_option("quiet"), "{name}");
         }
-        program.clone().debug_assert();
+        stargrip.clone().debug_assert();
         // Each command is in one group, or is an old name.
         let mut grouped: Vec<&str> = GROUPS.iter().flat_map(|(_, names)| names.iter().copied()).collect();
-        let mut shown: Vec<&str> = program
+        let mut visible: Vec<&str> = stargrip
             .get_subcommands()
             .filter(|command| !command.is_hide_set())
             .map(clap::Command::get_name)
             .collect();
         grouped.sort_unstable();
-        shown.sort_unstable();
-        assert_eq!(grouped, shown);
+        visible.sort_unstable();
+        assert_eq!(grouped, visible);
     }
 }

@@ -49,33 +49,34 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let text = format!("{file} is a drawing: use `stargrip-cam new --drawing {option}`");
         return Err(Failure::Message(text));
     }
-    let found = progress::during(args.verbosity, "searching for a gripper", |_| chosen(name, &args.object))?;
-    let text = match &found {
+    let gripper =
+        progress::during(args.verbosity, "searching for a gripper", |_| chosen(name, &args.object))?;
+    let text = match &gripper {
         // The search has applied the user's defaults already.
         Some(made) => format!("#:schema ./{}\n{}", spec::SCHEMA_FILE, made.text),
         None => with_defaults(spec::starter(name).map_err(Failure::message)?)?,
     };
-    let verdict = found.as_ref().and_then(|made| made.forecast.verdict());
-    let chosen = found.as_ref().map(NewGripper::json);
-    let json = json!({ "verdict": verdict, "chosen": chosen });
-    let before = found.map_or_else(String::new, |made| format!("{name}: {}", made.in_words()));
-    write(args.verbosity, (&path, &text), json, (&before, "edit it", "build"))
+    let verdict = gripper.as_ref().and_then(|made| made.forecast.verdict());
+    let gripper_json = gripper.as_ref().map(NewGripper::json);
+    let json = json!({ "verdict": verdict, "chosen": gripper_json });
+    let headline = gripper.map_or_else(String::new, |made| format!("{name}: {}", made.in_words()));
+    write(args.verbosity, (&path, &text), json, (&headline, "edit it", "build"))
 }
 
-/// Writes the spec `text` and its schema; prints `json` with their paths, or these after the text `before`, with what is `next`, and the
+/// Writes the spec `text` and its schema; prints `json` with their paths, or these after the text `headline`, with what is `next`, and the
 /// `command` for it.
 fn write(
     verbosity: Verbosity,
     (path, text): (&Path, &str),
     mut json: Value,
-    (before, next, command): (&str, &str, &str),
+    (headline, next, command): (&str, &str, &str),
 ) -> Result<(), Failure> {
     write_new(path, text)?;
     json["wrote"] = json!(path);
     json["schema"] = json!(schema::write_beside(path)?);
     let (path, word, schema) = (shown(path), argument(path), spec::SCHEMA_FILE);
     let report = format!(
-        "{before}wrote {path}, and beside it {schema} for editors\nnext: {next}, then `stargrip-cam {command} {word}`\n"
+        "{headline}wrote {path}, and beside it {schema} for editors\nnext: {next}, then `stargrip-cam {command} {word}`\n"
     );
     verbosity.report(&report, &json)
 }
@@ -86,17 +87,17 @@ fn names_file(name: &str) -> bool {
 }
 
 /// The name of the design, and its file.
-fn named(given: &str) -> Result<(&str, PathBuf), Failure> {
-    let name = given.strip_suffix(".toml").unwrap_or(given);
+fn named(argument: &str) -> Result<(&str, PathBuf), Failure> {
+    let name = argument.strip_suffix(".toml").unwrap_or(argument);
     let stem = file_stem(name).ok_or_else(|| {
-        Failure::Message(format!("{}; a name is such as my-star", nameless(given, "a file")))
+        Failure::Message(format!("{}; a name is such as my-star", nameless(argument, "a file")))
     })?;
     Ok((name, PathBuf::from(format!("{stem}.toml"))))
 }
 
 /// The reason why the design's `name` names no file, or no directory.
-pub(super) fn nameless(name: &str, what: &str) -> String {
-    format!("the name `{}` has no letter from a to z and no digit for the name of {what}", shown(name))
+pub(super) fn nameless(name: &str, path_kind: &str) -> String {
+    format!("the name `{}` has no letter from a to z and no digit for the name of {path_kind}", shown(name))
 }
 
 /// `text` with the user's defaults, whose machine profile exists.
@@ -163,8 +164,8 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
 /// The layers of a drawing with their roles, and what a user should look at.
 fn in_words(proposal: &LayerProposal) -> String {
     let LayerProposal { layers, size, unit, no_unit, hidden, faults } = proposal;
-    let (number, each) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });
-    let mut lines = format!("{number} {each} with a proposed role:\n");
+    let (number, noun) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });
+    let mut lines = format!("{number} {noun} with a proposed role:\n");
     for (layer, role, reason) in layers {
         let _ = writeln!(lines, "  {}: {} ({reason})", shortened(&format!("{layer:?}")), role.word());
     }
@@ -176,8 +177,8 @@ fn in_words(proposal: &LayerProposal) -> String {
     for fault in faults.iter().take(LISTED_FAULTS) {
         let _ = writeln!(lines, "left out: {}", shortened(fault));
     }
-    if let Some(more) = beyond(faults.len(), LISTED_FAULTS) {
-        let _ = writeln!(lines, "left out: {more} more faulty elements");
+    if let Some(rest) = beyond(faults.len(), LISTED_FAULTS) {
+        let _ = writeln!(lines, "left out: {rest} more faulty elements");
     }
     if !layers.iter().any(|(_, role, _)| matches!(role, LayerRole::Port | LayerRole::Valve)) {
         lines.push_str("no layer looks like a port: draw a short line across an edge where a hose goes in\n");

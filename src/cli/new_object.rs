@@ -58,14 +58,14 @@ pub(super) struct ObjectArgs {
 /// The spec of a gripper for the object; `None` without an object.
 pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>, Failure> {
     let Some((object, mass)) = args.object.zip(args.mass) else { return Ok(None) };
-    let base = base(args)?;
-    let machine = machine(&base.machine.profile)?;
+    let base_spec = base(args)?;
+    let base_machine = machine(&base_spec.machine.profile)?;
     let ObjectArgs { height, shape, pressure, friction, fragile, .. } = *args;
     let request = Request { object, height, shape, mass, pressure, friction, fragile };
-    request.gripper(name, &base, &machine).map(Some).map_err(|why| match why {
+    request.gripper(name, &base_spec, &base_machine).map(Some).map_err(|why| match why {
         NoGripper::Fault(text) => Failure::Message(text),
         NoGripper::Infeasible(reasons, near) => {
-            let required = request.requirements(&base, &machine);
+            let required = request.requirements(&base_spec, &base_machine);
             let nearest = near.iter().map(|near| in_words(name, args, &required, near)).collect();
             let line = |reason: &String| format!("\n  {reason}");
             let reasons: String = reasons.iter().map(line).collect();
@@ -75,8 +75,8 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>
 }
 
 /// A request near the one with the requirements `required` that can be met, and its command.
-fn in_words(name: &str, args: &ObjectArgs, required: &Requirements, near: &NearRequest) -> String {
-    let eased = &near.requirements;
+fn in_words(name: &str, args: &ObjectArgs, required: &Requirements, nearest: &NearRequest) -> String {
+    let eased = &nearest.requirements;
     let friction = (!eased.friction_assumed).then_some(eased.friction);
     let sheet = if eased.room.sheet == required.room.sheet { args.sheet } else { Some(eased.room.sheet) };
     let sheet = sheet.filter(|sides| sides.iter().all(|side| side.0.is_finite()));
@@ -95,8 +95,8 @@ fn in_words(name: &str, args: &ObjectArgs, required: &Requirements, near: &NearR
     let word = |(option, value): (&str, Option<String>)| Some(format!(" --{option} {}", argument(value?)));
     format!(
         "{}\n  {}\n  stargrip-cam new {}{}",
-        near.changes,
-        near.gripper.star_in_words().unwrap_or_default(),
+        nearest.changes,
+        nearest.gripper.star_in_words().unwrap_or_default(),
         argument(name),
         options.into_iter().filter_map(word).collect::<String>()
     )

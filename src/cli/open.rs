@@ -22,8 +22,8 @@ const LOOKS: (Duration, u32) = (Duration::from_millis(50), 20);
 
 /// Opens the file `page`. A failure is only a note: the files exist in any case.
 pub(super) fn open(page: &Path) {
-    if let Some(why) = failure(page) {
-        tell(&format!("note: {} was not opened: {why}", shown(page)));
+    if let Some(problem) = failure(page) {
+        tell(&format!("note: {} was not opened: {problem}", shown(page)));
     }
 }
 
@@ -35,8 +35,8 @@ fn failure(page: &Path) -> Option<String> {
         Ok(child) => child,
         Err(error) => return Some(format!("{OPENER}: {error}")),
     };
-    let (pause, most) = LOOKS;
-    for _ in 0..most {
+    let (pause, most_looks) = LOOKS;
+    for _ in 0..most_looks {
         match child.try_wait() {
             // Explorer exits with 1 even on success.
             Ok(Some(status)) if status.success() || cfg!(windows) => return None,

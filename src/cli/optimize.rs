@@ -84,11 +84,12 @@ enum GoalArg {
 }
 
 /// Reads "3..8" or one number.
-fn whole(text: &str, what: &str, [least, most]: [u32; 2]) -> Result<(u32, u32), String> {
-    let fault = || format!("`{text}` is not a number of {what} from {least} to {most}, or a range of them");
+fn whole(text: &str, quantity: &str, [minimum, maximum]: [u32; 2]) -> Result<(u32, u32), String> {
+    let fault =
+        || format!("`{text}` is not a number of {quantity} from {minimum} to {maximum}, or a range of them");
     let (from, to) = text.split_once("..").unwrap_or((text, text));
     let (from, to): (u32, u32) = (from.parse().map_err(|_| fault())?, to.parse().map_err(|_| fault())?);
-    if from >= least && to <= most && from <= to { Ok((from, to)) } else { Err(fault()) }
+    if from >= minimum && to <= maximum && from <= to { Ok((from, to)) } else { Err(fault()) }
 }
 
 /// The result of a search around the spec `loaded`, and its constraints. Raising `cancel` ends the search.
@@ -105,37 +106,38 @@ pub(super) fn answer(
     }
     let (goal, constraints) = wanted(args, loaded, &base)?;
     let table = RingTable::new().map_err(Failure::message)?;
-    let bounds = bounds(args, &base);
-    let search = DesignSearch { cancel, ..DesignSearch::new(&base, &bounds, &constraints, goal, &table) };
+    let search_bounds = bounds(args, &base);
+    let search =
+        DesignSearch { cancel, ..DesignSearch::new(&base, &search_bounds, &constraints, goal, &table) };
     Ok((progress::during(args.verbosity, "searching", |_| search.run()), constraints))
 }
 
 /// Searches, and prints the candidates, the front, and the best candidate's spec.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?.with_stars("optimize")?;
-    let (found, constraints) = answer(args, &loaded, None)?;
-    let Some(spec) = best_spec(args, &loaded, &found) else {
+    let (search, constraints) = answer(args, &loaded, None)?;
+    let Some(spec) = best_spec(args, &loaded, &search) else {
         if args.verbosity.is_heard() {
-            tell(&candidates::text(&found, &constraints));
+            tell(&candidates::text(&search, &constraints));
         }
-        let why = if found.front.is_empty() {
+        let reason = if search.front.is_empty() {
             "no design meets all constraints; `short` lists those that each misses, and by how much"
         } else {
             "none of the best designs can be sealed and cut as the spec requires"
         };
         return Err(if args.verbosity.json {
-            Failure::answered(candidates::json(&found, &constraints, None), why)
+            Failure::answered(candidates::json(&search, &constraints, None), reason)
         } else {
-            Failure::message(why)
+            Failure::message(reason)
         });
     };
     if args.verbosity.json {
-        return say(&pretty(&candidates::json(&found, &constraints, Some(&spec))));
+        return say(&pretty(&candidates::json(&search, &constraints, Some(&spec))));
     }
     if args.verbosity.quiet {
         return say(&spec);
     }
-    let table = candidates::text(&found, &constraints);
+    let table = candidates::text(&search, &constraints);
     say(&format!("{table}# the best that can be built:\n{spec}\n"))
 }
 
@@ -162,10 +164,10 @@ fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Const
             "the result depends on the pressure: set `pressure` in [load], or give --pressure FROM..TO",
         ));
     }
-    let holds = pressed && load.object_radius.is_some() && load.friction.is_some();
-    let asked = args.goal.unwrap_or(if holds { GoalArg::Hold } else { GoalArg::Contraction });
-    let mass = args.payload.or(load.mass.filter(|_| holds).map(|Mass(mass)| mass));
-    let goal = match asked {
+    let has_object = pressed && load.object_radius.is_some() && load.friction.is_some();
+    let goal_word = args.goal.unwrap_or(if has_object { GoalArg::Hold } else { GoalArg::Contraction });
+    let mass = args.payload.or(load.mass.filter(|_| has_object).map(|Mass(mass)| mass));
+    let goal = match goal_word {
         GoalArg::Hold if mass.is_some() => Goal::Fabric,
         GoalArg::Hold => Goal::Payload,
         GoalArg::Contraction => Goal::Contraction,
@@ -175,7 +177,7 @@ fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Const
     if goal == Goal::Stiffness && !pressed {
         return Err(Failure::message("stiffness needs a pressure: set `pressure` in [load]"));
     }
-    if (args.payload.is_some() || asked == GoalArg::Hold) && !holds {
+    if (args.payload.is_some() || goal_word == GoalArg::Hold) && !has_object {
         return Err(Failure::message("payload needs [load] with pressure, object_diameter and friction"));
     }
     let strong = pressed && base.fabric.seal_strength.is_some();
@@ -234,30 +236,30 @@ fn edited(args: &Args, loaded: &Loaded, candidate: &Evaluation) -> Result<String
         corner_radius: mm(star.corner_radius),
     };
     let mut text = with_star(&loaded.source, &edit)?;
-    let before = Candidate::of(&loaded.reading.spec);
-    let was = |of: fn(&Candidate) -> Option<f64>| before.as_ref().and_then(of);
+    let old_candidate = Candidate::of(&loaded.reading.spec);
+    let old_value = |of: fn(&Candidate) -> Option<f64>| old_candidate.as_ref().and_then(of);
     // A force on no object is no load.
     let force = args.largest_force.filter(|_| point.load.object_radius.is_some());
     let changes = [
         (
             key::star::INNER_RADIUS,
-            was(|c| Some(c.star.inner_radius.0)),
+            old_value(|c| Some(c.star.inner_radius.0)),
             Some(thousandths(star.inner_radius.0)),
             "mm",
         ),
-        (key::stack::COUNT, was(|c| Some(f64::from(c.stars))), Some(f64::from(point.stars)), ""),
-        (key::stack::PITCH, was(|c| Some(c.star.pitch.0)), Some(thousandths(star.pitch.0)), "mm"),
+        (key::stack::COUNT, old_value(|c| Some(f64::from(c.stars))), Some(f64::from(point.stars)), ""),
+        (key::stack::PITCH, old_value(|c| Some(c.star.pitch.0)), Some(thousandths(star.pitch.0)), "mm"),
         (
             key::load::PRESSURE,
-            was(|c| Some(c.load.pressure?.0)),
+            old_value(|c| Some(c.load.pressure?.0)),
             point.load.pressure.map(|p| thousandths(p.0)),
             "kPa",
         ),
-        (key::load::MASS, was(|c| Some(c.load.mass?.0)), args.payload, "kg"),
-        (key::load::LARGEST_FORCE, was(|c| Some(c.load.largest_force?.0)), force, "N"),
+        (key::load::MASS, old_value(|c| Some(c.load.mass?.0)), args.payload, "kg"),
+        (key::load::LARGEST_FORCE, old_value(|c| Some(c.load.largest_force?.0)), force, "N"),
     ];
-    for (key, was, is, unit) in changes {
-        let Some(is) = is.filter(|_| was != is) else { continue };
+    for (key, old_value, is, unit) in changes {
+        let Some(is) = is.filter(|_| old_value != is) else { continue };
         let value = if unit.is_empty() { format!("{is}") } else { format!("\"{is} {unit}\"") };
         text = with_value(&Source::new("optimised", text), key, &value)?;
     }
@@ -270,23 +272,24 @@ fn recommented(loaded: &Loaded, text: &str) -> Result<String, Failure> {
     let edited = Source::new("optimised", text);
     let (before, after) = (settings(&loaded.source), settings(&edited));
     let was = |section: &str, key: &str| {
-        let of = |all: &[Setting]| {
+        let value_in = |all: &[Setting]| {
             all.iter().find(|one| one.section == section && one.key == key).and_then(|one| one.value.clone())
         };
-        of(&before).filter(|was| of(&after).is_some_and(|is| is != *was))
+        value_in(&before).filter(|was| value_in(&after).is_some_and(|is| is != *was))
     };
     if before == after {
         return Ok(text.to_owned());
     }
     let text = with_comments(&edited, |section, key, comment| {
-        let own = if is_result(comment) { "" } else { comment };
-        let Some(was) = was(section, key) else { return own.to_owned() };
+        let kept_comment = if is_result(comment) { "" } else { comment };
+        let Some(old) = was(section, key) else { return kept_comment.to_owned() };
         // The value before the last search is outdated.
-        let own = own.rsplit_once("; was ").map_or(own, |(own, _)| own);
-        if own.is_empty() || own.starts_with("was ") {
-            format!("was {was}")
+        let kept_comment =
+            kept_comment.rsplit_once("; was ").map_or(kept_comment, |(kept_comment, _)| kept_comment);
+        if kept_comment.is_empty() || kept_comment.starts_with("was ") {
+            format!("was {old}")
         } else {
-            format!("{own}; was {was}")
+            format!("{kept_comment}; was {old}")
         }
     })?;
     let lines = text.lines().filter(|line| !line.strip_prefix("# ").is_some_and(is_result));

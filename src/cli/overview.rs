@@ -77,10 +77,10 @@ fn head(forecast: &Forecast) -> Vec<OverviewRow> {
         rows.push(("", verdict::in_words(forecast)));
         rows.extend(verdict::rows(forecast));
     }
-    if let Some(drawn) = forecast.design.drawn() {
-        rows.extend(drawn.notes.iter().take(NOTES).map(|note| ("drawing", note.clone())));
-        let more = beyond(drawn.notes.len(), NOTES);
-        rows.extend(more.map(|more| ("drawing", format!("{more} more notes by -v"))));
+    if let Some(pieces) = forecast.design.drawn() {
+        rows.extend(pieces.notes.iter().take(NOTES).map(|note| ("drawing", note.clone())));
+        let rest = beyond(pieces.notes.len(), NOTES);
+        rows.extend(rest.map(|rest| ("drawing", format!("{rest} more notes by -v"))));
     }
     rows.extend(verdict::of_drawing(forecast));
     rows
@@ -88,7 +88,7 @@ fn head(forecast: &Forecast) -> Vec<OverviewRow> {
 
 /// Equal pieces once.
 fn pieces(forecast: &Forecast) -> Vec<String> {
-    let (placed, all) = (forecast.design.placed(), forecast.design.placed().len());
+    let (placed, piece_count) = (forecast.design.placed(), forecast.design.placed().len());
     let lines = forecast.design.firsts().filter_map(|first| {
         let alike = placed.iter().filter(|placed| placed.distinct == first.distinct);
         let numbers: Vec<String> = alike.map(|placed| placed.index.to_string()).collect();
@@ -100,8 +100,8 @@ fn pieces(forecast: &Forecast) -> Vec<String> {
             },
         );
         Some(match numbers.len() {
-            _ if all == 1 => format!("1 {kind}: {words}"),
-            n if n == all => format!("{all} equal {kind}s: {words}"),
+            _ if piece_count == 1 => format!("1 {kind}: {words}"),
+            n if n == piece_count => format!("{piece_count} equal {kind}s: {words}"),
             1 => format!("{kind} {}: {words}", numbers[0]),
             _ => format!("{kind}s {}: {words}", numbers.join(", ")),
         })
@@ -142,10 +142,10 @@ fn in_words(star: &StarSpec) -> String {
 }
 
 /// The sealing time and the machine.
-fn work(forecast: &Forecast, now: Option<&Zoned>) -> Vec<OverviewRow> {
+fn work(forecast: &Forecast, start: Option<&Zoned>) -> Vec<OverviewRow> {
     let seconds = sealing_time(forecast);
-    let end = now
-        .and_then(|now| finish(now, seconds))
+    let end = start
+        .and_then(|start| finish(start, seconds))
         .map(|end| format!("; started now, it ends {end}, without heating and pauses"));
     let number = forecast.design.sheets.len();
     let area = match forecast.machine.bench.work_area {
@@ -178,23 +178,23 @@ fn written(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
 /// The number of files proven in memory, and whether other kinds were left out.
 fn in_memory(proven: &Proven) -> Vec<OverviewRow> {
     let number = proven.built().files().count();
-    let more = match left_out(proven).len() {
+    let unwritten = match left_out(proven).len() {
         0 => String::new(),
         more => format!("; {more} more kinds by --with"),
     };
-    vec![("proven", format!("{number} files in memory: {}{more}", scope(proven.proof())))]
+    vec![("proven", format!("{number} files in memory: {}{unwritten}", scope(proven.proof())))]
 }
 
 /// The JSON of [`in_memory`].
 fn in_memory_json(proven: &Proven) -> Value {
-    let left_out: Vec<&str> = left_out(proven).iter().map(|kind| kind.name()).collect();
-    json!({ "files": proven.built().files().count(), "kinds_left_out": left_out })
+    let kinds_left_out: Vec<&str> = left_out(proven).iter().map(|kind| kind.name()).collect();
+    json!({ "files": proven.built().files().count(), "kinds_left_out": kinds_left_out })
 }
 
 /// The kinds that were not made because they were not requested.
 fn left_out(proven: &Proven) -> Vec<Kind> {
-    let asked = proven.built().manifest.request();
-    Kind::ALL.iter().copied().filter(|kind| !asked.includes(*kind)).collect()
+    let request = proven.built().manifest.request();
+    Kind::ALL.iter().copied().filter(|kind| !request.includes(*kind)).collect()
 }
 
 /// The file name of the page that shows most of the gripper.
@@ -220,18 +220,19 @@ fn more(programs: &[String]) -> String {
 
 /// Prints rows to standard output.
 fn show(rows: &[OverviewRow]) -> Result<(), Failure> {
-    let width = width(&stdout());
+    let terminal_width = width(&stdout());
     let line = |(label, text): &OverviewRow| match *label {
-        "" => wrapped(text, 2, width) + "\n",
-        label => wrapped(&format!("{label:LABEL$}{text}"), LABEL, width) + "\n",
+        "" => wrapped(text, 2, terminal_width) + "\n",
+        label => wrapped(&format!("{label:LABEL$}{text}"), LABEL, terminal_width) + "\n",
     };
     say(&rows.iter().map(line).collect::<String>())
 }
 
 /// Prints precautions on standard error, so that they stay visible when the answer goes into a file.
 pub(super) fn warn<'a>(list: impl Iterator<Item = &'a String>) {
-    let width = width(&stderr());
-    let lines: Vec<String> = list.map(|text| wrapped(&format!("  - {}", shown(text)), 4, width)).collect();
+    let terminal_width = width(&stderr());
+    let lines: Vec<String> =
+        list.map(|text| wrapped(&format!("  - {}", shown(text)), 4, terminal_width)).collect();
     if !lines.is_empty() {
         tell_under("before you seal", &lines.join("\n"));
     }
@@ -260,15 +261,15 @@ fn zoned(time: SystemTime) -> Option<Zoned> {
     Some(Timestamp::try_from(time).ok()?.to_zoned(TimeZone::system()))
 }
 
-/// The end of a job of `seconds` that begins at `now`, in the zone of `now`: "Monday 23 November at 02:52 CET"; `None` above about a
+/// The end of a job of `seconds` that begins at `start`, in the zone of `start`: "Monday 23 November at 02:52 CET"; `None` above about a
 /// thousand years.
-fn finish(now: &Zoned, seconds: f64) -> Option<String> {
+fn finish(start: &Zoned, seconds: f64) -> Option<String> {
     // More than a thousand years have no useful date.
     if !(0.0..3.2e10).contains(&seconds) {
         return None;
     }
-    let end = now.checked_add(SignedDuration::try_from_secs_f64(seconds.round()).ok()?).ok()?;
-    let day = match (end.date() == now.date(), end.year() == now.year()) {
+    let end = start.checked_add(SignedDuration::try_from_secs_f64(seconds.round()).ok()?).ok()?;
+    let day = match (end.date() == start.date(), end.year() == start.year()) {
         (true, _) => "today".to_owned(),
         (_, true) => end.strftime("%A %-d %B").to_string(),
         _ => end.strftime("%A %-d %B %Y").to_string(),
@@ -289,8 +290,8 @@ mod tests {
         assert!(zoned(year_10000 - Duration::from_secs(30 * 86_400)).is_some());
     }
 
-    fn end(now: &str, seconds: f64) -> String {
-        finish(&now.parse().expect("a time"), seconds).unwrap_or_default()
+    fn end(start: &str, seconds: f64) -> String {
+        finish(&start.parse().expect("a time"), seconds).unwrap_or_default()
     }
 
     #[test]

@@ -153,12 +153,12 @@ impl StarQuestion {
     ///
     /// # Errors
     /// If there is no such star or drawing.
-    pub fn designed(&self, given: &Loaded) -> Result<(Spec, Design, Option<Refusals>), Refusals> {
-        let mut spec = given.reading.spec.clone();
+    pub fn designed(&self, loaded: &Loaded) -> Result<(Spec, Design, Option<Refusals>), Refusals> {
+        let mut spec = loaded.reading.spec.clone();
         spec.accuracy.model = self.model.unwrap_or(spec.accuracy.model);
-        match Design::new(&spec, &given.machine) {
+        match Design::new(&spec, &loaded.machine) {
             Ok(design) => Ok((spec, design, None)),
-            Err(refusals) if spec.has_stars() => match Design::new(&without_making(&spec), &given.machine) {
+            Err(refusals) if spec.has_stars() => match Design::new(&without_making(&spec), &loaded.machine) {
                 Ok(design) => Ok((spec, design, Some(refusals))),
                 Err(_) => Err(refusals),
             },
@@ -231,9 +231,9 @@ impl StarQuestion {
         watch: &Watch<'_>,
     ) -> Result<(GripperAnswer, Option<InflatedShape>), ShellRefusal> {
         if let Some(pieces) = design.drawn() {
-            let found = drawn::inflate(spec, pieces, self.detail.unwrap_or(Detail::Coarse), watch)?;
-            let shape = InflatedShape::joined(&found.shapes);
-            return Ok((GripperAnswer::Drawn(Box::new(found.prediction)), Some(shape)));
+            let inflation = drawn::inflate(spec, pieces, self.detail.unwrap_or(Detail::Coarse), watch)?;
+            let shape = InflatedShape::joined(&inflation.shapes);
+            return Ok((GripperAnswer::Drawn(Box::new(inflation.prediction)), Some(shape)));
         }
         let (prediction, shape) = if spec.accuracy.model == ModelChoice::Shell {
             let detail = self.detail.unwrap_or(Detail::Medium);

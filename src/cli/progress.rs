@@ -29,38 +29,38 @@ pub(super) struct Progress {
     ticker: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
-/// Runs `work`, which does not catch signals and writes nothing, with a line that shows `what`.
-pub(super) fn during<T>(verbosity: Verbosity, what: &str, work: impl FnOnce(&Progress) -> T) -> T {
-    work(&Progress::new(verbosity, what, true))
+/// Runs `work`, which does not catch signals and writes nothing, with a line that shows `label`.
+pub(super) fn during<T>(verbosity: Verbosity, label: &str, work: impl FnOnce(&Progress) -> T) -> T {
+    work(&Progress::new(verbosity, label, true))
 }
 
-/// Runs `work`, which catches Ctrl-C itself, with a line that shows `what`.
-pub(super) fn listening<T>(verbosity: Verbosity, what: &str, work: impl FnOnce(&Progress) -> T) -> T {
-    work(&Progress::new(verbosity, what, false))
+/// Runs `work`, which catches Ctrl-C itself, with a line that shows `label`.
+pub(super) fn listening<T>(verbosity: Verbosity, label: &str, work: impl FnOnce(&Progress) -> T) -> T {
+    work(&Progress::new(verbosity, label, false))
 }
 
 impl Progress {
     /// `ends`: whether Ctrl-C ends the program while the line is visible.
-    fn new(verbosity: Verbosity, what: &str, ends: bool) -> Self {
+    fn new(verbosity: Verbosity, label: &str, ends: bool) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         if !(verbosity.is_heard() && terminal::takes_lines_back(&stderr())) {
             return Self { bar, ticker: None };
         }
         bar.set_style(style("{spinner} {msg}, {elapsed}"));
-        bar.set_message(what.to_owned());
+        bar.set_message(label.to_owned());
         let (stop, stopped) = channel();
-        let shown = bar.clone();
-        let ticker = thread::Builder::new().spawn(move || tick(&shown, &stopped, ends));
+        let ticking_bar = bar.clone();
+        let ticker = thread::Builder::new().spawn(move || tick(&ticking_bar, &stopped, ends));
         Self { bar, ticker: ticker.ok().map(|ticker| (stop, ticker)) }
     }
 
-    /// Shows `what` as the current step.
-    pub(super) fn tell(&self, what: &str) {
-        self.bar.set_message(what.to_owned());
+    /// Shows `step` as the current step.
+    pub(super) fn tell(&self, step: &str) {
+        self.bar.set_message(step.to_owned());
     }
 
-    /// Shows `what` as the current step, and `part` of the whole, 0 to 1, as done.
-    pub(super) fn tell_part(&self, part: f64, what: &str) {
+    /// Shows `step` as the current step, and `part` of the whole, 0 to 1, as done.
+    pub(super) fn tell_part(&self, part: f64, step: &str) {
         if self.ticker.is_none() || !(0.0..=1.0).contains(&part) {
             return;
         }
@@ -75,7 +75,7 @@ impl Progress {
             reason = "0 to 1000"
         )]
         self.bar.set_position((part * WHOLE as f64) as u64);
-        self.tell(what);
+        self.tell(step);
     }
 }
 
@@ -98,7 +98,7 @@ fn style(template: &str) -> ProgressStyle {
 /// Shows the line after the delay, and animates it until the sender of `stopped` is dropped. If it `ends` by Ctrl-C, so does the program.
 fn tick(bar: &ProgressBar, stopped: &Receiver<()>, ends: bool) {
     let listening = ends.then(Listening::new);
-    let began = Instant::now();
+    let start = Instant::now();
     let mut is_shown = false;
     while stopped.recv_timeout(PAUSE) == Err(RecvTimeoutError::Timeout) {
         if listening.as_ref().is_some_and(Listening::has_heard) {
@@ -106,7 +106,7 @@ fn tick(bar: &ProgressBar, stopped: &Receiver<()>, ends: bool) {
             let _ = Failure::Interrupted.report();
             process::exit(i32::from(interrupt::EXIT));
         }
-        if !is_shown && began.elapsed() >= PATIENCE {
+        if !is_shown && start.elapsed() >= PATIENCE {
             bar.set_draw_target(ProgressDrawTarget::stderr());
             is_shown = true;
         }

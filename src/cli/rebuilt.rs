@@ -38,25 +38,25 @@ impl Snapshot {
         }
     }
 
-    /// The differences from `before`, in one line: "tube_width 13 mm -> 14 mm: force 27 -> 29 N".
-    pub(super) fn changes(&self, before: &Self) -> String {
+    /// The differences from `previous`, in one line: "tube_width 13 mm -> 14 mm: force 27 -> 29 N".
+    pub(super) fn changes(&self, previous: &Self) -> String {
         let mut values: Vec<String> =
-            self.settings.iter().filter_map(|setting| changed(setting, &before.settings)).collect();
+            self.settings.iter().filter_map(|setting| changed(setting, &previous.settings)).collect();
         values.extend(
-            before
+            previous
                 .settings
                 .iter()
                 .filter(|was| !self.settings.iter().any(|is| is.is_same_key(was)))
                 .map(|was| format!("{} {} -> none", was.key, was.value.as_deref().unwrap_or("none"))),
         );
-        if self.machine != before.machine {
+        if self.machine != previous.machine {
             values.push("machine profile".to_owned());
         }
-        let more = beyond(values.len(), NAMED);
+        let rest = beyond(values.len(), NAMED);
         values.truncate(NAMED);
-        values.extend(more.map(|more| format!("{more} more")));
-        let verdict = self.verdict.filter(|_| self.verdict != before.verdict).map(str::to_owned);
-        let effects: Vec<String> = verdict.into_iter().chain(self.moved(before)).collect();
+        values.extend(rest.map(|rest| format!("{rest} more")));
+        let verdict = self.verdict.filter(|_| self.verdict != previous.verdict).map(str::to_owned);
+        let effects: Vec<String> = verdict.into_iter().chain(self.moved(previous)).collect();
         match (values.is_empty(), effects.is_empty()) {
             (true, true) => "nothing changed".to_owned(),
             (true, false) => effects.join(", "),
@@ -65,16 +65,16 @@ impl Snapshot {
         }
     }
 
-    /// The precautions that are not in `before`.
-    pub(super) fn new_notes<'a>(&'a self, before: &'a Self) -> impl Iterator<Item = &'a String> {
-        self.notes.iter().filter(|note| !before.notes.contains(note))
+    /// The precautions that are not in `previous`.
+    pub(super) fn new_notes<'a>(&'a self, previous: &'a Self) -> impl Iterator<Item = &'a String> {
+        self.notes.iter().filter(|note| !previous.notes.contains(note))
     }
 
     /// The changed results.
-    fn moved(&self, before: &Self) -> Vec<String> {
+    fn moved(&self, previous: &Self) -> Vec<String> {
         let changes = self.figures.iter().filter_map(|figure| {
             let (name, value, unit) = figure;
-            match before.figures.iter().find(|was| was.0 == *name) {
+            match previous.figures.iter().find(|was| was.0 == *name) {
                 Some(was) if was == figure => None,
                 Some((_, was, _)) => Some(format!("{name} {was} -> {value}{unit}")),
                 None => Some(format!("{name} {value}{unit}")),
@@ -84,26 +84,26 @@ impl Snapshot {
     }
 }
 
-/// "tube_width 13 mm -> 14 mm", if the value differs from `before`.
-fn changed(setting: &Setting, before: &[Setting]) -> Option<String> {
-    let was = before.iter().find(|was| was.is_same_key(setting));
-    let (was, is) = (was.and_then(|was| was.value.as_deref()), setting.value.as_deref());
+/// "tube_width 13 mm -> 14 mm", if the value differs from `previous`.
+fn changed(setting: &Setting, previous: &[Setting]) -> Option<String> {
+    let old = previous.iter().find(|was| was.is_same_key(setting));
+    let (old_value, is) = (old.and_then(|old| old.value.as_deref()), setting.value.as_deref());
     let or_none = |value: Option<&str>| value.unwrap_or("none").to_owned();
-    (was != is).then(|| format!("{} {} -> {}", setting.key, or_none(was), or_none(is)))
+    (old_value != is).then(|| format!("{} {} -> {}", setting.key, or_none(old_value), or_none(is)))
 }
 
 /// The results that matter while values are chosen.
 fn figures(forecast: &Forecast, verdict: Option<&Verdict>) -> Vec<Figure> {
     let star = forecast.prediction.as_ref().map(|prediction| &prediction.first);
-    let of = |name, value: Option<f64>, unit| value.map(|value| (name, rounded(value), unit));
+    let figure = |name, value: Option<f64>, unit| value.map(|value| (name, rounded(value), unit));
     let opens = star.and_then(|star| star.graspable_radius_mm).map(|[_, most]| 2.0 * most);
     let closes = star.and_then(|star| star.final_radius_mm).map(|least| 2.0 * least);
     let sealing = ("sealing", hours(sealing_time(forecast)), "");
-    let known = [
-        of("force", verdict.and_then(|verdict| verdict.force_N), " N"),
-        of("carries", star.and_then(|star| star.payload_kg), " kg"),
-        of("opens to", opens, " mm"),
-        of("closes to", closes, " mm"),
+    let figures = [
+        figure("force", verdict.and_then(|verdict| verdict.force_N), " N"),
+        figure("carries", star.and_then(|star| star.payload_kg), " kg"),
+        figure("opens to", opens, " mm"),
+        figure("closes to", closes, " mm"),
     ];
-    known.into_iter().flatten().chain([sealing]).collect()
+    figures.into_iter().flatten().chain([sealing]).collect()
 }

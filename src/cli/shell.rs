@@ -37,8 +37,8 @@ const MESHES: [&str; 3] = ["A first look: seconds", "For most purposes", "Where 
 impl ShellArgs {
     /// Refuses options that only the shell model has.
     pub(super) fn not_by_others(&self) -> Result<(), Failure> {
-        let given = [(self.vtu.is_some(), "--vtu"), (self.fineness.is_some(), "--fineness")];
-        match given.into_iter().find(|(is_given, _)| *is_given) {
+        let options = [(self.vtu.is_some(), "--vtu"), (self.fineness.is_some(), "--fineness")];
+        match options.into_iter().find(|(is_given, _)| *is_given) {
             Some((_, option)) => Err(Failure::Usage(format!(
                 "{option} needs the shell model: add --model shell, or leave it out"
             ))),
@@ -58,9 +58,9 @@ impl ShellArgs {
         }
         let cache = Cache::new(self.no_cache);
         let key = cache.key(&[question, &format!("{:?} {}", self.fineness, self.vtu.is_some())]);
-        let known = cache.get(&key).and_then(|parts| parts.try_into().ok());
-        let [json, text, vtu] = if let Some(known) = known {
-            known
+        let stored = cache.get(&key).and_then(|parts| parts.try_into().ok());
+        let [json, text, vtu] = if let Some(stored) = stored {
+            stored
         } else {
             let (json, text, shape) = watched_by(verbosity, self.fineness.is_some(), compute)?;
             let vtu = shape.filter(|_| self.vtu.is_some()).map(|shape| shape.vtu()).transpose();
@@ -80,8 +80,8 @@ pub(super) fn refused(fault: &ShellFault) -> Failure {
     match fault {
         ShellFault::Cancelled => Failure::Interrupted,
         ShellFault::Pressure { found, least, most } => {
-            let (found, remedy) = outside(SHELL, *found, [*least, *most]);
-            Failure::Message(format!("{found}: {remedy}"))
+            let (message, remedy) = outside(SHELL, *found, [*least, *most]);
+            Failure::Message(format!("{message}: {remedy}"))
         }
         fault => Failure::message(fault),
     }

@@ -11,9 +11,9 @@ pub(super) fn width(stream: &impl IsTerminal) -> Option<usize> {
     if !stream.is_terminal() {
         return None;
     }
-    let told = env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok());
-    let seen = || terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
-    told.or_else(seen).filter(|columns| *columns > 0)
+    let stated_columns = env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok());
+    let measured_columns = || terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
+    stated_columns.or_else(measured_columns).filter(|columns| *columns > 0)
 }
 
 /// Whether output to `stream` may have colours.
@@ -31,24 +31,24 @@ pub(super) fn takes_lines_back(stream: &impl IsTerminal) -> bool {
 /// ends. A longer word is not broken: it may be a path to copy.
 pub(super) fn wrapped(text: &str, indent: usize, width: Option<usize>) -> String {
     let Some(width) = width.map(|width| width.max(NARROWEST)) else { return text.to_owned() };
-    let (mut out, mut column, mut blanks) = (String::new(), 0, 0);
+    let (mut lines, mut column, mut blanks) = (String::new(), 0, 0);
     for word in text.split(' ') {
         let length = word.chars().count();
-        let is_first = out.trim_start().is_empty();
+        let is_first = lines.trim_start().is_empty();
         if length > 0 && !is_first && column + blanks + length > width {
-            out.push('\n');
+            lines.push('\n');
             blanks = indent;
             column = 0;
         }
         if length > 0 {
-            out.extend(std::iter::repeat_n(' ', blanks));
-            out.push_str(word);
+            lines.extend(std::iter::repeat_n(' ', blanks));
+            lines.push_str(word);
             column += blanks + length;
             blanks = 0;
         }
         blanks += 1;
     }
-    out
+    lines
 }
 
 /// Every line of `text` in lines of at most `width` columns; continuation lines are indented by 2 more columns.

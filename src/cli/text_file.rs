@@ -15,23 +15,23 @@ pub(super) const PROGRAM: u64 = 1 << 28;
 /// Largest table, bytes: hours of a test at a thousand rows a minute, and small enough to be held in memory.
 pub(super) const TABLE: u64 = 1 << 24;
 
-/// Reads a text of at most `most` bytes given to a command, or standard input for "-".
-pub(super) fn read_text(path: &Path, most: u64) -> Result<String, Failure> {
+/// Reads a text of at most `limit` bytes given to a command, or standard input for "-".
+pub(super) fn read_text(path: &Path, limit: u64) -> Result<String, Failure> {
     if path.is_dir() {
         return Err(Failure::File(
             path.display().to_string(),
             format!("{} is a directory: name a file in it", shown(path)),
         ));
     }
-    let bytes = given_bytes(path, most + 1).map_err(|error| Failure::file("read", path, &error))?;
-    if bytes.len() as u64 > most {
-        let most = most >> 20;
-        let allowed = format!("at most {most} MiB are read; name another file");
+    let bytes = given_bytes(path, limit + 1).map_err(|error| Failure::file("read", path, &error))?;
+    if bytes.len() as u64 > limit {
+        let mebibytes = limit >> 20;
+        let allowed = format!("at most {mebibytes} MiB are read; name another file");
         return Err(Failure::Message(format!("{} is too large: {allowed}", shown(path))));
     }
     String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        Failure::Message(format!("{}: byte {at} is not UTF-8: save the file as UTF-8", shown(path)))
+        let offset = error.utf8_error().valid_up_to();
+        Failure::Message(format!("{}: byte {offset} is not UTF-8: save the file as UTF-8", shown(path)))
     })
 }
 
@@ -53,11 +53,11 @@ pub(super) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
 /// Bytes at the beginning of a file, in which its kind shows.
 const BEGINNING: u64 = 4096;
 
-/// Refuses to write to `path` if it is a pipe, a socket or a device; or a file, not empty, and not `what` by its beginning: a typing error
+/// Refuses to write to `path` if it is a pipe, a socket or a device; or a file, not empty, and not `description` by its beginning: a typing error
 /// must not cost an input.
 pub(super) fn refuse_foreign(
     path: &Path,
-    what: &str,
+    description: &str,
     is_own: impl FnOnce(&str) -> bool,
 ) -> Result<(), Failure> {
     refuse_special(path).map_err(|error| Failure::file("write", path, &error))?;
@@ -68,7 +68,7 @@ pub(super) fn refuse_foreign(
     if start.is_empty() || is_own(&String::from_utf8_lossy(&start)) {
         return Ok(());
     }
-    Err(Failure::Message(format!("{} exists and is not {what}: name another file", shown(path))))
+    Err(Failure::Message(format!("{} exists and is not {description}: name another file", shown(path))))
 }
 
 /// Writes or replaces a file atomically.

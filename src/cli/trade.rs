@@ -40,14 +40,14 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = args.spec.as_ref().map(|path| Loaded::spoken(path, args.verbosity)?.with_stars("trade"));
     let star = loaded.transpose()?.and_then(|loaded| loaded.reading.spec.stars.first().cloned());
     let base = star.unwrap_or_else(|| StarSpec::paper(5));
-    let beside = args.svg.as_ref().map(|path| {
+    let shells_svg = args.svg.as_ref().map(|path| {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         path.with_file_name(format!("{stem}-shells.svg"))
     });
     if let Some(path) = &args.csv {
         refuse_foreign(path, "a table of `trade`", |text| text.starts_with("model,time_s"))?;
     }
-    for path in args.svg.iter().chain(&beside) {
+    for path in args.svg.iter().chain(&shells_svg) {
         refuse_foreign(path, "a plot of `trade`", picture::is_picture)?;
     }
     let start = Instant::now();
@@ -58,7 +58,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     for (path, text) in [
         (&args.csv, trade::csv(&rows)),
         (&args.svg, picture::of_choice(&shells, &rows)),
-        (&beside, picture::against_shells(&shells)),
+        (&shells_svg, picture::against_shells(&shells)),
     ] {
         if let Some(path) = path {
             replace(path, &text)?;
@@ -102,7 +102,8 @@ fn row(row: &TradeRow) -> Value {
 
 /// A row of the comparison with shells as JSON; relative errors, one a star.
 fn shell_row(row: &ShellRow) -> Value {
-    let of = |number: fn(&StarErrors) -> Option<f64>| row.stars.iter().map(number).collect::<Vec<_>>();
+    let star_values =
+        |number: fn(&StarErrors) -> Option<f64>| row.stars.iter().map(number).collect::<Vec<_>>();
     json!({
         "model": row.model,
         "pressure_kPa": row.pressure,
@@ -111,9 +112,9 @@ fn shell_row(row: &ShellRow) -> Value {
         "actuator": { "angle_error_deg": row.actuator.map(|own| own[0]), "stiffness_error": row.actuator.map(|own| own[1]) },
         "relative_error": {
             "points": row.stars.iter().map(|star| star.points).collect::<Vec<_>>(),
-            "final_radius_mm": of(|star| Some(star.radius)),
-            "radial_stiffness_N_per_m": of(|star| star.stiffness),
-            "force_N": of(|star| star.force),
+            "final_radius_mm": star_values(|star| Some(star.radius)),
+            "radial_stiffness_N_per_m": star_values(|star| star.stiffness),
+            "force_N": star_values(|star| star.force),
         },
     })
 }

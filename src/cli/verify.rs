@@ -75,8 +75,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 
 /// Proves the program of a feed check from the manifest beside it.
 fn feed_check(path: &Path) -> Result<Proof, Failure> {
-    let beside = manifest_of(path);
-    let manifest = read(&beside, SOURCE_LIMIT).map_err(|_| {
+    let manifest_path = manifest_of(path);
+    let manifest = read(&manifest_path, SOURCE_LIMIT).map_err(|_| {
         let dir = directory_of(path);
         let name = if dir.join(MANIFEST).is_file() { format!(": {}", shown(dir)) } else { String::new() };
         Failure::Message(format!(
@@ -86,7 +86,7 @@ fn feed_check(path: &Path) -> Result<Proof, Failure> {
         ))
     })?;
     let manifest = serde_json::from_slice(&manifest)
-        .map_err(|error| Failure::Message(format!("{} is not a manifest: {error}", shown(&beside))))?;
+        .map_err(|error| Failure::Message(format!("{} is not a manifest: {error}", shown(&manifest_path))))?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     Ok(prove_feed_check(&name, &read(path, FILE_LIMIT)?, &manifest))
 }
@@ -97,12 +97,13 @@ pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
         return Ok(());
     }
     let entries = fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))?;
-    let inside = entries.filter_map(Result::ok).map(|entry| entry.path());
-    let mut builds: Vec<String> = inside.filter(|path| path.join(MANIFEST).is_file()).map(argument).collect();
+    let entries_within = entries.filter_map(Result::ok).map(|entry| entry.path());
+    let mut builds: Vec<String> =
+        entries_within.filter(|path| path.join(MANIFEST).is_file()).map(argument).collect();
     if builds.is_empty() {
-        let wanted = "name the directory that `build` or `coupon` published";
+        let remedy = "name the directory that `build` or `coupon` published";
         return Err(Failure::Message(format!(
-            "{} is not a build: it has no spec.toml, machine.toml or {MANIFEST}; {wanted}",
+            "{} is not a build: it has no spec.toml, machine.toml or {MANIFEST}; {remedy}",
             shown(dir)
         )));
     }
@@ -110,22 +111,24 @@ pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
     let number = builds.len();
     let command = |build| format!("\n  stargrip-cam verify {build}");
     let list: String = builds.into_iter().take(MOST_BUILDS).map(command).collect();
-    let more = beyond(number, MOST_BUILDS).map_or_else(String::new, |more| format!("\n  and {more} more"));
-    let what = if number == 1 { "a build is in it".to_owned() } else { format!("{number} builds are in it") };
-    Err(Failure::Message(format!("{} is not a build, but {what}:{list}{more}", shown(dir))))
+    let remainder =
+        beyond(number, MOST_BUILDS).map_or_else(String::new, |more| format!("\n  and {more} more"));
+    let contents =
+        if number == 1 { "a build is in it".to_owned() } else { format!("{number} builds are in it") };
+    Err(Failure::Message(format!("{} is not a build, but {contents}:{list}{remainder}", shown(dir))))
 }
 
 fn text(dir: &Path, proof: &Proof) -> String {
     let mut text = String::new();
     for FileProof { path, deviation, by, .. } in &proof.files {
-        let how = match by {
+        let method = match by {
             Method::Bytes => "equal to a new build, byte for byte",
             Method::Reading => "read back",
             Method::Hash => "only its hash was compared",
         };
-        let near =
+        let deviation_text =
             deviation.filter(|mm| mm.is_finite()).map_or(String::new(), |mm| format!("within {mm:.6} mm, "));
-        let _ = writeln!(text, "{:28} {near}{how}", shown(path));
+        let _ = writeln!(text, "{:28} {deviation_text}{method}", shown(path));
     }
     text + &faults(dir, proof)
 }
@@ -160,9 +163,9 @@ fn verdict(dir: &Path, proof: &Proof) -> String {
     }
     match proof.findings.len() {
         0 if proof.written_by.is_some() => {
-            let (equal, all) = (proof.equal(), proof.files.len());
+            let (equal, file_count) = (proof.equal(), proof.files.len());
             parts.push(format!(
-                "no findings; {}; {equal} of {all} files equal those of this version to the byte",
+                "no findings; {}; {equal} of {file_count} files equal those of this version to the byte",
                 scope(proof)
             ));
         }
@@ -193,19 +196,19 @@ pub(super) fn read_directory(dir: &Path) -> Result<(PublishedBuild, OutputFiles<
     files.others.sort();
     for name in SOURCES {
         if names.iter().any(|known| known == name) {
-            let most = if name.starts_with("drawing.") { DRAWING_LIMIT } else { SOURCE_LIMIT };
-            add(&mut files, dir, name, most)?;
+            let limit = if name.starts_with("drawing.") { DRAWING_LIMIT } else { SOURCE_LIMIT };
+            add(&mut files, dir, name, limit)?;
         }
     }
     let published = PublishedBuild::of(&files);
-    let wanted: BTreeSet<String> = published.wanted().into_iter().collect();
+    let wanted_names: BTreeSet<String> = published.wanted().into_iter().collect();
     let stated: BTreeMap<&str, usize> = published.stated_sizes().collect();
     for name in names {
         if files.names().any(|known| known == name) {
             continue;
         }
         // Without a manifest no file is judged.
-        if !wanted.contains(&name) || stated.is_empty() {
+        if !wanted_names.contains(&name) || stated.is_empty() {
             files.files.push((name.into(), Vec::new().into()));
             continue;
         }
@@ -216,11 +219,11 @@ pub(super) fn read_directory(dir: &Path) -> Result<(PublishedBuild, OutputFiles<
     Ok((published, files))
 }
 
-/// Adds the file `name` of `dir` to `files`: its content, or only its length if that is above `most`.
-fn add(files: &mut OutputFiles<'static>, dir: &Path, name: &str, most: u64) -> Result<(), Failure> {
+/// Adds the file `name` of `dir` to `files`: its content, or only its length if that is above `limit`.
+fn add(files: &mut OutputFiles<'static>, dir: &Path, name: &str, limit: u64) -> Result<(), Failure> {
     let path = dir.join(name);
-    let bytes = read(&path, most.saturating_add(1))?;
-    if bytes.len() as u64 <= most {
+    let bytes = read(&path, limit.saturating_add(1))?;
+    if bytes.len() as u64 <= limit {
         files.files.push((name.to_owned().into(), bytes.into()));
     } else {
         let file = path.metadata().map_err(|error| Failure::file("read", &path, &error))?;
@@ -240,6 +243,6 @@ fn named(kind: fs::FileType) -> &'static str {
     }
 }
 
-fn read(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
-    first_bytes(path, most).map_err(|error| Failure::file("read", path, &error))
+fn read(path: &Path, limit: u64) -> Result<Vec<u8>, Failure> {
+    first_bytes(path, limit).map_err(|error| Failure::file("read", path, &error))
 }

@@ -17,16 +17,20 @@ type Stamps = BTreeMap<PathBuf, Option<(SystemTime, u64)>>;
 pub(super) fn on_every_save(specs: &[PathBuf], mut build: impl FnMut(&[PathBuf])) -> ! {
     let mut due = specs.to_vec();
     loop {
-        let before: Vec<Stamps> = specs.iter().map(|spec| stamps(spec)).collect();
+        let old_stamps: Vec<Stamps> = specs.iter().map(|spec| stamps(spec)).collect();
         build(&due);
         loop {
             sleep(PAUSE);
-            let now = specs.iter().map(|spec| stamps(spec));
-            let saved = specs.iter().zip(before.iter().zip(now)).filter(|(_, (before, now))| *before != now);
-            let saved: Vec<(&PathBuf, Stamps)> = saved.map(|(spec, (_, now))| (spec, now)).collect();
+            let new_stamps = specs.iter().map(|spec| stamps(spec));
+            let saved = specs
+                .iter()
+                .zip(old_stamps.iter().zip(new_stamps))
+                .filter(|(_, (old_stamps, new_stamps))| *old_stamps != new_stamps);
+            let saved: Vec<(&PathBuf, Stamps)> =
+                saved.map(|(spec, (_, new_stamps))| (spec, new_stamps)).collect();
             // Editors remove a file for a moment while they save it.
             if !saved.is_empty()
-                && saved.iter().all(|(spec, now)| now.get(*spec).is_some_and(Option::is_some))
+                && saved.iter().all(|(spec, new_stamps)| new_stamps.get(*spec).is_some_and(Option::is_some))
             {
                 due = saved.into_iter().map(|(spec, _)| spec.clone()).collect();
                 break;
@@ -50,6 +54,6 @@ fn named(path: &Path) -> Vec<PathBuf> {
 }
 
 fn stamp(file: &Path) -> Option<(SystemTime, u64)> {
-    let known = file.metadata().ok()?;
-    Some((known.modified().ok()?, known.len()))
+    let metadata = file.metadata().ok()?;
+    Some((metadata.modified().ok()?, metadata.len()))
 }

@@ -29,23 +29,23 @@ pub(super) fn refuse_special(path: &Path) -> io::Result<()> {
     if is_special(path) { Err(io::Error::other(SPECIAL)) } else { Ok(()) }
 }
 
-/// The first `most` bytes of the file `path`.
-pub(super) fn first_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+/// The first `limit` bytes of the file `path`.
+pub(super) fn first_bytes(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     let file = File::open(path)?;
     // The buffer has its full size at once: growing would copy it.
-    let length = file.metadata()?.len().min(most);
+    let length = file.metadata()?.len().min(limit);
     let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
-    let _ = file.take(most).read_to_end(&mut bytes)?;
+    let _ = file.take(limit).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
-/// The first `most` bytes of the file `path`, or of standard input for "-".
-pub(super) fn given_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+/// The first `limit` bytes of the file `path`, or of standard input for "-".
+pub(super) fn given_bytes(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     if !is_standard_input(path) {
-        return first_bytes(path, most);
+        return first_bytes(path, limit);
     }
     let mut bytes = Vec::new();
-    let _ = io::stdin().lock().take(most).read_to_end(&mut bytes)?;
+    let _ = io::stdin().lock().take(limit).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
@@ -69,8 +69,8 @@ impl WholeFile {
         let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
         let name = target.file_name().ok_or(io::ErrorKind::InvalidInput)?.to_string_lossy().into_owned();
         for number in 0.. {
-            let own = format!(".{name}.{}-{number}{UNFINISHED}", process::id());
-            let unfinished = target.with_file_name(own);
+            let unfinished_name = format!(".{name}.{}-{number}{UNFINISHED}", process::id());
+            let unfinished = target.with_file_name(unfinished_name);
             match File::create_new(&unfinished) {
                 Ok(file) => {
                     // [`sweep_leftovers`] takes this lock before it removes a file. If it was faster, the file is gone.
@@ -123,17 +123,17 @@ impl Drop for WholeFile {
 
 /// Removes what killed writers of the file `target` have left.
 pub(super) fn sweep_own(target: &Path) {
-    let own = target.file_name().unwrap_or_default().to_string_lossy();
-    sweep_leftovers(directory_of(target), |name| name == own);
+    let target_name = target.file_name().unwrap_or_default().to_string_lossy();
+    sweep_leftovers(directory_of(target), |name| name == target_name);
 }
 
 /// Removes unfinished files of killed writers from `dir`, if `is_ours` holds for the final name. A running writer holds a lock.
 pub(super) fn sweep_leftovers(dir: &Path, is_ours: impl Fn(&str) -> bool) {
     for entry in fs::read_dir(dir).into_iter().flatten().flatten() {
         let name = entry.file_name().to_string_lossy().into_owned();
-        let of = name.strip_prefix('.').and_then(|name| name.strip_suffix(UNFINISHED));
-        let of = of.and_then(|name| name.rsplit_once('.')).map(|(name, _)| name);
-        if !of.is_some_and(&is_ours) || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
+        let target_and_number = name.strip_prefix('.').and_then(|name| name.strip_suffix(UNFINISHED));
+        let target_name = target_and_number.and_then(|name| name.rsplit_once('.')).map(|(name, _)| name);
+        if !target_name.is_some_and(&is_ours) || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
             continue;
         }
         let Ok(file) = File::options().write(true).open(entry.path()) else { continue };
@@ -185,9 +185,9 @@ mod tests {
         }
         let at_work = WholeFile::begin(&dir.path().join("a.csv")).expect("begun");
         sweep_leftovers(dir.path(), |name| name == "a.csv");
-        let left = names(dir.path());
-        assert_eq!(left.len(), 4, "{left:?}");
-        assert!(!left.contains(&".a.csv.999999-0.partial".to_owned()), "{left:?}");
+        let entries = names(dir.path());
+        assert_eq!(entries.len(), 4, "{entries:?}");
+        assert!(!entries.contains(&".a.csv.999999-0.partial".to_owned()), "{entries:?}");
         drop(at_work);
         assert_eq!(names(dir.path()), [".a.csv.swp", ".b.csv.999999-0.partial", "a.csv.partial"]);
     }

@@ -7,11 +7,11 @@ pub(super) fn words<T: Copy + Send + Sync + 'static>(
     table: &'static [(&'static str, T)],
     help: &'static [&'static str],
 ) -> impl TypedValueParser<Value = T> {
-    let shown = |(i, (word, _)): (usize, &(&'static str, T))| match help.get(i) {
+    let possible_value = |(i, (word, _)): (usize, &(&'static str, T))| match help.get(i) {
         Some(help) => PossibleValue::new(*word).help(*help),
         None => PossibleValue::new(*word),
     };
-    PossibleValuesParser::new(table.iter().enumerate().map(shown))
+    PossibleValuesParser::new(table.iter().enumerate().map(possible_value))
         .try_map(|word| value_of(table, &word).ok_or("no such word"))
 }
 
@@ -20,7 +20,7 @@ pub(super) fn value_of<T: Copy>(table: &[(&str, T)], word: &str) -> Option<T> {
     table.iter().find(|(own, _)| *own == word).map(|(_, value)| *value)
 }
 
-/// How many of `number` things are beyond the first `most`, which are listed.
-pub(super) fn beyond(number: usize, most: usize) -> Option<usize> {
-    number.checked_sub(most).filter(|more| *more > 0)
+/// How many of `number` things are beyond the first `limit`, which are listed.
+pub(super) fn beyond(number: usize, limit: usize) -> Option<usize> {
+    number.checked_sub(limit).filter(|more| *more > 0)
 }

@@ -112,15 +112,15 @@ fn draw(content: &mut Content, path: &Path) {
 fn curves(content: &mut Content, arc: &Arc, end: Option<Point>) {
     let count = (arc.sweep.abs() / FRAC_PI_6 - 1e-9).ceil().max(1.0);
     let handle = 4.0 / 3.0 * libm::tan(arc.sweep.abs() / count / 4.0) * arc.radius;
-    let mut done = 0.0;
-    while done < count {
-        let (from, to) = (done / count, (done + 1.0) / count);
+    let mut pieces_done = 0.0;
+    while pieces_done < count {
+        let (from, to) = (pieces_done / count, (pieces_done + 1.0) / count);
         let [start, stop] = [from, to].map(|part| arc.at_angle(arc.start_angle + part * arc.sweep));
         let (a, b) = (start + arc.tangent(from) * handle, stop - arc.tangent(to) * handle);
         let stop = end.filter(|_| to >= 1.0).unwrap_or(stop);
         let [ax, ay, bx, by, x, y] = [a.x, a.y, b.x, b.y, stop.x, stop.y].map(number);
         let _ = content.cubic_to(ax, ay, bx, by, x, y);
-        done += 1.0;
+        pieces_done += 1.0;
     }
 }
 

@@ -41,34 +41,34 @@ pub fn stl(name: &str, drawing: &Drawing, thickness: f64) -> Vec<u8> {
         }
     }
     let solid = solid_faces(&triangles, &plate_edges);
-    let mut out = inert(name, HEAD).into_bytes();
-    out.resize(HEAD, b' ');
+    let mut bytes = inert(name, HEAD).into_bytes();
+    bytes.resize(HEAD, b' ');
     // Room for the number of facets.
-    out.extend([0; 4]);
+    bytes.extend([0; 4]);
     for face in triangles.inner_faces() {
         if !solid[face.fix().index()] {
             continue;
         }
         let [a, b, c] = face.positions().map(|p| [p.x, p.y]);
-        facet(&mut out, [(a, thickness), (b, thickness), (c, thickness)], [0.0, 0.0, 1.0]);
-        facet(&mut out, [(a, 0.0), (c, 0.0), (b, 0.0)], [0.0, 0.0, -1.0]);
+        facet(&mut bytes, [(a, thickness), (b, thickness), (c, thickness)], [0.0, 0.0, 1.0]);
+        facet(&mut bytes, [(a, 0.0), (c, 0.0), (b, 0.0)], [0.0, 0.0, -1.0]);
     }
     for edge in triangles.directed_edges().filter(|edge| edge.is_constraint_edge()) {
         let [left, right] = [edge.face(), edge.rev().face()].map(|face| solid[face.fix().index()]);
         if left && !right {
-            wall(&mut out, edge.positions().map(|p| [p.x, p.y]), thickness);
+            wall(&mut bytes, edge.positions().map(|p| [p.x, p.y]), thickness);
         }
     }
-    let count = u32::try_from((out.len() - HEAD - 4) / FACET).unwrap_or(u32::MAX);
-    out[HEAD..HEAD + 4].copy_from_slice(&count.to_le_bytes());
-    out
+    let count = u32::try_from((bytes.len() - HEAD - 4) / FACET).unwrap_or(u32::MAX);
+    bytes[HEAD..HEAD + 4].copy_from_slice(&count.to_le_bytes());
+    bytes
 }
 
 /// Puts the corners of a closed path and the edges between them into the triangulation.
 fn insert(path: &Path, triangles: &mut StlTriangles, plate_edges: &mut PlateEdges) {
-    let corners = corners(path);
+    let path_corners = corners(path);
     let vertices: Vec<FixedVertexHandle> =
-        corners.iter().filter_map(|[x, y]| triangles.insert(Point2::new(*x, *y)).ok()).collect();
+        path_corners.iter().filter_map(|[x, y]| triangles.insert(Point2::new(*x, *y)).ok()).collect();
     for (a, b) in vertices.iter().zip(vertices.iter().cycle().skip(1)) {
         // Paths of a design never meet. If two did, an edge would be missing and the verifier would report it.
         if a != b && triangles.can_add_constraint(*a, *b) {
@@ -90,12 +90,12 @@ fn solid_faces(triangles: &StlTriangles, plate_edges: &PlateEdges) -> Vec<bool> 
     let hull = triangles.convex_hull().flat_map(|edge| [edge, edge.rev()]);
     let mut open: Vec<_> = hull.filter(|edge| edge.face().fix().index() == outer).collect();
     while let Some(edge) = open.pop() {
-        let (here, there) = (edge.face().fix().index(), edge.rev().face());
-        let (Some(is_plate), None) = (states[here], states[there.fix().index()]) else { continue };
+        let (face, neighbour) = (edge.face().fix().index(), edge.rev().face());
+        let (Some(is_plate), None) = (states[face], states[neighbour.fix().index()]) else { continue };
         let [a, b] = edge.vertices().map(|vertex| vertex.fix().index());
         let ends = plate_edges.contains(&[a.min(b), a.max(b)]);
-        states[there.fix().index()] = Some(is_plate != ends);
-        if let Some(face) = there.as_inner() {
+        states[neighbour.fix().index()] = Some(is_plate != ends);
+        if let Some(face) = neighbour.as_inner() {
             open.extend(face.adjacent_edges());
         }
     }
@@ -105,26 +105,26 @@ fn solid_faces(triangles: &StlTriangles, plate_edges: &PlateEdges) -> Vec<bool> 
 /// The corners of a closed path as a polygon, rounded; no two neighbours are the same.
 fn corners(path: &Path) -> Vec<[f64; 2]> {
     let rounded = |p: Point| [p.x, p.y].map(|x| Decimals::exactly(DECIMALS).round(x));
-    let mut out: Vec<[f64; 2]> = chords(path, CHORD).into_iter().map(rounded).collect();
-    out.dedup();
-    if out.len() > 1 && out.first() == out.last() {
-        let _ = out.pop();
+    let mut points: Vec<[f64; 2]> = chords(path, CHORD).into_iter().map(rounded).collect();
+    points.dedup();
+    if points.len() > 1 && points.first() == points.last() {
+        let _ = points.pop();
     }
-    out
+    points
 }
 
 /// Two triangles below the edge from the first to the second of `ends`, whose left side is solid, from Z 0 to `top`.
-fn wall(out: &mut Vec<u8>, ends: [[f64; 2]; 2], top: f64) {
+fn wall(bytes: &mut Vec<u8>, ends: [[f64; 2]; 2], top: f64) {
     let [a, b] = ends;
     let ([ax, ay], [bx, by]) = (a, b);
     let length = libm::hypot(bx - ax, by - ay);
     let normal = [(by - ay) / length, (ax - bx) / length, 0.0];
-    facet(out, [(a, top), (a, 0.0), (b, 0.0)], normal);
-    facet(out, [(a, top), (b, 0.0), (b, top)], normal);
+    facet(bytes, [(a, top), (a, 0.0), (b, 0.0)], normal);
+    facet(bytes, [(a, top), (b, 0.0), (b, top)], normal);
 }
 
-fn facet(out: &mut Vec<u8>, corners: [([f64; 2], f64); 3], normal: [f64; 3]) {
+fn facet(bytes: &mut Vec<u8>, corners: [([f64; 2], f64); 3], normal: [f64; 3]) {
     let numbers = normal.into_iter().chain(corners.into_iter().flat_map(|([x, y], z)| [x, y, z]));
-    out.extend(numbers.flat_map(|x| single(x).to_le_bytes()));
-    out.extend([0, 0]);
+    bytes.extend(numbers.flat_map(|x| single(x).to_le_bytes()));
+    bytes.extend([0, 0]);
 }

@@ -87,48 +87,49 @@ impl SvgPage {
             Shape::Path(path) => self.path(std::slice::from_ref(path)),
             Shape::Figure(paths) => self.path(paths),
             Shape::Circle { center, radius } => {
-                let mut out = Element::new("circle");
-                out.assign("cx", self.x(*center));
-                out.assign("cy", self.y(*center));
-                out.assign("r", self.decimals.text(*radius));
-                out
+                let mut element = Element::new("circle");
+                element.assign("cx", self.x(*center));
+                element.assign("cy", self.y(*center));
+                element.assign("r", self.decimals.text(*radius));
+                element
             }
         }
     }
 
     /// One element, however many times the pen is lifted.
     fn path(&self, paths: &[Path]) -> Element {
-        let mut out = Element::new("path");
-        out.assign("d", self.data(paths));
-        out
+        let mut element = Element::new("path");
+        element.assign("d", self.data(paths));
+        element
     }
 
     /// The paths as SVG path data.
     pub(super) fn data(&self, paths: &[Path]) -> String {
-        let mut out = String::with_capacity(40 * paths.iter().map(|path| path.segments.len()).sum::<usize>());
+        let mut data =
+            String::with_capacity(40 * paths.iter().map(|path| path.segments.len()).sum::<usize>());
         for path in paths {
-            if !out.is_empty() {
-                out.push(' ');
+            if !data.is_empty() {
+                data.push(' ');
             }
-            self.write(&mut out, path);
+            self.write(&mut data, path);
         }
-        out
+        data
     }
 
     /// Appends the path as SVG path data.
     ///
     /// Arcs of more than 90 degrees are written as halves: SVG states only the ends, and near 180 degrees
     /// the centre that follows from them is worthless.
-    fn write(&self, out: &mut String, path: &Path) {
+    fn write(&self, data: &mut String, path: &Path) {
         let Some(start) = path.start() else { return };
-        self.point(out, "M", start);
+        self.point(data, "M", start);
         let last = path.segments.len() - 1;
         for (i, segment) in path.segments.iter().enumerate() {
             let closes = path.closed && i == last;
             match segment {
                 // `Z` draws the last line of a closed path.
                 Segment::Line(_) if closes => {}
-                Segment::Line(line) => self.point(out, " L", line.end),
+                Segment::Line(line) => self.point(data, " L", line.end),
                 Segment::Arc(arc) => {
                     let halves = if arc.sweep.abs() > std::f64::consts::FRAC_PI_2 { 2 } else { 1 };
                     let halves = if arc.sweep.abs() > std::f64::consts::PI { 4 } else { halves };
@@ -139,25 +140,25 @@ impl SvgPage {
                         } else {
                             segment.point(f64::from(k) / f64::from(halves))
                         };
-                        out.push_str(" A");
-                        self.decimals.write(out, arc.radius);
-                        out.push(' ');
-                        self.decimals.write(out, arc.radius);
+                        data.push_str(" A");
+                        self.decimals.write(data, arc.radius);
+                        data.push(' ');
+                        self.decimals.write(data, arc.radius);
                         // Y points down: counterclockwise turns become clockwise.
-                        self.point(out, if arc.is_ccw() { " 0 0 0 " } else { " 0 0 1 " }, end);
+                        self.point(data, if arc.is_ccw() { " 0 0 0 " } else { " 0 0 1 " }, end);
                     }
                 }
             }
         }
         if path.closed {
-            out.push_str(" Z");
+            data.push_str(" Z");
         }
     }
 
-    fn point(&self, out: &mut String, command: &str, p: Point) {
-        out.push_str(command);
-        self.decimals.write(out, p.x);
-        out.push(' ');
-        self.decimals.write(out, self.height - p.y);
+    fn point(&self, data: &mut String, command: &str, p: Point) {
+        data.push_str(command);
+        self.decimals.write(data, p.x);
+        data.push(' ');
+        self.decimals.write(data, self.height - p.y);
     }
 }

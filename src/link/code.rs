@@ -72,9 +72,10 @@ mod tests {
         let runs = code.runs();
         for y in 0..code.side() {
             for x in 0..code.side() {
-                let within = runs.iter().filter(|run| run[1] == y && (run[0]..run[0] + run[2]).contains(&x));
+                let covering =
+                    runs.iter().filter(|run| run[1] == y && (run[0]..run[0] + run[2]).contains(&x));
                 let dark = code.code.get_module(x - QUIET, y - QUIET);
-                assert_eq!(within.count(), usize::from(dark), "{x}, {y}");
+                assert_eq!(covering.count(), usize::from(dark), "{x}, {y}");
             }
         }
         assert!(code.svg_path().starts_with("M4 4h7v1h-7z"));

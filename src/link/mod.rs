@@ -71,15 +71,15 @@ fn without_comments(text: &str) -> Cow<'_, str> {
 
 /// `text` with every byte by its number that is not unreserved in an address (RFC 3986, 2.3).
 fn escaped(text: &str) -> String {
-    let mut out = String::new();
+    let mut escaped = String::new();
     for byte in text.bytes() {
         if byte.is_ascii_alphanumeric() || b"-_.~".contains(&byte) {
-            out.push(char::from(byte));
+            escaped.push(char::from(byte));
         } else {
-            let _ = write!(out, "%{byte:02X}");
+            let _ = write!(escaped, "%{byte:02X}");
         }
     }
-    out
+    escaped
 }
 
 #[cfg(test)]
@@ -96,8 +96,8 @@ mod tests {
     proptest! {
         #[test]
         fn a_link_holds_what_was_put_in(spec in "\\PC{0,200}", machine in "\\PC{0,99}", name in "\\PC{1,20}", drawing: Vec<u8>) {
-            let held = LinkedSpec { spec: &spec, machine: Some(&machine), drawing: Some((&name, &drawing)) };
-            let fragment = held.fragment();
+            let linked = LinkedSpec { spec: &spec, machine: Some(&machine), drawing: Some((&name, &drawing)) };
+            let fragment = linked.fragment();
             prop_assert!(fragment.bytes().all(|byte| byte.is_ascii_graphic()), "{}", fragment);
             let parts: Vec<(&str, &str)> =
                 fragment[1..].split('&').map(|part| part.split_once('=').expect("a value")).collect();

@@ -50,8 +50,8 @@ impl MadeCoupons {
         grid: &StripGrid,
         groups: &[CouponGroup],
     ) -> Result<Self, Refusals> {
-        let coupons = coupons(spec, machine, grid, groups)?;
-        let leaks = coupons.iter().flat_map(|coupon| &coupon.pieces).flat_map(|piece| {
+        let coupon_list = coupons(spec, machine, grid, groups)?;
+        let leaks = coupon_list.iter().flat_map(|coupon| &coupon.pieces).flat_map(|piece| {
             let leaks = airtight::shape_leaks(&piece.shape, false).into_iter();
             leaks.map(|leak| Refusal { found: format!("{}: {}", piece.name, leak.found), ..leak })
         });
@@ -66,7 +66,7 @@ impl MadeCoupons {
             file("machine.toml".to_owned(), Kind::Machine, sources.machine),
         ];
         let ending = program_ending(machine.controller.dialect);
-        for coupon in &coupons {
+        for coupon in &coupon_list {
             files.push(file(format!("{}.{ending}", coupon.name), Kind::SealGcode, &coupon.gcode()));
             files.push(file(format!("{}.svg", coupon.name), Kind::SealSvg, &coupon.svg));
         }
@@ -75,8 +75,13 @@ impl MadeCoupons {
         if has_strips {
             files.push(file(OVERVIEW.to_owned(), Kind::SealSvg, &overview(spec, grid, &strips)));
         }
-        let manifest = manifest(spec, grid, groups, &coupons, &files);
-        Ok(Self { coupons, files, table: has_strips.then(|| table(&strips)), manifest })
+        let coupon_manifest = manifest(spec, grid, groups, &coupon_list, &files);
+        Ok(Self {
+            coupons: coupon_list,
+            files,
+            table: has_strips.then(|| table(&strips)),
+            manifest: coupon_manifest,
+        })
     }
 
     /// The coupons, ready to be published.
@@ -95,16 +100,16 @@ impl MadeCoupons {
         OutputFiles { files: files.chain([manifest]).collect(), ..OutputFiles::default() }
     }
 
-    /// Reads every program among `files`, whose manifest is `written`, and compares all files with these.
-    fn proof(&self, written: &CouponManifest, files: &OutputFiles<'_>) -> Proof {
+    /// Reads every program among `files`, whose manifest is `manifest`, and compares all files with these.
+    fn proof(&self, manifest: &CouponManifest, files: &OutputFiles<'_>) -> Proof {
         let mut proof = Proof::default();
-        if written.tool != Tool::current() {
-            proof.written_by = Some(written.tool.version.clone());
+        if manifest.tool != Tool::current() {
+            proof.written_by = Some(manifest.tool.version.clone());
         }
         for file in &self.files {
             let mut findings = Findings::default();
-            if let Some(found) = files.get(&file.name) {
-                self.judge(file, found, written, &mut findings, &mut proof);
+            if let Some(bytes) = files.get(&file.name) {
+                self.judge(file, bytes, manifest, &mut findings, &mut proof);
             } else {
                 findings.push(files.lacks(&file.name, &format!("the {}", file.output.kind)));
             }
@@ -114,29 +119,29 @@ impl MadeCoupons {
         let known =
             |name: &str| name == MANIFEST || name == TABLE || self.files.iter().any(|file| file.name == name);
         for name in files.names().filter(|name| !known(name)) {
-            let found = "a file that the coupons do not have";
-            let finding = Finding::new(FindingCode::UnnamedFile, found, "only their files");
+            let problem = "a file that the coupons do not have";
+            let finding = Finding::new(FindingCode::UnnamedFile, problem, "only their files");
             proof.findings.push(finding.in_file(name));
         }
-        let (found, right) = (files.get(MANIFEST).unwrap_or_default(), self.manifest.to_json());
-        if proof.findings.is_empty() && proof.written_by.is_none() && found != right.as_slice() {
-            proof.findings.push(verify::first_difference(found, &right).in_file(MANIFEST));
+        let (written_bytes, right) = (files.get(MANIFEST).unwrap_or_default(), self.manifest.to_json());
+        if proof.findings.is_empty() && proof.written_by.is_none() && written_bytes != right.as_slice() {
+            proof.findings.push(verify::first_difference(written_bytes, &right).in_file(MANIFEST));
         }
         proof
     }
 
-    /// Compares one file with `found`, and reads it if it is a program.
+    /// Compares one file with `written_bytes`, and reads it if it is a program.
     fn judge(
         &self,
         Artifact { output, name, bytes }: &Artifact,
-        found: &[u8],
-        written: &CouponManifest,
+        written_bytes: &[u8],
+        manifest: &CouponManifest,
         findings: &mut Findings,
         proof: &mut Proof,
     ) {
-        let (kind, sha256) = (output.kind, sha256(found));
+        let (kind, sha256) = (output.kind, sha256(written_bytes));
         let stated =
-            written.files.iter().find(|entry| entry.path == *name).map(|entry| entry.sha256.as_str());
+            manifest.files.iter().find(|entry| entry.path == *name).map(|entry| entry.sha256.as_str());
         if stated != Some(sha256.as_str()) {
             let stated = stated.unwrap_or("named in the manifest");
             findings.add(FindingCode::Hash, sha256.clone(), stated);
@@ -145,21 +150,21 @@ impl MadeCoupons {
             |coupon: &&Coupon| name.strip_prefix(&coupon.name).is_some_and(|rest| rest.starts_with('.'));
         let coupon = self.coupons.iter().find(is_of).filter(|_| kind == Kind::SealGcode);
         let deviation =
-            coupon.map(|coupon| coupon_task(coupon).check(&String::from_utf8_lossy(found), findings));
-        let equal = found == bytes;
+            coupon.map(|coupon| coupon_task(coupon).check(&String::from_utf8_lossy(written_bytes), findings));
+        let equal = written_bytes == bytes;
         if !equal && proof.written_by.is_none() {
-            findings.push(verify::first_difference(found, bytes));
+            findings.push(verify::first_difference(written_bytes, bytes));
         } else if !equal && coupon.is_none() {
             proof.unproven.push(name.clone());
         }
-        let by = match (equal, coupon) {
+        let method = match (equal, coupon) {
             // Spec and profile are inputs: they are not made again.
             _ if kind.is_source() => Method::Hash,
             (true, _) => Method::Bytes,
             (false, Some(_)) => Method::Reading,
             (false, None) => Method::Hash,
         };
-        proof.files.push(FileProof { path: name.clone(), output: *output, by, sha256, deviation });
+        proof.files.push(FileProof { path: name.clone(), output: *output, by: method, sha256, deviation });
     }
 }
 
@@ -179,7 +184,7 @@ impl ProvenCoupons {
 }
 
 /// Proves a directory of coupons from its files alone: they are made again from its spec, its profile and the settings in its manifest.
-pub(super) fn prove_coupons(written: &CouponManifest, files: &OutputFiles<'_>) -> Proof {
+pub(super) fn prove_coupons(manifest: &CouponManifest, files: &OutputFiles<'_>) -> Proof {
     let failed = |findings: Vec<Finding>| Proof { findings, ..Proof::default() };
     let (reading, machine) = match sources_of(files) {
         Ok(sources) => sources,
@@ -187,18 +192,18 @@ pub(super) fn prove_coupons(written: &CouponManifest, files: &OutputFiles<'_>) -
     };
     let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok()).unwrap_or_default();
     let sources = Sources { spec: text("spec.toml"), machine: text("machine.toml") };
-    let Some((grid, groups)) = wanted(&written.coupons, &machine) else {
+    let Some((grid, groups)) = settings_of(&manifest.coupons, &machine) else {
         let finding = Finding::new(FindingCode::Manifest, "other settings", "settings that `coupon` takes");
         return failed(vec![finding.in_file(MANIFEST)]);
     };
     match MadeCoupons::new(&reading.spec, &machine, sources, &grid, &groups) {
-        Ok(made) => made.proof(written, files),
+        Ok(made) => made.proof(manifest, files),
         Err(refusals) => failed(refused(refusals)),
     }
 }
 
 /// The settings and groups of a manifest; `None` if `coupon` would refuse them.
-fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<(StripGrid, Vec<CouponGroup>)> {
+fn settings_of(choice: &CouponChoice, machine: &Machine) -> Option<(StripGrid, Vec<CouponGroup>)> {
     let CouponChoice { temperatures, speeds, heights, repeats, only } = choice;
     let lengths = [temperatures, speeds, heights].map(Vec::len);
     let strips = lengths.iter().try_fold(*repeats, |strips, length| strips.checked_mul(*length))?;
@@ -237,7 +242,7 @@ fn manifest(
     coupons: &[Coupon],
     files: &[Artifact],
 ) -> CouponManifest {
-    let only = CouponGroup::NAMES.iter().filter(|(_, group)| groups.contains(group));
+    let named_groups = CouponGroup::NAMES.iter().filter(|(_, group)| groups.contains(group));
     CouponManifest {
         tool: Tool::current(),
         name: spec.name.clone(),
@@ -246,7 +251,7 @@ fn manifest(
             speeds: grid.speeds.iter().map(|v| v.0).collect(),
             heights: grid.heights.iter().map(|h| h.0).collect(),
             repeats: grid.repeats,
-            only: only.map(|(name, _)| (*name).to_owned()).collect(),
+            only: named_groups.map(|(name, _)| (*name).to_owned()).collect(),
         },
         files: files.iter().map(ManifestFile::new).collect(),
         pieces: coupons.iter().map(|coupon| coupon_piece(&coupon.name, &coupon.program)).collect(),

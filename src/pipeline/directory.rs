@@ -29,8 +29,8 @@ fn source_of<T>(
         return Err(files.lacks(name, "the file of the build"));
     };
     Source::from_bytes(name, bytes).and_then(|source| read(&source)).map_err(|faults| {
-        let found = faults.list().first().map_or("faults", |fault| &fault.message).to_owned();
-        Finding::new(FindingCode::Unreadable, found, "text that `check` accepts").in_file(name)
+        let message = faults.list().first().map_or("faults", |fault| &fault.message).to_owned();
+        Finding::new(FindingCode::Unreadable, message, "text that `check` accepts").in_file(name)
     })
 }
 

@@ -43,7 +43,7 @@ pub fn feed_check(
     let programs: Vec<Program> =
         plan::feed_checks(spec, machine).into_iter().map(|(_, program)| program).collect();
     plan::feed_check_refusals(spec, machine, &programs).or(()).map_err(FeedCheckFault::Refused)?;
-    let (text, _, findings) = made(spec, machine, None);
+    let (text, _, findings) = program_of(spec, machine, None);
     if !findings.is_empty() {
         let findings = findings.into_iter().map(|finding| finding.in_file(name)).collect();
         return Err(FeedCheckFault::Wrong(findings));
@@ -60,8 +60,8 @@ pub fn feed_check(
     Ok(ProvenFeedCheck { text, manifest })
 }
 
-/// Proves the feed check `found` in the file `name` from its manifest.
-pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) -> Proof {
+/// Proves the feed check `bytes` in the file `name` from its manifest.
+pub fn prove_feed_check(name: &str, bytes: &[u8], manifest: &FeedCheckManifest) -> Proof {
     let mut findings = Findings::default();
     let sources = spec::read(&Source::new("spec", manifest.spec.as_str())).and_then(|reading| {
         Ok((reading.spec, spec::read_machine(&Source::new("machine", manifest.machine.as_str()))?))
@@ -74,28 +74,33 @@ pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) 
             return Proof { findings: findings.into_vec(), ..Proof::default() };
         }
     };
-    let sha256 = sha256(found);
-    if !manifest.files.iter().any(|entry| entry.sha256 == sha256) {
-        findings.add(FindingCode::Hash, sha256.clone(), "the hash in the manifest");
+    let hash = sha256(bytes);
+    if !manifest.files.iter().any(|entry| entry.sha256 == hash) {
+        findings.add(FindingCode::Hash, hash.clone(), "the hash in the manifest");
     }
     let other = (manifest.tool != Tool::current()).then(|| manifest.tool.version.clone());
-    let text = String::from_utf8_lossy(found);
-    let (right, deviation, wrong) = made(&spec, &machine, Some(text.as_ref()));
+    let text = String::from_utf8_lossy(bytes);
+    let (right, deviation, wrong) = program_of(&spec, &machine, Some(text.as_ref()));
     let deviation = wrong.is_empty().then_some(deviation);
     findings.extend(wrong);
-    let equal = right.as_bytes() == found;
+    let equal = right.as_bytes() == bytes;
     if !equal && other.is_none() {
-        findings.push(verify::first_difference(found, right.as_bytes()));
+        findings.push(verify::first_difference(bytes, right.as_bytes()));
     }
-    let by = if equal { Method::Bytes } else { Method::Reading };
-    let file =
-        FileProof { path: name.to_owned(), output: Output::new(Kind::TraceGcode), by, sha256, deviation };
+    let method = if equal { Method::Bytes } else { Method::Reading };
+    let file = FileProof {
+        path: name.to_owned(),
+        output: Output::new(Kind::TraceGcode),
+        by: method,
+        sha256: hash,
+        deviation,
+    };
     let findings = findings.into_vec().into_iter().map(|finding| finding.in_file(name)).collect();
     Proof { findings, files: vec![file], written_by: other, unproven: Vec::new() }
 }
 
-/// The program; the largest deviation, mm, of `found`, or else of the program itself; and the findings.
-fn made(spec: &Spec, machine: &Machine, found: Option<&str>) -> (String, f64, Vec<Finding>) {
+/// The program; the largest deviation, mm, of `published`, or else of the program itself; and the findings.
+fn program_of(spec: &Spec, machine: &Machine, published: Option<&str>) -> (String, f64, Vec<Finding>) {
     let checks = plan::feed_checks(spec, machine);
     let text = emit::feed_check(spec, machine, &checks);
     let steps = checks.iter().flat_map(|(_, program)| &program.steps);
@@ -105,6 +110,6 @@ fn made(spec: &Spec, machine: &Machine, found: Option<&str>) -> (String, f64, Ve
     });
     let task = FeedCheckTask { spec, machine, lines: lines.collect() };
     let mut findings = Findings::default();
-    let deviation = task.check(found.unwrap_or(&text), &mut findings);
+    let deviation = task.check(published.unwrap_or(&text), &mut findings);
     (text, deviation, findings.into_vec())
 }

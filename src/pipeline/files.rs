@@ -108,8 +108,8 @@ fn preview(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
 /// The report of the gripper: all results on one page.
 fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     let Forecast { spec, machine, design, programs, prediction, drawn, .. } = forecast;
-    let charts = charts(spec, design);
-    let scene = scene(forecast)?;
+    let chart_list = charts(spec, design);
+    let glb = scene(forecast)?;
     let bill = manifest_of(spec, design, programs, None);
     let precautions = forecast.precautions(SPEC);
     let watch: Vec<(&str, &str)> =
@@ -122,10 +122,10 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
         programs,
         prediction: prediction.as_ref(),
         drawn: drawn.as_ref().map(|drawn| &drawn.prediction),
-        charts: &charts,
+        charts: &chart_list,
         watch: &watch,
         bill: &bill,
-        scene: &scene,
+        scene: &glb,
         code: sources.code(spec).as_ref(),
     }))
 }

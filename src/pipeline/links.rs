@@ -23,19 +23,19 @@ impl<'a> Sources<'a> {
 impl Forecast {
     /// Notes for the user about the design and its files.
     pub fn warnings(&self, sources: Sources<'_>) -> Vec<Warning> {
-        let mut all = self.design.warnings.clone();
-        all.extend(long_link(&self.spec, sources));
-        all
+        let mut warnings = self.design.warnings.clone();
+        warnings.extend(long_link(&self.spec, sources));
+        warnings
     }
 }
 
 /// That the link which `spec` asks for is too long for a code.
 fn long_link(spec: &Spec, sources: Sources<'_>) -> Option<Warning> {
     let length = sources.linked(spec).short_link(spec.build.link.as_ref()?).len();
-    let found = format!("the link to this spec has {length} characters");
+    let message = format!("the link to this spec has {length} characters");
     let remedy = format!(
         "a QR code holds at most {MOST_LETTERS}: previews and report have none; leave out `link` in [build], or shorten the \
          spec, its own profile or its drawing"
     );
-    (length > MOST_LETTERS).then(|| Warning::new(key::build::LINK, RefusalCode::LongLink, found, remedy))
+    (length > MOST_LETTERS).then(|| Warning::new(key::build::LINK, RefusalCode::LongLink, message, remedy))
 }

@@ -17,8 +17,8 @@ impl Forecast {
     /// The reasons why the gripper is unfit, star by star; empty if it is fit, if it has no requirement, or if the result is uncertain.
     pub fn unfit(&self) -> Refusals {
         let of_stars = self.prediction.as_ref().map(|prediction| refusals(&self.spec, prediction));
-        let drawn = self.drawn.as_ref().and_then(|drawn| drawn.prediction.bursts());
-        of_stars.into_iter().flatten().chain(drawn).collect()
+        let of_drawing = self.drawn.as_ref().and_then(|drawn| drawn.prediction.bursts());
+        of_stars.into_iter().flatten().chain(of_drawing).collect()
     }
 
     /// A warning that it may not hold the object, with the reasons; `None` if the result is certain.
@@ -35,8 +35,8 @@ mod tests {
     use design::RefusalCode;
     use spec::{Machine, Source, read, starter};
 
-    fn forecast(more: &str) -> Forecast {
-        of_text(starter("x").expect("a name") + more)
+    fn forecast(extra: &str) -> Forecast {
+        of_text(starter("x").expect("a name") + extra)
     }
 
     fn of_text(text: String) -> Forecast {
@@ -49,7 +49,7 @@ mod tests {
         forecast.unfit().iter().map(|refusal| refusal.code.to_string()).collect()
     }
 
-    fn holds(forecast: &Forecast) -> Option<Holds> {
+    fn verdict_of(forecast: &Forecast) -> Option<Holds> {
         forecast.verdict().map(|verdict| verdict.holds)
     }
 
@@ -57,28 +57,31 @@ mod tests {
     fn what_is_not_asked_is_not_judged() {
         assert_eq!(forecast("").verdict(), None);
         let bare = forecast("[load]\npressure = \"37 kPa\"\n");
-        assert_eq!((holds(&bare), codes(&bare)), (None, vec![]));
+        assert_eq!((verdict_of(&bare), codes(&bare)), (None, vec![]));
     }
 
     #[test]
     fn an_object_between_final_and_inner_radius_is_fit_and_no_other() {
-        let with =
+        let with_radius =
             |mm: f64| forecast(&format!("[load]\npressure = \"37 kPa\"\nobject_radius = \"{mm} mm\"\n"));
-        assert_eq!(codes(&with(30.0)), [""; 0]);
-        let (thin, wide) = (with(5.0), with(51.0));
-        assert_eq!((holds(&thin), codes(&thin)), (Some(Holds::No), vec!["object-too-thin".to_owned()]));
-        assert_eq!((holds(&wide), codes(&wide)), (Some(Holds::No), vec!["object-too-wide".to_owned()]));
+        assert_eq!(codes(&with_radius(30.0)), [""; 0]);
+        let (thin, wide) = (with_radius(5.0), with_radius(51.0));
+        assert_eq!((verdict_of(&thin), codes(&thin)), (Some(Holds::No), vec!["object-too-thin".to_owned()]));
+        assert_eq!((verdict_of(&wide), codes(&wide)), (Some(Holds::No), vec!["object-too-wide".to_owned()]));
         let remedy = thin.unfit()[0].remedy.clone();
-        let least: f64 = remedy.split(' ').find_map(|word| word.parse().ok()).expect("a number");
-        assert_eq!(codes(&with(least)), [""; 0], "{remedy}");
+        let smallest: f64 = remedy.split(' ').find_map(|word| word.parse().ok()).expect("a number");
+        assert_eq!(codes(&with_radius(smallest)), [""; 0], "{remedy}");
     }
 
     #[test]
     fn what_no_table_knows_is_no_verdict() {
         let soft = forecast("[load]\npressure = \"0.1 kPa\"\nobject_radius = \"30 mm\"\n");
-        assert_eq!((holds(&soft), codes(&soft)), (Some(Holds::Unknown), vec!["outside-models".to_owned()]));
+        assert_eq!(
+            (verdict_of(&soft), codes(&soft)),
+            (Some(Holds::Unknown), vec!["outside-models".to_owned()])
+        );
         // Without an object, a star outside all models is still made.
-        let with = |[default, own]: [&str; 2], more: &str| {
+        let with_values = |[default, own]: [&str; 2], more: &str| {
             let text = starter("x").expect("a name").replace(&format!("# {default}"), own);
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\n{more}");
             of_text(text)
@@ -87,8 +90,8 @@ mod tests {
             (["thickness = \"0.3 mm\"", "thickness = \"0.1 mm\""], "tube_width"),
             (["poisson_ratio = 0.39", "poisson_ratio = 0.5"], "poisson_ratio"),
         ] {
-            assert_eq!(codes(&with(change, "")), [""; 0]);
-            let unknown = with(change, "object_diameter = \"60 mm\"\n");
+            assert_eq!(codes(&with_values(change, "")), [""; 0]);
+            let unknown = with_values(change, "object_diameter = \"60 mm\"\n");
             assert_eq!(codes(&unknown), ["outside-models"]);
             assert_eq!(unknown.unfit()[0].key.key(), key);
         }
@@ -96,38 +99,39 @@ mod tests {
 
     #[test]
     fn what_may_not_hold_is_said_and_passes() {
-        let with = |mass: f64| {
+        let with_mass = |mass: f64| {
             forecast(&format!(
                 "[load]\npressure = \"37 kPa\"\nobject_diameter = \"60 mm\"\nfriction = 0.5\nmass = \"{mass} kg\"\n"
             ))
         };
-        let [low, high] = with(0.1).prediction.expect("asked").first.ranges.payload_kg.expect("known");
-        let (sure, unsure, never) = (with(0.9 * low), with(0.5 * (low + high)), with(1.1 * high));
-        assert_eq!((sure.uncertain(), codes(&sure)), (None, vec![]));
+        let [low, high] = with_mass(0.1).prediction.expect("asked").first.ranges.payload_kg.expect("known");
+        let (surely_held, unsure, never_held) =
+            (with_mass(0.9 * low), with_mass(0.5 * (low + high)), with_mass(1.1 * high));
+        assert_eq!((surely_held.uncertain(), codes(&surely_held)), (None, vec![]));
         assert!(unsure.uncertain().is_some_and(|text| text.starts_with("may hold the object")));
         assert_eq!(codes(&unsure), [""; 0]);
-        assert_eq!((never.uncertain(), codes(&never)), (None, vec!["too-heavy".to_owned()]));
+        assert_eq!((never_held.uncertain(), codes(&never_held)), (None, vec!["too-heavy".to_owned()]));
     }
 
     #[test]
     fn the_size_is_a_diameter_or_a_radius_and_not_both() {
-        let [across, radius] = ["object_diameter = \"70 mm\"", "object_radius = \"35 mm\""]
+        let [by_diameter, radius] = ["object_diameter = \"70 mm\"", "object_radius = \"35 mm\""]
             .map(|size| forecast(&format!("[load]\npressure = \"37 kPa\"\n{size}\n")).prediction);
-        assert!(across == radius && across.is_some());
-        let both = "[load]\nobject_diameter = \"70 mm\"\nobject_radius = \"35 mm\"\n";
-        let text = starter("x").expect("a name") + both;
+        assert!(by_diameter == radius && by_diameter.is_some());
+        let two_sizes = "[load]\nobject_diameter = \"70 mm\"\nobject_radius = \"35 mm\"\n";
+        let text = starter("x").expect("a name") + two_sizes;
         let faults = read(&Source::new("x", text)).expect_err("both");
         assert!(faults.to_string().contains("conflict"), "{faults}");
     }
 
     #[test]
     fn an_object_passes_the_cut_hole_or_is_refused_and_little_room_is_warned_of() {
-        let with =
+        let with_diameter =
             |mm: f64| forecast(&format!("[load]\npressure = \"37 kPa\"\nobject_diameter = \"{mm} mm\"\n"));
         let warned = |forecast: &Forecast| {
             forecast.design.warnings.iter().any(|warning| warning.code == RefusalCode::TightHole)
         };
-        let (free, tight, wide) = (with(80.0), with(92.0), with(95.0));
+        let (free, tight, wide) = (with_diameter(80.0), with_diameter(92.0), with_diameter(95.0));
         assert!(!warned(&free) && warned(&tight) && !warned(&wide));
         assert_eq!([codes(&free), codes(&tight)], [vec![], Vec::<String>::new()]);
         assert_eq!(codes(&wide), ["object-too-wide"]);
@@ -149,22 +153,22 @@ mod tests {
     #[test]
     fn a_stack_is_unfit_if_none_of_its_stars_holds_the_object() {
         let wide = "[stack]\ncount = 2\n[[stack.star]]\nindex = 2\ninner_radius = \"60 mm\"\n";
-        let with = |mm: f64| {
+        let with_diameter = |mm: f64| {
             let text = starter("x").expect("a name").replace("[stack]", wide);
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\nobject_radius = \"{mm} mm\"\n");
             of_text(text)
         };
         // The upper star may hold what stops at the lower one.
-        let upper = with(55.0);
-        assert_eq!((codes(&upper), holds(&upper)), (vec![], Some(Holds::Unknown)));
-        let neither = with(65.0);
-        assert_eq!(codes(&neither).len(), 2);
-        assert!(neither.unfit()[1].found.starts_with("star 2: "), "{:?}", neither.unfit());
+        let upper = with_diameter(55.0);
+        assert_eq!((codes(&upper), verdict_of(&upper)), (vec![], Some(Holds::Unknown)));
+        let too_wide = with_diameter(65.0);
+        assert_eq!(codes(&too_wide).len(), 2);
+        assert!(too_wide.unfit()[1].found.starts_with("star 2: "), "{:?}", too_wide.unfit());
     }
 
     #[test]
     fn what_cannot_reach_its_place_or_is_not_held_by_all_is_never_held_for_sure() {
-        let with = |[stack, load]: [&str; 2]| {
+        let with_stack = |[stack, load]: [&str; 2]| {
             let text = starter("x").expect("a name").replace("[stack]", &format!("[stack]\n{stack}"));
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\nfriction = 0.3\n{load}");
             of_text(text)
@@ -193,11 +197,11 @@ mod tests {
                 Holds::Unknown,
             ),
         ] {
-            let found = with([stack, &load]);
-            assert_eq!(holds(&found), Some(expected), "{stack} {load}: {:?}", found.verdict());
+            let forecast = with_stack([stack, &load]);
+            assert_eq!(verdict_of(&forecast), Some(expected), "{stack} {load}: {:?}", forecast.verdict());
             let refused = expected == Holds::No;
-            let too_wide = codes(&found).iter().any(|code| code == "object-too-wide");
-            assert_eq!(too_wide, refused, "{stack} {load}: {:?}", codes(&found));
+            let too_wide = codes(&forecast).iter().any(|code| code == "object-too-wide");
+            assert_eq!(too_wide, refused, "{stack} {load}: {:?}", codes(&forecast));
         }
     }
 
@@ -214,8 +218,8 @@ mod tests {
             let text = starter("x").expect("a name") + &load;
             let text =
                 text.replace("inner_radius = \"50 mm\"", &format!("inner_radius = \"{} mm\"", mm(inner)));
-            let found = of_text(text);
-            assert_eq!(codes(&found), [""; 0], "{inner}: {:?}", found.unfit());
+            let forecast = of_text(text);
+            assert_eq!(codes(&forecast), [""; 0], "{inner}: {:?}", forecast.unfit());
         }
     }
 
@@ -223,14 +227,14 @@ mod tests {
     fn stars_that_are_alike_are_all_named() {
         let text = starter("x").expect("a name").replace("[stack]", "[stack]\ncount = 6");
         let text = format!("{text}\n[load]\npressure = \"37 kPa\"\nobject_diameter = \"90 mm\"\n");
-        let found = of_text(text);
-        let reasons = found.verdict().expect("an object").reasons;
+        let forecast = of_text(text);
+        let reasons = forecast.verdict().expect("an object").reasons;
         assert!(reasons.iter().any(|reason| reason.starts_with("stars 1, 2, 5, 6: ")), "{reasons:?}");
     }
 
     #[test]
     fn a_pressure_above_burst_is_refused_with_a_radius_that_would_hold() {
-        let with = |strength: &str, radius: &str| {
+        let with_strength = |strength: &str, radius: &str| {
             let text = starter("x").expect("a name");
             let text = text.replace("[fabric]", &format!("[fabric]\nseal_strength = \"{strength}\""));
             let text = text.replace(
@@ -240,15 +244,15 @@ mod tests {
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\n");
             of_text(text)
         };
-        assert_eq!(codes(&with("10 N/mm", "0 mm")), [""; 0]);
-        let weak = with("3 N/mm", "0 mm");
+        assert_eq!(codes(&with_strength("10 N/mm", "0 mm")), [""; 0]);
+        let weak = with_strength("3 N/mm", "0 mm");
         assert_eq!(codes(&weak), ["bursts"]);
         let first = &weak.prediction.as_ref().expect("asked").first;
         let (burst, range) = first.burst_pressure_kPa.zip(first.ranges.burst_pressure_kPa).expect("known");
-        let said = forecast::ranges::shown::with(burst, range, "kPa");
-        assert!(weak.unfit()[0].found.ends_with(&said), "{:?}: {said}", weak.unfit()[0]);
+        let stated = forecast::ranges::shown::with(burst, range, "kPa");
+        assert!(weak.unfit()[0].found.ends_with(&stated), "{:?}: {stated}", weak.unfit()[0]);
         let radius = weak.prediction.expect("asked").first.evidence.safe_radius_mm.expect("one helps");
-        assert_eq!(codes(&with("3 N/mm", &format!("{radius} mm"))), [""; 0]);
+        assert_eq!(codes(&with_strength("3 N/mm", &format!("{radius} mm"))), [""; 0]);
     }
 
     /// What is named is accepted as it is; where no pressure or radius is, none is named.
@@ -263,22 +267,22 @@ mod tests {
             (5, 50.0, 30.0, 30.0, 3.0, "37 kPa", [true, true]),
             (5, 50.0, 30.0, 30.0, 3.0, "37 kPa\"\nobject_diameter = \"20 mm", [false, true]),
         ] {
-            let with = |radius: f64, load: &str| {
+            let with_load = |radius: f64, load: &str| {
                 of_text(format!(
                     "schema = 1\nname = \"x\"\n[fabric]\nseal_strength = \"{strength} N/mm\"\n[star]\npoints = {points}\n\
                      inner_radius = \"{inner} mm\"\ntube_width = \"{width} mm\"\ntip_angle = \"{angle} deg\"\n\
                      tip_radius = \"{radius} mm\"\ncorner_radius = \"{radius} mm\"\n[load]\npressure = \"{load}\"\n"
                 ))
             };
-            let refused = with(0.0, load).unfit()[0].clone();
+            let refused = with_load(0.0, load).unfit()[0].clone();
             assert_eq!(refused.code, RefusalCode::Bursts);
             let (kpa, mm) = (number(&refused.remedy, "at most "), number(&refused.remedy, "of at least "));
             assert_eq!([kpa.is_some(), mm.is_some()], named, "{points} {load}: {}", refused.remedy);
             if let Some(kpa) = kpa {
-                assert_eq!(codes(&with(0.0, &format!("{kpa} kPa"))), [""; 0], "{}", refused.remedy);
+                assert_eq!(codes(&with_load(0.0, &format!("{kpa} kPa"))), [""; 0], "{}", refused.remedy);
             }
             if let Some(mm) = mm {
-                assert!(!codes(&with(mm, load)).contains(&"bursts".to_owned()), "{}", refused.remedy);
+                assert!(!codes(&with_load(mm, load)).contains(&"bursts".to_owned()), "{}", refused.remedy);
             }
         }
     }

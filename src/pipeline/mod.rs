@@ -96,13 +96,13 @@ impl Planned {
     /// If the model that the spec requests has no answer, or if the shell computation was cancelled.
     pub fn forecast(self, watch: &Watch<'_>) -> Result<Forecast, Refusals> {
         let Self { spec, machine, design, programs, traces } = self;
-        let asked = design.assembly().filter(|_| spec.load.is_some());
-        let prediction = asked.map(|_| predict(&spec, &design)).transpose();
+        let loaded_stars = design.assembly().filter(|_| spec.load.is_some());
+        let prediction = loaded_stars.map(|_| predict(&spec, &design)).transpose();
         let prediction = prediction.map_err(|fault| no_prediction(&fault))?;
-        let drawn = design.drawn().filter(|_| spec.load.is_some());
-        let drawn = drawn.map(|pieces| of_spec(&spec, pieces, watch)).transpose();
-        let drawn = drawn.map_err(|fault| no_prediction(&fault))?;
-        Ok(Forecast { spec, machine, design, programs, traces, prediction, drawn })
+        let loaded_pieces = design.drawn().filter(|_| spec.load.is_some());
+        let drawn_forecast = loaded_pieces.map(|pieces| of_spec(&spec, pieces, watch)).transpose();
+        let drawn_forecast = drawn_forecast.map_err(|fault| no_prediction(&fault))?;
+        Ok(Forecast { spec, machine, design, programs, traces, prediction, drawn: drawn_forecast })
     }
 }
 
@@ -124,7 +124,7 @@ pub fn build(
     spec: &Spec,
     machine: &Machine,
     sources: Sources<'_>,
-    asked: &KindRequest,
+    request: &KindRequest,
 ) -> Result<Built, Refusals> {
-    Ok(Forecast::of(spec.clone(), machine.clone())?.build(sources, asked))
+    Ok(Forecast::of(spec.clone(), machine.clone())?.build(sources, request))
 }

@@ -86,13 +86,13 @@ impl Forecast {
 
 /// `list` without duplicate texts.
 fn unique(list: Vec<Precaution>) -> Vec<Precaution> {
-    let mut once: Vec<Precaution> = Vec::new();
+    let mut unique: Vec<Precaution> = Vec::new();
     for one in list {
-        if once.iter().all(|other| other.text != one.text) {
-            once.push(one);
+        if unique.iter().all(|other| other.text != one.text) {
+            unique.push(one);
         }
     }
-    once
+    unique
 }
 
 /// Whether the profile is the generic one, which has neither a speed range nor a work area.
@@ -145,8 +145,8 @@ fn predicted(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
 
 /// Warnings of the prediction of a drawn piece.
 fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
-    let Some(drawn) = &forecast.drawn else { return Vec::new() };
-    let is_unfit = drawn.prediction.bursts().is_some();
+    let Some(drawn_forecast) = &forecast.drawn else { return Vec::new() };
+    let is_unfit = drawn_forecast.prediction.bursts().is_some();
     let precaution = |warning: &PredictionWarning| {
         let code = match warning.code {
             WarningCode::Bursting if is_unfit => return None,
@@ -157,7 +157,7 @@ fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
         };
         Some(Precaution::new(code, warning.text.clone()))
     };
-    drawn.prediction.evidence.warnings.iter().filter_map(precaution).collect()
+    drawn_forecast.prediction.evidence.warnings.iter().filter_map(precaution).collect()
 }
 
 /// The task to seal the valves to their sheet first.
@@ -179,15 +179,15 @@ fn strength(forecast: &Forecast) -> Option<Precaution> {
     }
     let report = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
     let loads = report.pieces.iter().flat_map(|star| &star.loads).filter_map(|load| load.load);
-    let drawn = forecast.drawn.iter().flat_map(|drawn| &drawn.prediction.chambers);
-    let drawn = drawn.filter_map(|chamber| match chamber.ranges {
+    let chambers = forecast.drawn.iter().flat_map(|drawn| &drawn.prediction.chambers);
+    let chamber_loads = chambers.filter_map(|chamber| match chamber.ranges {
         Some(ranges) => Some(ranges.seal_pull_N_per_mm[1]),
         None => chamber.seal_pull_N_per_mm.map(|pull| pull.value),
     });
-    let most = loads.map(|load| load.0).chain(drawn).reduce(f64::max)?;
+    let largest = loads.map(|load| load.0).chain(chamber_loads).reduce(f64::max)?;
     let text = format!(
         "the burst pressure is unknown: the seal must withstand {} N/mm; measure yours (`coupon`) and set `seal_strength` in [fabric]",
-        rounded(most)
+        rounded(largest)
     );
     Some(Precaution::new(PrecautionCode::UnknownStrength, text))
 }

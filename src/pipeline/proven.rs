@@ -54,8 +54,8 @@ impl Proven {
 
     /// Time of all sealing programs that were written, s; `None` if none was.
     pub fn sealing_time(&self) -> Option<f64> {
-        let written = self.built.artifacts.iter().any(|artifact| artifact.output.kind == Kind::SealGcode);
-        written.then(|| self.built.forecast.programs.iter().map(|program| program.time).sum())
+        let has_program = self.built.artifacts.iter().any(|artifact| artifact.output.kind == Kind::SealGcode);
+        has_program.then(|| self.built.forecast.programs.iter().map(|program| program.time).sum())
     }
 
     /// The result of reading back: the compared files and their deviations from the design.
@@ -81,8 +81,8 @@ impl PublishedBuild {
         if coupons.is_some() {
             return Self { forecast: Err(Vec::new()), written: None, coupons };
         }
-        let written = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice(bytes).ok());
-        Self { forecast: forecast_of(files), written, coupons: None }
+        let manifest = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice(bytes).ok());
+        Self { forecast: forecast_of(files), written: manifest, coupons: None }
     }
 
     /// The names of all files that the directory must have; empty if its request is refused.
@@ -122,14 +122,14 @@ impl PublishedBuild {
         };
         let mut proof = prove_claimed(&forecast, self.written.as_ref(), files);
         let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok());
-        if let (Some(written), Some(spec), Some(machine)) =
+        if let (Some(manifest), Some(spec), Some(machine)) =
             (self.written, text("spec.toml"), text("machine.toml"))
         {
             let sources = Sources { spec, machine };
-            if written.tool == Tool::current() {
-                compare_anew(&forecast, sources, &written.request(), files, &mut proof);
+            if manifest.tool == Tool::current() {
+                compare_anew(&forecast, sources, &manifest.request(), files, &mut proof);
             } else {
-                compare_with_other(&forecast, sources, &written, files, &mut proof);
+                compare_with_other(&forecast, sources, &manifest, files, &mut proof);
             }
         }
         proof
@@ -139,13 +139,14 @@ impl PublishedBuild {
     /// other file was read, so each would seem empty.
     fn without_manifest(&self, files: &OutputFiles<'_>) -> Proof {
         let right = "the manifest.json of the build: build it again";
-        let what = match files.get(MANIFEST) {
+        let problem = match files.get(MANIFEST) {
             Some(_) => "it is damaged, or another program wrote it".to_owned(),
             None => files.lacks(MANIFEST, right).found,
         };
-        let finding = Finding::new(FindingCode::Manifest, what, right);
-        let wanted = self.wanted();
-        let is_ours = |name: &str| name == MANIFEST || wanted.iter().any(|wanted| wanted == name);
+        let finding = Finding::new(FindingCode::Manifest, problem, right);
+        let wanted_names = self.wanted();
+        let is_ours =
+            |name: &str| name == MANIFEST || wanted_names.iter().any(|wanted_names| wanted_names == name);
         let foreign = files.names().filter(|name| !is_ours(name)).map(|name| {
             Finding::new(FindingCode::UnnamedFile, "it belongs to no build", "the files of the build")
                 .in_file(name)
@@ -166,8 +167,8 @@ fn compare_anew(
     let mut entries = Vec::new();
     forecast.make(sources, request, |made| {
         // Equal bytes have equal hashes, and one has been computed already.
-        let known = verify::compare_bytes(&made.name, &made.bytes, files, proof);
-        entries.push(ManifestFile::with_hash(&made, known.unwrap_or_else(|| sha256(&made.bytes))));
+        let hash = verify::compare_bytes(&made.name, &made.bytes, files, proof);
+        entries.push(ManifestFile::with_hash(&made, hash.unwrap_or_else(|| sha256(&made.bytes))));
     });
     let manifest = forecast.manifest(entries, request).to_json();
     let _ = verify::compare_bytes(MANIFEST, &manifest, files, proof);
@@ -181,15 +182,15 @@ const VERSION_LENGTH: usize = 40;
 fn compare_with_other(
     forecast: &Forecast,
     sources: Sources<'_>,
-    written: &Manifest,
+    manifest: &Manifest,
     files: &OutputFiles<'_>,
     proof: &mut Proof,
 ) {
-    let Tool { name, version } = &written.tool;
-    let this = Tool::current();
-    let writer = if *name == this.name { version.clone() } else { format!("{name} {version}") };
+    let Tool { name, version } = &manifest.tool;
+    let current = Tool::current();
+    let writer = if *name == current.name { version.clone() } else { format!("{name} {version}") };
     proof.written_by = Some(writer.chars().take(VERSION_LENGTH).collect());
-    let request = written.request();
+    let request = manifest.request();
     forecast.make(sources, &request, |made| {
         let _ = verify::mark_equal(&made.name, &made.bytes, files, proof);
     });
@@ -209,7 +210,7 @@ fn compare_with_other(
                 || !is_json(files.get(&finding.file).unwrap_or_default())
         });
     }
-    if prediction != written.prediction {
+    if prediction != manifest.prediction {
         unproven.push(format!("the prediction in {MANIFEST}"));
     }
     proof.unproven = unproven;
@@ -238,9 +239,9 @@ pub fn read_back(files: &OutputFiles<'_>) -> Proof {
 
 /// Proves `files` of a directory, whose profile must also agree with its name in the spec: in every value if this version wrote it, else in the
 /// dialect, which no version of a profile changes.
-fn prove_claimed(forecast: &Forecast, written: Option<&Manifest>, files: &OutputFiles<'_>) -> Proof {
+fn prove_claimed(forecast: &Forecast, manifest: Option<&Manifest>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = prove_against(forecast, files);
-    let is_own = written.is_some_and(|written| written.tool == Tool::current());
+    let is_own = manifest.is_some_and(|manifest| manifest.tool == Tool::current());
     let builtin = Machine::builtin(&forecast.spec.machine.profile).ok();
     let has_other_dialect =
         builtin.is_some_and(|builtin| builtin.controller.dialect != forecast.machine.controller.dialect);
@@ -254,17 +255,17 @@ fn prove_claimed(forecast: &Forecast, written: Option<&Manifest>, files: &Output
 /// the user's own has no name here, and is not compared.
 fn other_profile(forecast: &Forecast, files: &OutputFiles<'_>) -> Option<Finding> {
     let name = &forecast.spec.machine.profile;
-    let (own, text) = (Machine::builtin(name).ok()?, spec::builtin_machine(name)?);
-    let found = files.get("machine.toml")?;
-    let differs = own != forecast.machine;
-    differs.then(|| verify::first_difference(found, text.as_bytes()).in_file("machine.toml"))
+    let (builtin, text) = (Machine::builtin(name).ok()?, spec::builtin_machine(name)?);
+    let bytes = files.get("machine.toml")?;
+    let differs = builtin != forecast.machine;
+    differs.then(|| verify::first_difference(bytes, text.as_bytes()).in_file("machine.toml"))
 }
 
 fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
-    let Forecast { spec, machine, design, programs, prediction, drawn, .. } = forecast;
+    let Forecast { spec, machine, design, programs, prediction, drawn: drawn_forecast, .. } = forecast;
     let manifest = &manifest_of(spec, design, programs, prediction.as_ref());
-    let drawn = drawn.as_ref().map(|drawn| drawn.prediction.to_json());
-    let prediction = drawn.or_else(|| Some(prediction.as_ref()?.to_json()));
+    let drawn_json = drawn_forecast.as_ref().map(|drawn_forecast| drawn_forecast.prediction.to_json());
+    let prediction = drawn_json.or_else(|| Some(prediction.as_ref()?.to_json()));
     let expected = Expected { design, spec, machine, prediction: prediction.as_deref(), manifest };
     verify::prove(&expected, files)
 }

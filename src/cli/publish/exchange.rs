@@ -21,11 +21,11 @@ pub(super) fn publish(
 ) -> Result<Option<PathBuf>, PublishFault> {
     let [new, ready, old] = PlaceRole::ALL.map(|role| place.beside(role));
     stage::write([&new, &ready], files, &place.target)?;
-    let left =
+    let old_directory =
         take_place(&place.target, ready.clone(), old).inspect_err(|_| stage::discard([&new, &ready]))?;
     // The build is published. Without a synced name a power cut may at most restore the old build.
     let _ = disk::sync_dir(&place.parent);
-    Ok(left)
+    Ok(old_directory)
 }
 
 /// Gives `ready` the name of the target.

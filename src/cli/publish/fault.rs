@@ -33,10 +33,10 @@ pub(super) const MOUNT_POINT: &str =
     "is a mount point, and a build replaces its directory as a whole; choose a directory in it with -o";
 
 impl PublishFault {
-    /// The fault of the operation `what` on `path`.
-    pub(super) fn io(what: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Self {
+    /// The fault of the operation `operation` on `path`.
+    pub(super) fn io(operation: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Self {
         let path = path.to_owned();
-        move |error| Self::Io(what, path, error)
+        move |error| Self::Io(operation, path, error)
     }
 
     /// The fault of replacing the directory `target`: a refusal where the system has something mounted there.

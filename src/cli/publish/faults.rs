@@ -92,8 +92,8 @@ pub(super) fn step(step: DiskStep, path: &Path) -> io::Result<()> {
                 let file = fate.target.join(if added { "notes.txt" } else { "star-1.gcode" });
                 if fate.target.is_dir() && file.exists() != added {
                     let text = format!("my work on version {}, {}. ", fate.version, fate.at);
-                    let before = if added { Vec::new() } else { fs::read(&file)? };
-                    fs::write(file, [&before, text.as_bytes()].concat())?;
+                    let earlier_bytes = if added { Vec::new() } else { fs::read(&file)? };
+                    fs::write(file, [&earlier_bytes, text.as_bytes()].concat())?;
                     fate.written = Some(text);
                 }
                 Ok(())
@@ -123,10 +123,10 @@ fn run(
     target: &Path,
     version: u8,
     system: System,
-    at: usize,
+    step: usize,
     event: Event,
 ) -> (Result<Published, PublishFault>, usize, Option<String>) {
-    let fate = Fate { version, system, target: target.to_owned(), at, event, steps: 0, written: None };
+    let fate = Fate { version, system, target: target.to_owned(), at: step, event, steps: 0, written: None };
     FATE.set(Some(fate));
     let result = put(target, &build(version));
     let fate = FATE.take().unwrap();
@@ -154,12 +154,12 @@ fn leftovers(target: &Path) -> Vec<PathBuf> {
 }
 
 /// Whether a visible file contains `text`.
-fn found(directory: &Path, text: &str) -> bool {
+fn contains_text(directory: &Path, text: &str) -> bool {
     fs::read_dir(directory).unwrap().map(|entry| entry.unwrap()).any(|entry| {
         let path = entry.path();
         let hidden = entry.file_name().to_string_lossy().starts_with('.');
-        let holds = || String::from_utf8_lossy(&fs::read(&path).unwrap()).contains(text);
-        !hidden && if path.is_dir() { found(&path, text) } else { holds() }
+        let has_text = || String::from_utf8_lossy(&fs::read(&path).unwrap()).contains(text);
+        !hidden && if path.is_dir() { contains_text(&path, text) } else { has_text() }
     })
 }
 
@@ -178,12 +178,12 @@ fn again(root: &Path, target: &Path, version: u8, system: System) {
     panic!("never done");
 }
 
-fn workshop(before: Option<u8>) -> (TempDir, PathBuf) {
+fn workshop(old_version: Option<u8>) -> (TempDir, PathBuf) {
     // In memory, if possible: a disk takes milliseconds for each sync, and a round has dozens.
     let root = tempfile::tempdir_in("/dev/shm").or_else(|_| tempfile::tempdir()).unwrap();
     let target = fs::canonicalize(root.path()).unwrap().join("out/star");
     fs::create_dir(root.path().join("out")).unwrap();
-    if let Some(version) = before {
+    if let Some(version) = old_version {
         assert!(put(&target, &build(version)).is_ok());
     }
     (root, target)
@@ -196,16 +196,16 @@ fn rounds() -> usize {
 
 #[test]
 fn one_fault_leaves_the_old_build_or_the_new_one() {
-    let mut tried = 0;
+    let mut rounds = 0;
     for system in SYSTEMS {
         for event in EVENTS {
             for at in 1.. {
                 let (root, target) = workshop(Some(1));
-                let (result, steps, written) = run(&target, 2, system, at, event);
+                let (result, steps, foreign_text) = run(&target, 2, system, at, event);
                 if at > steps {
                     break;
                 }
-                tried += 1;
+                rounds += 1;
                 let place = TargetPlace::new(&target).unwrap();
                 let case = format!("{system:?}, {event:?} at {at} of {steps}: {result:?}");
                 match event {
@@ -218,8 +218,11 @@ fn one_fault_leaves_the_old_build_or_the_new_one() {
                         assert!(whole(&target, 1) || whole(&target, 2), "{case}: {:?}", visible(&target));
                     }
                     Event::Added | Event::Edited => {
-                        let text = written.unwrap_or_default();
-                        assert!(text.is_empty() || found(root.path(), &text), "{case}: {text} is lost");
+                        let text = foreign_text.unwrap_or_default();
+                        assert!(
+                            text.is_empty() || contains_text(root.path(), &text),
+                            "{case}: {text} is lost"
+                        );
                     }
                 }
                 again(root.path(), &target, 3, system);
@@ -228,8 +231,8 @@ fn one_fault_leaves_the_old_build_or_the_new_one() {
             }
         }
     }
-    println!("one fault: {tried} rounds");
-    assert!(tried > 250, "{tried}");
+    println!("one fault: {rounds} rounds");
+    assert!(rounds > 250, "{rounds}");
 }
 
 /// A directory that is bound from the same file system is seen only when it is renamed.
@@ -286,17 +289,17 @@ fn many_faults_lose_nothing() {
         let mut texts = Vec::new();
         let mut lives = Vec::new();
         for life in 0..=random(4) {
-            let (at, event) = (1 + random(50), EVENTS[random(7)]);
+            let (step, event) = (1 + random(50), EVENTS[random(7)]);
             let version = u8::try_from(2 + life).unwrap();
-            let (result, _, written) = run(&target, version, system, at, event);
-            lives.push(format!("{event:?} at {at}: {result:?}"));
-            texts.extend(written);
+            let (result, _, foreign_text) = run(&target, version, system, step, event);
+            lives.push(format!("{event:?} at {step}: {result:?}"));
+            texts.extend(foreign_text);
         }
         again(root.path(), &target, 9, system);
         assert!(whole(&target, 9), "{round}, {system:?}: {lives:#?}");
         assert_eq!(leftovers(&target), Vec::<PathBuf>::new(), "{round}, {system:?}: {lives:#?}");
         for text in texts {
-            assert!(found(root.path(), &text), "{round}, {system:?}: {text} is lost: {lives:#?}");
+            assert!(contains_text(root.path(), &text), "{round}, {system:?}: {text} is lost: {lives:#?}");
         }
     }
 }

@@ -57,8 +57,8 @@ impl fmt::Display for Published {
 /// The extra kinds that the build in `target` has; empty without a build.
 pub(super) fn extras_of(target: &Path) -> Vec<Kind> {
     let files = PublishRecord::read(target).map_or_else(Vec::new, |record| record.files);
-    let has = |kind: &Kind| kind.is_extra() && files.iter().any(|file| file.kind == kind.name());
-    Kind::ALL.iter().copied().filter(has).collect()
+    let has_file = |kind: &Kind| kind.is_extra() && files.iter().any(|file| file.kind == kind.name());
+    Kind::ALL.iter().copied().filter(has_file).collect()
 }
 
 /// Publishes the files of `proven` in the directory `target`, and replaces an earlier build there.
@@ -77,18 +77,18 @@ pub(super) fn put(target: &Path, files: &[StagedFile<'_>]) -> Result<Published, 
     let place = TargetPlace::new(target)?;
     // Without a lock of the parent another publication may run beside the target.
     let [parent, _target] = place.lock();
-    let mut kept = retire::sweep(&place, parent.is_some())?;
+    let mut kept_entries = retire::sweep(&place, parent.is_some())?;
     let before = record::ours(&place.target)?;
     let after =
         files.iter().find(|(name, _)| *name == MANIFEST).and_then(|(_, bytes)| PublishRecord::parse(bytes));
-    let mut left = None;
+    let mut sweep_fault = None;
     if let Some(old) = exchange::publish(&place, files)? {
         match retire::retire(&old, after.as_ref(), &place.kept()) {
-            Ok(more) => kept.extend(more),
-            Err(fault) => left = Some(fault),
+            Ok(more) => kept_entries.extend(more),
+            Err(fault) => sweep_fault = Some(fault),
         }
     }
     let name = after.map(|record| record.name);
     let replaced = before.map(|record| record.name).filter(|old| name.as_ref().is_some_and(|new| new != old));
-    Ok(Published { replaced, kept, left })
+    Ok(Published { replaced, kept: kept_entries, left: sweep_fault })
 }

@@ -65,11 +65,12 @@ impl TargetPlace {
             return Err(PublishFault::LongName(name.as_encoded_bytes().len()));
         }
         let parent = directory_of(&resolved);
-        let made = Parents(parent.ancestors().filter(|path| !path.exists()).map(Path::to_owned).collect());
+        let new_parents =
+            Parents(parent.ancestors().filter(|path| !path.exists()).map(Path::to_owned).collect());
         fs::create_dir_all(parent).map_err(PublishFault::io("create", parent))?;
         let parent = fs::canonicalize(parent).map_err(PublishFault::io("find", parent))?;
         let target = parent.join(&name);
-        Ok(Self { target, parent, name, _made: made })
+        Ok(Self { target, parent, name, _made: new_parents })
     }
 
     /// The hidden directory beside the target.
@@ -98,22 +99,23 @@ impl TargetPlace {
     /// All hidden directories beside the target, of any target: path, target's name, role.
     pub(super) fn hidden(&self) -> Vec<(PathBuf, OsString, PlaceRole)> {
         let entries = disk::entries(&self.parent).unwrap_or_default();
-        let known = entries.into_iter().filter_map(|path| {
+        let hidden_entries = entries.into_iter().filter_map(|path| {
             let name = path.file_name()?.to_str()?.strip_prefix('.')?;
-            let of = |role: PlaceRole| Some((OsString::from(name.strip_suffix(role.suffix())?), role));
-            let (of, role) = PlaceRole::ALL.into_iter().find_map(of)?;
-            let own = !of.is_empty() && path.symlink_metadata().is_ok_and(|found| found.is_dir());
-            own.then(|| (path.clone(), of, role))
+            let name_and_role =
+                |role: PlaceRole| Some((OsString::from(name.strip_suffix(role.suffix())?), role));
+            let (owner, role) = PlaceRole::ALL.into_iter().find_map(name_and_role)?;
+            let is_own = !owner.is_empty() && path.symlink_metadata().is_ok_and(|found| found.is_dir());
+            is_own.then(|| (path.clone(), owner, role))
         });
-        known.collect()
+        hidden_entries.collect()
     }
 }
 
 /// The name, without its number, under which a part of the target `name` in `parent` is kept.
 pub(super) fn kept_beside(parent: &Path, name: &OsStr) -> PathBuf {
-    let mut kept = name.to_owned();
-    kept.push(".kept");
-    parent.join(kept)
+    let mut kept_name = name.to_owned();
+    kept_name.push(".kept");
+    parent.join(kept_name)
 }
 
 /// Whether the process's current directory is `target` or in it: renaming the target would take it from under the process.

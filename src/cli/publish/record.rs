@@ -93,8 +93,8 @@ pub(super) fn ours(target: &Path) -> Result<Option<PublishRecord>, PublishFault>
     if !disk::exists(target) {
         return Ok(None);
     }
-    let found = fs::metadata(target).map_err(PublishFault::io("read", target))?;
-    if !found.is_dir() {
+    let metadata = fs::metadata(target).map_err(PublishFault::io("read", target))?;
+    if !metadata.is_dir() {
         return Err(PublishFault::Refused(target.to_owned(), NOT_A_DIRECTORY));
     }
     if !writable(target) {
@@ -108,7 +108,7 @@ pub(super) fn ours(target: &Path) -> Result<Option<PublishRecord>, PublishFault>
         if !record.as_ref().is_some_and(|record| record.names(&entry)) {
             return Err(PublishFault::Foreign(entry));
         }
-        if fs::metadata(&entry).is_ok_and(|found| found.permissions().readonly()) {
+        if fs::metadata(&entry).is_ok_and(|metadata| metadata.permissions().readonly()) {
             return Err(PublishFault::Refused(entry, READ_ONLY));
         }
     }

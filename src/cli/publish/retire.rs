@@ -15,7 +15,7 @@ use crate::cli::publish::record::{PublishRecord, is_manifest};
 /// Number of names tried for a kept directory.
 const NAMES: usize = 10_000;
 
-/// Removes the build in `directory`; what must be kept takes the first free name of `kept`-1, `kept`-2, ... `successor` is the build in its
+/// Removes the build in `directory`; what must be kept takes the first free name of `kept_path`-1, `kept_path`-2, ... `successor` is the build in its
 /// place: a file that equals one of its files is not kept. Returns the kept directories.
 ///
 /// # Errors
@@ -23,7 +23,7 @@ const NAMES: usize = 10_000;
 pub(super) fn retire(
     directory: &Path,
     successor: Option<&PublishRecord>,
-    kept: &Path,
+    kept_path: &Path,
 ) -> Result<Vec<PathBuf>, PublishFault> {
     let record = PublishRecord::read(directory);
     let entries = disk::entries(directory).map_err(PublishFault::io("read", directory))?;
@@ -38,16 +38,16 @@ pub(super) fn retire(
     }
     match disk::remove_dir(directory) {
         Ok(()) => Ok(Vec::new()),
-        Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => keep(directory, kept),
+        Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => keep(directory, kept_path),
         Err(error) => Err(PublishFault::Io("remove", directory.to_owned(), error)),
     }
 }
 
 /// Gives `directory` the first free name, and returns its kept entries.
-fn keep(directory: &Path, kept: &Path) -> Result<Vec<PathBuf>, PublishFault> {
+fn keep(directory: &Path, kept_path: &Path) -> Result<Vec<PathBuf>, PublishFault> {
     let refused = |error| PublishFault::Io("give a visible name to", directory.to_owned(), error);
     for number in 1..=NAMES {
-        let mut name = kept.to_owned().into_os_string();
+        let mut name = kept_path.to_owned().into_os_string();
         name.push(format!("-{number}"));
         let name = PathBuf::from(name);
         if disk::exists(&name) {
@@ -68,22 +68,27 @@ fn keep(directory: &Path, kept: &Path) -> Result<Vec<PathBuf>, PublishFault> {
 ///
 /// # Errors
 /// If an entry of this target stays in the way; the rest of other targets is ignored.
-pub(super) fn sweep(place: &TargetPlace, alone: bool) -> Result<Vec<PathBuf>, PublishFault> {
-    let mut kept = Vec::new();
+pub(super) fn sweep(place: &TargetPlace, is_alone: bool) -> Result<Vec<PathBuf>, PublishFault> {
+    let mut kept_entries = Vec::new();
     for role in PlaceRole::ALL {
         let path = place.beside(role);
-        kept.extend(clear(&path, role, &place.target, &place.kept())?);
+        kept_entries.extend(clear(&path, role, &place.target, &place.kept())?);
     }
     // Without a lock a hidden directory of another target may be one that is being written.
-    for (path, name, role) in place.hidden().into_iter().filter(|_| alone) {
+    for (path, name, role) in place.hidden().into_iter().filter(|_| is_alone) {
         let stem = kept_beside(&place.parent, &name);
-        kept.extend(clear(&path, role, &place.parent.join(name), &stem).unwrap_or_default());
+        kept_entries.extend(clear(&path, role, &place.parent.join(name), &stem).unwrap_or_default());
     }
-    Ok(kept)
+    Ok(kept_entries)
 }
 
 /// Removes or restores the hidden directory `path` of `target`.
-fn clear(path: &Path, role: PlaceRole, target: &Path, kept: &Path) -> Result<Vec<PathBuf>, PublishFault> {
+fn clear(
+    path: &Path,
+    role: PlaceRole,
+    target: &Path,
+    kept_path: &Path,
+) -> Result<Vec<PathBuf>, PublishFault> {
     if !disk::exists(path) {
         return Ok(Vec::new());
     }
@@ -96,6 +101,6 @@ fn clear(path: &Path, role: PlaceRole, target: &Path, kept: &Path) -> Result<Vec
             disk::rename(path, target).map_err(PublishFault::io("restore", target))?;
             Ok(Vec::new())
         }
-        PlaceRole::Ready | PlaceRole::Old => retire(path, PublishRecord::read(target).as_ref(), kept),
+        PlaceRole::Ready | PlaceRole::Old => retire(path, PublishRecord::read(target).as_ref(), kept_path),
     }
 }

@@ -29,14 +29,14 @@ pub(super) fn write(
 fn fill(path: &Path, files: &[StagedFile<'_>], model: &Path) -> Result<(), PublishFault> {
     let mode = |path: &Path| Some(fs::symlink_metadata(path).ok()?.permissions());
     // The mode is set before the files are written, so that private files are never readable by others.
-    if let Some(mode) = mode(model) {
-        disk::set_permissions(path, mode).map_err(PublishFault::io("set the mode of", path))?;
+    if let Some(model_mode) = mode(model) {
+        disk::set_permissions(path, model_mode).map_err(PublishFault::io("set the mode of", path))?;
     }
     for (name, bytes) in files {
         let file = path.join(name);
-        let before = model.join(name);
-        let mode = if disk::is_plain(&before) { mode(&before) } else { None };
-        disk::write_new(&file, bytes, mode).map_err(PublishFault::io("write", &file))?;
+        let old_file = model.join(name);
+        let file_mode = if disk::is_plain(&old_file) { mode(&old_file) } else { None };
+        disk::write_new(&file, bytes, file_mode).map_err(PublishFault::io("write", &file))?;
     }
     disk::sync_dir(path).map_err(PublishFault::io("sync", path))
 }

@@ -51,13 +51,13 @@ pub(in crate::cli) fn loaded(path: &Path, verbosity: Verbosity) -> Result<Study,
         let text = format!("`spec` in {} names {}, and there is no such file", shown(path), shown(&spec));
         return Err(Failure::File(path.display().to_string(), text));
     }
-    let around = Loaded::spoken(&spec, verbosity)?.with_stars("study")?;
-    Ok(Study::new(&file, &around.source)?)
+    let loaded_spec = Loaded::spoken(&spec, verbosity)?.with_stars("study")?;
+    Ok(Study::new(&file, &loaded_spec.source)?)
 }
 
 /// The spec at `path` with the values of `vary`, "KEY=VALUES" each.
 pub(in crate::cli) fn varied(path: &Path, vary: &[String], verbosity: Verbosity) -> Result<Study, Failure> {
-    let around = Loaded::spoken(path, verbosity)?.with_stars("study")?;
+    let loaded_spec = Loaded::spoken(path, verbosity)?.with_stars("study")?;
     let axes = vary.iter().map(|text| Axis::parse(text)).collect::<Result<Vec<_>, _>>();
-    Study::vary(&around.source, axes.map_err(Failure::Message)?)?.map_err(Failure::Message)
+    Study::vary(&loaded_spec.source, axes.map_err(Failure::Message)?)?.map_err(Failure::Message)
 }

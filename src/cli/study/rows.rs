@@ -91,21 +91,24 @@ struct StudyRows<'a> {
 }
 
 impl StudyRows<'_> {
-    /// Computes the rows and writes them to `out`. A signal gives an error of the kind `Interrupted`.
-    fn write(&self, out: &mut (impl Write + Send)) -> io::Result<()> {
-        out.write_all(csv::header(self.study.columns(), self.units).as_bytes())?;
+    /// Computes the rows and writes them to `output`. A signal gives an error of the kind `Interrupted`.
+    fn write(&self, output: &mut (impl Write + Send)) -> io::Result<()> {
+        output.write_all(csv::header(self.study.columns(), self.units).as_bytes())?;
         let total = self.study.rows();
-        let (mut done, mut result) = (0, Ok(()));
+        let (mut rows_done, mut result) = (0, Ok(()));
         let lines = |batch: RowBatch| csv::lines(&batch);
         let _ = self.study.run(0..total, &self.listening.flag(), lines, |lines, count| {
-            result = out.write_all(&lines);
-            done += count;
+            result = output.write_all(&lines);
+            rows_done += count;
             #[expect(clippy::cast_precision_loss, reason = "at most 1e9 rows")]
-            self.progress.tell_part(done as f64 / total.max(1) as f64, &format!("{done} of {total} designs"));
+            self.progress.tell_part(
+                rows_done as f64 / total.max(1) as f64,
+                &format!("{rows_done} of {total} designs"),
+            );
             result.is_ok()
         });
         result?;
-        if done < total { Err(io::ErrorKind::Interrupted.into()) } else { out.flush() }
+        if rows_done < total { Err(io::ErrorKind::Interrupted.into()) } else { output.flush() }
     }
 
     fn to_stdout(&self) -> Result<(), Failure> {

@@ -72,40 +72,47 @@ impl Canvas<'_> {
     }
 
     fn outline(&self, paths: &[Path]) -> Option<tiny_skia::Path> {
-        let mut out = PathBuilder::new();
+        let mut builder = PathBuilder::new();
         for path in paths {
             let Some(start) = path.start().map(|start| self.at(start)) else { continue };
-            out.move_to(single(start.x), single(start.y));
+            builder.move_to(single(start.x), single(start.y));
             for segment in &path.segments {
                 match segment {
                     Segment::Line(line) => {
                         let end = self.at(line.end);
-                        out.line_to(single(end.x), single(end.y));
+                        builder.line_to(single(end.x), single(end.y));
                     }
-                    Segment::Arc(arc) => self.arc(arc, &mut out),
+                    Segment::Arc(arc) => self.arc(arc, &mut builder),
                 }
             }
             if path.closed {
-                out.close();
+                builder.close();
             }
         }
-        out.finish()
+        builder.finish()
     }
 
     /// An arc as cubics of at most 45 degrees, which leave its circle by less than 1e-5 of the radius.
-    fn arc(&self, arc: &Arc, out: &mut PathBuilder) {
-        let whole = Segment::Arc(*arc);
+    fn arc(&self, arc: &Arc, builder: &mut PathBuilder) {
+        let segment = Segment::Arc(*arc);
         let pieces = (arc.sweep.abs() / FRAC_PI_4).ceil().max(1.0);
         let reach = 4.0 / 3.0 * libm::tan(arc.sweep.abs() / pieces / 4.0) * arc.radius;
         for k in 0..count(pieces) {
             let (from, to) = (f64::from(k) / pieces, f64::from(k + 1) / pieces);
             let [a, b, end] = [
-                whole.point(from) + whole.tangent(from) * reach,
-                whole.point(to) - whole.tangent(to) * reach,
-                whole.point(to),
+                segment.point(from) + segment.tangent(from) * reach,
+                segment.point(to) - segment.tangent(to) * reach,
+                segment.point(to),
             ]
             .map(|p| self.at(p));
-            out.cubic_to(single(a.x), single(a.y), single(b.x), single(b.y), single(end.x), single(end.y));
+            builder.cubic_to(
+                single(a.x),
+                single(a.y),
+                single(b.x),
+                single(b.y),
+                single(end.x),
+                single(end.y),
+            );
         }
     }
 }
@@ -114,8 +121,8 @@ fn encoded(pixels: &Pixmap, scale: f64) -> Option<Vec<u8>> {
     // All pixels are opaque, so premultiplied colours are the plain ones.
     let colors = pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
     let colors: Vec<u8> = colors.collect();
-    let mut out = Vec::new();
-    let mut encoder = Encoder::new(&mut out, pixels.width(), pixels.height());
+    let mut bytes = Vec::new();
+    let mut encoder = Encoder::new(&mut bytes, pixels.width(), pixels.height());
     encoder.set_color(ColorType::Rgb);
     encoder.set_compression(Compression::Fast);
     let a_metre = count(1000.0 * scale);
@@ -123,7 +130,7 @@ fn encoded(pixels: &Pixmap, scale: f64) -> Option<Vec<u8>> {
     let mut writer = encoder.write_header().ok()?;
     writer.write_image_data(&colors).ok()?;
     writer.finish().ok()?;
-    Some(out)
+    Some(bytes)
 }
 
 fn paint(Colour(red, green, blue): Colour) -> Paint<'static> {

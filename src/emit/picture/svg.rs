@@ -29,12 +29,12 @@ impl Picture {
             .set("viewBox", format!("{x} {y} {w} {h}"))
             .set("style", FITTED);
         for group in &self.groups {
-            let mut out = Element::new("g");
-            out.assign("id", group.name.as_str());
+            let mut element = Element::new("g");
+            element.assign("id", group.name.as_str());
             for mark in &group.marks {
-                out.append(shown(&page, mark));
+                element.append(shown(&page, mark));
             }
-            document.append(out);
+            document.append(element);
         }
         format!("{document}\n")
     }
@@ -43,13 +43,13 @@ impl Picture {
 fn shown(page: &SvgPage, mark: &Mark) -> Element {
     match mark {
         Mark::Area { paths, ink } => {
-            let mut out = Element::new("path");
-            out.assign("d", page.data(paths));
-            out.assign("fill", color(*ink));
+            let mut element = Element::new("path");
+            element.assign("d", page.data(paths));
+            element.assign("fill", color(*ink));
             if paths.len() > 1 {
-                out.assign("fill-rule", "evenodd");
+                element.assign("fill-rule", "evenodd");
             }
-            out
+            element
         }
         Mark::Line { path, pen } => line(page, path, *pen),
         Mark::Text(text) => words(page, text),
@@ -58,34 +58,34 @@ fn shown(page: &SvgPage, mark: &Mark) -> Element {
 
 fn line(page: &SvgPage, path: &Path, pen: Pen) -> Element {
     let number = |x: f64| Decimals::exactly(3).text(x);
-    let mut out = Element::new("path");
-    out.assign("d", page.data(std::slice::from_ref(path)));
-    out.assign("fill", "none");
-    out.assign("stroke", color(pen.ink));
-    out.assign("stroke-width", number(pen.width));
-    out.assign("stroke-linejoin", "round");
-    out.assign("stroke-linecap", "round");
+    let mut element = Element::new("path");
+    element.assign("d", page.data(std::slice::from_ref(path)));
+    element.assign("fill", "none");
+    element.assign("stroke", color(pen.ink));
+    element.assign("stroke-width", number(pen.width));
+    element.assign("stroke-linejoin", "round");
+    element.assign("stroke-linecap", "round");
     if let Some([dash, gap]) = pen.dash {
-        out.assign("stroke-dasharray", format!("{} {}", number(dash), number(gap)));
+        element.assign("stroke-dasharray", format!("{} {}", number(dash), number(gap)));
     }
-    out
+    element
 }
 
 fn words(page: &SvgPage, text: &Text) -> Element {
-    let mut out = Element::new("text");
-    out.assign("x", page.x(text.at));
-    out.assign("y", page.y(text.at));
-    out.assign("font-size", page.decimals.text(text.size));
-    out.assign("font-family", FACES);
+    let mut element = Element::new("text");
+    element.assign("x", page.x(text.at));
+    element.assign("y", page.y(text.at));
+    element.assign("font-size", page.decimals.text(text.size));
+    element.assign("font-family", FACES);
     let anchor = match text.anchor {
         Anchor::Start => "start",
         Anchor::Middle => "middle",
         Anchor::End => "end",
     };
-    out.assign("text-anchor", anchor);
-    out.assign("fill", color(text.ink));
-    out.append(svg::node::Text::new(text.content.as_str()));
-    out
+    element.assign("text-anchor", anchor);
+    element.assign("fill", color(text.ink));
+    element.append(svg::node::Text::new(text.content.as_str()));
+    element
 }
 
 fn color(Colour(red, green, blue): Colour) -> String {

@@ -20,8 +20,8 @@ pub(super) fn sheet_box(layout: &SheetLayout) -> Bounds {
 /// The part of the plane that is shown: the sheet, and blank around it, by the type's size: at its lower left there are axes and sizes.
 pub(super) fn view(layout: &SheetLayout, style: Style) -> Bounds {
     let Bounds { min, max } = sheet_box(layout);
-    let (unit, left) = (style.unit, 4.5 * style.unit + height_of(layout, style).width());
-    Bounds { min: min - Vec2::new(left, 5.6 * unit), max: max + Vec2::new(2.5 * unit, 2.0 * unit) }
+    let (unit, margin) = (style.unit, 4.5 * style.unit + height_of(layout, style).width());
+    Bounds { min: min - Vec2::new(margin, 5.6 * unit), max: max + Vec2::new(2.5 * unit, 2.0 * unit) }
 }
 
 /// The sheet and its sizes.
@@ -30,18 +30,18 @@ pub(super) fn sheet_group(layout: &SheetLayout, style: Style) -> Group {
     let (unit, sheet) = (style.unit, sheet_box(layout));
     group.area(vec![Path::rectangle(&sheet)], SHEET);
     group.line(Path::rectangle(&sheet), style.pen(GREY, 1.0));
-    let (below, beside) = (-3.2 * unit, -3.2 * unit);
+    let (row, column) = (-3.2 * unit, -3.2 * unit);
     let ends = [
-        (Point::new(0.0, below), Point::new(layout.width, below)),
-        (Point::new(beside, 0.0), Point::new(beside, layout.height)),
+        (Point::new(0.0, row), Point::new(layout.width, row)),
+        (Point::new(column, 0.0), Point::new(column, layout.height)),
     ];
     for (from, to) in ends {
-        let along = (to - from).normalized();
+        let direction = (to - from).normalized();
         group.line(straight(from, to), style.pen(GREY, 1.0));
-        for (end, outwards) in [(from, along * -1.0), (to, along)] {
+        for (end, outwards) in [(from, direction * -1.0), (to, direction)] {
             group.area(vec![arrow_head(end, outwards, 0.7 * unit)], GREY);
             // From the sheet's corner to the line.
-            let reach = along.perp() * (if along.x > 0.0 { -1.0 } else { 1.0 });
+            let reach = direction.perp() * (if direction.x > 0.0 { -1.0 } else { 1.0 });
             let corner = end - reach * (3.2 * unit);
             group.line(
                 straight(corner + reach * (0.6 * unit), end + reach * (0.4 * unit)),
@@ -50,15 +50,15 @@ pub(super) fn sheet_group(layout: &SheetLayout, style: Style) -> Group {
         }
     }
     let width = format!("{} mm", Readable(layout.width));
-    group.text(Text::centered(Point::new(0.5 * layout.width, below - unit), unit, TEXT, width));
+    group.text(Text::centered(Point::new(0.5 * layout.width, row - unit), unit, TEXT, width));
     group.text(height_of(layout, style));
     group
 }
 
 fn height_of(layout: &SheetLayout, style: Style) -> Text {
     let content = format!("{} mm", Readable(layout.height));
-    let at = Point::new(-3.8 * style.unit, 0.5 * layout.height);
-    Text { at, size: style.unit, anchor: Anchor::End, ink: TEXT, content }
+    let anchor_point = Point::new(-3.8 * style.unit, 0.5 * layout.height);
+    Text { at: anchor_point, size: style.unit, anchor: Anchor::End, ink: TEXT, content }
 }
 
 /// The machine's origin with its axes, as far as it reaches, and its clamps.
@@ -85,20 +85,21 @@ pub(super) fn clamp_labels(machine: &Machine, window: &Bounds, style: Style, pla
     for (clamp, seen) in clamps(machine, window) {
         // The whole name where there is room for it.
         let names = [inert(&clamp.name, NAME_LENGTH), shortened(&clamp.name, 24)];
-        let tried = names.iter().flat_map(|words| [0.9, 0.7, 0.5].map(|share| (words, share * style.unit)));
-        let texts = tried.flat_map(|(words, size)| {
+        let candidates =
+            names.iter().flat_map(|words| [0.9, 0.7, 0.5].map(|share| (words, share * style.unit)));
+        let texts = candidates.flat_map(|(words, size)| {
             let half = 0.5 * Text::centered(seen.min, size, CLAMP, words.clone()).width();
-            let (across, up) = (0.5 * seen.width() + half + size, 0.5 * seen.height() + size);
-            let aside = [
+            let (shift_x, shift_y) = (0.5 * seen.width() + half + size, 0.5 * seen.height() + size);
+            let shifts = [
                 (0.0, 0.0),
-                (0.0, up),
-                (0.0, -up),
-                (across, 0.0),
-                (-across, 0.0),
-                (across, up),
-                (-across, -up),
+                (0.0, shift_y),
+                (0.0, -shift_y),
+                (shift_x, 0.0),
+                (-shift_x, 0.0),
+                (shift_x, shift_y),
+                (-shift_x, -shift_y),
             ];
-            aside.map(|(x, y)| Text::centered(seen.center() + Vec2::new(x, y), size, CLAMP, words.clone()))
+            shifts.map(|(x, y)| Text::centered(seen.center() + Vec2::new(x, y), size, CLAMP, words.clone()))
         });
         let texts: Vec<Text> = texts.collect();
         if let Some(text) = places.first(texts) {
@@ -121,21 +122,21 @@ fn axes(group: &mut Group, style: Style) {
     let dot = circle(Point::ORIGIN, 0.45 * unit);
     group.area(vec![dot.clone()], PAGE);
     group.line(dot, style.pen(TEXT, 2.0));
-    let at = Point::new(-0.6 * unit, -1.5 * unit);
-    group.text(Text { at, size: unit, anchor: Anchor::End, ink: TEXT, content: "X0 Y0".to_owned() });
+    let place = Point::new(-0.6 * unit, -1.5 * unit);
+    group.text(Text { at: place, size: unit, anchor: Anchor::End, ink: TEXT, content: "X0 Y0".to_owned() });
 }
 
 /// The sides of the work area that are seen.
 fn within(x: f64, y: f64, window: &Bounds) -> Vec<Path> {
     let (right, top) = (x.min(window.max.x), y.min(window.max.y));
-    let mut out = Vec::new();
+    let mut lines = Vec::new();
     if x < window.max.x {
-        out.push(straight(Point::new(x, 0.0), Point::new(x, top)));
+        lines.push(straight(Point::new(x, 0.0), Point::new(x, top)));
     }
     if y < window.max.y {
-        out.push(straight(Point::new(0.0, y), Point::new(right, y)));
+        lines.push(straight(Point::new(0.0, y), Point::new(right, y)));
     }
-    out
+    lines
 }
 
 /// The clamps that are seen, each with its visible part.

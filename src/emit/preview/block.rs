@@ -53,7 +53,7 @@ impl<'a> Block<'a> {
         Self { code: Some(code), ..self }
     }
 
-    fn texts(&self, at: Point, style: Style) -> impl Iterator<Item = (Option<Swatch>, Text)> {
+    fn texts(&self, corner: Point, style: Style) -> impl Iterator<Item = (Option<Swatch>, Text)> {
         let head = (1.15 * style.unit, 0.0, None, &self.heading);
         let rest = self.lines.iter().map(move |(swatch, line)| {
             (style.unit, swatch.map_or(0.0, |swatch| swatch.width(style)), *swatch, line)
@@ -64,8 +64,8 @@ impl<'a> Block<'a> {
             // SVG shows no blanks at a line's beginning.
             let words = content.trim_start();
             let blanks = if words.len() < content.len() { INDENT * style.unit } else { 0.0 };
-            let at = at + Vec2::new(indent + blanks, -down);
-            (swatch, Text { at, size, anchor: Anchor::Start, ink: TEXT, content: words.to_owned() })
+            let place = corner + Vec2::new(indent + blanks, -down);
+            (swatch, Text { at: place, size, anchor: Anchor::Start, ink: TEXT, content: words.to_owned() })
         })
     }
 
@@ -85,15 +85,15 @@ impl<'a> Block<'a> {
         self.code.map_or(0.0, |code| MODULE * style.unit * f64::from(code.side()))
     }
 
-    fn draw(&self, group: &mut Group, at: Point, style: Style) {
-        for (swatch, text) in self.texts(at, style) {
+    fn draw(&self, group: &mut Group, corner: Point, style: Style) {
+        for (swatch, text) in self.texts(corner, style) {
             if let Some(swatch) = swatch {
-                swatch.draw(group, Point::new(at.x, text.at.y + 0.3 * style.unit), style);
+                swatch.draw(group, Point::new(corner.x, text.at.y + 0.3 * style.unit), style);
             }
             group.text(text);
         }
         if let Some(code) = self.code {
-            let corner = at - Vec2::new(0.0, self.height(style) - self.code_side(style));
+            let corner = corner - Vec2::new(0.0, self.height(style) - self.code_side(style));
             let module =
                 |x: i32, y: i32| corner + Vec2::new(f64::from(x), -f64::from(y)) * (MODULE * style.unit);
             let run = |[x, y, length]: [i32; 3]| {
@@ -113,21 +113,28 @@ impl Swatch {
         }
     }
 
-    /// Draws it, from `at` to the right.
-    fn draw(self, group: &mut Group, at: Point, style: Style) {
+    /// Draws it, from `left_end` to the right.
+    fn draw(self, group: &mut Group, left_end: Point, style: Style) {
         let (unit, right) = (style.unit, Vec2::new(1.0, 0.0));
-        let up = Vec2::new(0.0, 0.4 * unit);
+        let half_height = Vec2::new(0.0, 0.4 * unit);
         match self {
             Self::Area(ink) => {
-                let area = Bounds { min: at - up, max: at + right * (2.8 * unit) + up };
+                let area = Bounds {
+                    min: left_end - half_height,
+                    max: left_end + right * (2.8 * unit) + half_height,
+                };
                 group.area(vec![Path::rectangle(&area)], ink);
                 group.line(Path::rectangle(&area), style.pen(TEXT, 0.6));
             }
-            Self::Line(pen) => group.line(straight(at, at + right * (2.8 * unit)), pen),
-            Self::Dot(ink) => group.area(vec![circle(at + right * (1.4 * unit), 0.4 * unit)], ink),
+            Self::Line(pen) => group.line(straight(left_end, left_end + right * (2.8 * unit)), pen),
+            Self::Dot(ink) => group.area(vec![circle(left_end + right * (1.4 * unit), 0.4 * unit)], ink),
             Self::Scale(length) => {
-                let (from, to) = (at, at + right * length);
-                for (a, b) in [(from, to), (from - up, from + up), (to - up, to + up)] {
+                let (from, to) = (left_end, left_end + right * length);
+                for (a, b) in [
+                    (from, to),
+                    (from - half_height, from + half_height),
+                    (to - half_height, to + half_height),
+                ] {
                     group.line(straight(a, b), style.pen(TEXT, 1.5));
                 }
             }
@@ -135,26 +142,26 @@ impl Swatch {
     }
 }
 
-/// Draws the blocks from the upper left corner `at`, each as high as there is room and then as far left, none reaching beyond `width` that
+/// Draws the blocks from the upper left corner `corner`, each as high as there is room and then as far left, none reaching beyond `width` that
 /// need not; their height.
-pub(super) fn flow(group: &mut Group, blocks: &[Block<'_>], at: Point, width: f64, style: Style) -> f64 {
+pub(super) fn flow(group: &mut Group, blocks: &[Block<'_>], corner: Point, width: f64, style: Style) -> f64 {
     // Left, right with the gap, and foot of each block that is drawn.
-    let mut drawn: Vec<[f64; 3]> = Vec::new();
+    let mut placed: Vec<[f64; 3]> = Vec::new();
     for block in blocks {
         let wide = block.width(style);
         let top = |left: f64| {
-            let above = drawn
+            let feet_above = placed
                 .iter()
                 .filter(|[other, right, _]| left < *right && *other < left + wide + GAP * style.unit);
-            above.map(|[_, _, foot]| foot + style.unit).fold(0.0, f64::max)
+            feet_above.map(|[_, _, foot]| foot + style.unit).fold(0.0, f64::max)
         };
         let lefts =
-            drawn.iter().flat_map(|[left, right, _]| [*left, *right]).filter(|left| left + wide <= width);
+            placed.iter().flat_map(|[left, right, _]| [*left, *right]).filter(|left| left + wide <= width);
         let (left, down) = lefts.map(|left| (left, top(left))).fold((0.0, top(0.0)), |best, next| {
             if (next.1, next.0) < (best.1, best.0) { next } else { best }
         });
-        block.draw(group, at + Vec2::new(left, -down), style);
-        drawn.push([left, left + wide + GAP * style.unit, down + block.height(style)]);
+        block.draw(group, corner + Vec2::new(left, -down), style);
+        placed.push([left, left + wide + GAP * style.unit, down + block.height(style)]);
     }
-    drawn.iter().map(|[_, _, foot]| *foot).fold(0.0, f64::max)
+    placed.iter().map(|[_, _, foot]| *foot).fold(0.0, f64::max)
 }

@@ -32,16 +32,16 @@ pub fn is_faults(text: &str) -> bool {
     text.starts_with("<svg ") && text.contains(&format!("<title>{TITLE}"))
 }
 
-/// `drawn` with `faults` over it, as an SVG at 1:1.
-pub fn faults(title: &str, drawn: &[Path], faults: &[FaultMark]) -> String {
+/// `figures` with `faults` over it, as an SVG at 1:1.
+pub fn faults(title: &str, figures: &[Path], faults: &[FaultMark]) -> String {
     let places = Bounds::of_points(faults.iter().filter_map(|fault| fault.at));
-    let around = drawn.iter().map(Path::bounds).fold(places, Bounds::union);
-    let around = if around.width() >= 0.0 { around } else { Bounds::of_points([Point::ORIGIN]).grown(50.0) };
-    let style = Style::new(around.width().max(around.height()).max(10.0) * 1.2);
+    let bounds = figures.iter().map(Path::bounds).fold(places, Bounds::union);
+    let bounds = if bounds.width() >= 0.0 { bounds } else { Bounds::of_points([Point::ORIGIN]).grown(50.0) };
+    let style = Style::new(bounds.width().max(bounds.height()).max(10.0) * 1.2);
     let unit = style.unit;
     let (mut lines, mut marks, mut words) =
         (Group::new("drawing"), Group::new("faults"), Group::new("words"));
-    for path in drawn {
+    for path in figures {
         lines.line(path.clone(), style.pen(GREY, 1.5));
     }
     let number = match faults.len() {
@@ -53,38 +53,44 @@ pub fn faults(title: &str, drawn: &[Path], faults: &[FaultMark]) -> String {
     for (number, fault) in (1..).zip(faults) {
         let mut rest = format!("{number}  {}", fault.text);
         while !rest.is_empty() {
-            let most = rest.char_indices().nth(LINE).map_or(rest.len(), |(at, _)| at);
-            let end = if most < rest.len() {
-                rest[..most].rfind(' ').filter(|at| *at > 0).unwrap_or(most)
+            let longest = rest.char_indices().nth(LINE).map_or(rest.len(), |(at, _)| at);
+            let end = if longest < rest.len() {
+                rest[..longest].rfind(' ').filter(|at| *at > 0).unwrap_or(longest)
             } else {
-                most
+                longest
             };
             legend.say(legible(&rest[..end]));
-            let left = rest[end..].trim_start();
-            rest = if left.is_empty() { String::new() } else { format!("     {left}") };
+            let remainder = rest[end..].trim_start();
+            rest = if remainder.is_empty() { String::new() } else { format!("     {remainder}") };
         }
-        let Some(at) = fault.at else { continue };
+        let Some(place) = fault.at else { continue };
         // Faults at one place keep their numbers apart.
-        let same = faults[..number - 1]
+        let earlier_here = faults[..number - 1]
             .iter()
-            .filter(|other| other.at.is_some_and(|other| other.distance(at) < unit))
+            .filter(|other| other.at.is_some_and(|other| other.distance(place) < unit))
             .count();
         #[expect(clippy::cast_precision_loss, reason = "a few faults")]
-        let aside = at + Vec2::new(1.6 * unit * (1.0 + same as f64), 1.6 * unit);
-        marks.line(circle(at, 0.8 * unit), style.pen(CUT, 3.0));
-        marks.line(straight(at, aside), style.pen(CUT, 1.0));
-        words.text(Text::centered(aside + Vec2::new(0.5 * unit, 0.5 * unit), unit, CUT, number.to_string()));
+        let label_place = place + Vec2::new(1.6 * unit * (1.0 + earlier_here as f64), 1.6 * unit);
+        marks.line(circle(place, 0.8 * unit), style.pen(CUT, 3.0));
+        marks.line(straight(place, label_place), style.pen(CUT, 1.0));
+        words.text(Text::centered(
+            label_place + Vec2::new(0.5 * unit, 0.5 * unit),
+            unit,
+            CUT,
+            number.to_string(),
+        ));
     }
-    let view = around.grown(4.0 * unit);
-    let mut said = Group::new("legend");
+    let view = bounds.grown(4.0 * unit);
+    let mut legend_group = Group::new("legend");
     let width = view.width().max(legend.width(style) + 4.0 * unit);
-    let height = flow(&mut said, &[legend], Point::new(view.min.x + 2.0 * unit, view.min.y), width, style);
+    let height =
+        flow(&mut legend_group, &[legend], Point::new(view.min.x + 2.0 * unit, view.min.y), width, style);
     let window = Bounds {
         min: Point::new(view.min.x, view.min.y - height - 2.0 * unit),
         max: Point::new(view.min.x + width, view.max.y),
     };
     let mut page = Group::new("page");
     page.area(vec![Path::rectangle(&window)], PAGE);
-    let groups = vec![page, lines, marks, words, said];
-    Picture { title: format!("{TITLE}{title}"), window, top: around.max.y, groups }.svg()
+    let groups = vec![page, lines, marks, words, legend_group];
+    Picture { title: format!("{TITLE}{title}"), window, top: bounds.max.y, groups }.svg()
 }

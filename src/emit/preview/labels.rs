@@ -45,9 +45,14 @@ pub(super) fn star_labels(part: &StarDesign, star: &PlacedPart, style: Style, pl
     }
     if let Some(channel) = &part.channel {
         let mouth = star.placement.point(channel.mouth_center(geometry));
-        let along = mouth - star.placement.point(Point::polar(geometry.d_t, geometry.tip_ray(channel.tip)));
+        let direction =
+            mouth - star.placement.point(Point::polar(geometry.d_t, geometry.tip_ray(channel.tip)));
         let size = (0.9 * style.unit).min(0.3 * geometry.w);
-        beside(&mut group, places, &Callout { at: mouth, along, size, words: "inlet", ring: false });
+        beside(
+            &mut group,
+            places,
+            &Callout { at: mouth, along: direction, size, words: "inlet", ring: false },
+        );
     }
     group
 }
@@ -66,17 +71,21 @@ pub(super) fn drawn_labels(
     for seam in &piece.shape.seams {
         let path = placed.placement.path(&seam.center_line);
         let middle = 0.5 * path.length();
-        let (Some(at), Some(along)) = (path.point_at(middle), path.tangent_at(middle)) else { continue };
-        let along = along.perp();
+        let (Some(point), Some(tangent)) = (path.point_at(middle), path.tangent_at(middle)) else { continue };
+        let normal = tangent.perp();
         let size = (0.9 * style.unit).min(0.3 * piece.label_width());
         let words = shortened(&seam.name, 24);
-        beside(&mut group, places, &Callout { at, along, size, words: &words, ring: false });
+        beside(&mut group, places, &Callout { at: point, along: normal, size, words: &words, ring: false });
     }
     let middle = placed.placement.point(piece.part.outside.bounds().center());
     let size = (0.9 * style.unit).min(0.3 * piece.label_width());
     for port in &piece.shape.ports {
-        let at = placed.placement.point(port.at);
-        beside(&mut group, places, &Callout { at, along: at - middle, size, words: "port", ring: false });
+        let point = placed.placement.point(port.at);
+        beside(
+            &mut group,
+            places,
+            &Callout { at: point, along: point - middle, size, words: "port", ring: false },
+        );
     }
     for valve in &piece.shape.valves {
         let bounds = valve.rim.bounds();
@@ -101,7 +110,7 @@ fn hinges(part: &StarDesign, star: &PlacedPart, style: Style, places: &mut Place
             if size < least * style.unit {
                 break;
             }
-            let along = |from: f64, ray: f64, words: String| -> Vec<Text> {
+            let hinge_texts = |from: f64, ray: f64, words: String| -> Vec<Text> {
                 let shares = [0.5, 0.58, 0.42, 0.66, 0.34, 0.74, 0.26];
                 let places = shares.map(|share| {
                     let center = star.placement.point(Point::polar(from + share * geometry.w, ray));
@@ -111,8 +120,8 @@ fn hinges(part: &StarDesign, star: &PlacedPart, style: Style, places: &mut Place
             };
             let labels = (1..=geometry.n).flat_map(|k| {
                 [
-                    along(geometry.d_t + geometry.r_i, geometry.tip_ray(k), format!("{tip}{k}")),
-                    along(geometry.rho_0, geometry.corner_ray(k), format!("{corner}{k}")),
+                    hinge_texts(geometry.d_t + geometry.r_i, geometry.tip_ray(k), format!("{tip}{k}")),
+                    hinge_texts(geometry.rho_0, geometry.corner_ray(k), format!("{corner}{k}")),
                 ]
             });
             if let Some(labels) = places.all(labels) {
@@ -163,12 +172,12 @@ fn beside(group: &mut Group, places: &mut Places, callout: &Callout<'_>) {
             for out in &ways {
                 let middle = at + *out * (reach * size + if ring { 0.0 } else { half * out.x.abs() });
                 text = text.centered_at(middle);
-                let taken = if ring { Bounds::of_points([middle]).grown(radius) } else { text.bounds() };
-                if !places.is_free(&taken) {
+                let area = if ring { Bounds::of_points([middle]).grown(radius) } else { text.bounds() };
+                if !places.is_free(&area) {
                     continue;
                 }
-                places.keep_off_box(taken);
-                let edge = if ring { middle - *out * radius } else { nearest(&taken.grown(0.15 * size), at) };
+                places.keep_off_box(area);
+                let edge = if ring { middle - *out * radius } else { nearest(&area.grown(0.15 * size), at) };
                 group.line(straight(at, edge), Pen::new(ink, 0.07 * size));
                 if ring {
                     group.line(circle(middle, radius), Pen::new(ink, 0.07 * size));

@@ -49,23 +49,24 @@ impl Preview<'_> {
         // The stack is drawn beside the first sheet.
         let stack = StackView::new(self).filter(|_| sheet == 1);
         let size = |unit: f64| stack.as_ref().map_or((0.0, 0.0), |stack| stack.size(unit));
-        let (beside, least) = size(0.0);
-        let style = Style::new((layout.width + beside).max(layout.height).max(least) * 1.15);
-        let view = view(layout, style);
+        let (stack_width, least_height) = size(0.0);
+        let style = Style::new((layout.width + stack_width).max(layout.height).max(least_height) * 1.15);
+        let sheet_view = view(layout, style);
         let blocks = words::blocks(self, sheet, style);
         let (strip, tall) = size(style.unit);
         let widest = blocks.iter().map(|block| block.width(style)).fold(0.0, f64::max);
-        let width = (view.width() + strip).max(widest + 4.0 * style.unit);
-        let low = view.min.y.min(view.max.y - tall);
-        let mut groups = self.sheet_groups(layout, &view, style);
-        groups.extend(stack.map(|stack| stack.group(view.max.x + 0.5 * strip, view.max.y, style)));
-        let mut said = Group::new("words");
-        let at = Point::new(view.min.x + 2.0 * style.unit, low);
-        let block = flow(&mut said, &blocks, at, width - 4.0 * style.unit, style);
-        groups.push(said);
+        let width = (sheet_view.width() + strip).max(widest + 4.0 * style.unit);
+        let low = sheet_view.min.y.min(sheet_view.max.y - tall);
+        let mut groups = self.sheet_groups(layout, &sheet_view, style);
+        groups
+            .extend(stack.map(|stack| stack.group(sheet_view.max.x + 0.5 * strip, sheet_view.max.y, style)));
+        let mut words = Group::new("words");
+        let corner = Point::new(sheet_view.min.x + 2.0 * style.unit, low);
+        let block = flow(&mut words, &blocks, corner, width - 4.0 * style.unit, style);
+        groups.push(words);
         let window = Bounds {
-            min: Point::new(view.min.x, low - block - 2.0 * style.unit),
-            max: Point::new(view.min.x + width, view.max.y),
+            min: Point::new(sheet_view.min.x, low - block - 2.0 * style.unit),
+            max: Point::new(sheet_view.min.x + width, sheet_view.max.y),
         };
         let mut page = Group::new("page");
         page.area(vec![Path::rectangle(&window)], PAGE);
@@ -87,9 +88,9 @@ impl Preview<'_> {
         }
         let mut starts = Vec::new();
         for program in self.programs.iter().filter(|program| program.sheet == layout.index) {
-            let (group, more) = travel_group(self.design, program, style, &mut places);
+            let (group, travel_starts) = travel_group(self.design, program, style, &mut places);
             groups.push(group);
-            starts.extend(more);
+            starts.extend(travel_starts);
         }
         groups.push(start_labels(&starts, style, &mut places));
         for placed in pieces {

@@ -69,8 +69,8 @@ impl Places {
         if !self.window.contains(bounds.min) || !self.window.contains(bounds.max) {
             return false;
         }
-        let known = self.recent.iter().position(|obstacle| self.is_in(*obstacle, &room));
-        if let Some(place) = known {
+        let recent_place = self.recent.iter().position(|obstacle| self.is_in(*obstacle, &room));
+        if let Some(place) = recent_place {
             self.recent[..=place].rotate_right(1);
             return false;
         }
@@ -82,15 +82,15 @@ impl Places {
 
     /// Something that reaches into `room`.
     fn obstacle(&self, room: &Bounds) -> Option<LabelBlock> {
-        let mut found = None;
+        let mut reaching = None;
         let mut is = |obstacle| {
             let is_in = self.is_in(obstacle, room);
-            found = is_in.then_some(obstacle);
+            reaching = is_in.then_some(obstacle);
             is_in
         };
         let _ = self.boxes.any(room, |number| is(LabelBlock::Box(number)))
             || self.around_lines.any(room, |number| is(LabelBlock::Line(number)));
-        found
+        reaching
     }
 
     /// Whether `obstacle` reaches into `room`.
@@ -121,11 +121,12 @@ impl Places {
 
     /// All of `labels`, each at the first of its places; `None`, and no place taken, if one of them has none.
     pub(super) fn all(&mut self, labels: impl IntoIterator<Item = Vec<Text>>) -> Option<Vec<Text>> {
-        let before = self.boxes.len();
+        let box_count = self.boxes.len();
         let placed = labels.into_iter().map(|places| self.first(places)).collect();
         if Option::<Vec<Text>>::is_none(&placed) {
-            self.boxes.truncate(before);
-            self.recent.retain(|obstacle| !matches!(obstacle, LabelBlock::Box(number) if *number >= before));
+            self.boxes.truncate(box_count);
+            self.recent
+                .retain(|obstacle| !matches!(obstacle, LabelBlock::Box(number) if *number >= box_count));
         }
         placed
     }

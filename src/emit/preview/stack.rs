@@ -114,24 +114,25 @@ impl<'a> StackView<'a> {
     fn name(&self, group: &mut Group, alike: &Alike<'_>, places: &mut Places, style: Style) {
         let star = &alike.part.star;
         let (ink, words) = (star_ink(alike.stars[0]), listed(&alike.stars));
-        let at = |radius: f64, ray: f64, size: f64| {
+        let name_at = |radius: f64, ray: f64, size: f64| {
             Text::centered(alike.motion.point(Point::polar(radius, ray)), size, ink, words.clone())
         };
         // The tip of the hose has a line already.
         let hose = alike.part.channel.map_or(0, |channel| channel.tip);
         let rays = (1..=star.n).filter(move |k| *k != hose).map(|k| star.tip_ray(k));
-        let inside = [1.0, 0.8, 0.6].into_iter().flat_map(|share| {
+        let places_inside = [1.0, 0.8, 0.6].into_iter().flat_map(|share| {
             let size = (share * style.unit).min(0.4 * star.w);
             rays.clone().flat_map(move |ray| {
                 [0.5, 0.35, 0.65].map(|part| (star.d_t + star.r_i + part * star.w, ray, size))
             })
         });
-        let inside: Vec<Text> = inside.map(|(radius, ray, size)| at(radius, ray, size)).collect();
-        if let Some(text) = places.first(inside) {
+        let texts_inside: Vec<Text> =
+            places_inside.map(|(radius, ray, size)| name_at(radius, ray, size)).collect();
+        if let Some(text) = places.first(texts_inside) {
             group.text(text);
             return;
         }
-        let half = 0.5 * at(0.0, 0.0, style.unit).width();
+        let half = 0.5 * name_at(0.0, 0.0, style.unit).width();
         for ray in rays {
             let turned =
                 (alike.motion.point(Point::polar(1.0, ray)) - alike.motion.point(Point::ORIGIN)).angle();
@@ -142,7 +143,7 @@ impl<'a> StackView<'a> {
             if !places.is_clear(&leader) {
                 continue;
             }
-            if let Some(text) = places.first([at(radius, ray, style.unit)]) {
+            if let Some(text) = places.first([name_at(radius, ray, style.unit)]) {
                 places.keep_off(&leader, 0.0);
                 group.line(leader, style.pen(ink, 0.8));
                 group.text(text);
@@ -153,35 +154,35 @@ impl<'a> StackView<'a> {
 
     fn alike(&self, axis: Point) -> Vec<Alike<'a>> {
         let design = self.assembly;
-        let mut out: Vec<Alike<'a>> = Vec::new();
+        let mut groups: Vec<Alike<'a>> = Vec::new();
         for (star, turn) in design.stars.iter().zip(&design.stack.turns) {
             let part = design.part(star);
-            let same = |other: &&mut Alike<'_>| {
+            let is_alike = |other: &&mut Alike<'_>| {
                 std::ptr::eq(other.part, part) && ((other.motion.rotation - turn) / TAU).fract().abs() < 1e-9
             };
-            match out.iter_mut().find(same) {
+            match groups.iter_mut().find(is_alike) {
                 Some(alike) => alike.stars.push(star.index),
-                None => out.push(Alike {
+                None => groups.push(Alike {
                     stars: vec![star.index],
                     part,
                     motion: Isometry { shift: axis - Point::ORIGIN, ..Isometry::rotation(*turn) },
                 }),
             }
         }
-        out
+        groups
     }
 
     fn seen_from_the_side(&self, group: &mut Group, foot: Point, style: Style) {
         let (design, frame) = (self.assembly, &self.assembly.frame);
-        let at = |x: f64, z: f64| foot + Vec2::new(x, z);
+        let point_at = |x: f64, z: f64| foot + Vec2::new(x, z);
         let block = |half: f64, from: f64, to: f64| {
-            Path::rectangle(&Bounds { min: at(-half, from), max: at(half, to) })
+            Path::rectangle(&Bounds { min: point_at(-half, from), max: point_at(half, to) })
         };
         if let Some(SideObject { profile, table, .. }) = &self.side {
             let profile = Isometry { shift: foot - Point::ORIGIN, ..Isometry::rotation(0.0) }.path(profile);
             group.area(vec![profile.clone()], OBJECT);
             group.line(profile, style.pen(GREY, 0.7));
-            let [from, to] = [-frame.radius, frame.radius].map(|x| at(x, *table));
+            let [from, to] = [-frame.radius, frame.radius].map(|x| point_at(x, *table));
             group.line(straight(from, to), style.pen(TEXT, 0.7));
         }
         let plates: Vec<(usize, f64, f64)> = frame
@@ -192,7 +193,10 @@ impl<'a> StackView<'a> {
             .collect();
         for post in &frame.posts {
             let half = frame.post_diameter / 2.0;
-            let area = Bounds { min: at(post.x - half, 0.0), max: at(post.x + half, design.stack.height) };
+            let area = Bounds {
+                min: point_at(post.x - half, 0.0),
+                max: point_at(post.x + half, design.stack.height),
+            };
             group.line(Path::rectangle(&area), style.pen(IRON, 0.8));
         }
         for (_, opening, z) in &plates {
@@ -215,8 +219,8 @@ impl<'a> StackView<'a> {
         for (labels, side, anchor) in [(left, -1.0, Anchor::End), (right, 1.0, Anchor::Start)] {
             let x = side * (frame.radius + 0.8 * style.unit);
             for (content, z) in spaced(labels, style) {
-                let at = at(x, z - 0.35 * style.unit);
-                group.text(Text { at, size: style.unit, anchor, ink: TEXT, content });
+                let label_place = point_at(x, z - 0.35 * style.unit);
+                group.text(Text { at: label_place, size: style.unit, anchor, ink: TEXT, content });
             }
         }
     }
@@ -228,19 +232,19 @@ impl SideObject {
         let object = Object::new(spec.load.as_ref()?)?;
         let stand = Stand::new(spec)?;
         let (low, top) = (stand.object, stand.object + object.height().0);
-        let shown = [low.max(-stack), top.min(2.0 * stack)];
+        let visible = [low.max(-stack), top.min(2.0 * stack)];
         let middle = f64::midpoint(low, top);
         let points = (0..=CHORDS).map(|i| {
             // Chords of equal angle, so that the poles of a ball are round.
             let z = middle - (middle - low) * libm::cos(PI * f64::from(i) / f64::from(CHORDS));
-            z.clamp(shown[0], shown[1])
+            z.clamp(visible[0], visible[1])
         });
         let heights: Vec<f64> = points.collect();
         let right = heights.iter().map(|z| Point::new(object.radius_at(z - middle), *z));
         let left = heights.iter().rev().map(|z| Point::new(-object.radius_at(z - middle), *z));
-        let mut around: Vec<Point> = right.chain(left).collect();
-        around.dedup_by(|a, b| a.distance(*b) < 1e-9);
-        Some(Self { profile: Path::polygon(&around), shown, table: shown[0] })
+        let mut outline: Vec<Point> = right.chain(left).collect();
+        outline.dedup_by(|a, b| a.distance(*b) < 1e-9);
+        Some(Self { profile: Path::polygon(&outline), shown: visible, table: visible[0] })
     }
 }
 

@@ -77,8 +77,8 @@ pub(super) fn circle(center: Point, radius: f64) -> Path {
     Path::closed(vec![Arc::new(center, radius, 0.0, std::f64::consts::TAU).into()])
 }
 
-/// An arrow head of length `size` with its tip at `tip`, pointing along the unit vector `along`.
-pub(super) fn arrow_head(tip: Point, along: Vec2, size: f64) -> Path {
-    let (back, side) = (tip - along * size, along.perp() * (0.35 * size));
+/// An arrow head of length `size` with its tip at `tip`, pointing along the unit vector `direction`.
+pub(super) fn arrow_head(tip: Point, direction: Vec2, size: f64) -> Path {
+    let (back, side) = (tip - direction * size, direction.perp() * (0.35 * size));
     Path::polygon(&[tip, back + side, back - side])
 }

@@ -56,11 +56,11 @@ pub(super) fn travel_group(
                     places.keep_off_box(arrow.bounds());
                     group.area(vec![arrow], IRON);
                 }
-                if let (Some(at), Some(along)) = (run.start(), run.tangent_at(0.0)) {
-                    let dot = circle(at, (0.4 * style.unit).min(0.12 * tube));
+                if let (Some(point), Some(tangent)) = (run.start(), run.tangent_at(0.0)) {
+                    let dot = circle(point, (0.4 * style.unit).min(0.12 * tube));
                     places.keep_off_box(dot.bounds());
                     group.area(vec![dot], START);
-                    starts.push(Start { order: index + 1, at, along, tube });
+                    starts.push(Start { order: index + 1, at: point, along: tangent, tube });
                 }
             }
             Step::Height(_) | Step::Heat(_) | Step::Travel(_) | Step::Trace(_) => {}
@@ -101,8 +101,8 @@ fn arrows(travelled: &Path, size: f64) -> Vec<Path> {
     let length = travelled.length();
     (0..ARROWS)
         .filter_map(|i| {
-            let at = length * (f64::from(i) + 0.5) / f64::from(ARROWS);
-            Some(arrow_head(travelled.point_at(at)?, travelled.tangent_at(at)?, size))
+            let distance = length * (f64::from(i) + 0.5) / f64::from(ARROWS);
+            Some(arrow_head(travelled.point_at(distance)?, travelled.tangent_at(distance)?, size))
         })
         .collect()
 }

@@ -71,9 +71,9 @@ const ACROSS: i32 = 364;
 fn of_link(code: &LinkCode) -> String {
     let (side, path, link) = (code.side(), code.svg_path(), text(code.link()));
     // Pictures of a report are as wide as its page: the code takes a third of that, or what its modules need.
-    let across = ACROSS.min(3 * side);
+    let shown_side = ACROSS.min(3 * side);
     format!(
-        "<p><a href=\"{link}\"><svg viewBox=\"0 0 {across} {side}\" role=\"img\" aria-label=\"QR code of the link to this spec\">\
+        "<p><a href=\"{link}\"><svg viewBox=\"0 0 {shown_side} {side}\" role=\"img\" aria-label=\"QR code of the link to this spec\">\
          <path fill=\"#fff\" d=\"M0 0h{side}v{side}H0z\"/><path fill=\"#000\" d=\"{path}\"/></svg></a></p>\n\
          <p>The code opens this spec in the page, to be changed and made again.</p>"
     )
@@ -101,16 +101,16 @@ fn block(data: &Value) -> String {
 }
 
 /// The text with each of `marks` written by its number.
-fn escaped(text: &str, marks: &[char], written: impl Fn(u32) -> String) -> String {
-    let mut out = String::with_capacity(text.len());
+fn escaped(text: &str, marks: &[char], number_of: impl Fn(u32) -> String) -> String {
+    let mut safe_text = String::with_capacity(text.len());
     for c in text.chars() {
         if marks.contains(&c) {
-            out.push_str(&written(u32::from(c)));
+            safe_text.push_str(&number_of(u32::from(c)));
         } else {
-            out.push(c);
+            safe_text.push(c);
         }
     }
-    out
+    safe_text
 }
 
 #[cfg(test)]
@@ -122,7 +122,7 @@ mod tests {
 
     /// Words that try to break out of the place they are in.
     fn hostile() -> impl Strategy<Value = String> {
-        let known = prop::sample::select(vec![
+        let hostile_texts = prop::sample::select(vec![
             "</script><script>alert(1)</script>",
             "<img src=x onerror=alert(1)>",
             "\"><svg onload=alert(1)>",
@@ -136,7 +136,7 @@ mod tests {
             "javascript:alert(1)",
             "' onmouseover='alert(1)",
         ]);
-        prop::collection::vec(prop_oneof![known.prop_map(str::to_owned), "\\PC{0,8}"], 0..4)
+        prop::collection::vec(prop_oneof![hostile_texts.prop_map(str::to_owned), "\\PC{0,8}"], 0..4)
             .prop_map(|parts| parts.concat())
     }
 
@@ -149,25 +149,25 @@ mod tests {
         #[test]
         fn no_words_of_a_spec_get_out_of_their_place(words in hostile()) {
             let data = json!({ "name": words, words.clone(): [words] });
-            let (made, plain) = (page(&words, &data, b"glb", None), page("", &json!({}), b"glb", None));
+            let (page_of_words, plain) = (page(&words, &data, b"glb", None), page("", &json!({}), b"glb", None));
             for mark in ["<", ">", "://"] {
-                prop_assert_eq!(made.matches(mark).count(), plain.matches(mark).count(), "{}", mark);
+                prop_assert_eq!(page_of_words.matches(mark).count(), plain.matches(mark).count(), "{}", mark);
             }
-            let block = between(&made, "<script type=\"application/json\" id=\"data\">", "</script>");
+            let block = between(&page_of_words, "<script type=\"application/json\" id=\"data\">", "</script>");
             prop_assert_eq!(serde_json::from_str::<Value>(block).expect("JSON"), data);
-            let title = between(&made, "<title>", "</title>");
+            let title = between(&page_of_words, "<title>", "</title>");
             prop_assert!(!title.contains(['<', '>', '"', '\'', '/']), "{}", title);
         }
     }
 
     #[test]
     fn the_policy_names_the_very_scripts_and_styles() {
-        let made = page("x", &json!({}), b"glb", None);
+        let whole_page = page("x", &json!({}), b"glb", None);
         for (from, to) in [("<style>", "</style>"), ("<script>", "</script>")] {
-            prop_assert_hash(&made, between(&made, from, to));
+            prop_assert_hash(&whole_page, between(&whole_page, from, to));
         }
-        assert_eq!(made.matches("<script>").count(), 1);
-        assert_eq!(made.matches("<style>").count(), 1);
+        assert_eq!(whole_page.matches("<script>").count(), 1);
+        assert_eq!(whole_page.matches("<style>").count(), 1);
     }
 
     fn prop_assert_hash(page: &str, text: &str) {

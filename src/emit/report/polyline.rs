@@ -11,51 +11,51 @@ const CHORD: f64 = 0.005;
 /// The path's corners, first absolute, then each as a step, in hundredths of a millimetre; a closed one does not return.
 pub(super) fn polyline(path: &Path) -> Vec<i64> {
     let corners = chords(path, CHORD);
-    let mut kept = thinned(&corners);
-    if path.closed && kept.len() > 1 && kept.first() == kept.last() {
-        let _ = kept.pop();
+    let mut corners_kept = thinned(&corners);
+    if path.closed && corners_kept.len() > 1 && corners_kept.first() == corners_kept.last() {
+        let _ = corners_kept.pop();
     }
-    let (mut out, mut last) = (Vec::with_capacity(2 * kept.len()), (0, 0));
-    for point in kept {
-        let at = (hundredths(point.x), hundredths(point.y));
-        out.extend([at.0 - last.0, at.1 - last.1]);
-        last = at;
+    let (mut steps, mut last) = (Vec::with_capacity(2 * corners_kept.len()), (0, 0));
+    for point in corners_kept {
+        let rounded = (hundredths(point.x), hundredths(point.y));
+        steps.extend([rounded.0 - last.0, rounded.1 - last.1]);
+        last = rounded;
     }
-    out
+    steps
 }
 
 /// A length in hundredths of a millimetre.
 pub(super) fn hundredths(mm: f64) -> i64 {
     #[expect(clippy::cast_possible_truncation, reason = "below 1e7, and saturating")]
-    let whole = (mm * 100.0).round() as i64;
-    whole
+    let rounded = (mm * 100.0).round() as i64;
+    rounded
 }
 
 /// The points without those that lie within [`WITHIN`] of the lines between the others (Douglas and Peucker).
 fn thinned(points: &[Point]) -> Vec<Point> {
     let Some(last) = points.len().checked_sub(1) else { return Vec::new() };
-    let mut kept = vec![false; points.len()];
-    kept[0] = true;
-    kept[last] = true;
+    let mut is_kept = vec![false; points.len()];
+    is_kept[0] = true;
+    is_kept[last] = true;
     let mut open = vec![(0, last)];
     while let Some((from, to)) = open.pop() {
         let line = (points[from], points[to]);
         let worst = (from + 1..to)
-            .map(|i| (i, off(line, points[i])))
+            .map(|i| (i, distance_from_line(line, points[i])))
             .fold((from, 0.0), |best: (usize, f64), next| if next.1 > best.1 { next } else { best });
         if worst.1 > WITHIN {
-            kept[worst.0] = true;
+            is_kept[worst.0] = true;
             open.extend([(from, worst.0), (worst.0, to)]);
         }
     }
-    points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
+    points.iter().zip(is_kept).filter(|(_, is_kept)| *is_kept).map(|(point, _)| *point).collect()
 }
 
 /// Distance of `p` from the line between two points.
-fn off((a, b): (Point, Point), p: Point) -> f64 {
-    let along = b - a;
-    let length = along.dot(along);
-    let share = if length > 0.0 { ((p - a).dot(along) / length).clamp(0.0, 1.0) } else { 0.0 };
+fn distance_from_line((a, b): (Point, Point), p: Point) -> f64 {
+    let chord = b - a;
+    let length = chord.dot(chord);
+    let share = if length > 0.0 { ((p - a).dot(chord) / length).clamp(0.0, 1.0) } else { 0.0 };
     a.lerp(b, share).distance(p)
 }
 

@@ -36,20 +36,20 @@ pub fn drawn_scene(
     let node = Node { name: "piece".to_owned(), mesh, at: [-middle.x, -middle.y, rise], turn: 0.0 };
     let reach = 0.5 * bounds.width().max(bounds.height());
     let bands = [(SceneSurface::OuterBand, Layer::Seal)];
-    let sheets = sheets(&mut glb, design, (reach, spec.seal.band.0), &bands)?;
+    let sheet_nodes = sheets(&mut glb, design, (reach, spec.seal.band.0), &bands)?;
     // Validators remark on a material without use.
-    let used = if inflated.is_empty() || !sheets.is_empty() { DRAWN.len() } else { 2 };
-    Some(glb.finish(&spec.name, &[("pieces", vec![node]), ("sheets", sheets)], used))
+    let surface_count = if inflated.is_empty() || !sheet_nodes.is_empty() { DRAWN.len() } else { 2 };
+    Some(glb.finish(&spec.name, &[("pieces", vec![node]), ("sheets", sheet_nodes)], surface_count))
 }
 
 /// The pieces as they are cut: fabric around the air, the air, and bands.
 fn flat(pieces: &DrawnPieces, band: f64) -> Option<Vec<(SceneSurface, Mesh)>> {
     let (mut fabric, mut air, mut bands) = (Mesh::default(), Mesh::default(), Mesh::default());
     for piece in &pieces.pieces {
-        let around: Vec<Path> =
+        let boundaries: Vec<Path> =
             [&piece.part.outside].into_iter().chain(&piece.part.inside).chain(&piece.air).cloned().collect();
         let seams: Vec<Path> = piece.shape.seams.iter().map(|seam| seam.center_line.clone()).collect();
-        fabric.append(Mesh::fill(&around, 0.0)?);
+        fabric.append(Mesh::fill(&boundaries, 0.0)?);
         air.append(Mesh::fill(&piece.air, 0.0)?);
         bands.append(Mesh::ribbons(&seams, band)?);
     }
@@ -62,13 +62,13 @@ fn mm(metres: f64) -> f64 {
 
 /// Both sheets of all chambers, from flat to inflated.
 fn surface(inflated: &[Surface]) -> Mesh {
-    let mut all = Mesh::default();
+    let mut mesh = Mesh::default();
     for surface in inflated {
-        all.append(Mesh {
+        mesh.append(Mesh {
             points: surface.flat.iter().map(|[x, y]| [mm(*x), mm(*y), 0.0]).collect(),
             inflated: surface.points.iter().map(|at| at.map(mm)).collect(),
             triangles: surface.triangles.iter().map(|corners| corners.map(index)).collect(),
         });
     }
-    all
+    mesh
 }

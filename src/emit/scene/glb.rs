@@ -66,35 +66,40 @@ impl Glb {
     /// Adds a mesh again by another name, with shared numbers; returns its index. Viewers find the target of an animation by the name
     /// of its mesh.
     pub(super) fn again(&mut self, mesh: usize, name: &str) -> usize {
-        let mut same = self.meshes[mesh].clone();
-        same["name"] = name.into();
-        self.meshes.push(same);
+        let mut copy = self.meshes[mesh].clone();
+        copy["name"] = name.into();
+        self.meshes.push(copy);
         self.meshes.len() - 1
     }
 
-    /// The file of the nodes in these groups, each with its name, and of the first `used` surfaces.
-    pub(super) fn finish(mut self, name: &str, groups: &[(&str, Vec<Node>)], used: usize) -> Vec<u8> {
+    /// The file of the nodes in these groups, each with its name, and of the first `surface_count` surfaces.
+    pub(super) fn finish(
+        mut self,
+        name: &str,
+        groups: &[(&str, Vec<Node>)],
+        surface_count: usize,
+    ) -> Vec<u8> {
         let nodes: Vec<&Node> = groups.iter().flat_map(|(_, nodes)| nodes).collect();
         let moves = |node: &Node| self.meshes[node.mesh].get("weights").is_some();
         let moving: Vec<usize> = (0..nodes.len()).filter(|i| moves(nodes[*i])).collect();
-        let mut all: Vec<Value> = nodes.into_iter().map(node).collect();
+        let mut node_values: Vec<Value> = nodes.into_iter().map(node).collect();
         let mut first = 0;
         let mut roots = Vec::new();
         for (group, nodes) in groups {
             let children: Vec<usize> = (first..first + nodes.len()).collect();
             first += nodes.len();
             if !children.is_empty() {
-                roots.push(all.len());
-                all.push(json!({ "name": group, "children": children }));
+                roots.push(node_values.len());
+                node_values.push(json!({ "name": group, "children": children }));
             }
         }
         let mut document = json!({
             "asset": { "version": "2.0", "generator": env!("CARGO_PKG_NAME") },
             "scene": 0,
             "scenes": [{ "name": name, "nodes": roots }],
-            "nodes": all,
+            "nodes": node_values,
             "meshes": self.meshes,
-            "materials": self.surfaces[..used].iter().copied().map(material).collect::<Vec<_>>(),
+            "materials": self.surfaces[..surface_count].iter().copied().map(material).collect::<Vec<_>>(),
         });
         if !moving.is_empty() {
             document["animations"] = json!([self.animation(&moving)]);
@@ -107,7 +112,7 @@ impl Glb {
 
     fn primitive(&mut self, surface: SceneSurface, mesh: &Mesh) -> Value {
         let material = self.surfaces.iter().position(|own| *own == surface);
-        let at: Vec<[f64; 3]> = mesh.points.iter().map(|p| rounded(*p)).collect();
+        let positions: Vec<[f64; 3]> = mesh.points.iter().map(|p| rounded(*p)).collect();
         let indices: Vec<u8> = mesh.triangles.iter().flatten().flat_map(|i| i.to_le_bytes()).collect();
         let indices = self.accessor(
             &indices,
@@ -117,15 +122,15 @@ impl Glb {
             }),
         );
         let mut value = json!({
-            "attributes": { "POSITION": self.vectors(&at) }, "indices": indices, "material": material,
+            "attributes": { "POSITION": self.vectors(&positions) }, "indices": indices, "material": material,
         });
         if !mesh.inflated.is_empty() {
-            let by = |(from, to): (&[f64; 3], &[f64; 3])| {
+            let shift = |(from, to): (&[f64; 3], &[f64; 3])| {
                 let to = rounded(*to);
                 [to[0] - from[0], to[1] - from[1], to[2] - from[2]]
             };
-            let by: Vec<[f64; 3]> = at.iter().zip(&mesh.inflated).map(by).collect();
-            value["targets"] = json!([{ "POSITION": self.vectors(&by) }]);
+            let shifts: Vec<[f64; 3]> = positions.iter().zip(&mesh.inflated).map(shift).collect();
+            value["targets"] = json!([{ "POSITION": self.vectors(&shifts) }]);
         }
         value
     }
@@ -134,8 +139,8 @@ impl Glb {
     fn vectors(&mut self, vectors: &[[f64; 3]]) -> usize {
         let vectors: Vec<[f32; 3]> = vectors.iter().map(|v| y_up(*v).map(single)).collect();
         let fold = |pick: fn(f32, f32) -> f32| {
-            let least = vectors.iter().copied().reduce(|a, b| [0, 1, 2].map(|k| pick(a[k], b[k])));
-            least.unwrap_or_default().map(f64::from)
+            let extreme = vectors.iter().copied().reduce(|a, b| [0, 1, 2].map(|k| pick(a[k], b[k])));
+            extreme.unwrap_or_default().map(f64::from)
         };
         let description = json!({
             "componentType": FLOAT, "count": vectors.len(), "type": "VEC3", "min": fold(f32::min), "max": fold(f32::max),
@@ -188,9 +193,9 @@ fn material(surface: SceneSurface) -> Value {
 
 fn node(node: &Node) -> Value {
     let mut value = json!({ "name": node.name, "mesh": node.mesh });
-    let at = y_up(rounded(node.at));
-    if at != [0.0; 3] {
-        value["translation"] = json!(at);
+    let translation = y_up(rounded(node.at));
+    if translation != [0.0; 3] {
+        value["translation"] = json!(translation);
     }
     if node.turn != 0.0 {
         let round = |x: f64| Decimals::exactly(DECIMALS[1]).round(x);
@@ -214,13 +219,13 @@ fn container(mut text: Vec<u8>, mut numbers: Vec<u8>) -> Vec<u8> {
     text.resize(text.len().next_multiple_of(4), b' ');
     numbers.resize(numbers.len().next_multiple_of(4), 0);
     let length = |bytes: &[u8]| u32::try_from(bytes.len()).unwrap_or(u32::MAX);
-    let whole = length(&text).saturating_add(length(&numbers)).saturating_add(28);
-    let head = [u32::from_le_bytes(*b"glTF"), 2, whole];
-    let mut out: Vec<u8> = head.iter().flat_map(|x| x.to_le_bytes()).collect();
+    let total_length = length(&text).saturating_add(length(&numbers)).saturating_add(28);
+    let head = [u32::from_le_bytes(*b"glTF"), 2, total_length];
+    let mut container: Vec<u8> = head.iter().flat_map(|x| x.to_le_bytes()).collect();
     for (name, bytes) in [(b"JSON", text), (b"BIN\0", numbers)] {
-        out.extend(length(&bytes).to_le_bytes());
-        out.extend(name);
-        out.extend(bytes);
+        container.extend(length(&bytes).to_le_bytes());
+        container.extend(name);
+        container.extend(bytes);
     }
-    out
+    container
 }

@@ -64,34 +64,34 @@ impl Mesh {
 
     /// The solid between two heights inside the first of `paths` and outside the others, which lie in it.
     pub(super) fn extruded(paths: &[Path], [low, high]: [f64; 2]) -> Option<Self> {
-        let mut out = Self::fill(paths, high)?;
-        let below = Self::fill(paths, low)?;
-        out.append(Self {
-            triangles: below.triangles.iter().map(|[a, b, c]| [*a, *c, *b]).collect(),
-            ..below
+        let mut solid = Self::fill(paths, high)?;
+        let bottom = Self::fill(paths, low)?;
+        solid.append(Self {
+            triangles: bottom.triangles.iter().map(|[a, b, c]| [*a, *c, *b]).collect(),
+            ..bottom
         });
         for (path, is_hole) in paths.iter().zip(std::iter::once(false).chain(std::iter::repeat(true))) {
-            out.wall(&chords(path, CHORD), is_hole, [low, high]);
+            solid.wall(&chords(path, CHORD), is_hole, [low, high]);
         }
-        Some(out)
+        Some(solid)
     }
 
     /// The solid that a closed curve of `[radius, height]`, from the axis outwards and back to it, makes when it is turned around it.
     pub(super) fn turned(curve: &[[f64; 2]]) -> Self {
         let widest = curve.iter().map(|[radius, _]| *radius).fold(0.0, f64::max);
-        let around = quarters(widest);
+        let count_around = quarters(widest);
         let corner = |[radius, z]: [f64; 2], k: u32| {
-            let p = Point::polar(radius, TAU * f64::from(k % around) / f64::from(around));
+            let p = Point::polar(radius, TAU * f64::from(k % count_around) / f64::from(count_around));
             [p.x, p.y, z]
         };
-        let mut out = Self::default();
+        let mut surface = Self::default();
         for pair in curve.windows(2) {
-            for k in 0..around {
+            for k in 0..count_around {
                 let [low, high] = [pair[0], pair[1]];
-                out.quad([corner(low, k), corner(low, k + 1), corner(high, k + 1), corner(high, k)]);
+                surface.quad([corner(low, k), corner(low, k + 1), corner(high, k + 1), corner(high, k)]);
             }
         }
-        out
+        surface
     }
 
     /// Takes the wall on a closed polygon, too, its outside where the solid is not.
@@ -114,10 +114,10 @@ impl Mesh {
 
     /// Takes the triangles of `other`, too.
     pub(super) fn append(&mut self, other: Self) {
-        let before = index(self.points.len());
+        let offset = index(self.points.len());
         self.points.extend(other.points);
         self.inflated.extend(other.inflated);
-        self.triangles.extend(other.triangles.into_iter().map(|corners| corners.map(|i| i + before)));
+        self.triangles.extend(other.triangles.into_iter().map(|corners| corners.map(|i| i + offset)));
     }
 
     /// The mesh with corners that `inflate` carries elsewhere.
@@ -158,13 +158,13 @@ pub(super) fn index(n: usize) -> u32 {
 /// The paths for lyon. Their arcs are chords already, cut in double precision.
 fn outline(paths: &[Path]) -> Outline {
     let mut builder = Outline::builder();
-    let at = |p: Point| point(single(p.x), single(p.y));
+    let float_point = |p: Point| point(single(p.x), single(p.y));
     for path in paths {
         let mut corners = chords(path, CHORD).into_iter();
         let Some(first) = corners.next() else { continue };
-        let _ = builder.begin(at(first));
+        let _ = builder.begin(float_point(first));
         for corner in corners {
-            let _ = builder.line_to(at(corner));
+            let _ = builder.line_to(float_point(corner));
         }
         builder.end(path.closed);
     }

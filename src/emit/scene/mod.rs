@@ -32,15 +32,16 @@ const GAP: f64 = 60.0;
 pub fn scene(spec: &Spec, design: &Design, inflated: &[PosedStar]) -> Option<Vec<u8>> {
     let mut glb = Glb::new(&SURFACES.map(|(surface, ..)| surface));
     let assembly = design.assembly()?;
-    let stack = stack(&mut glb, assembly, inflated)?;
-    let object: Vec<Node> = object(&mut glb, spec).unwrap_or_default();
+    let stack_nodes = stack(&mut glb, assembly, inflated)?;
+    let object_nodes: Vec<Node> = object(&mut glb, spec).unwrap_or_default();
     let bands = [(SceneSurface::InnerBand, Layer::SealInner), (SceneSurface::OuterBand, Layer::SealOuter)];
-    let sheets = sheets(&mut glb, design, (reach(assembly), band_of(assembly)), &bands)?;
-    let masks = masks(&mut glb, spec, assembly)?;
+    let sheet_nodes = sheets(&mut glb, design, (reach(assembly), band_of(assembly)), &bands)?;
+    let mask_nodes = masks(&mut glb, spec, assembly)?;
     // The object's material comes last: validators remark on a material without use.
-    let used = SURFACES.len() - usize::from(object.is_empty());
-    let groups = [("stack", stack), ("object", object), ("sheets", sheets), ("masks", masks)];
-    Some(glb.finish(&spec.name, &groups, used))
+    let surface_count = SURFACES.len() - usize::from(object_nodes.is_empty());
+    let groups =
+        [("stack", stack_nodes), ("object", object_nodes), ("sheets", sheet_nodes), ("masks", mask_nodes)];
+    Some(glb.finish(&spec.name, &groups, surface_count))
 }
 
 /// Plates, posts and stars, in their places.
@@ -71,13 +72,13 @@ fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[PosedStar]) -> Option
     // Stars of one kind have one mesh where they close alike: on a ball each meets it at its own height.
     let mut meshes: Vec<(usize, Option<&PosedStar>, usize)> = Vec::new();
     for ((placed, z), turn) in design.stars.iter().zip(&stack.stars).zip(&stack.turns) {
-        let (to, name) = (inflated.get(placed.index - 1), format!("fabric of star {}", placed.index));
-        let alike = meshes.iter().find(|(kind, closed, _)| *kind == placed.distinct && *closed == to);
+        let (posed, name) = (inflated.get(placed.index - 1), format!("fabric of star {}", placed.index));
+        let alike = meshes.iter().find(|(kind, closed, _)| *kind == placed.distinct && *closed == posed);
         let mesh = match alike {
             Some((.., mesh)) => glb.again(*mesh, &name),
-            None => star(glb, design.part(placed), to, &name)?,
+            None => star(glb, design.part(placed), posed, &name)?,
         };
-        meshes.push((placed.distinct, to, mesh));
+        meshes.push((placed.distinct, posed, mesh));
         stand(format!("star {}", placed.index), mesh, [0.0, 0.0, *z], *turn);
     }
     Some(nodes)
@@ -147,7 +148,7 @@ fn sheets(
     (reach, band): (f64, f64),
     bands: &[(SceneSurface, Layer)],
 ) -> Option<Vec<Node>> {
-    let mut left = reach + GAP;
+    let mut left_edge = reach + GAP;
     let mut nodes = Vec::new();
     for layout in &design.sheets {
         let cuts = Drawing::outlines(design, layout.index, CutEdge::Part)?;
@@ -163,9 +164,9 @@ fn sheets(
         }
         parts.push((SceneSurface::Cut, Mesh::ribbons(&paths_on(&cuts, Layer::CutOutside), CUT)?));
         let mesh = glb.mesh("sheet", &parts);
-        let at = [left, -layout.height / 2.0, 0.0];
-        nodes.push(Node { name: format!("sheet {}", layout.index), mesh, at, turn: 0.0 });
-        left += layout.width + GAP;
+        let corner = [left_edge, -layout.height / 2.0, 0.0];
+        nodes.push(Node { name: format!("sheet {}", layout.index), mesh, at: corner, turn: 0.0 });
+        left_edge += layout.width + GAP;
     }
     Some(nodes)
 }

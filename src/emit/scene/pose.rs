@@ -84,8 +84,8 @@ impl ScenePose {
         };
         let ray = Vec2::unit(self.ray());
         let (v, normal) = (p - Point::ORIGIN, Vec2::new(-ray.y, ray.x));
-        let over = v.dot(normal).max(0.0);
-        let q = p - normal * over;
+        let depth = v.dot(normal).max(0.0);
+        let q = p - normal * depth;
         Point::new(q.x, q.y.max(0.0))
     }
 
@@ -123,27 +123,27 @@ impl ScenePose {
     fn columns(&self) -> Vec<(Point, Vec2)> {
         let turns =
             |half: f64| (0..=ALONG).map(move |i| half * (2.0 * f64::from(i) / f64::from(ALONG) - 1.0));
-        let mut out = Vec::new();
+        let mut columns = Vec::new();
         for k in 0..self.points {
             let ray = 2.0 * f64::from(k) * self.ray();
             let corner = Point::polar(self.corner.x, ray);
-            out.extend(turns(self.halves[0]).map(|turn| {
+            columns.extend(turns(self.halves[0]).map(|turn| {
                 let towards_hole = Vec2::unit(ray + PI - turn);
                 (corner + towards_hole * (self.radii[0] + self.width), -towards_hole)
             }));
             let ray = ray + self.ray();
             let tip = Point::polar(self.tip.distance(Point::ORIGIN), ray);
-            out.extend(turns(self.halves[1]).map(|turn| {
+            columns.extend(turns(self.halves[1]).map(|turn| {
                 let outwards = Vec2::unit(ray + turn);
                 (tip + outwards * self.radii[1], outwards)
             }));
         }
-        out
+        columns
     }
 
     /// Corners of the tube's two sheets, around every column.
     fn tube(&self) -> Vec<[f64; 3]> {
-        let around = |(edge, outwards): (Point, Vec2)| {
+        let ring = |(edge, outwards): (Point, Vec2)| {
             (0..2 * ACROSS).map(move |j| {
                 // Once around a circle; flat, the way across goes with the length of the fabric.
                 let turn = PI * f64::from(j) / f64::from(ACROSS);
@@ -153,7 +153,7 @@ impl ScenePose {
                 [p.x, p.y, self.rise * libm::sin(turn)]
             })
         };
-        self.columns().into_iter().flat_map(around).collect()
+        self.columns().into_iter().flat_map(ring).collect()
     }
 }
 
@@ -192,10 +192,10 @@ impl PoseMotion {
         let p = Point::new(x, y);
         let sector = 2.0 * self.from.ray();
         let turn = (p.angle() / sector).round() * sector;
-        let seen = rotated(p, -turn);
-        let side = if seen.y < 0.0 { -1.0 } else { 1.0 };
-        let at = Point::new(seen.x, seen.y.abs());
-        let to = self.to.point(self.from.place(at));
+        let turned = rotated(p, -turn);
+        let side = if turned.y < 0.0 { -1.0 } else { 1.0 };
+        let mirrored = Point::new(turned.x, turned.y.abs());
+        let to = self.to.point(self.from.place(mirrored));
         let p = rotated(Point::new(to.x, side * to.y), turn);
         [p.x, p.y, z]
     }
@@ -217,8 +217,8 @@ pub(super) fn tube(pose: ScenePose, inflated: Option<ScenePose>) -> Mesh {
     }
 }
 
-fn rotated(p: Point, by: f64) -> Point {
-    let (sin, cos) = libm::sincos(by);
+fn rotated(p: Point, angle: f64) -> Point {
+    let (sin, cos) = libm::sincos(angle);
     Point::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos)
 }
 
@@ -249,13 +249,13 @@ mod tests {
     fn a_motion_to_where_it_is_moves_nothing() {
         for star in stars() {
             let flat = ScenePose::flat(&star);
-            let still = PoseMotion { from: flat, to: flat };
+            let motion = PoseMotion { from: flat, to: flat };
             for side in [Side::Hole, Side::Outside] {
                 for delta in [0.0, 1.0, 5.0] {
                     let path = star.contour(side, delta, 0.0).expect("a contour").path();
                     for i in 0..200 {
                         let p = path.point_at(f64::from(i) / 200.0 * path.length()).expect("a point");
-                        let [x, y, _] = still.carried([p.x, p.y, 0.0]);
+                        let [x, y, _] = motion.carried([p.x, p.y, 0.0]);
                         assert!(Point::new(x, y).distance(p) < 1e-9, "{side:?} {delta} {p:?}");
                     }
                 }
